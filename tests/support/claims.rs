@@ -1,7 +1,7 @@
 //! Papers from a few lines of text, for the tests of several rooms: each includes this file as a module.
 
 use std::sync::Arc;
-use torse_language::derivation::{LoadError, Paper, Source, paper};
+use torse_syntax::derivation::{LoadError, Paper, Source, paper};
 
 /// The paper `name` with these declarations and one claim `name/1`, `name/2`, ... for every entry, the lines of which
 /// follow `id`, `at`, `kind` (a property unless they say otherwise) and `printed`.

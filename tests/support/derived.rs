@@ -1,8 +1,8 @@
 //! Derivations of all kinds, from the derivation files: what a reader may ask `torse derive` for.
 
 use std::path::Path;
-use torse_language::derivation::declarations::Declarations;
-use torse_language::derivation::{Paper, load};
+use torse_syntax::derivation::declarations::Declarations;
+use torse_syntax::derivation::{Paper, load};
 use torse_verdicts::derive::{
     Derivation, Geometric, Shape, continuity, end_derivatives, geometric,
 };

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
 
 use std::path::Path;
-use torse_language::derivation::load;
+use torse_syntax::derivation::load;
 use torse_verdicts::Outcome;
 use torse_verdicts::engine::decide_claim;
 

@@ -11,22 +11,25 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each room with the rooms it may use. Rooms that are planned and not built stand here as well.
-const ROOMS: [(&str, &[&str]); 15] = [
+const ROOMS: [(&str, &[&str]); 18] = [
     ("numbers", &[]),
     ("algebra", &["numbers"]),
-    ("language", &["numbers"]),
-    ("semantics", &["numbers", "language"]),
-    ("proof", &["numbers", "language"]),
-    ("prove", &["algebra", "language", "proof"]),
-    ("verdicts", &["semantics", "prove"]),
-    ("rocq", &["language", "proof"]),
+    ("syntax", &["numbers"]),
+    ("core", &["numbers", "syntax"]),
+    ("elaborate", &["numbers", "syntax", "core"]),
+    ("semantics", &["numbers", "syntax", "core", "elaborate"]),
+    ("certificate", &["numbers", "core"]),
+    ("checker", &["numbers", "core", "certificate"]),
+    ("prove", &["algebra", "core", "elaborate", "certificate"]),
+    ("verdicts", &["semantics", "prove", "checker"]),
+    ("rocq", &["syntax", "core", "elaborate", "certificate"]),
     ("geometry", &["numbers", "algebra"]),
     ("exchange", &["geometry"]),
-    ("figures", &[]),
-    ("plates", &["language", "prove", "figures"]),
-    ("designs", &["language", "geometry", "exchange", "figures"]),
-    ("report", &["verdicts", "figures"]),
-    ("cli", &["report", "plates", "designs", "rocq"]),
+    ("plot", &[]),
+    ("figures", &["syntax", "prove", "plot"]),
+    ("designs", &["syntax", "geometry", "exchange", "plot"]),
+    ("report", &["verdicts", "plot"]),
+    ("cli", &["report", "figures", "designs", "rocq"]),
 ];
 
 /// The rooms that a room may use, directly or through others.
@@ -147,9 +150,9 @@ fn an_import_against_the_direction_is_seen() {
     assert_eq!(
         wrong(
             "geometry",
-            "use {torse_numbers::Ball, torse_language::fault};"
+            "use {torse_numbers::Ball, torse_syntax::fault};"
         ),
-        ["language"]
+        ["syntax"]
     );
     assert_eq!(wrong("verdicts", "use torse_numbers::Ball;"), [""; 0]);
     assert_eq!(

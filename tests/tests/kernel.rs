@@ -6,13 +6,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::time::Duration;
-use torse_language::derivation::{Claim, load};
-use torse_language::words::Verdict;
 use torse_prove::evidence;
 use torse_rocq::coqc::{Accepted, Coqc, Limits};
 use torse_rocq::folder::Folder;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
+use torse_syntax::derivation::{Claim, load};
+use torse_syntax::words::Verdict;
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::mutants::refuted;
 

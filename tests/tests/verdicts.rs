@@ -5,9 +5,9 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
-use torse_language::derivation::{Claim, Paper, load};
-use torse_language::words::{Kind, Verdict};
 use torse_prove::Evidence;
+use torse_syntax::derivation::{Claim, Paper, load};
+use torse_syntax::words::{Kind, Verdict};
 use torse_verdicts::Outcome;
 use torse_verdicts::PaperOutcome;
 use torse_verdicts::audit::audit;

@@ -9,10 +9,10 @@ use crate::{guard, selection, terminal};
 use clap::Args;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use torse_language::derivation::{Answer, Claim, DerivationError, Paper};
-use torse_language::syntax::Place;
-use torse_language::words::Flag;
 use torse_report::words;
+use torse_syntax::derivation::{Answer, Claim, DerivationError, Paper};
+use torse_syntax::formula::Place;
+use torse_syntax::words::Flag;
 use torse_verdicts::audit::{Audited, audit};
 use torse_verdicts::outcome::Outcome;
 

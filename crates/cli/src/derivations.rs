@@ -5,10 +5,10 @@ use crate::mistakes::Mistakes;
 use crate::selection;
 use sha2::{Digest as _, Sha256};
 use std::path::{Path, PathBuf};
-use torse_language::derivation;
-use torse_language::derivation::Paper;
-use torse_language::derivation::schema::PaperHead;
 use torse_report::Source;
+use torse_syntax::derivation;
+use torse_syntax::derivation::Paper;
+use torse_syntax::derivation::schema::PaperHead;
 
 /// What a folder of derivations holds.
 pub struct Found {

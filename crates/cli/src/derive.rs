@@ -4,8 +4,8 @@ use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::{guard, selection, terminal};
 use clap::{Args, ValueEnum};
-use torse_language::derivation::Paper;
-use torse_language::derivation::declarations::Declarations;
+use torse_syntax::derivation::Paper;
+use torse_syntax::derivation::declarations::Declarations;
 use torse_verdicts::derive::{
     Derivation, DeriveError, Geometric, Language, Shape, continuity, end_derivatives, geometric,
     print,

@@ -8,9 +8,9 @@ use crate::run::{Budget, Run};
 use crate::{guard, selection, terminal};
 use clap::Args;
 use std::path::PathBuf;
-use torse_language::derivation::Paper;
 use torse_report::model::Report;
 use torse_report::{Manuscript, ReportError, erratum_latex, erratum_markdown, write_file};
+use torse_syntax::derivation::Paper;
 
 /// Write the corrections of a paper as TeX, PDF and Markdown, ready to be sent to its authors or journal.
 ///

@@ -6,11 +6,11 @@ use std::process::ExitCode;
 use thiserror::Error;
 use torse_designs::{DesignError, Ending};
 use torse_exchange::ExchangeError;
-use torse_language::derivation::{DerivationError, LoadError};
-use torse_language::words::Verdict;
-use torse_plates::PlateError;
+use torse_figures::PlateError;
 use torse_report::ReportError;
 use torse_rocq::coqc::{CheckError, INSTALL};
+use torse_syntax::derivation::{DerivationError, LoadError};
+use torse_syntax::words::Verdict;
 use torse_verdicts::derive::DeriveError;
 use torse_verdicts::outcome::Outcome;
 

@@ -8,11 +8,11 @@ use crate::run::{Budget, Run};
 use crate::{guard, selection, terminal};
 use clap::Args;
 use comfy_table::ColumnConstraint;
-use torse_language::derivation::Paper;
-use torse_language::notation::Formula;
-use torse_language::words::Verdict;
 use torse_prove::evidence::Witness;
 use torse_report::{counted, rests, words};
+use torse_syntax::derivation::Paper;
+use torse_syntax::notation::Formula;
+use torse_syntax::words::Verdict;
 use torse_verdicts::consequences::{consequences, resting, users};
 use torse_verdicts::outcome::{Correction, Outcome, PaperOutcome, Role};
 

@@ -11,10 +11,10 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
 use torse_designs::movable::step_of;
-use torse_figures::Torse;
-use torse_language::derivation::{DerivationError, Figure, Paper};
-use torse_plates::{Plate, PlateError};
+use torse_figures::{Plate, PlateError};
+use torse_plot::Torse;
 use torse_report::{FigureImage, Image, write_file};
+use torse_syntax::derivation::{DerivationError, Figure, Paper};
 
 /// The fingerprints of the figures in a folder, by the name of their files.
 pub type Fingerprints = BTreeMap<String, String>;

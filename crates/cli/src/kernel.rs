@@ -4,9 +4,9 @@ use crate::prove::findings;
 use crate::run::Run;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
-use torse_language::derivation::Paper;
 use torse_rocq::coqc::Accepted;
 use torse_rocq::folder::{Folder, Layout, chosen, unproved};
+use torse_syntax::derivation::Paper;
 
 /// The option that names the folder of the kernel's proofs.
 #[derive(Debug, clap::Args)]

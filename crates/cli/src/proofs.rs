@@ -8,7 +8,7 @@
 use crate::exit::Failure;
 use serde::Serialize;
 use std::path::Path;
-use torse_proof::Polynomial;
+use torse_certificate::Polynomial;
 use torse_report::{ReportError, words, write_file};
 use torse_verdicts::grounds::Grounds;
 use torse_verdicts::outcome::{Outcome, PaperOutcome};

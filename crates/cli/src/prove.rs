@@ -11,7 +11,6 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 use tempfile::TempDir;
-use torse_language::derivation::{Claim, Paper};
 use torse_prove::evidence;
 use torse_report::{ReportError, write_file};
 use torse_rocq::coqc::{AXIOMS, Accepted, Answer, Coqc, Fingerprints, Limits};
@@ -21,6 +20,7 @@ use torse_rocq::merge;
 use torse_rocq::solutions::{Solved, solutions};
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::{script, trial};
+use torse_syntax::derivation::{Claim, Paper};
 use torse_verdicts::grounds::Grounds;
 use torse_verdicts::outcome::Outcome;
 
@@ -396,7 +396,7 @@ pub fn findings<'c>(papers: &'c [Paper], run: &Run) -> Vec<(String, Vec<Finding<
 }
 
 fn finding<'c>(id: String, claim: &'c Claim, outcome: &Outcome) -> Finding<'c> {
-    let texts = |formulas: &[torse_language::notation::Formula]| -> Vec<String> {
+    let texts = |formulas: &[torse_syntax::notation::Formula]| -> Vec<String> {
         formulas
             .iter()
             .map(|formula| formula.text.clone())

@@ -8,7 +8,7 @@ use crate::{guard, terminal};
 use clap::Args;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
-use torse_language::derivation::{Claim, Paper};
+use torse_syntax::derivation::{Claim, Paper};
 use torse_verdicts::outcome::{Net, Outcome, PaperOutcome};
 use torse_verdicts::recheck::{self, Recheck};
 

@@ -5,7 +5,7 @@ use crate::mistakes::Mistakes;
 use crate::terminal::Progress;
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
-use torse_language::derivation::{Claim, DerivationError, Paper};
+use torse_syntax::derivation::{Claim, DerivationError, Paper};
 use torse_verdicts::engine::STANDARD_WORK;
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 use torse_verdicts::stage::Stage;

@@ -5,7 +5,7 @@
 //! `thm-4.c`, and not `thm-40`.
 
 use crate::exit::Failure;
-use torse_language::derivation::{Claim, Paper};
+use torse_syntax::derivation::{Claim, Paper};
 
 /// The claims of `papers` that one of `names` means, or all if there is none, in file order; figures of our own only with
 /// the whole of their paper. A name may mean what was left out because it is wrong.

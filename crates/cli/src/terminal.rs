@@ -10,8 +10,8 @@ use miette::{GraphicalReportHandler, GraphicalTheme, ThemeCharacters, ThemeStyle
 use owo_colors::{OwoColorize, Style};
 use std::io::{ErrorKind, Write};
 use std::time::Duration;
-use torse_language::words::Verdict;
 use torse_report::words;
+use torse_syntax::words::Verdict;
 
 /// The widest line of every text, in characters.
 pub const WIDTH: u16 = 100;

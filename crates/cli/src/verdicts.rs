@@ -3,8 +3,8 @@
 use crate::terminal;
 use comfy_table::{CellAlignment, ColumnConstraint, Row};
 use std::collections::BTreeMap;
-use torse_language::words::Verdict;
 use torse_report::{Tally, findings_in_words, words};
+use torse_syntax::words::Verdict;
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
 /// The verdicts of `papers`.

@@ -10,8 +10,8 @@ use crate::watch::Watch;
 use crate::{figures, guard, proofs, terminal, verdicts};
 use clap::Args;
 use std::path::PathBuf;
-use torse_language::derivation::Paper;
 use torse_report::{ReportError, verdicts_json_with_kernel};
+use torse_syntax::derivation::Paper;
 
 /// Decide claims and show their verdicts.
 ///

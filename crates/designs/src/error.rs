@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 use torse_exchange::ExchangeError;
-use torse_figures::FigureError;
 use torse_geometry::GeometryError;
 use torse_geometry::pattern::PatternError;
-use torse_language::derivation::DerivationError;
+use torse_plot::FigureError;
+use torse_syntax::derivation::DerivationError;
 
 /// What ends a command before it has an answer, or is the answer.
 #[derive(Debug, thiserror::Error)]

@@ -6,10 +6,10 @@
 
 use std::collections::BTreeMap;
 use torse_exchange::{ExchangeError, Model, approximate, step};
-use torse_figures::{Monomial, Quotient, Rulings, Torse, TorsePiece};
 use torse_geometry::planes::{characteristic_point_of, ruling_of};
 use torse_geometry::{Coordinate, GeometryError, Jet, Over, Place, Plane, Rails, Result};
 use torse_numbers::Scalar;
+use torse_plot::{Monomial, Quotient, Rulings, Torse, TorsePiece};
 
 /// Patches are at most so far from what is meant, in the unit of the figure.
 const TOLERANCE: f64 = 1e-3;
@@ -260,8 +260,8 @@ fn stretched<S: Coordinate>(series: &Jet<S>, width: &S, order: usize) -> Jet<S> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use torse_figures::{Colour, Slider};
     use torse_geometry::{Bounds, EnvelopingPatch, Gbt, PlaneFamily, Surface, TangentPatch};
+    use torse_plot::{Colour, Slider};
 
     /// c x^a s^b c^d times the first slider to a power.
     fn term(coefficient: f64, [x, sine, cosine]: [u32; 3], slider: u32) -> Monomial {

@@ -1,230 +1,121 @@
-//! Developables that follow sliders, as data for a viewer: no drawing is done here.
-//!
-//! A piece is given by formulas of its planes or of its two rails, each a quotient of polynomials in one running
-//! variable, sines and cosines of its angles, and the sliders. A viewer that can differentiate such quotients knows the
-//! rulings, where they meet, and how the sheet unrolls.
+//! Developables that a reader can move: their formulas as tables of machine numbers.
 
-use crate::interactive::{HIGHEST_EXPONENT, InteractiveError, Slider, check_sliders, count};
-use crate::{colour::Colour, ink::label};
+use crate::PlateError;
+use crate::figure;
+use crate::interactive::label;
+use crate::plate::Plate;
+use crate::sample::{ends, number};
+use std::collections::BTreeMap;
+use torse_algebra::rational::to_f64;
+use torse_algebra::{Angle, Fraction, Polynomial, Symbol};
+use torse_plot::{Monomial, Quotient, Rulings, Slider, Torse, TorsePiece, palette};
+use torse_syntax::derivation::schema::figure::Rulings as Word;
 
-/// Most monomials of all formulas together, so that a page which carries them stays small.
-pub const MOST_MONOMIALS: usize = 20_000;
-
-/// How the rulings of a piece are given.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Rulings {
-    /// By a plane that runs; ends are multiples of the cross product of normal and derivative, from the foot of the origin.
-    Envelope,
-    /// By a plane that runs; ends are multiples of the derivative of the edge of regression, from there.
-    Tangent,
-    /// By two points that run; ends are shares of the way from the first to the second.
-    Ruled,
-}
-
-/// A coefficient times powers.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Monomial {
-    /// The coefficient.
-    pub coefficient: f64,
-    /// Exponents of x, sin(pi x/2), cos(pi x/2), sin(x), cos(x).
-    pub atoms: [u32; 5],
-    /// Exponents of the sliders, in their order.
-    pub sliders: Vec<u32>,
-}
-
-/// A sum of monomials over powers of such sums.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Quotient {
-    /// What is divided.
-    pub numerator: Vec<Monomial>,
-    /// What it is divided by, each as often as its number says.
-    pub denominator: Vec<(Vec<Monomial>, u32)>,
-}
-
-/// A piece of a developable.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TorsePiece {
-    /// How its rulings are given.
-    pub rulings: Rulings,
-    /// One plane of four coordinates, or two points of three.
-    pub curves: Vec<Vec<Quotient>>,
-    /// Where x runs, from the lower to the upper end.
-    pub over: [f64; 2],
-    /// Where each ruling starts and ends.
-    pub along: [f64; 2],
-    /// How far a ruling is shown from where it is counted, both ways; as far as it goes if there is none.
-    pub limit: Option<f64>,
-    /// What it is called in the legend, in the [label language](crate#labels); empty for no entry.
-    pub label: String,
-    /// Its colour.
-    pub colour: Colour,
-}
-
-/// A developable that follows sliders.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Torse {
-    sliders: Vec<Slider>,
-    view: [f64; 2],
-    pieces: Vec<TorsePiece>,
-}
-
-impl Torse {
-    /// A developable from its sliders, the angles of the first view in degrees (azimuth, elevation), and its pieces.
+impl Plate {
+    /// The developable of the figure, to be moved and unrolled; none if the figure names none.
     ///
     /// # Errors
-    /// [`InteractiveError`] names the slider or the piece at fault.
-    pub fn new(
-        sliders: Vec<Slider>,
-        view: [f64; 2],
-        pieces: Vec<TorsePiece>,
-    ) -> Result<Self, InteractiveError> {
-        count("sliders", sliders.len(), 1, crate::MOST_SLIDERS)?;
-        count("pieces", pieces.len(), 1, 8)?;
-        let formulas = pieces
-            .iter()
-            .flat_map(|piece| piece.curves.iter().flatten());
-        let sizes = formulas.flat_map(Quotient::sums).map(<[Monomial]>::len);
-        count("monomials", sizes.sum(), 1, MOST_MONOMIALS)?;
-        check_sliders(&sliders)?;
-        for (number, piece) in pieces.iter().enumerate() {
-            label::parse(&piece.label)?;
-            piece
-                .check(sliders.len())
-                .map_err(|problem| InteractiveError::Piece {
-                    piece: number,
-                    problem,
-                })?;
-        }
-        if view.iter().any(|angle| !angle.is_finite()) {
-            let problem = "the angles of the view are not finite";
-            return Err(InteractiveError::Piece { piece: 0, problem });
-        }
-        Ok(Torse {
-            sliders,
-            view,
-            pieces,
+    /// [`PlateError`]: an end of an interval that is no finite number, and whatever the drawing room refuses.
+    pub fn torse(&self) -> Result<Option<Torse>, PlateError> {
+        self.torse.as_ref().map(torse).transpose()
+    }
+}
+
+fn torse(torse: &figure::Torse) -> Result<Torse, PlateError> {
+    let names: Vec<&str> = torse.sliders.iter().map(|s| s.name.as_str()).collect();
+    let sliders = torse.sliders.iter().map(|slider| {
+        let [least, greatest] = ends(&slider.range)?;
+        Ok(Slider {
+            name: slider.name.clone(),
+            label: label(&slider.name),
+            least,
+            greatest,
+            start: number(&slider.start)?,
+            step: (greatest - least) / 200.0,
         })
-    }
-
-    /// What the reader sets.
-    #[must_use]
-    pub fn sliders(&self) -> &[Slider] {
-        &self.sliders
-    }
-
-    /// Azimuth and elevation of the first view, in degrees.
-    #[must_use]
-    pub fn view(&self) -> [f64; 2] {
-        self.view
-    }
-
-    /// The pieces, each joined to the one before.
-    #[must_use]
-    pub fn pieces(&self) -> &[TorsePiece] {
-        &self.pieces
-    }
+    });
+    let pieces = torse.pieces.iter().map(|piece| {
+        let curve = |curve: &Vec<Fraction>| {
+            let each = curve
+                .iter()
+                .map(|one| quotient(one, &piece.over.name, &names));
+            each.collect::<Result<Vec<_>, _>>()
+        };
+        Ok(TorsePiece {
+            rulings: match piece.rulings {
+                Word::Envelope => Rulings::Envelope,
+                Word::Tangent => Rulings::Tangent,
+                Word::Ruled => Rulings::Ruled,
+            },
+            curves: piece
+                .curves
+                .iter()
+                .map(curve)
+                .collect::<Result<_, PlateError>>()?,
+            over: ends(&piece.over.range)?,
+            along: ends(&piece.along)?,
+            limit: piece.limit.as_ref().map(number).transpose()?,
+            label: piece.label.clone(),
+            colour: palette(piece.colour),
+        })
+    });
+    let sliders = sliders.collect::<Result<_, PlateError>>()?;
+    let pieces = pieces.collect::<Result<_, PlateError>>()?;
+    Ok(Torse::new(sliders, torse.view, pieces)?)
 }
 
-impl Quotient {
-    fn sums(&self) -> impl Iterator<Item = &[Monomial]> {
-        let below = self.denominator.iter().map(|(sum, _)| sum.as_slice());
-        std::iter::once(self.numerator.as_slice()).chain(below)
-    }
+fn quotient(formula: &Fraction, variable: &str, sliders: &[&str]) -> Result<Quotient, PlateError> {
+    let denominator = formula
+        .denominator_factors()
+        .map(|(factor, power)| Ok((sum(factor, variable, sliders)?, power)));
+    Ok(Quotient {
+        denominator: denominator.collect::<Result<_, PlateError>>()?,
+        numerator: sum(formula.numerator(), variable, sliders)?,
+    })
 }
 
-impl TorsePiece {
-    fn check(&self, sliders: usize) -> Result<(), &'static str> {
-        let (curves, coordinates) = match self.rulings {
-            Rulings::Envelope | Rulings::Tangent => (1, 4),
-            Rulings::Ruled => (2, 3),
-        };
-        let right = |curve: &Vec<Quotient>| curve.len() == coordinates;
-        if self.curves.len() != curves || !self.curves.iter().all(right) {
-            return Err("it wants one plane of four coordinates or two points of three");
+/// The polynomial with pi and roots as machine numbers.
+fn sum(
+    polynomial: &Polynomial,
+    variable: &str,
+    sliders: &[&str],
+) -> Result<Vec<Monomial>, PlateError> {
+    let mut sums: BTreeMap<([u32; 5], Vec<u32>), f64> = BTreeMap::new();
+    for term in polynomial.terms() {
+        let mut coefficient = to_f64(&term.coefficient);
+        let (mut atoms, mut powers) = ([0; 5], vec![0; sliders.len()]);
+        for (symbol, power) in term.powers {
+            let slot = match symbol {
+                Symbol::Pi => {
+                    coefficient *= std::f64::consts::PI.powi(i32::from(power));
+                    continue;
+                }
+                Symbol::Root(prime) => {
+                    coefficient *= f64::from(*prime).sqrt().powi(i32::from(power));
+                    continue;
+                }
+                Symbol::Named(name) if **name == *variable => atoms.first_mut(),
+                Symbol::Sin(name, Angle::QUARTER_TURN) if **name == *variable => atoms.get_mut(1),
+                Symbol::Cos(name, Angle::QUARTER_TURN) if **name == *variable => atoms.get_mut(2),
+                Symbol::Sin(name, Angle::RADIAN) if **name == *variable => atoms.get_mut(3),
+                Symbol::Cos(name, Angle::RADIAN) if **name == *variable => atoms.get_mut(4),
+                Symbol::Named(name) => {
+                    let place = sliders.iter().position(|slider| **slider == **name);
+                    place.and_then(|place| powers.get_mut(place))
+                }
+                _ => None,
+            };
+            // Sliders do not turn, and nothing else is left.
+            *slot.ok_or_else(|| PlateError::Symbol {
+                symbol: symbol.to_string(),
+            })? = u32::from(power);
         }
-        let proper = |[low, high]: [f64; 2]| (high - low).is_finite() && low < high;
-        if !proper(self.over) || !proper(self.along) {
-            return Err("an interval is empty or not finite");
-        }
-        if self
-            .limit
-            .is_some_and(|limit| !(limit > 0.0 && limit.is_finite()))
-        {
-            return Err("the limit of its rulings is no positive number");
-        }
-        let formulas = self.curves.iter().flatten();
-        for monomial in formulas.flat_map(Quotient::sums).flatten() {
-            let exponents = || monomial.atoms.iter().chain(&monomial.sliders);
-            if !monomial.coefficient.is_finite()
-                || monomial.sliders.len() != sliders
-                || exponents().any(|exponent| *exponent > HIGHEST_EXPONENT)
-            {
-                return Err(
-                    "a monomial is not finite, has too high exponents, or not one for each slider",
-                );
-            }
-        }
-        Ok(())
+        *sums.entry((atoms, powers)).or_insert(0.0) += coefficient;
     }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn number(coefficient: f64) -> Quotient {
-        let monomial = Monomial {
-            coefficient,
-            atoms: [1, 0, 0, 0, 0],
-            sliders: vec![1],
-        };
-        Quotient {
-            numerator: vec![monomial],
-            denominator: vec![],
-        }
-    }
-
-    fn torse(change: impl FnOnce(&mut TorsePiece)) -> Result<Torse, InteractiveError> {
-        let slider = Slider {
-            name: "k".to_owned(),
-            label: "$k$".to_owned(),
-            least: 0.0,
-            greatest: 1.0,
-            start: 0.5,
-            step: 0.1,
-        };
-        let mut piece = TorsePiece {
-            rulings: Rulings::Ruled,
-            curves: vec![vec![number(1.0); 3]; 2],
-            over: [0.0, 1.0],
-            along: [0.0, 1.0],
-            limit: None,
-            label: String::new(),
-            colour: Colour::INK,
-        };
-        change(&mut piece);
-        Torse::new(vec![slider], [0.0, 30.0], vec![piece])
-    }
-
-    #[test]
-    fn a_piece_has_the_curves_of_its_kind_intervals_and_finite_monomials() {
-        assert!(torse(|_| {}).is_ok());
-        let refused = |change: fn(&mut TorsePiece)| {
-            let error = torse(change).unwrap_err();
-            assert!(
-                matches!(error, InteractiveError::Piece { piece: 0, .. }),
-                "{error}"
-            );
-        };
-        refused(|piece| piece.rulings = Rulings::Envelope);
-        refused(|piece| piece.curves.truncate(1));
-        refused(|piece| piece.over = [1.0, 1.0]);
-        refused(|piece| piece.along = [0.0, f64::INFINITY]);
-        refused(|piece| piece.limit = Some(0.0));
-        refused(|piece| piece.curves[0][0] = number(f64::NAN));
-        refused(|piece| piece.curves[1][2].numerator[0].sliders.clear());
-        refused(|piece| piece.curves[1][2].numerator[0].atoms[4] = HIGHEST_EXPONENT + 1);
-        let label = torse(|piece| piece.label = "$x_".to_owned());
-        assert!(matches!(label, Err(InteractiveError::Label(_))));
-    }
+    let monomial = |((atoms, sliders), coefficient)| Monomial {
+        coefficient,
+        atoms,
+        sliders,
+    };
+    Ok(sums.into_iter().map(monomial).collect())
 }

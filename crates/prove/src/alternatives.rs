@@ -7,9 +7,9 @@
 //! many parts is a conjunction of such alternatives.
 
 use std::ops::Range;
-use torse_language::core::{Claim, Hypothesis, Source, Statement};
-use torse_language::derivation::Origin;
-use torse_language::syntax::Connective;
+use torse_core::{Claim, Hypothesis, Source, Statement};
+use torse_syntax::derivation::Origin;
+use torse_syntax::formula::Connective;
 
 /// The most parts a domain is cut into, and a statement.
 const MAX_PARTS: usize = 32;

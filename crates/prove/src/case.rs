@@ -22,12 +22,13 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial, Symbol};
-use torse_language::core::{self, Elaborator, Hypothesis, Source};
-use torse_language::derivation::declarations::SymbolKind;
-use torse_language::derivation::{Claim, Written};
-use torse_language::fault::Fault;
-use torse_language::syntax::{Connective, Relation};
-use torse_proof::proof::ground::{Determined, Determining, Elimination, Rooted};
+use torse_certificate::proof::ground::{Determined, Determining, Elimination, Rooted};
+use torse_core::{self as core, Hypothesis, Source};
+use torse_elaborate::Elaborator;
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::{Connective, Relation};
 
 /// Divisors of more terms than this are not examined for their sign.
 const MAX_EXAMINED: usize = 40;
@@ -85,7 +86,7 @@ impl<'a> Case<'a> {
         fixed: BTreeMap<String, Fraction>,
     ) -> Result<Self, Fault> {
         let elaborator = Rc::new(Elaborator::new(&claim.declarations));
-        let core = core::Claim::elaborated(&elaborator, claim, statement)?;
+        let core = elaborator.claim(claim, statement)?;
         let ground = Ground::new(&core, elaborator, &fixed)?;
         let value = ground
             .evaluator
@@ -695,8 +696,10 @@ impl<'a> Ground<'a> {
 }
 
 /// The constraints as parts of a proof.
-pub(crate) fn written(constraints: &[Constraint]) -> Vec<torse_proof::Constraint<Polynomial>> {
-    let constraint = |c: &Constraint| torse_proof::Constraint {
+pub(crate) fn written(
+    constraints: &[Constraint],
+) -> Vec<torse_certificate::Constraint<Polynomial>> {
+    let constraint = |c: &Constraint| torse_certificate::Constraint {
         value: quotient(&c.value),
         relation: c.relation,
     };

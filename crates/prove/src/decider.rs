@@ -14,15 +14,16 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial};
-use torse_language::core::{self, Elaborator};
-use torse_language::derivation::declarations::SymbolKind;
-use torse_language::fault::{Fault, Problem};
-use torse_language::syntax::Relation;
-use torse_proof::Refuted;
-use torse_proof::identity::{Combination, Equations, Vanishing};
-use torse_proof::proof::Emptiness;
-use torse_proof::proof::ground::Sharpness;
-use torse_proof::sign::Sign;
+use torse_certificate::Refuted;
+use torse_certificate::identity::{Combination, Equations, Vanishing};
+use torse_certificate::proof::Emptiness;
+use torse_certificate::proof::ground::Sharpness;
+use torse_certificate::sign::Sign;
+use torse_core::{self as core};
+use torse_elaborate::Elaborator;
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::fault::{Fault, Problem};
+use torse_syntax::formula::Relation;
 /// The values of some integers.
 type Instance = BTreeMap<String, i64>;
 
@@ -386,15 +387,17 @@ fn proved(
     (conditions, (nonzero, seen)): (Vec<Polynomial>, Nonzero),
     ranges: Vec<Sharpness<Polynomial>>,
 ) -> Decision {
-    Decision::Proven(Proof::On(Box::new(torse_proof::proof::ground::Ground {
-        constraints: written(&ground.domain.constraints),
-        eliminated: ground.eliminated,
-        proof,
-        conditions,
-        nonzero,
-        seen,
-        ranges,
-    })))
+    Decision::Proven(Proof::On(Box::new(
+        torse_certificate::proof::ground::Ground {
+            constraints: written(&ground.domain.constraints),
+            eliminated: ground.eliminated,
+            proof,
+            conditions,
+            nonzero,
+            seen,
+            ranges,
+        },
+    )))
 }
 
 /// What never vanishes: on the declared sets by a sign, whatever else is assumed, so that eliminations may rest on it; or as

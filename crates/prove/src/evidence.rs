@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-pub use torse_proof::Evidence;
+pub use torse_certificate::Evidence;
 
 /// A point at which the printed statement fails, with both sides.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

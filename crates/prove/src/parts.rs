@@ -5,10 +5,11 @@ use crate::decide::value::Proof;
 use crate::decide::{self, Decision};
 use crate::decider::Decider;
 use std::rc::Rc;
-use torse_language::core::{self, Elaborator};
-use torse_language::derivation::Origin;
-use torse_language::fault::Fault;
-use torse_language::syntax::Connective;
+use torse_core::{self as core};
+use torse_elaborate::Elaborator;
+use torse_syntax::derivation::Origin;
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Connective;
 
 /// The domain of a claim, cut into parts without alternatives.
 pub(crate) struct Parts<'a> {

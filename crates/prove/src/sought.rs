@@ -2,7 +2,7 @@
 //!
 //! The numbers that a claim seeks are taken for unknowns of the equations among what it states, and these are solved where they are
 //! linear. What the equations leave free is zero, or the point of its interval that is easiest to name. Nothing is believed of a
-//! witness: the claim is decided with it in its place ([`torse_language::core`]).
+//! witness: the claim is decided with it in its place ([`torse_core`]).
 
 use crate::case::Case;
 use crate::evaluate::linear::{linear_form, solve_for};
@@ -12,11 +12,11 @@ use std::collections::BTreeMap;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Symbol};
-use torse_language::derivation::declarations::SymbolKind;
-use torse_language::derivation::{Claim, Sought, Written};
-use torse_language::fault::Fault;
-use torse_language::notation;
-use torse_language::syntax::{Connective, Place, Relation};
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::derivation::{Claim, Sought, Written};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::{Connective, Place, Relation};
+use torse_syntax::notation;
 
 /// A claim with a witness for everything that it seeks, and what was found for it, in words.
 #[derive(Debug)]
@@ -130,7 +130,7 @@ fn chosen(claim: &Claim, symbol: &Symbol) -> Fraction {
     let Some(SymbolKind::Real(interval)) = claim.declarations.symbol(name) else {
         return Fraction::zero();
     };
-    let end = |bound: &Option<torse_language::derivation::declarations::Bound>| {
+    let end = |bound: &Option<torse_syntax::derivation::declarations::Bound>| {
         let bound = bound.as_ref()?;
         Some((bound.value.as_rational()?.clone(), bound.closed))
     };

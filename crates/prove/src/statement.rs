@@ -9,11 +9,12 @@ use crate::decide::value::plain;
 use crate::decide::{self, Decision};
 use crate::parts::Parts;
 use std::rc::Rc;
-use torse_language::core::{self, Elaborator};
-use torse_language::derivation::declarations::Declarations;
-use torse_language::derivation::{Claim, Origin, Written};
-use torse_language::fault::Fault;
-use torse_language::syntax::{Connective, Expr, Node};
+use torse_core::{self as core};
+use torse_elaborate::Elaborator;
+use torse_syntax::derivation::declarations::Declarations;
+use torse_syntax::derivation::{Claim, Origin, Written};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::{Connective, Expr, Node};
 
 /// Decides a statement on the domain of a claim: the claim's own, or another one in its place.
 ///
@@ -33,7 +34,7 @@ pub fn with_prepared<T>(
     then: impl FnOnce(&Prepared<'_>) -> Result<T, Fault>,
 ) -> Result<T, Fault> {
     let elaborator = Rc::new(Elaborator::new(&claim.declarations));
-    let core = core::Claim::elaborated(&elaborator, claim, statement)?;
+    let core = elaborator.claim(claim, statement)?;
     let rooted = core
         .rooted(&statement.origin)
         .map_err(|fault| fault.within(&statement.origin))?;
@@ -51,7 +52,7 @@ pub fn with_prepared<T>(
         None => (core, elaborator),
         Some(more) => {
             let elaborator = Rc::new(Elaborator::new(more));
-            let core = core::Claim::elaborated(&elaborator, claim, statement)?;
+            let core = elaborator.claim(claim, statement)?;
             let rooted = core.rooted(&statement.origin);
             let rooted = rooted.map_err(|fault| fault.within(&statement.origin))?;
             (rooted, elaborator)

@@ -8,7 +8,7 @@ use crate::view::{CorrectionView, FormulaView, correction, formula};
 use crate::words::{self, Term};
 use serde::Serialize;
 use std::collections::BTreeSet;
-use torse_language::words::{Kind, Verdict};
+use torse_syntax::words::{Kind, Verdict};
 use torse_verdicts::consequences::{Fate, consequences};
 use torse_verdicts::outcome::Outcome;
 

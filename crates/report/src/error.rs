@@ -42,7 +42,7 @@ pub enum ReportError {
     },
     /// A label of a picture does not parse.
     #[error("a label of a picture cannot be shown")]
-    Label(#[from] torse_figures::FigureError),
+    Label(#[from] torse_plot::FigureError),
     /// A file could not be written.
     #[error("cannot write {}", path.display())]
     Write {

@@ -6,7 +6,7 @@ use crate::text::{beginning, name, visible};
 use crate::words::{self, Term};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use torse_language::words::Verdict;
+use torse_syntax::words::Verdict;
 use torse_verdicts::outcome::Outcome;
 
 /// Of what is printed, no more than this many characters is quoted.

@@ -8,8 +8,8 @@ use crate::tally::{Remarks, Tally};
 use crate::{ReportError, words};
 use serde::{Serialize, Serializer, ser::SerializeMap};
 use std::collections::BTreeSet;
-use torse_language::notation::Formula;
 use torse_prove::evidence::Witness;
+use torse_syntax::notation::Formula;
 use torse_verdicts::outcome::{Net, Outcome, Replay, Role, SaidBy};
 
 /// The verdicts of `outcomes` as pretty-printed JSON, ending in a newline.

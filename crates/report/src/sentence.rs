@@ -6,10 +6,10 @@
 use crate::math::expression;
 use crate::text::decimal;
 use crate::words;
-use torse_language::notation::{Formula, text};
-use torse_language::syntax::{Connective, Expr, Node, Relation};
-use torse_language::words::Verdict;
 use torse_prove::evidence::Witness;
+use torse_syntax::formula::{Connective, Expr, Node, Relation};
+use torse_syntax::notation::{Formula, text};
+use torse_syntax::words::Verdict;
 use torse_verdicts::outcome::{Correction, Outcome};
 
 /// Exact values of more characters than this are told by their decimals.

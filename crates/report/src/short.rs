@@ -10,7 +10,7 @@ use crate::view::{FormulaView, correction, formula};
 use crate::words;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
-use torse_language::words::Verdict;
+use torse_syntax::words::Verdict;
 use torse_verdicts::consequences::{Fate, consequences, resting, users};
 use torse_verdicts::outcome::Outcome;
 

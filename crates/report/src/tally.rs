@@ -2,7 +2,7 @@
 
 use crate::words::{self, EVIDENCE, Term, VERDICTS};
 use serde::Serialize;
-use torse_language::words::{Kind, Verdict};
+use torse_syntax::words::{Kind, Verdict};
 use torse_verdicts::outcome::Outcome;
 
 /// How many claims have which verdict, and which evidence with it.

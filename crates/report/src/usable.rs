@@ -5,7 +5,7 @@
 
 use crate::text::{name, visible};
 use serde::Serialize;
-use torse_language::words::{Kind, Verdict};
+use torse_syntax::words::{Kind, Verdict};
 use torse_verdicts::outcome::Outcome;
 
 /// Whether a construction can be used, best first.

@@ -4,7 +4,7 @@ use crate::math::{Mathematics, Names, Node, Prose, changed, read, spans};
 use crate::text::visible;
 use crate::words;
 use serde::Serialize;
-use torse_language::notation::Formula;
+use torse_syntax::notation::Formula;
 use torse_verdicts::Correction;
 
 /// A formula on lines of its own.

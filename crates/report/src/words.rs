@@ -4,8 +4,8 @@
 //! and the label, the meaning and the colour class follow from that.
 
 use serde::Serialize;
-use torse_language::words::{Flag, Kind, Verdict};
 use torse_prove::evidence::Evidence;
+use torse_syntax::words::{Flag, Kind, Verdict};
 use torse_verdicts::consequences::{Consequence, Fate};
 use torse_verdicts::outcome::{Outcome, SaidBy};
 use torse_verdicts::repair;

@@ -14,8 +14,8 @@ use crate::defined::mentions;
 use crate::gap::Gap;
 use crate::unknowns::{Along, FUNCTION, Function};
 use std::sync::Arc;
-use torse_language::core::{Claim, Set, Source, Statement, Term};
-use torse_language::syntax::{Connective, Relation};
+use torse_core::{Claim, Set, Source, Statement, Term};
+use torse_syntax::formula::{Connective, Relation};
 
 /// What a statement with such functions has besides.
 #[derive(Debug, Clone, Default)]

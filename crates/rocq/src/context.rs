@@ -11,7 +11,7 @@ use crate::shape::Shape;
 use crate::unknowns::Along;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use torse_language::core::{Family, Node, Set, Term, Variable};
+use torse_core::{Family, Node, Set, Term, Variable};
 
 /// The most bytes of a claim's definitions and statement together.
 pub const MAX_BYTES: usize = 60_000;

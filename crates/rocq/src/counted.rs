@@ -9,8 +9,8 @@ use crate::context::{Context, Kind, Local};
 use crate::defined::Premises;
 use crate::gap::Gap;
 use crate::integer::literal;
-use torse_language::core::{Family, Node, Term, Variable};
-use torse_language::syntax::Operator;
+use torse_core::{Family, Node, Term, Variable};
+use torse_syntax::formula::Operator;
 
 impl Context<'_> {
     /// The argument of a family for a variable of this kind.

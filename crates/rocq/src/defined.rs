@@ -12,9 +12,9 @@ use crate::kinds::kinds;
 use crate::shape::Shape;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use torse_language::core::{BuiltIn, Family, Node, Points, Term, Variable};
-use torse_language::syntax::Operator;
+use torse_core::{BuiltIn, Family, Node, Points, Term, Variable};
 use torse_numbers::{Affine, rational};
+use torse_syntax::formula::Operator;
 
 /// The most terms that are looked at for one claim.
 const MAX_TERMS: usize = 100_000;

@@ -6,9 +6,9 @@ use crate::context::Context;
 use crate::gap::Gap;
 use crate::integer::affine;
 use std::sync::Arc;
-use torse_language::core::Set;
-use torse_language::derivation::declarations::{Bound, Constant, Interval};
+use torse_core::Set;
 use torse_numbers::rational;
+use torse_syntax::derivation::declarations::{Bound, Constant, Interval};
 
 /// The symbols, integers first: the index ranges of families name them.
 pub(crate) fn binders(context: &mut Context<'_>) -> Result<Vec<Binder>, Gap> {

@@ -12,8 +12,8 @@ use crate::gap::Gap;
 use crate::place::declared;
 use crate::shape::Shape;
 use std::sync::Arc;
-use torse_language::core::degree::is_linear;
-use torse_language::core::{Node, Set, Term};
+use torse_core::degree::is_linear;
+use torse_core::{Node, Set, Term};
 
 const NO_LIST: Gap = Gap::Construct("`coefficients` of what is no list");
 

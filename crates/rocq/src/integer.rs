@@ -4,9 +4,9 @@ use crate::code::{Code, Level};
 use crate::context::{Context, Kind};
 use crate::gap::Gap;
 use std::sync::Arc;
-use torse_language::core::{Node, Set, Term};
-use torse_language::syntax::Operator;
+use torse_core::{Node, Set, Term};
 use torse_numbers::{Affine, rational};
+use torse_syntax::formula::Operator;
 
 /// A literal integer, through definitions.
 #[must_use]

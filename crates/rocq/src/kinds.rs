@@ -3,7 +3,7 @@
 use crate::context::{Kind, Used};
 use crate::shape::Shape;
 use std::collections::BTreeSet;
-use torse_language::core::{Family, Node, Term, Variable};
+use torse_core::{Family, Node, Term, Variable};
 
 /// What the variable and the parameters of a family stand for: integers where they occur in an index, else numbers.
 #[must_use]

@@ -4,7 +4,7 @@ use crate::code::Code;
 use crate::context::Context;
 use crate::gap::Gap;
 use std::sync::Arc;
-use torse_language::core::{Node, Term};
+use torse_core::{Node, Term};
 
 /// A symbol, or a member of a family.
 #[derive(Debug, Clone)]

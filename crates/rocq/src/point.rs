@@ -10,9 +10,9 @@ use crate::task::Goal;
 use crate::unknowns::FUNCTION;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use torse_language::core::Set;
-use torse_language::derivation::declarations::{Bound, Constant, Interval};
+use torse_core::Set;
 use torse_numbers::{Affine, Rational, rational};
+use torse_syntax::derivation::declarations::{Bound, Constant, Interval};
 
 /// Which values are tried where nothing tells one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

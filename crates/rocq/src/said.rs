@@ -10,8 +10,8 @@ use crate::proposition::Proposition;
 use crate::shape::Shape;
 use crate::value::zero;
 use std::sync::Arc;
-use torse_language::core::{Claim, Family, FamilyProperty, Printed, Set, Statement, Term};
-use torse_language::syntax::{Connective, Relation};
+use torse_core::{Claim, Family, FamilyProperty, Printed, Set, Statement, Term};
+use torse_syntax::formula::{Connective, Relation};
 
 /// The premises under which the terms of statements have values; what stands in a denial has its own.
 pub(crate) fn defined<'s>(

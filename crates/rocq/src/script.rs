@@ -21,7 +21,7 @@ use crate::point::{Choice, first_values, point, solved_point, value_at};
 use crate::shared::literals;
 use crate::solved::{Known, bound, known, value};
 use crate::task::{Evidence, Goal, Role};
-use torse_language::core::Set;
+use torse_core::Set;
 
 /// A theorem with its script.
 #[derive(Debug, Clone)]

@@ -1,7 +1,7 @@
 //! The values of unknowns in the proof of a verdict.
 
-use torse_proof::proof::ground::{Determining, Ground};
-use torse_proof::{Polynomial, Proof, Symbol};
+use torse_certificate::proof::ground::{Determining, Ground};
+use torse_certificate::{Polynomial, Proof, Symbol};
 
 /// An unknown with its value, a fraction, in the notation of the derivation files.
 #[derive(Debug, Clone, PartialEq, Eq)]

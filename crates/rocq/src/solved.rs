@@ -5,7 +5,7 @@
 use crate::binder::Binder;
 use crate::solutions::Solved;
 use crate::task::Goal;
-use torse_language::core::Set;
+use torse_core::Set;
 
 /// A formula of polynomials in Rocq, with what `named` gives for each symbol; none where a symbol has no name.
 ///

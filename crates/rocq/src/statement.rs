@@ -9,7 +9,7 @@ use crate::domain::{binders, domain};
 use crate::gap::Gap;
 use crate::proposition::Proposition;
 use crate::said::{defined, said};
-use torse_language::core::{Claim, Node, Statement, Term};
+use torse_core::{Claim, Node, Statement, Term};
 
 /// The proposition of a claim under conditions.
 ///

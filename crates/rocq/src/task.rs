@@ -7,11 +7,12 @@ use crate::solutions::Solved;
 use crate::statement::proposition;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use torse_language::core::{self, BuiltIn, Elaborator, Node, Set, Statement, Term};
-use torse_language::derivation::{self, Origin, Source, Written};
-use torse_language::fault::Fault;
-use torse_language::syntax::parse;
-use torse_language::words::Verdict;
+use torse_core::{BuiltIn, Node, Set, Statement, Term};
+use torse_elaborate::Elaborator;
+use torse_syntax::derivation::{self, Origin, Source, Written};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::parse;
+use torse_syntax::words::Verdict;
 
 /// What a verdict rests on, as far as it matters for the way of proving it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -164,7 +165,7 @@ fn goal(
     let claim = finding.claim;
     let elaborator = Elaborator::new(&claim.declarations);
     let unread = |fault: &Fault| Gap::Unread(fault.problem.to_string());
-    let core = core::Claim::elaborated(&elaborator, claim, statement).map_err(|f| unread(&f))?;
+    let core = elaborator.claim(claim, statement).map_err(|f| unread(&f))?;
     let rooted = core.rooted(&statement.origin).map_err(|f| unread(&f))?;
     let hypotheses = core.hypotheses.iter().map(|h| &h.statement);
     let mut terms = hypotheses
@@ -209,7 +210,7 @@ fn goal(
             Some(reading) => format!("{}\n   read as: {reading}", claim.entry.printed),
             None => claim.entry.printed.clone(),
         },
-        states: torse_language::notation::text(&statement.expr),
+        states: torse_syntax::notation::text(&statement.expr),
         role,
         evidence,
         proposition,

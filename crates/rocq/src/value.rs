@@ -10,8 +10,8 @@ use crate::integer::{is_zero, literal};
 use crate::kinds::kinds;
 use crate::shape::Shape;
 use std::sync::Arc;
-use torse_language::core::{BuiltIn, Family, Node, Points, Set, Term, Variable};
-use torse_language::syntax::Operator;
+use torse_core::{BuiltIn, Family, Node, Points, Set, Term, Variable};
+use torse_syntax::formula::Operator;
 
 impl Value {
     fn number(code: Code) -> Self {

@@ -8,7 +8,7 @@ use crate::expansion::Expanded;
 use crate::gap::{Gap, Unknown, Work};
 use crate::name::Name;
 use std::fmt::Debug;
-use torse_language::core::Term;
+use torse_core::Term;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 

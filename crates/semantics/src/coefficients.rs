@@ -12,8 +12,8 @@ use crate::name::Name;
 use crate::series::Series;
 use crate::value::{Value, transposed};
 use std::sync::Arc;
-use torse_language::core::{Node, Source, Statement, Term};
-use torse_language::syntax::{Connective, Relation};
+use torse_core::{Node, Source, Statement, Term};
+use torse_syntax::formula::{Connective, Relation};
 
 /// Terms to be equal in pairs.
 type Equations<'a> = Vec<(&'a Term, Option<&'a Term>)>;

@@ -14,8 +14,8 @@ use std::cell::{Cell, RefCell};
 use std::ops::RangeInclusive;
 use std::rc::Rc;
 use std::sync::Arc;
-use torse_language::core::{BuiltIn, Claim, Family, Node, Points, Term, Variable};
-use torse_language::syntax::Operator;
+use torse_core::{BuiltIn, Claim, Family, Node, Points, Term, Variable};
+use torse_syntax::formula::Operator;
 
 /// How deep terms may be nested, not counting chains of one operator.
 const MAX_DEPTH: usize = 300;

@@ -24,7 +24,7 @@ use crate::series::Series;
 use crate::value::Value;
 use std::cmp::Ordering;
 use std::sync::Arc;
-use torse_language::core::{Claim, Family, FamilyProperty};
+use torse_core::{Claim, Family, FamilyProperty};
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 

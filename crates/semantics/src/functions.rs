@@ -6,7 +6,7 @@ use crate::gap::{Gap, Undefined, Unknown};
 use crate::linear;
 use crate::series::{Series, Turned};
 use crate::value::{Value, dot, transposed};
-use torse_language::core::{BuiltIn, Term};
+use torse_core::{BuiltIn, Term};
 use torse_numbers::rational::integer;
 
 /// The largest argument of a factorial and lower argument of a binomial coefficient.

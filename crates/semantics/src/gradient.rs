@@ -11,7 +11,7 @@ use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
-use torse_language::core::Term;
+use torse_core::Term;
 use torse_numbers::Rational;
 
 type Outcome<A> = Result<Gradient<<A as Arithmetic>::Number>, Gap>;

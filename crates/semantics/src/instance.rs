@@ -14,9 +14,9 @@ use crate::series::Series;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
-use torse_language::core::{Claim, Set, Statement};
-use torse_language::syntax::{Connective, Relation};
+use torse_core::{Claim, Set, Statement};
 use torse_numbers::rational::integer;
+use torse_syntax::formula::{Connective, Relation};
 
 /// How many values of an integer without an upper bound are taken.
 const SPAN: i64 = 3;
@@ -206,8 +206,8 @@ fn decide(claim: &Claim, statement: &Statement, at: &At<'_, '_>) -> Result<Ident
 }
 
 fn gaps(
-    left: &torse_language::core::Term,
-    right: &torse_language::core::Term,
+    left: &torse_core::Term,
+    right: &torse_core::Term,
     at: &At<'_, '_>,
 ) -> Result<Vec<Quotient>, Gap> {
     let a = at.arithmetic;

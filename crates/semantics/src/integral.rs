@@ -15,7 +15,7 @@ use crate::evaluate::{Evaluator, Outcome, Sc};
 use crate::gap::{Gap, Unknown};
 use crate::series::Series;
 use crate::value::Value;
-use torse_language::core::Term;
+use torse_core::Term;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 

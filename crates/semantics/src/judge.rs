@@ -14,9 +14,9 @@ use crate::name::Name;
 use crate::real::{Real, Reals};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
-use torse_language::core::{Claim, Printed, Statement, Term};
-use torse_language::syntax::{Connective, Relation};
+use torse_core::{Claim, Printed, Statement, Term};
 use torse_numbers::{Ball, Integer, Rational};
+use torse_syntax::formula::{Connective, Relation};
 
 /// The precisions that are tried, in bits.
 const PRECISIONS: [usize; 2] = [320, 1280];

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
-use torse_language::core::{Term, degree};
+use torse_core::{Term, degree};
 
 /// The names of declared symbols.
 pub(crate) type Names = Rc<BTreeSet<Arc<str>>>;

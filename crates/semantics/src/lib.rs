@@ -17,8 +17,8 @@
 //!
 //! ```
 //! use std::sync::Arc;
-//! use torse_language::core::Claim;
-//! use torse_language::derivation::{paper, Source};
+//! use torse_core::Claim;
+//! use torse_syntax::derivation::{paper, Source};
 //! use torse_semantics::{Witness, check_witness, tally};
 //!
 //! let files = |name: &str| Ok(Arc::new(Source {
@@ -53,7 +53,7 @@
 //! assert!(["x = 0", "x = 1"].contains(&point.to_string().as_str()));
 //! let witness = check_witness(&claim, &claim.statement, [("x", "2")]);
 //! assert!(matches!(witness, Witness::Outside(_)));
-//! # Ok::<(), torse_language::derivation::LoadError>(())
+//! # Ok::<(), torse_syntax::derivation::LoadError>(())
 //! ```
 #![warn(missing_docs)]
 

@@ -13,8 +13,8 @@ use crate::residue::judge::has_equation;
 use crate::survey::{COSTLY, Ground, HOPELESS, Seen, Survey};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use torse_language::core::{Claim, Hypothesis, Source, Statement};
-use torse_language::derivation::{Origin, Source as Text};
+use torse_core::{Claim, Hypothesis, Source, Statement};
+use torse_syntax::derivation::{Origin, Source as Text};
 
 /// The work of one judgement of a point that the caller names.
 const POINT_WORK: u64 = 2_000_000;

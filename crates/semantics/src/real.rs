@@ -13,7 +13,7 @@ use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::fmt;
 use std::sync::Arc;
-use torse_language::core::Term;
+use torse_core::Term;
 use torse_numbers::rational::{integer, ratio};
 use torse_numbers::{Ball, Integer, Rational, Scalar};
 

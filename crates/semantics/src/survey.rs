@@ -11,7 +11,7 @@ use crate::judgement::Judgement;
 use crate::residue;
 use crate::residue::domain::{Drawn, drawn};
 use std::collections::BTreeMap;
-use torse_language::core::{Claim, Statement};
+use torse_core::{Claim, Statement};
 
 /// Attempts for each wanted point, and at least.
 const ATTEMPTS_PER_POINT: u64 = 12;

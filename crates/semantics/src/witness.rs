@@ -8,10 +8,11 @@ use crate::name::Name;
 use crate::net::{Numbers, check};
 use crate::real::{Real, Reals};
 use std::sync::Arc;
-use torse_language::core::{Claim, Elaborator, Set, Statement};
-use torse_language::derivation::declarations::Declarations;
-use torse_language::notation;
-use torse_language::syntax::{Expr, Node, parse};
+use torse_core::{Claim, Set, Statement};
+use torse_elaborate::Elaborator;
+use torse_syntax::derivation::declarations::Declarations;
+use torse_syntax::formula::{Expr, Node, parse};
+use torse_syntax::notation;
 
 /// The precision of numbers that are not exact, in bits.
 const BITS: usize = 1280;

@@ -5,7 +5,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::path::{Path, PathBuf};
-use torse_language::derivation::load;
+use torse_syntax::derivation::load;
 use torse_verdicts::derive::{Shape, continuity};
 use torse_verdicts::engine::decide_claim;
 

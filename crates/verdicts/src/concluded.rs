@@ -7,12 +7,12 @@ use crate::repair::subject::Subject;
 use crate::{provenance, repair, replay, table};
 use std::any::Any;
 use torse_algebra::{Fraction, work};
-use torse_language::derivation::{Claim, Figure, Written};
-use torse_language::notation::{self, Formula};
-use torse_language::words::{Kind, Verdict};
 use torse_prove::decide::{Decision, Refutation};
 use torse_prove::evidence::Evidence;
 use torse_prove::{decide_statement, formula};
+use torse_syntax::derivation::{Claim, Figure, Written};
+use torse_syntax::notation::{self, Formula};
+use torse_syntax::words::{Kind, Verdict};
 
 /// Formulas with more terms than this are not shown.
 const MAX_SHOWN_TERMS: usize = 120;

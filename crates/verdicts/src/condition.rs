@@ -3,10 +3,10 @@
 use std::sync::Arc;
 use torse_algebra::Polynomial;
 use torse_algebra::rational::integer;
-use torse_language::derivation::{Origin, Source, Written};
-use torse_language::notation::{self, Formula};
-use torse_language::syntax::{Expr, Node, Relation, parse};
 use torse_prove::formula;
+use torse_syntax::derivation::{Origin, Source, Written};
+use torse_syntax::formula::{Expr, Node, Relation, parse};
+use torse_syntax::notation::{self, Formula};
 
 /// `p != 0`.
 pub fn nonzero(polynomial: &Polynomial) -> Formula {

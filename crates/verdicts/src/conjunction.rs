@@ -1,12 +1,12 @@
 //! Conjunctions: their parts, and of a refuted one which part fails, which hold and by what.
 
 use torse_algebra::work;
-use torse_language::derivation::{Claim, Written};
-use torse_language::notation;
-use torse_language::syntax::{Connective, Expr, Node};
 use torse_prove::decide::Decision;
 use torse_prove::evidence::Evidence;
 use torse_prove::with_prepared;
+use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::formula::{Connective, Expr, Node};
+use torse_syntax::notation;
 
 /// What is true of each part, a line each; nothing for what is no conjunction. What the first parts are is known; each
 /// further one may take so much work.

@@ -6,8 +6,8 @@
 
 use crate::outcome::Outcome;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
-use torse_language::notation::Formula;
-use torse_language::words::Verdict;
+use torse_syntax::notation::Formula;
+use torse_syntax::words::Verdict;
 
 /// What becomes of a claim that rests on a refuted one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

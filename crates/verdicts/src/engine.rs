@@ -3,7 +3,7 @@
 use crate::outcome::{Outcome, PaperOutcome};
 use crate::stage::Stage;
 use rayon::prelude::*;
-use torse_language::derivation::{Claim, DerivationError, Paper};
+use torse_syntax::derivation::{Claim, DerivationError, Paper};
 
 /// The work that a claim may cost unless more is asked for: many times what the hardest claims of the papers take.
 pub const STANDARD_WORK: u64 = 500_000_000;

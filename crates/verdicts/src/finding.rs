@@ -7,13 +7,13 @@ use crate::outcome::Outcome;
 use torse_algebra::Ball;
 use torse_algebra::rational::{integer, to_f64};
 use torse_algebra::{Fraction, Rational};
-use torse_language::derivation::{Claim, DerivationError, Form, Piece, Written};
-use torse_language::syntax::parse;
 use torse_prove::case::solve_given;
 use torse_prove::decide::order::enclosure;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::quantity::Quantity;
 use torse_prove::evaluate::value::Value;
+use torse_syntax::derivation::{Claim, DerivationError, Form, Piece, Written};
+use torse_syntax::formula::parse;
 
 /// Digits that count, where the file asks for none.
 const DIGITS: usize = 4;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use torse_algebra::Polynomial;
-use torse_proof::{Proof, Refuted};
+use torse_certificate::{Proof, Refuted};
 use torse_prove::decide::Decision;
 use torse_prove::decide::value::plain;
 
@@ -37,7 +37,7 @@ impl Grounds {
 
     /// The same in plain polynomials, as it is checked and written.
     #[must_use]
-    pub fn plain(&self) -> Grounds<torse_proof::Polynomial> {
+    pub fn plain(&self) -> Grounds<torse_certificate::Polynomial> {
         match self {
             Self::Proof { conditions, of } => Grounds::Proof {
                 conditions: conditions.iter().map(plain).collect(),

@@ -4,8 +4,8 @@
 use crate::outcome::Outcome;
 use crate::provenance;
 use std::borrow::Cow;
-use torse_language::core;
-use torse_language::derivation::{Claim, Written};
+use torse_core as core;
+use torse_syntax::derivation::{Claim, Written};
 
 /// What a verdict is about: a claim, a statement on its domain, and both in core terms.
 #[derive(Debug, Clone)]
@@ -37,7 +37,7 @@ impl<'c> Meant<'c> {
     }
 
     fn of(claim: Cow<'c, Claim>, statement: &'c Written) -> Option<Self> {
-        let core = core::Claim::new(&claim, statement).ok()?;
+        let core = torse_elaborate::elaborate(&claim, statement).ok()?;
         Some(Self {
             claim,
             statement,

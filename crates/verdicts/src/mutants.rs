@@ -11,11 +11,11 @@ use crate::repair::edit::{Change, placed};
 use crate::repair::edits::single;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use torse_language::derivation::{Claim, Written};
-use torse_language::notation;
-use torse_language::syntax::{Connective, Expr, Node, Relation};
 use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
+use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::formula::{Connective, Expr, Node, Relation};
+use torse_syntax::notation;
 
 /// Why a changed statement was not refuted.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -16,14 +16,14 @@
 use crate::meant::Meant;
 use crate::outcome::{BEYOND, Net, Outcome, Sides};
 use crate::{condition, provenance, replay};
-use torse_language::core;
-use torse_language::derivation::{Claim, Written};
-use torse_language::notation::Formula;
-use torse_language::words::Verdict;
+use torse_core as core;
 use torse_semantics::{
     Identity, Judgement, Outside, Tally, Witness, Work, beyond, check_witness, identity, instances,
     tally,
 };
+use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::notation::Formula;
+use torse_syntax::words::Verdict;
 
 /// How much is tried before a verdict is believed. All of it counts work, so that the answer is the same on every
 /// machine.
@@ -204,7 +204,7 @@ impl Case<'_> {
         let slot = provenance::slot_of(self.claim, formula);
         let wider = slot.and_then(|slot| {
             let wider = provenance::without(self.claim, &[slot]);
-            core::Claim::new(&wider, self.statement).ok()
+            torse_elaborate::elaborate(&wider, self.statement).ok()
         });
         let (core, effort) = (wider.as_ref().unwrap_or(self.core), self.effort);
         let found = beyond(
@@ -261,7 +261,7 @@ impl Case<'_> {
         let statement = condition::written(&correction.statement, &self.seed);
         let corrected = statement
             .as_ref()
-            .and_then(|statement| core::Claim::new(self.claim, statement).ok());
+            .and_then(|statement| torse_elaborate::elaborate(self.claim, statement).ok());
         let (Some(statement), Some(corrected)) = (&statement, &corrected) else {
             net.netted = false;
             net.why = Some("the correction cannot be read back".to_owned());
@@ -360,7 +360,7 @@ impl Case<'_> {
     /// A formula of the outcome, read back as a statement about the same domain.
     fn read(&self, formula: &Formula) -> Option<core::Statement> {
         let written = condition::written(formula, &self.seed)?;
-        let core = core::Claim::new(self.claim, &written).ok()?;
+        let core = torse_elaborate::elaborate(self.claim, &written).ok()?;
         Some(core.statement)
     }
 }

@@ -7,9 +7,9 @@ use crate::grounds::Grounds;
 use crate::table::Table;
 use serde::Serialize;
 use std::sync::Arc;
-use torse_language::notation::Formula;
-use torse_language::words::{Kind, Verdict};
 use torse_prove::evidence::{Evidence, Witness};
+use torse_syntax::notation::Formula;
+use torse_syntax::words::{Kind, Verdict};
 
 /// A corrected form of a refuted formula, itself proved.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

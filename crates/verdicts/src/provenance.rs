@@ -11,12 +11,12 @@
 use crate::outcome::{Assumed, Outcome, Role, SaidBy};
 use std::sync::Arc;
 use torse_algebra::{Polynomial, work};
-use torse_language::derivation::declarations::SymbolKind;
-use torse_language::derivation::{Claim, Hypothesis, Origin, Provenance, Written};
-use torse_language::notation::{self, Formula, domain};
-use torse_language::syntax::{Connective, Expr, Node, Place, Relation};
 use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::derivation::{Claim, Hypothesis, Origin, Provenance, Written};
+use torse_syntax::formula::{Connective, Expr, Node, Place, Relation};
+use torse_syntax::notation::{self, Formula, domain};
 
 /// A hypothesis of a claim by its place.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -4,7 +4,7 @@
 //! differ it is `depends`, which accuses nobody.
 
 use crate::outcome::{Net, Outcome, ReadingOutcome};
-use torse_language::words::Verdict;
+use torse_syntax::words::Verdict;
 
 /// Writes into the outcome what its readings say together.
 pub fn conclude(outcome: &mut Outcome, readings: Vec<ReadingOutcome>) {

@@ -11,7 +11,7 @@
 use crate::net::{self, Effort};
 use crate::outcome::{Net, Outcome};
 use crate::sought;
-use torse_language::derivation::Claim;
+use torse_syntax::derivation::Claim;
 
 /// What a verdict has to pass here.
 pub const THOROUGH: Effort = Effort {

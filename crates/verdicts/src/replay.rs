@@ -1,6 +1,6 @@
 //! The level *replayed*: a checker without search goes through the proof of a verdict.
 //!
-//! The checker ([`torse_proof::check`]) knows the core claim and the proof, and nothing of the prover. A proof that it
+//! The checker ([`torse_checker`]) knows the core claim and the proof, and nothing of the prover. A proof that it
 //! rejects is a contradiction: the claim is undecided then. What it cannot follow is not replayed, and says why. A
 //! correction is a proof of its own.
 
@@ -10,12 +10,12 @@ use crate::meant::Meant;
 use crate::outcome::{Outcome, Replay};
 use std::sync::Arc;
 use torse_algebra::work;
-use torse_language::core;
-use torse_language::derivation::Origin;
-use torse_language::words::Verdict;
-use torse_proof::check::{self, Unchecked, Work};
+use torse_checker::{Unchecked, Work};
+use torse_core as core;
 use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
+use torse_syntax::derivation::Origin;
+use torse_syntax::words::Verdict;
 
 /// Replays what a verdict rests on, and the proof of its correction, for which so much work may be spent to find it again.
 /// Nothing where there is no proof.
@@ -39,7 +39,7 @@ pub(crate) fn replayed(
             let written = condition::written(&correction.statement, &outcome.id)?;
             let decided = work::within(budget, || decide_statement(claim, &written));
             let grounds = Grounds::of(&decided.ok()?.ok()?)?;
-            let core = core::Claim::new(claim, &written).ok()?;
+            let core = torse_elaborate::elaborate(claim, &written).ok()?;
             Some(checked(&core, &written.origin, &grounds))
         };
         let none = || Ok(Replay::beyond("the correction was not proved again"));
@@ -53,10 +53,12 @@ pub(crate) fn replayed(
 
 /// What the checker says.
 fn checked(core: &core::Claim, origin: &Origin, grounds: &Grounds) -> Result<Replay, String> {
-    let work = Work::new(check::WORK);
+    let work = Work::new(torse_checker::WORK);
     let found = match grounds.plain() {
-        Grounds::Proof { conditions, of } => check::proves(core, origin, &conditions, &of, &work),
-        Grounds::Refutation(refuted) => check::refutes(core, origin, &refuted, &work),
+        Grounds::Proof { conditions, of } => {
+            torse_checker::proves(core, origin, &conditions, &of, &work)
+        }
+        Grounds::Refutation(refuted) => torse_checker::refutes(core, origin, &refuted, &work),
     };
     match found {
         Ok(()) => Ok(Replay::done()),

@@ -10,15 +10,15 @@ use crate::outcome::{Outcome, Replay};
 use crate::{condition, net, provenance};
 use std::sync::Arc;
 use torse_algebra::work::{self, OutOfWork};
-use torse_language::derivation::{Claim, DerivationError, Hypothesis, Provenance, Written};
-use torse_language::fault::Fault;
-use torse_language::notation::{self, Formula};
-use torse_language::syntax::{Connective, Expr, Node};
-use torse_language::words::Verdict;
-use torse_proof::Proof;
-use torse_proof::proof::Emptiness;
+use torse_certificate::Proof;
+use torse_certificate::proof::Emptiness;
 use torse_prove::decide::Decision;
 use torse_prove::{decide_statement, sought};
+use torse_syntax::derivation::{Claim, DerivationError, Hypothesis, Provenance, Written};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::{Connective, Expr, Node};
+use torse_syntax::notation::{self, Formula};
+use torse_syntax::words::Verdict;
 
 /// Decides a claim that seeks numbers, nets and replays its verdict.
 ///

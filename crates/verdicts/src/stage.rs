@@ -11,11 +11,11 @@ use crate::outcome::{Outcome, ReadingOutcome};
 use crate::{conjunction, finding, net, provenance, readings, sought};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use torse_algebra::work;
-use torse_language::core::Elaborator;
-use torse_language::derivation::{Claim, DerivationError, Finding};
-use torse_language::words::{Kind, Verdict};
+use torse_elaborate::Elaborator;
 use torse_prove::decide::Decision;
 use torse_prove::with_prepared;
+use torse_syntax::derivation::{Claim, DerivationError, Finding};
+use torse_syntax::words::{Kind, Verdict};
 
 /// A claim whose verdict is decided.
 #[derive(Debug)]
@@ -227,10 +227,10 @@ mod tests {
     use super::*;
     use std::any::Any;
     use std::sync::Arc;
-    use torse_language::derivation::{LoadError, Source, paper};
+    use torse_syntax::derivation::{LoadError, Source, paper};
 
     /// A paper whose claims state these.
-    fn stating(statements: &[&str]) -> torse_language::derivation::Paper {
+    fn stating(statements: &[&str]) -> torse_syntax::derivation::Paper {
         let claim = |(n, states): (usize, &&str)| {
             format!(
                 "[[claim]]\nid = 'p/{n}'\nat = ''\nkind = 'identity'\nprinted = ''\nstates = '{states}'\n"

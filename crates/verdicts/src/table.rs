@@ -5,11 +5,11 @@
 
 use serde::Serialize;
 use std::collections::BTreeSet;
-use torse_language::core;
-use torse_language::derivation::declarations::{Basis, Declarations, Definition};
-use torse_language::derivation::{Claim, Hypothesis, Written};
-use torse_language::notation::{self, Formula, domain};
-use torse_language::syntax::{Expr, Node};
+use torse_core as core;
+use torse_syntax::derivation::declarations::{Basis, Declarations, Definition};
+use torse_syntax::derivation::{Claim, Hypothesis, Written};
+use torse_syntax::formula::{Expr, Node};
+use torse_syntax::notation::{self, Formula, domain};
 
 /// What a statement rests on.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]

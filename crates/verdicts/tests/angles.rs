@@ -11,7 +11,7 @@
 
 mod common;
 
-use torse_language::words::Verdict::{self, Conditional, False, Holds, Misprint, Undecided};
+use torse_syntax::words::Verdict::{self, Conditional, False, Holds, Misprint, Undecided};
 use torse_verdicts::outcome::Outcome;
 
 fn outcome(lines: &str) -> Outcome {

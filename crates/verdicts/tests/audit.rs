@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
 
 use std::sync::Arc;
-use torse_language::derivation::{Paper, Source, paper};
-use torse_language::words::Flag;
+use torse_syntax::derivation::{Paper, Source, paper};
+use torse_syntax::words::Flag;
 use torse_verdicts::audit::{Sign, audit};
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::outcome::Outcome;

@@ -9,13 +9,13 @@
 use proptest::prelude::*;
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Polynomial, Rational, Symbol};
-use torse_language::derivation::declarations::{Bound, Declarations, Interval, SymbolKind};
-use torse_language::syntax::Relation;
 use torse_prove::decide::domain::{Constraint, Domain};
 use torse_prove::decide::sign::certificate::{
     Certificate, CertificateError, Factor, Reason, check,
 };
 use torse_prove::decide::sign::prove;
+use torse_syntax::derivation::declarations::{Bound, Declarations, Interval, SymbolKind};
+use torse_syntax::formula::Relation;
 
 fn interval(lower: i64, upper: i64) -> SymbolKind {
     let bound = |value| {

@@ -6,10 +6,10 @@
 use std::path::Path;
 use std::sync::Arc;
 use torse_algebra::{Affine, Fraction, Jet, Polynomial, Scalar, Symbol};
-use torse_language::derivation::declarations::Declarations;
-use torse_language::derivation::load;
-use torse_language::syntax::{Expr, parse};
 use torse_prove::evaluate::Evaluator;
+use torse_syntax::derivation::declarations::Declarations;
+use torse_syntax::derivation::load;
+use torse_syntax::formula::{Expr, parse};
 use torse_verdicts::derive::{
     Derivation, DeriveError, Geometric, Language, Shape, continuity, end_derivatives, geometric,
     print,
@@ -338,7 +338,7 @@ fn example(name: &str, basis: &str) -> Arc<Declarations> {
 fn text(derivation: &Derivation) -> Vec<String> {
     let lines = derivation.lines.iter();
     lines
-        .map(|line| torse_language::notation::text(&line.formula()))
+        .map(|line| torse_syntax::notation::text(&line.formula()))
         .collect()
 }
 
@@ -364,7 +364,7 @@ fn a_uniform_spline_is_joined_by_taking_its_points_over() {
     assert!(
         join.points
             .iter()
-            .any(|p| torse_language::notation::text(p) == "Q1[2]")
+            .any(|p| torse_syntax::notation::text(p) == "Q1[2]")
     );
     let open = continuity(&declarations, "U", 2, Shape::default());
     assert!(
@@ -416,7 +416,7 @@ fn a_rational_curve_has_the_classical_tangent_at_its_start() {
     let names: Vec<String> = join
         .points
         .iter()
-        .map(torse_language::notation::text)
+        .map(torse_syntax::notation::text)
         .collect();
     assert!(
         names.contains(&"w1[1]".to_owned()) && names.contains(&"w[m-1]".to_owned()),

@@ -10,7 +10,7 @@
 
 mod common;
 
-use torse_language::words::Verdict::{self, False, Holds};
+use torse_syntax::words::Verdict::{self, False, Holds};
 use torse_verdicts::outcome::Outcome;
 
 const BOUNDED: &str = r#"

@@ -9,7 +9,7 @@
 
 mod common;
 
-use torse_language::words::Verdict::{Conditional, False, Holds, Undecided};
+use torse_syntax::words::Verdict::{Conditional, False, Holds, Undecided};
 use torse_verdicts::outcome::Outcome;
 
 const SHARED: &str = r#"

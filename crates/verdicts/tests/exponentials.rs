@@ -10,7 +10,7 @@
 
 mod common;
 
-use torse_language::words::Verdict::{self, Conditional, False, Holds, Undecided, Vacuous};
+use torse_syntax::words::Verdict::{self, Conditional, False, Holds, Undecided, Vacuous};
 
 const SHARED: &str = r#"
 [symbols]

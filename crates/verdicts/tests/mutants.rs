@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::path::Path;
-use torse_language::derivation::{Claim, load};
-use torse_language::words::{Kind, Verdict};
+use torse_syntax::derivation::{Claim, load};
+use torse_syntax::words::{Kind, Verdict};
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::mutants::{Survival, Survivor, survivors};
 

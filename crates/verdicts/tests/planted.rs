@@ -12,11 +12,11 @@
 
 mod common;
 
-use torse_language::derivation::Claim;
-use torse_language::words::Verdict::{self, Conditional, False, Holds, Undecided, Vacuous};
 use torse_numbers::planted::{Planted, with};
 use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
+use torse_syntax::derivation::Claim;
+use torse_syntax::words::Verdict::{self, Conditional, False, Holds, Undecided, Vacuous};
 use torse_verdicts::engine::decide_claim;
 
 const DECLARATIONS: &str = r#"

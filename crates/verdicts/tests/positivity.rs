@@ -9,7 +9,7 @@
 
 mod common;
 
-use torse_language::words::Verdict::{self, Conditional, False, Holds, Undecided};
+use torse_syntax::words::Verdict::{self, Conditional, False, Holds, Undecided};
 
 #[track_caller]
 fn verdict(lines: &str, wanted: Verdict) {

@@ -4,7 +4,7 @@
 
 mod common;
 
-use torse_language::words::Verdict;
+use torse_syntax::words::Verdict;
 use torse_verdicts::outcome::{Outcome, Role, SaidBy};
 
 const SYMBOLS: &str = r#"

@@ -4,8 +4,8 @@
 
 mod common;
 
-use torse_language::words::Verdict;
 use torse_prove::evidence::Evidence;
+use torse_syntax::words::Verdict;
 use torse_verdicts::consequences::{Fate, consequences};
 use torse_verdicts::outcome::Outcome;
 

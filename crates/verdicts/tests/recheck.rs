@@ -3,10 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use std::path::Path;
-use torse_language::derivation::{Claim, Paper, load};
-use torse_language::notation::Formula;
-use torse_language::words::Verdict;
 use torse_prove::evidence::{Evidence, Witness};
+use torse_syntax::derivation::{Claim, Paper, load};
+use torse_syntax::notation::Formula;
+use torse_syntax::words::Verdict;
 use torse_verdicts::engine;
 use torse_verdicts::outcome::{Correction, Outcome};
 use torse_verdicts::recheck::{Recheck, claim as recheck};

@@ -10,7 +10,7 @@
 
 mod common;
 
-use torse_language::words::Verdict::{self, Conditional, False, Holds, Undecided};
+use torse_syntax::words::Verdict::{self, Conditional, False, Holds, Undecided};
 
 const SHARED: &str = r#"
 [symbols]
@@ -201,14 +201,14 @@ fn what_cannot_be_carried_is_refused_and_never_decided() {
 #[test]
 fn every_claim_with_roots_of_the_derivations_has_the_verdict_that_it_expects() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../derivations");
-    let papers = torse_language::derivation::load(&folder).unwrap();
+    let papers = torse_syntax::derivation::load(&folder).unwrap();
     let (mut count, mut wrong) = (0, vec![]);
     for paper in papers {
         for claim in &paper.claims {
             let text = claim
                 .statement
                 .as_ref()
-                .map(|s| torse_language::notation::text(&s.expr));
+                .map(|s| torse_syntax::notation::text(&s.expr));
             let text = text.unwrap_or_default();
             let ours = ["bezier", "trigonometric", "hyperbolic", "torses"];
             let has_root = ["sqrt(", "norm(", "abs("]

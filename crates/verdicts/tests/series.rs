@@ -4,8 +4,8 @@
 
 mod common;
 
-use torse_language::words::Verdict;
 use torse_prove::evidence::Evidence;
+use torse_syntax::words::Verdict;
 
 const CURVES: &str = r#"
 [symbols]

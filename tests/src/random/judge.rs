@@ -7,10 +7,9 @@ use super::Kind;
 use super::claim::{Claim, Truth};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use torse_language::core;
-use torse_language::derivation::{self, LoadError, Paper, Source, paper};
-use torse_language::words::Verdict;
 use torse_semantics::{Tally as Points, tally};
+use torse_syntax::derivation::{self, LoadError, Paper, Source, paper};
+use torse_syntax::words::Verdict;
 use torse_verdicts::Outcome;
 use torse_verdicts::engine::decide_claim;
 
@@ -89,7 +88,8 @@ pub fn semantics(claim: &Claim) -> Result<Points, String> {
     let paper = paper_of(&[claim]).map_err(|error| format!("{error:?}"))?;
     let written: &derivation::Claim = paper.claims.first().ok_or("no claim")?;
     let statement = written.statement.as_ref().ok_or("no statement")?;
-    let core = core::Claim::new(written, statement).map_err(|fault| format!("{fault:?}"))?;
+    let core =
+        torse_elaborate::elaborate(written, statement).map_err(|fault| format!("{fault:?}"))?;
     let seed = format!("second judge {}", claim.id());
     Ok(tally(&core, &core.statement, &[], &seed, POINTS, BUDGET))
 }

@@ -5,8 +5,8 @@ use crate::design::Design;
 use crate::error::DesignError;
 use crate::unroll::{Demand, FlatPiece, drawing, unroll};
 use torse_exchange::{Drawing, Layer as Sheet};
-use torse_figures::Aspect;
-use torse_figures::{
+use torse_plot::Aspect;
+use torse_plot::{
     Axis, Camera, Colour, Content, Figure, Grid, Layer, Legend, Line, Paint, Panel, Picture, Plot,
     Size, Stage, Surface, View,
 };

@@ -4,11 +4,11 @@
 //! double next to it.
 
 use num_traits::{Signed, ToPrimitive, Zero};
-use torse_language::fault::{Fault, Problem};
-use torse_language::similar::similar;
-use torse_language::syntax::ast::{Expr, Node, Operator, Place};
 use torse_numbers::rational::{Rational, to_f64};
 use torse_numbers::{Ball, ExactError, Scalar};
+use torse_syntax::fault::{Fault, Problem};
+use torse_syntax::formula::ast::{Expr, Node, Operator, Place};
+use torse_syntax::similar::similar;
 
 /// Bits after the point of what is not rational.
 const BITS: usize = 320;
@@ -208,7 +208,7 @@ fn power(base: Value, exponent: i32) -> Result<Value, ExactError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use torse_language::syntax::parse;
+    use torse_syntax::formula::parse;
 
     fn value(text: &str) -> Option<f64> {
         let formula = parse(text).unwrap();

@@ -26,7 +26,7 @@ use std::sync::Arc;
 use toml::de::DeTable;
 use torse_geometry::prelude::{Planes, Point, Rail};
 
-pub use torse_language::derivation::Source;
+pub use torse_syntax::derivation::Source;
 
 /// The largest file that is read, in bytes.
 pub const MOST_BYTES: usize = 1 << 20;
@@ -165,7 +165,7 @@ fn sections(reader: &mut Reader, name: &str, table: DeTable<'_>) -> Option<Desig
             sections.insert(key, value);
             continue;
         }
-        let help = match torse_language::similar::similar(&key, keys::TOP.iter().copied()) {
+        let help = match torse_syntax::similar::similar(&key, keys::TOP.iter().copied()) {
             Some(near) => format!("did you mean `[{near}]`?"),
             None => format!("its sections are `{}`", keys::TOP.join("`, `")),
         };

@@ -7,12 +7,12 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use torse_geometry::prelude::GeometryError;
-use torse_language::derivation::{DerivationError, Origin, Source};
-use torse_language::fault::{Fault, Problem};
-use torse_language::similar::similar;
-use torse_language::syntax::ast::Place;
-use torse_language::syntax::parse;
 use torse_numbers::rational::Rational;
+use torse_syntax::derivation::{DerivationError, Origin, Source};
+use torse_syntax::fault::{Fault, Problem};
+use torse_syntax::formula::ast::Place;
+use torse_syntax::formula::parse;
+use torse_syntax::similar::similar;
 
 /// What the geometry made, or its objection at this place.
 pub fn accepted<T>(
@@ -379,7 +379,7 @@ impl Reader {
         };
         let mut plain = Vec::new();
         for (name, span, value) in entries.rest() {
-            if !torse_language::syntax::is_name(&name) || name == "pi" {
+            if !torse_syntax::formula::is_name(&name) || name == "pi" {
                 let help =
                     "letters, digits and `_`, a letter first, and none of the language's own";
                 self.complain(

@@ -11,10 +11,10 @@ use super::{Decision, Refutation};
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Rational};
-use torse_language::core::Printed;
-use torse_language::syntax::Relation;
-use torse_proof::enclosure::{Agreeing, Agreement, Enclosure};
-use torse_proof::point::{Counterexample, Failure};
+use torse_certificate::enclosure::{Agreeing, Agreement, Enclosure};
+use torse_certificate::point::{Counterexample, Failure};
+use torse_core::Printed;
+use torse_syntax::formula::Relation;
 
 /// The most printed decimals.
 const MAX_DIGITS: u32 = 2_000;

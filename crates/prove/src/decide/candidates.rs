@@ -7,7 +7,7 @@ use crate::decide::interval::{Bound, Interval};
 use num_traits::Signed;
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Fraction, Polynomial, Rational, Scalar as _, Symbol};
-use torse_language::syntax::Relation;
+use torse_syntax::formula::Relation;
 
 /// Under which trigonometric functions a variable stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,9 +6,9 @@ use super::sign::{Sign, of};
 use super::value::quotient;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Affine, Polynomial};
-use torse_language::derivation::declarations::SymbolKind;
-use torse_language::syntax::Relation;
-use torse_proof::proof::Emptiness;
+use torse_certificate::proof::Emptiness;
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::formula::Relation;
 
 /// A constraint that no point of the declared ranges satisfies that satisfies the others, if one is known; an empty
 /// range is one.
@@ -21,7 +21,7 @@ pub fn contradiction(domain: &Domain<'_>, symbols: &[String]) -> Option<Emptines
             let mut numbered = domain.constraints.iter().enumerate();
             let (_, failing) = numbered.find(|(number, c)| fails(domain, *number, c))?;
             Some(Emptiness::Constraint {
-                fails: torse_proof::Constraint {
+                fails: torse_certificate::Constraint {
                     value: quotient(&failing.value),
                     relation: failing.relation,
                 },

@@ -6,8 +6,8 @@ use crate::decide::root::Root;
 use std::cmp::Ordering;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
-use torse_language::derivation::declarations::{Declarations, SymbolKind};
-use torse_language::syntax::Relation;
+use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
+use torse_syntax::formula::Relation;
 
 /// A condition `value relation 0` from the assumptions.
 #[derive(Debug, Clone)]

@@ -12,10 +12,10 @@ use crate::evaluate::Evaluator;
 use crate::evaluate::value::{NOWHERE, Value};
 use crate::{ideal, roots};
 use torse_algebra::{Fraction, Polynomial};
-use torse_language::fault::Fault;
-use torse_language::syntax::Relation;
-use torse_proof::identity::{Combination, Equations, Identity, Vanishing};
-use torse_proof::point::{Comparison, Counterexample};
+use torse_certificate::identity::{Combination, Equations, Identity, Vanishing};
+use torse_certificate::point::{Comparison, Counterexample};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Relation;
 
 /// Decides `left == right` on the domain.
 ///

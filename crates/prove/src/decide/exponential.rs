@@ -15,7 +15,7 @@ use num_integer::lcm;
 use std::borrow::Cow;
 use std::sync::Arc;
 use torse_algebra::{Exponent, Finest, Fraction, Polynomial, Rational, Scalar as _, Symbol};
-use torse_language::syntax::Relation;
+use torse_syntax::formula::Relation;
 
 /// Bits of the enclosures of ends.
 const BITS: usize = 128;

@@ -18,11 +18,11 @@ use super::{Decision, Refutation};
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::NOWHERE;
 use torse_algebra::{Fraction, Matrix, Polynomial, Symbol};
-use torse_language::core::Family;
-use torse_language::fault::Fault;
-use torse_language::syntax::Relation;
-use torse_proof::family::{Nonnegative, Part};
-use torse_proof::point::{Comparison, Counterexample, Failure};
+use torse_certificate::family::{Nonnegative, Part};
+use torse_certificate::point::{Comparison, Counterexample, Failure};
+use torse_core::Family;
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Relation;
 
 /// The degrees that are looked at one by one.
 pub(super) const DEGREES: u8 = 4;
@@ -61,7 +61,7 @@ pub fn nonnegative(
             parts.extend(proved);
             continue;
         }
-        let text = torse_language::notation::text(&crate::formula::expression(part));
+        let text = torse_syntax::notation::text(&crate::formula::expression(part));
         if is_seed
             && let Some(point) = witness::find(part, &[], domain, Relation::Less)
             && let Some(point) = witness::described(

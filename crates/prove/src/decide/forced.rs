@@ -10,8 +10,8 @@ use super::witness;
 use crate::evaluate::value::Value;
 use crate::ideal;
 use torse_algebra::{Fraction, Polynomial};
-use torse_language::syntax::Relation;
-use torse_proof::forced::{Forced, Zero};
+use torse_certificate::forced::{Forced, Zero};
+use torse_syntax::formula::Relation;
 
 /// The most terms of a difference whose square is looked at.
 const MAX_TERMS: usize = 8;

@@ -8,9 +8,9 @@ use super::value::{Proof, plain};
 use super::{Decision, Refutation};
 use std::collections::BTreeMap;
 use torse_algebra::{Fraction, Polynomial};
-use torse_language::derivation::declarations::{Declarations, SymbolKind};
-use torse_proof::Refuted;
-use torse_proof::proof::Instance;
+use torse_certificate::Refuted;
+use torse_certificate::proof::Instance;
+use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 
 /// How far integers are raised where small ones say nothing.
 const FAR: i64 = 12;

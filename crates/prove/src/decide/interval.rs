@@ -3,8 +3,8 @@
 use super::order::order;
 use std::cmp::Ordering;
 use torse_algebra::{Fraction, Scalar as _, Symbol};
-use torse_language::derivation::declarations::{self, Constant};
-use torse_language::syntax::Relation;
+use torse_syntax::derivation::declarations::{self, Constant};
+use torse_syntax::formula::Relation;
 
 /// One end of an interval.
 #[derive(Debug, Clone)]

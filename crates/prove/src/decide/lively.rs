@@ -8,7 +8,7 @@
 
 use std::collections::BTreeMap;
 use torse_algebra::{Affine, Fraction, Symbol};
-use torse_language::derivation::declarations::{Declarations, SymbolKind};
+use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 
 /// A point: exact values of symbols.
 type Point = BTreeMap<Symbol, Fraction>;

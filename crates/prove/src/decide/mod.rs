@@ -35,13 +35,13 @@ use crate::evidence::Witness;
 use domain::{Constraint, Domain};
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial};
-use torse_language::core::FamilyProperty;
-use torse_language::fault::Fault;
-use torse_language::syntax::{Connective, Relation};
-use torse_proof::Refuted;
-use torse_proof::point::Counterexample;
-use torse_proof::proof::Emptiness;
-use torse_proof::proof::ground::Sharpness;
+use torse_certificate::Refuted;
+use torse_certificate::point::Counterexample;
+use torse_certificate::proof::Emptiness;
+use torse_certificate::proof::ground::Sharpness;
+use torse_core::FamilyProperty;
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::{Connective, Relation};
 use value::{Proof, plain};
 
 /// What is known about a statement.

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use torse_algebra::rational::integer;
 use torse_algebra::{Ball, Finest, Fraction, Polynomial, Rational, Scalar as _, Symbol};
-use torse_language::syntax::Relation;
+use torse_syntax::formula::Relation;
 
 /// Bits of the enclosures that decide signs of constants, tried in turn.
 const BITS: [usize; 4] = [256, 1024, 4096, 16_384];

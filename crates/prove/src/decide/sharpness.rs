@@ -14,10 +14,10 @@ use crate::evaluate::value::Statement;
 use std::sync::Arc;
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
-use torse_language::derivation::declarations::{Bound, Interval, SymbolKind};
-use torse_language::syntax::{Connective, Relation};
-use torse_proof::Ratio;
-use torse_proof::proof::ground::Sharpness;
+use torse_certificate::Ratio;
+use torse_certificate::proof::ground::Sharpness;
+use torse_syntax::derivation::declarations::{Bound, Interval, SymbolKind};
+use torse_syntax::formula::{Connective, Relation};
 
 /// How far a range is left, one after the other.
 const STEPS: [(i64, i64); 3] = [(1, 1024), (1, 16), (1, 1)];

@@ -2,11 +2,11 @@
 //! checked.
 
 use torse_algebra::{Angle, Fraction, Polynomial, Symbol, Unit};
-use torse_proof::symbol;
-use torse_proof::{Ratio, symbol::Symbol as Plain};
+use torse_certificate::symbol;
+use torse_certificate::{Ratio, symbol::Symbol as Plain};
 
 /// A proof in the polynomials of this room.
-pub type Proof = torse_proof::Proof<Polynomial>;
+pub type Proof = torse_certificate::Proof<Polynomial>;
 
 /// Numerator and denominator.
 pub(crate) fn quotient(value: &Fraction) -> Ratio<Polynomial> {
@@ -51,8 +51,8 @@ pub(crate) fn plain_angle(angle: Angle) -> symbol::Angle {
 
 /// The polynomial as a plain one.
 #[must_use]
-pub fn plain(polynomial: &Polynomial) -> torse_proof::Polynomial {
-    let mut result = torse_proof::Polynomial::zero();
+pub fn plain(polynomial: &Polynomial) -> torse_certificate::Polynomial {
+    let mut result = torse_certificate::Polynomial::zero();
     for term in polynomial.terms() {
         let powers = term.powers.iter();
         let mut monomial: Vec<(Plain, u32)> = powers

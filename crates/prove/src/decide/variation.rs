@@ -15,7 +15,7 @@
 //! minors that are polynomials, divisible by the differences of the places. Total positivity is then the
 //! nonnegativity of the quotients on a cube, for which there are certificates ([`super::sign`]).
 //!
-//! **Some degrees.** Where the statement names degrees, and the step is `1 - x`, `x`, Wronskians decide: [`torse_proof::wronskian`].
+//! **Some degrees.** Where the statement names degrees, and the step is `1 - x`, `x`, Wronskians decide: [`torse_certificate::wronskian`].
 //!
 //! **No induction.** The step multiplies the collocation matrix with different bidiagonal matrices at
 //! different places, and that need not keep it totally positive: from the rows (1, v) it leads to
@@ -33,13 +33,13 @@ use super::{Decision, Refutation, witness, wronskian};
 use crate::evaluate::Evaluator;
 use torse_algebra::rational::integer;
 use torse_algebra::{Angle, Fraction, Matrix, Polynomial, Rational, Scalar as _, Symbol};
-use torse_language::core::{Degrees, Family};
-use torse_language::derivation::declarations::{Bound, Interval, SymbolKind};
-use torse_language::fault::Fault;
-use torse_language::syntax::Relation;
-use torse_proof::Ratio;
-use torse_proof::family::Powers;
-use torse_proof::point::{Counterexample, Failure};
+use torse_certificate::Ratio;
+use torse_certificate::family::Powers;
+use torse_certificate::point::{Counterexample, Failure};
+use torse_core::{Degrees, Family};
+use torse_syntax::derivation::declarations::{Bound, Interval, SymbolKind};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Relation;
 
 /// The most seeds whose minors are examined.
 const MAX_SEEDS: usize = 5;

@@ -13,11 +13,11 @@ use super::value::{fraction, plain_symbol, quotient};
 use std::collections::BTreeMap;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial, Symbol, Unit};
-use torse_language::core;
-use torse_language::derivation::declarations::SymbolKind;
-use torse_language::syntax::Relation;
-use torse_proof::Ratio;
-use torse_proof::point::{Comparison, Counterexample, Failure, Value};
+use torse_certificate::Ratio;
+use torse_certificate::point::{Comparison, Counterexample, Failure, Value};
+use torse_core as core;
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::formula::Relation;
 
 /// The most values tried in one search.
 const MAX_TRIES: usize = 6_000;

@@ -7,10 +7,10 @@ use crate::formula;
 use num_traits::Signed;
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Polynomial, Rational};
-use torse_language::notation;
-use torse_proof::enclosure::{Enclosure, text as printed};
-use torse_proof::point::Failure;
-use torse_proof::{Ratio, Refuted};
+use torse_certificate::enclosure::{Enclosure, text as printed};
+use torse_certificate::point::Failure;
+use torse_certificate::{Ratio, Refuted};
+use torse_syntax::notation;
 
 /// Digits of the decimals shown.
 const DIGITS: usize = 12;
@@ -55,7 +55,7 @@ fn sides(failure: &Failure<Polynomial>) -> (Vec<(String, String)>, [String; 4]) 
             let values = enclosure.entries.iter().map(|entry| exact(&entry.value));
             let numbers = enclosure.entries.iter().map(|e| printed(&e.printed));
             let (values, numbers) = (listed(values.collect()), listed(numbers.collect()));
-            let plain: Enclosure<torse_proof::Polynomial> = enclosure.map(&plain);
+            let plain: Enclosure<torse_certificate::Polynomial> = enclosure.map(&plain);
             (vec![], [values, numbers.clone(), plain.decimals(), numbers])
         }
         Failure::Dependent {

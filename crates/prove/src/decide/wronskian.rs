@@ -1,4 +1,4 @@
-//! The search for cells on which determinants are positive, see [`torse_proof::wronskian`] for the theorem.
+//! The search for cells on which determinants are positive, see [`torse_certificate::wronskian`] for the theorem.
 //!
 //! A cell is tried by the very computation that the checker does, since it is the only rigorous one: what is found here are its
 //! data, how many places and how large a disc. One cell from 0 to 1/2 is enough for all families that were met; where it is not
@@ -8,9 +8,9 @@ use super::domain::Domain;
 use super::value::plain;
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Fraction, Rational};
-use torse_language::core::{Degrees, Family};
-use torse_proof::wronskian::cell::Front;
-use torse_proof::wronskian::{AtDegree, Cell, Half, Operator, Seeds, Unfit, Wronskians};
+use torse_certificate::wronskian::cell::Front;
+use torse_certificate::wronskian::{AtDegree, Cell, Half, Operator, Seeds, Unfit, Wronskians};
+use torse_core::{Degrees, Family};
 
 /// The highest degree for which the search is worth its time: the work grows with the fifth power of it.
 const MAX_DEGREE: u8 = 10;

@@ -4,8 +4,8 @@ use super::quantity::Quantity;
 use super::series::Series;
 use super::value::Value;
 use torse_algebra::{ExactError, Finest, Fraction, Symbol};
-use torse_language::fault::Fault;
-use torse_language::syntax::Place;
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Place;
 
 /// Both sides in the finest parts of angles and exponents that occur in either, so that a difference is zero in its normal form if it
 /// is the zero function.

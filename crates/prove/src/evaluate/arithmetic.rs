@@ -5,9 +5,9 @@ use super::value::{Value, Vector};
 use super::{Environment, Evaluator, Outcome, shapes, symbolic_degree, wrong_type};
 use std::cell::RefCell;
 use torse_algebra::{Fraction, Rational};
-use torse_language::core::Term;
-use torse_language::fault::Fault;
-use torse_language::syntax::{Operator, Place};
+use torse_core::Term;
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::{Operator, Place};
 
 /// The most term products one multiplication may cost.
 const MAX_PRODUCTS: usize = 4_000_000;

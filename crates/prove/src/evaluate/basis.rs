@@ -8,9 +8,9 @@ use std::rc::Rc;
 use std::sync::Arc;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Affine, Fraction};
-use torse_language::core::{Family, Term};
-use torse_language::fault::{Fault, Problem};
-use torse_language::syntax::Place;
+use torse_core::{Family, Term};
+use torse_syntax::fault::{Fault, Problem};
+use torse_syntax::formula::Place;
 
 /// The work of one step of the recursion, in units of a visited node.
 const ROW_WORK: u64 = 1_500;

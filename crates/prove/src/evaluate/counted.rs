@@ -6,9 +6,9 @@
 use super::{Environment, Evaluator, wrong_type};
 use crate::evaluate::value::Value;
 use torse_algebra::Fraction;
-use torse_language::core::{Family, Term, Variable};
-use torse_language::fault::Fault;
-use torse_language::syntax::Place;
+use torse_core::{Family, Term, Variable};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Place;
 
 /// The work of one function, in units of a visited node.
 const FUNCTION_WORK: u64 = 1_500;

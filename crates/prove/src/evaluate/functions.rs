@@ -6,9 +6,9 @@ use super::{Environment, Evaluator, linear, symbolic_degree, wrong_type};
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Polynomial, Rational};
-use torse_language::core::{BuiltIn, Printed, Term, Variable};
-use torse_language::fault::Fault;
-use torse_language::syntax::Place;
+use torse_core::{BuiltIn, Printed, Term, Variable};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Place;
 
 impl Evaluator<'_> {
     /// The value of a built-in function.

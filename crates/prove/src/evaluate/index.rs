@@ -3,10 +3,10 @@
 use super::value::{Value, Vector};
 use super::{Environment, Evaluator, Outcome, generic, wrong_type};
 use torse_algebra::{Affine, Fraction, Symbol};
-use torse_language::core::{Points, Term};
-use torse_language::derivation::declarations::SymbolKind;
-use torse_language::fault::{Fault, Problem};
-use torse_language::syntax::Place;
+use torse_core::{Points, Term};
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::fault::{Fault, Problem};
+use torse_syntax::formula::Place;
 
 /// An end of a range.
 #[derive(Debug, Clone, Copy)]

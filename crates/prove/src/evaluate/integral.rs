@@ -18,9 +18,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use torse_algebra::matrix::Matrix;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial, Symbol};
-use torse_language::core::{Term, Variable};
-use torse_language::fault::Fault;
-use torse_language::syntax::Place;
+use torse_core::{Term, Variable};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Place;
 
 /// The most monomials in sines, cosines and exponentials.
 const MAX_SPAN: usize = 33;

@@ -6,8 +6,8 @@ use super::wrong_type;
 use std::collections::BTreeMap;
 use torse_algebra::matrix::{Matrix, MatrixError};
 use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
-use torse_language::fault::{Fault, Problem};
-use torse_language::syntax::Place;
+use torse_syntax::fault::{Fault, Problem};
+use torse_syntax::formula::Place;
 
 fn matrix<T>(rows: Vec<Vec<T>>, place: Place) -> Result<Matrix<T>, Fault> {
     Matrix::from_rows(rows).map_err(|e| fault(&e, place))

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 use torse_algebra::Fraction;
-use torse_language::core::{Node, Term};
+use torse_core::{Node, Term};
 
 /// The most values of one term that are kept.
 const MAX_KEPT: usize = 24;

@@ -30,10 +30,11 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 use torse_algebra::{Affine, Fraction, Symbol, work};
-use torse_language::core::{self, Elaborator, Meaning, Node, Term};
-use torse_language::derivation::declarations::Declarations;
-use torse_language::fault::{Fault, Problem};
-use torse_language::syntax::{Expr, Place};
+use torse_core::{self as core, Node, Term};
+use torse_elaborate::{Elaborator, Meaning};
+use torse_syntax::derivation::declarations::Declarations;
+use torse_syntax::fault::{Fault, Problem};
+use torse_syntax::formula::{Expr, Place};
 use value::{Statement, Value, Vector};
 
 /// What visiting a node costs, in units of [`work`].

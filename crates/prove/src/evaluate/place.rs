@@ -4,8 +4,8 @@ use super::quantity::Quantity;
 use super::value::Value;
 use super::{Evaluator, Outcome};
 use torse_algebra::{ExactError, Fraction};
-use torse_language::fault::Fault;
-use torse_language::syntax::Place;
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Place;
 
 /// The error without the numbers that the engine gives to its own symbols.
 fn in_words_of_the_text(error: ExactError) -> ExactError {

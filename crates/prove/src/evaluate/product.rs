@@ -14,9 +14,9 @@ use super::{Environment, Evaluator};
 use num_traits::Zero;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
-use torse_language::core::{Term, Variable};
-use torse_language::fault::Fault;
-use torse_language::syntax::Place;
+use torse_core::{Term, Variable};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Place;
 
 /// The most factors that are multiplied one by one.
 const MAX_FACTORS: i64 = 100;

@@ -10,9 +10,9 @@ use super::value::{Value, Vector};
 use super::{Environment, Evaluator, fitted, refilled, wrong_type};
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Affine, Fraction};
-use torse_language::core::{BuiltIn, Node, Term, Variable};
-use torse_language::fault::Fault;
-use torse_language::syntax::{Operator, Place};
+use torse_core::{BuiltIn, Node, Term, Variable};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::{Operator, Place};
 
 /// The most terms that are added one by one.
 const MAX_TERMS: i64 = 400;

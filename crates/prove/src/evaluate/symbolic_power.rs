@@ -11,8 +11,8 @@ use super::value::Value;
 use super::{Evaluator, Outcome};
 use crate::formula::factored;
 use torse_algebra::{Affine, ExactError, Fraction, Polynomial};
-use torse_language::fault::Fault;
-use torse_language::syntax::Place;
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Place;
 
 impl Evaluator<'_> {
     /// The power with this exponent, which is no number.

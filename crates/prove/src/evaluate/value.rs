@@ -3,8 +3,8 @@
 use super::quantity::Quantity;
 use std::sync::Arc;
 use torse_algebra::Fraction;
-use torse_language::core::{Family, FamilyProperty, Printed};
-use torse_language::syntax::{Connective, Place, Relation};
+use torse_core::{Family, FamilyProperty, Printed};
+use torse_syntax::formula::{Connective, Place, Relation};
 
 /// A vector: its coordinates, or one generic coordinate that stands for all.
 #[derive(Debug, Clone)]

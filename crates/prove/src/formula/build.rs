@@ -4,7 +4,7 @@
 use num_traits::{One, Signed};
 use std::sync::Arc;
 use torse_algebra::{Affine, Angle, Exponent, Rational, Symbol, Unit, rational};
-use torse_language::syntax::{Expr, Node, Operator, parse};
+use torse_syntax::formula::{Expr, Node, Operator, parse};
 
 /// A summand with its sign apart.
 #[derive(Debug, Clone)]

@@ -9,13 +9,13 @@ use super::factor::Factored;
 use super::points;
 use super::shape::{ratio, shape};
 use torse_algebra::{Fraction, Polynomial};
-use torse_language::syntax::Expr;
+use torse_syntax::formula::Expr;
 
 /// The value of the fraction as a formula; its conditions are not part of it.
 ///
 /// ```
 /// use torse_algebra::{Affine, Fraction, Symbol};
-/// use torse_language::notation;
+/// use torse_syntax::notation;
 /// use torse_prove::formula;
 /// let point = |i| Fraction::symbol(Symbol::indexed("R", vec![Affine::symbol("k") - Affine::number(i)]));
 /// let mu = Fraction::named("mu");
@@ -39,7 +39,7 @@ pub fn expression(value: &Fraction) -> Expr {
 ///
 /// ```
 /// use torse_algebra::Polynomial;
-/// use torse_language::notation;
+/// use torse_syntax::notation;
 /// use torse_prove::formula;
 /// let k = Polynomial::named("k");
 /// let cubic = &(&k.power(3) - &k.power(2)) * &Polynomial::integer(-16);

@@ -10,7 +10,7 @@ use super::shape::ratio;
 use num_traits::{One, Signed};
 use std::collections::BTreeMap;
 use torse_algebra::{Polynomial, Rational, Symbol, rational};
-use torse_language::syntax::{Expr, Operator};
+use torse_syntax::formula::{Expr, Operator};
 
 /// A control point and its coefficient.
 type Weighted = (Symbol, Polynomial);

@@ -7,7 +7,7 @@ use num_traits::{One, Signed};
 use std::cmp::Reverse;
 use torse_algebra::polynomial::Term;
 use torse_algebra::{Polynomial, Rational, Symbol};
-use torse_language::syntax::{Expr, Operator};
+use torse_syntax::formula::{Expr, Operator};
 
 /// `above / below * tail`, the sign apart.
 pub(super) fn ratio(above: &Factored, below: &Factored, tail: Option<Expr>) -> Summand {

@@ -1,4 +1,4 @@
-//! Roots of formulas: symbols w with `w^2 == r` and `w >= 0` ([`torse_language::core::Claim::rooted`]).
+//! Roots of formulas: symbols w with `w^2 == r` and `w >= 0` ([`torse_core::Claim::rooted`]).
 //!
 //! A root is resolved where a value v of it is found: w is v wherever v^2 is r and v >= 0. So the root of a square is that of
 //! which it is the square, with the sign that it has on the domain, and the root of r times the square of k is k times the root
@@ -13,7 +13,7 @@ use crate::decide::sign;
 use square::root_of;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial};
-use torse_proof::sign::Sign;
+use torse_certificate::sign::Sign;
 
 /// Radicands of more terms than this are not examined for their sign.
 const MAX_EXAMINED: usize = 60;

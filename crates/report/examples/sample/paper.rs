@@ -1,10 +1,10 @@
 //! A made-up paper with every verdict, long formulas, and strings that try to be markup.
 
-use torse_figures::{Ambient, Interactive, InteractiveError, Part, Shape, Slider, palette};
-use torse_language::notation::Formula;
-use torse_language::words::{Kind, Verdict};
+use torse_plot::{Ambient, Interactive, InteractiveError, Part, Shape, Slider, palette};
 use torse_prove::evidence::{Evidence, Witness};
 use torse_report::{FigureImage, Image};
+use torse_syntax::notation::Formula;
+use torse_syntax::words::{Kind, Verdict};
 use torse_verdicts::outcome::{Assumed, Correction, Outcome, PaperOutcome, Role, SaidBy};
 use torse_verdicts::table::Table;
 

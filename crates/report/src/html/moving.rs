@@ -2,7 +2,7 @@
 
 use crate::ReportError;
 use serde_json::{Map, Number, Value, json};
-use torse_figures::{Ambient, Colour, Interactive, Part, Shape, label_html};
+use torse_plot::{Ambient, Colour, Interactive, Part, Shape, label_html};
 
 /// Coordinates keep this many decimals relative to the largest of them: finer than any screen.
 const DIGITS: i32 = 4;
@@ -79,7 +79,7 @@ fn rounded(number: f64, decimals: usize) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use torse_figures::{Slider, palette};
+    use torse_plot::{Slider, palette};
 
     fn segment(end: f64) -> Interactive {
         let slider = Slider {

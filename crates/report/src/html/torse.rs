@@ -5,7 +5,7 @@
 
 use crate::ReportError;
 use serde_json::{Value, json};
-use torse_figures::{Colour, Monomial, Quotient, Rulings, Slider, Torse, TorsePiece, label_html};
+use torse_plot::{Colour, Monomial, Quotient, Rulings, Slider, Torse, TorsePiece, label_html};
 
 /// What evaluates, unrolls and draws, and the pictures of nets, which stand on the same stage: one file a concept, in the order in which they use each other.
 pub(super) const SCRIPT: &str = concat!(
@@ -96,7 +96,7 @@ fn rows(sum: &[Monomial]) -> Vec<Value> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use torse_figures::palette;
+    use torse_plot::palette;
 
     #[test]
     fn a_monomial_is_one_row_with_all_digits_and_the_element_cannot_be_left() {

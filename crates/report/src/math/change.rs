@@ -7,7 +7,7 @@
 use super::layout::{ADDED, REMOVED, layout};
 use super::tidy::{factors, sum, terms, tidy};
 use super::{Names, Node as Shown, expression};
-use torse_language::syntax::{Connective, Expr, Node, Operator};
+use torse_syntax::formula::{Connective, Expr, Node, Operator};
 
 /// Formulas of more nodes than this are not compared.
 const MOST_NODES: usize = 3_000;

@@ -7,8 +7,8 @@ use super::letters::is_function;
 use super::names::Names;
 use super::node::{Fence, Mark, Node as Shown};
 use super::tidy::terms;
-use torse_language::notation::text;
-use torse_language::syntax::{Connective, Expr, Node, Operator, Relation};
+use torse_syntax::formula::{Connective, Expr, Node, Operator, Relation};
+use torse_syntax::notation::text;
 
 /// Marks of changes: functions of names that no file can write.
 pub(super) const ADDED: &str = "+added";

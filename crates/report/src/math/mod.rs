@@ -25,7 +25,7 @@ pub(crate) use prose::spans;
 pub(crate) use write::latex_words;
 
 use serde::Serialize;
-use torse_language::syntax::{Expr, parse};
+use torse_syntax::formula::{Expr, parse};
 
 /// A formula in the languages of the outputs.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

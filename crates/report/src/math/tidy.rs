@@ -3,8 +3,8 @@
 //! What is tidied has the value of what was given, wherever that has one.
 
 use std::sync::Arc;
-use torse_language::notation::text;
-use torse_language::syntax::{Expr, Node, Operator};
+use torse_syntax::formula::{Expr, Node, Operator};
+use torse_syntax::notation::text;
 
 /// The formula without what says nothing.
 pub(super) fn tidy(formula: &Expr) -> Expr {
@@ -155,7 +155,7 @@ pub(super) fn product(factors: Vec<Expr>) -> Expr {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use torse_language::syntax::parse;
+    use torse_syntax::formula::parse;
 
     #[test]
     fn factors_one_terms_zero_double_signs_and_superfluous_brackets_go() {

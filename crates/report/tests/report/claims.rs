@@ -2,8 +2,8 @@
 
 use crate::paper;
 use crate::support::short;
-use torse_language::words::{Kind, Verdict};
 use torse_report::{in_words, model::Report};
+use torse_syntax::words::{Kind, Verdict};
 
 #[test]
 fn a_claim_knows_what_rests_on_it_and_where_its_figures_are() {

@@ -2,9 +2,9 @@
 
 use crate::paper;
 use crate::support::{HTML, short};
-use torse_language::words::Verdict;
 use torse_prove::evidence::Witness;
 use torse_report::{in_words, model::Report, usable::Answer};
+use torse_syntax::words::Verdict;
 
 #[test]
 fn findings_tell_the_refuted_first_and_leave_out_what_holds() {
@@ -70,7 +70,7 @@ fn finding_about(states: &str) -> Result<String, Box<dyn std::error::Error>> {
         "[[claim]]\nid = \"mini/a\"\nat = \"Sect. 1\"\nkind = \"identity\"\nprinted = \"p\"\nstates = '{states}'\n"
     );
     std::fs::write(paper.join("claims.toml"), claim)?;
-    let papers = torse_language::derivation::load(folder.path())?;
+    let papers = torse_syntax::derivation::load(folder.path())?;
     let outcome = torse_verdicts::engine::run(&papers[0], &|| ())?;
     Ok(in_words(
         &Report::new(&outcome, &[]).findings.remove(0).text,

@@ -1,8 +1,8 @@
 //! Letters of corrections.
 
 use crate::paper;
-use torse_language::words::Verdict;
 use torse_report::{Manuscript, erratum_latex, erratum_markdown, model::Report};
+use torse_syntax::words::Verdict;
 
 #[test]
 fn a_letter_holds_what_is_false_in_every_reading_and_no_slip_of_the_copy() {

@@ -61,7 +61,7 @@ fn no_typed_mathematics_is_in_the_words_of_a_report_of_the_worked_example() {
     for file in std::fs::read_dir(folder).unwrap().flatten() {
         std::fs::copy(file.path(), copy.join(file.file_name())).unwrap();
     }
-    let papers = torse_language::derivation::load(alone.path()).unwrap();
+    let papers = torse_syntax::derivation::load(alone.path()).unwrap();
     let outcome = torse_verdicts::engine::run(&papers[0], &|| ()).unwrap();
     let report = Report::new(&outcome, &[]);
     assert!(report.corrections.len() > 3);

@@ -2,8 +2,8 @@
 
 use crate::paper;
 use crate::support::{page, short, summary, typeset};
-use torse_language::words::Verdict;
 use torse_report::{FigureImage, Image, ReportError};
+use torse_syntax::words::Verdict;
 use torse_verdicts::outcome::PaperOutcome;
 
 #[test]

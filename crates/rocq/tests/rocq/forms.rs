@@ -4,12 +4,12 @@
 use crate::support::{LIMITS, accepts_all, coqc, with_library};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use torse_language::derivation::{Claim, LoadError, Source, paper};
-use torse_language::words::Verdict;
 use torse_rocq::folder::Folder;
 use torse_rocq::solutions::Solved;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
+use torse_syntax::derivation::{Claim, LoadError, Source, paper};
+use torse_syntax::words::Verdict;
 
 /// Equations for members of a family, whose right sides are members of another.
 const MEMBERS: &str =

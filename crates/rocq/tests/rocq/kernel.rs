@@ -5,13 +5,13 @@ use crate::support::{LIMITS, accepts_all, coqc, with_library};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::sync::Arc;
-use torse_language::derivation::{Claim, LoadError, Source, paper};
-use torse_language::words::Verdict;
 use torse_rocq::coqc::Answer;
 use torse_rocq::folder::{Folder, Layout};
 use torse_rocq::script::OTHERS;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
+use torse_syntax::derivation::{Claim, LoadError, Source, paper};
+use torse_syntax::words::Verdict;
 
 /// A true statement, a false one that differs from it by one edit, and the evidence of the true one.
 const PAIRS: [(&str, &str, Evidence); 18] = [

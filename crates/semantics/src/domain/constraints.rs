@@ -1,7 +1,7 @@
 //! The comparisons among the hypotheses of a claim.
 
-use torse_language::core::{Claim, Statement, Term};
-use torse_language::syntax::{Connective, Relation};
+use torse_core::{Claim, Statement, Term};
+use torse_syntax::formula::{Connective, Relation};
 
 /// The comparisons that every point of the domain satisfies: those of conjunctions of hypotheses.
 pub(crate) fn constraints(claim: &Claim) -> Vec<(Relation, &Term, &Term)> {

@@ -7,7 +7,7 @@ use crate::name::Name;
 use crate::real::Real;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
-use torse_language::core::{Claim, Set};
+use torse_core::{Claim, Set};
 use torse_numbers::Affine;
 use torse_numbers::rational::integer;
 

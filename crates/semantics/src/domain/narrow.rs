@@ -10,11 +10,11 @@ use crate::name::Name;
 use crate::real::Reals;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use torse_language::core::{Claim, Node, Set, Term};
-use torse_language::derivation::declarations::Bound;
-use torse_language::syntax::Relation;
+use torse_core::{Claim, Node, Set, Term};
 use torse_numbers::rational::floor_quotient;
 use torse_numbers::{Affine, Rational};
+use torse_syntax::derivation::declarations::Bound;
+use torse_syntax::formula::Relation;
 
 /// The operations that the number of one hypothesis may take, and their precision where they are not exact.
 const MAX_WORK: u64 = 100;

@@ -11,7 +11,7 @@ use crate::name::Name;
 use num_traits::Zero;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
-use torse_language::core::{Claim, Set, Term};
+use torse_core::{Claim, Set, Term};
 use torse_numbers::Rational;
 
 /// The most numbers that are candidates for a change.

@@ -11,7 +11,7 @@ use crate::name::Name;
 use crate::real::Real;
 use std::collections::BTreeMap;
 use std::fmt;
-use torse_language::core::{Claim, Set, Statement};
+use torse_core::{Claim, Set, Statement};
 use torse_numbers::Affine;
 
 /// A point: a number for each symbol, coordinate and member that a statement asks for.

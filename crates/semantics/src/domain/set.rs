@@ -5,10 +5,10 @@ use crate::arithmetic::Arithmetic;
 use crate::gap::Work;
 use crate::real::{Real, Reals};
 use std::cmp::Ordering;
-use torse_language::core::Set;
-use torse_language::derivation::declarations::{Bound, Interval};
+use torse_core::Set;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
+use torse_syntax::derivation::declarations::{Bound, Interval};
 
 /// How far integers go beyond their bound at most, and how many attempts it takes to go one further.
 const SPAN: i64 = 5;

@@ -18,7 +18,7 @@ use dashu_int::ops::BitTest;
 use num_traits::Signed;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
-use torse_language::core::{Claim, Term};
+use torse_core::{Claim, Term};
 use torse_numbers::rational::floor_quotient;
 use torse_numbers::{Integer, Rational};
 

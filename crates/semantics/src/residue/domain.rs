@@ -8,7 +8,7 @@ use crate::domain::point::check_sets;
 use crate::gap::{Unknown, Work};
 use crate::judgement::Judgement;
 use std::collections::BTreeMap;
-use torse_language::core::Claim;
+use torse_core::Claim;
 
 /// What came of drawing a point.
 pub(crate) enum Drawn<'d, 'a> {

@@ -12,8 +12,8 @@ use crate::judge::{self, are_integers, joined, with_printed};
 use crate::judgement::Judgement;
 use crate::name::Name;
 use std::collections::BTreeMap;
-use torse_language::core::{Claim, Printed, Statement, Term};
-use torse_language::syntax::Relation;
+use torse_core::{Claim, Printed, Statement, Term};
+use torse_syntax::formula::Relation;
 
 /// A point modulo the prime at which statements of a claim are judged.
 pub(crate) struct Judge<'p> {

@@ -27,7 +27,7 @@ use crate::gap::{Gap, Undefined, Unknown, Work};
 use crate::name::Name;
 use crate::real::Real;
 use field::{ORDER, PRIME, ROOT};
-use torse_language::core::Term;
+use torse_core::Term;
 use torse_numbers::Rational;
 use torse_numbers::rational::ratio;
 

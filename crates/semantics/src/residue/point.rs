@@ -10,7 +10,7 @@ use crate::name::Name;
 use crate::real::Real;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use torse_language::core::{Claim, Set};
+use torse_core::{Claim, Set};
 
 /// Rounds until equations hold that can be solved one after the other.
 const ROUNDS: usize = 5;

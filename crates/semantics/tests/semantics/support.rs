@@ -4,7 +4,7 @@
 mod claims;
 
 use claims::paper_of;
-use torse_language::core;
+use torse_core as core;
 use torse_semantics::{Judgement, Tally, judge, read, tally};
 
 /// Symbols and bases that every claim of the tests may use.
@@ -76,7 +76,7 @@ pub fn claim(fields: &str, states: &str) -> core::Claim {
         paper_of("t", SHARED, &[&lines]).unwrap_or_else(|error| panic!("{error:?} in {lines}"));
     let claim = paper.claims.first().expect("one claim");
     let statement = claim.statement.as_ref().expect("a statement");
-    core::Claim::new(claim, statement)
+    torse_elaborate::elaborate(claim, statement)
         .unwrap_or_else(|fault| panic!("{} in {states}", fault.problem))
 }
 

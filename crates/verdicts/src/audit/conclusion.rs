@@ -3,9 +3,9 @@
 use super::{Sign, Subject, sign};
 use crate::conjunction::conjuncts;
 use std::sync::Arc;
-use torse_language::notation;
-use torse_language::syntax::{Expr, Node};
-use torse_language::words::Flag;
+use torse_syntax::formula::{Expr, Node};
+use torse_syntax::notation;
+use torse_syntax::words::Flag;
 
 /// Parts of the statement that are hypotheses, with the sides either way round.
 pub(super) fn assumed(subject: &Subject<'_>) -> Vec<Sign> {

@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
-use torse_language::derivation::Claim;
-use torse_language::derivation::declarations::{Declarations, Definition};
-use torse_language::syntax::{Expr, Node, Operator};
+use torse_syntax::derivation::Claim;
+use torse_syntax::derivation::declarations::{Declarations, Definition};
+use torse_syntax::formula::{Expr, Node, Operator};
 
 /// The formulas of a claim.
 pub struct Formulas<'a> {

@@ -5,9 +5,9 @@ use super::print::Print;
 use super::{Sign, Subject, listed};
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
-use torse_language::derivation::declarations::{Declarations, SymbolKind};
-use torse_language::syntax::{Expr, Node, Relation};
-use torse_language::words::{Flag, Verdict};
+use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
+use torse_syntax::formula::{Expr, Node, Relation};
+use torse_syntax::words::{Flag, Verdict};
 
 /// The words for a degree.
 const DEGREES: [(&str, &[&str]); 6] = [

@@ -24,8 +24,8 @@ use print::Print;
 use rayon::prelude::*;
 use setting::Setting;
 use std::collections::BTreeMap;
-use torse_language::derivation::{Answer, Claim, Paper};
-use torse_language::words::{Flag, Kind};
+use torse_syntax::derivation::{Answer, Claim, Paper};
+use torse_syntax::words::{Flag, Kind};
 
 /// A sign at a claim.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]

@@ -6,9 +6,9 @@ use super::{Sign, Subject, instance, listed, sign};
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
-use torse_language::derivation::declarations::{Declarations, SymbolKind};
-use torse_language::syntax::{Expr, Node, Relation};
-use torse_language::words::Flag;
+use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
+use torse_syntax::formula::{Expr, Node, Relation};
+use torse_syntax::words::Flag;
 
 /// Numbers that stand in too many places to say something.
 fn everywhere(number: &Rational) -> bool {

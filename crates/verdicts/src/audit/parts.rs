@@ -3,10 +3,10 @@
 use super::formulas::{Formulas, every};
 use super::occurrences::is_property;
 use super::{Sign, Subject, sign};
-use torse_language::derivation::Claim;
-use torse_language::derivation::declarations::SymbolKind;
-use torse_language::syntax::{Expr, Node, Relation};
-use torse_language::words::Flag;
+use torse_syntax::derivation::Claim;
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::formula::{Expr, Node, Relation};
+use torse_syntax::words::Flag;
 
 /// The relations that a claim states or assumes; a definition that it uses, a property in a word, and an end of a range count
 /// as one.

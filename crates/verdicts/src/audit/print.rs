@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
-use torse_language::syntax::{Node, parse};
+use torse_syntax::formula::{Node, parse};
 
 /// A printed sentence, taken apart.
 #[derive(Debug, Default)]

@@ -1,8 +1,8 @@
 //! Where a claim stands: what is printed in the claims that it rests on.
 
 use std::collections::{BTreeMap, BTreeSet};
-use torse_language::derivation::{Claim, Paper};
-use torse_language::words::Kind;
+use torse_syntax::derivation::{Claim, Paper};
+use torse_syntax::words::Kind;
 
 /// The claims of papers by their ids, the parts of a sentence by the id of the sentence too.
 pub(super) struct Setting<'a> {

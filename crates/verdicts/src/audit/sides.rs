@@ -2,10 +2,10 @@
 
 use super::{Sign, Subject, sign};
 use crate::conjunction::conjuncts;
-use torse_language::derivation::declarations::Declarations;
-use torse_language::notation;
-use torse_language::syntax::{Expr, Node, Relation};
-use torse_language::words::{Flag, Kind};
+use torse_syntax::derivation::declarations::Declarations;
+use torse_syntax::formula::{Expr, Node, Relation};
+use torse_syntax::notation;
+use torse_syntax::words::{Flag, Kind};
 
 /// How deep names are opened.
 const DEPTH: usize = 8;

@@ -4,8 +4,8 @@ use super::{Sign, Subject, sign};
 use crate::conjunction::conjuncts;
 use crate::mutants::survivors;
 use torse_algebra::work;
-use torse_language::syntax::Node;
-use torse_language::words::{Flag, Verdict};
+use torse_syntax::formula::Node;
+use torse_syntax::words::{Flag, Verdict};
 
 /// The changed statements that are tried at first, and where all of those survive.
 const TRIED: [usize; 2] = [4, 40];

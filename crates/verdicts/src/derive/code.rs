@@ -2,8 +2,8 @@
 
 use super::Derivation;
 use std::fmt::Write as _;
-use torse_language::notation;
-use torse_language::syntax::{Expr, Node};
+use torse_syntax::formula::{Expr, Node};
+use torse_syntax::notation;
 
 /// A derivation whose points and results are variables.
 pub(super) struct Code {

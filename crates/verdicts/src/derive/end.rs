@@ -6,8 +6,6 @@ use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_algebra::{Affine, Fraction, Polynomial, Rational, Symbol, rational};
-use torse_language::derivation::declarations::{Basis, Declarations, SymbolKind};
-use torse_language::syntax::{Expr, Node, Operator, Relation};
 use torse_prove::decide::conditions::separated;
 use torse_prove::decide::interval::exact;
 use torse_prove::evaluate::Evaluator;
@@ -15,6 +13,8 @@ use torse_prove::evaluate::quantity::Quantity;
 use torse_prove::evaluate::series::{Axis, Series, Target, here};
 use torse_prove::evaluate::value::NOWHERE;
 use torse_prove::formula;
+use torse_syntax::derivation::declarations::{Basis, Declarations, SymbolKind};
+use torse_syntax::formula::{Expr, Node, Operator, Relation};
 
 /// A derivative is written out up to this many nodes.
 const MAX_WRITTEN_OUT: usize = 80;

@@ -18,12 +18,12 @@ use super::names::Names;
 use super::{Derivation, DeriveError, Line};
 use std::sync::Arc;
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
-use torse_language::derivation::declarations::Declarations;
-use torse_language::syntax::{Expr, Operator};
 use torse_prove::decide::conditions::separated;
 use torse_prove::evaluate::linear::solve_for;
 use torse_prove::evaluate::value::NOWHERE;
 use torse_prove::formula;
+use torse_syntax::derivation::declarations::Declarations;
+use torse_syntax::formula::{Expr, Operator};
 
 /// A solution is written out if no point takes more nodes than this.
 const MAX_WRITTEN_OUT: usize = 60;
@@ -486,7 +486,7 @@ fn total(terms: impl Iterator<Item = (Operator, Expr)>) -> Option<Expr> {
     terms.fold(None, |sum, (operator, term)| {
         Some(match (sum, operator) {
             (None, Operator::Subtract) => {
-                Expr::made(torse_language::syntax::Node::Negative(Arc::new(term)))
+                Expr::made(torse_syntax::formula::Node::Negative(Arc::new(term)))
             }
             (None, _) => term,
             (Some(sum), operator) => sum.with(operator, term),

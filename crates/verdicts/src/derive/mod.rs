@@ -25,8 +25,8 @@ pub use print::{Language, print};
 
 use std::sync::Arc;
 use torse_algebra::ExactError;
-use torse_language::fault::Fault;
-use torse_language::syntax::{Expr, Node, Relation};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::{Expr, Node, Relation};
 
 /// The highest order of derivatives that is derived.
 pub const MAX_ORDER: u8 = 8;

@@ -2,8 +2,8 @@
 
 use super::{Derivation, code};
 use std::fmt::Write as _;
-use torse_language::notation;
-use torse_language::syntax::Expr;
+use torse_syntax::formula::Expr;
+use torse_syntax::notation;
 
 /// A notation for a whole derivation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use super::edit::text;
 use super::target::Target;
 use torse_algebra::rational::integer;
-use torse_language::syntax::{Expr, Node, Operator, Relation};
+use torse_syntax::formula::{Expr, Node, Operator, Relation};
 
 /// An equation with a factor moved, and the words for it.
 #[derive(Debug, Clone)]
@@ -79,7 +79,7 @@ fn factors(expr: &Expr) -> Vec<(Expr, Expr)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use torse_language::syntax::parse;
+    use torse_syntax::formula::parse;
 
     #[test]
     fn each_factor_of_a_product_is_taken_out() {

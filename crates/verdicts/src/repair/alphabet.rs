@@ -1,9 +1,9 @@
 //! What the edits of a claim may put in: the names that occur in it, through definitions.
 
 use std::collections::BTreeSet;
-use torse_language::derivation::Claim;
-use torse_language::derivation::declarations::SymbolKind;
-use torse_language::syntax::{Expr, Node};
+use torse_syntax::derivation::Claim;
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::formula::{Expr, Node};
 
 /// The most names of a kind that edits may put in.
 const MAX_NAMES: usize = 16;

@@ -18,13 +18,13 @@ use std::collections::BTreeMap;
 use torse_algebra::Fraction;
 use torse_algebra::mersenne::{minus, plus, times};
 use torse_algebra::rational::integer;
-use torse_language::derivation::{Claim, Written};
-use torse_language::notation;
-use torse_language::syntax::{Expr, Node};
 use torse_prove::case::Case;
 use torse_prove::decide_statement;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::value::Value;
+use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::formula::{Expr, Node};
+use torse_syntax::notation;
 
 /// The most further names that are tried.
 const MAX_NAMES: usize = 40;

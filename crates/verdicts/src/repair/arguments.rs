@@ -4,7 +4,7 @@
 use super::alphabet::Alphabet;
 use super::edit::{Change, Edit, parts, placed, with_name};
 use torse_algebra::rational::integer;
-use torse_language::syntax::{Expr, Node, Operator};
+use torse_syntax::formula::{Expr, Node, Operator};
 
 /// All formulas with one such edit.
 #[must_use]

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
-use torse_language::syntax::{Expr, Node, Operator};
+use torse_syntax::formula::{Expr, Node, Operator};
 
 /// The greatest exponent that is written out.
 const MAX_REPEATED: u8 = 4;
@@ -123,7 +123,7 @@ fn kind(node: &Node) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use torse_language::syntax::parse;
+    use torse_syntax::formula::parse;
 
     #[test]
     fn order_grouping_signs_and_squares_written_out_make_no_difference() {

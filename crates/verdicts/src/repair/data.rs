@@ -16,12 +16,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_algebra::rational::to_f64;
 use torse_algebra::{Rational, Symbol};
-use torse_language::derivation::declarations::{Declarations, Definition};
-use torse_language::derivation::{Claim, Written};
-use torse_language::notation;
-use torse_language::syntax::{Expr, Node, Operator};
 use torse_prove::case::Case;
 use torse_prove::decide_statement;
+use torse_syntax::derivation::declarations::{Declarations, Definition};
+use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::formula::{Expr, Node, Operator};
+use torse_syntax::notation;
 
 /// The most numbers of an example that are taken for unknowns.
 const MAX_DATA: usize = 24;

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 use std::fmt;
-use torse_language::syntax::{Expr, Node};
+use torse_syntax::formula::{Expr, Node};
 
 /// A changed formula and what was changed.
 #[derive(Debug, Clone)]
@@ -101,5 +101,5 @@ pub(super) fn with_name(expr: &Expr, old: &str, new: &str) -> Expr {
 
 /// The formula as text.
 pub(super) fn text(expr: &Expr) -> String {
-    torse_language::notation::text(expr)
+    torse_syntax::notation::text(expr)
 }

@@ -9,7 +9,7 @@ use super::throughout;
 use std::sync::Arc;
 use torse_algebra::Rational;
 use torse_algebra::rational::{integer, ratio};
-use torse_language::syntax::{Expr, Node, Operator};
+use torse_syntax::formula::{Expr, Node, Operator};
 
 /// All formulas one edit away.
 #[must_use]

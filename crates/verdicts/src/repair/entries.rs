@@ -14,12 +14,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_algebra::mersenne::{minus, times};
 use torse_algebra::rational::integer;
-use torse_language::derivation::{Claim, Written};
-use torse_language::notation;
-use torse_language::syntax::{Expr, Node, Operator, Relation};
 use torse_prove::case::Case;
 use torse_prove::decide_statement;
 use torse_prove::evaluate::Evaluator;
+use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::formula::{Expr, Node, Operator, Relation};
+use torse_syntax::notation;
 
 /// The largest matrix that is examined.
 const MAX_SIDE: usize = 8;
@@ -282,7 +282,7 @@ mod tests {
     #[test]
     fn an_entry_slips_by_its_sign_and_by_a_factor() {
         let texts = |text: &str| {
-            let entry = torse_language::syntax::parse(text).unwrap();
+            let entry = torse_syntax::formula::parse(text).unwrap();
             let slips = slipped(&entry, &BTreeSet::from(["k"]));
             slips.iter().map(notation::text).collect::<Vec<_>>()
         };

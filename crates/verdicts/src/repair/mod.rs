@@ -35,11 +35,11 @@ use std::collections::BTreeSet;
 use subject::Subject;
 use target::Target;
 use torse_algebra::planted::{Planted, planted};
-use torse_language::derivation::{Claim, Written};
-use torse_language::notation::{self, Formula};
-use torse_language::syntax::{Expr, Node, Relation};
-use torse_language::words::Kind;
 use torse_prove::decide_statement;
+use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::formula::{Expr, Node, Relation};
+use torse_syntax::notation::{self, Formula};
+use torse_syntax::words::Kind;
 
 /// The most candidates evaluated with one edit.
 const MAX_SINGLE: usize = 6_000;

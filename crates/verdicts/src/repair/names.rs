@@ -3,7 +3,7 @@
 use super::alphabet::Alphabet;
 use super::edit::{Change, Edit, parts, placed, text, with_name};
 use std::collections::BTreeMap;
-use torse_language::syntax::{Expr, Node};
+use torse_syntax::formula::{Expr, Node};
 
 /// The most names of a formula that are exchanged or replaced.
 const MAX_NAMES: usize = 14;
@@ -138,7 +138,7 @@ fn counted(expr: &Expr) -> BTreeMap<String, usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use torse_language::syntax::parse;
+    use torse_syntax::formula::parse;
 
     fn texts(text: &str) -> Vec<String> {
         let expr = parse(text).unwrap();

@@ -6,8 +6,8 @@
 use std::f64::consts::PI;
 use torse_algebra::rational::to_f64;
 use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
-use torse_language::syntax::{Connective, Relation};
 use torse_prove::evaluate::value::{Statement, Value};
+use torse_syntax::formula::{Connective, Relation};
 
 /// A printed number and its value as a function of two data.
 #[derive(Debug)]

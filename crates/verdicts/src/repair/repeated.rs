@@ -4,7 +4,7 @@
 use super::alphabet::Alphabet;
 use super::edit::{Edit, parts};
 use super::edits::{local, scaled};
-use torse_language::syntax::Expr;
+use torse_syntax::formula::Expr;
 
 /// The largest part that is edited in all its places.
 const MAX_PART: usize = 12;
@@ -58,7 +58,7 @@ fn replaced(expr: &Expr, old: &Expr, new: &Expr) -> Expr {
 mod tests {
     use super::super::edit::text;
     use super::*;
-    use torse_language::syntax::parse;
+    use torse_syntax::formula::parse;
 
     #[test]
     fn an_edit_is_made_in_all_places_or_none() {

@@ -6,9 +6,9 @@
 
 use super::edit::placed;
 use std::collections::{BTreeMap, BTreeSet};
-use torse_language::derivation::{Claim, Written};
-use torse_language::syntax::{Connective, Expr, Node, Relation};
 use torse_prove::decide_statement;
+use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
 /// How names of definitions that hold a printed formula begin.
 const PRINTED: &str = "printed";
@@ -284,7 +284,7 @@ fn substituted(expr: &Expr, values: &BTreeMap<&str, &Expr>) -> Expr {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use torse_language::syntax::parse;
+    use torse_syntax::formula::parse;
 
     #[test]
     fn the_print_is_on_the_left_where_its_definition_is() {

@@ -4,10 +4,6 @@ use super::subject::Subject;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 use torse_algebra::Fraction;
-use torse_language::core;
-use torse_language::derivation::declarations::SymbolKind;
-use torse_language::derivation::{Claim, Written};
-use torse_language::syntax::Expr;
 use torse_prove::case::Case;
 use torse_prove::decide::domain::Constraint;
 use torse_prove::decide::order::truth;
@@ -15,6 +11,9 @@ use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::quantity::Quantity;
 use torse_prove::evaluate::value::{Statement, Value};
 use torse_prove::sample;
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::formula::Expr;
 
 /// The work one search may do, in units of a visited node of a formula or a term of its value: where sines and cosines stay
 /// symbols, a value has hundreds.
@@ -42,7 +41,7 @@ impl<'a> Target<'a> {
     /// The other side of the comparison that is corrected; none where it is no plain formula.
     #[must_use]
     pub fn new(claim: &'a Claim, statement: &Written, subject: &Subject) -> Option<Self> {
-        let core = core::Claim::new(claim, statement).ok()?;
+        let core = torse_elaborate::elaborate(claim, statement).ok()?;
         let integers: Vec<String> = core
             .symbols
             .iter()

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
-use torse_language::syntax::{Expr, Node, Operator};
+use torse_syntax::formula::{Expr, Node, Operator};
 
 /// The most terms of an expanded formula.
 pub const MAX_TERMS: usize = 60;
@@ -32,11 +32,11 @@ impl Atoms {
 
     /// The number of an atom, new if it was not met before.
     pub fn number(&mut self, expr: &Expr) -> usize {
-        let text = torse_language::notation::text(expr);
+        let text = torse_syntax::notation::text(expr);
         let known = self
             .0
             .iter()
-            .position(|e| torse_language::notation::text(e) == text);
+            .position(|e| torse_syntax::notation::text(e) == text);
         known.unwrap_or_else(|| {
             self.0.push(expr.clone());
             self.0.len() - 1
@@ -293,14 +293,14 @@ fn content(terms: &Terms) -> Rational {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use torse_language::syntax::parse;
+    use torse_syntax::formula::parse;
 
     fn written(text: &str, outermost: &str) -> String {
         let mut atoms = Atoms::default();
         let first = parse(outermost).map(|e| atoms.number(&e)).unwrap_or(0);
         let terms = parse(text).ok().and_then(|e| atoms.expanded(&e));
         let terms = terms.unwrap_or_default();
-        torse_language::notation::text(&atoms.collected(&terms, &[first]))
+        torse_syntax::notation::text(&atoms.collected(&terms, &[first]))
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::alphabet::Alphabet;
 use super::edit::{Change, Edit, placed, text, with_name};
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
-use torse_language::syntax::{Expr, Node, Operator};
+use torse_syntax::formula::{Expr, Node, Operator};
 
 /// All formulas in which one thing was taken for another throughout.
 #[must_use]

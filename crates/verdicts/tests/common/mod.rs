@@ -6,7 +6,7 @@
 mod claims;
 
 pub use claims::paper_of as loaded;
-use torse_language::derivation::Paper;
+use torse_syntax::derivation::Paper;
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::outcome::Outcome;
 

@@ -2,20 +2,20 @@
 
 use crate::{Found, found};
 use std::str::FromStr;
-use torse_language::syntax::Relation;
+use torse_certificate::enclosure::Agreement;
+use torse_certificate::identity::Combination;
+use torse_certificate::order::Order;
+use torse_certificate::point::{Counterexample, Failure};
+use torse_certificate::proof::Proof;
+use torse_certificate::proof::ground::{Determining, Ground, Rooted};
+use torse_certificate::proof::refutation::Refuted;
+use torse_certificate::sign::{Certificate, Coordinate, Factor, Shown, Sign};
+use torse_certificate::wronskian::{Cell, Exchange, Wronskians};
+use torse_certificate::{Polynomial, Ratio, Symbol};
+use torse_checker::Unchecked;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
-use torse_proof::check::Unchecked;
-use torse_proof::enclosure::Agreement;
-use torse_proof::identity::Combination;
-use torse_proof::order::Order;
-use torse_proof::point::{Counterexample, Failure};
-use torse_proof::proof::Proof;
-use torse_proof::proof::ground::{Determining, Ground, Rooted};
-use torse_proof::proof::refutation::Refuted;
-use torse_proof::sign::{Certificate, Coordinate, Factor, Shown, Sign};
-use torse_proof::wronskian::{Cell, Exchange, Wronskians};
-use torse_proof::{Polynomial, Ratio, Symbol};
+use torse_syntax::formula::Relation;
 use torse_verdicts::grounds::Grounds;
 
 type P = Polynomial;
@@ -269,9 +269,7 @@ fn orders() {
             }),
             ("an entry that there is not", &|f| order(f).entry = 1),
             ("the statement strict", &|f| {
-                let torse_language::core::Statement::Compare { relation, .. } =
-                    &mut f.core.statement
-                else {
+                let torse_core::Statement::Compare { relation, .. } = &mut f.core.statement else {
                     return;
                 };
                 *relation = Relation::Less;
@@ -474,7 +472,7 @@ fn factors_and_rays_with_their_strictness() {
 
 #[test]
 fn decimals() {
-    fn enclosure(found: &mut Found) -> &mut torse_proof::enclosure::Enclosure<P> {
+    fn enclosure(found: &mut Found) -> &mut torse_certificate::enclosure::Enclosure<P> {
         match &mut ground(found).proof {
             Proof::Enclosure(own) => own,
             other => panic!("{other:?}"),

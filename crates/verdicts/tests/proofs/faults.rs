@@ -1,11 +1,10 @@
 //! Deliberate mistakes of the prover are seen by the checker alone, and one of the checker by the prover.
 
 use crate::claim;
-use torse_language::core;
-use torse_language::words::Verdict;
+use torse_checker::{Unchecked, Work};
 use torse_numbers::planted::{Planted, with};
-use torse_proof::check::{self, Unchecked, Work};
 use torse_prove::decide_statement;
+use torse_syntax::words::Verdict;
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::grounds::Grounds;
 
@@ -15,13 +14,13 @@ fn caught(fault: Planted, lines: &str) -> Result<(), Unchecked> {
     let statement = claim.statement.clone().unwrap();
     let decision = with(fault, || decide_statement(&claim, &statement)).unwrap();
     let grounds = Grounds::of(&decision).unwrap_or_else(|| panic!("{fault:?}: {decision:?}"));
-    let core = core::Claim::new(&claim, &statement).unwrap();
-    let work = Work::new(check::WORK);
+    let core = torse_elaborate::elaborate(&claim, &statement).unwrap();
+    let work = Work::new(torse_checker::WORK);
     match grounds.plain() {
         Grounds::Proof { conditions, of } => {
-            check::proves(&core, &statement.origin, &conditions, &of, &work)
+            torse_checker::proves(&core, &statement.origin, &conditions, &of, &work)
         }
-        Grounds::Refutation(of) => check::refutes(&core, &statement.origin, &of, &work),
+        Grounds::Refutation(of) => torse_checker::refutes(&core, &statement.origin, &of, &work),
     }
 }
 

@@ -2,11 +2,11 @@
 
 use crate::damaged::{ground, more, order, rejected};
 use crate::{Found, found, tried};
-use torse_proof::check::{Unchecked, Wrong};
-use torse_proof::forced::{Forced, Zero};
-use torse_proof::proof::Proof;
-use torse_proof::sign::{Along, Shown, Sign, Squares};
-use torse_proof::{Polynomial, Symbol};
+use torse_certificate::forced::{Forced, Zero};
+use torse_certificate::proof::Proof;
+use torse_certificate::sign::{Along, Shown, Sign, Squares};
+use torse_certificate::{Polynomial, Symbol};
+use torse_checker::{Unchecked, Wrong};
 use torse_verdicts::grounds::Grounds;
 
 fn forced(found: &mut Found) -> &mut Forced<Polynomial> {

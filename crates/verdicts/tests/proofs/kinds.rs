@@ -1,7 +1,7 @@
 //! One proof of each kind: written, in words, and replayed.
 
 use crate::found;
-use torse_proof::check::Unchecked;
+use torse_checker::Unchecked;
 use torse_verdicts::grounds::Grounds;
 
 /// The steps and the JSON of what is found of a claim.

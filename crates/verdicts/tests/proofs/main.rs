@@ -18,11 +18,11 @@ mod forced;
 mod kinds;
 mod random;
 
-use torse_language::core;
-use torse_language::derivation::{Claim, Origin};
-use torse_proof::Polynomial;
-use torse_proof::check::{self, Unchecked, Work};
+use torse_certificate::Polynomial;
+use torse_checker::{Unchecked, Work};
+use torse_core as core;
 use torse_prove::decide_statement;
+use torse_syntax::derivation::{Claim, Origin};
 use torse_verdicts::grounds::Grounds;
 
 const DECLARATIONS: &str = r#"
@@ -68,7 +68,7 @@ fn tried(lines: &str) -> Option<Found> {
     let statement = claim.statement.clone().unwrap();
     let decision = decide_statement(&claim, &statement).unwrap();
     Some(Found {
-        core: core::Claim::new(&claim, &statement).unwrap(),
+        core: torse_elaborate::elaborate(&claim, &statement).unwrap(),
         origin: statement.origin,
         grounds: Grounds::of(&decision)?.plain(),
     })
@@ -82,12 +82,12 @@ fn found(lines: &str) -> Found {
 impl Found {
     /// What the checker says.
     fn checked(&self) -> Result<(), Unchecked> {
-        let work = Work::new(check::WORK);
+        let work = Work::new(torse_checker::WORK);
         match &self.grounds {
             Grounds::Proof { conditions, of } => {
-                check::proves(&self.core, &self.origin, conditions, of, &work)
+                torse_checker::proves(&self.core, &self.origin, conditions, of, &work)
             }
-            Grounds::Refutation(of) => check::refutes(&self.core, &self.origin, of, &work),
+            Grounds::Refutation(of) => torse_checker::refutes(&self.core, &self.origin, of, &work),
         }
     }
 }

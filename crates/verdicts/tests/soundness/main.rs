@@ -17,7 +17,7 @@ mod accused;
 mod conditions;
 mod proved;
 
-use torse_language::words::Verdict;
+use torse_syntax::words::Verdict;
 use torse_verdicts::outcome::Outcome;
 
 /// What all claims of this binary may use.

@@ -22,8 +22,8 @@ use torse_algebra::planted::{Planted, planted};
 use torse_algebra::positivity::RationalBox;
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
-use torse_language::syntax::Relation;
-use torse_proof::sign as written;
+use torse_certificate::sign as written;
+use torse_syntax::formula::Relation;
 
 /// A quantity that is not negative on the domain.
 #[derive(Debug, Clone, PartialEq, Eq)]

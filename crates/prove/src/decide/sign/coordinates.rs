@@ -13,7 +13,7 @@ use crate::decide::value::{plain_angle, plain_symbol, quotient};
 use std::sync::Arc;
 use torse_algebra::rational::integer;
 use torse_algebra::{Angle, Finest, Fraction, Polynomial, Rational, Symbol};
-use torse_proof::sign::{Coordinate, End};
+use torse_certificate::sign::{Coordinate, End};
 
 /// A coordinate t in `[0, 1]`, and whether its ends belong to the domain.
 #[derive(Debug, Clone)]

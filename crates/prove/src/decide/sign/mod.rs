@@ -24,12 +24,12 @@ use crate::evaluate::quantity::Quantity;
 use crate::evaluate::value::{NOWHERE, Value};
 use certificate::CertificateError;
 use torse_algebra::{Fraction, Integer, Polynomial, Symbol};
-use torse_language::fault::Fault;
-use torse_language::syntax::Relation;
-use torse_proof::identity::{Identity, Vanishing};
-use torse_proof::order::{Excluded, Order};
-use torse_proof::point::Comparison;
-use torse_proof::sign::Sign as Written;
+use torse_certificate::identity::{Identity, Vanishing};
+use torse_certificate::order::{Excluded, Order};
+use torse_certificate::point::Comparison;
+use torse_certificate::sign::Sign as Written;
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Relation;
 
 pub use proof::{Proof, Shown};
 pub use prove::prove;

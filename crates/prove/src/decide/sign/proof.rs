@@ -8,8 +8,8 @@ use crate::decide::value::{plain_symbol, quotient};
 use crate::formula::factored;
 use std::collections::BTreeMap;
 use torse_algebra::{Polynomial, Rational, Symbol};
-use torse_language::syntax::Relation;
-use torse_proof::sign::{self as written, Bounded, End, Part, Ray, Sign as Written};
+use torse_certificate::sign::{self as written, Bounded, End, Part, Ray, Sign as Written};
+use torse_syntax::formula::Relation;
 
 /// A proof of sign about one polynomial, with what shows it.
 #[derive(Debug, Clone)]

@@ -11,7 +11,7 @@ use crate::formula::factors;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::rational::integer;
 use torse_algebra::{Polynomial, Rational, Symbol};
-use torse_language::syntax::Relation;
+use torse_syntax::formula::Relation;
 
 /// How often a nonnegative box is halved to prove it positive.
 const STRICT_DEPTH: u32 = 3;

@@ -4,8 +4,8 @@ use super::evaluate::{of, value};
 use crate::formula::{expression, expression_of};
 use proptest::prelude::*;
 use torse_algebra::Fraction;
-use torse_language::notation::text;
-use torse_language::syntax::{Expr, Operator, parse};
+use torse_syntax::formula::{Expr, Operator, parse};
+use torse_syntax::notation::text;
 
 fn shown(formula: &str) -> String {
     text(&expression(&of(formula)))

@@ -1,7 +1,7 @@
 //! A tiny evaluator, independent of the crate's own: formulas to exact fractions.
 
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
-use torse_language::syntax::{Expr, Node, Operator, parse};
+use torse_syntax::formula::{Expr, Node, Operator, parse};
 
 /// The value of a formula without statements; panics on anything else, this is a test.
 pub(super) fn value(expr: &Expr) -> Fraction {

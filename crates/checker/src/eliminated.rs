@@ -1,0 +1,312 @@
+//! That eliminated symbols have their values, and what is known to differ from zero.
+//!
+//! It is shown for those symbols alone that matter, in the reverse order of their elimination: an equation of the hypotheses,
+//! in which the symbols that were eliminated before have their values, is linear in the symbol; so it determines it where its
+//! coefficient is not zero. Several `given` equations determine as many symbols where their determinant is not zero.
+
+use super::gap::{Beyond, Unchecked, Wrong};
+use super::ground::{Compared, Domain, Met};
+use super::quotient::Quotient;
+use super::value::determinant;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+use torse_certificate::number::order;
+use torse_certificate::polynomial::Polynomial;
+use torse_certificate::proof::ground::{Determining, Elimination};
+use torse_certificate::symbol::Symbol;
+use torse_core::{Set, Source};
+use torse_syntax::formula::Relation;
+
+impl Domain<'_> {
+    /// Shows that the eliminated symbols that were met have their values wherever the conditions do not vanish.
+    pub fn justified(&self) -> Result<(), Unchecked> {
+        for place in (0..self.groups.len()).rev() {
+            let Some(group) = self.groups.get(place) else {
+                continue;
+            };
+            let used = |symbol: &Symbol| self.used.borrow().contains(symbol);
+            if !group.values.iter().any(|d| used(&d.symbol)) {
+                continue;
+            }
+            let hypotheses = self.hypotheses(place);
+            let known = &hypotheses.all;
+            let determined = match &group.by {
+                Determining::Given(places) => {
+                    // Their places count all entries.
+                    if let Some(gap) = &hypotheses.gap_in_given {
+                        return Err(gap.clone().into());
+                    }
+                    self.by_given(place, places, known)
+                }
+                Determining::Assumed { plainly } => self.by_one(place, *plainly, known),
+                Determining::Root(own) => self.by_root(place, own),
+            };
+            match (determined, hypotheses.gap.clone()) {
+                // The equation may be one that was not expanded.
+                (Err(Unchecked::Wrong(Wrong::Eliminated(_))), Some(gap)) => return Err(gap.into()),
+                (determined, _) => determined?,
+            }
+        }
+        Ok(())
+    }
+
+    /// A symbol by one equation.
+    fn by_one(&self, place: usize, plainly: bool, known: &[Compared]) -> Result<(), Unchecked> {
+        let group = self.groups.get(place).ok_or(Wrong::Kind)?;
+        let [determined] = group.values.as_slice() else {
+            return Err(Wrong::Kind.into());
+        };
+        let (symbol, value) = (&determined.symbol, &determined.value);
+        let wrong = || Wrong::Eliminated(symbol.to_string());
+        let mut may_vanish = None;
+        for equation in known.iter().filter(|c| c.relation == Relation::Equal) {
+            let Some((rest, slope)) = linear(&equation.difference.above, symbol) else {
+                continue;
+            };
+            // slope*symbol + rest = 0
+            let sum = self
+                .work
+                .times(&slope, &value.above)?
+                .plus(&self.work.times(&rest, &value.below)?);
+            if !Quotient::from(sum).is_zero(self.work)? {
+                continue;
+            }
+            let implied = rest.is_number() && !rest.is_zero();
+            if implied || self.is_nonzero(&slope, known, place)? {
+                self.note(&equation.met);
+                return Ok(());
+            }
+            may_vanish = Some(slope);
+        }
+        let Some(slope) = may_vanish else {
+            return Err(wrong().into());
+        };
+        Err(match plainly {
+            true => self.may_vanish(&slope, known, place)?,
+            false => Beyond::Divisor(slope.to_string()).into(),
+        })
+    }
+
+    /// Symbols by as many `given` equations: the values satisfy them, and the determinant is not zero.
+    fn by_given(
+        &self,
+        level: usize,
+        places: &[usize],
+        known: &[Compared],
+    ) -> Result<(), Unchecked> {
+        let group = self.groups.get(level).ok_or(Wrong::Kind)?;
+        let names: Vec<String> = group.values.iter().map(|d| d.symbol.to_string()).collect();
+        let wrong = || Unchecked::from(Wrong::Eliminated(names.join(", ")));
+        let given: Vec<&Compared> = known.iter().filter(|c| c.source == Source::Given).collect();
+        let mut values = BTreeMap::new();
+        for determined in &group.values {
+            let value = Quotient::of(&determined.value, self.work)?;
+            values.insert(determined.symbol.clone(), value);
+        }
+        let distinct: BTreeSet<&usize> = places.iter().collect();
+        if distinct.len() != group.values.len() || places.len() != group.values.len() {
+            return Err(wrong());
+        }
+        let mut rows = vec![];
+        for place in places {
+            let equation = given.get(*place).ok_or_else(wrong)?;
+            self.note(&equation.met);
+            let numerator = &equation.difference.above;
+            let put = |symbol: &Symbol| values.get(symbol).cloned();
+            let there = Quotient::from(numerator.clone()).replaced(&put, self.work)?;
+            if equation.relation != Relation::Equal || !there.is_zero(self.work)? {
+                return Err(wrong());
+            }
+            let mut row = vec![];
+            for determined in &group.values {
+                let (_, slope) = match numerator.degree_in(&determined.symbol) {
+                    0 if inside(numerator, &determined.symbol) => return Err(wrong()),
+                    0 => (Polynomial::zero(), Polynomial::zero()),
+                    _ => linear(numerator, &determined.symbol).ok_or_else(wrong)?,
+                };
+                // A slope with another of the symbols in it would be a product of two.
+                let mut others = group.values.iter();
+                if others.any(|other| slope.degree_in(&other.symbol) > 0) {
+                    return Err(wrong());
+                }
+                row.push(Quotient::from(slope));
+            }
+            rows.push(row);
+        }
+        let determinant = determinant(&rows, self.work)?.above;
+        match self.is_nonzero(&determinant, known, level)? {
+            true => Ok(()),
+            false => Err(self.may_vanish(&determinant, known, level)?),
+        }
+    }
+
+    /// Whether a polynomial is a product of what is known to differ from zero where the first groups have their values:
+    /// numbers, conditions, divisors of terms, what hypotheses say is not zero, and symbols whose declared range does not
+    /// contain zero.
+    fn is_nonzero(
+        &self,
+        polynomial: &Polynomial,
+        known: &[Compared],
+        groups: usize,
+    ) -> Result<bool, Beyond> {
+        let polynomial = &self.unrooted(polynomial, groups)?;
+        if self.divides(polynomial, known, groups, false)? {
+            return Ok(true);
+        }
+        // The statement says nothing where a term of its own has no value.
+        for term in self.claim.statement.terms() {
+            let expanded = self.expanding(groups, |expander| expander.value(term));
+            if expanded == Err(Beyond::Large) {
+                return Err(Beyond::Large);
+            }
+        }
+        self.divides(polynomial, known, groups, false)
+    }
+
+    fn divides(
+        &self,
+        polynomial: &Polynomial,
+        known: &[Compared],
+        groups: usize,
+        with_seen: bool,
+    ) -> Result<bool, Beyond> {
+        use Relation::{Different, Greater, Less};
+        let differs = known
+            .iter()
+            .filter(|c| matches!(c.relation, Different | Less | Greater));
+        let none = Met::new();
+        let declared = self.claim.symbols.iter();
+        let declared = declared.filter(|(_, set)| !contains_zero(set));
+        let declared: Vec<Polynomial> = declared
+            .map(|(name, _)| Polynomial::symbol(Symbol::Named(Arc::clone(name))))
+            .collect();
+        // Where c + p = 0 with a number c that is not zero, p is not zero.
+        let level = self.hypotheses(0);
+        let equations = level.all.iter().filter(|c| c.relation == Relation::Equal);
+        let implied: Vec<Polynomial> = equations
+            .filter_map(|c| without_number(&c.difference.above))
+            .collect();
+        let seen = if with_seen { self.seen } else { &[] };
+        let plain = self.conditions.iter().chain(&self.nonzero).chain(&declared);
+        let plain = plain.chain(&implied).chain(seen);
+        let divisors = self.divisors.borrow();
+        let mut factors: Vec<(&Polynomial, &Met)> = plain.map(|p| (p, &none)).collect();
+        factors.extend(divisors.get(&groups).into_iter().flatten());
+        factors.extend(differs.map(|c| (&c.difference.above, &c.met)));
+        if polynomial.is_zero() {
+            return Ok(false);
+        }
+        let mut rest = polynomial.clone();
+        for (factor, met) in factors.into_iter().filter(|(f, _)| !f.is_number()) {
+            if rest.is_number() {
+                break;
+            }
+            self.work.spend(factor.len().saturating_mul(rest.len()))?;
+            if factor.quotient(&rest).is_some() {
+                self.note(met);
+                return Ok(true);
+            }
+            while let Some(quotient) = rest.quotient(factor) {
+                self.note(met);
+                self.work.spend(factor.len().saturating_mul(rest.len()))?;
+                rest = quotient;
+            }
+        }
+        // A nonzero polynomial in pi and roots is a number that is not zero.
+        Ok(rest.is_number())
+    }
+
+    /// What is said of a divisor of which nothing that is known says that it does not vanish.
+    fn may_vanish(
+        &self,
+        divisor: &Polynomial,
+        known: &[Compared],
+        groups: usize,
+    ) -> Result<Unchecked, Beyond> {
+        let unplain = |group: &Elimination<Polynomial>| {
+            matches!(group.by, Determining::Assumed { plainly: false })
+        };
+        let unrooted = self.unrooted(divisor, groups)?;
+        let seen = self.divides(divisor, known, groups, true)?
+            || self.divides(&unrooted, known, groups, true)?;
+        Ok(match seen || self.groups.iter().any(unplain) {
+            true => Beyond::Divisor(divisor.to_string()).into(),
+            false => Wrong::Divisor(divisor.to_string()).into(),
+        })
+    }
+
+    /// What is said of a polynomial of the statement that may vanish for all that is known.
+    pub fn may_vanish_here(&self, polynomial: &Polynomial) -> Result<Unchecked, Beyond> {
+        let known = self.hypotheses(self.groups.len());
+        self.may_vanish(polynomial, &known.all, self.groups.len())
+    }
+
+    /// Whether the denominator of a quotient of the proof is known to differ from zero.
+    pub fn nonzero_here(&self, polynomial: &Polynomial) -> Result<bool, Beyond> {
+        self.nonzero_at(polynomial, self.groups.len())
+    }
+
+    /// The same where the first groups have their values.
+    pub(super) fn nonzero_at(
+        &self,
+        polynomial: &Polynomial,
+        groups: usize,
+    ) -> Result<bool, Beyond> {
+        let known = self.hypotheses(groups);
+        self.is_nonzero(polynomial, &known.all, groups)
+    }
+}
+
+/// Whether zero is in a declared set, as far as its ends tell.
+fn contains_zero(set: &Set) -> bool {
+    match set {
+        Set::Real(interval) => {
+            let sign = |c: &torse_syntax::derivation::declarations::Constant| {
+                let turns = Polynomial::symbol(Symbol::Pi).scaled(&c.turns);
+                order(&turns.plus(&Polynomial::constant(c.rational.clone())))
+            };
+            let above = interval.lower.as_ref().is_some_and(|b| {
+                sign(&b.value).is_some_and(|s| s.is_gt() || (s.is_eq() && !b.closed))
+            });
+            let below = interval.upper.as_ref().is_some_and(|b| {
+                sign(&b.value).is_some_and(|s| s.is_lt() || (s.is_eq() && !b.closed))
+            });
+            !above && !below
+        }
+        Set::Integer { least, most } => {
+            let least = least.as_ref().and_then(torse_numbers::Affine::as_number);
+            let most = most.as_ref().and_then(torse_numbers::Affine::as_number);
+            !(least.is_some_and(|n| n > 0) || most.is_some_and(|n| n < 0))
+        }
+        Set::Vector(_) | Set::Family { .. } => true,
+    }
+}
+
+/// `(rest, slope)` of a polynomial that is `slope*symbol + rest`, the symbol in neither, nor under a sine.
+fn linear(polynomial: &Polynomial, symbol: &Symbol) -> Option<(Polynomial, Polynomial)> {
+    if inside(polynomial, symbol) {
+        return None;
+    }
+    match polynomial.coefficients_in(symbol).as_slice() {
+        [rest, slope] => Some((rest.clone(), slope.clone())),
+        _ => None,
+    }
+}
+
+/// Whether a symbol stands under a sine or cosine.
+fn inside(polynomial: &Polynomial, symbol: &Symbol) -> bool {
+    let of = |own: &Symbol| own.variable().map(Symbol::named).as_ref() == Some(symbol);
+    polynomial.symbols().any(|own| own != symbol && of(own))
+}
+
+/// The polynomial without its number, if it has one that is not zero.
+fn without_number(polynomial: &Polynomial) -> Option<Polynomial> {
+    let number = polynomial
+        .terms()
+        .filter(|(monomial, _)| monomial.iter().all(|(s, _)| s.is_number()));
+    let number = number.fold(Polynomial::zero(), |mut sum, (monomial, value)| {
+        sum.enter(monomial.clone(), value.clone());
+        sum
+    });
+    (!number.is_zero()).then(|| polynomial.minus(&number))
+}

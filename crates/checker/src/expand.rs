@@ -1,0 +1,526 @@
+//! Core terms multiplied out, as `derivations/SEMANTICS.md` gives their meaning.
+
+use super::gap::{Beyond, Work};
+use super::integral;
+use super::quotient::Quotient;
+use super::value::Value;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+use torse_certificate::polynomial::Polynomial;
+use torse_certificate::symbol::Symbol;
+use torse_core::{BuiltIn, Family, Node, Points, Term};
+use torse_numbers::Affine;
+use torse_numbers::planted::{Planted, planted};
+use torse_numbers::rational::integer;
+use torse_syntax::formula::Operator;
+
+/// The longest sum, the largest exponent and order, the highest degree above the seeds.
+const MOST: i64 = 64;
+const MAX_DEGREE: i64 = 24;
+/// How deep terms may nest.
+const MAX_DEPTH: u32 = 400;
+
+/// Expands terms. Symbols that have a value are replaced by it.
+pub struct Expander<'a> {
+    pub(super) work: &'a Work,
+    /// The values of symbols.
+    values: &'a dyn Fn(&Symbol) -> Option<Quotient>,
+    /// What was divided by: no term has a value where one of these vanishes.
+    pub divisors: RefCell<BTreeSet<Polynomial>>,
+    /// Whether the forms that are expanded are functions of the symbols that coefficients are asked for: unknowns of given
+    /// equations have their values, and no symbol has one by an assumption.
+    pub sees_rates: &'a dyn Fn() -> bool,
+    opened: RefCell<BTreeMap<usize, Value>>,
+    /// Derivatives of formulas in one variable, by formula and order.
+    rates: RefCell<BTreeMap<(usize, i64), Value>>,
+    rows: RefCell<Vec<Row>>,
+}
+
+/// The functions of a family at a degree and arguments.
+struct Row {
+    family: usize,
+    degree: i64,
+    arguments: Vec<Value>,
+    functions: Vec<Quotient>,
+}
+
+/// The variables of enclosing binders.
+#[derive(Clone, Copy)]
+pub(super) struct Scope<'s> {
+    bound: Option<(u32, &'s Value, &'s Scope<'s>)>,
+    depth: u32,
+}
+
+impl<'s> Scope<'s> {
+    const OUTSIDE: Scope<'static> = Scope {
+        bound: None,
+        depth: 0,
+    };
+
+    fn with(&'s self, variable: u32, value: &'s Value) -> Self {
+        Self {
+            bound: Some((variable, value, self)),
+            depth: self.depth,
+        }
+    }
+
+    fn get(&self, variable: u32) -> Option<&'s Value> {
+        let (own, value, outer) = self.bound?;
+        match own == variable {
+            true => Some(value),
+            false => outer.get(variable),
+        }
+    }
+
+    fn deeper(self) -> Result<Self, Beyond> {
+        let depth = self.depth + 1;
+        match depth > MAX_DEPTH {
+            true => Err(Beyond::Large),
+            false => Ok(Self { depth, ..self }),
+        }
+    }
+}
+
+/// Whether a function is expanded by minors, which grow fast.
+fn is_costly(function: BuiltIn) -> bool {
+    matches!(
+        function,
+        BuiltIn::Inverse | BuiltIn::Solve | BuiltIn::Determinant
+    )
+}
+
+impl<'a> Expander<'a> {
+    /// An expander with these values of symbols.
+    pub fn new(work: &'a Work, values: &'a dyn Fn(&Symbol) -> Option<Quotient>) -> Self {
+        Self {
+            work,
+            values,
+            divisors: RefCell::default(),
+            sees_rates: &|| true,
+            opened: RefCell::default(),
+            rates: RefCell::default(),
+            rows: RefCell::default(),
+        }
+    }
+
+    /// A closed term.
+    pub fn value(&self, term: &Term) -> Result<Value, Beyond> {
+        self.term(term, &Scope::OUTSIDE)
+    }
+
+    pub(super) fn number(&self, term: &Term, scope: &Scope<'_>) -> Result<Quotient, Beyond> {
+        self.term(term, scope)?.number()
+    }
+
+    /// The fixed integer that a term is.
+    pub(super) fn integer(
+        &self,
+        term: &Term,
+        what: &'static str,
+        scope: &Scope<'_>,
+    ) -> Result<i64, Beyond> {
+        let number = self.number(term, scope)?;
+        let number = number.as_rational().ok_or(Beyond::Symbolic(what))?;
+        if !number.is_integer() {
+            return Err(Beyond::Undefined(what));
+        }
+        i64::try_from(&number.to_integer()).map_err(|_| Beyond::Large)
+    }
+
+    pub(super) fn over(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, Beyond> {
+        if let Some((_, factor)) = b.above.monic()
+            && factor.as_constant().is_none()
+        {
+            self.divisors.borrow_mut().insert(factor);
+        }
+        a.over(b, self.work)
+    }
+
+    fn symbol(&self, symbol: Symbol) -> Quotient {
+        let own = || Polynomial::symbol(symbol.clone()).into();
+        (self.values)(&symbol).unwrap_or_else(own)
+    }
+
+    pub(super) fn term(&self, term: &Term, scope: &Scope<'_>) -> Result<Value, Beyond> {
+        let inside = scope.deeper()?;
+        let scope = &inside;
+        match &*term.node {
+            Node::Number(value) => Ok(Value::Number(Quotient::number(value.clone()))),
+            Node::Pi => Ok(Value::Number(Polynomial::symbol(Symbol::Pi).into())),
+            Node::Symbol(name) => Ok(Value::Number(self.symbol(Symbol::Named(Arc::clone(name))))),
+            Node::Variable(variable) => {
+                let value = scope.get(variable.number());
+                value.cloned().ok_or(Beyond::Construct("a free variable"))
+            }
+            Node::Vector(name, None) => Ok(Value::Number(self.symbol(Symbol::Named(name.clone())))),
+            Node::Vector(name, Some(dimension)) => {
+                let entry = |c| self.symbol(Symbol::named(&format!("{name}[{c}]")));
+                Ok(Value::vector((1..=*dimension).map(entry).collect()))
+            }
+            Node::Member(points, indices) => self.member(points, indices, scope),
+            Node::Basis {
+                family,
+                index,
+                degree,
+                arguments,
+            } => {
+                let index = self.integer(index, "an index", scope)?;
+                let degree = self.integer(degree, "a degree", scope)?;
+                let arguments = arguments.iter().map(|a| self.term(a, scope));
+                let arguments = arguments.collect::<Result<_, _>>()?;
+                let functions = self.functions(family, degree, arguments, scope)?;
+                let place = usize::try_from(index).ok();
+                let function = place.and_then(|place| functions.get(place).cloned());
+                Ok(Value::Number(function.unwrap_or_default()))
+            }
+            Node::Negative(inner) => Ok(self.term(inner, scope)?.negated()),
+            Node::Binary(..) => self.chain(term, scope),
+            Node::List(items) => {
+                let items = items.iter().map(|item| self.term(item, scope));
+                Ok(Value::Many(items.collect::<Result<_, _>>()?))
+            }
+            Node::Entry(of, indices) => self.entry(of, indices, scope),
+            Node::Sum {
+                index,
+                low,
+                high,
+                term,
+            } => {
+                let low = self.integer(low, "the bound of a sum", scope)?;
+                let high = self.integer(high, "the bound of a sum", scope)?;
+                if high.saturating_sub(low) > MOST {
+                    return Err(Beyond::Large);
+                }
+                let zero = Value::Number(Quotient::default());
+                (low..=high).try_fold(zero, |total, i| {
+                    let i = Value::Number(Quotient::number(integer(i)));
+                    let part = self.term(term, &scope.with(index.number(), &i))?;
+                    total.plus(&part, self.work)
+                })
+            }
+            Node::Product {
+                index,
+                low,
+                high,
+                term,
+            } => {
+                let low = self.integer(low, "the bound of a product", scope)?;
+                let high = self.integer(high, "the bound of a product", scope)?;
+                if high.saturating_sub(low) > MOST {
+                    return Err(Beyond::Large);
+                }
+                let one = Value::Number(Quotient::number(integer(1)));
+                (low..=high).try_fold(one, |product, i| {
+                    let i = Value::Number(Quotient::number(integer(i)));
+                    let factor = self.term(term, &scope.with(index.number(), &i))?;
+                    product.times(&factor, self.work)
+                })
+            }
+            Node::Integral {
+                variable,
+                low,
+                high,
+                body,
+            } => {
+                // No text can write the sign.
+                let own = Symbol::named(&format!("\u{222b}{}", variable.number()));
+                let symbol = Value::Number(Polynomial::symbol(own.clone()).into());
+                let body = self.term(body, &scope.with(variable.number(), &symbol))?;
+                let ends = [self.number(low, scope)?, self.number(high, scope)?];
+                body.each(&|f| integral::between(f, &own, &ends, self.work))
+            }
+            Node::Let {
+                variable,
+                value,
+                body,
+            } => {
+                let value = self.term(value, scope)?;
+                self.term(body, &scope.with(variable.number(), &value))
+            }
+            Node::Derivative {
+                variable,
+                order,
+                body,
+                closed,
+                at,
+            } => {
+                let order = self.integer(order, "the order of a derivative", scope)?;
+                let at = self.number(at, scope)?;
+                self.derivative(variable.number(), order, (body, *closed), &at, scope)
+            }
+            Node::Apply(function, arguments) => {
+                let apply = || self.apply(*function, arguments, scope);
+                match is_costly(*function) && term.is_closed() {
+                    true => self.once(term, apply),
+                    false => apply(),
+                }
+            }
+            Node::Opened { closed, body, .. } => match closed {
+                true => self.once(body, || self.term(body, scope)),
+                false => self.term(body, scope),
+            },
+        }
+    }
+
+    /// The value of a closed term, expanded when it is met first.
+    fn once(
+        &self,
+        term: &Term,
+        expand: impl FnOnce() -> Result<Value, Beyond>,
+    ) -> Result<Value, Beyond> {
+        let key = Arc::as_ptr(&term.node).addr();
+        if let Some(known) = self.opened.borrow().get(&key) {
+            return Ok(known.clone());
+        }
+        let value = expand()?;
+        self.opened.borrow_mut().insert(key, value.clone());
+        Ok(value)
+    }
+
+    /// A chain of operators to the left, without recursion.
+    fn chain(&self, term: &Term, scope: &Scope<'_>) -> Result<Value, Beyond> {
+        let (mut rights, mut left) = (vec![], term);
+        while let Node::Binary(operator, a, b) = &*left.node {
+            rights.push((*operator, b));
+            left = a;
+        }
+        let mut value = self.term(left, scope)?;
+        while let Some((operator, right)) = rights.pop() {
+            value = match operator {
+                Operator::Subtract if planted(Planted::DifferenceReadAsSum) => {
+                    value.plus(&self.term(right, scope)?, self.work)?
+                }
+                Operator::Add => value.plus(&self.term(right, scope)?, self.work)?,
+                Operator::Subtract => value.plus(&self.term(right, scope)?.negated(), self.work)?,
+                Operator::Multiply => value.times(&self.term(right, scope)?, self.work)?,
+                Operator::Divide => {
+                    let divisor = self.number(right, scope)?;
+                    value.each(&|x| self.over(x, &divisor))?
+                }
+                Operator::Power => {
+                    let exponent = self.integer(right, "an exponent", scope)?;
+                    let size = u32::try_from(exponent.unsigned_abs()).ok();
+                    let size = size
+                        .filter(|n| i64::from(*n) <= MOST)
+                        .ok_or(Beyond::Large)?;
+                    let power = value.number()?.power(size, self.work)?;
+                    let one = Quotient::number(integer(1));
+                    Value::Number(match exponent < 0 {
+                        true => self.over(&one, &power)?,
+                        false => power,
+                    })
+                }
+            };
+        }
+        Ok(value)
+    }
+
+    /// A member of a family has no value outside of the declared ranges of its indices.
+    fn member(
+        &self,
+        points: &Points,
+        indices: &[Term],
+        scope: &Scope<'_>,
+    ) -> Result<Value, Beyond> {
+        let indices = indices.iter().map(|i| self.integer(i, "an index", scope));
+        let indices: Vec<i64> = indices.collect::<Result<_, _>>()?;
+        for (index, (low, high)) in indices.iter().zip(&points.ranges) {
+            let (low, high) = match (self.form(low), self.form(high)) {
+                (Ok(low), Ok(high)) => (low, high),
+                // Outside of its range the statement would say nothing: it is proved there too.
+                (Err(Beyond::Symbolic(_)), _) | (_, Err(Beyond::Symbolic(_))) => continue,
+                (Err(gap), _) | (_, Err(gap)) => return Err(gap),
+            };
+            if !(low..=high).contains(index) {
+                return Err(Beyond::Undefined("a member outside of its range"));
+            }
+        }
+        let text = |all: &[i64]| {
+            let all: Vec<String> = all.iter().map(i64::to_string).collect();
+            Symbol::named(&format!("{}[{}]", points.name, all.join(",")))
+        };
+        Ok(match points.dimension {
+            None | Some(1) => Value::Number(self.symbol(text(&indices))),
+            Some(d) => {
+                let entry = |c: u8| text(&[indices.as_slice(), &[i64::from(c)]].concat());
+                Value::vector((1..=d).map(|c| self.symbol(entry(c))).collect())
+            }
+        })
+    }
+
+    /// The fixed integer that an index form is.
+    pub(super) fn form(&self, form: &Affine) -> Result<i64, Beyond> {
+        let mut total = form.constant();
+        for (name, multiple) in form.multiples() {
+            let value = self.symbol(Symbol::named(name)).as_rational();
+            let value = value.ok_or(Beyond::Symbolic("the range of an index"))?;
+            if !value.is_integer() {
+                return Err(Beyond::Undefined("the range of an index"));
+            }
+            let value = i64::try_from(&value.to_integer()).map_err(|_| Beyond::Large)?;
+            let product = value.checked_mul(multiple).ok_or(Beyond::Large)?;
+            total = total.checked_add(product).ok_or(Beyond::Large)?;
+        }
+        Ok(total)
+    }
+
+    /// Row by row from the seeds: `g[i,j+1] = a g[i,j] + b g[i-1,j]`.
+    pub(super) fn functions(
+        &self,
+        family: &Arc<Family>,
+        degree: i64,
+        arguments: Vec<Value>,
+        scope: &Scope<'_>,
+    ) -> Result<Vec<Quotient>, Beyond> {
+        let steps = degree - i64::from(family.degree);
+        if steps < 0 {
+            return Err(Beyond::Undefined("a basis below the degree of its seeds"));
+        }
+        if degree > MAX_DEGREE {
+            return Err(Beyond::Large);
+        }
+        let key = Arc::as_ptr(family).addr();
+        if family.closed {
+            let rows = self.rows.borrow();
+            let known = rows.iter().find(|row| {
+                row.family == key && row.degree == degree && row.arguments == arguments
+            });
+            if let Some(known) = known {
+                return Ok(known.functions.clone());
+            }
+        }
+        let functions = self.recursion(family, steps, &arguments, 0, scope)?;
+        if family.closed {
+            self.rows.borrow_mut().push(Row {
+                family: key,
+                degree,
+                arguments,
+                functions: functions.clone(),
+            });
+        }
+        Ok(functions)
+    }
+
+    /// The two factors of the step and the seeds, at these arguments.
+    pub(super) fn factors_and_seeds(
+        &self,
+        family: &Family,
+        arguments: &[Value],
+    ) -> Result<([Quotient; 2], Vec<Quotient>), Beyond> {
+        self.opened_family(family, arguments, &Scope::OUTSIDE)
+    }
+
+    fn opened_family(
+        &self,
+        family: &Family,
+        arguments: &[Value],
+        scope: &Scope<'_>,
+    ) -> Result<([Quotient; 2], Vec<Quotient>), Beyond> {
+        let place = family.variables.len().saturating_sub(arguments.len());
+        if let (Some(variable), Some((value, rest))) =
+            (family.variables.get(place), arguments.split_first())
+        {
+            let inner = scope.with(variable.number(), value);
+            return self.opened_family(family, rest, &inner);
+        }
+        let seeds = family.seeds.iter().map(|seed| self.number(seed, scope));
+        let factors = [
+            self.number(&family.step.0, scope)?,
+            self.number(&family.step.1, scope)?,
+        ];
+        Ok((factors, seeds.collect::<Result<_, _>>()?))
+    }
+
+    fn recursion(
+        &self,
+        family: &Family,
+        steps: i64,
+        arguments: &[Value],
+        place: usize,
+        scope: &Scope<'_>,
+    ) -> Result<Vec<Quotient>, Beyond> {
+        if let (Some(variable), Some(value)) = (family.variables.get(place), arguments.get(place)) {
+            let inner = scope.with(variable.number(), value);
+            return self.recursion(family, steps, arguments, place + 1, &inner);
+        }
+        let seeds = family.seeds.iter().map(|seed| self.number(seed, scope));
+        let mut row: Vec<Quotient> = seeds.collect::<Result<_, _>>()?;
+        let keep = self.number(&family.step.0, scope)?;
+        let shift = self.number(&family.step.1, scope)?;
+        for _ in 0..steps {
+            let zero = Quotient::default();
+            let same = row.iter().chain([&zero]);
+            let before = [&zero].into_iter().chain(&row);
+            let next = same.zip(before).map(|(same, before)| {
+                let kept = keep.times(same, self.work)?;
+                kept.plus(&shift.times(before, self.work)?, self.work)
+            });
+            row = next.collect::<Result<_, Beyond>>()?;
+        }
+        Ok(row)
+    }
+
+    /// Entries are counted from 1.
+    fn entry(&self, of: &Term, indices: &[Term], scope: &Scope<'_>) -> Result<Value, Beyond> {
+        let mut value = self.term(of, scope)?;
+        for index in indices {
+            let index = self.integer(index, "an index", scope)?;
+            let Value::Many(items) = value else {
+                return Err(Beyond::Construct("an entry of a number"));
+            };
+            let place = index.checked_sub(1).and_then(|p| usize::try_from(p).ok());
+            let found = place.and_then(|place| items.get(place).cloned());
+            value = found.ok_or(Beyond::Undefined("an entry that there is not"))?;
+        }
+        Ok(value)
+    }
+
+    /// The body is expanded with a symbol of its own for the variable, differentiated by it, and only then gets the point.
+    fn derivative(
+        &self,
+        variable: u32,
+        order: i64,
+        (body, closed): (&Term, bool),
+        at: &Quotient,
+        scope: &Scope<'_>,
+    ) -> Result<Value, Beyond> {
+        if order < 0 {
+            return Err(Beyond::Undefined("a derivative of negative order"));
+        }
+        if order > MOST {
+            return Err(Beyond::Large);
+        }
+        // No text can write the sign.
+        let own = Symbol::named(&format!("\u{2202}{variable}"));
+        let rate = || {
+            let symbol = Value::Number(Polynomial::symbol(own.clone()).into());
+            let value = self.term(body, &scope.with(variable, &symbol))?;
+            (0..order).try_fold(value, |value, _| {
+                value.each(&|x| x.derivative(&own, self.work))
+            })
+        };
+        let rate = match closed {
+            true => self.known_rate(body, order, rate)?,
+            false => rate()?,
+        };
+        let put = |symbol: &Symbol| (*symbol == own).then(|| at.clone());
+        rate.each(&|x| x.replaced(&put, self.work))
+    }
+
+    /// The derivative of a body without other variables, which is differentiated when it is met first.
+    fn known_rate(
+        &self,
+        body: &Term,
+        order: i64,
+        rate: impl FnOnce() -> Result<Value, Beyond>,
+    ) -> Result<Value, Beyond> {
+        let key = (Arc::as_ptr(&body.node).addr(), order);
+        if let Some(known) = self.rates.borrow().get(&key) {
+            return Ok(known.clone());
+        }
+        let value = rate()?;
+        self.rates.borrow_mut().insert(key, value.clone());
+        Ok(value)
+    }
+}

@@ -1,0 +1,396 @@
+//! The domain of a claim as the checker sees it: hypotheses expanded, eliminated symbols replaced by their values, and
+//! what was divided by.
+
+use super::expand::Expander;
+use super::gap::{Beyond, Work};
+use super::quotient::Quotient;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+use std::sync::Arc;
+use torse_certificate::polynomial::Polynomial;
+use torse_certificate::proof::ground::{Determining, Elimination, Ground};
+use torse_certificate::symbol::Symbol;
+use torse_core::{self as core, Hypothesis, Set, Source, Statement};
+use torse_numbers::rational::integer;
+use torse_syntax::formula::{Connective, Relation};
+
+/// A comparison of a hypothesis with zero.
+#[derive(Debug, Clone)]
+pub struct Compared {
+    /// Left minus right.
+    pub difference: Quotient,
+    /// The relation.
+    pub relation: Relation,
+    /// The field of the hypothesis.
+    pub source: Source,
+    /// The eliminated symbols that have their values in it.
+    pub met: Met,
+}
+
+/// The comparisons of all hypotheses that can be expanded.
+#[derive(Debug, Default)]
+pub struct Hypotheses {
+    /// The comparisons, in order.
+    pub all: Vec<Compared>,
+    /// Why one cannot be expanded.
+    pub gap: Option<Beyond>,
+    /// Why a given one cannot.
+    pub gap_in_given: Option<Beyond>,
+}
+
+/// Eliminated symbols: what is said with their values is so only if they have them.
+pub type Met = BTreeSet<Symbol>;
+
+/// A claim with the eliminations of a proof.
+pub struct Domain<'a> {
+    pub claim: &'a core::Claim,
+    pub work: &'a Work,
+    /// What the verdict says must not vanish.
+    pub(super) conditions: &'a [Polynomial],
+    /// The chosen integers.
+    fixed: BTreeMap<Symbol, Quotient>,
+    pub(super) groups: &'a [Elimination<Polynomial>],
+    /// What never vanishes on the declared sets; shown apart from here.
+    pub(super) nonzero: Vec<Polynomial>,
+    /// What the prover saw not to vanish, without a proof that is carried.
+    pub(super) seen: &'a [Polynomial],
+    values: RefCell<BTreeMap<usize, Rc<BTreeMap<Symbol, Quotient>>>>,
+    hypotheses: RefCell<BTreeMap<usize, Rc<Hypotheses>>>,
+    /// The eliminated symbols that were met.
+    pub(super) used: RefCell<BTreeSet<Symbol>>,
+    /// What was divided by in terms, by how many groups had their values then: where more symbols are replaced, it is known
+    /// not to vanish only after these have been shown to have their values.
+    pub(super) divisors: RefCell<BTreeMap<usize, BTreeMap<Polynomial, Met>>>,
+}
+
+impl<'a> Domain<'a> {
+    pub fn new(
+        claim: &'a core::Claim,
+        conditions: &'a [Polynomial],
+        ground: Option<&'a Ground<Polynomial>>,
+        integers: &BTreeMap<String, i64>,
+        work: &'a Work,
+    ) -> Self {
+        let number = |n: &i64| Quotient::number(integer(*n));
+        let fixed = integers.iter();
+        Self {
+            claim,
+            work,
+            conditions,
+            fixed: fixed
+                .map(|(name, n)| (Symbol::named(name), number(n)))
+                .collect(),
+            groups: ground.map_or(&[], |ground| &ground.eliminated),
+            nonzero: vec![],
+            seen: ground.map_or(&[], |ground| &ground.seen),
+            values: RefCell::default(),
+            hypotheses: RefCell::default(),
+            used: RefCell::default(),
+            divisors: RefCell::default(),
+        }
+    }
+
+    /// The same, where these polynomials are known not to vanish.
+    pub fn with_nonzero(mut self, nonzero: Vec<Polynomial>) -> Self {
+        self.nonzero = nonzero;
+        self
+    }
+
+    /// How many groups of symbols are eliminated.
+    pub fn groups(&self) -> usize {
+        self.groups.len()
+    }
+
+    /// The values of the symbols that the first groups eliminate, in terms of the others.
+    fn values(&self, groups: usize) -> Result<Rc<BTreeMap<Symbol, Quotient>>, Beyond> {
+        if let Some(known) = self.values.borrow().get(&groups) {
+            return Ok(Rc::clone(known));
+        }
+        let mut values = self.fixed.clone();
+        let first = self.groups.get(..groups).unwrap_or_default();
+        for group in first.iter().rev() {
+            let mut own = vec![];
+            for determined in &group.values {
+                let value = Quotient::of(&determined.value, self.work)?;
+                let put = |symbol: &Symbol| values.get(symbol).cloned();
+                own.push((determined.symbol.clone(), value.replaced(&put, self.work)?));
+            }
+            values.extend(own);
+        }
+        let values = Rc::new(values);
+        let mut kept = self.values.borrow_mut();
+        kept.insert(groups, Rc::clone(&values));
+        Ok(values)
+    }
+
+    /// Runs with an expander in which the symbols of the first groups have their values; also those that were met.
+    pub(super) fn expanding<T>(
+        &self,
+        groups: usize,
+        job: impl FnOnce(&Expander<'_>) -> Result<T, Beyond>,
+    ) -> Result<(T, Met), Beyond> {
+        let values = self.values(groups)?;
+        let met = RefCell::new(Met::new());
+        let value = |symbol: &Symbol| {
+            let value = values.get(symbol)?;
+            if !self.fixed.contains_key(symbol) {
+                met.borrow_mut().insert(symbol.clone());
+            }
+            Some(value.clone())
+        };
+        let by_assumption = |group: &Elimination<Polynomial>| {
+            let met = met.borrow();
+            !matches!(group.by, Determining::Given(_))
+                && group.values.iter().any(|d| met.contains(&d.symbol))
+        };
+        let sees_rates = || {
+            let all = groups == self.groups.len();
+            let solved = self.claim.unknowns.is_empty() || all && self.solves_given();
+            solved && !self.groups.iter().any(by_assumption)
+        };
+        let mut expander = Expander::new(self.work, &value);
+        expander.sees_rates = &sees_rates;
+        let result = job(&expander)?;
+        let mut divisors = self.divisors.borrow_mut();
+        let known = divisors.entry(groups).or_default();
+        let found = expander.divisors.borrow();
+        for divisor in found.iter() {
+            let met = met.borrow();
+            known.entry(divisor.clone()).or_insert_with(|| met.clone());
+        }
+        drop(found);
+        Ok((result, met.into_inner()))
+    }
+
+    /// Notes that eliminated symbols matter, and those in whose terms they have their values.
+    pub fn note(&self, met: &Met) {
+        let mut pending: Vec<Symbol> = met.iter().cloned().collect();
+        while let Some(symbol) = pending.pop() {
+            if !self.used.borrow_mut().insert(symbol.clone()) {
+                continue;
+            }
+            let all = self.groups.iter().flat_map(|group| &group.values);
+            for determined in all.filter(|d| d.symbol == symbol) {
+                let value = &determined.value;
+                let inner = value.above.symbols().chain(value.below.symbols());
+                let inner = inner.filter_map(Symbol::variable).map(Symbol::named);
+                pending.extend(inner.filter(|s| self.is_eliminated(s)));
+            }
+        }
+    }
+
+    /// Whether given equations determine unknowns here.
+    fn solves_given(&self) -> bool {
+        let mut groups = self.groups.iter();
+        groups.any(|group| matches!(group.by, Determining::Given(_)))
+    }
+
+    fn is_eliminated(&self, symbol: &Symbol) -> bool {
+        let mut all = self.groups.iter().flat_map(|group| &group.values);
+        all.any(|determined| determined.symbol == *symbol)
+    }
+
+    /// The differences of the sides of a comparison, entry by entry.
+    pub fn differences(
+        &self,
+        left: &core::Term,
+        right: &core::Term,
+    ) -> Result<Vec<Quotient>, Beyond> {
+        let (differences, met) = self.expanding(self.groups.len(), |expander| {
+            let pairs = expander.value(left)?.pairs(&expander.value(right)?)?;
+            let differences = pairs.iter().map(|(x, y)| x.minus(y, self.work));
+            differences.collect()
+        })?;
+        self.note(&met);
+        Ok(differences)
+    }
+
+    /// The value of a term, entry by entry.
+    pub fn entries(&self, term: &core::Term) -> Result<Vec<Quotient>, Beyond> {
+        let (entries, met) = self.expanding(self.groups.len(), |expander| {
+            let value = expander.value(term)?;
+            Ok(value.numbers().into_iter().cloned().collect())
+        })?;
+        self.note(&met);
+        Ok(entries)
+    }
+
+    /// The comparisons of the hypotheses, where the symbols of the first groups have their values.
+    pub(super) fn hypotheses(&self, groups: usize) -> Rc<Hypotheses> {
+        if let Some(known) = self.hypotheses.borrow().get(&groups) {
+            return Rc::clone(known);
+        }
+        let mut found = Hypotheses::default();
+        for hypothesis in &self.claim.hypotheses {
+            if let Err(gap) = self.expand_hypothesis(groups, hypothesis, &mut found.all) {
+                if hypothesis.source == Source::Given {
+                    found.gap_in_given.get_or_insert(gap.clone());
+                }
+                found.gap = Some(gap);
+            }
+        }
+        let found = Rc::new(found);
+        let mut kept = self.hypotheses.borrow_mut();
+        kept.insert(groups, Rc::clone(&found));
+        found
+    }
+
+    fn expand_hypothesis(
+        &self,
+        groups: usize,
+        hypothesis: &Hypothesis,
+        found: &mut Vec<Compared>,
+    ) -> Result<(), Beyond> {
+        let parts = compared(&hypothesis.statement);
+        let strange = Beyond::Construct("a hypothesis that is no comparison");
+        for (relation, left, right) in parts.ok_or(strange)? {
+            found.extend(self.compare(groups, hypothesis, relation, left, right)?);
+        }
+        Ok(())
+    }
+
+    fn compare(
+        &self,
+        groups: usize,
+        hypothesis: &Hypothesis,
+        relation: Relation,
+        left: &core::Term,
+        right: &core::Term,
+    ) -> Result<Vec<Compared>, Beyond> {
+        let (differences, met) = self.expanding(groups, |expander| {
+            let pairs = expander.value(left)?.pairs(&expander.value(right)?)?;
+            let all = pairs.iter().map(|(x, y)| x.minus(y, self.work));
+            all.collect::<Result<Vec<_>, _>>()
+        })?;
+        let source = hypothesis.source;
+        let one = |difference| Compared {
+            difference,
+            relation,
+            source,
+            met: met.clone(),
+        };
+        if relation == Relation::Different && differences.len() > 1 {
+            // Vectors differ where the sum of the squares of the differences is positive.
+            let mut sum = Quotient::default();
+            for difference in &differences {
+                sum = sum.plus(&difference.times(difference, self.work)?, self.work)?;
+            }
+            return Ok(vec![Compared {
+                relation: Relation::Greater,
+                ..one(sum)
+            }]);
+        }
+        Ok(differences.into_iter().map(one).collect())
+    }
+
+    /// Everything that bounds the domain: the comparisons of the hypotheses, and the declared sets, where the symbols of the
+    /// first groups have their values.
+    pub fn constraints(&self, groups: usize) -> Result<(Vec<Compared>, Option<Beyond>), Beyond> {
+        let known = self.hypotheses(groups);
+        let (mut found, gap) = (known.all.clone(), known.gap.clone());
+        let values = self.values(groups)?;
+        for (name, set) in &self.claim.symbols {
+            let symbol = Symbol::Named(Arc::clone(name));
+            let own = || Polynomial::symbol(symbol.clone()).into();
+            let value: Quotient = values.get(&symbol).cloned().unwrap_or_else(own);
+            let mut met = Met::new();
+            if let Set::Integer { least, most } = set {
+                let forms = least.iter().chain(most);
+                met.extend(
+                    forms
+                        .flat_map(|form| form.multiples())
+                        .map(|(n, _)| Symbol::named(n)),
+                );
+            }
+            met.insert(symbol.clone());
+            met.retain(|symbol| values.contains_key(symbol) && !self.fixed.contains_key(symbol));
+            if self.is_positive_root(&symbol, groups)? {
+                let zero = Met::new();
+                found.push(Compared {
+                    difference: value.clone(),
+                    relation: Relation::Greater,
+                    source: Source::Assume,
+                    met: zero,
+                });
+            }
+            for (bound, relation) in self.bounds(set, &values)? {
+                found.push(Compared {
+                    difference: value.minus(&bound, self.work)?,
+                    relation,
+                    source: Source::Assume,
+                    met: met.clone(),
+                });
+            }
+        }
+        Ok((found, gap))
+    }
+
+    /// The ends of a declared set.
+    fn bounds(
+        &self,
+        set: &Set,
+        values: &BTreeMap<Symbol, Quotient>,
+    ) -> Result<Vec<(Quotient, Relation)>, Beyond> {
+        let mut all = vec![];
+        match set {
+            Set::Real(interval) => {
+                let constant = |c: &torse_syntax::derivation::declarations::Constant| {
+                    let turns = Polynomial::symbol(Symbol::Pi).scaled(&c.turns);
+                    Quotient::from(turns.plus(&Polynomial::constant(c.rational.clone())))
+                };
+                let end = |closed: bool, with: Relation, without: Relation| match closed {
+                    true => with,
+                    false => without,
+                };
+                let lower = interval.lower.iter().map(|b| {
+                    let relation = end(b.closed, Relation::AtLeast, Relation::Greater);
+                    (constant(&b.value), relation)
+                });
+                let upper = interval.upper.iter().map(|b| {
+                    let relation = end(b.closed, Relation::AtMost, Relation::Less);
+                    (constant(&b.value), relation)
+                });
+                all.extend(lower.chain(upper));
+            }
+            Set::Integer { least, most } => {
+                let ends = least.iter().map(|form| (form, Relation::AtLeast));
+                let ends = ends.chain(most.iter().map(|form| (form, Relation::AtMost)));
+                for (form, relation) in ends {
+                    let mut bound = Quotient::number(integer(form.constant()));
+                    for (name, multiple) in form.multiples() {
+                        let symbol = Symbol::named(name);
+                        let own = || Polynomial::symbol(symbol.clone()).into();
+                        let value: Quotient = values.get(&symbol).cloned().unwrap_or_else(own);
+                        let multiple = Quotient::number(integer(multiple));
+                        bound = bound.plus(&value.times(&multiple, self.work)?, self.work)?;
+                    }
+                    all.push((bound, relation));
+                }
+            }
+            Set::Vector(_) | Set::Family { .. } => {}
+        }
+        Ok(all)
+    }
+}
+
+/// The comparisons that a hypothesis consists of; a denied one is the opposite one.
+fn compared(statement: &Statement) -> Option<Vec<(Relation, &core::Term, &core::Term)>> {
+    match statement {
+        Statement::Compare {
+            relation,
+            left,
+            right,
+        } => Some(vec![(*relation, left, right)]),
+        Statement::Join(Connective::And, a, b) => Some([compared(a)?, compared(b)?].concat()),
+        Statement::Not(inner) => match &**inner {
+            Statement::Compare {
+                relation,
+                left,
+                right,
+            } => Some(vec![(relation.opposite(), left, right)]),
+            _ => None,
+        },
+        _ => None,
+    }
+}

@@ -1,0 +1,360 @@
+//! The checker: it goes through a proof, and never looks for one.
+//!
+//! A proof is checked against the *core claim*, with polynomials that are plain maps and nothing of the prover. The tree of
+//! the proof has to follow that of the statement; at its leaves the terms are multiplied out as they stand. What does not
+//! come out is [`Wrong`]; what the checker does not know, as series of symbolic degree, is [`Beyond`] it, which says
+//! nothing against the proof.
+
+mod bernstein;
+mod eliminated;
+mod expand;
+mod functions;
+mod gap;
+mod ground;
+mod integral;
+mod point;
+mod printed;
+mod quotient;
+mod range;
+mod root;
+mod sign;
+mod statement;
+mod turn;
+mod value;
+mod variation;
+
+pub use gap::{Beyond, Unchecked, Work, Wrong};
+
+use ground::Domain;
+use point::At;
+use sign::Signs;
+use std::cell::Cell;
+use std::collections::{BTreeMap, BTreeSet};
+use torse_certificate::polynomial::Polynomial;
+use torse_certificate::proof::refutation::Refuted;
+use torse_certificate::proof::{Emptiness, Instance, Proof};
+use torse_certificate::sign::Sign;
+use torse_certificate::symbol::Symbol;
+use torse_core::{Claim, Hypothesis, Set, Source, Statement};
+use torse_syntax::derivation::Origin;
+use torse_syntax::formula::Connective;
+
+/// The products of terms that one claim may take.
+pub const WORK: u64 = 400_000;
+/// The most instances.
+const MAX_INSTANCES: usize = 400;
+
+/// Checks a proof of the statement of a claim, under the conditions that these polynomials do not vanish.
+///
+/// # Errors
+/// [`Unchecked`]: the proof is wrong, or beyond the checker.
+pub fn proves(
+    claim: &Claim,
+    origin: &Origin,
+    conditions: &[Polynomial],
+    proof: &Proof<Polynomial>,
+    work: &Work,
+) -> Result<(), Unchecked> {
+    let exponential = Cell::new(conditions.iter().any(has_exponential));
+    proof.map(&|p| exponential.set(exponential.get() || has_exponential(p)));
+    without(&exponential)?;
+    let check = Check {
+        origin,
+        conditions,
+        work,
+    };
+    check.proof(&with_roots(claim, origin)?, proof, &BTreeMap::new())
+}
+
+/// Checks a refutation of the statement of a claim.
+///
+/// # Errors
+/// [`Unchecked`]: it refutes nothing, or is beyond the checker.
+pub fn refutes(
+    claim: &Claim,
+    origin: &Origin,
+    refuted: &Refuted<Polynomial>,
+    work: &Work,
+) -> Result<(), Unchecked> {
+    let exponential = Cell::new(false);
+    refuted.map(&|p| exponential.set(exponential.get() || has_exponential(p)));
+    without(&exponential)?;
+    let check = Check {
+        origin,
+        conditions: &[],
+        work,
+    };
+    check.refutation(&with_roots(claim, origin)?, refuted, &BTreeMap::new())
+}
+
+/// The claim with symbols for its roots, and what they are: what a proof is about.
+fn with_roots(claim: &Claim, origin: &Origin) -> Result<Claim, Unchecked> {
+    let rooted = claim.rooted(origin);
+    rooted.map_err(|_| Beyond::Construct("such a root").into())
+}
+
+fn has_exponential(p: &Polynomial) -> bool {
+    p.symbols().any(|s| matches!(s, Symbol::Exponential(_)))
+}
+
+/// Of exponentials the checker knows neither ranges nor order.
+fn without(exponential: &Cell<bool>) -> Result<(), Unchecked> {
+    match exponential.get() {
+        true => Err(Beyond::Construct("an exponential").into()),
+        false => Ok(()),
+    }
+}
+
+struct Check<'a> {
+    /// Where the statement is written.
+    origin: &'a Origin,
+    conditions: &'a [Polynomial],
+    work: &'a Work,
+}
+
+type Integers = BTreeMap<String, i64>;
+
+impl Check<'_> {
+    fn proof(
+        &self,
+        claim: &Claim,
+        proof: &Proof<Polynomial>,
+        integers: &Integers,
+    ) -> Result<(), Unchecked> {
+        let beyond = |what| Err(Beyond::Construct(what).into());
+        match (&claim.statement, proof) {
+            (Statement::Join(Connective::And, a, b), Proof::Both(first, second)) => {
+                self.proof(&stating(claim, a), first, integers)?;
+                self.proof(&stating(claim, b), second, integers)
+            }
+            (Statement::Not(inner), Proof::Exists(refuted)) => {
+                self.refutation(&stating(claim, inner), refuted, integers)
+            }
+            (
+                statement,
+                Proof::Alternative {
+                    place,
+                    where_others_fail,
+                    proof,
+                },
+            ) => {
+                let parts = alternatives(statement);
+                let chosen = parts.get(*place).ok_or(Wrong::Kind)?;
+                let mut chosen = stating(claim, chosen);
+                if *where_others_fail {
+                    for (_, other) in parts.iter().enumerate().filter(|(n, _)| n != place) {
+                        let denied = Statement::Not(Box::new((*other).clone()));
+                        chosen.hypotheses.push(self.assumed(denied));
+                    }
+                }
+                self.proof(&chosen, proof, integers)
+            }
+            (
+                Statement::Join(Connective::Implies, premise, conclusion),
+                Proof::Conclusion(proof),
+            ) => {
+                let mut there = stating(claim, conclusion);
+                there.hypotheses.push(self.assumed((**premise).clone()));
+                self.proof(&there, proof, integers)
+            }
+            (_, Proof::Instances(instances)) => self.instances(claim, instances, integers),
+            (_, Proof::On(ground)) => {
+                let own = || Domain::new(claim, self.conditions, Some(ground), integers, self.work);
+                let nonzero = nonzero(&own(), &ground.nonzero)?;
+                let checked = statement::check(&own().with_nonzero(nonzero), ground);
+                match ground.seen.first() {
+                    // That a root is positive may rest on this.
+                    Some(seen) if claim.roots().next().is_some() => {
+                        checked.map_err(|_| Beyond::Divisor(seen.to_string()).into())
+                    }
+                    _ => checked,
+                }
+            }
+            (_, Proof::Defined(proof)) => {
+                // The conditions have to follow from the definedness of the terms.
+                let check = Check {
+                    conditions: &[],
+                    ..*self
+                };
+                check.proof(claim, proof, integers)
+            }
+            (_, Proof::Parts(_)) => beyond("a domain cut into parts"),
+            (_, Proof::Clauses(_)) => beyond("a conjunction of alternatives"),
+            (_, Proof::Nowhere(_)) => beyond("a domain without points"),
+            _ => Err(Wrong::Kind.into()),
+        }
+    }
+
+    fn assumed(&self, statement: Statement) -> Hypothesis {
+        Hypothesis {
+            statement,
+            source: Source::Assume,
+            origin: self.origin.clone(),
+        }
+    }
+
+    /// All values of the integers, each with a proof. An instance whose integers are out of their ranges needs none.
+    fn instances(
+        &self,
+        claim: &Claim,
+        instances: &[Instance<Polynomial>],
+        integers: &Integers,
+    ) -> Result<(), Unchecked> {
+        let names = instances.first().ok_or(Wrong::Instances)?.integers.keys();
+        let all = assignments(claim, &names.cloned().collect::<Vec<_>>(), integers)?;
+        let given: BTreeSet<&Integers> = instances.iter().map(|one| &one.integers).collect();
+        if !all.iter().all(|own| given.contains(own)) {
+            return Err(Wrong::Instances.into());
+        }
+        for instance in instances.iter().filter(|one| all.contains(&one.integers)) {
+            let mut there = integers.clone();
+            there.extend(instance.integers.clone());
+            match &instance.proof {
+                // A term that has no value anywhere makes the statement say nothing.
+                Proof::Nowhere(Emptiness::Undefined(_)) => {
+                    let undefined = Domain::new(claim, &[], None, &there, self.work);
+                    let mut terms = claim.statement.terms().into_iter();
+                    let gap = |term| match undefined.entries(term) {
+                        Err(Beyond::Undefined(_)) => Some(()),
+                        _ => None,
+                    };
+                    let beyond = Beyond::Construct("a statement that says nothing");
+                    terms.find_map(gap).ok_or(beyond)?;
+                }
+                proof => self.proof(claim, proof, &there)?,
+            }
+        }
+        Ok(())
+    }
+
+    fn refutation(
+        &self,
+        claim: &Claim,
+        refuted: &Refuted<Polynomial>,
+        integers: &Integers,
+    ) -> Result<(), Unchecked> {
+        match refuted {
+            Refuted::At(point) => {
+                let at = At::new(claim, integers, point, self.work)?;
+                at.in_domain()?;
+                at.refutes(point)
+            }
+            Refuted::Instance {
+                integers: chosen,
+                refuted,
+            } => {
+                let mut there = integers.clone();
+                there.extend(chosen.clone());
+                self.refutation(claim, refuted, &there)
+            }
+            Refuted::Denied { proof, anywhere } => {
+                let Statement::Not(inner) = &claim.statement else {
+                    return Err(Beyond::Construct("a denial inside of a statement").into());
+                };
+                let denied = stating(claim, inner);
+                let check = Check {
+                    conditions: &[],
+                    ..*self
+                };
+                check.proof(&denied, proof, integers)?;
+                let mut there = integers.clone();
+                let chosen = anywhere.integers().into_iter();
+                there.extend(chosen.map(|(name, value)| (name.to_owned(), value)));
+                let at = At::new(&denied, &there, anywhere.counterexample(), self.work)?;
+                at.in_domain()?;
+                Ok(at.defined(inner)?)
+            }
+        }
+    }
+}
+
+/// Polynomials that never vanish by their signs. No elimination is used here, for these say why eliminations are right.
+fn nonzero(domain: &Domain<'_>, signs: &[Sign<Polynomial>]) -> Result<Vec<Polynomial>, Unchecked> {
+    if signs.is_empty() {
+        return Ok(vec![]);
+    }
+    let check = Signs::new(domain, &[], 0)?;
+    for sign in signs {
+        check.check(sign)?;
+        if !sign.strict {
+            return Err(Wrong::Zero.into());
+        }
+    }
+    Ok(signs.iter().map(|sign| sign.polynomial.clone()).collect())
+}
+
+/// The claim with another statement.
+fn stating(claim: &Claim, statement: &Statement) -> Claim {
+    Claim {
+        statement: statement.clone(),
+        ..claim.clone()
+    }
+}
+
+/// What `or` joins, from the left.
+fn alternatives(statement: &Statement) -> Vec<&Statement> {
+    match statement {
+        Statement::Join(Connective::Or, a, b) => [alternatives(a), alternatives(b)].concat(),
+        other => vec![other],
+    }
+}
+
+/// All values of these integers in their ranges, which may name one another.
+fn assignments(
+    claim: &Claim,
+    names: &[String],
+    integers: &Integers,
+) -> Result<Vec<Integers>, Unchecked> {
+    let mut all = vec![Integers::new()];
+    let mut left: Vec<&String> = names.iter().collect();
+    while !left.is_empty() {
+        // One whose range names none that is left.
+        let ready = left.iter().position(|name| {
+            bounds(claim, name).is_some_and(|forms| {
+                let mut named = forms.iter().flat_map(|form| form.multiples());
+                named.all(|(other, _)| {
+                    integers.contains_key(other)
+                        || (names.iter().any(|n| n == other) && !left.iter().any(|n| *n == other))
+                })
+            })
+        });
+        let Some(name) = ready.map(|place| left.remove(place)) else {
+            return Err(Beyond::Construct("integers without end").into());
+        };
+        let Some([least, most]) = bounds(claim, name) else {
+            return Err(Beyond::Construct("integers without end").into());
+        };
+        let mut next = vec![];
+        for known in &all {
+            let value = |form: &torse_numbers::Affine| {
+                let term = |(name, n): (&str, i64)| {
+                    let own = known.get(name).or_else(|| integers.get(name));
+                    own.and_then(|value| value.checked_mul(n))
+                };
+                let mut terms = form.multiples();
+                terms.try_fold(form.constant(), |sum, part| sum.checked_add(term(part)?))
+            };
+            let (Some(low), Some(high)) = (value(least), value(most)) else {
+                return Err(Beyond::Large.into());
+            };
+            for n in low..=high {
+                let mut more = known.clone();
+                more.insert(name.clone(), n);
+                next.push(more);
+                if next.len() > MAX_INSTANCES {
+                    return Err(Beyond::Large.into());
+                }
+            }
+        }
+        all = next;
+    }
+    Ok(all)
+}
+
+/// Both ends of an integer.
+fn bounds<'c>(claim: &'c Claim, name: &str) -> Option<[&'c torse_numbers::Affine; 2]> {
+    match claim.symbols.get(name)? {
+        Set::Integer { least, most } => Some([least.as_ref()?, most.as_ref()?]),
+        _ => None,
+    }
+}

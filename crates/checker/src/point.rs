@@ -1,0 +1,316 @@
+//! Counterexamples put in: into every declared set, every hypothesis, and the statement.
+
+use super::expand::Expander;
+use super::gap::{Beyond, Unchecked, Work, Wrong};
+use super::quotient::Quotient;
+use super::value::Value;
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use torse_certificate::number::{holds, order};
+use torse_certificate::point::{Comparison, Counterexample, Failure};
+use torse_certificate::polynomial::Polynomial;
+use torse_certificate::ratio::Ratio;
+use torse_certificate::symbol::Symbol;
+use torse_core::{self as core, BuiltIn, Set, Statement};
+use torse_numbers::rational::integer;
+use torse_syntax::formula::{Connective, Relation};
+
+/// A claim at a point.
+pub struct At<'a> {
+    claim: &'a core::Claim,
+    work: &'a Work,
+    values: BTreeMap<Symbol, Quotient>,
+}
+
+impl<'a> At<'a> {
+    /// The point of a counterexample, with chosen integers.
+    pub fn new(
+        claim: &'a core::Claim,
+        integers: &BTreeMap<String, i64>,
+        point: &Counterexample<Polynomial>,
+        work: &'a Work,
+    ) -> Result<Self, Unchecked> {
+        let chosen = integers.iter();
+        let mut values: BTreeMap<Symbol, Quotient> = chosen
+            .map(|(name, n)| (Symbol::named(name), Quotient::number(integer(*n))))
+            .collect();
+        for value in point.at.iter().chain(&point.others) {
+            let number = Quotient::of(&value.value, work)?;
+            let twice = values.insert(value.symbol.clone(), number.clone());
+            if twice.is_some_and(|before| before != number) {
+                return Err(Wrong::Outside.into());
+            }
+        }
+        Ok(Self {
+            claim,
+            work,
+            values,
+        })
+    }
+
+    /// The values of terms, one after the other.
+    fn values(&self, terms: &[&core::Term]) -> Result<Vec<Value>, Beyond> {
+        // Coefficients of forms are rates, which the values of a point do not tell: there they are put in afterwards.
+        let rates = |term: &&core::Term| term.applies(BuiltIn::Coefficients);
+        let later = self.claim.unknowns.is_empty() && terms.iter().any(rates);
+        let integer = |symbol: &Symbol| match symbol {
+            Symbol::Named(name) => {
+                matches!(self.claim.symbols.get(name), Some(Set::Integer { .. }))
+            }
+            _ => false,
+        };
+        let value = |symbol: &Symbol| {
+            let value = self.values.get(symbol).cloned();
+            value.filter(|_| !later || integer(symbol))
+        };
+        let mut expander = Expander::new(self.work, &value);
+        let sees_rates = || later;
+        expander.sees_rates = &sees_rates;
+        let values = terms.iter().map(|term| expander.value(term));
+        let values: Vec<Value> = values.collect::<Result<_, _>>()?;
+        if !later {
+            return Ok(values);
+        }
+        let put = |symbol: &Symbol| self.values.get(symbol).cloned();
+        let there = |value: &Value| value.each(&|x| x.replaced(&put, self.work));
+        values.iter().map(there).collect()
+    }
+
+    /// The fixed integer that an index form is here.
+    fn form(&self, form: &torse_numbers::Affine) -> Result<i64, Beyond> {
+        let value = |symbol: &Symbol| self.values.get(symbol).cloned();
+        Expander::new(self.work, &value).form(form)
+    }
+
+    /// How a number compares with zero.
+    fn order(&self, number: &Quotient) -> Result<Ordering, Beyond> {
+        let below = number.denominator(self.work)?;
+        for part in [&number.above, &below] {
+            if let Some(symbol) = part.symbols().find(|symbol| !symbol.is_number()) {
+                return Err(Beyond::NoValue(symbol.to_string()));
+            }
+        }
+        let above = order(&number.above).ok_or(Beyond::Near)?;
+        match order(&below).ok_or(Beyond::Near)? {
+            Ordering::Equal => Err(Beyond::Undefined("a quotient with divisor zero")),
+            Ordering::Greater => Ok(above),
+            Ordering::Less => Ok(above.reverse()),
+        }
+    }
+
+    fn difference(&self, a: &Quotient, b: &Quotient) -> Result<Ordering, Beyond> {
+        self.order(&a.minus(b, self.work)?)
+    }
+
+    /// The sides of a comparison, entry by entry.
+    fn sides(
+        &self,
+        left: &core::Term,
+        right: &core::Term,
+    ) -> Result<Vec<(Quotient, Quotient)>, Beyond> {
+        match self.values(&[left, right])?.as_slice() {
+            [left, right] => left.pairs(right),
+            _ => Err(Beyond::Construct("a comparison of one side")),
+        }
+    }
+
+    /// Whether a statement without denials is true here; every part is looked at, for an undefined one makes the whole so.
+    pub fn truth(&self, statement: &Statement) -> Result<bool, Beyond> {
+        match statement {
+            Statement::Compare {
+                relation,
+                left,
+                right,
+            } => {
+                let sides = self.sides(left, right)?;
+                let order = |(a, b): &(Quotient, Quotient)| self.difference(a, b);
+                let orders: Vec<Ordering> = sides.iter().map(order).collect::<Result<_, _>>()?;
+                match relation {
+                    Relation::Equal => Ok(orders.iter().all(|order| order.is_eq())),
+                    Relation::Different => Ok(orders.iter().any(|order| order.is_ne())),
+                    _ => match orders.as_slice() {
+                        [order] => Ok(holds(*order, *relation)),
+                        _ => Err(Beyond::Construct("an order of vectors")),
+                    },
+                }
+            }
+            Statement::Join(connective, a, b) => {
+                let (a, b) = (self.truth(a)?, self.truth(b)?);
+                Ok(match connective {
+                    Connective::And => a && b,
+                    Connective::Or => a || b,
+                    Connective::Implies => !a || b,
+                })
+            }
+            Statement::Agrees { value, printed, .. } => {
+                let values = self.entries(value)?;
+                let all = super::printed::agreements(&values, printed, self.work)?;
+                Ok(all.iter().all(Option::is_some))
+            }
+            Statement::Not(_) => Err(Beyond::Construct("a denial inside of a statement")),
+            Statement::Family(..) => Err(Beyond::Construct("a property of a basis")),
+        }
+    }
+
+    fn entries(&self, term: &core::Term) -> Result<Vec<Quotient>, Beyond> {
+        let values = self.values(&[term])?;
+        let numbers = values.iter().flat_map(Value::numbers);
+        Ok(numbers.cloned().collect())
+    }
+
+    /// Whether the point satisfies every hypothesis, and its numbers are in their declared sets.
+    pub fn in_domain(&self) -> Result<(), Unchecked> {
+        for (name, set) in &self.claim.symbols {
+            let symbol = Symbol::Named(Arc::clone(name));
+            let Some(value) = self.values.get(&symbol) else {
+                if matches!(set, Set::Real(_) | Set::Integer { .. }) {
+                    return Err(Beyond::NoValue(name.to_string()).into());
+                }
+                continue;
+            };
+            for (bound, relation) in self.ends(set)? {
+                if !holds(self.difference(value, &bound)?, relation) {
+                    return Err(Wrong::Outside.into());
+                }
+            }
+            let whole = value.as_rational().is_some_and(|q| q.is_integer());
+            if matches!(set, Set::Integer { .. }) && !whole {
+                return Err(Wrong::Outside.into());
+            }
+        }
+        for hypothesis in &self.claim.hypotheses {
+            let holds = match &hypothesis.statement {
+                // At a point a denied comparison is the opposite one.
+                Statement::Not(inner) if matches!(**inner, Statement::Compare { .. }) => {
+                    !self.truth(inner)?
+                }
+                other => self.truth(other)?,
+            };
+            if !holds {
+                return Err(Wrong::Outside.into());
+            }
+        }
+        Ok(())
+    }
+
+    fn ends(&self, set: &Set) -> Result<Vec<(Quotient, Relation)>, Beyond> {
+        let mut all = vec![];
+        match set {
+            Set::Real(interval) => {
+                let constant = |c: &torse_syntax::derivation::declarations::Constant| {
+                    let turns = Polynomial::symbol(Symbol::Pi).scaled(&c.turns);
+                    Quotient::from(turns.plus(&Polynomial::constant(c.rational.clone())))
+                };
+                if let Some(bound) = &interval.lower {
+                    let relation = match bound.closed {
+                        true => Relation::AtLeast,
+                        false => Relation::Greater,
+                    };
+                    all.push((constant(&bound.value), relation));
+                }
+                if let Some(bound) = &interval.upper {
+                    let relation = match bound.closed {
+                        true => Relation::AtMost,
+                        false => Relation::Less,
+                    };
+                    all.push((constant(&bound.value), relation));
+                }
+            }
+            Set::Integer { least, most } => {
+                let ends = least.iter().map(|form| (form, Relation::AtLeast));
+                for (form, relation) in ends.chain(most.iter().map(|f| (f, Relation::AtMost))) {
+                    let bound = self.form(form)?;
+                    all.push((Quotient::number(integer(bound)), relation));
+                }
+            }
+            Set::Vector(_) | Set::Family { .. } => {}
+        }
+        Ok(all)
+    }
+
+    /// Whether the statement is false here, as the counterexample says.
+    pub fn refutes(&self, point: &Counterexample<Polynomial>) -> Result<(), Unchecked> {
+        let statement = &self.claim.statement;
+        match &point.failure {
+            Failure::Sides { kind, left, right } => {
+                if matches!(kind, Comparison::Seed | Comparison::Domain) {
+                    return Err(Beyond::Construct("a property of a basis").into());
+                }
+                if self.truth(statement)? {
+                    return Err(Wrong::Stands.into());
+                }
+                match self.has_sides(statement, left, right)? {
+                    true => Ok(()),
+                    false => Err(Wrong::Sides.into()),
+                }
+            }
+            Failure::Printed(enclosure) => {
+                if self.truth(statement)? {
+                    return Err(Wrong::Stands.into());
+                }
+                let found = statement.terms().into_iter().map(|term| self.entries(term));
+                for values in found {
+                    if super::printed::same_values(&values?, enclosure, self.work)? {
+                        return Ok(());
+                    }
+                }
+                Err(Wrong::Sides.into())
+            }
+            Failure::Dependent { .. } => Err(Beyond::Construct("dependent functions").into()),
+            Failure::Turning { .. } | Failure::Beyond { .. } => {
+                Err(Beyond::Construct("curves that change sign").into())
+            }
+        }
+    }
+
+    /// Whether a comparison of the statement that is false here has these sides.
+    fn has_sides(
+        &self,
+        statement: &Statement,
+        left: &[Ratio<Polynomial>],
+        right: &[Ratio<Polynomial>],
+    ) -> Result<bool, Beyond> {
+        match statement {
+            Statement::Compare {
+                left: x, right: y, ..
+            } => {
+                if self.truth(statement)? {
+                    return Ok(false);
+                }
+                let sides = self.sides(x, y)?;
+                if sides.len() != left.len() || sides.len() != right.len() {
+                    return Err(Beyond::Construct("sides of different shapes"));
+                }
+                let mut same = true;
+                for ((a, b), (c, d)) in sides.iter().zip(left.iter().zip(right)) {
+                    same = same
+                        && a.equals(&Quotient::of(c, self.work)?, self.work)?
+                        && b.equals(&Quotient::of(d, self.work)?, self.work)?;
+                }
+                Ok(same)
+            }
+            Statement::Join(_, a, b) => {
+                match (
+                    self.has_sides(a, left, right),
+                    self.has_sides(b, left, right),
+                ) {
+                    (Ok(true), _) | (_, Ok(true)) => Ok(true),
+                    (Err(gap), _) | (_, Err(gap)) => Err(gap),
+                    (Ok(false), Ok(false)) => Ok(false),
+                }
+            }
+            _ => Ok(false),
+        }
+    }
+
+    /// Whether every term of a statement has a value here.
+    pub fn defined(&self, statement: &Statement) -> Result<(), Beyond> {
+        for term in statement.terms() {
+            for entry in self.entries(term)? {
+                self.order(&entry)?;
+            }
+        }
+        Ok(())
+    }
+}

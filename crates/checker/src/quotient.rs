@@ -1,0 +1,352 @@
+//! Quotients of polynomials: a numerator over powers of polynomials that were divided by, never cancelled.
+
+use super::gap::{Beyond, Work};
+use super::turn;
+use num_traits::Zero;
+use std::collections::{BTreeMap, BTreeSet};
+use torse_certificate::polynomial::{Monomial, Polynomial};
+use torse_certificate::ratio::Ratio;
+use torse_certificate::symbol::{Symbol, Unit};
+use torse_numbers::Rational;
+use torse_numbers::rational::{integer, ratio};
+
+/// `above / (factor^exponent * ...)`; the factors have leading coefficient one and are no rational numbers.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Quotient {
+    /// The numerator.
+    pub above: Polynomial,
+    /// The factors of the denominator.
+    pub below: BTreeMap<Polynomial, u32>,
+}
+
+impl From<Polynomial> for Quotient {
+    fn from(above: Polynomial) -> Self {
+        Self {
+            above,
+            below: BTreeMap::new(),
+        }
+    }
+}
+
+impl Quotient {
+    /// A rational number.
+    pub fn number(value: Rational) -> Self {
+        Polynomial::constant(value).into()
+    }
+
+    /// The rational number, if it is one.
+    pub fn as_rational(&self) -> Option<Rational> {
+        match self.below.is_empty() || self.above.is_zero() {
+            true => self.above.as_constant(),
+            false => None,
+        }
+    }
+
+    pub fn negated(&self) -> Self {
+        Self {
+            above: self.above.negated(),
+            below: self.below.clone(),
+        }
+    }
+
+    /// The factors with these exponents multiplied out.
+    fn product(factors: &BTreeMap<Polynomial, u32>, work: &Work) -> Result<Polynomial, Beyond> {
+        let mut product = Polynomial::one();
+        for (factor, exponent) in factors {
+            for _ in 0..*exponent {
+                product = work.times(&product, factor)?;
+            }
+        }
+        Ok(product)
+    }
+
+    /// The denominator multiplied out.
+    pub fn denominator(&self, work: &Work) -> Result<Polynomial, Beyond> {
+        Self::product(&self.below, work)
+    }
+
+    pub fn plus(&self, other: &Self, work: &Work) -> Result<Self, Beyond> {
+        if self.above.is_zero() {
+            return Ok(other.clone());
+        }
+        if other.above.is_zero() {
+            return Ok(self.clone());
+        }
+        if self.below == other.below {
+            let above = self.above.plus(&other.above);
+            let below = self.below.clone();
+            return Ok(Self { above, below });
+        }
+        let mut below = self.below.clone();
+        for (factor, exponent) in &other.below {
+            let own = below.entry(factor.clone()).or_insert(0);
+            *own = (*own).max(*exponent);
+        }
+        let lifted = |part: &Self| {
+            let missing = below.iter().filter_map(|(factor, exponent)| {
+                let own = part.below.get(factor).copied().unwrap_or(0);
+                (exponent > &own).then(|| (factor.clone(), exponent - own))
+            });
+            let missing = Self::product(&missing.collect(), work)?;
+            work.times(&part.above, &missing)
+        };
+        let above = lifted(self)?.plus(&lifted(other)?);
+        Ok(Self { above, below })
+    }
+
+    /// Adds another one in place.
+    fn add(&mut self, other: &Self, work: &Work) -> Result<(), Beyond> {
+        if self.below == other.below {
+            self.above.add(&other.above);
+        } else {
+            *self = self.plus(other, work)?;
+        }
+        Ok(())
+    }
+
+    pub fn minus(&self, other: &Self, work: &Work) -> Result<Self, Beyond> {
+        self.plus(&other.negated(), work)
+    }
+
+    pub fn times(&self, other: &Self, work: &Work) -> Result<Self, Beyond> {
+        let above = work.times(&self.above, &other.above)?;
+        if above.is_zero() {
+            return Ok(Self::default());
+        }
+        let mut below = self.below.clone();
+        for (factor, exponent) in &other.below {
+            *below.entry(factor.clone()).or_insert(0) += exponent;
+        }
+        Ok(Self { above, below })
+    }
+
+    /// Sine and cosine of an angle without a denominator.
+    pub fn sine_cosine(&self, work: &Work) -> Result<(Self, Self), Beyond> {
+        if !self.below.is_empty() {
+            return Err(turn::STRANGE);
+        }
+        let (sine, cosine) = turn::sine_cosine(&self.above, work)?;
+        Ok((sine.into(), cosine.into()))
+    }
+
+    /// One over it.
+    pub fn inverse(&self, work: &Work) -> Result<Self, Beyond> {
+        let zero = Beyond::Undefined("a quotient with divisor zero");
+        let (lead, factor) = self.above.monic().ok_or(zero)?;
+        let above = self.denominator(work)?.scaled(&lead.recip());
+        let below = match factor.as_constant() {
+            Some(_) => BTreeMap::new(),
+            None => BTreeMap::from([(factor, 1)]),
+        };
+        Ok(Self { above, below })
+    }
+
+    pub fn over(&self, other: &Self, work: &Work) -> Result<Self, Beyond> {
+        self.times(&other.inverse(work)?, work)
+    }
+
+    pub fn power(&self, exponent: u32, work: &Work) -> Result<Self, Beyond> {
+        let one = Self::number(integer(1));
+        (0..exponent).try_fold(one, |power, _| power.times(self, work))
+    }
+
+    /// Whether it is the same as another one, as a function.
+    pub fn equals(&self, other: &Self, work: &Work) -> Result<bool, Beyond> {
+        self.minus(other, work)?.is_zero(work)
+    }
+
+    /// Whether it is zero as a function.
+    pub fn is_zero(&self, work: &Work) -> Result<bool, Beyond> {
+        work.spend(self.above.len())?;
+        let refined = self.above.refined().ok_or(Beyond::Large)?;
+        Ok(refined.is_zero())
+    }
+
+    /// The quotient of a proof.
+    pub fn of(ratio: &Ratio<Polynomial>, work: &Work) -> Result<Self, Beyond> {
+        let below = Self::from(ratio.below.clone());
+        Self::from(ratio.above.clone()).over(&below, work)
+    }
+
+    /// The quotient with symbols replaced; sines and cosines of a replaced name are those of its value.
+    pub fn replaced(
+        &self,
+        value: &dyn Fn(&Symbol) -> Option<Self>,
+        work: &Work,
+    ) -> Result<Self, Beyond> {
+        let mut result =
+            replaced(&self.above, value, work)?.unwrap_or_else(|| Self::from(self.above.clone()));
+        for (factor, exponent) in &self.below {
+            let inverse = match replaced(factor, value, work)? {
+                None => Self {
+                    above: Polynomial::one(),
+                    below: BTreeMap::from([(factor.clone(), *exponent)]),
+                },
+                Some(new) => new.inverse(work)?.power(*exponent, work)?,
+            };
+            result = result.times(&inverse, work)?;
+        }
+        Ok(result)
+    }
+
+    /// The quotient with symbols replaced one by one: a sine is a symbol of its own.
+    pub fn replaced_symbols(
+        &self,
+        value: &dyn Fn(&Symbol) -> Option<Self>,
+        work: &Work,
+    ) -> Result<Self, Beyond> {
+        let mut sum = Self::default();
+        for (monomial, coefficient) in self.above.terms() {
+            let mut term = Self::number(coefficient.clone());
+            for (symbol, exponent) in monomial {
+                let own = || Polynomial::symbol(symbol.clone()).into();
+                let factor = value(symbol).unwrap_or_else(own);
+                term = term.times(&factor.power(*exponent, work)?, work)?;
+            }
+            sum.add(&term, work)?;
+        }
+        Ok(sum)
+    }
+
+    /// The derivative by a named symbol.
+    pub fn derivative(&self, by: &Symbol, work: &Work) -> Result<Self, Beyond> {
+        // a/(b^m ...)' = a'/(b^m ...) - m b' a/(b^(m+1) ...) - ...
+        let mut sum = Self {
+            above: derivative(&self.above, by),
+            below: self.below.clone(),
+        };
+        for (factor, exponent) in &self.below {
+            let rate = derivative(factor, by).scaled(&-integer(i64::from(*exponent)));
+            if rate.is_zero() {
+                continue;
+            }
+            let mut below = self.below.clone();
+            *below.entry(factor.clone()).or_insert(0) += 1;
+            let above = work.times(&self.above, &rate)?;
+            sum.add(&Self { above, below }, work)?;
+        }
+        Ok(sum)
+    }
+}
+
+/// A polynomial with symbols replaced; nothing if none of its symbols has a new value.
+fn replaced(
+    p: &Polynomial,
+    value: &dyn Fn(&Symbol) -> Option<Quotient>,
+    work: &Work,
+) -> Result<Option<Quotient>, Beyond> {
+    let symbols: BTreeSet<&Symbol> = p.symbols().collect();
+    let mut powers: BTreeMap<&Symbol, Vec<Quotient>> = BTreeMap::new();
+    for symbol in symbols {
+        if let Some(new) = image(symbol, value, work)? {
+            powers.insert(symbol, vec![new]);
+        }
+    }
+    if powers.is_empty() {
+        return Ok(None);
+    }
+    let mut sum = Quotient::default();
+    for (monomial, coefficient) in p.terms() {
+        let (moved, fixed): (Monomial, Monomial) =
+            (monomial.iter().cloned()).partition(|(symbol, _)| powers.contains_key(symbol));
+        let mut above = Polynomial::zero();
+        above.enter(fixed, coefficient.clone());
+        let mut term = Quotient::from(above);
+        for (symbol, exponent) in &moved {
+            if let Some(known) = powers.get_mut(symbol) {
+                term = term.times(power(known, *exponent, work)?, work)?;
+            }
+        }
+        sum.add(&term, work)?;
+    }
+    Ok(Some(sum))
+}
+
+/// The power of this exponent, from the first ones; those that were not known are noted. The first one is known.
+fn power<'p>(
+    known: &'p mut Vec<Quotient>,
+    exponent: u32,
+    work: &Work,
+) -> Result<&'p Quotient, Beyond> {
+    let place = usize::try_from(exponent).map_err(|_| Beyond::Large)?;
+    while known.len() < place
+        && let (Some(first), Some(last)) = (known.first(), known.last())
+    {
+        known.push(last.times(first, work)?);
+    }
+    known.get(place.saturating_sub(1)).ok_or(Beyond::Large)
+}
+
+/// What a symbol becomes; nothing where its variable has no new value.
+fn image(
+    symbol: &Symbol,
+    value: &dyn Fn(&Symbol) -> Option<Quotient>,
+    work: &Work,
+) -> Result<Option<Quotient>, Beyond> {
+    let (Symbol::Sine(name, angle) | Symbol::Cosine(name, angle)) = symbol else {
+        return Ok(value(symbol));
+    };
+    let Some(new) = value(&Symbol::Named(name.clone())) else {
+        return Ok(None);
+    };
+    let (sine, cosine) = new.times(&rate(*angle), work)?.sine_cosine(work)?;
+    Ok(Some(match symbol {
+        Symbol::Sine(..) => sine,
+        _ => cosine,
+    }))
+}
+
+/// What the variable of an angle is multiplied with.
+pub(super) fn rate(angle: torse_certificate::symbol::Angle) -> Quotient {
+    let part = |n: i64| ratio(1, n).unwrap_or_else(Rational::zero);
+    let parts = i64::from(angle.parts.max(1));
+    match angle.unit {
+        Unit::Radian => Quotient::number(part(parts)),
+        Unit::QuarterTurn => Polynomial::symbol(Symbol::Pi)
+            .scaled(&part(2 * parts))
+            .into(),
+    }
+}
+
+/// The derivative of a polynomial by a named symbol.
+fn derivative(p: &Polynomial, by: &Symbol) -> Polynomial {
+    let mut sum = Polynomial::zero();
+    for (monomial, coefficient) in p.terms() {
+        for (place, (symbol, exponent)) in monomial.iter().enumerate() {
+            let inner = match symbol {
+                own if own == by => None,
+                Symbol::Sine(name, angle) if by.variable() == Some(&**name) => {
+                    let cosine = Symbol::Cosine(name.clone(), *angle);
+                    Some(Polynomial::symbol(cosine).times(&rate(*angle).above))
+                }
+                Symbol::Cosine(name, angle) if by.variable() == Some(&**name) => {
+                    let sine = Symbol::Sine(name.clone(), *angle);
+                    let negative = Polynomial::symbol(sine).negated();
+                    Some(negative.times(&rate(*angle).above))
+                }
+                _ => continue,
+            };
+            let mut rest = monomial.clone();
+            match exponent {
+                1 => {
+                    rest.remove(place);
+                }
+                _ => {
+                    if let Some((_, own)) = rest.get_mut(place) {
+                        *own -= 1;
+                    }
+                }
+            }
+            let coefficient = coefficient * integer(i64::from(*exponent));
+            match inner {
+                None => sum.enter(rest, coefficient),
+                Some(inner) => {
+                    let mut term = Polynomial::zero();
+                    term.enter(rest, coefficient);
+                    sum.add(&term.times(&inner));
+                }
+            }
+        }
+    }
+    sum
+}

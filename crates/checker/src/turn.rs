@@ -1,0 +1,90 @@
+//! Sine and cosine of sums of angles, by the addition theorems and a table of twelfths of pi.
+
+use super::gap::{Beyond, Work};
+use torse_certificate::polynomial::{Polynomial, multiple};
+use torse_certificate::symbol::{Angle, Symbol, Unit};
+use torse_numbers::rational::integer;
+use torse_numbers::{Integer, Rational};
+
+/// A sine and a cosine.
+pub type Pair = (Polynomial, Polynomial);
+
+/// An angle of another kind.
+pub const STRANGE: Beyond = Beyond::Construct("the sine of this angle");
+
+/// The largest multiple of a part of an angle.
+const MOST: i64 = 24;
+
+/// `(sin, cos)` of an angle in radians: rational multiples of variables and of pi times them, and of pi/12.
+pub fn sine_cosine(angle: &Polynomial, work: &Work) -> Result<Pair, Beyond> {
+    let mut total: Pair = (Polynomial::zero(), Polynomial::one());
+    for (monomial, coefficient) in angle.terms() {
+        let part = match monomial.as_slice() {
+            [(Symbol::Pi, 1)] => twelfths(coefficient),
+            [(Symbol::Named(name), 1)] => multiples(name, Unit::Radian, coefficient),
+            [(Symbol::Named(name), 1), (Symbol::Pi, 1)] => {
+                multiples(name, Unit::QuarterTurn, &(coefficient * integer(2)))
+            }
+            _ => None,
+        };
+        let (sine, cosine) = part.ok_or(STRANGE)?;
+        total = (
+            work.times(&total.0, &cosine)?
+                .plus(&work.times(&total.1, &sine)?),
+            work.times(&total.1, &cosine)?
+                .minus(&work.times(&total.0, &sine)?),
+        );
+    }
+    Ok(total)
+}
+
+/// Sine and cosine of `n/d` times a variable: n times the d-th part of its angle.
+fn multiples(name: &std::sync::Arc<str>, unit: Unit, times: &Rational) -> Option<Pair> {
+    let parts = u16::try_from(times.denom()).ok()?;
+    let count = i64::try_from(times.numer()).ok()?;
+    let size = u16::try_from(count.abs()).ok()?;
+    if count.abs() > MOST {
+        return None;
+    }
+    let angle = Angle { unit, parts };
+    let one = (
+        Polynomial::symbol(Symbol::Sine(name.clone(), angle)),
+        Polynomial::symbol(Symbol::Cosine(name.clone(), angle)),
+    );
+    let (sine, cosine) = multiple(&one, size);
+    Some(match count < 0 {
+        true => (sine.negated(), cosine),
+        false => (sine, cosine),
+    })
+}
+
+/// Sine and cosine of this multiple of pi, if it is one of pi/12.
+fn twelfths(times: &Rational) -> Option<Pair> {
+    let twelfths = times * integer(12);
+    if !twelfths.is_integer() {
+        return None;
+    }
+    let turn = torse_numbers::rational::remainder(&twelfths.to_integer(), &Integer::from(24));
+    let n = i64::try_from(&turn).ok()?;
+    Some((sine(n), sine(n + 6)))
+}
+
+/// `sin(n pi/12)`.
+fn sine(n: i64) -> Polynomial {
+    let n = n.rem_euclid(24);
+    if n > 12 {
+        return sine(n - 12).negated();
+    }
+    let root = |p| Polynomial::symbol(Symbol::Root(p));
+    let over = |p: Polynomial, d: i64| p.scaled(&Rational::new(1.into(), d.into()));
+    let root_of_six = || root(2).times(&root(3));
+    match n.min(12 - n) {
+        0 => Polynomial::zero(),
+        1 => over(root_of_six().minus(&root(2)), 4),
+        2 => over(Polynomial::one(), 2),
+        3 => over(root(2), 2),
+        4 => over(root(3), 2),
+        5 => over(root_of_six().plus(&root(2)), 4),
+        _ => Polynomial::one(),
+    }
+}

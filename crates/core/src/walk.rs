@@ -1,0 +1,338 @@
+//! Walks over core terms and statements.
+
+use super::visited::Visited;
+use super::{BuiltIn, Family, Node, Statement, Term, Variable};
+use std::sync::Arc;
+
+impl Term {
+    /// The direct parts, in the order of the text.
+    #[must_use]
+    pub fn parts(&self) -> Vec<&Term> {
+        let mut parts = vec![];
+        self.each_part(&mut |part| parts.push(part));
+        parts
+    }
+
+    /// Calls `visit` with each direct part, in the order of the text.
+    fn each_part<'t>(&'t self, visit: &mut impl FnMut(&'t Term)) {
+        match &*self.node {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Variable(_) | Node::Vector(..) => {
+            }
+            Node::Member(_, items) | Node::List(items) | Node::Apply(_, items) => {
+                items.iter().for_each(visit);
+            }
+            Node::Basis {
+                index,
+                degree,
+                arguments,
+                ..
+            } => [index, degree].into_iter().chain(arguments).for_each(visit),
+            Node::Negative(inner) | Node::Opened { body: inner, .. } => visit(inner),
+            Node::Binary(_, a, b) => [a, b].into_iter().for_each(visit),
+            Node::Entry(of, indices) => std::iter::once(of).chain(indices).for_each(visit),
+            Node::Sum {
+                low, high, term, ..
+            }
+            | Node::Product {
+                low, high, term, ..
+            } => [low, high, term].into_iter().for_each(visit),
+            Node::Integral {
+                low, high, body, ..
+            } => [low, high, body].into_iter().for_each(visit),
+            Node::Let { value, body, .. } => [value, body].into_iter().for_each(visit),
+            Node::Derivative {
+                order, body, at, ..
+            } => [order, body, at].into_iter().for_each(visit),
+        }
+    }
+
+    /// The same term with its direct parts changed.
+    ///
+    /// # Errors
+    /// Those of `change`.
+    pub fn with_parts<E>(
+        &self,
+        change: &mut dyn FnMut(&Term) -> Result<Term, E>,
+    ) -> Result<Self, E> {
+        let mut all = |items: &[Term]| items.iter().map(&mut *change).collect::<Result<_, E>>();
+        let node = match &*self.node {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Variable(_) | Node::Vector(..) => {
+                return Ok(self.clone());
+            }
+            Node::Member(points, indices) => Node::Member(Arc::clone(points), all(indices)?),
+            Node::List(items) => Node::List(all(items)?),
+            Node::Apply(function, arguments) => Node::Apply(*function, all(arguments)?),
+            Node::Basis {
+                family,
+                index,
+                degree,
+                arguments,
+            } => Node::Basis {
+                family: Arc::clone(family),
+                arguments: all(arguments)?,
+                index: change(index)?,
+                degree: change(degree)?,
+            },
+            Node::Negative(inner) => Node::Negative(change(inner)?),
+            Node::Opened {
+                name,
+                origin,
+                closed,
+                body,
+            } => Node::Opened {
+                name: Arc::clone(name),
+                origin: Arc::clone(origin),
+                closed: *closed,
+                body: change(body)?,
+            },
+            Node::Binary(operator, a, b) => Node::Binary(*operator, change(a)?, change(b)?),
+            Node::Entry(of, indices) => Node::Entry(change(of)?, {
+                indices.iter().map(change).collect::<Result<_, E>>()?
+            }),
+            Node::Sum {
+                index,
+                low,
+                high,
+                term,
+            } => Node::Sum {
+                index: index.clone(),
+                low: change(low)?,
+                high: change(high)?,
+                term: change(term)?,
+            },
+            Node::Product {
+                index,
+                low,
+                high,
+                term,
+            } => Node::Product {
+                index: index.clone(),
+                low: change(low)?,
+                high: change(high)?,
+                term: change(term)?,
+            },
+            Node::Integral {
+                variable,
+                low,
+                high,
+                body,
+            } => Node::Integral {
+                variable: variable.clone(),
+                low: change(low)?,
+                high: change(high)?,
+                body: change(body)?,
+            },
+            Node::Let {
+                variable,
+                value,
+                body,
+            } => Node::Let {
+                variable: variable.clone(),
+                value: change(value)?,
+                body: change(body)?,
+            },
+            Node::Derivative {
+                variable,
+                order,
+                body,
+                closed,
+                at,
+            } => Node::Derivative {
+                variable: variable.clone(),
+                order: change(order)?,
+                body: change(body)?,
+                closed: *closed,
+                at: change(at)?,
+            },
+        };
+        Ok(Self {
+            node: Arc::new(node),
+            place: self.place,
+        })
+    }
+
+    /// Whether a built-in function is applied anywhere in the term. Shared parts are visited once.
+    #[must_use]
+    pub fn applies(&self, function: BuiltIn) -> bool {
+        let mut seen = Visited::default();
+        let mut pending = vec![self];
+        while let Some(term) = pending.pop() {
+            if matches!(&*term.node, Node::Apply(applied, _) if *applied == function) {
+                return true;
+            }
+            if seen.is_new(term) {
+                term.each_part(&mut |part| pending.push(part));
+            }
+        }
+        false
+    }
+
+    /// Whether no variable of an enclosing binder occurs. Shared parts are visited once.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.is_bound(std::collections::BTreeSet::new())
+    }
+
+    /// The same where the variable of this number may occur.
+    pub fn is_closed_but_for(&self, variable: u32) -> bool {
+        self.is_bound([variable].into())
+    }
+
+    fn is_bound(&self, mut bound: std::collections::BTreeSet<u32>) -> bool {
+        let mut seen = Visited::default();
+        let mut used = vec![];
+        let mut pending = vec![self];
+        while let Some(term) = pending.pop() {
+            if !seen.is_new(term) {
+                continue;
+            }
+            match &*term.node {
+                Node::Variable(variable) => used.push(variable.number()),
+                Node::Sum { index, .. } | Node::Product { index, .. } => {
+                    bound.insert(index.number());
+                }
+                Node::Let { variable, .. }
+                | Node::Derivative { variable, .. }
+                | Node::Integral { variable, .. } => {
+                    bound.insert(variable.number());
+                }
+                Node::Basis { family, .. } if !family.closed => return false,
+                _ => {}
+            }
+            term.each_part(&mut |part| pending.push(part));
+        }
+        // No two binders have the same variable.
+        used.iter().all(|variable| bound.contains(variable))
+    }
+
+    /// Calls `found` with the name of every declared symbol that occurs, those of the seeds and steps of basis families
+    /// included. Shared parts are visited once.
+    pub fn declared_names(&self, found: &mut impl FnMut(&Arc<str>)) {
+        self.further_names(&mut Visited::default(), found);
+    }
+
+    /// The same of the parts that were not visited before.
+    pub fn further_names(&self, seen: &mut Visited, found: &mut impl FnMut(&Arc<str>)) {
+        let mut pending = vec![self];
+        while let Some(term) = pending.pop() {
+            if !seen.is_new(term) {
+                continue;
+            }
+            match &*term.node {
+                Node::Symbol(name) | Node::Vector(name, _) => found(name),
+                Node::Member(points, _) => found(&points.name),
+                Node::Basis { family, .. } => {
+                    pending.extend(family.seeds.iter().chain([&family.step.0, &family.step.1]));
+                }
+                _ => {}
+            }
+            term.each_part(&mut |part| pending.push(part));
+        }
+    }
+}
+
+impl Family {
+    /// The name of the variable.
+    #[must_use]
+    pub fn variable(&self) -> &str {
+        self.variables.first().map_or("", Variable::name)
+    }
+
+    /// All variables that it binds: its own, and those that count in the step.
+    pub fn bound(&self) -> impl Iterator<Item = &Variable> {
+        let counters = self.counters.iter();
+        let counters = counters.flat_map(|(index, order)| [index, order]);
+        self.variables.iter().chain(counters)
+    }
+
+    /// The names of the shape parameters.
+    pub fn parameters(&self) -> impl Iterator<Item = &str> {
+        self.variables.iter().skip(1).map(Variable::name)
+    }
+}
+
+impl Statement {
+    /// The same statement with every term changed.
+    #[must_use]
+    pub fn mapped(&self, change: &dyn Fn(&Term) -> Term) -> Self {
+        let never = |term: &Term| Ok::<_, std::convert::Infallible>(change(term));
+        match self.try_mapped(&never) {
+            Ok(statement) => statement,
+        }
+    }
+
+    /// The same where a change may fail.
+    ///
+    /// # Errors
+    /// Those of `change`.
+    pub fn try_mapped<E>(&self, change: &dyn Fn(&Term) -> Result<Term, E>) -> Result<Self, E> {
+        Ok(match self {
+            Self::Compare {
+                relation,
+                left,
+                right,
+            } => Self::Compare {
+                relation: *relation,
+                left: change(left)?,
+                right: change(right)?,
+            },
+            Self::Agrees {
+                value,
+                printed,
+                place,
+            } => Self::Agrees {
+                value: change(value)?,
+                printed: printed.clone(),
+                place: *place,
+            },
+            Self::Family(property, family) => Self::Family(*property, Arc::clone(family)),
+            Self::Join(connective, a, b) => Self::Join(
+                *connective,
+                Box::new(a.try_mapped(change)?),
+                Box::new(b.try_mapped(change)?),
+            ),
+            Self::Not(inner) => Self::Not(Box::new(inner.try_mapped(change)?)),
+        })
+    }
+
+    /// All terms, in the order of the text.
+    #[must_use]
+    pub fn terms(&self) -> Vec<&Term> {
+        match self {
+            Self::Compare { left, right, .. } => vec![left, right],
+            Self::Agrees { value, .. } => vec![value],
+            Self::Family(..) => vec![],
+            Self::Join(_, a, b) => [a.terms(), b.terms()].concat(),
+            Self::Not(inner) => inner.terms(),
+        }
+    }
+
+    /// Calls `found` with the name of every declared symbol that occurs; for a property of a basis, with those of the
+    /// names of its variables, whose declared sets it is about.
+    pub fn declared_names(&self, found: &mut impl FnMut(&Arc<str>)) {
+        self.further_names(&mut Visited::default(), found);
+    }
+
+    /// The same of the terms that were not visited before.
+    pub fn further_names(&self, seen: &mut Visited, found: &mut impl FnMut(&Arc<str>)) {
+        match self {
+            Self::Family(_, family) => {
+                for variable in &family.variables {
+                    found(&variable.name);
+                }
+                let parts = family.seeds.iter().chain([&family.step.0, &family.step.1]);
+                parts.for_each(|part| part.further_names(seen, found));
+            }
+            Self::Join(_, a, b) => {
+                a.further_names(seen, found);
+                b.further_names(seen, found);
+            }
+            Self::Not(inner) => inner.further_names(seen, found),
+            Self::Compare { left, right, .. } => {
+                left.further_names(seen, found);
+                right.further_names(seen, found);
+            }
+            Self::Agrees { value, .. } => value.further_names(seen, found),
+        }
+    }
+}

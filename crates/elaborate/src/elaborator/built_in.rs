@@ -1,0 +1,381 @@
+//! The built-in functions, and derivatives.
+
+use super::binders::{Local, Scope, Use};
+use super::{Elaborator, Lambda, Meaning, Outcome, wrong};
+use std::sync::Arc;
+use torse_core::{
+    BuiltIn, Degrees, Family, FamilyProperty, Node, Printed, Statement, Term, Variable,
+};
+use torse_numbers::{Rational, rational};
+use torse_syntax::derivation::declarations::Basis;
+use torse_syntax::fault::{Fault, Problem};
+use torse_syntax::formula::{self, Expr, Operator, Place};
+
+/// The names of the built-in functions.
+pub(super) const NAMES: [&str; 29] = [
+    "sum",
+    "product",
+    "integral",
+    "D",
+    "at",
+    "binom",
+    "factorial",
+    "sin",
+    "cos",
+    "tan",
+    "exp",
+    "cosh",
+    "sinh",
+    "tanh",
+    "sqrt",
+    "abs",
+    "dot",
+    "cross",
+    "det",
+    "transpose",
+    "inverse",
+    "solve",
+    "norm",
+    "agrees",
+    "coefficients",
+    "identity",
+    "nonnegative",
+    "independent",
+    "variation_diminishing",
+];
+
+impl Elaborator<'_> {
+    fn named_family(&self, name: &Expr) -> Outcome<Arc<Family>> {
+        match &name.node {
+            formula::Node::Name(basis) => self.family(basis, name.place),
+            _ => Err(wrong(name.place, "a formula", "the name of a basis")),
+        }
+    }
+
+    /// The list of functions of this name, if it is one.
+    fn list<'e>(&self, name: &'e Expr) -> Option<(&'e str, &Basis)> {
+        let formula::Node::Name(name) = &name.node else {
+            return None;
+        };
+        let basis = self
+            .declarations
+            .basis(name)
+            .filter(|basis| basis.is_list)?;
+        Some((name, basis))
+    }
+
+    pub(super) fn built_in(
+        &self,
+        name: &str,
+        arguments: &[Expr],
+        place: Place,
+        scope: &Scope,
+    ) -> Outcome<Meaning> {
+        let count = |wanted: &str| {
+            Fault::at(
+                place,
+                Problem::Count {
+                    name: name.to_owned(),
+                    wanted: wanted.to_owned(),
+                    found: arguments.len(),
+                },
+            )
+        };
+        if let ("nonnegative" | "independent" | "variation_diminishing", [family, ..]) =
+            (name, arguments)
+            && let Some((list, basis)) = self.list(family)
+        {
+            if name != "nonnegative" {
+                let wanted = "a basis with a step: of a list only `nonnegative` is decided";
+                return Err(wrong(family.place, "a list of functions", wanted));
+            }
+            let all = self.all_nonnegative(list, basis, family.place)?;
+            return Ok(Meaning::Statement(all));
+        }
+        let name_of_fold = name;
+        let function = match (name, arguments) {
+            ("sum" | "product", [index, low, high, term]) => {
+                let formula::Node::Name(name) = &index.node else {
+                    return Err(wrong(index.place, "a formula", "the name of an index"));
+                };
+                let variable = self.fresh(name);
+                let inside = scope.with_local(name, &variable, Local::Index);
+                let (low, high) = (self.term_in(low, scope)?, self.term_in(high, scope)?);
+                let (index, term) = (variable, self.term_in(term, &inside)?);
+                let node = match name_of_fold {
+                    "sum" => Node::Sum {
+                        index,
+                        low,
+                        high,
+                        term,
+                    },
+                    _ => Node::Product {
+                        index,
+                        low,
+                        high,
+                        term,
+                    },
+                };
+                return Ok(Meaning::Term(self.made(node, place)));
+            }
+            ("sum", _) => return Err(count("sum(index, low, high, term)")),
+            ("product", _) => return Err(count("product(index, low, high, factor)")),
+            ("integral", [body, variable, low, high]) => {
+                let (low, high) = (self.term_in(low, scope)?, self.term_in(high, scope)?);
+                let bound = self.bound(variable, scope, Use::Derivative)?;
+                let node = Node::Integral {
+                    low,
+                    high,
+                    body: self.term_in(body, &bound.scope)?,
+                    variable: bound.variable,
+                };
+                return Ok(Meaning::Term(self.made(node, place)));
+            }
+            ("integral", _) => return Err(count("integral(formula, variable, from, to)")),
+            ("D", [inner, rest @ ..]) if rest.len() <= 2 => {
+                return self.derivative(inner, rest, place, scope);
+            }
+            ("D", _) => return Err(count("D(F, variable, order)")),
+            ("at", [inner, variable, point]) => {
+                let value = self.term_in(point, scope)?;
+                let bound = self.bound(variable, scope, Use::At)?;
+                let put = |body: Term| {
+                    self.made(
+                        Node::Let {
+                            variable: bound.variable.clone(),
+                            value: value.clone(),
+                            body,
+                        },
+                        place,
+                    )
+                };
+                return Ok(match self.open(inner, &bound.scope)? {
+                    Meaning::Term(body) => Meaning::Term(put(body)),
+                    Meaning::Function(function) => Meaning::Function(Lambda {
+                        body: put(function.body),
+                        ..function
+                    }),
+                    Meaning::Statement(statement) => {
+                        Meaning::Statement(statement.mapped(&|term| put(term.clone())))
+                    }
+                });
+            }
+            ("at", _) => return Err(count("at(formula, variable, point)")),
+            ("agrees", [value, printed]) => {
+                return Ok(Meaning::Statement(Statement::Agrees {
+                    value: self.term_in(value, scope)?,
+                    printed: printed_numbers(printed)?,
+                    place: printed.place,
+                }));
+            }
+            ("nonnegative" | "independent" | "variation_diminishing", [family]) => {
+                let property = match name {
+                    "nonnegative" => FamilyProperty::Nonnegative,
+                    "independent" => FamilyProperty::Independent,
+                    _ => FamilyProperty::VariationDiminishing(None),
+                };
+                let family = self.named_family(family)?;
+                return Ok(Meaning::Statement(Statement::Family(property, family)));
+            }
+            ("variation_diminishing", [family, least, most]) => {
+                let family = self.named_family(family)?;
+                let own = family.degree;
+                let least = degree(least, own, "a degree, a number not below that of the seeds")?;
+                let most = degree(most, least, "a degree, a number not below the first")?;
+                let degrees = Some(Degrees { least, most });
+                let property = FamilyProperty::VariationDiminishing(degrees);
+                return Ok(Meaning::Statement(Statement::Family(property, family)));
+            }
+            // The tangent is what it is defined to be, so that its poles are divisors like all others.
+            ("tan", [angle]) => {
+                let angle = self.term_in(angle, scope)?;
+                let part = |function| self.made(Node::Apply(function, vec![angle.clone()]), place);
+                let (sine, cosine) = (part(BuiltIn::Sine), part(BuiltIn::Cosine));
+                let node = Node::Binary(Operator::Divide, sine, cosine);
+                return Ok(Meaning::Term(self.made(node, place)));
+            }
+            ("cosh" | "sinh" | "tanh", [x]) => {
+                let x = self.term_in(x, scope)?;
+                return Ok(Meaning::Term(self.hyperbolic(name, &x, place)));
+            }
+            // The absolute value is the root of the square.
+            ("abs", [x]) => {
+                let x = self.term_in(x, scope)?;
+                let square = self.made(Node::Binary(Operator::Multiply, x.clone(), x), place);
+                let node = Node::Apply(BuiltIn::SquareRoot, vec![square]);
+                return Ok(Meaning::Term(self.made(node, place)));
+            }
+            ("binom", [_, _]) => BuiltIn::Binomial,
+            ("factorial", [_]) => BuiltIn::Factorial,
+            ("sin", [_]) => BuiltIn::Sine,
+            ("cos", [_]) => BuiltIn::Cosine,
+            ("exp", [_]) => BuiltIn::Exponential,
+            ("sqrt", [_]) => BuiltIn::SquareRoot,
+            ("dot", [_, _]) => BuiltIn::Dot,
+            ("cross", [_, _]) => BuiltIn::Cross,
+            ("norm", [_]) => BuiltIn::Norm,
+            ("det", [_]) => BuiltIn::Determinant,
+            ("transpose", [_]) => BuiltIn::Transpose,
+            ("inverse", [_]) => BuiltIn::Inverse,
+            ("solve", [_, _]) => BuiltIn::Solve,
+            ("identity", [_]) => BuiltIn::Identity,
+            ("coefficients", [_, _]) => BuiltIn::Coefficients,
+            _ => {
+                return Err(count(match name {
+                    "binom" | "dot" | "cross" | "solve" | "agrees" | "coefficients" => {
+                        "two arguments"
+                    }
+                    _ => "one argument",
+                }));
+            }
+        };
+        let arguments = self.terms_in(arguments, scope)?;
+        Ok(Meaning::Term(
+            self.made(Node::Apply(function, arguments), place),
+        ))
+    }
+
+    /// `D(F, x, n)` of a function is a function; of a formula, a formula.
+    pub(super) fn derivative(
+        &self,
+        inner: &Expr,
+        rest: &[Expr],
+        place: Place,
+        scope: &Scope,
+    ) -> Outcome<Meaning> {
+        let order = match rest.get(1) {
+            None => self.made(Node::Number(rational::integer(1)), place),
+            Some(order) => self.term_in(order, scope)?,
+        };
+        if let Meaning::Function(function) = self.open(inner, scope)? {
+            let parameter = match rest.first().map(|e| (&e.node, e.place)) {
+                None => function.parameters.first(),
+                Some((formula::Node::Name(name), _)) => {
+                    function.parameters.iter().find(|p| p.name() == name)
+                }
+                Some((_, place)) => {
+                    return Err(wrong(place, "a formula", "the name of a variable"));
+                }
+            };
+            if let Some(parameter) = parameter.cloned() {
+                return Ok(Meaning::Function(
+                    self.differentiated(&function, &parameter, order, place),
+                ));
+            }
+        }
+        let Some(variable) = rest.first() else {
+            return Err(wrong(place, "a formula", "a variable to differentiate by"));
+        };
+        let bound = self.bound(variable, scope, Use::Derivative)?;
+        let derivative = |body: Term| {
+            let node = Node::Derivative {
+                variable: bound.variable.clone(),
+                order: order.clone(),
+                closed: body.is_closed_but_for(bound.variable.number()),
+                body,
+                at: bound.outside.clone(),
+            };
+            self.made(node, place)
+        };
+        match self.open(inner, &bound.scope)? {
+            Meaning::Term(body) => Ok(Meaning::Term(derivative(body))),
+            // By a symbol that is no parameter: by a shape parameter, say.
+            Meaning::Function(function) => Ok(Meaning::Function(Lambda {
+                body: derivative(function.body),
+                ..function
+            })),
+            Meaning::Statement(_) => Err(wrong(inner.place, "a statement", "a formula")),
+        }
+    }
+
+    /// The hyperbolic functions are the halves of the sum and the difference of two exponentials, and their quotient.
+    fn hyperbolic(&self, name: &str, x: &Term, place: Place) -> Term {
+        let power = |x: Term| self.made(Node::Apply(BuiltIn::Exponential, vec![x]), place);
+        let (up, down) = (
+            power(x.clone()),
+            power(self.made(Node::Negative(x.clone()), place)),
+        );
+        let joined = |operator| {
+            let node = Node::Binary(operator, up.clone(), down.clone());
+            self.made(node, place)
+        };
+        let above = joined(match name {
+            "cosh" => Operator::Add,
+            _ => Operator::Subtract,
+        });
+        let below = match name {
+            "tanh" => joined(Operator::Add),
+            _ => self.made(Node::Number(rational::integer(2)), place),
+        };
+        self.made(Node::Binary(Operator::Divide, above, below), place)
+    }
+
+    /// The function that is the derivative of a function by one of its parameters.
+    pub(super) fn differentiated(
+        &self,
+        function: &Lambda,
+        parameter: &Variable,
+        order: Term,
+        place: Place,
+    ) -> Lambda {
+        let variable = self.fresh(parameter.name());
+        let inner = self.made(Node::Variable(variable.clone()), place);
+        let body = Node::Let {
+            variable: parameter.clone(),
+            value: inner,
+            body: function.body.clone(),
+        };
+        let body = self.made(body, place);
+        let derivative = Node::Derivative {
+            order,
+            closed: body.is_closed_but_for(variable.number()),
+            variable,
+            body,
+            at: self.made(Node::Variable(parameter.clone()), place),
+        };
+        Lambda {
+            name: Arc::clone(&function.name),
+            parameters: function.parameters.clone(),
+            body: self.made(derivative, place),
+        }
+    }
+}
+
+/// A number that is a degree, not below another one.
+fn degree(number: &Expr, least: u8, wanted: &'static str) -> Outcome<u8> {
+    let value = match &number.node {
+        formula::Node::Number { value, .. } if value.is_integer() => {
+            u8::try_from(&value.to_integer()).ok()
+        }
+        _ => None,
+    };
+    let value = value.filter(|value| *value >= least);
+    value.ok_or_else(|| wrong(number.place, "something else", wanted))
+}
+
+/// The printed numbers of `agrees`, with their digits.
+fn printed_numbers(printed: &Expr) -> Outcome<Vec<Printed>> {
+    let number = |item: &Expr| -> Option<(Rational, Option<u32>)> {
+        match &item.node {
+            formula::Node::Number { value, decimals } => Some((value.clone(), *decimals)),
+            _ => None,
+        }
+    };
+    let one = |item: &Expr| -> Outcome<Printed> {
+        let (found, negative) = match &item.node {
+            formula::Node::Negative(inner) => (number(inner), true),
+            _ => (number(item), false),
+        };
+        let (value, decimals) =
+            found.ok_or_else(|| wrong(item.place, "a formula", "a printed number"))?;
+        Ok(Printed {
+            value: if negative { -value } else { value },
+            decimals,
+            negative,
+        })
+    };
+    match &printed.node {
+        formula::Node::List(items) => items.iter().map(one).collect(),
+        _ => Ok(vec![one(printed)?]),
+    }
+}

@@ -1,0 +1,247 @@
+//! What there is: a witness in the place of each number that a claim seeks.
+//!
+//! "For all values of the other symbols there is an r in its interval for which p(r) is true" follows from the claim "p(w), and w
+//! is in the interval" for any formula w in the other symbols that has a value at every point of the domain. That claim is what
+//! [`put_in`] makes. It is a claim without `exists`, decided, netted and replayed like any other; that it is false says nothing
+//! of other witnesses. Of the formulas that may be witnesses only quotients may have no value somewhere, and their divisors
+//! are conditions of the verdict: see [`may_lack_a_value`].
+//!
+//! Of `q implies p(r)` the conclusion alone is made so: where q is false any r of the interval will do.
+
+use crate::elaborator::Elaborator;
+use num_traits::Signed;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use torse_core::{BuiltIn, Node, Statement, Term};
+use torse_numbers::rational;
+use torse_syntax::derivation::declarations::{Bound, Interval, SymbolKind};
+use torse_syntax::derivation::{Claim, Sought, Written};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::{Connective, Operator, Place, Relation};
+
+/// The statement of a claim with witnesses for what it seeks.
+pub(super) fn put_in(
+    elaborator: &Elaborator<'_>,
+    claim: &Claim,
+    statement: &Written,
+) -> Result<Statement, Fault> {
+    let mut witnesses = vec![];
+    for sought in &claim.sought {
+        let place = Place::default();
+        let within = |fault: Fault| fault.within(&sought.origin);
+        let Some(witness) = &sought.witness else {
+            let what = format!(
+                "no witness is given for `{}`, and none was found",
+                sought.name
+            );
+            return Err(within(Fault::limit(place, what)));
+        };
+        let term = elaborator.term(&witness.expr);
+        let term = term.map_err(|f| f.within(&witness.origin))?;
+        if let Some(place) = may_lack_a_value(elaborator, &term) {
+            let what = "a witness that may have no value: it is made by sums, products, powers, quotients, sines, \
+                        cosines, exponentials and lengths";
+            return Err(Fault::limit(place, what).within(&witness.origin));
+        }
+        refuse(&claim.sought, &[&term]).map_err(|f| f.within(&witness.origin))?;
+        witnesses.push((sought.name.as_str(), term));
+    }
+    let within = |fault: Fault| fault.within(&statement.origin);
+    let body = elaborator
+        .statement_where(&statement.expr, &witnesses)
+        .map_err(within)?;
+    if denies(&body) {
+        let what = "a statement with `not` about what there is: say it of each point";
+        return Err(within(Fault::limit(statement.expr.place, what)));
+    }
+    let mut members = vec![];
+    let mut inhabited = true;
+    for (sought, (_, witness)) in claim.sought.iter().zip(&witnesses) {
+        let Some(SymbolKind::Real(interval)) = claim.declarations.symbol(&sought.name) else {
+            continue;
+        };
+        inhabited &= is_inhabited(interval);
+        members.extend(between(interval, witness));
+        for relation in interval.relations(&sought.name) {
+            let statement = elaborator.statement_where(&relation.expr, &witnesses);
+            members.push(statement.map_err(|f| f.within(&relation.origin))?);
+        }
+    }
+    let both =
+        |a: Statement, b: Statement| Statement::Join(Connective::And, Box::new(a), Box::new(b));
+    let Some(members) = members.into_iter().reduce(both) else {
+        return Ok(body);
+    };
+    Ok(match body {
+        Statement::Join(Connective::Implies, premise, conclusion)
+            if inhabited && premise_is_free(elaborator, claim, statement) =>
+        {
+            let conclusion = Box::new(both(members, *conclusion));
+            Statement::Join(Connective::Implies, premise, conclusion)
+        }
+        body => both(members, body),
+    })
+}
+
+/// Fails where one of the names that a claim seeks occurs.
+pub(super) fn refuse(sought: &[Sought], terms: &[&Term]) -> Result<(), Fault> {
+    for term in terms {
+        let mut found = None;
+        term.declared_names(&mut |name: &Arc<str>| {
+            if sought.iter().any(|s| *s.name == **name) {
+                found.get_or_insert_with(|| name.to_string());
+            }
+        });
+        if let Some(name) = found {
+            let what = format!(
+                "`{name}` is what there is: hypotheses, other ranges and witnesses cannot speak of it"
+            );
+            return Err(Fault::limit(term.place, what));
+        }
+    }
+    Ok(())
+}
+
+/// Whether nothing that is sought occurs before `implies`.
+fn premise_is_free(elaborator: &Elaborator<'_>, claim: &Claim, statement: &Written) -> bool {
+    let torse_syntax::formula::Node::Join(_, premise, _) = &statement.expr.node else {
+        return false;
+    };
+    let premise = elaborator.statement(premise);
+    premise.is_ok_and(|premise| refuse(&claim.sought, &premise.terms()).is_ok())
+}
+
+fn denies(statement: &Statement) -> bool {
+    match statement {
+        Statement::Not(_) | Statement::Family(..) => true,
+        Statement::Join(_, a, b) => denies(a) || denies(b),
+        Statement::Compare { .. } | Statement::Agrees { .. } => false,
+    }
+}
+
+/// Whether an interval has a point whatever the symbols are.
+fn is_inhabited(interval: &Interval) -> bool {
+    if interval.formulas().next().is_some() {
+        return false;
+    }
+    match (&interval.lower, &interval.upper) {
+        (Some(lower), Some(upper)) => {
+            match (lower.value.as_rational(), upper.value.as_rational()) {
+                (Some(a), Some(b)) => a < b || (a == b && lower.closed && upper.closed),
+                _ => false,
+            }
+        }
+        _ => true,
+    }
+}
+
+/// What the ends that are numbers say of a witness.
+fn between(interval: &Interval, witness: &Term) -> Vec<Statement> {
+    let made = |node| Term {
+        node: Arc::new(node),
+        place: witness.place,
+    };
+    let end = |bound: &Bound| {
+        let number = |value| made(Node::Number(value));
+        let turns = Node::Binary(
+            Operator::Multiply,
+            number(bound.value.turns.clone()),
+            made(Node::Pi),
+        );
+        match bound.value.as_rational() {
+            Some(value) => number(value.clone()),
+            None => made(Node::Binary(
+                Operator::Add,
+                number(bound.value.rational.clone()),
+                made(turns),
+            )),
+        }
+    };
+    let compared = |closed: bool, left: Term, right: Term| Statement::Compare {
+        relation: match closed {
+            true => Relation::AtMost,
+            false => Relation::Less,
+        },
+        left,
+        right,
+    };
+    let lower = (interval.lower.iter()).map(|b| compared(b.closed, end(b), witness.clone()));
+    let upper = (interval.upper.iter()).map(|b| compared(b.closed, witness.clone(), end(b)));
+    lower.chain(upper).collect()
+}
+
+/// A part of a formula that may be without a value other than by its divisors, if there is one.
+///
+/// A divisor in which an integer occurs counts too: statements are decided at single values of the integers, and what has no value
+/// at one of them says nothing there.
+fn may_lack_a_value(elaborator: &Elaborator<'_>, term: &Term) -> Option<Place> {
+    let mut seen = BTreeSet::new();
+    let mut pending = vec![term];
+    let declarations = elaborator.declarations();
+    let counts = |term: &Term| {
+        let mut integer = false;
+        term.declared_names(&mut |name: &Arc<str>| {
+            let set = declarations.symbol(name);
+            integer |= !matches!(set, Some(SymbolKind::Real(_) | SymbolKind::Vector(_)));
+        });
+        integer
+    };
+    let number = |term: &Term| matches!(&*term.node, Node::Number(q) if q.is_integer());
+    while let Some(term) = pending.pop() {
+        if !seen.insert(Arc::as_ptr(&term.node).addr()) {
+            continue;
+        }
+        let total = match &*term.node {
+            Node::Number(_)
+            | Node::Pi
+            | Node::Symbol(_)
+            | Node::Variable(_)
+            | Node::Vector(..)
+            | Node::Negative(_)
+            | Node::List(_)
+            | Node::Let { .. }
+            | Node::Opened { .. } => true,
+            Node::Binary(Operator::Divide, _, below) => !counts(below),
+            Node::Binary(Operator::Power, base, exponent) => match &*exponent.node {
+                Node::Number(q) => q.is_integer() && (!q.is_negative() || !counts(base)),
+                _ => false,
+            },
+            Node::Binary(..) => true,
+            Node::Entry(_, indices) | Node::Member(_, indices) => indices.iter().all(number),
+            Node::Apply(function, arguments) => match (function, arguments.as_slice()) {
+                (
+                    BuiltIn::Sine
+                    | BuiltIn::Cosine
+                    | BuiltIn::Exponential
+                    | BuiltIn::Dot
+                    | BuiltIn::Cross
+                    | BuiltIn::Norm
+                    | BuiltIn::Determinant
+                    | BuiltIn::Transpose,
+                    _,
+                ) => true,
+                (BuiltIn::SquareRoot, [radicand]) => is_not_negative(radicand),
+                _ => false,
+            },
+            Node::Basis { .. }
+            | Node::Sum { .. }
+            | Node::Product { .. }
+            | Node::Integral { .. }
+            | Node::Derivative { .. } => false,
+        };
+        if !total {
+            return Some(term.place);
+        }
+        pending.extend(term.parts());
+    }
+    None
+}
+
+/// Whether a radicand is a number that is not negative, or a square as it is written.
+fn is_not_negative(radicand: &Term) -> bool {
+    match &*radicand.node {
+        Node::Number(q) => *q >= rational::integer(0),
+        Node::Binary(Operator::Multiply, a, b) => Arc::ptr_eq(&a.node, &b.node),
+        _ => false,
+    }
+}

@@ -1,0 +1,247 @@
+//! Intervals of real numbers, as declarations write them.
+
+use super::error::{DerivationError, LoadError};
+use super::source::{Origin, Source, whole};
+use super::written::Written;
+use crate::formula::{Expr, Node, Relation, parse};
+use std::sync::Arc;
+use toml::Spanned;
+use torse_numbers::{Rational, rational};
+
+/// The number `rational + pi * turns`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Constant {
+    /// The rational part.
+    pub rational: Rational,
+    /// The multiple of pi.
+    pub turns: Rational,
+}
+
+impl Constant {
+    /// The number, if pi does not occur in it.
+    #[must_use]
+    pub fn as_rational(&self) -> Option<&Rational> {
+        (self.turns == rational::integer(0)).then_some(&self.rational)
+    }
+}
+
+impl From<Rational> for Constant {
+    fn from(rational: Rational) -> Self {
+        Self {
+            rational,
+            turns: rational::integer(0),
+        }
+    }
+}
+
+/// One end of an interval.
+#[derive(Debug, Clone)]
+pub struct Bound {
+    /// The exact value.
+    pub value: Constant,
+    /// Whether the end belongs to the interval.
+    pub closed: bool,
+}
+
+/// An end of an interval that is a formula in declared symbols.
+#[derive(Debug, Clone)]
+pub struct End {
+    /// The formula.
+    pub formula: Written,
+    /// Whether the end belongs to the interval.
+    pub closed: bool,
+}
+
+/// An interval of real numbers; an end that is missing in both ways is infinite.
+///
+/// Ends that are numbers say which set it is. Ends that are formulas say it point by point, of the values of the
+/// symbols in them: a claim in which the symbol occurs has them as hypotheses, see [`Interval::relations`].
+#[derive(Debug, Clone, Default)]
+pub struct Interval {
+    /// The lower end, if it is a number.
+    pub lower: Option<Bound>,
+    /// The upper end, if it is a number.
+    pub upper: Option<Bound>,
+    /// The lower end, if it is a formula.
+    pub above: Option<End>,
+    /// The upper end, if it is a formula.
+    pub below: Option<End>,
+}
+
+impl Interval {
+    /// The ends that are formulas.
+    pub fn formulas(&self) -> impl Iterator<Item = &End> {
+        self.above.iter().chain(&self.below)
+    }
+
+    /// What the ends that are formulas say of a symbol of this interval: `a <= t`, `t <= b`.
+    #[must_use]
+    pub fn relations(&self, name: &str) -> Vec<Written> {
+        let relation = |end: &End| match end.closed {
+            true => Relation::AtMost,
+            false => Relation::Less,
+        };
+        let symbol = |end: &End| Expr {
+            node: Node::Name(name.to_owned()),
+            place: end.formula.expr.place,
+        };
+        let written = |end: &End, first: Expr, second: Expr| Written {
+            expr: Expr {
+                node: Node::Compare(Arc::new(first), vec![(relation(end), second)]),
+                place: end.formula.expr.place,
+            },
+            origin: end.formula.origin.clone(),
+        };
+        let above =
+            (self.above.iter()).map(|end| written(end, end.formula.expr.clone(), symbol(end)));
+        let below =
+            (self.below.iter()).map(|end| written(end, symbol(end), end.formula.expr.clone()));
+        above.chain(below).collect()
+    }
+}
+
+/// `[-1, 1]`, `(0, inf)`, `[a, 2*b]`: ends are rationals, rational multiples of pi, or formulas in other declared
+/// symbols than the one whose interval it is.
+pub(super) fn interval(
+    source: &Arc<Source>,
+    symbol: &str,
+    text: &Spanned<String>,
+) -> Result<Interval, LoadError> {
+    let origin = Origin::of(source, text);
+    let wrong = || {
+        let message = format!(
+            "`{}` is no interval: write `[-1, 1]`, `(0, inf)`, `[0, c]` and so on",
+            text.get_ref()
+        );
+        let error = DerivationError::at(&origin, whole(text), message);
+        LoadError::Derivation(Box::new(error))
+    };
+    let ([low, high], [left, right], start) = parts(text.get_ref()).ok_or_else(wrong)?;
+    // Infinity is an end of its side only.
+    if low.trim() == "inf" || high.trim() == "-inf" {
+        return Err(wrong());
+    }
+    let mut interval = Interval::default();
+    let upper_start = start + low.len() + 1;
+    match end(&origin, symbol, low, start)? {
+        Found::Nothing => return Err(wrong()),
+        Found::Infinite => {}
+        Found::Number(value) => {
+            interval.lower = Some(Bound {
+                value,
+                closed: left,
+            });
+        }
+        Found::Formula(formula) => {
+            interval.above = Some(End {
+                formula,
+                closed: left,
+            });
+        }
+    }
+    match end(&origin, symbol, high, upper_start)? {
+        Found::Nothing => return Err(wrong()),
+        Found::Infinite => {}
+        Found::Number(value) => {
+            interval.upper = Some(Bound {
+                value,
+                closed: right,
+            });
+        }
+        Found::Formula(formula) => {
+            interval.below = Some(End {
+                formula,
+                closed: right,
+            });
+        }
+    }
+    Ok(interval)
+}
+
+/// The two ends, whether they are closed, and where the first one begins.
+fn parts(text: &str) -> Option<([&str; 2], [bool; 2], usize)> {
+    let inside = text.trim();
+    let before = text.len() - text.trim_start().len();
+    let left = match inside.chars().next()? {
+        '[' => true,
+        '(' => false,
+        _ => return None,
+    };
+    let right = match inside.chars().next_back()? {
+        ']' => true,
+        ')' => false,
+        _ => return None,
+    };
+    let ends = inside.get(1..inside.len().checked_sub(1)?)?;
+    let (low, high) = ends.split_once(',')?;
+    Some(([low, high], [left, right], before + 1))
+}
+
+/// What an end is.
+enum Found {
+    Infinite,
+    Number(Constant),
+    Formula(Written),
+    /// No end: a formula without a value, or one in the symbol itself.
+    Nothing,
+}
+
+/// Reads an end of the interval of a symbol, which begins after `start` bytes of the text.
+fn end(origin: &Origin, symbol: &str, text: &str, start: usize) -> Result<Found, LoadError> {
+    if matches!(text.trim(), "inf" | "-inf") {
+        return Ok(Found::Infinite);
+    }
+    let origin = origin.clone().after(start);
+    match parse(text) {
+        Err(error) => {
+            let error = DerivationError::syntax(&origin, &error);
+            Err(LoadError::Derivation(Box::new(error)))
+        }
+        Ok(expr) => Ok(match constant(&expr) {
+            Some(number) => Found::Number(number),
+            // What names nothing and is no number, such as 1/0, has no value at all.
+            None if expr.names().iter().all(|name| *name == "pi") => Found::Nothing,
+            None if expr.names().contains(&symbol) => Found::Nothing,
+            None => Found::Formula(Written { expr, origin }),
+        }),
+    }
+}
+
+/// A constant formula: rationals and rational multiples of pi.
+fn constant(expr: &Expr) -> Option<Constant> {
+    use crate::formula::Operator;
+    use num_traits::Zero;
+    let zero = || rational::integer(0);
+    let scaled = |c: Constant, q: &Rational| Constant {
+        rational: c.rational * q,
+        turns: c.turns * q,
+    };
+    Some(match &expr.node {
+        Node::Number { value, .. } => value.clone().into(),
+        Node::Name(name) if name == "pi" => Constant {
+            rational: zero(),
+            turns: rational::integer(1),
+        },
+        Node::Negative(inner) => scaled(constant(inner)?, &rational::integer(-1)),
+        Node::Binary(operator, a, b) => {
+            let (a, b) = (constant(a)?, constant(b)?);
+            match operator {
+                Operator::Add => Constant {
+                    rational: a.rational + b.rational,
+                    turns: a.turns + b.turns,
+                },
+                Operator::Subtract => Constant {
+                    rational: a.rational - b.rational,
+                    turns: a.turns - b.turns,
+                },
+                Operator::Multiply if a.turns.is_zero() => scaled(b, &a.rational),
+                Operator::Multiply if b.turns.is_zero() => scaled(a, &b.rational),
+                Operator::Divide if b.turns.is_zero() && !b.rational.is_zero() => {
+                    scaled(a, &b.rational.recip())
+                }
+                _ => return None,
+            }
+        }
+        _ => return None,
+    })
+}

@@ -1,0 +1,132 @@
+//! What claims say of each other: the claims that they use, the sentences of which they are parts, the words of other
+//! prints.
+
+use super::claim::Claim;
+use super::error::{DerivationError, LoadError};
+use super::paper::Paper;
+use super::provenance::Quote;
+use super::source::{Origin, whole};
+use super::table::Errors;
+use crate::formula::Place;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Looks up all ids and quotes. Where a claim uses a sentence that is stated in parts it uses all of them. `ids` are
+/// those of all claims and figures, `wholes` those of sentences in parts; what was left out is among them, and not
+/// complained of.
+pub(super) fn resolve(
+    papers: &mut [Paper],
+    ids: &BTreeSet<String>,
+    wholes: &BTreeSet<String>,
+    errors: &mut Errors,
+) {
+    let mut prints: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    let mut parts: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for claim in papers.iter().flat_map(|paper| &paper.claims) {
+        let id = claim.entry.id.get_ref();
+        for id in std::iter::once(id).chain(claim.whole()) {
+            let printed = claim.entry.printed.clone();
+            prints.entry(id.clone()).or_default().push(printed);
+        }
+        if let Some(whole) = claim.whole() {
+            parts.entry(whole.clone()).or_default().push(id.clone());
+        }
+    }
+    let known = |id: &String| ids.contains(id) || wholes.contains(id);
+    for claim in papers.iter_mut().flat_map(|paper| &mut paper.claims) {
+        let mut uses = vec![];
+        for used in &claim.entry.uses {
+            let id = used.get_ref();
+            if !known(id) {
+                let help = "`uses` takes full ids, such as `gbt-developable/eq-2.2`";
+                let origin = Origin::of(&claim.origin.source, used);
+                let message = format!("no claim has the id `{id}`");
+                errors.0.push(wrong(&origin, whole(used), message, help));
+            }
+            match parts.get(id) {
+                Some(parts) => uses.extend(parts.iter().cloned()),
+                None => uses.push(id.clone()),
+            }
+        }
+        claim.uses = uses;
+        part(claim, ids, errors);
+    }
+    let mut checked = BTreeSet::new();
+    let papers = papers.iter();
+    let quotes = papers.flat_map(|paper| {
+        let own = paper.declarations.ranges();
+        let own = own.filter_map(|(_, range)| range.provenance.quote());
+        let answers = paper.claims.iter().flat_map(|claim| &claim.answers);
+        let answers = answers.map(|answer| &answer.quote);
+        own.chain(paper.claims.iter().flat_map(Claim::quotes))
+            .chain(answers)
+    });
+    for quote in quotes {
+        let place = quote.origin.span(Place::default());
+        if checked.insert((quote.origin.source.name.clone(), place.offset())) {
+            errors.0.extend(quoted(quote, &prints, known(&quote.claim)));
+        }
+    }
+}
+
+/// A part is called after the sentence of which it is one, and the sentence is no claim beside its parts.
+fn part(claim: &Claim, ids: &BTreeSet<String>, errors: &mut Errors) {
+    let Some(sentence) = &claim.entry.part_of else {
+        return;
+    };
+    let (id, origin) = (
+        claim.entry.id.get_ref(),
+        Origin::of(&claim.origin.source, sentence),
+    );
+    let name = sentence.get_ref();
+    let rest = id.strip_prefix(name.as_str());
+    if rest
+        .and_then(|rest| rest.strip_prefix('.'))
+        .is_none_or(str::is_empty)
+    {
+        let message = format!("`{id}` is no part of `{name}`");
+        let help = format!("the parts of `{name}` are called `{name}.a`, `{name}.b` and so on");
+        errors
+            .0
+            .push(wrong(&origin, whole(sentence), message, &help));
+    }
+    if ids.contains(name) {
+        let message = format!("`{name}` is a claim itself");
+        let help = "a sentence is one claim, or parts that are claims";
+        errors
+            .0
+            .push(wrong(&origin, whole(sentence), message, help));
+    }
+}
+
+/// The words must stand in the print of the claim that is named.
+fn quoted(quote: &Quote, prints: &BTreeMap<String, Vec<String>>, known: bool) -> Option<LoadError> {
+    let place = Place {
+        start: 0,
+        end: quote.words.len(),
+    };
+    let Quote {
+        words,
+        claim,
+        origin,
+    } = quote;
+    match prints.get(claim) {
+        Some(prints) => {
+            let found = prints.iter().any(|printed| quote.stands_in(printed));
+            let message = format!("`{words}` is not in the print of `{claim}`");
+            let help = "a quote has the words of `printed` letter by letter; only blanks and line ends may differ";
+            (!found).then(|| wrong(origin, place, message, help))
+        }
+        // Left out because it is wrong itself.
+        None if known => None,
+        None => {
+            let message = format!("no claim has the id `{claim}`, so these are no words of its");
+            let help = "the claim is named by its full id, such as `gbt-developable/eq-2.2`";
+            Some(wrong(origin, place, message, help))
+        }
+    }
+}
+
+fn wrong(origin: &Origin, place: Place, message: String, help: &str) -> LoadError {
+    let error = DerivationError::at(origin, place, message).with_help(help);
+    LoadError::Derivation(Box::new(error))
+}

@@ -1,0 +1,89 @@
+//! Texts of files and places in them, for error messages.
+
+use crate::formula::Place;
+use miette::{NamedSource, SourceSpan};
+use std::sync::Arc;
+use toml::Spanned;
+
+/// A derivation file: its name as shown to the user, and its text.
+#[derive(Debug)]
+pub struct Source {
+    /// The path relative to the folder of derivations, with `/`.
+    pub name: String,
+    /// The whole text.
+    pub text: String,
+}
+
+/// The last column at which a caret is drawn; further on the formula as a whole is pointed at.
+const FARTHEST_COLUMN: usize = 30_000;
+
+/// Where a formula comes from: a range of a file.
+#[derive(Debug, Clone)]
+pub struct Origin {
+    /// The file.
+    pub source: Arc<Source>,
+    /// The byte of the file at which the text of the formula starts; none when the text was written
+    /// with escapes, so that its bytes are not those of the file.
+    start: Option<usize>,
+    /// The range of the whole TOML value.
+    whole: (usize, usize),
+}
+
+impl Origin {
+    /// The origin of a string value of a file.
+    #[must_use]
+    pub fn of(source: &Arc<Source>, text: &Spanned<String>) -> Self {
+        let range = text.span();
+        let written = source.text.get(range.clone()).unwrap_or("");
+        let inside = written
+            .find(text.get_ref().as_str())
+            .filter(|_| !text.get_ref().is_empty());
+        Self {
+            source: Arc::clone(source),
+            start: inside.map(|offset| range.start + offset),
+            whole: (range.start, range.end),
+        }
+    }
+
+    /// The origin of the part of the text that begins after `offset` bytes.
+    #[must_use]
+    pub fn after(mut self, offset: usize) -> Self {
+        self.start = self.start.map(|start| start + offset);
+        self
+    }
+
+    /// The origin of anything else in a file.
+    #[must_use]
+    pub fn range(source: &Arc<Source>, start: usize, end: usize) -> Self {
+        Self {
+            source: Arc::clone(source),
+            start: None,
+            whole: (start, end),
+        }
+    }
+
+    /// The range in the file of a place in the formula.
+    #[must_use]
+    pub fn span(&self, place: Place) -> SourceSpan {
+        match self.start {
+            // A caret so far to the right that no terminal shows it would not be drawn either.
+            Some(start) if place.start > FARTHEST_COLUMN => (start, 1).into(),
+            Some(start) => (start + place.start, place.end.saturating_sub(place.start)).into(),
+            None => (self.whole.0, self.whole.1.saturating_sub(self.whole.0)).into(),
+        }
+    }
+
+    /// The file as miette wants it.
+    #[must_use]
+    pub fn named_source(&self) -> NamedSource<String> {
+        NamedSource::new(&self.source.name, self.source.text.clone()).with_language("toml")
+    }
+}
+
+/// The whole of a text.
+pub(super) fn whole(text: &Spanned<String>) -> Place {
+    Place {
+        start: 0,
+        end: text.get_ref().len(),
+    }
+}

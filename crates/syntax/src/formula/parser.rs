@@ -1,0 +1,464 @@
+//! From tokens to a syntax tree: precedence climbing.
+//!
+//! Every walk over a tree may recurse: the parser bounds the height of what it hands out. A chain of more than
+//! [`SHORT`] operands, which would lean to the left as deep as it is long, becomes a chain of groups, as if
+//! brackets were written; sums, products, conjunctions and disjunctions are associative. So a sum of ten thousand
+//! terms is a tree of height 75, and what is printed of it is read back as the same tree.
+
+use super::SyntaxError;
+use super::ast::{Connective, Expr, Node, Operator, Place, Relation};
+use super::hints;
+use super::token::{Placed, Token, tokens};
+use num_traits::Zero;
+use std::sync::Arc;
+use torse_numbers::{Integer, Rational};
+
+/// How deep brackets and prefixes may nest.
+const MAX_DEPTH: usize = 100;
+/// The greatest height of a tree.
+const MAX_HEIGHT: usize = 300;
+/// The most numbers, names and signs of one formula: ten thousand terms such as `2*x^3*y` fit, and the formulas of
+/// papers have a few hundred.
+const MAX_TOKENS: usize = 100_000;
+/// How many operands of a long chain stand on one level.
+const GROUP: usize = 32;
+/// A chain of at most so many operands is left as it is. The first group of a longer one is written without brackets, and
+/// so is the first group of that: what is written is then a chain of at most this many operands, and stays as it is.
+const SHORT: usize = 5 * GROUP;
+
+/// Parses a formula or a statement.
+///
+/// # Errors
+/// [`SyntaxError`] with the place in `text`.
+///
+/// ```
+/// use torse_syntax::formula::parse;
+/// assert!(parse("D(F1, z, 2)(0) == 2*(a + b)^2").is_ok());
+/// let error = parse("2*(a + b").unwrap_err();
+/// assert_eq!(error.to_string(), "this `(` is never closed");
+/// ```
+pub fn parse(text: &str) -> Result<Expr, SyntaxError> {
+    let tokens = tokens(text)?;
+    if let Some((_, place)) = tokens.get(MAX_TOKENS) {
+        return Err(SyntaxError::TooLong {
+            limit: MAX_TOKENS,
+            found: tokens.len(),
+            place: *place,
+        });
+    }
+    let mut parser = Parser {
+        tokens,
+        next: 0,
+        end: text.len(),
+        depth: 0,
+    };
+    let tree = parser.statement()?;
+    match parser.peek() {
+        None => Ok(tree.expr),
+        Some(_) => Err(parser.unexpected("an operator or the end of the formula")),
+    }
+}
+
+/// A formula and the height of its tree.
+struct Tree {
+    expr: Expr,
+    height: usize,
+}
+
+impl Tree {
+    /// A tree over parts of which the highest is given.
+    fn over(height: usize, node: Node, place: Place) -> Parsed {
+        let height = height + 1;
+        if height > MAX_HEIGHT {
+            return Err(SyntaxError::TooHigh {
+                limit: MAX_HEIGHT,
+                place,
+            });
+        }
+        let expr = Expr { node, place };
+        Ok(Self { expr, height })
+    }
+
+    fn binary(operator: Operator, a: Self, b: Self) -> Parsed {
+        let place = a.expr.place.to(b.expr.place);
+        let node = Node::Binary(operator, Arc::new(a.expr), Arc::new(b.expr));
+        Self::over(a.height.max(b.height), node, place)
+    }
+
+    fn join(connective: Connective, a: Self, b: Self) -> Parsed {
+        let place = a.expr.place.to(b.expr.place);
+        let node = Node::Join(connective, Arc::new(a.expr), Arc::new(b.expr));
+        Self::over(a.height.max(b.height), node, place)
+    }
+}
+
+type Parsed = Result<Tree, SyntaxError>;
+
+/// A chain of operands, each with the link before it, as one tree that groups to the left. The link of the first
+/// operand is `opening`. A long chain is cut into groups that begin after an `opening`: only there brackets change nothing.
+fn grouped<L: Copy + PartialEq>(
+    mut links: Vec<(L, Tree)>,
+    opening: L,
+    join: impl Fn(L, Tree, Tree) -> Parsed,
+) -> Result<Option<Tree>, SyntaxError> {
+    let mut most = SHORT;
+    loop {
+        let short = links.len() <= most;
+        most = 2 * GROUP;
+        let mut groups: Vec<(L, Tree)> = vec![];
+        let mut length = 0;
+        for (link, tree) in links {
+            match groups.pop() {
+                Some((outer, group)) if short || length < GROUP || link != opening => {
+                    groups.push((outer, join(link, group, tree)?));
+                    length += 1;
+                }
+                last => {
+                    groups.extend(last);
+                    groups.push((link, tree));
+                    length = 1;
+                }
+            }
+        }
+        if groups.len() <= 1 {
+            return Ok(groups.pop().map(|(_, tree)| tree));
+        }
+        links = groups;
+    }
+}
+
+struct Parser {
+    tokens: Vec<Placed>,
+    next: usize,
+    end: usize,
+    depth: usize,
+}
+
+impl Parser {
+    fn peek(&self) -> Option<&Token> {
+        self.tokens.get(self.next).map(|(token, _)| token)
+    }
+
+    fn place(&self) -> Place {
+        self.tokens.get(self.next).map_or(
+            Place {
+                start: self.end,
+                end: self.end,
+            },
+            |(_, place)| *place,
+        )
+    }
+
+    fn unexpected(&self, expected: &'static str) -> SyntaxError {
+        let found = match self.peek() {
+            None => "the end of the formula".to_owned(),
+            Some(Token::Number(text) | Token::Name(text)) => format!("`{text}`"),
+            Some(Token::Sign(sign)) => format!("`{sign}`"),
+        };
+        let before = self.next.checked_sub(1).and_then(|i| self.tokens.get(i));
+        SyntaxError::Unexpected {
+            expected,
+            found,
+            help: hints::unexpected(before.map(|(token, _)| token), self.peek()),
+            place: self.place(),
+        }
+    }
+
+    fn sign(&mut self, sign: &str) -> bool {
+        let found = matches!(self.peek(), Some(Token::Sign(s)) if *s == sign);
+        if found {
+            self.next += 1;
+        }
+        found
+    }
+
+    fn word(&mut self, word: &str) -> bool {
+        let found = matches!(self.peek(), Some(Token::Name(name)) if name == word);
+        if found {
+            self.next += 1;
+        }
+        found
+    }
+
+    /// Runs `inner` one level deeper.
+    fn deeper(&mut self, inner: impl FnOnce(&mut Self) -> Parsed) -> Parsed {
+        if self.depth >= MAX_DEPTH {
+            return Err(SyntaxError::TooDeep {
+                limit: MAX_DEPTH,
+                place: self.place(),
+            });
+        }
+        self.depth += 1;
+        let result = inner(self);
+        self.depth -= 1;
+        result
+    }
+
+    /// Operands with links between them; `link` takes the link that comes next, if one does.
+    fn chain<L: Copy + PartialEq>(
+        &mut self,
+        opening: L,
+        operand: impl Fn(&mut Self) -> Parsed,
+        link: impl Fn(&mut Self) -> Option<L>,
+        join: impl Fn(L, Tree, Tree) -> Parsed,
+    ) -> Parsed {
+        let mut links = vec![(opening, operand(self)?)];
+        while let Some(link) = link(self) {
+            links.push((link, operand(self)?));
+        }
+        grouped(links, opening, join)?.ok_or_else(|| self.unexpected("a formula"))
+    }
+
+    fn statement(&mut self) -> Parsed {
+        let left = self.disjunction()?;
+        if self.word("implies") {
+            let right = self.deeper(Self::statement)?;
+            return Tree::join(Connective::Implies, left, right);
+        }
+        Ok(left)
+    }
+
+    fn disjunction(&mut self) -> Parsed {
+        let or = |parser: &mut Self| parser.word("or").then_some(Connective::Or);
+        self.chain(Connective::Or, Self::conjunction, or, Tree::join)
+    }
+
+    fn conjunction(&mut self) -> Parsed {
+        let and = |parser: &mut Self| parser.word("and").then_some(Connective::And);
+        self.chain(Connective::And, Self::negation, and, Tree::join)
+    }
+
+    fn negation(&mut self) -> Parsed {
+        let start = self.place();
+        if self.word("not") {
+            let inner = self.deeper(Self::negation)?;
+            let place = start.to(inner.expr.place);
+            return Tree::over(inner.height, Node::Not(Arc::new(inner.expr)), place);
+        }
+        self.comparison()
+    }
+
+    fn comparison(&mut self) -> Parsed {
+        let first = self.sum()?;
+        let mut height = first.height;
+        let mut rest = vec![];
+        while let Some(relation) = self.relation() {
+            let side = self.sum()?;
+            height = height.max(side.height);
+            rest.push((relation, side.expr));
+        }
+        match rest.last() {
+            None => Ok(first),
+            Some((_, last)) => {
+                let place = first.expr.place.to(last.place);
+                Tree::over(height, Node::Compare(Arc::new(first.expr), rest), place)
+            }
+        }
+    }
+
+    fn relation(&mut self) -> Option<Relation> {
+        const RELATIONS: [Relation; 6] = [
+            Relation::Equal,
+            Relation::Different,
+            Relation::Less,
+            Relation::AtMost,
+            Relation::Greater,
+            Relation::AtLeast,
+        ];
+        RELATIONS
+            .into_iter()
+            .find(|relation| self.sign(relation.sign()))
+    }
+
+    /// The first of these operators, if it comes next.
+    fn operator(&mut self, of: [Operator; 2]) -> Option<Operator> {
+        of.into_iter().find(|operator| self.sign(operator.sign()))
+    }
+
+    fn sum(&mut self) -> Parsed {
+        let signs = |parser: &mut Self| parser.operator([Operator::Add, Operator::Subtract]);
+        self.chain(Operator::Add, Self::product, signs, Tree::binary)
+    }
+
+    fn product(&mut self) -> Parsed {
+        let signs = |parser: &mut Self| parser.operator([Operator::Multiply, Operator::Divide]);
+        self.chain(Operator::Multiply, Self::prefixed, signs, Tree::binary)
+    }
+
+    fn prefixed(&mut self) -> Parsed {
+        let start = self.place();
+        if self.sign("-") {
+            let inner = self.deeper(Self::prefixed)?;
+            let place = start.to(inner.expr.place);
+            return Tree::over(inner.height, Node::Negative(Arc::new(inner.expr)), place);
+        }
+        let base = self.postfixed()?;
+        if self.sign("^") {
+            self.no_power_of_a_function(&base.expr)?;
+            let exponent = self.deeper(Self::prefixed)?;
+            if let Some(place) = fractional(&exponent.expr) {
+                return Err(SyntaxError::Exponent { place });
+            }
+            return Tree::binary(Operator::Power, base, exponent);
+        }
+        Ok(base)
+    }
+
+    /// Fails for what is printed as `sin^2(x)`.
+    fn no_power_of_a_function(&self, base: &Expr) -> Result<(), SyntaxError> {
+        let ahead = |offset| self.tokens.get(self.next + offset);
+        match (&base.node, ahead(0), ahead(1)) {
+            (Node::Name(name), Some((Token::Number(n), place)), Some((Token::Sign("("), _))) => {
+                Err(SyntaxError::NoFunction {
+                    what: format!("the number {n}"),
+                    help: format!(
+                        "the power of a function is written `{name}(x)^{n}`, a product `{name}^{n}*(x)`"
+                    ),
+                    place: *place,
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn postfixed(&mut self) -> Parsed {
+        let mut head = self.atom()?;
+        loop {
+            let open = self.place();
+            if self.sign("(") {
+                if let Some(what) = hints::no_function(&head.expr.node) {
+                    return Err(SyntaxError::NoFunction {
+                        what,
+                        help: "a product is written with `*`".to_owned(),
+                        place: open,
+                    });
+                }
+                let (arguments, height) = self.listed("(", ")", open)?;
+                let place = head.expr.place.to(self.previous());
+                let node = Node::Call(Arc::new(head.expr), arguments);
+                head = Tree::over(head.height.max(height), node, place)?;
+            } else if self.sign("[") {
+                let (indices, height) = self.listed("[", "]", open)?;
+                let place = head.expr.place.to(self.previous());
+                let node = Node::Index(Arc::new(head.expr), indices);
+                head = Tree::over(head.height.max(height), node, place)?;
+            } else {
+                return Ok(head);
+            }
+        }
+    }
+
+    fn previous(&self) -> Place {
+        self.next
+            .checked_sub(1)
+            .and_then(|i| self.tokens.get(i))
+            .map_or_else(Place::default, |(_, place)| *place)
+    }
+
+    /// Items up to the closing bracket, at least one, and the height of the highest.
+    fn listed(
+        &mut self,
+        bracket: &'static str,
+        close: &'static str,
+        open: Place,
+    ) -> Result<(Vec<Expr>, usize), SyntaxError> {
+        let (mut items, mut height) = (vec![], 0);
+        loop {
+            if self.peek().is_none() {
+                return Err(SyntaxError::Unclosed {
+                    bracket,
+                    place: open,
+                });
+            }
+            let item = self.deeper(Self::statement)?;
+            height = height.max(item.height);
+            items.push(item.expr);
+            if self.sign(close) {
+                return Ok((items, height));
+            }
+            if self.peek().is_none() {
+                return Err(SyntaxError::Unclosed {
+                    bracket,
+                    place: open,
+                });
+            }
+            if !self.sign(",") {
+                return Err(self.unexpected(if close == ")" {
+                    "`,` or `)`"
+                } else {
+                    "`,` or `]`"
+                }));
+            }
+        }
+    }
+
+    fn atom(&mut self) -> Parsed {
+        let place = self.place();
+        match self.peek().cloned() {
+            Some(Token::Number(text)) => {
+                self.next += 1;
+                Tree::over(0, number(&text), place)
+            }
+            Some(Token::Name(name)) if !super::WORDS.contains(&name.as_str()) => {
+                self.next += 1;
+                Tree::over(0, Node::Name(name), place)
+            }
+            Some(Token::Sign("(")) => {
+                self.next += 1;
+                let inner = self.deeper(Self::statement)?;
+                if self.sign(")") {
+                    let place = place.to(self.previous());
+                    let expr = Expr {
+                        place,
+                        ..inner.expr
+                    };
+                    return Ok(Tree { expr, ..inner });
+                }
+                if self.peek().is_none() {
+                    return Err(SyntaxError::Unclosed {
+                        bracket: "(",
+                        place,
+                    });
+                }
+                Err(self.unexpected("`)` or an operator"))
+            }
+            Some(Token::Sign("[")) => {
+                self.next += 1;
+                let (items, height) = self.listed("[", "]", place)?;
+                Tree::over(height, Node::List(items), place.to(self.previous()))
+            }
+            _ => Err(self.unexpected("a number, a name or a bracket")),
+        }
+    }
+}
+
+/// The place of an exponent that is a printed fraction.
+fn fractional(exponent: &Expr) -> Option<Place> {
+    let number = |expr: &Expr| match &expr.node {
+        Node::Number { value, .. } => Some(value.clone()),
+        _ => None,
+    };
+    let whole = match &exponent.node {
+        Node::Number { value, .. } => value.is_integer(),
+        Node::Negative(inner) => return fractional(inner),
+        Node::Binary(Operator::Divide, a, b) => {
+            let (a, b) = (number(a)?, number(b)?);
+            !b.is_zero() && (a / b).is_integer()
+        }
+        _ => return None,
+    };
+    (!whole).then_some(exponent.place)
+}
+
+/// Digits with an optional decimal point, exactly.
+fn number(text: &str) -> Node {
+    let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
+    let digits = format!("{whole}{fraction}");
+    let numerator = Integer::from_str_radix(&digits, 10).unwrap_or_default();
+    let decimals = u32::try_from(fraction.len()).unwrap_or(u32::MAX);
+    let value = Rational::new(numerator, Integer::from(10).pow(fraction.len()));
+    Node::Number {
+        value,
+        decimals: text.contains('.').then_some(decimals),
+    }
+}
