@@ -25,7 +25,7 @@ const ROOMS: [(&str, &[&str]); 18] = [
     ("rocq", &["syntax", "core", "elaborate", "certificate"]),
     ("geometry", &["numbers", "algebra"]),
     ("exchange", &["geometry"]),
-    ("plot", &[]),
+    ("plot", &["syntax"]),
     ("figures", &["syntax", "prove", "plot"]),
     ("designs", &["syntax", "geometry", "exchange", "plot"]),
     ("report", &["verdicts", "plot"]),

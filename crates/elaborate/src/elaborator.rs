@@ -22,6 +22,7 @@ use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Declarations, Definition, SymbolKind};
 use torse_syntax::fault::{Fault, Problem};
 use torse_syntax::formula::{self, Connective, Expr, Place};
+use torse_syntax::greek;
 use torse_syntax::similar::similar;
 
 /// How deep definitions may use each other.
@@ -504,7 +505,9 @@ impl<'a> Elaborator<'a> {
             .chain(NAMES)
             .collect();
         // A Greek letter may be declared by its name.
-        let spelled = formula::hints::greek(name).filter(|letter| candidates.contains(letter));
+        let sign = name.chars().next().filter(|_| name.chars().count() == 1);
+        let spelled = sign.and_then(greek::by_sign).map(|letter| letter.name);
+        let spelled = spelled.filter(|name| candidates.contains(name));
         let similar = spelled.or_else(|| similar(name, candidates));
         let similar = similar.map(str::to_owned);
         Fault::at(

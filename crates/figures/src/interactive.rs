@@ -14,6 +14,7 @@ use std::collections::BTreeMap;
 use torse_algebra::{Fraction, Polynomial, Symbol};
 use torse_plot::{Ambient, HIGHEST_EXPONENT, Interactive, Part, Slider, palette};
 use torse_syntax::derivation::schema::figure::{ColourName, Shape};
+use torse_syntax::greek;
 
 /// Samples of a curve, and of a surface along both variables.
 const CURVE: u64 = 65;
@@ -125,10 +126,9 @@ fn slider(slider: &crate::figure::Slider) -> Result<Slider, PlateError> {
 
 /// The name of a symbol as a formula: a number at its end is a subscript.
 pub(crate) fn label(name: &str) -> String {
-    const GREEK: [&str; 6] = ["mu", "nu", "lambda", "alpha", "gamma", "theta"];
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let index = name.get(base.len()..).unwrap_or("");
-    let sign = if GREEK.contains(&base) {
+    let sign = if greek::by_name(base).is_some() {
         format!("\\{base}")
     } else {
         base.to_owned()

@@ -8,6 +8,7 @@
 pub mod derivation;
 pub mod fault;
 pub mod formula;
+pub mod greek;
 pub mod notation;
 pub mod similar;
 pub mod words;

@@ -11,6 +11,7 @@
 
 use crate::error::{FigureError, LabelProblem};
 use crate::ink::font::Style;
+use torse_syntax::greek;
 
 /// A parsed label.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,38 +34,8 @@ enum Class {
     Open,
 }
 
-/// Named signs.
+/// Named signs that are no Greek letters.
 pub(crate) const COMMANDS: &[(&str, char)] = &[
-    ("alpha", 'α'),
-    ("beta", 'β'),
-    ("gamma", 'γ'),
-    ("delta", 'δ'),
-    ("epsilon", 'ε'),
-    ("zeta", 'ζ'),
-    ("eta", 'η'),
-    ("theta", 'θ'),
-    ("kappa", 'κ'),
-    ("lambda", 'λ'),
-    ("mu", 'μ'),
-    ("nu", 'ν'),
-    ("xi", 'ξ'),
-    ("pi", 'π'),
-    ("rho", 'ρ'),
-    ("sigma", 'σ'),
-    ("tau", 'τ'),
-    ("phi", 'φ'),
-    ("chi", 'χ'),
-    ("psi", 'ψ'),
-    ("omega", 'ω'),
-    ("Gamma", 'Γ'),
-    ("Delta", 'Δ'),
-    ("Theta", 'Θ'),
-    ("Lambda", 'Λ'),
-    ("Pi", 'Π'),
-    ("Sigma", 'Σ'),
-    ("Phi", 'Φ'),
-    ("Psi", 'Ψ'),
-    ("Omega", 'Ω'),
     ("le", '≤'),
     ("ge", '≥'),
     ("ne", '≠'),
@@ -85,6 +56,17 @@ pub(crate) const COMMANDS: &[(&str, char)] = &[
     ("{", '{'),
     ("}", '}'),
 ];
+
+/// The sign that `\name` stands for: a Greek letter, by the name that files or LaTeX give it, or one of [`COMMANDS`].
+fn named_sign(name: &str) -> Option<char> {
+    let other = COMMANDS.iter().find(|(command, _)| *command == name);
+    let letter = || {
+        let mut letters = greek::LETTERS.iter();
+        letters.find(|letter| letter.name == name || letter.latex == name)
+    };
+    let sign = other.map(|(_, sign)| *sign);
+    sign.or_else(|| letter().map(|letter| letter.sign))
+}
 
 /// Function names, set upright.
 const FUNCTIONS: &[&str] = &[
@@ -208,7 +190,7 @@ impl Parser<'_> {
                 None => {}
             }
         }
-        if let Some(&(_, ch)) = COMMANDS.iter().find(|(command, _)| *command == name) {
+        if let Some(ch) = named_sign(&name) {
             return Ok(sign(ch, before, depth, nodes));
         }
         if FUNCTIONS.contains(&name.as_str()) {

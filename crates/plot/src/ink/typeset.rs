@@ -124,7 +124,9 @@ mod tests {
 
     #[test]
     fn every_named_sign_has_a_glyph() {
-        for (name, _) in COMMANDS {
+        let letters = torse_syntax::greek::LETTERS.iter();
+        let names = letters.flat_map(|letter| [letter.name, letter.latex]);
+        for name in COMMANDS.iter().map(|(name, _)| *name).chain(names) {
             let line = typeset(&format!("$\\{name}$"), 10.0);
             assert_eq!(
                 line.unwrap_or_else(|e| panic!("{name}: {e}")).glyphs.len(),

@@ -2,44 +2,7 @@
 //! subscripts, Greek words are Greek letters, known functions and other words are upright.
 
 use super::node::Node;
-
-/// Greek letters by their names.
-const GREEK: [(&str, &str); 34] = [
-    ("alpha", "α"),
-    ("beta", "β"),
-    ("gamma", "γ"),
-    ("delta", "δ"),
-    ("epsilon", "ε"),
-    ("zeta", "ζ"),
-    ("eta", "η"),
-    ("theta", "θ"),
-    ("iota", "ι"),
-    ("kappa", "κ"),
-    ("lambda", "λ"),
-    ("mu", "μ"),
-    ("nu", "ν"),
-    ("xi", "ξ"),
-    ("pi", "π"),
-    ("rho", "ρ"),
-    ("sigma", "σ"),
-    ("tau", "τ"),
-    ("upsilon", "υ"),
-    ("phi", "φ"),
-    ("varphi", "φ"),
-    ("chi", "χ"),
-    ("psi", "ψ"),
-    ("omega", "ω"),
-    ("Gamma", "Γ"),
-    ("Delta", "Δ"),
-    ("Theta", "Θ"),
-    ("Lambda", "Λ"),
-    ("Xi", "Ξ"),
-    ("Pi", "Π"),
-    ("Sigma", "Σ"),
-    ("Phi", "Φ"),
-    ("Psi", "Ψ"),
-    ("Omega", "Ω"),
-];
+use torse_syntax::greek;
 
 /// Functions that typesetters know and set upright.
 const FUNCTIONS: [&str; 16] = [
@@ -47,9 +10,10 @@ const FUNCTIONS: [&str; 16] = [
     "max", "sinh", "cosh", "tanh",
 ];
 
-pub(super) fn greek(word: &str) -> Option<&'static str> {
-    let found = GREEK.iter().find(|(name, _)| *name == word);
-    found.map(|(_, letter)| *letter)
+pub(super) fn greek_letter(word: &str) -> Option<char> {
+    // Some pages of ours call it so.
+    let name = if word == "varphi" { "phi" } else { word };
+    greek::by_name(name).map(|letter| letter.sign)
 }
 
 pub(super) fn is_function(word: &str) -> bool {
@@ -73,8 +37,8 @@ pub(super) fn by_rule(name: &str) -> Node {
 
 /// A letter, a Greek letter, a number, a function or an upright word.
 fn word(word: &str) -> Node {
-    if let Some(letter) = greek(word) {
-        Node::italic(letter)
+    if let Some(letter) = greek_letter(word) {
+        Node::italic(letter.encode_utf8(&mut [0; 4]))
     } else if is_function(word) || word == "det" {
         Node::Function(word.to_owned())
     } else if word.chars().all(|c| c.is_ascii_digit()) {

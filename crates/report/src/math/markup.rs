@@ -2,7 +2,7 @@
 //!
 //! Anything is read: a command that is not known loses its backslash, a bracket without a partner is a sign.
 
-use super::letters::{by_rule, greek, is_function};
+use super::letters::{by_rule, greek_letter, is_function};
 use super::node::{Face, Fence, Node};
 
 /// What stands between dollar signs as boxes; none where there is anything else.
@@ -196,13 +196,13 @@ impl<'a> Reader<'a> {
                 Node::row([Node::Gap, Node::word(letters), Node::Gap])
             }
             // x1 is typed for x_1.
-            _ if (letters.len() == 1 || greek(letters).is_some())
+            _ if (letters.len() == 1 || greek_letter(letters).is_some())
                 && self.peek().is_some_and(|c| c.is_ascii_digit()) =>
             {
                 let digits = self.take(|c| c.is_ascii_digit());
                 by_rule(&format!("{letters}{digits}"))
             }
-            _ if greek(letters).is_some() || is_function(letters) => by_rule(letters),
+            _ if greek_letter(letters).is_some() || is_function(letters) => by_rule(letters),
             _ if letters.len() <= 2 => {
                 Node::row(letters.chars().map(|c| Node::italic(&c.to_string())))
             }

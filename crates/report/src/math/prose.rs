@@ -6,7 +6,7 @@
 //! sign, a script or a Greek letter that words do not have; a word of two letters and more is a word, unless the claim
 //! has a symbol of that name.
 
-use super::letters::{greek, is_function};
+use super::letters::{greek_letter, is_function};
 use super::{Mathematics, Names, Span, markup, read};
 
 /// The sentence in stretches; formulas are those of a claim with these names.
@@ -463,7 +463,7 @@ fn kind_of(word: &str, names: &Names) -> Kind {
         .filter(|c| !matches!(c, '\u{302}' | '\u{303}'))
         .count()
         == 1;
-    let letter = greek(letters).is_some() || (one && letters.chars().all(is_greek));
+    let letter = greek_letter(letters).is_some() || (one && letters.chars().all(is_greek));
     if letter || is_function(word) {
         return Kind::Sure;
     }

@@ -1,6 +1,7 @@
 //! Boxes written as Typst, as LaTeX and on one line of text.
 
 use super::node::{Face, Fence, Mark, Node};
+use torse_syntax::greek;
 
 /// Typst mathematics, without dollar signs.
 ///
@@ -223,7 +224,7 @@ pub(crate) fn latex_words(text: &str) -> String {
             '’' => escaped.push('\''),
             '“' => escaped.push_str("``"),
             '”' => escaped.push_str("\'\'"),
-            _ if GREEK.iter().any(|(sign, _)| *sign == letter) => {
+            _ if greek::by_sign(c).is_some() => {
                 escaped.push_str(&format!(
                     "\\ensuremath{{{}}}",
                     latex_letter(&letter, Face::Italic)
@@ -246,48 +247,13 @@ fn digit(c: char) -> char {
     char::from_digit(u32::try_from(position % 10).unwrap_or(0), 10).unwrap_or('0')
 }
 
-const GREEK: [(&str, &str); 33] = [
-    ("α", "alpha"),
-    ("β", "beta"),
-    ("γ", "gamma"),
-    ("δ", "delta"),
-    ("ε", "varepsilon"),
-    ("ζ", "zeta"),
-    ("η", "eta"),
-    ("θ", "theta"),
-    ("ι", "iota"),
-    ("κ", "kappa"),
-    ("λ", "lambda"),
-    ("μ", "mu"),
-    ("ν", "nu"),
-    ("ξ", "xi"),
-    ("π", "pi"),
-    ("ρ", "rho"),
-    ("σ", "sigma"),
-    ("τ", "tau"),
-    ("υ", "upsilon"),
-    ("φ", "varphi"),
-    ("χ", "chi"),
-    ("ψ", "psi"),
-    ("ω", "omega"),
-    ("Γ", "Gamma"),
-    ("Δ", "Delta"),
-    ("Θ", "Theta"),
-    ("Λ", "Lambda"),
-    ("Ξ", "Xi"),
-    ("Π", "Pi"),
-    ("Σ", "Sigma"),
-    ("Φ", "Phi"),
-    ("Ψ", "Psi"),
-    ("Ω", "Omega"),
-];
-
 fn latex_letter(letter: &str, face: Face) -> String {
-    let greek = GREEK.iter().find(|(sign, _)| *sign == letter);
     let single = letter.chars().count() == 1;
+    let sign = letter.chars().next().filter(|_| single);
+    let greek = sign.and_then(greek::by_sign);
     match (greek, face) {
-        (Some((_, name)), Face::Bold) => format!("\\boldsymbol{{\\{name}}}"),
-        (Some((_, name)), _) => format!("\\{name}"),
+        (Some(greek), Face::Bold) => format!("\\boldsymbol{{\\{}}}", greek.latex),
+        (Some(greek), _) => format!("\\{}", greek.latex),
         (None, Face::Bold) => format!("\\mathbf{{{}}}", latex_words(letter)),
         (None, Face::Italic) if single => latex_words(letter),
         (None, _) => format!("\\mathrm{{{}}}", latex_words(letter)),

@@ -84,30 +84,6 @@ pub fn no_function(node: &Node) -> Option<String> {
     })
 }
 
-/// The name of a Greek letter.
-pub fn greek(letter: &str) -> Option<&'static str> {
-    const NAMES: [&str; 24] = [
-        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
-        "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "tau", "upsilon", "phi",
-        "chi", "psi", "omega",
-    ];
-    let mut letters = letter.chars();
-    let (letter, None) = (letters.next()?, letters.next()) else {
-        return None;
-    };
-    Some(match letter {
-        '\u{3b1}'..='\u{3c9}' => {
-            // The final form of sigma has a place of its own before sigma.
-            let place = u32::from(letter) - 0x3b1 - u32::from(letter >= '\u{3c2}');
-            NAMES.get(usize::try_from(place).ok()?)?
-        }
-        '\u{3d1}' => "theta",
-        '\u{3d5}' => "phi",
-        '\u{3f5}' => "epsilon",
-        _ => return None,
-    })
-}
-
 /// What to write for a name that is not declared.
 pub fn name(unknown: &str) -> Option<&'static str> {
     Some(match unknown {

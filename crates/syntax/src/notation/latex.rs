@@ -44,7 +44,8 @@ impl Typeset for Latex {
         match word {
             Word::Plain("_") => "\\_".to_owned(),
             Word::Plain(word) => (*word).to_owned(),
-            Word::Greek(word) | Word::Function(word) => format!("\\{word}"),
+            Word::Greek(letter) => format!("\\{}", letter.latex),
+            Word::Function(word) => format!("\\{word}"),
             Word::Text(word) => upright("mathrm", word),
         }
     }

@@ -3,12 +3,7 @@
 //! One generic rule and no list of special cases: trailing digits and what follows an underscore are
 //! subscripts, Greek words are Greek letters, other words stay upright words.
 
-/// Letters with the same name in Typst and LaTeX. Capitals that look Latin are not Greek here.
-const GREEK: [&str; 33] = [
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
-    "lambda", "mu", "nu", "xi", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi",
-    "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Phi", "Psi", "Omega",
-];
+use crate::greek::{self, GreekLetter};
 
 /// Functions that both Typst and LaTeX know and set upright.
 const FUNCTIONS: [&str; 17] = [
@@ -32,8 +27,8 @@ pub(super) struct Name<'a> {
 pub(super) enum Word<'a> {
     /// One letter, or digits: set as it is.
     Plain(&'a str),
-    /// The name of a Greek letter.
-    Greek(&'a str),
+    /// A Greek letter.
+    Greek(GreekLetter),
     /// The name of a function that the notations know.
     Function(&'a str),
     /// A word, set upright.
@@ -71,8 +66,8 @@ impl<'a> Name<'a> {
 impl<'a> Word<'a> {
     /// Sorts a word.
     pub fn of(word: &'a str) -> Self {
-        if GREEK.contains(&word) {
-            Self::Greek(word)
+        if let Some(letter) = greek::by_name(word) {
+            Self::Greek(letter)
         } else if FUNCTIONS.contains(&word) {
             Self::Function(word)
         } else if word.chars().count() == 1 || word.chars().all(|c| c.is_ascii_digit()) {

@@ -31,7 +31,8 @@ impl Typeset for Typst {
     fn word(&self, word: &Word<'_>) -> String {
         match word {
             Word::Plain("_") => "\"_\"".to_owned(),
-            Word::Plain(word) | Word::Greek(word) | Word::Function(word) => (*word).to_owned(),
+            Word::Greek(letter) => letter.name.to_owned(),
+            Word::Plain(word) | Word::Function(word) => (*word).to_owned(),
             Word::Text(word) => format!("\"{word}\""),
         }
     }

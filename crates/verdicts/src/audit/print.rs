@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
 use torse_syntax::formula::{Node, parse};
+use torse_syntax::greek;
 
 /// A printed sentence, taken apart.
 #[derive(Debug, Default)]
@@ -125,7 +126,7 @@ impl Print {
                 let near = letters.get(..i).unwrap_or_default();
                 let before = near.iter().rev().find(|c| **c != ' ');
                 let beside = |c: Option<&char>| c.is_some_and(|c| "_=<>+-−*/^(≤≥≠'′".contains(*c));
-                let spelled = LETTERS.iter().any(|(_, name)| *name == word);
+                let spelled = spells_a_letter(&word);
                 if length == 1 || spelled {
                     print.letters.insert(word.clone());
                 }
@@ -252,38 +253,16 @@ fn superscript(c: char) -> Option<char> {
     char::from_digit(u32::try_from(place).ok()?, 10)
 }
 
-/// How files spell Greek letters.
-const LETTERS: [(char, &str); 24] = [
-    ('α', "alpha"),
-    ('β', "beta"),
-    ('γ', "gamma"),
-    ('δ', "delta"),
-    ('ε', "epsilon"),
-    ('ζ', "zeta"),
-    ('η', "eta"),
-    ('θ', "theta"),
-    ('κ', "kappa"),
-    ('λ', "lambda"),
-    ('μ', "mu"),
-    ('µ', "mu"),
-    ('ν', "nu"),
-    ('ξ', "xi"),
-    ('ρ', "rho"),
-    ('σ', "sigma"),
-    ('τ', "tau"),
-    ('φ', "phi"),
-    ('ϕ', "phi"),
-    ('χ', "chi"),
-    ('ψ', "psi"),
-    ('ω', "omega"),
-    ('Δ', "Delta"),
-    ('Ω', "Omega"),
-];
+/// Whether a word is how files spell a Greek letter.
+fn spells_a_letter(word: &str) -> bool {
+    word != "pi" && greek::by_name(word).is_some()
+}
 
 /// How files spell a Greek letter.
 fn greek(c: char) -> Option<&'static str> {
-    let found = LETTERS.iter().find(|(letter, _)| *letter == c);
-    found.map(|(_, name)| *name)
+    // The circle number is no letter that is declared.
+    let letter = greek::by_sign(c).filter(|letter| letter.name != "pi");
+    letter.map(|letter| letter.name)
 }
 
 /// What a display says of the name that it defines: of `J(x; μ) = x φ + ψ` all but the left side, which is known by the right.
