@@ -1,14 +1,13 @@
 //! The symbols of a statement and the sets that they are of.
 
 use crate::binder::Binder;
-use crate::code::{Code, Level};
+use crate::code::Code;
 use crate::context::Context;
 use crate::gap::Gap;
 use crate::integer::affine;
+use crate::interval::within;
 use std::sync::Arc;
 use torse_core::Set;
-use torse_numbers::rational;
-use torse_syntax::derivation::declarations::{Bound, Constant, Interval};
 
 /// The symbols, integers first: the index ranges of families name them.
 pub(crate) fn binders(context: &mut Context<'_>) -> Result<Vec<Binder>, Gap> {
@@ -91,44 +90,4 @@ pub(crate) fn domain(context: &Context<'_>) -> Result<Vec<Code>, Gap> {
         }
     }
     Ok(premises)
-}
-
-/// That a number is in an interval, if the interval has an end.
-pub(crate) fn within(name: &str, interval: &Interval) -> Option<Code> {
-    let sign = |bound: &Bound| if bound.closed { "<=" } else { "<" };
-    let end = |bound: &Bound| constant(&bound.value);
-    let text = match (&interval.lower, &interval.upper) {
-        (Some(low), Some(high)) => {
-            format!(
-                "{} {} {name} {} {}",
-                end(low),
-                sign(low),
-                sign(high),
-                end(high)
-            )
-        }
-        (Some(low), None) => format!("{} {} {name}", end(low), sign(low)),
-        (None, Some(high)) => format!("{name} {} {}", sign(high), end(high)),
-        (None, None) => return None,
-    };
-    Some(Code::new(text, Level::Relation))
-}
-
-/// A number with a multiple of pi.
-fn constant(value: &Constant) -> String {
-    let zero = rational::integer(0);
-    let rational = Code::rational(&value.rational);
-    if value.turns == zero {
-        return rational.within(Level::Sum);
-    }
-    let turns = Code::infix(
-        &Code::rational(&value.turns),
-        "*",
-        &Code::atom("PI"),
-        Level::Product,
-    );
-    match value.rational == zero {
-        true => turns.within(Level::Sum),
-        false => Code::infix(&rational, "+", &turns, Level::Sum).within(Level::Sum),
-    }
 }

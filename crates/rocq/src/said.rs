@@ -3,9 +3,10 @@
 use crate::code::{Code, Level};
 use crate::context::Context;
 use crate::defined::Premises;
-use crate::domain::{binders, domain, within};
+use crate::domain::{binders, domain};
 use crate::gap::Gap;
 use crate::integer::is_zero;
+use crate::interval::within;
 use crate::proposition::Proposition;
 use crate::shape::Shape;
 use crate::value::zero;

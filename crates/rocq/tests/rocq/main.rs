@@ -5,3 +5,4 @@
 mod forms;
 mod kernel;
 mod support;
+mod tree;

@@ -1,0 +1,27 @@
+//! Statements for the kernel, written from the syntax tree.
+//!
+//! What the kernel is asked about is what stands in the file: the bound names of `D`, `at` and `sum` are those of the text, a
+//! definition is one `Definition` over the declared symbols that it reaches, and a declared function is a function. Nothing here
+//! sees what the elaborator makes of a text: of the language this module imports trees and declarations alone, so that a fault of
+//! the elaborator is a statement that does not follow from the one that is proved, and no theorem.
+//!
+//! [`reach`] says which declared symbols a formula depends on, [`kinds`] which parameters are integers, [`value`] writes values,
+//! [`function`] what is applied, [`defined`] where all terms have values, [`said`] what is said, and [`sentence`] puts them
+//! together. The rules are those of `derivations/SEMANTICS.md`, in its order.
+
+mod along;
+mod basis;
+mod defined;
+mod forms;
+mod function;
+mod integer;
+mod kinds;
+mod property;
+mod reach;
+mod said;
+mod scope;
+mod sentence;
+mod value;
+mod writer;
+
+pub use sentence::sentence;
