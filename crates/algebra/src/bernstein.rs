@@ -1,4 +1,4 @@
-//! Polynomials on boxes in Bernstein form, and proofs of their sign.
+//! Polynomials on boxes in Bernstein form.
 //!
 //! A polynomial of degree at most `d_k` in `x_k` is, on a box, `sum_j b_j B_j(t)` with the products `B_j` of
 //! Bernstein polynomials in the coordinates `0 <= t_k <= 1` of the box. They are nonnegative and sum to one,
@@ -6,23 +6,33 @@
 //! corners of the index range are the values at the corners of the box (Cargo and Shisha 1966). Halving the
 //! box (de Casteljau) brings the bounds closer, with an error that falls with the square of the width.
 //!
-//! So a polynomial that is positive on a box is proved so after finitely many halvings, and one that is
-//! negative at some point is refuted at a corner. What may stay open is a zero without change of sign.
-//!
 //! Coefficients are integers with one common positive scale: halving costs additions and shifts.
 
-mod check;
-mod prove;
-
-pub use crate::positivity::BernsteinError;
-
-use crate::positivity::RationalBox;
 use crate::rational::{Integer, Rational, integer};
+use crate::rational_box::RationalBox;
 use num_integer::Integer as _;
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 
-pub use check::check_certificate;
-pub use prove::{BernsteinCertificate, Leaf, prove_nonnegative, prove_positive};
+/// Why a polynomial has no Bernstein form here.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum BernsteinError {
+    /// A term has more or fewer exponents than the box has sides.
+    #[error("term {term} has {found} exponents, the box has {expected} sides")]
+    WrongDimension {
+        /// The number of the term, from zero.
+        term: usize,
+        /// The number of its exponents.
+        found: usize,
+        /// The number of sides.
+        expected: usize,
+    },
+    /// There are more coefficients than [`MAX_COEFFICIENTS`](BernsteinForm::MAX_COEFFICIENTS).
+    #[error("the Bernstein form has more than {limit} coefficients")]
+    TooLarge {
+        /// The largest number of coefficients.
+        limit: usize,
+    },
+}
 
 /// A term: the exponent of each variable, and the coefficient. Terms with the same exponents add up.
 pub type Term = (Vec<u32>, Rational);
@@ -31,7 +41,7 @@ pub type Term = (Vec<u32>, Rational);
 ///
 /// ```
 /// use torse_algebra::bernstein::BernsteinForm;
-/// use torse_algebra::positivity::RationalBox;
+/// use torse_algebra::rational_box::RationalBox;
 /// use torse_algebra::rational::{integer, ratio};
 /// // 1 - 2 x y on the unit square.
 /// let terms = [(vec![0, 0], integer(1)), (vec![1, 1], integer(-2))];
@@ -178,32 +188,6 @@ impl BernsteinForm {
             }
         };
         Some((half(low, lower_half), half(high, upper_half)))
-    }
-
-    /// The variable along which the coefficients differ most, and with them the bound on the derivative.
-    /// `None` if they are all the same.
-    fn steepest_axis(&self) -> Option<usize> {
-        let mut stride = self.numerators.len();
-        let mut steepest: Option<(Integer, usize)> = None;
-        for (axis, degree) in self.degrees.iter().enumerate() {
-            let block = stride;
-            stride /= degree + 1;
-            let differences = self.numerators.chunks(block).flat_map(|block| {
-                block
-                    .iter()
-                    .zip(&block[stride..])
-                    .map(|(a, b)| (b - a).abs())
-            });
-            let slope = differences.max().unwrap_or(Integer::ZERO) * *degree;
-            if slope
-                > steepest
-                    .as_ref()
-                    .map_or(Integer::ZERO, |(most, _)| most.clone())
-            {
-                steepest = Some((slope, axis));
-            }
-        }
-        steepest.map(|(_, axis)| axis)
     }
 }
 

@@ -2,18 +2,17 @@
 //!
 //! Sparse polynomials ([`Polynomial`]) over the rationals in named symbols with pi, square roots of primes and
 //! pairs sin/cos of a quarter turn, exponentials, [`Fraction`]s that remember what they were divided by, truncated
-//! power series ([`Jet`]), proofs of sign ([`positivity`]), real roots ([`sturm`]) and matrices over all
+//! power series ([`Jet`]), Bernstein forms ([`bernstein`]), real roots ([`sturm`]) and matrices over all
 //! of these. The numbers they are made of come from [`torse_numbers`] and are named here again.
 #![warn(missing_docs)]
 
 pub mod bernstein;
-pub mod branch;
 pub mod fraction;
 pub mod jet;
 pub mod matrix;
 pub mod mersenne;
 pub mod polynomial;
-pub mod positivity;
+pub mod rational_box;
 pub mod sturm;
 pub mod symbol;
 

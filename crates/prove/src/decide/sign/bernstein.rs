@@ -9,8 +9,8 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use torse_algebra::bernstein::{BernsteinForm, Term};
 use torse_algebra::planted::{Planted, planted};
-use torse_algebra::positivity::RationalBox;
 use torse_algebra::rational::integer;
+use torse_algebra::rational_box::RationalBox;
 use torse_algebra::{Fraction, Integer, Polynomial};
 
 /// The most Bernstein coefficients computed.
