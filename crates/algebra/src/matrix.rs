@@ -1,24 +1,15 @@
 //! Small dense matrices over exact scalars.
 //!
-//! Two determinants that need different things and check each other:
-//!
-//! - [`Matrix::determinant`] expands row by row (Laplace) and keeps one minor for each set of columns, so
-//!   it needs only `+`, `-`, `*`: right over every commutative ring, jets and polynomials included. It takes
-//!   `n 2^(n-1)` products, fewest of all for the sizes of geometry, and refuses `n >` [`Matrix::EXPANSION_LIMIT`].
-//! - [`Matrix::determinant_fraction_free`] eliminates (Bareiss 1968) with divisions that always come out
-//!   even, by Sylvester's identity: every intermediate entry is a minor. It takes about `n^3` products and
-//!   divisions over any domain with [`ExactDivision`].
-//!
-//! Two solvers: [`Matrix::solve`] eliminates (Gauss and Jordan), [`Matrix::solve_by_cramer`] divides by
-//! the determinant and nothing else, so over fractions the only condition recorded is that it is not zero.
+//! [`Matrix::determinant`] expands row by row (Laplace) and keeps one minor for each set of columns, so it needs only
+//! `+`, `-`, `*`: right over every commutative ring, jets and polynomials included. It takes `n 2^(n-1)` products,
+//! fewest of all for the sizes of geometry, and refuses `n >` [`Matrix::EXPANSION_LIMIT`]. [`Matrix::solve`]
+//! eliminates (Gauss and Jordan).
 
 mod determinant;
 mod solve;
 
 use crate::scalar::{ExactError, Scalar};
 use std::ops::{Add, Mul, Neg, Sub};
-
-pub use determinant::ExactDivision;
 
 /// The operations of a commutative ring. Implemented by every type that has them.
 pub trait Ring:
@@ -95,9 +86,6 @@ pub enum MatrixError {
         /// The column.
         column: usize,
     },
-    /// A division of the fraction-free elimination left a remainder, which no integral domain does.
-    #[error("a division of the fraction-free elimination left a remainder")]
-    InexactDivision,
     /// A division of scalars failed.
     #[error(transparent)]
     Scalar(#[from] ExactError),

@@ -2,33 +2,8 @@
 
 use super::{Matrix, MatrixError, Ring};
 use crate::planted::{Planted, planted};
-use crate::rational::{Integer, Rational};
-use crate::scalar::{Scalar, ZeroTest};
-use dashu_int::ops::DivRem;
-use num_traits::Zero;
+use crate::scalar::Scalar;
 use std::collections::BTreeMap;
-
-/// Division in an integral domain where it comes out even.
-pub trait ExactDivision: Sized {
-    /// The element `q` with `self = q * by`; `None` if there is none or `by` is zero.
-    fn exact_quotient(&self, by: &Self) -> Option<Self>;
-}
-
-impl ExactDivision for Integer {
-    fn exact_quotient(&self, by: &Self) -> Option<Self> {
-        if by.is_zero() {
-            return None;
-        }
-        let (quotient, remainder) = self.div_rem(by);
-        remainder.is_zero().then_some(quotient)
-    }
-}
-
-impl ExactDivision for Rational {
-    fn exact_quotient(&self, by: &Self) -> Option<Self> {
-        (!by.is_zero()).then(|| self / by)
-    }
-}
 
 impl<T> Matrix<T> {
     /// The most rows that [`Matrix::determinant`] expands: `16 * 2^15` products.
@@ -83,53 +58,6 @@ impl<T: Ring> Matrix<T> {
         }
         // Only the set of all columns is left.
         minors.into_values().next().ok_or(MatrixError::Empty)
-    }
-}
-
-impl<T: Ring + ZeroTest + ExactDivision> Matrix<T> {
-    /// The determinant over an integral domain, by fraction-free elimination (Bareiss).
-    ///
-    /// With the previous pivot `p` (at first one), each step replaces `a_ij` by
-    /// `(a_kk a_ij - a_ik a_kj) / p`, which by Sylvester's identity is the minor of rows `0..=k, i` and
-    /// columns `0..=k, j`: the division comes out even.
-    ///
-    /// # Errors
-    /// [`MatrixError::NotSquare`]; [`MatrixError::PivotUndecided`] where zero cannot be decided.
-    pub fn determinant_fraction_free(&self) -> Result<T, MatrixError> {
-        let size = self.square_size()?;
-        let mut rows: Vec<Vec<T>> = self.rows().map(<[T]>::to_vec).collect();
-        let mut previous: Option<T> = None;
-        for k in 0..size - 1 {
-            let Some(pivot_row) = (k..size).find(|&i| rows[i][k].is_known_nonzero()) else {
-                return match rows[k..].iter().all(|row| row[k].is_known_zero()) {
-                    true => Ok(rows[k][k].clone()),
-                    false => Err(MatrixError::PivotUndecided { column: k }),
-                };
-            };
-            if pivot_row != k {
-                // Exchanging two rows changes the sign; the negated row restores it.
-                rows.swap(k, pivot_row);
-                for entry in &mut rows[pivot_row] {
-                    *entry = -entry.clone();
-                }
-            }
-            let (done, below) = rows.split_at_mut(k + 1);
-            let pivot_row = &done[k];
-            for row in below {
-                for j in k + 1..size {
-                    let minor = pivot_row[k].clone() * row[j].clone()
-                        - row[k].clone() * pivot_row[j].clone();
-                    row[j] = match &previous {
-                        None => minor,
-                        Some(p) => minor
-                            .exact_quotient(p)
-                            .ok_or(MatrixError::InexactDivision)?,
-                    };
-                }
-            }
-            previous = Some(pivot_row[k].clone());
-        }
-        Ok(rows[size - 1][size - 1].clone())
     }
 }
 

@@ -62,36 +62,3 @@ impl<S: Scalar + ZeroTest> Matrix<S> {
         self.solve(&self.identity_like(self.square_size()?)?)
     }
 }
-
-impl<S: Scalar> Matrix<S> {
-    /// The vector `x` with `self * x = right`, by Cramer's rule: `x_j` is the quotient of the determinant
-    /// with column `j` replaced by `right`, and the determinant. The latter is all that is divided by.
-    ///
-    /// # Errors
-    /// [`MatrixError::NotSquare`], [`MatrixError::ShapeMismatch`], [`MatrixError::TooLarge`];
-    /// [`MatrixError::Scalar`] with the determinant when it is zero or cannot be told from zero.
-    pub fn solve_by_cramer(&self, right: &[S]) -> Result<Vec<S>, MatrixError> {
-        let size = self.square_size()?;
-        if right.len() != size {
-            return Err(MatrixError::ShapeMismatch {
-                left_rows: size,
-                left_columns: size,
-                right_rows: right.len(),
-                right_columns: 1,
-            });
-        }
-        let determinant = self.determinant()?;
-        (0..size)
-            .map(|j| {
-                let replaced = Self::from_fn(size, size, |row, column| {
-                    if column == j {
-                        right[row].clone()
-                    } else {
-                        self.at(row, column).clone()
-                    }
-                });
-                Ok(replaced?.determinant()?.divided_by(&determinant)?)
-            })
-            .collect()
-    }
-}

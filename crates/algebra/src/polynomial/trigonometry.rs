@@ -5,7 +5,6 @@
 //! theorems, a part of a variable as a symbol of its own, and the exact values at multiples of 15 degrees.
 
 use super::Polynomial;
-use crate::matrix::ExactDivision;
 use crate::planted::{Planted, planted};
 use crate::rational::{Rational, integer, ratio, remainder};
 use crate::scalar::{ExactError, Scalar, ZeroTest};
@@ -222,11 +221,5 @@ impl ZeroTest for Polynomial {
 
     fn is_known_nonzero(&self) -> bool {
         !self.is_zero()
-    }
-}
-
-impl ExactDivision for Polynomial {
-    fn exact_quotient(&self, by: &Self) -> Option<Self> {
-        Self::exact_quotient(self, by)
     }
 }
