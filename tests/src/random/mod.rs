@@ -63,10 +63,12 @@ pub enum Kind {
     Exists,
     /// Symbolic powers, sums and products over an index without a basis.
     Powers,
+    /// Everything composed with everything: these claims are made by [`crate::composed`].
+    Composed,
 }
 
 impl Kind {
-    /// All kinds.
+    /// All kinds that keep to one subject.
     pub const ALL: [Self; 19] = [
         Self::Polynomial,
         Self::Inequality,
@@ -112,6 +114,7 @@ impl Kind {
             Self::Integrals => "integrals",
             Self::Exists => "exists",
             Self::Powers => "powers",
+            Self::Composed => "composed",
         }
     }
 
@@ -139,6 +142,7 @@ impl Kind {
             Self::Integrals => kinds::integrals::claim,
             Self::Exists => kinds::exists::claim,
             Self::Powers => kinds::powers::claim,
+            Self::Composed => return crate::composed::claim(seed, number).claim,
         };
         let mut claim = make(&mut stream);
         claim.number = number;
