@@ -7,14 +7,18 @@
 use super::gap::{Beyond, Unchecked, Wrong};
 use super::ground::{Compared, Domain, Met};
 use super::quotient::Quotient;
+use super::sign::Signs;
 use super::value::determinant;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_certificate::number::order;
 use torse_certificate::polynomial::Polynomial;
-use torse_certificate::proof::ground::{Determining, Elimination};
+use torse_certificate::proof::ground::{Determining, Signed};
+use torse_certificate::ratio::Constraint;
+use torse_certificate::sign::Sign;
 use torse_certificate::symbol::Symbol;
 use torse_core::{Set, Source};
+use torse_numbers::Integer;
 use torse_syntax::formula::Relation;
 
 impl Domain<'_> {
@@ -31,14 +35,14 @@ impl Domain<'_> {
             let hypotheses = self.hypotheses(place);
             let known = &hypotheses.all;
             let determined = match &group.by {
-                Determining::Given(places) => {
+                Determining::Given { places, nonzero } => {
                     // Their places count all entries.
                     if let Some(gap) = &hypotheses.gap_in_given {
                         return Err(gap.clone().into());
                     }
-                    self.by_given(place, places, known)
+                    self.by_given(place, (places, nonzero), known)
                 }
-                Determining::Assumed { plainly } => self.by_one(place, *plainly, known),
+                Determining::Assumed { nonzero } => self.by_one(place, nonzero, known),
                 Determining::Root(own) => self.by_root(place, own),
             };
             match (determined, hypotheses.gap.clone()) {
@@ -51,7 +55,12 @@ impl Domain<'_> {
     }
 
     /// A symbol by one equation.
-    fn by_one(&self, place: usize, plainly: bool, known: &[Compared]) -> Result<(), Unchecked> {
+    fn by_one(
+        &self,
+        place: usize,
+        nonzero: &[Signed<Polynomial>],
+        known: &[Compared],
+    ) -> Result<(), Unchecked> {
         let group = self.groups.get(place).ok_or(Wrong::Kind)?;
         let [determined] = group.values.as_slice() else {
             return Err(Wrong::Kind.into());
@@ -59,6 +68,7 @@ impl Domain<'_> {
         let (symbol, value) = (&determined.symbol, &determined.value);
         let wrong = || Wrong::Eliminated(symbol.to_string());
         let mut may_vanish = None;
+        let signed = self.signed(place, nonzero)?;
         for equation in known.iter().filter(|c| c.relation == Relation::Equal) {
             let Some((rest, slope)) = linear(&equation.difference.above, symbol) else {
                 continue;
@@ -72,7 +82,7 @@ impl Domain<'_> {
                 continue;
             }
             let implied = rest.is_number() && !rest.is_zero();
-            if implied || self.is_nonzero(&slope, known, place)? {
+            if implied || self.is_nonzero(&slope, known, place, &signed.factors)? {
                 self.note(&equation.met);
                 return Ok(());
             }
@@ -81,17 +91,38 @@ impl Domain<'_> {
         let Some(slope) = may_vanish else {
             return Err(wrong().into());
         };
-        Err(match plainly {
-            true => self.may_vanish(&slope, known, place)?,
-            false => Beyond::Divisor(slope.to_string()).into(),
-        })
+        Err(signed.may_vanish(&slope))
+    }
+
+    /// Polynomials that differ from zero by their signs, where the symbols of the first groups have their values.
+    fn signed(&self, groups: usize, all: &[Signed<Polynomial>]) -> Result<Apart, Unchecked> {
+        let mut apart = Apart::default();
+        for own in all {
+            let signs = Signs::new(self, &own.constraints, groups)?;
+            apart.take(signs.check(&own.sign), &own.sign)?;
+        }
+        Ok(apart)
+    }
+
+    /// Checks what differs from zero by its sign where all eliminated symbols have their values; it counts from then on.
+    pub fn take_apart(
+        &self,
+        signs: &[Sign<Polynomial>],
+        constraints: &[Constraint<Polynomial>],
+    ) -> Result<(), Unchecked> {
+        for sign in signs {
+            // That a root is positive may rest on the sign before.
+            let checked = Signs::new(self, constraints, self.groups.len())?.check(sign);
+            self.apart.borrow_mut().take(checked, sign)?;
+        }
+        Ok(())
     }
 
     /// Symbols by as many `given` equations: the values satisfy them, and the determinant is not zero.
     fn by_given(
         &self,
         level: usize,
-        places: &[usize],
+        (places, nonzero): (&[usize], &[Signed<Polynomial>]),
         known: &[Compared],
     ) -> Result<(), Unchecked> {
         let group = self.groups.get(level).ok_or(Wrong::Kind)?;
@@ -134,23 +165,25 @@ impl Domain<'_> {
             rows.push(row);
         }
         let determinant = determinant(&rows, self.work)?.above;
-        match self.is_nonzero(&determinant, known, level)? {
+        let signed = self.signed(level, nonzero)?;
+        match self.is_nonzero(&determinant, known, level, &signed.factors)? {
             true => Ok(()),
-            false => Err(self.may_vanish(&determinant, known, level)?),
+            false => Err(signed.may_vanish(&determinant)),
         }
     }
 
     /// Whether a polynomial is a product of what is known to differ from zero where the first groups have their values:
-    /// numbers, conditions, divisors of terms, what hypotheses say is not zero, and symbols whose declared range does not
-    /// contain zero.
+    /// numbers, conditions, divisors of terms, what hypotheses say is not zero, symbols whose declared range does not
+    /// contain zero, integer forms that are zero at no integers, and these factors besides.
     fn is_nonzero(
         &self,
         polynomial: &Polynomial,
         known: &[Compared],
         groups: usize,
+        besides: &[Polynomial],
     ) -> Result<bool, Beyond> {
         let polynomial = &self.unrooted(polynomial, groups)?;
-        if self.divides(polynomial, known, groups, false)? {
+        if self.no_integers_solve(polynomial) || self.divides(polynomial, known, groups, besides)? {
             return Ok(true);
         }
         // The statement says nothing where a term of its own has no value.
@@ -160,7 +193,28 @@ impl Domain<'_> {
                 return Err(Beyond::Large);
             }
         }
-        self.divides(polynomial, known, groups, false)
+        self.divides(polynomial, known, groups, besides)
+    }
+
+    /// Whether a form in integers with integer coefficients has a constant that their greatest common divisor does not divide.
+    fn no_integers_solve(&self, polynomial: &Polynomial) -> bool {
+        let (mut divisor, mut constant) = (Integer::ZERO, Integer::ZERO);
+        for (monomial, coefficient) in polynomial.terms() {
+            if !coefficient.is_integer() {
+                return false;
+            }
+            let coefficient = coefficient.to_integer();
+            match monomial.as_slice() {
+                [] => constant = coefficient,
+                [(Symbol::Named(name), 1)]
+                    if matches!(self.claim.symbols.get(name), Some(Set::Integer { .. })) =>
+                {
+                    divisor = common_divisor(divisor, coefficient);
+                }
+                _ => return false,
+            }
+        }
+        divisor != Integer::ZERO && constant % divisor != Integer::ZERO
     }
 
     fn divides(
@@ -168,7 +222,7 @@ impl Domain<'_> {
         polynomial: &Polynomial,
         known: &[Compared],
         groups: usize,
-        with_seen: bool,
+        besides: &[Polynomial],
     ) -> Result<bool, Beyond> {
         use Relation::{Different, Greater, Less};
         let differs = known
@@ -186,12 +240,23 @@ impl Domain<'_> {
         let implied: Vec<Polynomial> = equations
             .filter_map(|c| without_number(&c.difference.above))
             .collect();
-        let seen = if with_seen { self.seen } else { &[] };
+        let apart = self.apart.borrow();
+        let apart = match groups == self.groups.len() {
+            true => apart.factors.as_slice(),
+            false => &[],
+        };
         let plain = self.conditions.iter().chain(&self.nonzero).chain(&declared);
-        let plain = plain.chain(&implied).chain(seen);
+        let plain = plain.chain(&implied).chain(apart).chain(besides);
+        // What a condition is where eliminated symbols have their values: it is not zero there either.
+        let mut there = vec![];
+        for condition in self.conditions {
+            let replaced = self.replaced(groups, condition)?;
+            there.push((replaced.difference.above, replaced.met));
+        }
         let divisors = self.divisors.borrow();
         let mut factors: Vec<(&Polynomial, &Met)> = plain.map(|p| (p, &none)).collect();
         factors.extend(divisors.get(&groups).into_iter().flatten());
+        factors.extend(there.iter().map(|(p, met)| (p, met)));
         factors.extend(differs.map(|c| (&c.difference.above, &c.met)));
         if polynomial.is_zero() {
             return Ok(false);
@@ -216,29 +281,9 @@ impl Domain<'_> {
         Ok(rest.is_number())
     }
 
-    /// What is said of a divisor of which nothing that is known says that it does not vanish.
-    fn may_vanish(
-        &self,
-        divisor: &Polynomial,
-        known: &[Compared],
-        groups: usize,
-    ) -> Result<Unchecked, Beyond> {
-        let unplain = |group: &Elimination<Polynomial>| {
-            matches!(group.by, Determining::Assumed { plainly: false })
-        };
-        let unrooted = self.unrooted(divisor, groups)?;
-        let seen = self.divides(divisor, known, groups, true)?
-            || self.divides(&unrooted, known, groups, true)?;
-        Ok(match seen || self.groups.iter().any(unplain) {
-            true => Beyond::Divisor(divisor.to_string()).into(),
-            false => Wrong::Divisor(divisor.to_string()).into(),
-        })
-    }
-
     /// What is said of a polynomial of the statement that may vanish for all that is known.
-    pub fn may_vanish_here(&self, polynomial: &Polynomial) -> Result<Unchecked, Beyond> {
-        let known = self.hypotheses(self.groups.len());
-        self.may_vanish(polynomial, &known.all, self.groups.len())
+    pub fn may_vanish_here(&self, polynomial: &Polynomial) -> Unchecked {
+        self.apart.borrow().may_vanish(polynomial)
     }
 
     /// Whether the denominator of a quotient of the proof is known to differ from zero.
@@ -253,8 +298,49 @@ impl Domain<'_> {
         groups: usize,
     ) -> Result<bool, Beyond> {
         let known = self.hypotheses(groups);
-        self.is_nonzero(polynomial, &known.all, groups)
+        self.is_nonzero(polynomial, &known.all, groups, &[])
     }
+}
+
+/// What differs from zero by its sign.
+#[derive(Debug, Default)]
+pub(super) struct Apart {
+    factors: Vec<Polynomial>,
+    /// Why a sign could not be followed.
+    gap: Option<Beyond>,
+}
+
+impl Apart {
+    /// Takes a polynomial whose sign was checked.
+    fn take(
+        &mut self,
+        checked: Result<(), Unchecked>,
+        sign: &Sign<Polynomial>,
+    ) -> Result<(), Unchecked> {
+        match checked {
+            Ok(()) if sign.strict => self.factors.push(sign.polynomial.clone()),
+            Ok(()) => return Err(Wrong::Zero.into()),
+            Err(Unchecked::Beyond(gap)) => self.gap = Some(gap),
+            Err(wrong) => return Err(wrong),
+        }
+        Ok(())
+    }
+
+    /// What is said of a divisor of which nothing that is known says that it does not vanish.
+    fn may_vanish(&self, divisor: &Polynomial) -> Unchecked {
+        match &self.gap {
+            Some(gap) => gap.clone().into(),
+            None => Wrong::Divisor(divisor.to_string()).into(),
+        }
+    }
+}
+
+/// The greatest common divisor, up to its sign, by Euclid's algorithm.
+fn common_divisor(mut a: Integer, mut b: Integer) -> Integer {
+    while b != Integer::ZERO {
+        (a, b) = (b.clone(), a % b);
+    }
+    a
 }
 
 /// Whether zero is in a declared set, as far as its ends tell.

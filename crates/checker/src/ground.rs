@@ -1,6 +1,7 @@
 //! The domain of a claim as the checker sees it: hypotheses expanded, eliminated symbols replaced by their values, and
 //! what was divided by.
 
+use super::eliminated::Apart;
 use super::expand::Expander;
 use super::gap::{Beyond, Work};
 use super::quotient::Quotient;
@@ -28,6 +29,28 @@ pub struct Compared {
     pub met: Met,
 }
 
+impl Compared {
+    /// What an equation `p x + r = 0` says where p is zero: `r = 0`.
+    fn rests(&self, zero: &Self) -> Vec<Self> {
+        let (own, zero_above) = (&self.difference.above, &zero.difference.above);
+        if zero_above.is_number() {
+            return vec![];
+        }
+        let rest = |symbol: &Symbol| match own.coefficients_in(symbol).as_slice() {
+            [rest, slope] if slope.quotient(zero_above).is_some() => Some(rest.clone()),
+            _ => None,
+        };
+        let rests = own.symbols().filter_map(rest);
+        rests
+            .map(|rest| Self {
+                difference: rest.into(),
+                met: self.met.union(&zero.met).cloned().collect(),
+                ..self.clone()
+            })
+            .collect()
+    }
+}
+
 /// The comparisons of all hypotheses that can be expanded.
 #[derive(Debug, Default)]
 pub struct Hypotheses {
@@ -46,15 +69,16 @@ pub type Met = BTreeSet<Symbol>;
 pub struct Domain<'a> {
     pub claim: &'a core::Claim,
     pub work: &'a Work,
-    /// What the verdict says must not vanish.
+    /// What is not zero, and what is, besides what the claim says.
     pub(super) conditions: &'a [Polynomial],
+    zeros: &'a [Polynomial],
     /// The chosen integers.
     fixed: BTreeMap<Symbol, Quotient>,
     pub(super) groups: &'a [Elimination<Polynomial>],
     /// What never vanishes on the declared sets; shown apart from here.
     pub(super) nonzero: Vec<Polynomial>,
-    /// What the prover saw not to vanish, without a proof that is carried.
-    pub(super) seen: &'a [Polynomial],
+    /// What does not vanish where all eliminated symbols have their values, by signs that were checked.
+    pub(super) apart: RefCell<Apart>,
     values: RefCell<BTreeMap<usize, Rc<BTreeMap<Symbol, Quotient>>>>,
     hypotheses: RefCell<BTreeMap<usize, Rc<Hypotheses>>>,
     /// The eliminated symbols that were met.
@@ -67,7 +91,7 @@ pub struct Domain<'a> {
 impl<'a> Domain<'a> {
     pub fn new(
         claim: &'a core::Claim,
-        conditions: &'a [Polynomial],
+        (conditions, zeros): (&'a [Polynomial], &'a [Polynomial]),
         ground: Option<&'a Ground<Polynomial>>,
         integers: &BTreeMap<String, i64>,
         work: &'a Work,
@@ -78,12 +102,13 @@ impl<'a> Domain<'a> {
             claim,
             work,
             conditions,
+            zeros,
             fixed: fixed
                 .map(|(name, n)| (Symbol::named(name), number(n)))
                 .collect(),
             groups: ground.map_or(&[], |ground| &ground.eliminated),
             nonzero: vec![],
-            seen: ground.map_or(&[], |ground| &ground.seen),
+            apart: RefCell::default(),
             values: RefCell::default(),
             hypotheses: RefCell::default(),
             used: RefCell::default(),
@@ -95,6 +120,11 @@ impl<'a> Domain<'a> {
     pub fn with_nonzero(mut self, nonzero: Vec<Polynomial>) -> Self {
         self.nonzero = nonzero;
         self
+    }
+
+    /// Why a hypothesis cannot be read: what rests on it looks wrong, and may be right.
+    pub fn unread(&self) -> Option<Beyond> {
+        self.hypotheses(self.groups.len()).gap.clone()
     }
 
     /// How many groups of symbols are eliminated.
@@ -141,7 +171,7 @@ impl<'a> Domain<'a> {
         };
         let by_assumption = |group: &Elimination<Polynomial>| {
             let met = met.borrow();
-            !matches!(group.by, Determining::Given(_))
+            !matches!(group.by, Determining::Given { .. })
                 && group.values.iter().any(|d| met.contains(&d.symbol))
         };
         let sees_rates = || {
@@ -183,7 +213,7 @@ impl<'a> Domain<'a> {
     /// Whether given equations determine unknowns here.
     fn solves_given(&self) -> bool {
         let mut groups = self.groups.iter();
-        groups.any(|group| matches!(group.by, Determining::Given(_)))
+        groups.any(|group| matches!(group.by, Determining::Given { .. }))
     }
 
     fn is_eliminated(&self, symbol: &Symbol) -> bool {
@@ -230,10 +260,45 @@ impl<'a> Domain<'a> {
                 found.gap = Some(gap);
             }
         }
+        for zero in self.zeros {
+            match self.replaced(groups, zero) {
+                Ok(equation) => {
+                    let rests: Vec<Compared> = found
+                        .all
+                        .iter()
+                        .filter(|known| known.relation == Relation::Equal)
+                        .flat_map(|known| known.rests(&equation))
+                        .collect();
+                    found.all.push(equation);
+                    found.all.extend(rests);
+                }
+                Err(gap) => found.gap = Some(gap),
+            }
+        }
         let found = Rc::new(found);
         let mut kept = self.hypotheses.borrow_mut();
         kept.insert(groups, Rc::clone(&found));
         found
+    }
+
+    /// That a polynomial is zero, where the symbols of the first groups have their values.
+    pub(super) fn replaced(&self, groups: usize, zero: &Polynomial) -> Result<Compared, Beyond> {
+        let values = self.values(groups)?;
+        let met = RefCell::new(Met::new());
+        let put = |symbol: &Symbol| {
+            let value = values.get(symbol)?;
+            if !self.fixed.contains_key(symbol) {
+                met.borrow_mut().insert(symbol.clone());
+            }
+            Some(value.clone())
+        };
+        let difference = Quotient::from(zero.clone()).replaced(&put, self.work)?;
+        Ok(Compared {
+            difference,
+            relation: Relation::Equal,
+            source: Source::Assume,
+            met: met.into_inner(),
+        })
     }
 
     fn expand_hypothesis(
@@ -242,12 +307,18 @@ impl<'a> Domain<'a> {
         hypothesis: &Hypothesis,
         found: &mut Vec<Compared>,
     ) -> Result<(), Beyond> {
-        let parts = compared(&hypothesis.statement);
-        let strange = Beyond::Construct("a hypothesis that is no comparison");
-        for (relation, left, right) in parts.ok_or(strange)? {
-            found.extend(self.compare(groups, hypothesis, relation, left, right)?);
+        let strange = || Beyond::Construct("a hypothesis that is no comparison");
+        let mut gap = None;
+        let of_exponents = hypothesis.statement.of_exponents();
+        for statement in [&hypothesis.statement].into_iter().chain(&of_exponents) {
+            for (relation, left, right) in compared(statement).ok_or_else(strange)? {
+                match self.compare(groups, hypothesis, relation, left, right) {
+                    Ok(all) => found.extend(all),
+                    Err(own) => gap = Some(own),
+                }
+            }
         }
-        Ok(())
+        gap.map_or(Ok(()), Err)
     }
 
     fn compare(
@@ -383,14 +454,22 @@ fn compared(statement: &Statement) -> Option<Vec<(Relation, &core::Term, &core::
             right,
         } => Some(vec![(*relation, left, right)]),
         Statement::Join(Connective::And, a, b) => Some([compared(a)?, compared(b)?].concat()),
-        Statement::Not(inner) => match &**inner {
-            Statement::Compare {
-                relation,
-                left,
-                right,
-            } => Some(vec![(relation.opposite(), left, right)]),
-            _ => None,
-        },
+        Statement::Not(inner) => denied(inner),
+        _ => None,
+    }
+}
+
+/// Those of the denial of a statement, where that is a conjunction.
+fn denied(statement: &Statement) -> Option<Vec<(Relation, &core::Term, &core::Term)>> {
+    match statement {
+        Statement::Compare {
+            relation,
+            left,
+            right,
+        } => Some(vec![(relation.opposite(), left, right)]),
+        Statement::Not(inner) => compared(inner),
+        Statement::Join(Connective::Or, a, b) => Some([denied(a)?, denied(b)?].concat()),
+        Statement::Join(Connective::Implies, a, b) => Some([compared(a)?, denied(b)?].concat()),
         _ => None,
     }
 }

@@ -32,7 +32,7 @@ use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use torse_certificate::polynomial::Polynomial;
 use torse_certificate::proof::refutation::Refuted;
-use torse_certificate::proof::{Emptiness, Instance, Proof};
+use torse_certificate::proof::{Emptiness, Instance, Proof, Zero};
 use torse_certificate::sign::Sign;
 use torse_certificate::symbol::Symbol;
 use torse_core::{Claim, Hypothesis, Set, Source, Statement};
@@ -61,6 +61,7 @@ pub fn proves(
     let check = Check {
         origin,
         conditions,
+        zeros: &[],
         work,
     };
     check.proof(&with_roots(claim, origin)?, proof, &BTreeMap::new())
@@ -82,6 +83,7 @@ pub fn refutes(
     let check = Check {
         origin,
         conditions: &[],
+        zeros: &[],
         work,
     };
     check.refutation(&with_roots(claim, origin)?, refuted, &BTreeMap::new())
@@ -108,7 +110,10 @@ fn without(exponential: &Cell<bool>) -> Result<(), Unchecked> {
 struct Check<'a> {
     /// Where the statement is written.
     origin: &'a Origin,
+    /// What is not zero: the conditions of the verdict, and the pivots of the splits on whose other side the proof is.
     conditions: &'a [Polynomial],
+    /// What is zero: the pivots of the splits on whose side the proof is.
+    zeros: &'a [Polynomial],
     work: &'a Work,
 }
 
@@ -158,16 +163,17 @@ impl Check<'_> {
                 self.proof(&there, proof, integers)
             }
             (_, Proof::Instances(instances)) => self.instances(claim, instances, integers),
+            (_, Proof::On(ground)) if matches!(ground.proof, Proof::Nowhere(_)) => {
+                beyond("a domain without points")
+            }
             (_, Proof::On(ground)) => {
-                let own = || Domain::new(claim, self.conditions, Some(ground), integers, self.work);
+                let facts = (self.conditions, self.zeros);
+                let own = || Domain::new(claim, facts, Some(ground), integers, self.work);
                 let nonzero = nonzero(&own(), &ground.nonzero)?;
-                let checked = statement::check(&own().with_nonzero(nonzero), ground);
-                match ground.seen.first() {
-                    // That a root is positive may rest on this.
-                    Some(seen) if claim.roots().next().is_some() => {
-                        checked.map_err(|_| Beyond::Divisor(seen.to_string()).into())
-                    }
-                    _ => checked,
+                let domain = own().with_nonzero(nonzero);
+                match (statement::check(&domain, ground), domain.unread()) {
+                    (Err(Unchecked::Wrong(_)), Some(gap)) => Err(gap.into()),
+                    (checked, _) => checked,
                 }
             }
             (_, Proof::Defined(proof)) => {
@@ -177,6 +183,33 @@ impl Check<'_> {
                     ..*self
                 };
                 check.proof(claim, proof, integers)
+            }
+            // A number is zero, or it is not.
+            (_, Proof::Split(split)) => {
+                let with = |all: &[Polynomial]| [all, std::slice::from_ref(&split.pivot)].concat();
+                let (conditions, zeros) = (with(self.conditions), with(self.zeros));
+                let nonzero = Check {
+                    conditions: &conditions,
+                    ..*self
+                };
+                let zero = Check {
+                    zeros: &zeros,
+                    ..*self
+                };
+                match &split.zero {
+                    Zero::Proved(proof) => {
+                        nonzero.proof(claim, &split.nonzero, integers)?;
+                        zero.proof(claim, proof, integers)
+                    }
+                    // That it is not zero is a condition of the verdict.
+                    Zero::Fails(refuted) => {
+                        self.proof(claim, &split.nonzero, integers)?;
+                        match self.refutation(claim, refuted, integers) {
+                            Err(wrong @ Unchecked::Wrong(_)) => Err(wrong),
+                            Ok(()) | Err(Unchecked::Beyond(_)) => Ok(()),
+                        }
+                    }
+                }
             }
             (_, Proof::Parts(_)) => beyond("a domain cut into parts"),
             (_, Proof::Clauses(_)) => beyond("a conjunction of alternatives"),
@@ -212,7 +245,7 @@ impl Check<'_> {
             match &instance.proof {
                 // A term that has no value anywhere makes the statement say nothing.
                 Proof::Nowhere(Emptiness::Undefined(_)) => {
-                    let undefined = Domain::new(claim, &[], None, &there, self.work);
+                    let undefined = Domain::new(claim, (&[], &[]), None, &there, self.work);
                     let mut terms = claim.statement.terms().into_iter();
                     let gap = |term| match undefined.entries(term) {
                         Err(Beyond::Undefined(_)) => Some(()),

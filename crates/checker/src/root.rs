@@ -10,7 +10,7 @@ use super::quotient::Quotient;
 use super::sign::Signs;
 use std::sync::Arc;
 use torse_certificate::polynomial::Polynomial;
-use torse_certificate::proof::ground::Rooted;
+use torse_certificate::proof::ground::Signed;
 use torse_certificate::symbol::Symbol;
 use torse_core::Hypothesis;
 
@@ -22,7 +22,7 @@ struct Root {
 
 impl Domain<'_> {
     /// A symbol that is a root, by a value whose square is the radicand and which is not negative.
-    pub(super) fn by_root(&self, place: usize, own: &Rooted<Polynomial>) -> Result<(), Unchecked> {
+    pub(super) fn by_root(&self, place: usize, own: &Signed<Polynomial>) -> Result<(), Unchecked> {
         let work = self.work;
         let group = self.groups.get(place).ok_or(Wrong::Kind)?;
         let [determined] = group.values.as_slice() else {

@@ -18,6 +18,7 @@ use torse_syntax::formula::Relation;
 
 /// A single statement by its proof.
 pub fn check(domain: &Domain<'_>, ground: &Ground<Polynomial>) -> Result<(), Unchecked> {
+    domain.take_apart(&ground.apart, &ground.constraints)?;
     match (&domain.claim.statement, &ground.proof) {
         (
             Statement::Compare {
@@ -326,7 +327,7 @@ fn excluded(
     }
     match domain.nonzero_here(&difference.above)? {
         true => Ok(()),
-        false => Err(domain.may_vanish_here(&difference.above)?),
+        false => Err(domain.may_vanish_here(&difference.above)),
     }
 }
 

@@ -3,6 +3,8 @@
 use super::visited::Visited;
 use super::{BuiltIn, Family, Node, Statement, Term, Variable};
 use std::sync::Arc;
+use torse_numbers::rational::integer;
+use torse_syntax::formula::Connective;
 
 impl Term {
     /// The direct parts, in the order of the text.
@@ -151,6 +153,26 @@ impl Term {
         })
     }
 
+    /// The term of which this one is the exponential; 0 for the number 1.
+    fn exponent(&self) -> Option<Self> {
+        match &*self.node {
+            Node::Apply(BuiltIn::Exponential, items) => match items.as_slice() {
+                [exponent] => Some(exponent.clone()),
+                _ => None,
+            },
+            Node::Opened { body, .. } => body.exponent(),
+            _ if self.is_one() => Some(Self {
+                node: Arc::new(Node::Number(integer(0))),
+                place: self.place,
+            }),
+            _ => None,
+        }
+    }
+
+    fn is_one(&self) -> bool {
+        matches!(&*self.node, Node::Number(value) if *value == integer(1))
+    }
+
     /// Whether a built-in function is applied anywhere in the term. Shared parts are visited once.
     #[must_use]
     pub fn applies(&self, function: BuiltIn) -> bool {
@@ -238,6 +260,26 @@ impl Family {
         self.variables.first().map_or("", Variable::name)
     }
 
+    /// The seeds, then the two factors of the step.
+    pub fn formulas(&self) -> impl Iterator<Item = &Term> {
+        self.seeds.iter().chain([&self.step.0, &self.step.1])
+    }
+
+    /// The family with other formulas for its seeds and step, which is another one: nothing that is remembered of this one by
+    /// its name is true of it.
+    #[must_use]
+    pub fn with_formulas(&self, mut change: impl FnMut(&Term) -> Term) -> Self {
+        Self {
+            name: Arc::clone(&self.name),
+            variables: self.variables.clone(),
+            degree: self.degree,
+            seeds: self.seeds.iter().map(&mut change).collect(),
+            step: (change(&self.step.0), change(&self.step.1)),
+            counters: self.counters.clone(),
+            closed: false,
+        }
+    }
+
     /// All variables that it binds: its own, and those that count in the step.
     pub fn bound(&self) -> impl Iterator<Item = &Variable> {
         let counters = self.counters.iter();
@@ -258,6 +300,66 @@ impl Statement {
         let never = |term: &Term| Ok::<_, std::convert::Infallible>(change(term));
         match self.try_mapped(&never) {
             Ok(statement) => statement,
+        }
+    }
+
+    /// The same statement with every term changed, and the seeds and steps of those families of its properties in which
+    /// variables of enclosing binders may stand.
+    #[must_use]
+    pub fn mapped_throughout(&self, change: &dyn Fn(&Term) -> Term) -> Self {
+        match self {
+            Self::Family(property, family) if !family.closed => {
+                Self::Family(*property, Arc::new(family.with_formulas(change)))
+            }
+            Self::Join(connective, a, b) => Self::Join(
+                *connective,
+                Box::new(a.mapped_throughout(change)),
+                Box::new(b.mapped_throughout(change)),
+            ),
+            Self::Not(inner) => Self::Not(Box::new(inner.mapped_throughout(change))),
+            other => other.mapped(change),
+        }
+    }
+
+    /// What it says of exponents: the exponential is strictly increasing, so `exp(a) == exp(b)` says `a == b`, `exp(a) < exp(b)`
+    /// says `a < b`, and the number 1 is the exponential of 0. `None` where no comparison is one of two exponentials.
+    #[must_use]
+    pub fn of_exponents(&self) -> Option<Self> {
+        match self {
+            Self::Compare {
+                relation,
+                left,
+                right,
+            } => {
+                let (a, b) = (left.exponent()?, right.exponent()?);
+                let both_numbers = left.is_one() && right.is_one();
+                (!both_numbers).then_some(Self::Compare {
+                    relation: *relation,
+                    left: a,
+                    right: b,
+                })
+            }
+            Self::Join(Connective::And, a, b) => match (a.of_exponents(), b.of_exponents()) {
+                (None, None) => None,
+                (first, second) => Some(Self::Join(
+                    Connective::And,
+                    Box::new(first.unwrap_or_else(|| (**a).clone())),
+                    Box::new(second.unwrap_or_else(|| (**b).clone())),
+                )),
+            },
+            Self::Not(inner) => Some(Self::Not(Box::new(inner.of_exponents()?))),
+            _ => None,
+        }
+    }
+
+    /// The families whose properties it states.
+    #[must_use]
+    pub fn families(&self) -> Vec<&Arc<Family>> {
+        match self {
+            Self::Family(_, family) => vec![family],
+            Self::Join(_, a, b) => [a.families(), b.families()].concat(),
+            Self::Not(inner) => inner.families(),
+            Self::Compare { .. } | Self::Agrees { .. } => vec![],
         }
     }
 

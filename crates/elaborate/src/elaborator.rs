@@ -158,7 +158,10 @@ impl<'a> Elaborator<'a> {
                 self.made(node, place)
             })
         };
-        self.statement_in_jets(statement.mapped(&put))
+        for (_, value) in &bound {
+            apart(&statement, value)?;
+        }
+        self.statement_in_jets(statement.mapped_throughout(&put))
     }
 
     /// The basis family of this name.
@@ -517,6 +520,24 @@ impl<'a> Elaborator<'a> {
                 similar,
             },
         )
+    }
+}
+
+/// Fails where a value is written in a symbol whose name a property in the statement takes for the variable of its basis: what
+/// is decided of a property does not tell the two apart.
+fn apart(statement: &Statement, value: &Term) -> Outcome<()> {
+    let mut taken = false;
+    for family in statement.families() {
+        value.declared_names(&mut |name| {
+            taken |= family.variables.iter().any(|own| own.name() == &**name);
+        });
+    }
+    match taken {
+        true => Err(Fault::limit(
+            value.place,
+            "a property of a basis at a value in the basis's own variable or shape parameters",
+        )),
+        false => Ok(()),
     }
 }
 

@@ -14,15 +14,16 @@ use crate::decide::root::Root;
 use crate::decide::sign;
 use crate::decide::value::{plain_symbol, quotient};
 use crate::evaluate::Evaluator;
-use crate::evaluate::linear::{single_symbol, solve_for};
+use crate::evaluate::linear::solve_for;
 use crate::evaluate::series::polynomial_of;
 use crate::evaluate::value::{NOWHERE, Statement, Value};
 use crate::roots::{self, Resolved};
+use crate::unknown::Unknown;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial, Symbol};
-use torse_certificate::proof::ground::{Determined, Determining, Elimination, Rooted};
+use torse_certificate::proof::ground::{Determined, Determining, Elimination, Signed};
 use torse_core::{self as core, Hypothesis, Source};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::declarations::SymbolKind;
@@ -42,6 +43,9 @@ pub struct Ground<'a> {
     pub domain: Domain<'a>,
     /// How symbols were eliminated, in this order.
     pub eliminated: Vec<Elimination<Polynomial>>,
+    /// The factors of the divisors of eliminations that may vanish, each as it was when it was divided by: what the claim
+    /// became says nothing where one of them is zero.
+    pub splits: Vec<Polynomial>,
     solving: Solving,
     roots_solved: RootsAre,
 }
@@ -125,8 +129,28 @@ impl<'a> Ground<'a> {
         fixed: &BTreeMap<String, Fraction>,
         roots: RootsAre,
     ) -> Result<Self, Fault> {
-        let mut ground = Self::made(claim, elaborator, fixed, (Solving::Always, roots))?;
-        ground.solve(&ground.given(claim)?, claim)?;
+        Self::where_zero(claim, elaborator, fixed, roots, &[])
+    }
+
+    /// The same at those points of the domain at which these polynomials are zero.
+    ///
+    /// # Errors
+    /// As [`Ground::new`].
+    pub fn where_zero(
+        claim: &core::Claim,
+        elaborator: Rc<Elaborator<'a>>,
+        fixed: &BTreeMap<String, Fraction>,
+        roots: RootsAre,
+        zeros: &[Polynomial],
+    ) -> Result<Self, Fault> {
+        let how = (Solving::Always, roots);
+        let mut ground = Self::made(claim, elaborator, fixed, how, zeros)?;
+        let given = ground.given(claim)?;
+        match zeros {
+            [] => ground.solve(&given, claim)?,
+            // Where the determinant is zero they do not determine the unknowns.
+            _ => given.iter().try_for_each(|form| ground.vanishes(form))?,
+        }
         ground.bound_integers(claim, fixed);
         Ok(ground)
     }
@@ -141,7 +165,7 @@ impl<'a> Ground<'a> {
         fixed: &BTreeMap<String, Fraction>,
         solving: Solving,
     ) -> Result<Self, Fault> {
-        Self::made(claim, elaborator, fixed, (solving, RootsAre::Symbols))
+        Self::made(claim, elaborator, fixed, (solving, RootsAre::Symbols), &[])
     }
 
     fn made(
@@ -149,12 +173,14 @@ impl<'a> Ground<'a> {
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
         (solving, roots_solved): (Solving, RootsAre),
+        zeros: &[Polynomial],
     ) -> Result<Self, Fault> {
         let evaluator = Evaluator::with(elaborator);
         let mut ground = Self {
             domain: Domain::new(evaluator.declarations),
             evaluator: evaluator.fixing(fixed),
             eliminated: vec![],
+            splits: vec![],
             solving,
             roots_solved,
         };
@@ -168,6 +194,9 @@ impl<'a> Ground<'a> {
         ground.assume_all(others)?;
         let rooted = claim.hypotheses.iter().filter(|h| h.root().is_some());
         let mut roots = ground.resolve(rooted.collect())?;
+        zeros
+            .iter()
+            .try_for_each(|zero| ground.vanishes(&zero.clone().into()))?;
         ground.assume_all(equations)?;
         if ground.domain.pivots.is_empty() {
             roots = ground.resolve(roots)?;
@@ -230,12 +259,13 @@ impl<'a> Ground<'a> {
         radicand: &Fraction,
         found: Resolved,
     ) -> Result<(), Fault> {
-        let rooted = Rooted {
+        let rooted = Signed {
             sign: found.sign,
             constraints: written(&self.domain.constraints),
         };
         let value = found.value.under(radicand.conditions());
-        let value = self.eliminate(symbol, &value)?;
+        let unknown = Unknown::new(symbol.clone()).ok_or_else(no_unknown)?;
+        let value = self.eliminate(&unknown, &value)?;
         let by = Determining::Root(Box::new(rooted));
         self.eliminated_by(vec![(symbol.clone(), value)], by);
         Ok(())
@@ -310,8 +340,8 @@ impl<'a> Ground<'a> {
     ///
     /// # Errors
     /// [`Fault`] for what is no symbol.
-    pub fn unknowns(&self, claim: &core::Claim) -> Result<Vec<Symbol>, Fault> {
-        unknown_symbols(&self.evaluator, &claim.unknowns)
+    pub fn unknowns(&self, claim: &core::Claim) -> Result<Vec<Unknown>, Fault> {
+        unknowns(&self.evaluator, &claim.unknowns)
     }
 
     /// The ranges of integers whose ends name other integers are constraints.
@@ -341,9 +371,11 @@ impl<'a> Ground<'a> {
             let before = pending.len();
             let (mut rest, mut obstacle) = (vec![], None);
             for hypothesis in pending {
+                let of_exponents = hypothesis.statement.of_exponents();
+                let said = of_exponents.as_ref().unwrap_or(&hypothesis.statement);
                 let taken = self
                     .evaluator
-                    .truth(&hypothesis.statement)
+                    .truth(said)
                     .and_then(|statement| self.assume(&statement));
                 match taken {
                     Ok(()) => {}
@@ -402,15 +434,18 @@ impl<'a> Ground<'a> {
             && let (Some(x), Some(y)) = (plain(left), plain(right))
         {
             // `x == formula` eliminates x rather than a symbol of the formula.
-            for (symbol, value) in [(single_symbol(&x), &y), (single_symbol(&y), &x)] {
-                if let Some(symbol) = symbol
-                    && !mentions(value, &symbol)
-                    && self.fits(&symbol, value)
+            for (unknown, value) in [(Unknown::of(&x), &y), (Unknown::of(&y), &x)] {
+                if let Some(unknown) = unknown
+                    && !unknown.occurs_in(value)
+                    && self.fits(unknown.symbol(), value)
                 {
-                    let value = self.eliminate(&symbol, value)?;
+                    if self.ends_the_branch(&unknown, value) {
+                        return Ok(());
+                    }
+                    let value = self.eliminate(&unknown, value)?;
                     self.eliminated_by(
-                        vec![(symbol, value)],
-                        Determining::Assumed { plainly: true },
+                        vec![(unknown.symbol().clone(), value)],
+                        Determining::Assumed { nonzero: vec![] },
                     );
                     return Ok(());
                 }
@@ -466,18 +501,29 @@ impl<'a> Ground<'a> {
             self.constrain(value, Relation::Equal);
             return Ok(());
         }
-        let candidates: Vec<(Symbol, Polynomial, Fraction)> = value
+        let candidates: Vec<(Unknown, Polynomial, Fraction)> = value
             .symbols()
             .into_iter()
-            .filter(|s| matches!(s, Symbol::Named(_) | Symbol::Indexed(..)))
-            .filter_map(|symbol| {
-                let (coefficient, solution) = linear_in(&value, &symbol)?;
-                self.fits(&symbol, &solution)
-                    .then_some((symbol, coefficient, solution))
+            .filter_map(Unknown::new)
+            .filter_map(|unknown| {
+                let (coefficient, solution) = linear_in(&value, &unknown)?;
+                self.fits(unknown.symbol(), &solution)
+                    .then_some((unknown, coefficient, solution))
             })
             .collect();
+        // Where the coefficient is zero, the equation says that the rest is.
+        let zero = |coefficient: &Polynomial| {
+            let equations = self.domain.constraints.iter();
+            let mut equations = equations.filter(|c| c.relation == Relation::Equal);
+            equations.any(|c| coefficient.exact_quotient(c.value.numerator()).is_some())
+        };
+        if let Some((unknown, coefficient, _)) = candidates.iter().find(|(_, c, _)| zero(c)) {
+            let own = Polynomial::symbol(unknown.symbol().clone());
+            let rest = value.numerator() - &(coefficient * &own);
+            return self.vanishes(&rest.into());
+        }
         // A coefficient that vanishes nowhere first: then the equation and its solution say the same.
-        let constant = |(_, coefficient, _): &&(Symbol, Polynomial, Fraction)| {
+        let constant = |(_, coefficient, _): &&(Unknown, Polynomial, Fraction)| {
             coefficient.symbols().iter().all(Symbol::is_number)
         };
         let chosen = candidates
@@ -486,16 +532,17 @@ impl<'a> Ground<'a> {
             .or_else(|| candidates.iter().find(|(_, c, _)| self.never_zero(c)))
             .or_else(|| candidates.first())
             .cloned();
-        let settled = |(_, coefficient, _): &(Symbol, Polynomial, Fraction)| {
+        let settled = |(_, coefficient, _): &(Unknown, Polynomial, Fraction)| {
             coefficient.symbols().iter().all(Symbol::is_number) || self.never_zero(coefficient)
         };
         let chosen = chosen.filter(|found| self.solving == Solving::Always || settled(found));
-        let Some((symbol, coefficient, solution)) = chosen else {
+        let Some((unknown, coefficient, solution)) = chosen else {
             // It determines no symbol rationally; points have to satisfy it all the same.
             self.constrain(value, Relation::Equal);
             return Ok(());
         };
-        let rest = value.numerator() - &(&coefficient * &Polynomial::symbol(symbol.clone()));
+        let own = Polynomial::symbol(unknown.symbol().clone());
+        let rest = value.numerator() - &(&coefficient * &own);
         let plainly = rest
             .as_constant()
             .is_some_and(|c| c != Polynomial::zero().leading_coefficient())
@@ -503,46 +550,75 @@ impl<'a> Ground<'a> {
             || self.domain.assumes_nonzero(&coefficient);
         let implied = plainly || self.never_zero(&coefficient);
         // What the elimination rewrites says nothing of its divisor afterwards.
-        let open = match implied {
-            true => vec![],
+        let (open, nonzero) = match implied {
+            true if plainly => (vec![], vec![]),
+            true => (vec![], self.signed(std::slice::from_ref(&coefficient))),
             false => self.unsettled(std::slice::from_ref(&coefficient)),
         };
-        let value = self.eliminate(&symbol, &solution)?;
-        let by = Determining::Assumed {
-            plainly: plainly || !implied,
-        };
-        self.eliminated_by(vec![(symbol, value)], by);
+        if self.ends_the_branch(&unknown, &solution) {
+            return Ok(());
+        }
+        let value = self.eliminate(&unknown, &solution)?;
+        let by = Determining::Assumed { nonzero };
+        self.eliminated_by(vec![(unknown.symbol().clone(), value)], by);
         if coefficient.as_constant().is_none() {
             match implied {
                 true => self.differ_from_zero(&[coefficient]),
-                false => {
-                    self.domain.pivots.push(coefficient);
-                    self.domain.unsettled.extend(open);
-                }
+                false => self.split(open),
             }
         }
         Ok(())
     }
 
-    /// The factors of divisors of an elimination that may vanish as far as is known now.
-    fn unsettled(&self, divisors: &[Polynomial]) -> Vec<Polynomial> {
-        let mut open = conditions::separated(divisors);
-        open.retain(|divisor| {
+    /// Whether an elimination makes a divisor of an earlier one zero: then there is no point at which the divisor is not, and
+    /// a constraint that holds nowhere says so.
+    fn ends_the_branch(&mut self, unknown: &Unknown, value: &Fraction) -> bool {
+        let Ok(value) = self.resolved(value) else {
+            return false;
+        };
+        let vanishes = |pivot: &Polynomial| {
+            let there = replaced(&pivot.clone().into(), unknown.symbol(), &value);
+            there.is_ok_and(|pivot| pivot.is_zero())
+        };
+        let ends = self.domain.pivots.iter().any(vanishes);
+        if ends {
+            self.constrain(Fraction::zero(), Relation::Different);
+        }
+        ends
+    }
+
+    /// The domain falls into the points at which these are not zero, on which the elimination goes on, and all others.
+    fn split(&mut self, open: Vec<Polynomial>) {
+        self.domain.pivots.extend(open.iter().cloned());
+        self.splits.extend(open);
+    }
+
+    /// The factors of divisors of an elimination that may vanish as far as is known now, and the signs of the others.
+    fn unsettled(&self, divisors: &[Polynomial]) -> (Vec<Polynomial>, Vec<Signed<Polynomial>>) {
+        let vanishes = |divisor: &Polynomial| {
             let ordered = self.domain.with_ordered_exponentials(divisor.symbols());
             divisor.len() > MAX_EXAMINED
                 || !ordered.assumes_nonzero(divisor) && !sign::never_zero(divisor, &ordered)
-        });
-        open
+        };
+        let factors = conditions::separated(divisors).into_iter();
+        let (open, settled): (Vec<_>, Vec<_>) = factors.partition(vanishes);
+        let nonzero = self.signed(&settled);
+        (open, nonzero)
     }
 
-    /// Whether something is known of a symbol that is no equation: a bound, a constraint.
-    fn is_bounded(&self, symbol: &Symbol) -> bool {
-        let declared = match (symbol, self.domain.interval(symbol)) {
-            (Symbol::Named(_), interval) => interval.lower.is_some() || interval.upper.is_some(),
-            _ => false,
+    /// The signs of divisors that do not vanish, where no hypothesis says so.
+    fn signed(&self, divisors: &[Polynomial]) -> Vec<Signed<Polynomial>> {
+        let signed = |divisor: &Polynomial| {
+            let ordered = self.domain.with_ordered_exponentials(divisor.symbols());
+            if ordered.assumes_nonzero(divisor) {
+                return None;
+            }
+            Some(Signed {
+                sign: sign::positive(divisor, &ordered)?,
+                constraints: written(&ordered.constraints),
+            })
         };
-        let mut constraints = self.domain.constraints.iter();
-        declared || constraints.any(|constraint| mentions(&constraint.value, symbol))
+        divisors.iter().filter_map(signed).collect()
     }
 
     /// Whether a divisor is known to vanish nowhere on the domain; long ones are not examined.
@@ -577,7 +653,8 @@ impl<'a> Ground<'a> {
 
     /// Replaces a symbol everywhere, and leaves behind what bound it. The value, with those of symbols that were
     /// eliminated before put in.
-    fn eliminate(&mut self, symbol: &Symbol, value: &Fraction) -> Result<Fraction, Fault> {
+    fn eliminate(&mut self, unknown: &Unknown, value: &Fraction) -> Result<Fraction, Fault> {
+        let symbol = unknown.symbol();
         let value = self.resolved(value)?;
         let put = |f: &Fraction| replaced(f, symbol, &value);
         for constraint in &mut self.domain.constraints {
@@ -592,10 +669,7 @@ impl<'a> Ground<'a> {
         self.domain
             .roots
             .retain(|root| root.symbol != *symbol && !mentions(&root.radicand, &root.symbol));
-        let Domain {
-            pivots, unsettled, ..
-        } = &mut self.domain;
-        for pivot in pivots.iter_mut().chain(unsettled) {
+        for pivot in &mut self.domain.pivots {
             *pivot = put(&pivot.clone().into())?.numerator().clone();
         }
         self.keep_range(symbol, &value);
@@ -677,17 +751,16 @@ impl<'a> Ground<'a> {
         let solution = solve_for(forms, &symbols, NOWHERE).map_err(within)?;
         // Where a divisor vanishes, an unknown may be what its value does not say.
         let divisors = solution.values.values().flat_map(Fraction::conditions);
-        let open = self.unsettled(&divisors.cloned().collect::<Vec<_>>());
-        if solution.values.keys().any(|symbol| self.is_bounded(symbol)) {
-            self.domain.pivots.extend(open.iter().cloned());
-        }
-        self.domain.unsettled.extend(open);
+        let (open, nonzero) = self.unsettled(&divisors.cloned().collect::<Vec<_>>());
+        self.split(open);
         let mut values = vec![];
         for (symbol, value) in &solution.values {
-            let value = self.eliminate(symbol, value).map_err(within)?;
+            let unknown = Unknown::new(symbol.clone()).ok_or_else(no_unknown)?;
+            let value = self.eliminate(&unknown, value).map_err(within)?;
             values.push((symbol.clone(), value));
         }
-        self.eliminated_by(values, Determining::Given(solution.used.clone()));
+        let places = solution.used.clone();
+        self.eliminated_by(values, Determining::Given { places, nonzero });
         solution
             .rest
             .iter()
@@ -744,8 +817,8 @@ fn replaced(value: &Fraction, symbol: &Symbol, by: &Fraction) -> Result<Fraction
 }
 
 /// Coefficient and solution of `value == 0` for a symbol in which it is linear, and which stands nowhere else.
-fn linear_in(value: &Fraction, symbol: &Symbol) -> Option<(Polynomial, Fraction)> {
-    let numerator = value.numerator();
+fn linear_in(value: &Fraction, unknown: &Unknown) -> Option<(Polynomial, Fraction)> {
+    let (numerator, symbol) = (value.numerator(), unknown.symbol());
     if numerator.degree_in(symbol) != 1 {
         return None;
     }
@@ -756,18 +829,19 @@ fn linear_in(value: &Fraction, symbol: &Symbol) -> Option<(Polynomial, Fraction)
     let solution = Fraction::from(-rest.clone())
         .over(&coefficient.clone().into())
         .ok()?;
-    (!mentions(&solution, symbol)).then(|| (coefficient.clone(), solution))
+    (!unknown.occurs_in(&solution)).then(|| (coefficient.clone(), solution))
 }
 
-/// The symbols that unknowns stand for.
-fn unknown_symbols(
-    evaluator: &Evaluator<'_>,
-    unknowns: &[core::Term],
-) -> Result<Vec<Symbol>, Fault> {
+fn no_unknown() -> Fault {
+    Fault::limit(NOWHERE, "a function of unknowns in the place of one")
+}
+
+/// The unknowns that terms stand for.
+fn unknowns(evaluator: &Evaluator<'_>, written: &[core::Term]) -> Result<Vec<Unknown>, Fault> {
     let mut symbols = vec![];
-    for unknown in unknowns {
+    for unknown in written {
         for entry in evaluator.term(unknown)?.entries() {
-            let symbol = entry.as_fraction().and_then(single_symbol);
+            let symbol = entry.as_fraction().and_then(Unknown::of);
             symbols.push(symbol.ok_or_else(|| {
                 crate::evaluate::wrong_type(unknown.place, "a formula", "an unknown such as Q[1]")
             })?);
@@ -782,17 +856,17 @@ fn unknown_symbols(
 /// [`Fault`], pointing into the text that caused it; equations that contradict each other.
 pub fn solve_given(
     given: &[Written],
-    unknowns: &[Written],
+    sought: &[Written],
     evaluator: &Evaluator<'_>,
 ) -> Result<BTreeMap<Symbol, Fraction>, Fault> {
     let Some(first) = given.first() else {
         return Ok(BTreeMap::new());
     };
     let mut symbols = vec![];
-    for unknown in unknowns {
+    for unknown in sought {
         let within = |f: Fault| f.within(&unknown.origin);
         let term = evaluator.elaborator().term(&unknown.expr).map_err(within)?;
-        symbols.extend(unknown_symbols(evaluator, &[term]).map_err(within)?);
+        symbols.extend(unknowns(evaluator, &[term]).map_err(within)?);
     }
     let mut forms = vec![];
     for equation in given {

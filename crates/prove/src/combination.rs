@@ -7,8 +7,9 @@
 //! only if they are polynomials and the sum, multiplied out, is d.
 
 use crate::evaluate::linear::linear_form;
+use crate::unknown::Unknown;
 use torse_algebra::matrix::Matrix;
-use torse_algebra::{Fraction, Polynomial, Symbol};
+use torse_algebra::{Fraction, Polynomial};
 
 /// Larger systems are not looked at: their determinants are the work that this is to save.
 const MAX_UNKNOWNS: usize = 6;
@@ -19,8 +20,9 @@ const MAX_TERMS: usize = 400;
 /// is zero wherever all forms are zero, and all divisors of both are not. `None` if there are none that are polynomials.
 ///
 /// ```
-/// use torse_algebra::{Fraction, Symbol};
+/// use torse_algebra::Fraction;
 /// use torse_prove::combination::multipliers;
+/// use torse_prove::unknown::Unknown;
 /// let name = Fraction::named;
 /// let (r, s) = (name("r"), name("s"));
 /// // a r + b s = e and c r + d s = f
@@ -28,7 +30,7 @@ const MAX_TERMS: usize = 400;
 ///     name("a") * r.clone() + name("b") * s.clone() - name("e"),
 ///     name("c") * r.clone() + name("d") * s.clone() - name("f"),
 /// ];
-/// let unknowns = [Symbol::named("r"), Symbol::named("s")];
+/// let unknowns: Vec<Unknown> = [&r, &s].into_iter().filter_map(Unknown::of).collect();
 /// let determinant = name("a") * name("d") - name("b") * name("c");
 /// let rule = determinant * s.clone() - (name("a") * name("f") - name("c") * name("e"));
 /// assert!(multipliers(&[rule], &forms, &unknowns).is_some());
@@ -41,7 +43,7 @@ const MAX_TERMS: usize = 400;
 pub fn multipliers(
     differences: &[Fraction],
     forms: &[Fraction],
-    unknowns: &[Symbol],
+    unknowns: &[Unknown],
 ) -> Option<Vec<Vec<Polynomial>>> {
     let forms: Vec<Polynomial> = forms.iter().map(|f| f.numerator().clone()).collect();
     let terms: usize = forms.iter().map(Polynomial::len).sum();

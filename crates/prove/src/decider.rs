@@ -4,16 +4,18 @@
 use crate::case::{Ground, RootsAre, Solving, written};
 use crate::combination::multipliers;
 use crate::decide::contradiction::contradiction;
-use crate::decide::domain::Domain;
-use crate::decide::value::{Proof, plain};
+use crate::decide::domain::{Constraint, Domain};
+use crate::decide::value::Proof;
 use crate::decide::{self, Decision, conditions, equality, exponential, instances, sign, witness};
+use crate::evaluate::Evaluator;
+use crate::evaluate::series::polynomial_of;
 use crate::evaluate::value::{Statement, Value};
 use crate::roots;
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
-use torse_algebra::{Fraction, Polynomial};
+use torse_algebra::{Fraction, Polynomial, Symbol};
 use torse_certificate::Refuted;
 use torse_certificate::identity::{Combination, Equations, Vanishing};
 use torse_certificate::proof::Emptiness;
@@ -25,12 +27,12 @@ use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::fault::{Fault, Problem};
 use torse_syntax::formula::Relation;
 /// The values of some integers.
-type Instance = BTreeMap<String, i64>;
+pub(crate) type Instance = BTreeMap<String, i64>;
 
 /// A claim whose hypotheses are comparisons.
 pub(crate) struct Decider<'a> {
     pub claim: core::Claim,
-    elaborator: Rc<Elaborator<'a>>,
+    pub(crate) elaborator: Rc<Elaborator<'a>>,
     /// The domain with no integer fixed and roots as symbols, once it was made: every part of a statement starts from it.
     ground: OnceCell<Ground<'a>>,
 }
@@ -76,7 +78,7 @@ impl<'a> Decider<'a> {
     }
 
     /// Small values of the integers of the claim, and whether they are all there are.
-    fn instances(&self) -> (Vec<Instance>, bool) {
+    pub(crate) fn instances(&self) -> (Vec<Instance>, bool) {
         let declarations = self.elaborator.declarations();
         let integers = instances::ordered(
             self.claim
@@ -276,7 +278,9 @@ impl<'a> Decider<'a> {
     ) -> Result<Decision, Fault> {
         let ground = self.ground(instance)?;
         let rooted = !ground.domain.roots.is_empty();
+        let splits = ground.splits.clone();
         let decision = self.on_ground(statement, instance, ground)?;
+        let decision = self.split(statement, instance, decision, splits);
         if rooted && matches!(decision, Decision::Open { .. }) {
             let ground = self.ground_where(instance, RootsAre::Solved);
             let again = ground.and_then(|ground| self.on_ground(statement, instance, ground));
@@ -287,7 +291,7 @@ impl<'a> Decider<'a> {
         Ok(decision)
     }
 
-    fn on_ground(
+    pub(crate) fn on_ground(
         &self,
         statement: &core::Statement,
         instance: &Instance,
@@ -302,12 +306,14 @@ impl<'a> Decider<'a> {
             .collect();
         if let Some(emptiness) = contradiction(&ground.domain, &names) {
             // Where a divisor of the elimination vanishes, the constraints may say something else.
-            return Ok(match ground.domain.pivots.is_empty() {
+            return Ok(match ground.splits.is_empty() {
                 true => Decision::Vacuous(emptiness),
-                false => Decision::Open {
-                    reason: emptiness.map(&plain).reason(),
-                    tried: vec![],
-                },
+                false => proved(
+                    ground.clone(),
+                    Proof::Nowhere(emptiness),
+                    (ground.splits, (vec![], vec![])),
+                    vec![],
+                ),
             });
         }
         let value = ground.evaluator.truth(statement)?;
@@ -320,8 +326,10 @@ impl<'a> Decider<'a> {
             match ground.evaluator.truth(&self.claim.statement) {
                 Ok(whole) => {
                     let divisors = divisors(&whole);
-                    if !divisors.is_empty() {
+                    let defined = index_ranges(&whole, &self.claim, &ground.evaluator);
+                    if !divisors.is_empty() || !defined.is_empty() {
                         ground.domain.divisors = divisors;
+                        ground.domain.defined = defined;
                         decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
                     }
                 }
@@ -343,10 +351,7 @@ impl<'a> Decider<'a> {
             }
             other => return Ok(other),
         };
-        let mut met: Vec<Polynomial> = proof.conditions().into_iter().cloned().collect();
-        if !is_equality(&value) {
-            met.extend(ground.domain.pivots.iter().cloned());
-        }
+        let met: Vec<Polynomial> = proof.conditions().into_iter().cloned().collect();
         let met = unrooted(&met, &ground);
         let conditions = open_conditions(met.clone(), &ground);
         if !conditions.is_empty()
@@ -384,7 +389,7 @@ impl<'a> Decider<'a> {
 fn proved(
     ground: Ground<'_>,
     proof: Proof,
-    (conditions, (nonzero, seen)): (Vec<Polynomial>, Nonzero),
+    (conditions, (nonzero, apart)): (Vec<Polynomial>, Nonzero),
     ranges: Vec<Sharpness<Polynomial>>,
 ) -> Decision {
     Decision::Proven(Proof::On(Box::new(
@@ -394,15 +399,15 @@ fn proved(
             proof,
             conditions,
             nonzero,
-            seen,
+            apart,
             ranges,
         },
     )))
 }
 
-/// What never vanishes: on the declared sets by a sign, whatever else is assumed, so that eliminations may rest on it; or as
-/// far as was seen under all assumptions.
-type Nonzero = (Vec<Sign<Polynomial>>, Vec<Polynomial>);
+/// What never vanishes, by its sign: on the declared sets, whatever else is assumed, so that eliminations may rest on it; or
+/// under all assumptions.
+type Nonzero = (Vec<Sign<Polynomial>>, Vec<Sign<Polynomial>>);
 
 /// Those of the factors of divisors that were met, and are no conditions.
 fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
@@ -415,20 +420,19 @@ fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<
     }
     let met = conditions::separated(&met);
     let declared = Domain::new(domain.declarations);
-    let (mut signs, mut seen) = (vec![], vec![]);
+    let (mut signs, mut apart) = (vec![], vec![]);
     for divisor in met {
         if conditions.contains(&divisor) {
             continue;
         }
         match sign::positive(&divisor, &declared) {
             Some(sign) => signs.push(sign),
-            None if domain.assumes_nonzero(&divisor) || sign::never_zero(&divisor, domain) => {
-                seen.push(divisor);
-            }
-            None => {}
+            // A hypothesis says it, or no integers make it zero.
+            None if domain.assumes_nonzero(&divisor) => {}
+            None => apart.extend(sign::positive(&domain.without_assumed(&divisor), domain)),
         }
     }
-    (signs, seen)
+    (signs, apart)
 }
 
 /// Whether a fault says that a term is defined nowhere.
@@ -436,16 +440,6 @@ fn undefined(fault: &Fault) -> bool {
     matches!(
         *fault.problem,
         Problem::IndexOutside { .. } | Problem::ZeroDivisor { .. }
-    )
-}
-
-fn is_equality(statement: &Statement) -> bool {
-    matches!(
-        statement,
-        Statement::Compare {
-            relation: Relation::Equal,
-            ..
-        }
     )
 }
 
@@ -470,6 +464,40 @@ fn divisors(statement: &Statement) -> Vec<Polynomial> {
     all
 }
 
+/// That the indices of all members of families in a statement are in their ranges, where these name integers.
+fn index_ranges(
+    statement: &Statement,
+    claim: &core::Claim,
+    evaluator: &Evaluator<'_>,
+) -> Vec<Constraint> {
+    let mut found = vec![];
+    let sides = decide::comparisons(statement).into_iter();
+    for value in sides.flat_map(|(left, right)| [left, right]) {
+        let entries = value.entries().into_iter();
+        let symbols = entries.filter_map(|q| Some(q.as_fraction()?.symbols()));
+        for symbol in symbols.flatten() {
+            let Symbol::Indexed(name, index) = &symbol else {
+                continue;
+            };
+            let Some(SymbolKind::Family { ranges, .. }) = claim.symbols.get(name) else {
+                continue;
+            };
+            for (index, (least, most)) in index.iter().zip(ranges) {
+                for gap in [index.clone() - least.clone(), most.clone() - index.clone()] {
+                    let gap = evaluator.affine_fixed(&gap);
+                    if gap.as_number().is_none_or(|n| n < 0) {
+                        found.push(Constraint {
+                            value: polynomial_of(&gap).into(),
+                            relation: Relation::AtLeast,
+                        });
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
 /// Whether a condition is a factor of a divisor.
 fn divides(condition: &Polynomial, divisor: &Polynomial) -> bool {
     condition == divisor
@@ -483,17 +511,20 @@ fn unrooted(divisors: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
     conditions::separated(&plain)
 }
 
-/// The conditions, factor by factor, that neither the hypotheses state nor the domain implies.
+/// The conditions, factor by factor, that neither the hypotheses state nor the domain implies: divisors of the statement, and
+/// those of eliminations, of which what they made of the claim says nothing.
 fn open_conditions(mut conditions: Vec<Polynomial>, ground: &Ground<'_>) -> Vec<Polynomial> {
     let domain = &ground.domain;
-    let by_declaration = |p: &Polynomial| {
-        let declared = Domain::new(domain.declarations);
-        sign::never_zero(p, &declared.with_ordered_exponentials(p.symbols()))
+    let pivots = &domain.pivots;
+    let settled = |p: &Polynomial| {
+        pivots.iter().any(|pivot| divides(p, pivot))
+            || domain.assumes_nonzero(p)
+            || sign::never_zero(&domain.without_assumed(p), domain)
     };
-    let settled = |p: &Polynomial| match domain.unsettled.iter().any(|u| divides(p, u)) {
-        true => by_declaration(p),
-        false => domain.assumes_nonzero(p) || sign::never_zero(p, domain),
-    };
-    conditions.retain(|p| !planted(Planted::ConditionDropped) && !settled(p));
+    conditions.retain(|p| !settled(p));
+    conditions.extend(ground.splits.iter().cloned());
+    conditions.retain(|_| !planted(Planted::ConditionDropped));
+    conditions.sort();
+    conditions.dedup();
     conditions
 }

@@ -18,7 +18,9 @@ mod parts;
 pub mod roots;
 pub mod sample;
 pub mod sought;
+mod split;
 pub mod statement;
+pub mod unknown;
 
 pub use evidence::{Evidence, Witness};
-pub use statement::{decide_statement, with_prepared};
+pub use statement::{a_point_of, decide_statement, with_prepared};

@@ -4,6 +4,7 @@ use crate::alternatives;
 use crate::decide::value::Proof;
 use crate::decide::{self, Decision};
 use crate::decider::Decider;
+use crate::evidence::Witness;
 use std::rc::Rc;
 use torse_core::{self as core};
 use torse_elaborate::Elaborator;
@@ -31,6 +32,19 @@ impl<'a> Parts<'a> {
             elaborator: Rc::clone(elaborator),
             origin,
         }
+    }
+
+    /// A point of the domain at which the sides of a comparison of the statement have values, if one is found.
+    pub fn anywhere(&self, statement: &core::Statement) -> Option<Witness> {
+        let mut deciders = self.deciders.iter();
+        let point = deciders.find_map(|part| part.anywhere(statement))?;
+        Some(
+            decide::Refutation {
+                refuted: point,
+                sides: None,
+            }
+            .witness(),
+        )
     }
 
     pub fn decide(&self, statement: &core::Statement) -> Result<Decision, Fault> {

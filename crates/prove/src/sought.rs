@@ -8,6 +8,7 @@ use crate::case::Case;
 use crate::evaluate::linear::{linear_form, solve_for};
 use crate::evaluate::value::Statement;
 use crate::formula;
+use crate::unknown::Unknown;
 use std::collections::BTreeMap;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
@@ -42,7 +43,8 @@ pub fn witnessed(claim: &Claim, statement: &Written) -> Result<Option<Found>, Fa
     };
     let mut free = claim.clone();
     free.sought.retain(|sought| sought.witness.is_some());
-    let symbols: Vec<Symbol> = open.iter().map(|s| Symbol::named(&s.name)).collect();
+    let symbols = open.iter().map(|s| Symbol::named(&s.name));
+    let symbols: Vec<Unknown> = symbols.filter_map(Unknown::new).collect();
     let case = Case::new(&free, statement, BTreeMap::new())?;
     let mut forms = vec![];
     equations(&case.statement, &symbols, &mut forms);
@@ -57,6 +59,7 @@ pub fn witnessed(claim: &Claim, statement: &Written) -> Result<Option<Found>, Fa
             Err(_) => {
                 // What the equations do not determine is chosen, the last first.
                 let Some(last) = unknowns.pop() else { break };
+                let last = last.symbol().clone();
                 let chosen = chosen(claim, &last);
                 let put = |form: &Fraction| {
                     let put = form.substituted(|s| (*s == last).then(|| chosen.clone()));
@@ -95,7 +98,7 @@ pub fn witnessed(claim: &Claim, statement: &Written) -> Result<Option<Found>, Fa
 }
 
 /// The equations among what is stated that are linear in what is sought.
-fn equations(statement: &Statement, symbols: &[Symbol], forms: &mut Vec<Fraction>) {
+fn equations(statement: &Statement, unknowns: &[Unknown], forms: &mut Vec<Fraction>) {
     match statement {
         Statement::Compare {
             relation: Relation::Equal,
@@ -106,16 +109,16 @@ fn equations(statement: &Statement, symbols: &[Symbol], forms: &mut Vec<Fraction
             let differences = pairs.filter_map(|(x, y)| x.minus(y).as_fraction().cloned());
             // Where the number itself is no fraction of one symbol its equation is one in the symbol all the same.
             forms.extend(differences.filter(|form| {
-                let mentions = form.symbols().iter().any(|s| symbols.contains(s));
-                mentions && linear_form(form, symbols).is_some()
+                let mentions = unknowns.iter().any(|unknown| unknown.occurs_in(form));
+                mentions && linear_form(form, unknowns).is_some()
             }));
         }
         Statement::Join(Connective::And, a, b) => {
-            equations(a, symbols, forms);
-            equations(b, symbols, forms);
+            equations(a, unknowns, forms);
+            equations(b, unknowns, forms);
         }
         Statement::Join(Connective::Implies, _, conclusion) => {
-            equations(conclusion, symbols, forms);
+            equations(conclusion, unknowns, forms);
         }
         _ => {}
     }

@@ -7,6 +7,7 @@
 use crate::alternatives;
 use crate::decide::value::plain;
 use crate::decide::{self, Decision};
+use crate::evidence::Witness;
 use crate::parts::Parts;
 use std::rc::Rc;
 use torse_core::{self as core};
@@ -22,6 +23,16 @@ use torse_syntax::formula::{Connective, Expr, Node};
 /// [`Fault`] when a formula makes no sense.
 pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, Fault> {
     with_prepared(claim, statement, |prepared| prepared.decide(&mut |_| {}))
+}
+
+/// A point of the domain of a claim at which the sides of a comparison of the statement have values, if one is found.
+///
+/// # Errors
+/// [`Fault`] when a formula makes no sense.
+pub fn a_point_of(claim: &Claim, statement: &Written) -> Result<Option<Witness>, Fault> {
+    with_prepared(claim, statement, |prepared| {
+        Ok(prepared.parts.anywhere(&prepared.statement))
+    })
 }
 
 /// Makes a statement ready on the domain of a claim, and does something with it.

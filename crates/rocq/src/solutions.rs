@@ -50,7 +50,7 @@ fn of_ground(ground: &Ground<Polynomial>) -> Vec<Solved> {
     let given = ground
         .eliminated
         .iter()
-        .filter(|e| matches!(e.by, Determining::Given(_)));
+        .filter(|e| matches!(e.by, Determining::Given { .. }));
     let values = given.flat_map(|elimination| &elimination.values);
     let named = values.filter_map(|value| match &value.symbol {
         Symbol::Named(name) => Some(Solved {

@@ -11,14 +11,17 @@
 //!   counted along arguments of the interval. More than the polygon has disprove the property; that no more are seen
 //!   is one more trial that it stood.
 
+use crate::arithmetic::Arithmetic;
 use crate::domain::set;
 use crate::domain::stream::Stream;
 use crate::evaluate::Evaluator;
-use crate::gap::{Gap, Unknown};
+use crate::gap::{Gap, Unknown, Work};
 use crate::judgement::Judgement;
 use crate::linear;
 use crate::name::Name;
+
 use crate::real::{Real, Reals};
+use crate::residue::{Residue, Residues};
 use crate::scope::Scope;
 use crate::series::Series;
 use crate::value::Value;
@@ -33,6 +36,10 @@ const DEGREES: i64 = 3;
 /// How many polygons are tried at a point, and at how many arguments.
 const POLYGONS: u64 = 6;
 const ARGUMENTS: i64 = 24;
+/// How often functions have to look dependent to be so.
+const TRIALS: u64 = 3;
+/// Into how many parts the unit is divided for their arguments: 2^7 times 3^2 and 7, so that angles have residues.
+const ARGUMENT_PARTS: i64 = 8_064;
 
 type At<'a, 'b> = Evaluator<'a, Reals<'b>>;
 
@@ -143,6 +150,49 @@ fn independent(
         Some(false) => Some(true),
         _ => None,
     })
+}
+
+/// Whether the functions of one degree are dependent at the shape parameters of a point: the determinant of their values at as
+/// many arguments as there are functions is zero modulo a prime, each time that arguments are drawn. Of independent functions
+/// that happens by an accident alone, whose chance is about the degree of the functions divided by the number of arguments
+/// that may be drawn, each time.
+pub(crate) fn dependent(
+    family: &Arc<Family>,
+    degree: i64,
+    value: &dyn Fn(&Name) -> Option<Real>,
+    work: &Work,
+) -> Result<bool, Gap> {
+    let residues = Residues { work };
+    let residue = |name: &Name| value(name).as_ref().map(Residue::from);
+    let at = Evaluator::new(&residues, &residue);
+    let own: Vec<Residue> = family
+        .variables
+        .iter()
+        .skip(1)
+        .map(|v| at.point_value(&Name::Symbol(Arc::from(v.name()))))
+        .collect::<Result<_, _>>()?;
+    for trial in 0..TRIALS {
+        let stream = Stream::new(&family.name, trial);
+        let mut rows = vec![];
+        for place in 0..=degree {
+            // The sine and cosine of a quarter turn times the argument have residues.
+            let whole = ARGUMENT_PARTS;
+            let share = 1 + stream.below(&format!("argument {place}"), whole - 1);
+            let argument =
+                residues.rational(&Rational::new(share.into(), whole.unsigned_abs().into()));
+            let arguments = std::iter::once(argument).chain(own.iter().copied());
+            let arguments = arguments
+                .map(|n| Value::Number(Series::Number(n)))
+                .collect();
+            let functions = at.functions(family, degree, arguments, &Scope::outermost())?;
+            rows.push(functions.to_vec());
+        }
+        let determinant = linear::determinant(&rows, &residues)?;
+        if determinant.is_zero(&residues) != Some(true) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 fn diminishing(

@@ -78,9 +78,18 @@ impl Judge<'_> {
                 relation,
                 left,
                 right,
-            } => self
-                .compare(*relation, left, right, at)
-                .unwrap_or_else(Judgement::from),
+            } => {
+                let found = self.compare(*relation, left, right, at);
+                match found.unwrap_or_else(Judgement::from) {
+                    // Enclosures do not tell equal exponentials apart; exponents are told apart.
+                    Judgement::Undecided => {
+                        let of_exponents = statement.of_exponents();
+                        let judged = of_exponents.map(|said| self.statement(&said, at));
+                        judged.unwrap_or(Judgement::Undecided)
+                    }
+                    found => found,
+                }
+            }
             Statement::Agrees { value, printed, .. } => {
                 agrees(value, printed, at).unwrap_or_else(Judgement::from)
             }

@@ -48,6 +48,13 @@ pub struct Tally {
 }
 
 impl Tally {
+    /// Whether no point was found at which every term of the statement has a value, as far as is known: points were drawn, and
+    /// it is undefined at each of them.
+    #[must_use]
+    pub fn is_undefined(&self) -> bool {
+        self.found > 0 && self.undefined == self.found
+    }
+
     /// Points at which the statement was decided.
     #[must_use]
     pub fn decided(&self) -> u64 {

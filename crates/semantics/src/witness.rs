@@ -2,20 +2,23 @@
 
 use crate::domain::point::{Outside, Point};
 use crate::evaluate::Evaluator;
+use crate::family;
 use crate::gap::Work;
 use crate::judgement::Judgement;
 use crate::name::Name;
 use crate::net::{Numbers, check};
 use crate::real::{Real, Reals};
 use std::sync::Arc;
-use torse_core::{Claim, Set, Statement};
+use torse_core::{Claim, FamilyProperty, Set, Statement};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::declarations::Declarations;
-use torse_syntax::formula::{Expr, Node, parse};
+use torse_syntax::formula::{Connective, Expr, Node, parse};
 use torse_syntax::notation;
 
 /// The precision of numbers that are not exact, in bits.
 const BITS: usize = 1280;
+/// The work that may be spent on the functions of one degree.
+const DEPENDENCE_WORK: u64 = 2_000_000;
 
 /// Why a text is no point of a claim.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -151,20 +154,47 @@ pub enum Witness {
 
 /// Checks a counterexample to a statement about the domain of a claim.
 ///
-/// Every number that the hypotheses and the statement ask for has to be named; bounds of integers as well.
+/// Every number that the hypotheses and the statement ask for has to be named; bounds of integers as well. `degree`, where no
+/// symbol has this name, is the degree at which the functions of a basis are said to be dependent.
 #[must_use]
 pub fn check_witness<'t>(
     claim: &Claim,
     statement: &Statement,
     numbers: impl IntoIterator<Item = (&'t str, &'t str)>,
 ) -> Witness {
+    let is_degree = |name: &str| name == "degree" && !claim.symbols.contains_key(name);
+    let (degrees, numbers): (Vec<_>, Vec<_>) =
+        numbers.into_iter().partition(|(name, _)| is_degree(name));
     let point = match read(claim, numbers) {
         Ok(point) => point,
         Err(why) => return Witness::Unreadable(why),
     };
+    let degree = degrees.first().map(|(_, value)| *value);
+    let dependent = || {
+        degree
+            .and_then(|degree| degree.parse().ok())
+            .is_some_and(|degree| is_dependent(statement, degree, &point))
+    };
     match check(claim, statement, &point) {
         Ok(Judgement::False) => Witness::Refutes,
+        Ok(Judgement::Undecided | Judgement::Unknown(_)) if dependent() => Witness::Refutes,
         Ok(other) => Witness::Stands(other),
         Err(outside) => Witness::Outside(outside),
+    }
+}
+
+/// Whether a statement says that the functions of a basis are independent, by itself or beside others, and those of this
+/// degree are not.
+fn is_dependent(statement: &Statement, degree: i64, point: &Point) -> bool {
+    match statement {
+        Statement::Family(FamilyProperty::Independent, family) => {
+            let work = Work::new(DEPENDENCE_WORK);
+            let value = |name: &Name| point.values.get(name).cloned();
+            family::dependent(family, degree, &value, &work).unwrap_or(false)
+        }
+        Statement::Join(Connective::And, a, b) => {
+            is_dependent(a, degree, point) || is_dependent(b, degree, point)
+        }
+        _ => false,
     }
 }

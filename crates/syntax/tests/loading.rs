@@ -288,6 +288,45 @@ fn files_and_ids_stay_in_the_papers_folder() {
     }
 }
 
+#[test]
+fn the_id_of_a_paper_is_a_plain_name() {
+    let folder = Folder::new("id");
+    folder.write("mini/claims.toml", "");
+    let head = |id: &str| {
+        format!(
+            "[paper]\nid = '{id}'\ntitle = 't'\nauthors = 'a'\nvenue = 'v'\nclaims = ['claims.toml']\n"
+        )
+    };
+    for id in [
+        "../../evil",
+        "/tmp/evil",
+        "..",
+        ".",
+        ".hidden",
+        "a/b",
+        "a\\b",
+        "a..b",
+        "",
+        "a b",
+        "\u{e9}",
+    ] {
+        folder.write("mini/paper.toml", &head(id));
+        let (_, told) = told(&folder.load());
+        assert_eq!(told.len(), 1, "{id}: {told:#?}");
+        assert!(
+            told[0].contains("cannot be the id of a paper"),
+            "{}",
+            told[0]
+        );
+        assert!(told[0].ends_with(&format!("|'{id}'")), "{}", told[0]);
+    }
+    for id in ["mini", "gbt-surfaces", "volume_2.1"] {
+        folder.write("mini/paper.toml", &head(id));
+        let (_, told) = told(&folder.load());
+        assert!(told.is_empty(), "{told:#?}");
+    }
+}
+
 /// Asserts that the claims file of a folder is refused for this reason, and that no text of it is shown.
 fn refused(folder: &Folder, reason: &str) {
     let (ids, told) = told(&folder.load());

@@ -1,10 +1,13 @@
 //! What a verdict rests on, as data.
 
+use crate::condition::nonzero;
 use serde::Serialize;
 use torse_algebra::Polynomial;
 use torse_certificate::{Proof, Refuted};
-use torse_prove::decide::Decision;
 use torse_prove::decide::value::plain;
+use torse_prove::decide::{Decision, Refutation};
+use torse_prove::evidence::Witness;
+use torse_syntax::notation::Formula;
 
 /// What a verdict rests on.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -33,6 +36,23 @@ impl Grounds {
             Decision::Refuted(refutation) => Some(Self::Refutation(refutation.refuted.clone())),
             Decision::Vacuous(_) | Decision::Open { .. } => None,
         }
+    }
+
+    /// The points at which the statement fails because a condition does, each with the condition.
+    #[must_use]
+    pub fn excepted(&self) -> Vec<(Formula, Witness)> {
+        let Self::Proof { of, .. } = self else {
+            return vec![];
+        };
+        let excepted = of.excepted().into_iter();
+        let point = |(condition, refuted): (&Polynomial, &Refuted<Polynomial>)| {
+            let refutation = Refutation {
+                refuted: refuted.clone(),
+                sides: None,
+            };
+            (nonzero(condition), refutation.witness())
+        };
+        excepted.map(point).collect()
     }
 
     /// The same in plain polynomials, as it is checked and written.

@@ -11,12 +11,18 @@
 //! not pass as an accusation of the paper either. Such a condition is reported as not seen to be needed
 //! ([`Sides::seen_needed`]), the steps of the verdict say so, and the verdict is not netted.
 //!
+//! **What is shown.** An accusation is shown only with a point that was put into the text: where its witness cannot be read or
+//! judged, and no other point is found, the claim is undecided. So is one of which no point is found at which all of its
+//! terms have values, for a proof says nothing then.
+//!
 //! **Corrections** are proofs, with conditions of their own, and judged like proofs.
 
 use crate::meant::Meant;
 use crate::outcome::{BEYOND, Net, Outcome, Sides};
 use crate::{condition, provenance, replay};
+use torse_algebra::work;
 use torse_core as core;
+use torse_prove::{self as prove, a_point_of};
 use torse_semantics::{
     Identity, Judgement, Outside, Tally, Witness, Work, beyond, check_witness, identity, instances,
     tally,
@@ -59,7 +65,32 @@ pub(crate) fn secure(outcome: &mut Outcome, meant: &Meant<'_>, budget: u64) {
     }
 }
 
-/// Judges the verdict. A contradiction makes it undecided.
+/// Why a verdict is not shown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Objection {
+    /// The semantics finds the opposite of what the prover calls settled.
+    Contradiction(String),
+    /// Nothing speaks against it, and nothing outside of the prover for it, which is needed.
+    Unseen(String),
+}
+
+impl Objection {
+    /// The same about a part of what was judged.
+    fn about(self, part: &str) -> Self {
+        match self {
+            Self::Contradiction(found) => Self::Contradiction(format!("{part}: {found}")),
+            Self::Unseen(why) => Self::Unseen(format!("{part}: {why}")),
+        }
+    }
+}
+
+impl From<String> for Objection {
+    fn from(found: String) -> Self {
+        Self::Contradiction(found)
+    }
+}
+
+/// Judges the verdict. An objection makes it undecided.
 fn cast(outcome: &mut Outcome, meant: &Meant<'_>) {
     match verdict(outcome, meant, &ALWAYS) {
         None => {}
@@ -75,7 +106,11 @@ fn cast(outcome: &mut Outcome, meant: &Meant<'_>) {
             }));
             outcome.net = Some(net);
         }
-        Some(Err(found)) => contradicted(outcome, found),
+        Some(Err(Objection::Contradiction(found))) => contradicted(outcome, found),
+        Some(Err(Objection::Unseen(why))) => {
+            withdrawn(outcome);
+            outcome.steps = vec![why];
+        }
     }
 }
 
@@ -94,14 +129,7 @@ fn replay(outcome: &mut Outcome, meant: &Meant<'_>, budget: u64) {
 /// What the prover calls settled and the semantics, or the checker of proofs, does not.
 fn contradicted(outcome: &mut Outcome, found: String) {
     let verdict = outcome.verdict;
-    outcome.verdict = Verdict::Undecided;
-    outcome.evidence = None;
-    outcome.correction = None;
-    outcome.data = None;
-    outcome.witness = None;
-    outcome.grounds = None;
-    outcome.replay = None;
-    outcome.conditions.clear();
+    withdrawn(outcome);
     outcome.steps = vec![
         format!("internal contradiction: the proof says {verdict:?}, but {found}"),
         "please report this claim".to_owned(),
@@ -109,25 +137,44 @@ fn contradicted(outcome: &mut Outcome, found: String) {
     outcome.contradiction = Some(found);
 }
 
-/// Judges a verdict with this effort: what was found, or what contradicts it. `None` where nothing was decided.
+/// The claim is undecided: nothing of what was found is shown.
+fn withdrawn(outcome: &mut Outcome) {
+    outcome.verdict = Verdict::Undecided;
+    outcome.evidence = None;
+    outcome.correction = None;
+    outcome.data = None;
+    outcome.witness = None;
+    outcome.difference = None;
+    outcome.derived = None;
+    outcome.grounds = None;
+    outcome.replay = None;
+    outcome.conditions.clear();
+}
+
+/// Judges a verdict with this effort: what was found, or why it is not to be shown. `None` where nothing was decided.
 pub fn judged(
     outcome: &Outcome,
     claim: &Claim,
     statement: &Written,
     effort: &Effort,
-) -> Option<Result<Net, String>> {
+) -> Option<Result<Net, Objection>> {
     let meant = Meant::new(claim, statement)?;
     verdict(outcome, &*meant.needed(outcome)?, effort)
 }
 
 /// The same of what a verdict is about.
-fn verdict(outcome: &Outcome, meant: &Meant<'_>, effort: &Effort) -> Option<Result<Net, String>> {
+fn verdict(
+    outcome: &Outcome,
+    meant: &Meant<'_>,
+    effort: &Effort,
+) -> Option<Result<Net, Objection>> {
     let case = Case {
         claim: &meant.claim,
         statement: meant.statement,
         core: &meant.core,
         seed: format!("{}{}", effort.seed, outcome.id),
         effort,
+        excepted: outcome.grounds.iter().flat_map(|g| g.excepted()).collect(),
     };
     match outcome.verdict {
         Verdict::Holds | Verdict::Conditional | Verdict::Definition => {
@@ -146,6 +193,8 @@ struct Case<'a> {
     core: &'a core::Claim,
     seed: String,
     effort: &'a Effort,
+    /// Conditions of the proof with points at which the statement fails because they do: nothing is believed of these.
+    excepted: Vec<(Formula, prove::Witness)>,
 }
 
 impl Case<'_> {
@@ -162,15 +211,16 @@ impl Case<'_> {
     }
 
     /// A proof under conditions, at points of the domain.
-    fn proof(&self, conditions: &[Formula]) -> Result<Net, String> {
+    fn proof(&self, conditions: &[Formula]) -> Result<Net, Objection> {
         let read: Option<Vec<core::Statement>> = conditions.iter().map(|c| self.read(c)).collect();
         let Some(read) = read else {
             return Ok(Net::uncovered("a condition that cannot be read back"));
         };
         let tally = self.tally(&read);
         if let Some(point) = tally.failing {
-            return Err(format!("it is false at {point}"));
+            return Err(format!("it is false at {point}").into());
         }
+        self.is_somewhere(&tally)?;
         let instances = self.instances(&read)?;
         let conditions: Vec<Sides> = conditions
             .iter()
@@ -198,6 +248,35 @@ impl Case<'_> {
         })
     }
 
+    /// Fails unless the statement has a value somewhere on the domain: where the points that were drawn do not tell, at the one
+    /// that the prover knows.
+    fn is_somewhere(&self, tally: &Tally) -> Result<(), Objection> {
+        if tally.found > 0 && !tally.is_undefined() {
+            return Ok(());
+        }
+        let nowhere = || {
+            let what = "no point was found at which all of its terms have values: it says nothing that was seen";
+            Objection::Unseen(what.to_owned())
+        };
+        let known = work::within(self.effort.budget.saturating_mul(10), || {
+            a_point_of(self.claim, self.statement)
+        });
+        let Ok(Ok(Some(known))) = known else {
+            return Err(nowhere());
+        };
+        let numbers = known.at.iter();
+        let numbers = numbers.map(|(name, value)| (name.as_str(), value.as_str()));
+        match check_witness(self.core, &self.core.statement, numbers) {
+            Witness::Stands(Judgement::Undefined(_))
+            | Witness::Outside(_)
+            | Witness::Unreadable(_) => Err(nowhere()),
+            Witness::Stands(_) => Ok(()),
+            Witness::Refutes => Err("it is false at a point that the prover knows"
+                .to_owned()
+                .into()),
+        }
+    }
+
     /// The statement where a condition fails. A condition that is a hypothesis fails nowhere on the domain; it is looked
     /// at without it.
     fn sides(&self, formula: &Formula, condition: &core::Statement) -> Sides {
@@ -215,14 +294,30 @@ impl Case<'_> {
             BEYOND,
             effort.beyond,
         );
-        let found = found.unwrap_or_default();
+        let mut found = found.unwrap_or_default();
+        let mut needed_at = found.needed_at.map(|point| point.to_string());
+        let mut excepted = self.excepted.iter();
+        if needed_at.is_none()
+            && let Some((_, known)) = excepted.find(|(own, _)| own.text == formula.text)
+        {
+            let numbers = known.at.iter();
+            let numbers = numbers.map(|(name, value)| (name.as_str(), value.as_str()));
+            if check_witness(self.core, &self.core.statement, numbers) == Witness::Refutes {
+                let point = known
+                    .at
+                    .iter()
+                    .map(|(name, value)| format!("{name} = {value}"));
+                needed_at = Some(point.collect::<Vec<_>>().join(", "));
+                found.failing += 1;
+            }
+        }
         Sides {
             condition: formula.text.clone(),
             tried: found.attempts,
             holding: found.holding,
             failing: found.failing,
             undefined: found.undefined,
-            needed_at: found.needed_at.map(|point| point.to_string()),
+            needed_at,
         }
     }
 
@@ -253,7 +348,7 @@ impl Case<'_> {
     }
 
     /// A refutation at its witness, and its correction at points of the domain.
-    fn refutation(&self, outcome: &Outcome) -> Result<Net, String> {
+    fn refutation(&self, outcome: &Outcome) -> Result<Net, Objection> {
         let mut net = self.witness(outcome)?;
         let Some(correction) = &outcome.correction else {
             return Ok(net);
@@ -271,11 +366,12 @@ impl Case<'_> {
             core: corrected,
             statement,
             seed: self.seed.clone(),
+            excepted: vec![],
             ..*self
         };
         let found = case
             .proof(&correction.conditions)
-            .map_err(|found| format!("the correction is wrong: {found}"))?;
+            .map_err(|found| found.about("the correction is wrong"))?;
         if !found.netted {
             net.netted = false;
             net.why = found
@@ -287,64 +383,62 @@ impl Case<'_> {
         Ok(net)
     }
 
-    fn witness(&self, outcome: &Outcome) -> Result<Net, String> {
+    fn witness(&self, outcome: &Outcome) -> Result<Net, Objection> {
         if let core::Statement::Not(denied) = &self.core.statement {
             return self.denial(denied);
         }
         let Some(witness) = &outcome.witness else {
-            return Ok(self.elsewhere("it names no point"));
+            return self.elsewhere("it names no point");
         };
         let numbers = witness
             .at
             .iter()
             .map(|(name, value)| (name.as_str(), value.as_str()));
-        Ok(
-            match check_witness(self.core, &self.core.statement, numbers) {
-                Witness::Refutes => Net::refuted(1),
-                Witness::Outside(Outside::Hypothesis {
-                    judgement: judgement @ (Judgement::Undecided | Judgement::Unknown(_)),
-                    ..
-                }) => self.elsewhere(&judgement.to_string()),
-                Witness::Outside(why) => {
-                    return Err(format!("its witness is outside of the domain: {why}"));
-                }
-                Witness::Stands(judgement @ (Judgement::True | Judgement::Undefined(_))) => {
-                    return Err(format!("the statement is {judgement} at its witness"));
-                }
-                Witness::Stands(judgement) => self.elsewhere(&judgement.to_string()),
-                Witness::Unreadable(why) => self.elsewhere(&why.to_string()),
-            },
-        )
+        match check_witness(self.core, &self.core.statement, numbers) {
+            Witness::Refutes => Ok(Net::refuted(1)),
+            Witness::Outside(Outside::Hypothesis {
+                judgement: judgement @ (Judgement::Undecided | Judgement::Unknown(_)),
+                ..
+            }) => self.elsewhere(&judgement.to_string()),
+            Witness::Outside(why) => {
+                Err(format!("its witness is outside of the domain: {why}").into())
+            }
+            Witness::Stands(judgement @ (Judgement::True | Judgement::Undefined(_))) => {
+                Err(format!("the statement is {judgement} at its witness").into())
+            }
+            Witness::Stands(judgement) => self.elsewhere(&judgement.to_string()),
+            Witness::Unreadable(why) => self.elsewhere(&why.to_string()),
+        }
     }
 
     /// That `not p` is false says that p is true at every point: a proof.
-    fn denial(&self, denied: &core::Statement) -> Result<Net, String> {
+    fn denial(&self, denied: &core::Statement) -> Result<Net, Objection> {
         let mut core = self.core.clone();
         core.statement = denied.clone();
         let case = Case {
             core: &core,
             seed: self.seed.clone(),
+            excepted: vec![],
             ..*self
         };
         let found = case.proof(&[]);
-        found.map_err(|found| format!("what it denies fails somewhere: {found}"))
+        found.map_err(|found| found.about("what it denies is not shown"))
     }
 
-    /// A refutation whose witness cannot be put in, because it does not name every number or speaks of functions:
-    /// another point at which the statement is false.
-    fn elsewhere(&self, why: &str) -> Net {
+    /// A refutation whose witness cannot be put in, because it does not name every number, or is not decided there: another
+    /// point at which the statement is false. Without one nothing but the prover says that it is.
+    fn elsewhere(&self, why: &str) -> Result<Net, Objection> {
         let tally = self.tally(&[]);
         match tally.failing {
-            Some(_) => Net::refuted(tally.attempts),
-            None => Net {
-                tried: tally.attempts,
-                ..Net::uncovered(why)
-            },
+            Some(_) => Ok(Net::refuted(tally.attempts)),
+            None => Err(Objection::Unseen(format!(
+                "a point at which it fails was found, but not put into the text: {why}"
+            ))),
         }
     }
 
     /// A domain that is said to be empty.
-    fn nowhere(&self) -> Result<Net, String> {
+    fn nowhere(&self) -> Result<Net, Objection> {
         let tally = self.tally(&[]);
         match tally.found {
             0 => Ok(Net {
@@ -353,7 +447,7 @@ impl Case<'_> {
                     "that no point of the domain was drawn is no proof that there is none",
                 )
             }),
-            _ => Err("its domain has points".to_owned()),
+            _ => Err("its domain has points".to_owned().into()),
         }
     }
 

@@ -8,7 +8,7 @@
 //! That proves no statement again, but an error of the prover would have to be made here once more, in other words, to
 //! pass.
 
-use crate::net::{self, Effort};
+use crate::net::{self, Effort, Objection};
 use crate::outcome::{Net, Outcome};
 use crate::sought;
 use torse_syntax::derivation::Claim;
@@ -59,6 +59,7 @@ pub fn claim(claim: &Claim, outcome: &Outcome) -> Recheck {
         None => Recheck::Nothing,
         Some(Ok(net)) if net.netted => Recheck::Netted(net),
         Some(Ok(net)) => Recheck::Decided(net),
-        Some(Err(found)) => Recheck::Contradicted { found },
+        Some(Err(Objection::Contradiction(found))) => Recheck::Contradicted { found },
+        Some(Err(Objection::Unseen(why))) => Recheck::Decided(Net::uncovered(&why)),
     }
 }

@@ -15,6 +15,7 @@ use torse_elaborate::Elaborator;
 use torse_prove::decide::Decision;
 use torse_prove::with_prepared;
 use torse_syntax::derivation::{Claim, DerivationError, Finding};
+use torse_syntax::fault::Problem;
 use torse_syntax::words::{Kind, Verdict};
 
 /// A claim whose verdict is decided.
@@ -177,6 +178,10 @@ fn decided<'c>(
         with_prepared(claim, statement, |prepared| prepared.decide(&mut tell))
     });
     match decided {
+        // What the formulas mean is not reached here: the author is not to blame.
+        Ok(Err(fault)) if matches!(*fault.problem, Problem::Limit { .. }) => {
+            outcome.steps = vec![fault.problem.to_string()];
+        }
         Ok(decision) => {
             let decision =
                 decision.map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;

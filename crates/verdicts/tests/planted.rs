@@ -244,6 +244,10 @@ fn every_planted_fault_changes_a_verdict_and_is_caught() {
             (None, Undecided) if faulty.steps.concat().contains("certificate") => {
                 Some(Caught::Replay)
             }
+            // What has no value anywhere is not shown.
+            (None, Undecided) if faulty.steps.concat().contains("no point was found") => {
+                Some(Caught::NotNetted)
+            }
             (None, _) if faulty.net.as_ref().is_some_and(|net| net.decided == 0) => {
                 Some(Caught::NotNetted)
             }

@@ -23,9 +23,8 @@ pub struct Ground<P> {
     pub conditions: Vec<P>,
     /// What never vanishes on the declared sets, whatever is assumed: by its sign.
     pub nonzero: Vec<Sign<P>>,
-    /// What was seen not to vanish under all assumptions, eliminated symbols replaced: an elimination that rests on this is
-    /// not shown by the proof.
-    pub seen: Vec<P>,
+    /// What never vanishes under all assumptions, eliminated symbols replaced: by its sign. No elimination may rest on this.
+    pub apart: Vec<Sign<P>>,
     /// What is known about the ranges of parameters besides.
     pub ranges: Vec<Sharpness<P>>,
 }
@@ -54,21 +53,26 @@ pub struct Determined<P> {
 pub enum Determining<P> {
     /// An assumed equation, linear in the one symbol.
     Assumed {
-        /// Whether its coefficient is a number, or differs from zero by a hypothesis or a condition of the proof; else its
-        /// sign was seen on the domain before the elimination.
-        plainly: bool,
+        /// Of the factors of its coefficient those that differ from zero by no number, hypothesis or condition of the proof,
+        /// but by their signs before the elimination.
+        nonzero: Vec<Signed<P>>,
     },
-    /// As many of the `given` equations, by their places among all entries of these: linear in the symbols, with a
-    /// determinant that is not zero.
-    Given(Vec<usize>),
-    /// The symbol is a root, and the square of the value is its radicand.
-    Root(Box<Rooted<P>>),
+    /// As many of the `given` equations: linear in the symbols, with a determinant that is not zero.
+    Given {
+        /// Their places among all entries of these.
+        places: Vec<usize>,
+        /// Factors of the determinant, as for an assumed equation.
+        nonzero: Vec<Signed<P>>,
+    },
+    /// The symbol is a root, and the square of the value is its radicand: numerator times denominator of the value, which is
+    /// not negative, make it the root and not its negative.
+    Root(Box<Signed<P>>),
 }
 
-/// Why a value is the root, which is not negative, and not its negative.
+/// A sign under what was assumed before an elimination.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Rooted<P> {
-    /// Numerator times denominator of the value, which is not negative.
+pub struct Signed<P> {
+    /// The sign.
     pub sign: Sign<P>,
     /// The constraints that the sign names by their places.
     pub constraints: Vec<Constraint<P>>,
@@ -110,7 +114,7 @@ impl<P> Ground<P> {
             proof: self.proof.map(change),
             conditions: self.conditions.iter().map(change).collect(),
             nonzero: self.nonzero.iter().map(|sign| sign.map(change)).collect(),
-            seen: self.seen.iter().map(change).collect(),
+            apart: self.apart.iter().map(|sign| sign.map(change)).collect(),
             ranges: self.ranges.iter().map(|range| range.map(change)).collect(),
         }
     }
@@ -122,15 +126,21 @@ impl<P> Elimination<P> {
             symbol: own.symbol.clone(),
             value: own.value.map(change),
         };
+        let signed = |own: &Signed<P>| Signed {
+            sign: own.sign.map(change),
+            constraints: own.constraints.iter().map(|c| c.map(change)).collect(),
+        };
         Elimination {
             values: self.values.iter().map(value).collect(),
             by: match &self.by {
-                Determining::Assumed { plainly } => Determining::Assumed { plainly: *plainly },
-                Determining::Given(places) => Determining::Given(places.clone()),
-                Determining::Root(own) => Determining::Root(Box::new(Rooted {
-                    sign: own.sign.map(change),
-                    constraints: own.constraints.iter().map(|c| c.map(change)).collect(),
-                })),
+                Determining::Assumed { nonzero } => Determining::Assumed {
+                    nonzero: nonzero.iter().map(signed).collect(),
+                },
+                Determining::Given { places, nonzero } => Determining::Given {
+                    places: places.clone(),
+                    nonzero: nonzero.iter().map(signed).collect(),
+                },
+                Determining::Root(own) => Determining::Root(Box::new(signed(own))),
             },
         }
     }

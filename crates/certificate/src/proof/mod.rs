@@ -67,6 +67,30 @@ pub enum Proof<P> {
     Exists(Box<Refuted<P>>),
     /// A proof whose conditions only say where the terms of the statement are defined.
     Defined(Box<Proof<P>>),
+    /// Two proofs: where a polynomial is not zero, and where it is.
+    Split(Box<Split<P>>),
+}
+
+/// What an equation determines is known only where the coefficient of the symbol is not zero: the domain falls into the points
+/// at which it is not, and those at which it is.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Split<P> {
+    /// The coefficient, or whatever else a proof divides by.
+    pub pivot: P,
+    /// The proof where it is not zero.
+    pub nonzero: Proof<P>,
+    /// What is known where it is zero.
+    pub zero: Zero<P>,
+}
+
+/// What is known of the points of a domain at which a polynomial is zero.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Zero<P> {
+    /// The statement is true at all of them.
+    Proved(Proof<P>),
+    /// It fails at one: that the polynomial is not zero is a condition of the statement, and needed.
+    Fails(Refuted<P>),
 }
 
 /// A proof for chosen values of integers.
@@ -134,6 +158,14 @@ impl<P> Proof<P> {
             Self::Nowhere(emptiness) => Proof::Nowhere(emptiness.map(change)),
             Self::Exists(refuted) => Proof::Exists(Box::new(refuted.map(change))),
             Self::Defined(proof) => Proof::Defined(one(proof)),
+            Self::Split(split) => Proof::Split(Box::new(Split {
+                pivot: change(&split.pivot),
+                nonzero: split.nonzero.map(change),
+                zero: match &split.zero {
+                    Zero::Proved(proof) => Zero::Proved(proof.map(change)),
+                    Zero::Fails(refuted) => Zero::Fails(refuted.map(change)),
+                },
+            })),
         }
     }
 
@@ -147,6 +179,10 @@ impl<P> Proof<P> {
                 vec![proof]
             }
             Self::Instances(instances) => instances.iter().map(|one| &one.proof).collect(),
+            Self::Split(split) => match &split.zero {
+                Zero::Proved(zero) => vec![&split.nonzero, zero],
+                Zero::Fails(_) => vec![&split.nonzero],
+            },
             _ => vec![],
         }
     }
@@ -186,6 +222,14 @@ impl<P> Proof<P> {
             Self::Excluded(proof) => proof.divisors.iter().collect(),
             Self::On(ground) => ground.conditions.iter().collect(),
             Self::Defined(_) => vec![],
+            Self::Split(split) => match &split.zero {
+                Zero::Proved(zero) => {
+                    let nonzero = split.nonzero.conditions().into_iter();
+                    let others = nonzero.filter(|condition| **condition != split.pivot);
+                    others.chain(zero.conditions()).collect()
+                }
+                Zero::Fails(_) => split.nonzero.conditions(),
+            },
             _ => self
                 .parts()
                 .into_iter()
@@ -195,6 +239,20 @@ impl<P> Proof<P> {
         all.sort();
         all.dedup();
         all
+    }
+
+    /// The points at which the statement fails because a condition of the proof does, with what is zero there.
+    #[must_use]
+    pub fn excepted(&self) -> Vec<(&P, &Refuted<P>)> {
+        let own = match self {
+            Self::Split(split) => match &split.zero {
+                Zero::Fails(refuted) => Some((&split.pivot, refuted)),
+                Zero::Proved(_) => None,
+            },
+            _ => None,
+        };
+        let inside = self.parts().into_iter().flat_map(Self::excepted);
+        own.into_iter().chain(inside).collect()
     }
 
     /// The constraints that the proof uses: those that a certificate of sign multiplies, splits off or cuts the box with, and
@@ -256,6 +314,18 @@ impl Proof<Polynomial> {
                     "no point is to be looked at: {}",
                     emptiness.reason()
                 )]
+            }
+            Self::Split(split) => {
+                let zero = match &split.zero {
+                    Zero::Proved(_) => format!("where {} is zero it holds as well", split.pivot),
+                    Zero::Fails(refuted) => {
+                        let point: Vec<String> =
+                            refuted.at().iter().map(|value| value.text()).collect();
+                        let point = point.join(", ");
+                        format!("where {} is zero it fails: {point}", split.pivot)
+                    }
+                };
+                split.nonzero.steps().into_iter().chain([zero]).collect()
             }
             Self::Exists(refuted) => {
                 let mut steps = refuted.steps();

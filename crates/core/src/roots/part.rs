@@ -20,6 +20,9 @@ pub(super) fn mentions(term: &Term, number: u32) -> bool {
             return true;
         }
         pending.extend(term.parts());
+        if let Node::Basis { family, .. } = &*term.node {
+            pending.extend(family.formulas());
+        }
     }
     false
 }
@@ -58,6 +61,23 @@ fn put(term: &Term, number: u32, by: &Term, done: &mut BTreeMap<usize, Term>) ->
     let changed = match term.with_parts(&mut parts) {
         Ok(changed) => changed,
         Err(impossible) => match impossible {},
+    };
+    let changed = match &*changed.node {
+        Node::Basis {
+            family,
+            index,
+            degree,
+            arguments,
+        } if family.formulas().any(|formula| mentions(formula, number)) => Term {
+            node: Arc::new(Node::Basis {
+                family: Arc::new(family.with_formulas(|formula| put(formula, number, by, done))),
+                index: index.clone(),
+                degree: degree.clone(),
+                arguments: arguments.clone(),
+            }),
+            place: changed.place,
+        },
+        _ => changed,
     };
     // What was closed but for this variable may not be so with what takes its place.
     let closed = match &*changed.node {
@@ -120,6 +140,15 @@ fn write(term: &Term, variables: &mut BTreeMap<u32, usize>, text: &mut String) -
         Node::Variable(variable) => write!(text, "v{}", bound(variable.number(), variables)),
         Node::Vector(name, dimension) => write!(text, "w{{{name}}}{dimension:?}"),
         Node::Member(points, _) => write!(text, "m{{{}}}", points.name),
+        // What stands for a symbol below `at` or `D` may stand in the seeds.
+        Node::Basis { family, .. } if !family.closed => {
+            write!(text, "b{{{}", family.name).ok()?;
+            for formula in family.formulas() {
+                text.push(',');
+                write(formula, variables, text)?;
+            }
+            write!(text, "}}")
+        }
         Node::Basis { family, .. } => write!(text, "b{{{}}}", family.name),
         Node::Negative(_) => write!(text, "-"),
         Node::Binary(operator, ..) => write!(text, "{}", operator.sign()),

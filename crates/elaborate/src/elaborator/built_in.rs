@@ -1,7 +1,7 @@
 //! The built-in functions, and derivatives.
 
 use super::binders::{Local, Scope, Use};
-use super::{Elaborator, Lambda, Meaning, Outcome, wrong};
+use super::{Elaborator, Lambda, Meaning, Outcome, apart, wrong};
 use std::sync::Arc;
 use torse_core::{
     BuiltIn, Degrees, Family, FamilyProperty, Node, Printed, Statement, Term, Variable,
@@ -45,11 +45,41 @@ pub(super) const NAMES: [&str; 29] = [
 ];
 
 impl Elaborator<'_> {
-    fn named_family(&self, name: &Expr) -> Outcome<Arc<Family>> {
-        match &name.node {
-            formula::Node::Name(basis) => self.family(basis, name.place),
-            _ => Err(wrong(name.place, "a formula", "the name of a basis")),
+    /// The family that a property is about, with what stands for declared symbols in this scope in its seeds and its step:
+    /// a shape parameter for which something stands is none.
+    fn named_family(&self, name: &Expr, scope: &Scope) -> Outcome<Arc<Family>> {
+        let formula::Node::Name(basis) = &name.node else {
+            return Err(wrong(name.place, "a formula", "the name of a basis"));
+        };
+        let Some(declared) = self.declarations.basis(basis) else {
+            return self.family(basis, name.place);
+        };
+        quantified(declared, name.place, scope)?;
+        let family = self.family_of(basis, declared, &scope.outside())?;
+        let fixed: Vec<(&Variable, &Variable)> = family
+            .variables
+            .iter()
+            .filter_map(|own| Some((own, scope.globals.get(own.name())?)))
+            .collect();
+        if fixed.is_empty() {
+            return Ok(family);
         }
+        let put = |part: &Term| {
+            fixed.iter().fold(part.clone(), |body, (own, outer)| {
+                let place = body.place;
+                let node = Node::Let {
+                    variable: (*own).clone(),
+                    value: self.made(Node::Variable((*outer).clone()), place),
+                    body,
+                };
+                self.made(node, place)
+            })
+        };
+        let mut other = family.with_formulas(put);
+        other
+            .variables
+            .retain(|own| !scope.globals.contains_key(own.name()));
+        Ok(Arc::new(other))
     }
 
     /// The list of functions of this name, if it is one.
@@ -89,7 +119,8 @@ impl Elaborator<'_> {
                 let wanted = "a basis with a step: of a list only `nonnegative` is decided";
                 return Err(wrong(family.place, "a list of functions", wanted));
             }
-            let all = self.all_nonnegative(list, basis, family.place)?;
+            quantified(basis, family.place, scope)?;
+            let all = self.all_nonnegative(list, basis, family.place, &scope.outside())?;
             return Ok(Meaning::Statement(all));
         }
         let name_of_fold = name;
@@ -156,7 +187,8 @@ impl Elaborator<'_> {
                         ..function
                     }),
                     Meaning::Statement(statement) => {
-                        Meaning::Statement(statement.mapped(&|term| put(term.clone())))
+                        apart(&statement, &value)?;
+                        Meaning::Statement(statement.mapped_throughout(&|term| put(term.clone())))
                     }
                 });
             }
@@ -174,11 +206,11 @@ impl Elaborator<'_> {
                     "independent" => FamilyProperty::Independent,
                     _ => FamilyProperty::VariationDiminishing(None),
                 };
-                let family = self.named_family(family)?;
+                let family = self.named_family(family, scope)?;
                 return Ok(Meaning::Statement(Statement::Family(property, family)));
             }
             ("variation_diminishing", [family, least, most]) => {
-                let family = self.named_family(family)?;
+                let family = self.named_family(family, scope)?;
                 let own = family.degree;
                 let least = degree(least, own, "a degree, a number not below that of the seeds")?;
                 let most = degree(most, least, "a degree, a number not below the first")?;
@@ -338,6 +370,18 @@ impl Elaborator<'_> {
             parameters: function.parameters.clone(),
             body: self.made(derivative, place),
         }
+    }
+}
+
+/// Fails where something stands for the variable of a basis: a property is about all of its values.
+fn quantified(basis: &Basis, place: Place, scope: &Scope) -> Outcome<()> {
+    match scope.globals.contains_key(&basis.variable) {
+        true => Err(wrong(
+            place,
+            "a property of a basis at one value of the variable of the basis",
+            "a symbol that the property is not about",
+        )),
+        false => Ok(()),
     }
 }
 

@@ -154,6 +154,7 @@ impl Elaborator<'_> {
         name: &str,
         basis: &Basis,
         place: Place,
+        scope: &Scope,
     ) -> Outcome<Statement> {
         let number = |n: i64| Expr {
             place,
@@ -163,9 +164,7 @@ impl Elaborator<'_> {
         let mut all: Option<Statement> = None;
         for i in 0..=i64::from(basis.degree) {
             let indices = [number(i), degree.clone()];
-            let scope = Scope::default();
-            let Meaning::Term(left) = self.member(name, basis, &indices, &[], place, &scope)?
-            else {
+            let Meaning::Term(left) = self.member(name, basis, &indices, &[], place, scope)? else {
                 continue;
             };
             let one = Statement::Compare {

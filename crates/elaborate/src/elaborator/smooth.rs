@@ -10,7 +10,8 @@
 //! Here these become
 //!
 //! * `c^(k)(u)`, where nothing is differentiated: the symbol of this name;
-//! * inside of derivatives of the orders n by variables in t, Taylor's polynomial of degree n about the place. A derivative
+//! * inside of derivatives by variables in t, Taylor's polynomial about the place, whose degree is the sum of their orders: a
+//!   mixed derivative of the orders m and n sees m + n derivatives of the function. A derivative
 //!   whose formula sees such a function is taken by the difference from the place, `D(e(x), x)` at u as `D(e(u + h), h)` at 0,
 //!   which keeps the polynomials short.
 //!
@@ -270,7 +271,7 @@ impl Lowering<'_, '_> {
         let here = match (self.at(at, scope)?, is_literal(order)) {
             (Some(here), Some(order)) => {
                 let mut here = self.settled(here, outside.clone());
-                here.order = here.order.saturating_add(order);
+                here.orders.insert(difference.number(), order);
                 here.difference = Difference::Term(match here.difference {
                     Difference::Term(before) => self.binary(Operator::Add, before, step.clone()),
                     _ => step.clone(),
@@ -298,7 +299,8 @@ impl Lowering<'_, '_> {
 
     /// The function and its derivatives at a place, as far as the derivatives around it look.
     fn taylor(&self, pure: &Pure, at: &At, place: Place) -> Outcome<Term> {
-        if pure.order.saturating_add(at.order) > MAX_ORDER {
+        let order = at.order();
+        if pure.order.saturating_add(order) > MAX_ORDER {
             let what = format!("a smooth function differentiated more than {MAX_ORDER} times");
             return Err(Fault::limit(place, what));
         }
@@ -311,7 +313,7 @@ impl Lowering<'_, '_> {
             return Ok(sum);
         };
         let mut factorial = rational::integer(1);
-        for j in 1..=at.order {
+        for j in 1..=order {
             let exponent = i64::try_from(j).unwrap_or(i64::MAX);
             factorial *= rational::integer(exponent);
             let power = match j {

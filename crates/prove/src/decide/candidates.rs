@@ -89,7 +89,8 @@ impl Domain<'_> {
         .into_iter()
         .chain(own)
         {
-            if inside(&interval, &value) && !found.contains(&value) {
+            let whole = || value.as_rational().is_some_and(|q| q.is_integer());
+            if inside(&interval, &value) && !found.contains(&value) && (!is_integer || whole()) {
                 found.push(value);
             }
         }

@@ -4,8 +4,10 @@ use super::domain::{Constraint, Domain};
 use super::order::truth;
 use super::sign::{Sign, of};
 use super::value::quotient;
+use num_traits::Signed;
 use torse_algebra::planted::{Planted, planted};
-use torse_algebra::{Affine, Polynomial};
+use torse_algebra::rational::integer;
+use torse_algebra::{Affine, Polynomial, Rational};
 use torse_certificate::proof::Emptiness;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::Relation;
@@ -65,6 +67,9 @@ fn fails(domain: &Domain<'_>, number: usize, c: &Constraint) -> bool {
     if c.relation == Relation::Different {
         return false;
     }
+    if c.relation == Relation::Equal && has_no_integer_root(domain, c.value.numerator()) {
+        return true;
+    }
     let mut others = domain.clone();
     others.constraints.remove(number);
     let sign = c.value.as_polynomial().and_then(|p| of(p, &others));
@@ -79,4 +84,37 @@ fn fails(domain: &Domain<'_>, number: usize, c: &Constraint) -> bool {
         Relation::Equal => matches!(sign, Some(Sign::Positive | Sign::Negative)),
         Relation::Different => false,
     }
+}
+
+/// Integers beyond this are not tried one by one.
+const MAX_TRIED: i64 = 1_000;
+
+/// Whether an equation in one integer alone has no integer solution. By Cauchy's bound a solution is not larger than 1 and the
+/// largest quotient of a coefficient by the leading one.
+fn has_no_integer_root(domain: &Domain<'_>, polynomial: &Polynomial) -> bool {
+    let [symbol] = polynomial.symbols() else {
+        return false;
+    };
+    if !domain.is_integer(symbol) {
+        return false;
+    }
+    let coefficients = polynomial.coefficients_in(symbol);
+    let numbers = coefficients.iter().map(Polynomial::as_constant);
+    let Some(numbers) = numbers.collect::<Option<Vec<Rational>>>() else {
+        return false;
+    };
+    let Some((leading, rest)) = numbers.split_last() else {
+        return false;
+    };
+    let bound = rest.iter().map(|c| (c / leading).abs()).max();
+    let bound = bound.map(|largest| (largest + integer(1)).ceil().to_integer());
+    let bound = bound.and_then(|bound| i64::try_from(bound).ok());
+    let Some(bound) = bound.filter(|bound| *bound <= MAX_TRIED) else {
+        return false;
+    };
+    let value = |n: i64| {
+        let from_above = numbers.iter().rev();
+        from_above.fold(integer(0), |sum, c| sum * integer(n) + c)
+    };
+    (-bound..=bound).all(|n| value(n) != integer(0))
 }

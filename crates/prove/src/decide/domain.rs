@@ -67,13 +67,13 @@ pub struct Domain<'a> {
     pub constraints: Vec<Constraint>,
     /// The eliminated symbols with their values.
     pub solved: Vec<(Symbol, Fraction)>,
-    /// Divisors of eliminations that may vanish: proofs from constraints say nothing where one does.
+    /// The factors of divisors of eliminations that may vanish, with the values of what was eliminated since: they are not zero
+    /// at the points that are looked at here ([`Ground::splits`](crate::case::Ground::splits)).
     pub pivots: Vec<Polynomial>,
-    /// Divisors of eliminations that may vanish as far as was known before them. What a constraint says of them after the
-    /// elimination it says only where they do not: it is no reason that they do not.
-    pub unsettled: Vec<Polynomial>,
     /// Divisors of the statement: it says nothing where one vanishes, so no point there refutes it.
     pub divisors: Vec<Polynomial>,
+    /// Where the terms of the statement have values, as far as no divisor says it: their indices are in their ranges.
+    pub defined: Vec<Constraint>,
     /// The roots that have no value in other symbols, those first of which others are made.
     pub roots: Vec<Root>,
     /// The radicands of roots that were taken for positive, as they were then.
@@ -91,8 +91,8 @@ impl<'a> Domain<'a> {
             constraints: vec![],
             solved: vec![],
             pivots: vec![],
-            unsettled: vec![],
             divisors: vec![],
+            defined: vec![],
             roots: vec![],
             positive_radicands: vec![],
             part: vec![],
@@ -107,8 +107,8 @@ impl<'a> Domain<'a> {
             constraints: self.constraints.clone(),
             solved: self.solved.clone(),
             pivots: self.pivots.clone(),
-            unsettled: self.unsettled.clone(),
             divisors: self.divisors.clone(),
+            defined: self.defined.clone(),
             roots: self.roots.clone(),
             positive_radicands: self.positive_radicands.clone(),
             part: self.part.clone(),
@@ -177,8 +177,14 @@ impl Domain<'_> {
     /// of factors of quantities that are assumed to be different from zero.
     #[must_use]
     pub fn assumes_nonzero(&self, polynomial: &Polynomial) -> bool {
+        !polynomial.is_zero() && self.without_assumed(polynomial).as_constant().is_some()
+    }
+
+    /// The polynomial without the factors that are assumed to be different from zero; 1 where it divides such a quantity.
+    #[must_use]
+    pub fn without_assumed(&self, polynomial: &Polynomial) -> Polynomial {
         if polynomial.is_zero() {
-            return false;
+            return polynomial.clone();
         }
         let mut rest = polynomial.clone();
         for constraint in &self.constraints {
@@ -190,7 +196,7 @@ impl Domain<'_> {
             }
             let assumed = constraint.value.numerator();
             if assumed.exact_quotient(&rest).is_some() {
-                return true;
+                return Polynomial::integer(1);
             }
             while assumed.as_constant().is_none()
                 && let Some(quotient) = rest.exact_quotient(assumed)
@@ -198,6 +204,6 @@ impl Domain<'_> {
                 rest = quotient;
             }
         }
-        rest.as_constant().is_some()
+        rest
     }
 }

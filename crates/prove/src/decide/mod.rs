@@ -325,7 +325,7 @@ pub(crate) fn sampled(statement: &Statement, domain: &Domain<'_>) -> Option<Refu
 }
 
 /// The sides of all comparisons in a statement.
-fn comparisons(statement: &Statement) -> Vec<(&Value, &Value)> {
+pub(crate) fn comparisons(statement: &Statement) -> Vec<(&Value, &Value)> {
     match statement {
         Statement::Compare { left, right, .. } => vec![(left, right)],
         Statement::Join(_, a, b) => [comparisons(a), comparisons(b)].concat(),

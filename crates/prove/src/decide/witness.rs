@@ -103,6 +103,7 @@ pub fn find(
     let mut constraints: Vec<(Fraction, Relation)> = domain
         .constraints
         .iter()
+        .chain(&domain.defined)
         .filter(|_| !planted(Planted::WitnessAnywhere))
         .map(|c| (c.value.clone(), c.relation))
         .collect();

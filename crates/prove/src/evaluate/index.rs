@@ -92,7 +92,7 @@ impl Evaluator<'_> {
     }
 
     /// An index form with the fixed integers put in.
-    pub(super) fn affine_fixed(&self, form: &Affine) -> Affine {
+    pub(crate) fn affine_fixed(&self, form: &Affine) -> Affine {
         self.fixed.iter().fold(form.clone(), |form, (name, value)| {
             match value
                 .as_rational()

@@ -110,6 +110,11 @@ fn antiderivative(function: &Fraction, name: &str) -> Result<Fraction, &'static 
         decay = &decay + &rate.scaled(&torse_algebra::rational::integer(i64::from(n)));
         exponential = &exponential * &p.power(n);
     }
+    // Where one of them vanishes between the ends the integrand has no value there, and the integral none.
+    let mut recorded = function.conditions().iter();
+    if recorded.any(|p| moves(p) && !is_exponential(p)) {
+        return Err("an integral of a quotient that may have no value between the ends");
+    }
     let above = split(function.numerator(), name);
     let powers = above.values().flat_map(BTreeMap::keys).copied();
     let highest = powers.max().unwrap_or(0);

@@ -3,6 +3,7 @@
 use super::quantity::Quantity;
 use super::value::{Value, Vector};
 use super::wrong_type;
+use crate::unknown::Unknown;
 use std::collections::BTreeMap;
 use torse_algebra::matrix::{Matrix, MatrixError};
 use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
@@ -119,7 +120,7 @@ pub(super) fn solve(rows: &[Vec<Fraction>], right: &Value, place: Place) -> Resu
 pub(super) fn coefficients(forms: &Value, unknowns: &Value, place: Place) -> Result<Value, Fault> {
     let mut symbols = vec![];
     for unknown in unknowns.entries() {
-        let symbol = unknown.as_fraction().and_then(single_symbol);
+        let symbol = unknown.as_fraction().and_then(Unknown::of);
         symbols.push(symbol.ok_or_else(|| wrong_type(place, "a formula", "a plain symbol"))?);
     }
     let mut rows = vec![];
@@ -134,21 +135,15 @@ pub(super) fn coefficients(forms: &Value, unknowns: &Value, place: Place) -> Res
     Ok(Value::Matrix(rows))
 }
 
-/// The symbol, if the fraction is just one.
-pub(crate) fn single_symbol(value: &Fraction) -> Option<Symbol> {
-    let polynomial = value.as_polynomial()?;
-    match (polynomial.symbols(), polynomial.len()) {
-        ([symbol], 1) if *value == Fraction::symbol(symbol.clone()) => Some(symbol.clone()),
-        _ => None,
-    }
-}
-
-/// `form = sum of row[i] * symbols[i] + rest`, if it is linear in the symbols.
+/// `form = sum of row[i] * unknowns[i] + rest`, if it is linear in the unknowns, which stand in no function.
 pub(crate) fn linear_form(
     form: &Fraction,
-    symbols: &[Symbol],
+    unknowns: &[Unknown],
 ) -> Option<(Vec<Fraction>, Fraction)> {
-    let involved = |p: &Polynomial| symbols.iter().any(|s| p.degree_in(s) > 0);
+    let involved = |p: &Polynomial| {
+        let mut own = p.symbols().iter();
+        own.any(|symbol| unknowns.iter().any(|unknown| unknown.stands_in(symbol)))
+    };
     if form.denominator_factors().any(|(p, _)| involved(p)) {
         return None;
     }
@@ -161,8 +156,8 @@ pub(crate) fn linear_form(
     };
     let mut rest = form.numerator().clone();
     let mut row = vec![];
-    for symbol in symbols {
-        let by_power = rest.coefficients_in(symbol);
+    for unknown in unknowns {
+        let by_power = rest.coefficients_in(unknown.symbol());
         let coefficient = match by_power.as_slice() {
             [] | [_] => Polynomial::zero(),
             [_, linear] => linear.clone(),
@@ -175,6 +170,9 @@ pub(crate) fn linear_form(
             rest = by_power.into_iter().next()?;
         }
         row.push(over(coefficient)?);
+    }
+    if involved(&rest) {
+        return None;
     }
     Some((row, over(rest)?))
 }
@@ -193,17 +191,21 @@ pub struct Solution {
 /// Longer determinants are not multiplied out: then every pivot is a condition.
 const MAX_DETERMINANT: usize = 400;
 
-/// Solves linear equations `form = 0` for symbols.
+/// Solves linear equations `form = 0` for unknowns.
 ///
 /// The values are those of Cramer's rule, so they are known wherever the determinant is not zero; the pivots of the
 /// elimination, which may vanish there, are no conditions.
 ///
 /// # Errors
 /// A [`Fault`] when the equations are not linear or do not determine the symbols.
-pub fn solve_for(forms: &[Fraction], symbols: &[Symbol], place: Place) -> Result<Solution, Fault> {
+pub fn solve_for(
+    forms: &[Fraction],
+    unknowns: &[Unknown],
+    place: Place,
+) -> Result<Solution, Fault> {
     let mut rows: Vec<(Vec<Fraction>, Fraction)> = vec![];
     for form in forms {
-        let split = linear_form(form, symbols);
+        let split = linear_form(form, unknowns);
         rows.push(split.ok_or_else(|| {
             wrong_type(
                 place,
@@ -218,14 +220,14 @@ pub fn solve_for(forms: &[Fraction], symbols: &[Symbol], place: Place) -> Result
     let mut chosen = vec![];
     // Gauss-Jordan elimination; every pivot is recorded by the fractions themselves.
     let mut used: Vec<(usize, Vec<Fraction>, Fraction)> = vec![];
-    for column in 0..symbols.len() {
+    for column in 0..unknowns.len() {
         let pivot = rows
             .iter()
             .position(|(row, _)| row.get(column).is_some_and(|f| !f.is_zero()));
         let Some(pivot) = pivot else {
-            let name = symbols
+            let name = unknowns
                 .get(column)
-                .map_or_else(String::new, ToString::to_string);
+                .map_or_else(String::new, |unknown| unknown.symbol().to_string());
             return Err(Fault::limit(
                 place,
                 format!("the given equations do not determine {name}"),
@@ -277,8 +279,8 @@ pub fn solve_for(forms: &[Fraction], symbols: &[Symbol], place: Place) -> Result
     };
     let mut values = BTreeMap::new();
     for (column, _, constant) in used {
-        if let Some(symbol) = symbols.get(column) {
-            values.insert(symbol.clone(), known(-constant));
+        if let Some(unknown) = unknowns.get(column) {
+            values.insert(unknown.symbol().clone(), known(-constant));
         }
     }
     let rest = rows.into_iter().map(|(_, constant)| known(constant));

@@ -22,6 +22,7 @@ use torse_prove::decide::conditions::separated;
 use torse_prove::evaluate::linear::solve_for;
 use torse_prove::evaluate::value::NOWHERE;
 use torse_prove::formula;
+use torse_prove::unknown::Unknown;
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::formula::{Expr, Operator};
 
@@ -198,12 +199,14 @@ fn linear(
         })
         .collect();
     let unknown = |j: usize| second.point(End::Start, j).symbols();
-    let unknowns: Vec<Symbol> = (0..rows.len()).flat_map(unknown).collect();
+    let unknowns = (0..rows.len()).flat_map(unknown).filter_map(Unknown::new);
+    let unknowns: Vec<Unknown> = unknowns.collect();
     let solution = solve_for(&forms, &unknowns, NOWHERE).map_err(|fault| DeriveError::Open {
         reason: fault.problem.to_string(),
     })?;
     let (mut lines, mut divisors, mut points) = (vec![], vec![], vec![]);
-    for (j, symbol) in unknowns.iter().enumerate() {
+    for (j, unknown) in unknowns.iter().enumerate() {
+        let symbol = unknown.symbol();
         let value = solution.values.get(symbol).cloned();
         let value = value.unwrap_or_else(Fraction::zero);
         divisors.extend(value.conditions().iter().cloned());

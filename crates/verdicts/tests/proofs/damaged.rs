@@ -7,7 +7,7 @@ use torse_certificate::identity::Combination;
 use torse_certificate::order::Order;
 use torse_certificate::point::{Counterexample, Failure};
 use torse_certificate::proof::Proof;
-use torse_certificate::proof::ground::{Determining, Ground, Rooted};
+use torse_certificate::proof::ground::{Determining, Ground, Signed};
 use torse_certificate::proof::refutation::Refuted;
 use torse_certificate::sign::{Certificate, Coordinate, Factor, Shown, Sign};
 use torse_certificate::wronskian::{Cell, Exchange, Wronskians};
@@ -117,7 +117,7 @@ fn an_identity_that_is_none() {
 }
 
 /// What shows the value of a root.
-fn rooted(found: &mut Found) -> &mut Rooted<P> {
+fn rooted(found: &mut Found) -> &mut Signed<P> {
     match &mut ground(found).eliminated[0].by {
         Determining::Root(own) => own,
         other => panic!("{other:?}"),
@@ -151,7 +151,7 @@ fn roots() {
                 ground(f).eliminated[0].values[0].symbol = Symbol::named("u");
             }),
             ("an assumed equation", &|f| {
-                ground(f).eliminated[0].by = Determining::Assumed { plainly: true };
+                ground(f).eliminated[0].by = Determining::Assumed { nonzero: vec![] };
             }),
         ],
     );
@@ -178,6 +178,12 @@ fn roots() {
     );
 }
 
+/// By the equations in these places.
+fn given(places: Vec<usize>) -> Determining<P> {
+    let nonzero = vec![];
+    Determining::Given { places, nonzero }
+}
+
 #[test]
 fn eliminations() {
     let lines = "given = ['a*r + b*s == 1', 'b*r - a*s == 0']\nsolve_for = ['r', 's']\nstates = '(a^2 + b^2)*r^2 == a*r'";
@@ -192,10 +198,10 @@ fn eliminations() {
                 more(&mut ground(f).eliminated[0].values[0].value.below);
             }),
             ("an equation twice", &|f| {
-                ground(f).eliminated[0].by = Determining::Given(vec![0, 0]);
+                ground(f).eliminated[0].by = given(vec![0, 0]);
             }),
             ("an equation that there is not", &|f| {
-                ground(f).eliminated[0].by = Determining::Given(vec![0, 7]);
+                ground(f).eliminated[0].by = given(vec![0, 7]);
             }),
             ("no condition", &|f| {
                 let Grounds::Proof { conditions, .. } = &mut f.grounds else {
@@ -214,7 +220,7 @@ fn eliminations() {
             ("a hypothesis less", &|f| {
                 f.core.hypotheses.truncate(1);
                 ground(f).constraints.clear();
-                ground(f).seen.clear();
+                ground(f).apart.clear();
                 f.core.symbols.retain(|name, _| &**name != "x");
             }),
         ],

@@ -14,6 +14,7 @@
 mod common;
 
 mod accused;
+mod adversary;
 mod conditions;
 mod proved;
 

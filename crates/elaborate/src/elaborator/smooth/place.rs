@@ -2,6 +2,7 @@
 
 use super::{Lowering, Pure, Scope};
 use crate::elaborator::Outcome;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_core::{Node, Term};
 use torse_numbers::{Rational, rational};
@@ -19,8 +20,17 @@ pub(in crate::elaborator) struct At {
     pub(super) kind: Kind,
     /// The argument minus the place.
     pub(super) difference: Difference,
-    /// How often derivatives around it may differentiate the argument.
-    pub(super) order: usize,
+    /// The orders of the derivatives around it that move the argument, by their variables. What is moved by several of them
+    /// is differentiated by all.
+    pub(super) orders: BTreeMap<u32, usize>,
+}
+
+impl At {
+    /// How often the derivatives around it may differentiate the argument, all together.
+    pub(super) fn order(&self) -> usize {
+        let orders = self.orders.values();
+        orders.fold(0, |sum: usize, order| sum.saturating_add(*order))
+    }
 }
 
 /// An argument minus its place.
@@ -64,7 +74,7 @@ impl Lowering<'_, '_> {
             place: term.clone(),
             kind,
             difference: Difference::Nothing,
-            order: 0,
+            orders: BTreeMap::new(),
         };
         Ok(match &*term.node {
             Node::Number(value) => Some(still(Expr::number(value), Kind::Number(value.clone()))),
@@ -150,7 +160,12 @@ impl Lowering<'_, '_> {
                 true => Difference::Nothing,
                 false => Difference::Open,
             },
-            order: parts.iter().map(|part| part.order).max().unwrap_or(0),
+            orders: {
+                let orders = parts.iter().flat_map(|part| &part.orders);
+                orders
+                    .map(|(variable, order)| (*variable, *order))
+                    .collect()
+            },
         }
     }
 }

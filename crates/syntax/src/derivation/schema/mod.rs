@@ -17,7 +17,8 @@ pub type Text = Spanned<String>;
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PaperHead {
-    /// The slug, the name of the folder.
+    /// The slug, the name of the folder. Files are called after it: it is a plain name ([`is_plain`]).
+    #[serde(deserialize_with = "plain")]
     pub id: String,
     /// The title.
     pub title: String,
@@ -30,6 +31,31 @@ pub struct PaperHead {
     pub doi: Option<String>,
     /// The files with claims, in the order of the paper.
     pub claims: Vec<Text>,
+}
+
+/// Whether a file may be called after this name, in whatever folder: letters, digits, `-`, `_` and `.`, no point at the
+/// beginning and none beside another.
+///
+/// ```
+/// use torse_syntax::derivation::schema::is_plain;
+/// assert!(is_plain("gbt-surfaces") && is_plain("volume_2.1"));
+/// assert!(!is_plain("../elsewhere") && !is_plain("/tmp/x") && !is_plain(".hidden") && !is_plain(""));
+/// ```
+#[must_use]
+pub fn is_plain(name: &str) -> bool {
+    let letter = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+    !name.is_empty() && name.chars().all(letter) && !name.starts_with('.') && !name.contains("..")
+}
+
+fn plain<'d, D: serde::Deserializer<'d>>(deserializer: D) -> Result<String, D::Error> {
+    let name = String::deserialize(deserializer)?;
+    match is_plain(&name) {
+        true => Ok(name),
+        false => Err(serde::de::Error::custom(format!(
+            "`{name}` cannot be the id of a paper: files are called after it, so it is made of letters, digits, `-`, `_` \
+             and single points, and does not begin with a point"
+        ))),
+    }
 }
 
 /// A symbol: what it stands for and where it lives.
