@@ -4,15 +4,17 @@
 //! curve `c` in the image `o + s (c - o)`, `s = n . (a - o) / n . (c - o)`: since the functions of a basis sum to one,
 //! that is the curve with the projected control points and the weights `n . (b - o) / n . (a - o)`, in every basis.
 
+use torse_geometry::Affine;
 use torse_geometry::prelude::{GeometryError, Place, Point, Rail};
 use torse_geometry::sheet::RailCurve;
 use torse_geometry::vector::{add, dot, scale, sub};
 
 type Result<T> = std::result::Result<T, GeometryError>;
 
-/// The control points and weights of a curve.
+/// The control points and weights of a curve; an arc of any angle has none.
 fn control(rail: &Rail) -> Vec<(Point, f64)> {
     match rail.curve() {
+        RailCurve::Elliptic(_) => Vec::new(),
         RailCurve::Plain(curve) => curve.points().iter().map(|p| (*p, 1.0)).collect(),
         RailCurve::Weighted(curve) => {
             let parts = curve.homogeneous();
@@ -26,6 +28,12 @@ fn mapped(rail: &Rail, map: impl Fn(&Point) -> (Point, f64)) -> Result<Rail> {
     let shape = match rail.curve() {
         RailCurve::Plain(curve) => *curve.basis(),
         RailCurve::Weighted(curve) => *curve.basis(),
+        RailCurve::Elliptic(_) => {
+            return Err(GeometryError::Degenerate {
+                what: "a plane that cuts a cone over an arc of any angle: quarters of an ellipse (`arc` with `to`) are cut",
+                at: Place::Whole,
+            });
+        }
     };
     let images: Vec<(Point, f64)> = control(rail)
         .iter()
@@ -45,13 +53,30 @@ fn mapped(rail: &Rail, map: impl Fn(&Point) -> (Point, f64)) -> Result<Rail> {
     }
 }
 
+const IDENTITY: [Point; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// The image of a curve that is known by its formula.
+fn affine(rail: &Rail, linear: [Point; 3], shift: Point) -> Result<Rail> {
+    let image = rail.mapped(&Affine { linear, shift });
+    // What left the range of f64 is refused.
+    image.point(0.5)?;
+    Ok(image)
+}
+
 /// The curve moved by a vector.
 pub fn moved(rail: &Rail, by: &Point) -> Result<Rail> {
+    if matches!(rail.curve(), RailCurve::Elliptic(_)) {
+        return affine(rail, IDENTITY, *by);
+    }
     mapped(rail, |p| (add(p, by), 1.0))
 }
 
 /// The image of a curve in the dilation about a point.
 pub fn dilated(rail: &Rail, apex: &Point, ratio: f64) -> Result<Rail> {
+    if matches!(rail.curve(), RailCurve::Elliptic(_)) {
+        let linear = IDENTITY.map(|row| scale(&ratio, &row));
+        return affine(rail, linear, scale(&(1.0 - ratio), apex));
+    }
     mapped(rail, |p| (add(apex, &scale(&ratio, &sub(p, apex))), 1.0))
 }
 
@@ -65,6 +90,15 @@ pub fn projected(rail: &Rail, direction: &Point, plane: &[f64; 4]) -> Result<Rai
             what: "a cylinder cut by a plane along its rulings",
             at: Place::Whole,
         });
+    }
+    if matches!(rail.curve(), RailCurve::Elliptic(_)) {
+        // The projection along a direction is affine.
+        let row = |i: usize| sub(&IDENTITY[i], &scale(&(direction[i] / slope), &normal));
+        return affine(
+            rail,
+            [row(0), row(1), row(2)],
+            scale(&(s / slope), direction),
+        );
     }
     mapped(rail, |b| {
         let t = (s - dot(&normal, b)) / slope;

@@ -1,7 +1,7 @@
 //! Why a design cannot be used.
 
 use std::path::PathBuf;
-use torse_exchange::ExchangeError;
+use torse_exchange::{ExchangeError, FileKind};
 use torse_geometry::GeometryError;
 use torse_geometry::pattern::PatternError;
 use torse_plot::FigureError;
@@ -17,6 +17,14 @@ pub enum DesignError {
         path: String,
         /// What the system said.
         reason: String,
+    },
+    /// The file is a file of another kind.
+    #[error("{path} is {kind}, and a design is a TOML file (designs/README.md)")]
+    OtherKind {
+        /// The path as given.
+        path: String,
+        /// What the file is.
+        kind: FileKind,
     },
     /// The file is wrong.
     #[error("{} mistake{} in the design", mistakes.len(), if mistakes.len() == 1 { "" } else { "s" })]
@@ -117,7 +125,10 @@ impl DesignError {
     pub fn ending(&self) -> Ending {
         match self {
             Self::Format { .. } | Self::NoSuch { .. } | Self::OutOfRange { .. } => Ending::Usage,
-            Self::Unreadable { .. } | Self::Wrong { .. } | Self::Pattern { .. } => Ending::BadFile,
+            Self::Unreadable { .. }
+            | Self::OtherKind { .. }
+            | Self::Wrong { .. }
+            | Self::Pattern { .. } => Ending::BadFile,
             Self::Patch { .. } | Self::Unroll { .. } | Self::NoPatch { .. } | Self::Mark { .. } => {
                 Ending::Missed
             }

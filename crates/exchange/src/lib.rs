@@ -37,6 +37,7 @@ mod drawing;
 mod error;
 mod formats;
 mod mesh;
+mod read;
 mod write;
 
 pub use cad::{
@@ -47,4 +48,5 @@ pub use drawing::{Drawing, Layer, Path, Text, Vertex};
 pub use error::{ExchangeError, Result};
 pub use formats::{dxf, glb, iges, obj, ply, step, stl, svg, three_mf};
 pub use mesh::{MOST_VERTICES, Mesh};
+pub use read::FileKind;
 pub use write::write_file;

@@ -95,6 +95,7 @@ fn curve(
             let shape = shape.unwrap_or(match first.curve() {
                 torse_geometry::sheet::RailCurve::Plain(curve) => *curve.basis(),
                 torse_geometry::sheet::RailCurve::Weighted(curve) => *curve.basis(),
+                torse_geometry::sheet::RailCurve::Elliptic(_) => Shape::Bernstein,
             });
             first.next(shape, &joint?, &free?)
         }

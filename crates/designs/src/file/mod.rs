@@ -24,6 +24,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 use toml::de::DeTable;
+use torse_exchange::FileKind;
 use torse_geometry::prelude::{Planes, Point, Rail};
 
 pub use torse_syntax::derivation::Source;
@@ -53,8 +54,8 @@ struct Parts {
 /// Reads a design file.
 ///
 /// # Errors
-/// [`DesignError::Unreadable`] for a file that is not there, too large or no text, [`DesignError::Wrong`] with
-/// everything that is wrong in it.
+/// [`DesignError::Unreadable`] for a file that is not there, too large or no text, [`DesignError::OtherKind`] for a file
+/// of another program, [`DesignError::Wrong`] with everything that is wrong in it.
 pub fn load(path: &Path) -> Result<Design, DesignError> {
     let unreadable = |reason: String| DesignError::Unreadable {
         path: path.display().to_string(),
@@ -70,6 +71,7 @@ pub fn load(path: &Path) -> Result<Design, DesignError> {
     let most = u64::try_from(MOST_BYTES).unwrap_or(u64::MAX);
     std::io::Read::read_to_end(&mut std::io::Read::take(file, most + 1), &mut bytes)
         .map_err(|e| unreadable(e.to_string()))?;
+    other_kind(&path.display().to_string(), &bytes)?;
     if bytes.len() > MOST_BYTES {
         return Err(unreadable(format!("it is longer than {MOST_BYTES} bytes")));
     }
@@ -79,6 +81,17 @@ pub fn load(path: &Path) -> Result<Design, DesignError> {
     })?;
     let shown = path.file_name().unwrap_or_default().to_string_lossy();
     read(&shown, &text)
+}
+
+/// Refuses, in one line, what is a file of another kind: its text is no TOML that somebody mistyped.
+fn other_kind(path: &str, bytes: &[u8]) -> Result<(), DesignError> {
+    match FileKind::of(bytes) {
+        FileKind::Text | FileKind::Empty => Ok(()),
+        kind => Err(DesignError::OtherKind {
+            path: path.to_owned(),
+            kind,
+        }),
+    }
 }
 
 /// The line of a text in which a byte is.
@@ -91,8 +104,8 @@ fn line_at(text: &str, byte: usize) -> &str {
 /// Reads the text of a design file with this name.
 ///
 /// # Errors
-/// [`DesignError::Wrong`] with everything that is wrong, in the order of the file; [`DesignError::Unreadable`] for lines
-/// longer than [`MOST_LINE`].
+/// [`DesignError::OtherKind`] for a file of another program, [`DesignError::Wrong`] with everything that is wrong, in the
+/// order of the file; [`DesignError::Unreadable`] for lines longer than [`MOST_LINE`].
 ///
 /// ```
 /// use torse_designs::{DesignError, read};
@@ -120,6 +133,7 @@ fn line_at(text: &str, byte: usize) -> &str {
 /// # Ok::<(), DesignError>(())
 /// ```
 pub fn read(name: &str, text: &str) -> Result<Design, DesignError> {
+    other_kind(name, text.as_bytes())?;
     if let Some(line) = text.lines().position(|line| line.len() > MOST_LINE) {
         return Err(DesignError::Unreadable {
             path: name.to_owned(),

@@ -118,6 +118,10 @@ fn plain(rail: &Rail) -> Result<&SpaceCurve, GeometryError> {
             what: "tensor product of a weighted curve",
             at: Place::Whole,
         }),
+        RailCurve::Elliptic(_) => Err(GeometryError::Degenerate {
+            what: "tensor product of an arc of any angle: it has no control points",
+            at: Place::Whole,
+        }),
     }
 }
 

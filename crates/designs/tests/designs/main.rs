@@ -8,6 +8,7 @@
 )]
 
 mod hostile;
+mod kinds;
 mod mistakes;
 mod patterns;
 mod random;

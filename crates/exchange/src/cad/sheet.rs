@@ -10,6 +10,9 @@ impl HomogeneousRail for Rail {
         match self.curve() {
             RailCurve::Plain(curve) => curve.bernstein_form(),
             RailCurve::Weighted(curve) => curve.bernstein_form(),
+            RailCurve::Elliptic(_) => Err(ExchangeError::NotRational {
+                why: "the weights of an arc of any angle are no numbers that are known exactly",
+            }),
         }
     }
 }

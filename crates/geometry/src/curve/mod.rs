@@ -1,21 +1,29 @@
 //! Curves in any dimension over any basis family and scalar.
 
 mod affine;
+mod bezier;
 mod conic;
+mod elliptic;
 mod least;
 mod measure;
 mod rational;
 mod space;
+mod spline;
 mod split;
+mod through;
 
 pub use affine::Affine;
+pub use bezier::Bezier;
 pub use conic::{ellipse_arc, parabola_arc};
+pub use elliptic::EllipticHelix;
 pub(crate) use least::least;
 pub(crate) use measure::integrate;
 pub use measure::{arc_length, curvature, torsion};
 pub use rational::RationalCurve;
 pub use space::SpaceCurve;
 pub(crate) use space::{first_two, too_short};
+pub use spline::{MAX_SPLINE_DEGREE, MAX_SPLINE_POINTS, MAX_SPLINE_WORK, Spline};
+pub use through::{EndCondition, Interpolation, Spacing, interpolate, interpolate_closed};
 
 use crate::basis::{Basis, Gbt};
 use crate::coordinate::{Coordinate, check_finite};

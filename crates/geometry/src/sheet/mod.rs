@@ -94,6 +94,7 @@
 
 mod inspect;
 mod nearest;
+mod piecewise;
 mod planes;
 mod rail;
 mod surface;
@@ -104,6 +105,7 @@ pub use crate::developable::{
 };
 pub use inspect::{Inspection, Seam};
 pub use nearest::Nearest;
+pub use piecewise::PiecewiseRail;
 pub use planes::{Joint, Planes};
 pub use rail::{Rail, RailCurve};
 pub use surface::{Budget, Connected, Construction, Cut, Sheet};

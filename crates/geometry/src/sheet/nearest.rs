@@ -3,7 +3,7 @@
 use super::{Point, Rail, RailCurve};
 use crate::basis::{Bernstein, Shape};
 use crate::coordinate::Coordinate;
-use crate::curve::{Curve, RationalCurve, least};
+use crate::curve::{Curve, EllipticHelix, RationalCurve, least};
 use crate::error::{GeometryError, Place, Result};
 use crate::scalars::{Over, exact, exact_ball};
 use torse_algebra::{Ball, Jet};
@@ -128,6 +128,9 @@ impl Rail {
                 let curve = curve.clone().with_basis(|_| Bernstein);
                 Ok(curve.split(&x)?.map(Self::from))
             }
+            RailCurve::Elliptic(curve) => {
+                Ok([[0.0, x], [x, 1.0]].map(|[from, to]| curve.part(&from, &to).into()))
+            }
             _ => Err(GeometryError::Degenerate {
                 what: "a part of a curve with shape parameters has no control points",
                 at: Place::Parameter(x),
@@ -144,6 +147,7 @@ impl Rail {
         let control: Vec<_> = match self.curve() {
             RailCurve::Plain(curve) => curve.points().iter().map(|p| (p, 1.0)).collect(),
             RailCurve::Weighted(curve) => curve.homogeneous().map(|(p, w)| (p, *w)).collect(),
+            RailCurve::Elliptic(curve) => return arc_about(curve, &origin),
         };
         // Of a weighted curve the homogeneous points, and weights that are near one as well.
         let heaviest = control.iter().fold(0.0_f64, |m, (_, w)| m.max(*w));
@@ -179,9 +183,42 @@ impl Rail {
                     weights.collect(),
                 )?)
             }
+            RailCurve::Elliptic(_) => return Ok(None),
         };
         Ok(Some((units, Rail { curve })))
     }
+}
+
+/// As [`Rail::about`], of an arc of an ellipse.
+fn arc_about(
+    curve: &EllipticHelix,
+    origin: &[torse_algebra::Rational; 3],
+) -> Result<Option<(i32, Rail<Ball>)>> {
+    let [cosine, sine] = curve.axes();
+    let [from, to] = *curve.range();
+    let centre: [_; 3] = std::array::from_fn(|k| exact(curve.centre()[k]) - origin[k].clone());
+    let axes = cosine.iter().chain(sine).map(|c| c.abs());
+    let climb = curve
+        .rise()
+        .iter()
+        .map(|c| c.abs() * from.abs().max(to.abs()));
+    let away = centre.iter().map(|c| c.approximate().abs());
+    let size = axes.chain(climb).chain(away).fold(0.0_f64, f64::max);
+    let Some(units) = size.min(f64::MAX).exponent() else {
+        return Ok(None);
+    };
+    let scaled =
+        |v: &[f64; 3]| v.map(|c| Ball::from_rational(&exact(c).times_two_to(-units), BITS));
+    let centre = centre.map(|c| Ball::from_rational(&c.times_two_to(-units), BITS));
+    let range = [from, to].map(|x| exact_ball(x, BITS));
+    let arc = EllipticHelix::new(
+        centre,
+        scaled(cosine),
+        scaled(sine),
+        scaled(curve.rise()),
+        range,
+    )?;
+    Ok(Some((units, arc.into())))
 }
 
 fn check_accuracy(accuracy: f64) -> Result<()> {

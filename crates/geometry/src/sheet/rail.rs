@@ -4,7 +4,9 @@ use super::{Joint, Point};
 use crate::basis::{Basis, Bernstein, Shape, hermite};
 use crate::coordinate::Coordinate;
 use crate::curve::SpaceCurve;
-use crate::curve::{Curve, RationalCurve, arc_length, curvature, ellipse_arc};
+use crate::curve::{
+    Affine, Curve, EllipticHelix, RationalCurve, arc_length, curvature, ellipse_arc,
+};
 use crate::error::{GeometryError, Place, Result};
 use crate::join::{JointMeasure, measure_curves, next_curve};
 use crate::scalars::Over;
@@ -32,6 +34,8 @@ pub enum RailCurve<S = f64> {
     Plain(Curve<Shape<S>, S, 3>),
     /// A curve with weights.
     Weighted(RationalCurve<Shape<S>, S, 3>),
+    /// An arc of an ellipse of any angle, or a helix.
+    Elliptic(EllipticHelix<S>),
 }
 
 impl<S> Rail<S> {
@@ -104,6 +108,10 @@ impl Rail {
         match &self.curve {
             RailCurve::Plain(curve) => curve.point(&x),
             RailCurve::Weighted(curve) => curve.point(&x),
+            RailCurve::Elliptic(_) => {
+                crate::coordinate::check_finite("parameter", [&x])?;
+                self.space_point(&x)
+            }
         }
     }
 
@@ -127,6 +135,9 @@ impl Rail {
         match &self.curve {
             RailCurve::Plain(curve) => curve.derivatives(&x, order),
             RailCurve::Weighted(curve) => curve.derivatives(&x, order),
+            RailCurve::Elliptic(curve) => {
+                crate::curve::derivatives_of(&curve.space_jet(&x, order)?, order)
+            }
         }
     }
 
@@ -152,6 +163,27 @@ impl Rail {
         let curve = match &self.curve {
             RailCurve::Plain(curve) => RailCurve::Plain(curve.reversed()),
             RailCurve::Weighted(curve) => RailCurve::Weighted(curve.reversed()),
+            RailCurve::Elliptic(curve) => RailCurve::Elliptic(curve.reversed()),
+        };
+        Self { curve }
+    }
+
+    /// The image under an affine map.
+    ///
+    /// ```
+    /// use torse_geometry::Affine;
+    /// use torse_geometry::prelude::*;
+    /// let mirror = Affine { linear: [[-1., 0., 0.], [0., 1., 0.], [0., 0., 1.]], shift: [0.; 3] };
+    /// let arc = Rail::ellipse_arc([1., 0., 0.], [4., 0., 0.], [1., 2., 0.])?;
+    /// assert_eq!(arc.mapped(&mirror).point(0.0)?, [-4.0, 0.0, 0.0]);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    #[must_use]
+    pub fn mapped(&self, map: &Affine<f64>) -> Self {
+        let curve = match &self.curve {
+            RailCurve::Plain(curve) => RailCurve::Plain(curve.mapped(|p| map.apply(p))),
+            RailCurve::Weighted(curve) => RailCurve::Weighted(curve.mapped(map)),
+            RailCurve::Elliptic(curve) => RailCurve::Elliptic(curve.mapped(map)),
         };
         Self { curve }
     }
@@ -179,6 +211,10 @@ impl Rail {
                 what: "joint of a weighted curve",
                 at: Place::Whole,
             }),
+            RailCurve::Elliptic(_) => Err(GeometryError::Degenerate {
+                what: "joint of an arc of an ellipse: it has no control points",
+                at: Place::Whole,
+            }),
         }
     }
 }
@@ -199,11 +235,20 @@ impl From<RationalCurve<Bernstein, f64, 3>> for Rail {
     }
 }
 
+impl<S: Coordinate> From<EllipticHelix<S>> for Rail<S> {
+    fn from(curve: EllipticHelix<S>) -> Self {
+        Self {
+            curve: RailCurve::Elliptic(curve),
+        }
+    }
+}
+
 impl<S: Coordinate> SpaceCurve<S> for Rail<S> {
     fn space_jet(&self, x: &S, order: usize) -> Result<[Jet<S>; 3]> {
         match &self.curve {
             RailCurve::Plain(curve) => curve.jet(x, order),
             RailCurve::Weighted(curve) => curve.jet(x, order),
+            RailCurve::Elliptic(curve) => curve.space_jet(x, order),
         }
     }
 
@@ -211,6 +256,7 @@ impl<S: Coordinate> SpaceCurve<S> for Rail<S> {
         match &self.curve {
             RailCurve::Plain(curve) => curve.space_point(x),
             RailCurve::Weighted(curve) => curve.space_point(x),
+            RailCurve::Elliptic(curve) => curve.space_point(x),
         }
     }
 
@@ -218,6 +264,7 @@ impl<S: Coordinate> SpaceCurve<S> for Rail<S> {
         match &self.curve {
             RailCurve::Plain(curve) => curve.point_and_slope(x),
             RailCurve::Weighted(curve) => curve.point_and_slope(x),
+            RailCurve::Elliptic(curve) => curve.point_and_slope(x),
         }
     }
 }
@@ -229,6 +276,7 @@ impl<S: Coordinate, T: Coordinate> Over<S, T> for Rail<S> {
         let curve = match &self.curve {
             RailCurve::Plain(curve) => RailCurve::Plain(curve.over(convert)?),
             RailCurve::Weighted(curve) => RailCurve::Weighted(curve.over(convert)?),
+            RailCurve::Elliptic(curve) => RailCurve::Elliptic(curve.over(convert)?),
         };
         Ok(Rail { curve })
     }

@@ -1,0 +1,267 @@
+//! What a file is, by its content: the ending of its name may lie.
+
+use std::fmt;
+
+/// What a file is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FileKind {
+    /// A STEP file (ISO 10303-21).
+    Step,
+    /// An IGES file of 80 columns.
+    Iges,
+    /// A DXF drawing, as text.
+    Dxf,
+    /// An SVG drawing.
+    Svg,
+    /// A table of values.
+    Csv,
+    /// A Wavefront OBJ mesh.
+    Obj,
+    /// An STL mesh, as text or binary.
+    Stl,
+    /// Something that is not read here, by its name.
+    Other(&'static str),
+    /// Text that is none of these: a design, for instance.
+    Text,
+    /// Bytes that are none of these.
+    Binary,
+    /// Nothing.
+    Empty,
+}
+
+impl FileKind {
+    /// The formats that torse reads, in a row of words.
+    pub const READ: &'static str = "STEP, IGES, DXF, SVG, CSV, OBJ and STL";
+
+    /// What the file with these bytes is; a beginning of it is enough, a mebibyte for instance.
+    ///
+    /// ```
+    /// use torse_exchange::FileKind;
+    /// assert_eq!(FileKind::of(b"ISO-10303-21;\nHEADER;"), FileKind::Step);
+    /// assert_eq!(FileKind::of(b"station,x,y\n0,1.5,2\n1,3,4\n"), FileKind::Csv);
+    /// assert_eq!(FileKind::of(b"[curves.rim]\nbezier = [[0, 0, 0], [1, 0, 0]]\n"), FileKind::Text);
+    /// assert_eq!(FileKind::of(b"%PDF-1.7").to_string(), "a PDF document");
+    /// ```
+    #[must_use]
+    pub fn of(bytes: &[u8]) -> Self {
+        if let Some((_, name)) = SIGNATURES
+            .iter()
+            .find(|(start, _)| bytes.starts_with(start))
+        {
+            return Self::Other(name);
+        }
+        if is_binary_stl(bytes) {
+            return Self::Stl;
+        }
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        if bytes.iter().all(u8::is_ascii_whitespace) {
+            return Self::Empty;
+        }
+        if bytes.iter().take(4096).any(|b| *b == 0) {
+            return Self::Binary;
+        }
+        // Enough of the text to tell, also where it is no UTF-8.
+        let text =
+            String::from_utf8_lossy(bytes.get(..bytes.len().min(1 << 16)).unwrap_or_default());
+        of_text(&text)
+    }
+
+    /// Whether torse reads it.
+    #[must_use]
+    pub fn is_read(self) -> bool {
+        matches!(
+            self,
+            Self::Step | Self::Iges | Self::Dxf | Self::Svg | Self::Csv | Self::Obj | Self::Stl
+        )
+    }
+}
+
+impl fmt::Display for FileKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Step => "a STEP file",
+            Self::Iges => "an IGES file",
+            Self::Dxf => "a DXF drawing",
+            Self::Svg => "an SVG drawing",
+            Self::Csv => "a CSV table",
+            Self::Obj => "an OBJ mesh",
+            Self::Stl => "an STL mesh",
+            Self::Other(name) => name,
+            Self::Text => "a text",
+            Self::Binary => "a binary file",
+            Self::Empty => "an empty file",
+        })
+    }
+}
+
+/// How files of other kinds begin.
+const SIGNATURES: &[(&[u8], &str)] = &[
+    (b"AutoCAD Binary DXF", "a binary DXF drawing"),
+    (b"AC10", "a DWG drawing"),
+    (b"3D Geometry File Format", "a Rhino model"),
+    (b"**ABCDEFGHIJKLMNOPQRSTUVWXYZ", "a Parasolid model"),
+    (b"DBRep_DrawableShape", "a BREP model of OpenCASCADE"),
+    (b"CASCADE Topology", "a BREP model of OpenCASCADE"),
+    (b"ply\n", "a PLY mesh"),
+    (b"ply\r\n", "a PLY mesh"),
+    (b"glTF", "a GLB mesh"),
+    (
+        b"PK\x03\x04",
+        "a ZIP archive (3MF, FreeCAD and others are such)",
+    ),
+    (b"\x1f\x8b", "a gzip archive"),
+    (b"%PDF", "a PDF document"),
+    (b"%!PS", "a PostScript document"),
+    (b"\x89PNG", "a PNG picture"),
+    (b"\xff\xd8\xff", "a JPEG picture"),
+    (b"GIF8", "a GIF picture"),
+    (b"\x7fELF", "a program"),
+];
+
+/// Eighty bytes, a count, and fifty bytes for each triangle.
+fn is_binary_stl(bytes: &[u8]) -> bool {
+    let Some(count) = bytes.get(80..84).and_then(|b| <[u8; 4]>::try_from(b).ok()) else {
+        return false;
+    };
+    let size = u64::from(u32::from_le_bytes(count)) * 50 + 84;
+    u64::try_from(bytes.len()) == Ok(size)
+}
+
+fn of_text(text: &str) -> FileKind {
+    let start = text.trim_start();
+    if start.starts_with("ISO-10303-21") {
+        return FileKind::Step;
+    }
+    if is_iges(text) {
+        return FileKind::Iges;
+    }
+    if is_dxf(text) {
+        return FileKind::Dxf;
+    }
+    if start.starts_with('<') {
+        // Comments, declarations and instructions may come first; a prefix may name the elements.
+        let named = |rest: &str| {
+            let name = rest
+                .split(|c: char| c.is_whitespace() || matches!(c, '>' | '/'))
+                .next();
+            let name = name.unwrap_or_default();
+            name.rsplit(':')
+                .next()
+                .unwrap_or_default()
+                .to_ascii_lowercase()
+        };
+        let first = start
+            .match_indices('<')
+            .map(|(at, _)| named(&start[at + 1..]));
+        let mut elements = first.filter(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
+        return match elements.next().as_deref() {
+            Some("svg") => FileKind::Svg,
+            Some("html" | "head" | "body") => FileKind::Other("an HTML page"),
+            _ => FileKind::Other("an XML file"),
+        };
+    }
+    if start.starts_with("solid") && text.contains("facet") {
+        return FileKind::Stl;
+    }
+    if is_obj(text) {
+        return FileKind::Obj;
+    }
+    if start.starts_with('{') && is_object(start) {
+        return FileKind::Other("a JSON file");
+    }
+    if is_table(text) {
+        return FileKind::Csv;
+    }
+    FileKind::Text
+}
+
+/// JSON begins with a name in quotes and a colon; no table of TOML does at the start of a file.
+fn is_object(start: &str) -> bool {
+    let inside = start.trim_start_matches('{').trim_start();
+    inside.starts_with('"') || inside.starts_with('}')
+}
+
+/// The first line is of the start section: `S` in column 73 and a number after it.
+fn is_iges(text: &str) -> bool {
+    let line = text.lines().next().unwrap_or_default();
+    let tail = line.get(72..80.min(line.len())).unwrap_or_default();
+    let number = tail.strip_prefix('S').unwrap_or_default().trim();
+    !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// Pairs of lines: a group code, a value; the first that is no comment is `0 SECTION`.
+fn is_dxf(text: &str) -> bool {
+    let mut lines = text.lines();
+    while let (Some(code), Some(value)) = (lines.next(), lines.next()) {
+        match code.trim() {
+            "999" => {}
+            "0" => return value.trim() == "SECTION",
+            _ => return false,
+        }
+    }
+    false
+}
+
+fn is_obj(text: &str) -> bool {
+    let mut vertices = 0;
+    for line in text.lines().take(1000) {
+        let mut words = line.split_whitespace();
+        match words.next() {
+            None => {}
+            Some(word) if word.starts_with('#') => {}
+            Some("v") if words.clone().count() >= 3 => {
+                if words.take(3).any(|word| word.parse::<f64>().is_err()) {
+                    return false;
+                }
+                vertices += 1;
+            }
+            Some("vn" | "vt" | "vp" | "f" | "l" | "p" | "o" | "g" | "s" | "mtllib" | "usemtl") => {}
+            Some(_) => return false,
+        }
+    }
+    vertices > 0
+}
+
+/// The separator of a line of a table, if it has one.
+pub(super) fn separator(line: &str) -> Option<char> {
+    [';', '\t', ','].into_iter().find(|c| line.contains(*c))
+}
+
+/// Two lines or more of equally many values, most of them numbers, and nothing of TOML's.
+fn is_table(text: &str) -> bool {
+    let mut lines = text
+        .lines()
+        .map(str::trim)
+        .filter(|l| !l.is_empty() && !l.starts_with('#'));
+    let Some(head) = lines.next() else {
+        return false;
+    };
+    if head.starts_with('[') || head.contains('=') {
+        return false;
+    }
+    let Some(separator) = separator(head) else {
+        return false;
+    };
+    let rows: Vec<Vec<&str>> = lines
+        .take(50)
+        .map(|l| l.split(separator).collect())
+        .collect();
+    let columns = head.split(separator).count();
+    // The last line may be cut.
+    let whole = rows.split_last().map_or(
+        &rows[..],
+        |(_, rest)| if rows.len() > 1 { rest } else { &rows[..] },
+    );
+    let number = |cell: &&str| {
+        cell.trim()
+            .trim_matches('"')
+            .replace(',', ".")
+            .parse::<f64>()
+            .is_ok()
+    };
+    let (all, numbers) = whole.iter().flatten().fold((0, 0), |(all, numbers), cell| {
+        (all + 1, numbers + usize::from(number(cell)))
+    });
+    columns > 1 && all > 0 && 2 * numbers >= all
+}

@@ -1,0 +1,5 @@
+//! Reading files of other programs.
+
+mod kind;
+
+pub use kind::FileKind;
