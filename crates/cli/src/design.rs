@@ -1,16 +1,18 @@
 //! `inspect`, `unroll`, `fold`, `export`, `eval`, `draw`: design files in, answers and files out.
 
 use crate::exit::{Exit, Failure};
-use crate::terminal::print;
+use crate::terminal::{print, remark};
 use clap::{Args, ValueEnum};
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use torse_designs::eval::{At, csv, eval};
 use torse_designs::export::{ENDINGS, PATTERNS, bytes, ending};
 use torse_designs::fold::fold_back;
 use torse_designs::inspect::{inspect, table};
+use torse_designs::listing::{FileListing, list};
 use torse_designs::unroll::{Demand, Summary, drawing, unroll};
-use torse_designs::{Design, DesignError, draw, load};
-use torse_exchange::{dxf, svg, write_file};
+use torse_designs::{Design, DesignError, draw, load, load_from};
+use torse_exchange::{FileKind, LengthUnit, MAX_FILE_BYTES, dxf, svg, write_file};
 
 /// How an answer is shown.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -21,15 +23,18 @@ enum Format {
     Json,
 }
 
-/// Measure a design: can it be made?
+/// Measure a design: can it be made? Or list what is in a file of another program.
 ///
 /// Tells of every patch whether it is developable and regular, how far the edge of regression is, how long its rulings
 /// are, how far it twists and how tightly it bends; of every joint how smooth it is and with which beta values. Ends with
-/// 1 when a tolerance of the file is missed.
+/// 1 when a tolerance of the file is missed. Of a STEP, IGES, DXF, SVG, CSV, OBJ or STL file it lists curves, faces and meshes.
 #[derive(Args)]
 pub struct Inspect {
-    /// The design file
+    /// The design file, or a file of another program; - for standard input
     design: PathBuf,
+    /// The unit of a file of another program that states none: mm, cm, m, in, ft, ..
+    #[arg(long, value_name = "UNIT", value_parser = unit)]
+    unit: Option<LengthUnit>,
     /// How the answer is shown
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -43,9 +48,12 @@ pub struct Inspect {
 pub struct Unroll {
     /// The design file
     design: PathBuf,
-    /// Where the pattern goes: a file ending in .dxf or .svg
+    /// Where the pattern goes: a file ending in .dxf or .svg; - for standard output, with --as
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
+    /// The format, where the name of the file does not end in it: dxf or svg
+    #[arg(long, value_name = "ENDING")]
+    r#as: Option<String>,
     #[command(flatten)]
     pattern: Pattern,
     /// How the answer is shown
@@ -100,9 +108,12 @@ pub struct Fold {
 pub struct Export {
     /// The design file
     design: PathBuf,
-    /// The file to write
+    /// The file to write; - for standard output, with --as
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
+    /// The format, where the name of the file does not end in it
+    #[arg(long, value_name = "ENDING")]
+    r#as: Option<String>,
     #[command(flatten)]
     pattern: Pattern,
 }
@@ -162,15 +173,52 @@ fn grid(text: &str) -> Result<(usize, usize), String> {
     Ok((number(m)?, number(n)?))
 }
 
+fn unit(text: &str) -> Result<LengthUnit, String> {
+    let wanted = || format!("`{text}` is no unit of length: mm, cm, m, in, ft and others are");
+    LengthUnit::named(text).ok_or_else(wanted)
+}
+
+/// Standard input, or output, where a file is wanted.
+fn is_standard(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
 /// The design of a file.
 fn design(path: &Path) -> Result<Design, Failure> {
+    if is_standard(path) {
+        return Ok(load_from(Path::new("stdin"), std::io::stdin().lock())?);
+    }
     Ok(load(path)?)
 }
 
-/// Writes a file whole or not at all, and says so.
+/// Writes a file whole or not at all; - is standard output.
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    if is_standard(path) {
+        let mut output = std::io::stdout().lock();
+        let written = output.write_all(bytes).and_then(|()| output.flush());
+        return written.map_err(Failure::Print);
+    }
     write_file(path, bytes).map_err(DesignError::from)?;
     Ok(())
+}
+
+/// Shows an answer: beside the file, where that went to standard output.
+fn answer(file: &Path, text: &str) -> Result<(), Failure> {
+    if is_standard(file) {
+        remark(text);
+        return Ok(());
+    }
+    print(text)
+}
+
+/// The format of a file that is written: its ending, or what `--as` says.
+fn format_of(
+    path: &Path,
+    named: Option<&str>,
+    known: &'static [&'static str],
+) -> Result<&'static str, Failure> {
+    let name = named.map(|name| PathBuf::from(format!("file.{name}")));
+    Ok(ending(name.as_deref().unwrap_or(path), known)?)
 }
 
 /// 0 when everything demanded is met, else 1.
@@ -191,6 +239,13 @@ fn json(answer: &impl serde::Serialize) -> Result<String, Failure> {
 impl Inspect {
     /// Measures the design.
     pub fn run(&self) -> Result<Exit, Failure> {
+        if let Some(listing) = self.listing()? {
+            print(&match self.format {
+                Format::Text => listing.text(),
+                Format::Json => json(&listing)?,
+            })?;
+            return Ok(Exit::AsExpected);
+        }
         let report = inspect(&design(&self.design)?)?;
         print(&match self.format {
             Format::Text => table(&report),
@@ -200,10 +255,35 @@ impl Inspect {
     }
 }
 
+impl Inspect {
+    /// What is in a file of another program; nothing for a design.
+    fn listing(&self) -> Result<Option<FileListing>, Failure> {
+        if is_standard(&self.design) {
+            return Ok(None);
+        }
+        let Ok(file) = std::fs::File::open(&self.design) else {
+            // What is wrong with it is told where a design is read.
+            return Ok(None);
+        };
+        let most = u64::try_from(MAX_FILE_BYTES).unwrap_or(u64::MAX);
+        let mut bytes = Vec::new();
+        if file.take(most + 1).read_to_end(&mut bytes).is_err() || !FileKind::of(&bytes).is_read() {
+            return Ok(None);
+        }
+        let name = self.design.display().to_string();
+        let listing = list(&name, &bytes, self.unit.as_ref());
+        let failed = |reason| DesignError::Listing {
+            path: name.clone(),
+            reason,
+        };
+        Ok(Some(listing.map_err(failed)?))
+    }
+}
+
 impl Unroll {
     /// Writes the pattern and says what it promises.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let ending = ending(&self.to, PATTERNS)?;
+        let ending = format_of(&self.to, self.r#as.as_deref(), PATTERNS)?;
         let design = design(&self.design)?;
         let pieces = unroll(&design, &self.pattern.demand())?;
         let sheet = drawing(&design, &pieces)?;
@@ -214,10 +294,11 @@ impl Unroll {
         let text = text.map_err(DesignError::from)?;
         write(&self.to, text.as_bytes())?;
         let summary = Summary::of(&design, &pieces);
-        print(&match self.format {
+        let text = match self.format {
             Format::Text => summary.text(),
             Format::Json => json(&summary)?,
-        })?;
+        };
+        answer(&self.to, &text)?;
         Ok(Exit::AsExpected)
     }
 }
@@ -238,7 +319,7 @@ impl Fold {
 impl Export {
     /// Writes the file.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let ending = ending(&self.to, ENDINGS)?;
+        let ending = format_of(&self.to, self.r#as.as_deref(), ENDINGS)?;
         let design = design(&self.design)?;
         write(&self.to, &bytes(&design, ending, &self.pattern.demand())?)?;
         Ok(Exit::AsExpected)

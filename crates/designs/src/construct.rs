@@ -133,6 +133,10 @@ pub fn cut(rail: &Rail, apex: &Point, plane: &[f64; 4]) -> Result<Rail> {
 
 /// Whether all control points are one: the curve stands still, at an apex.
 pub fn is_point(rail: &Rail) -> bool {
+    if let RailCurve::Elliptic(arc) = rail.curve() {
+        let moving = arc.axes().into_iter().chain([arc.rise()]);
+        return moving.flatten().all(|c| *c == 0.0);
+    }
     let control = control(rail);
     let first = control.first();
     first.is_some_and(|(first, _)| control.iter().all(|(p, _)| p == first))

@@ -25,6 +25,8 @@ pub struct Design {
     pub patches: Vec<Patch>,
     /// The chains in the order of the file.
     pub chains: Vec<Chain>,
+    /// What is worth knowing of the files that it takes curves from.
+    pub notes: Vec<String>,
     /// Surfaces that are not unrolled, in the order of the file.
     pub surfaces: Vec<FreeSurface>,
 }

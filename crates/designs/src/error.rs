@@ -1,7 +1,7 @@
 //! Why a design cannot be used.
 
 use std::path::PathBuf;
-use torse_exchange::{ExchangeError, FileKind};
+use torse_exchange::{ExchangeError, FileKind, ReadError};
 use torse_geometry::GeometryError;
 use torse_geometry::pattern::PatternError;
 use torse_plot::FigureError;
@@ -19,12 +19,23 @@ pub enum DesignError {
         reason: String,
     },
     /// The file is a file of another kind.
-    #[error("{path} is {kind}, and a design is a TOML file (designs/README.md)")]
+    #[error(
+        "{path} is {kind}, and a design is a TOML file; curves are read from {} files too",
+        FileKind::READ
+    )]
     OtherKind {
         /// The path as given.
         path: String,
         /// What the file is.
         kind: FileKind,
+    },
+    /// A file of another program cannot be read.
+    #[error("{path}: {reason}")]
+    Listing {
+        /// The path as given.
+        path: String,
+        /// Why.
+        reason: ReadError,
     },
     /// The file is wrong.
     #[error("{} mistake{} in the design", mistakes.len(), if mistakes.len() == 1 { "" } else { "s" })]
@@ -127,6 +138,7 @@ impl DesignError {
             Self::Format { .. } | Self::NoSuch { .. } | Self::OutOfRange { .. } => Ending::Usage,
             Self::Unreadable { .. }
             | Self::OtherKind { .. }
+            | Self::Listing { .. }
             | Self::Wrong { .. }
             | Self::Pattern { .. } => Ending::BadFile,
             Self::Patch { .. } | Self::Unroll { .. } | Self::NoPatch { .. } | Self::Mark { .. } => {
@@ -156,6 +168,10 @@ impl DesignError {
                 ),
                 _ => None,
             },
+            Self::OtherKind { kind, .. } if kind.is_read() => Some(
+                "`torse inspect` lists what is in it; a design takes a curve with `import = \"FILE#name\"`"
+                    .to_owned(),
+            ),
             Self::NoPatch { .. } => Some(
                 "a developable is a patch: `ruled`, `envelope`, `cone`, `connect` and others under [patches.NAME]"
                     .to_owned(),

@@ -7,6 +7,7 @@
 //! | you want | take |
 //! |---|---|
 //! | the design of a file, or everything that is wrong in it | [`load`], [`read`] |
+//! | what is in a file of another program | [`listing::list`] |
 //! | to know whether it can be made | [`inspect::inspect`] |
 //! | its flat pattern | [`unroll::unroll`], [`unroll::drawing`] |
 //! | a pattern file folded and compared with the design | [`fold::fold_back`] |
@@ -45,6 +46,7 @@ pub mod export;
 mod file;
 pub mod fold;
 pub mod inspect;
+pub mod listing;
 pub mod movable;
 mod unit;
 pub mod unroll;
@@ -53,5 +55,7 @@ pub use design::{
     Chain, Design, Ends, Layout, Mark, Material, Patch, Piece, Smoothness, Tolerances, View,
 };
 pub use error::{DesignError, Ending};
-pub use file::{MOST_BYTES, MOST_CONTROLS, MOST_LINE, MOST_THINGS, keys, load, read};
+pub use file::{
+    MOST_BYTES, MOST_CONTROLS, MOST_LINE, MOST_THINGS, keys, load, load_from, read, read_with,
+};
 pub use unit::Unit;

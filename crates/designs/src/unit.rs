@@ -40,6 +40,13 @@ impl Unit {
         found.map(|(_, unit)| *unit)
     }
 
+    /// The name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        let found = Self::ALL.iter().find(|(_, unit)| *unit == self);
+        found.map_or("mm", |(name, _)| name)
+    }
+
     /// How many millimetres it is, exactly.
     #[must_use]
     pub fn millimetres(self) -> Rational {

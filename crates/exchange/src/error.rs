@@ -1,5 +1,6 @@
 //! Why a file cannot be written.
 
+use crate::read::ReadError;
 use std::path::PathBuf;
 use torse_geometry::GeometryError;
 
@@ -104,6 +105,9 @@ pub enum ExchangeError {
         /// What is wrong there.
         what: &'static str,
     },
+    /// A file of another program cannot be read.
+    #[error(transparent)]
+    Read(#[from] ReadError),
     /// The operating system refuses.
     #[error("cannot write {}", path.display())]
     Write {
@@ -112,9 +116,4 @@ pub enum ExchangeError {
         /// Why.
         source: std::io::Error,
     },
-}
-
-/// What is wrong in a line of a file.
-pub(crate) fn unreadable(line: usize, what: &'static str) -> ExchangeError {
-    ExchangeError::Unreadable { line, what }
 }

@@ -1,4 +1,4 @@
-//! What leaves the house: meshes, drawings and CAD patches of the geometry, and the files that carry them.
+//! What leaves the house, and what comes in: meshes, drawings and CAD patches of the geometry, and the files that carry them.
 //!
 //! | you have | you make | you write |
 //! |---|---|---|
@@ -6,6 +6,9 @@
 //! | a polynomial or rational patch | [`ExactForm`], [`Model`] | [`step`], [`iges`] |
 //! | any patch | [`convert`], [`approximate`], [`approximate_tensor`]: B-splines within a proved distance, [`Model`] | [`step`], [`iges`] |
 //! | a flat pattern | [`Drawing::of_pattern`] | [`dxf`], [`svg`]; [`Drawing::from_dxf`] and [`Drawing::from_svg`] read |
+//!
+//! [`read`] reads what other programs wrote: curves, faces and meshes of STEP, IGES, DXF, SVG, CSV, OBJ and STL files,
+//! each with its place, lengths in millimetres.
 //!
 //! Writers return the whole file; [`write_file`] puts it in place whole or not at all. The bytes depend on
 //! the geometry alone: no clock, no path, no locale. Lengths are in millimetres (glTF knows metres only and
@@ -48,5 +51,9 @@ pub use drawing::{Drawing, Layer, Path, Text, Vertex};
 pub use error::{ExchangeError, Result};
 pub use formats::{dxf, glb, iges, obj, ply, step, stl, svg, three_mf};
 pub use mesh::{MOST_VERTICES, Mesh};
-pub use read::FileKind;
+pub use read::{
+    CurveShape, FileKind, FilePlace, Imported, ImportedCurve, ImportedFace, ImportedMesh,
+    LengthUnit, MAX_FILE_BYTES, MAX_IMPORTED_CURVES, ReadError, ReadResult, SplineSurface,
+    SurfaceFrame, SurfaceShape, UnitSource, read,
+};
 pub use write::write_file;

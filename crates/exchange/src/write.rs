@@ -4,10 +4,13 @@ use crate::error::{ExchangeError, Result};
 use std::ffi::OsString;
 use std::fs;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// The most symbolic links to follow.
+const MAX_LINKS: usize = 40;
 
 /// Writes a file: first beside its place, then renamed into it, so that nobody ever reads half a file and
-/// what stood there before survives a failure.
+/// what stood there before survives a failure. A symbolic link stays one: the file that it names is written.
 ///
 /// # Errors
 /// [`ExchangeError::Write`] with the path and the reason of the operating system.
@@ -28,20 +31,60 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
         path: path.to_owned(),
         source,
     };
-    let name = path
+    let place = target(path).map_err(failed)?;
+    let name = place
         .file_name()
         .ok_or_else(|| failed(std::io::ErrorKind::InvalidFilename.into()))?;
     // Two processes that write the same file must not share the draft.
     let mut draft = OsString::from(".");
     draft.push(name);
     draft.push(format!(".{}.part", std::process::id()));
-    let draft = path.with_file_name(draft);
+    let draft = place.with_file_name(draft);
     let written = fs::File::create(&draft)
         .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
-        .and_then(|()| fs::rename(&draft, path));
+        .and_then(|()| fs::rename(&draft, &place));
     written.map_err(|source| {
         // The first failure is the one to report.
         let _ = fs::remove_file(&draft);
         failed(source)
     })
+}
+
+/// The file that a path names where it is a symbolic link, also to one that is not there yet.
+fn target(path: &Path) -> std::io::Result<PathBuf> {
+    let mut place = path.to_owned();
+    for _ in 0..MAX_LINKS {
+        match fs::symlink_metadata(&place) {
+            Ok(found) if found.is_symlink() => {
+                let next = fs::read_link(&place)?;
+                place = place.parent().unwrap_or(Path::new("")).join(next);
+            }
+            _ => return Ok(place),
+        }
+    }
+    Err(std::io::Error::other("too many symbolic links"))
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_symbolic_link_stays_one_and_its_file_is_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, link) = (
+            folder.path().join("part.dxf"),
+            folder.path().join("latest.dxf"),
+        );
+        std::os::unix::fs::symlink("part.dxf", &link).unwrap();
+        // Also where the file is not there yet.
+        for content in ["first", "second"] {
+            write_file(&link, content.as_bytes()).unwrap();
+            assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+            assert_eq!(fs::read_to_string(&file).unwrap(), content);
+        }
+        let ring = folder.path().join("ring");
+        std::os::unix::fs::symlink("ring", &ring).unwrap();
+        assert!(write_file(&ring, b"").is_err());
+    }
 }

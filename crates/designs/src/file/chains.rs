@@ -1,5 +1,6 @@
 //! Chains of patches.
 
+use super::patches::Group;
 use super::reader::{Named, Reader, Value};
 use super::{MOST_THINGS, keys, named};
 use crate::design::{Chain, Layout, Patch, Smoothness};
@@ -10,6 +11,7 @@ pub fn chains(
     reader: &mut Reader,
     section: Option<Value<'_>>,
     patches: &Named<Patch>,
+    groups: &[Group],
 ) -> Vec<Chain> {
     let chains = named(
         reader,
@@ -36,7 +38,11 @@ pub fn chains(
                 );
                 return None;
             };
-            let items = reader.list(value, "patches", [2, MOST_THINGS])?;
+            let items = reader.list(value, "patches", [1, MOST_THINGS])?;
+            if items.len() == 1 && groups.is_empty() {
+                reader.complain(&span, "1 patches: at least 2 are wanted, at most 512", "");
+                return None;
+            }
             let mut indices = Vec::new();
             let mut whole = true;
             for item in items {
@@ -44,21 +50,27 @@ pub fn chains(
                     whole = false;
                     continue;
                 };
-                let Some(patch) = reader.find(&name, &place, "patch", patches) else {
-                    whole = false;
-                    continue;
+                let found: Vec<usize> = match groups.iter().find(|group| group.name == name) {
+                    Some(group) => group.patches.clone(),
+                    None => {
+                        let Some(patch) = reader.find(&name, &place, "patch", patches) else {
+                            whole = false;
+                            continue;
+                        };
+                        // The index among the patches that are right: a wrong one makes the design wrong anyway.
+                        let index = patches.iter().position(|(known, _)| *known == patch.name);
+                        index.into_iter().collect()
+                    }
                 };
-                // The index among the patches that are right: a wrong one makes the design wrong anyway.
-                let index = patches.iter().position(|(known, _)| *known == patch.name);
                 let elsewhere = known.iter().filter_map(|(_, chain)| chain.as_ref());
-                let taken = indices
+                let mut taken = indices
                     .iter()
                     .chain(elsewhere.flat_map(|chain| &chain.patches));
-                if index.is_some_and(|index| taken.into_iter().any(|i| *i == index)) {
+                if taken.any(|i| found.contains(i)) {
                     reader.complain(&place, format!("`{name}` is in a chain already"), "");
                     whole = false;
                 }
-                indices.extend(index);
+                indices.extend(found);
             }
             Some(Chain {
                 name: name.to_owned(),
@@ -72,11 +84,32 @@ pub fn chains(
     );
     for (name, chain) in &chains {
         // Patterns are named after pieces.
-        if chain.is_some() && patches.iter().any(|(patch, _)| patch == name) {
+        let named = groups.iter().any(|group| group.name == *name)
+            || patches.iter().any(|(patch, _)| patch == name);
+        if chain.is_some() && named {
             let end = reader.source().text.len();
             let message = format!("a chain and a patch are both called `{name}`");
             reader.complain(&(0..end.min(1)), message, "names of pieces differ");
         }
     }
-    chains.into_iter().filter_map(|(_, chain)| chain).collect()
+    let mut chains: Vec<Chain> = chains.into_iter().filter_map(|(_, chain)| chain).collect();
+    // The pieces of a patch stay attached where no chain says otherwise.
+    for group in groups {
+        let taken = |chain: &Chain| {
+            chain
+                .patches
+                .iter()
+                .any(|index| group.patches.contains(index))
+        };
+        if !chains.iter().any(taken) {
+            chains.push(Chain {
+                name: group.name.clone(),
+                patches: group.patches.clone(),
+                continuity: None,
+                closed: group.closed,
+                layout: Layout::Attached,
+            });
+        }
+    }
+    chains
 }

@@ -50,9 +50,32 @@ pub const CURVE: &[&str] = &[
     "join",
     "beta",
     "free",
+    "spline",
+    "through",
+    "spacing",
+    "ends",
+    "polyline",
+    "row",
+    "import",
+    "unit",
+    "copy",
+    "section",
+    "reversed",
+    "scale",
+    "mirror",
+    "rotate",
+    "move",
 ];
-/// The quarter of an ellipse.
-pub const ARC: &[&str] = &["centre", "from", "to"];
+/// An arc of an ellipse or of a circle.
+pub const ARC: &[&str] = &["centre", "from", "to", "axis", "angle", "climb"];
+/// A spline by its control points.
+pub const SPLINE: &[&str] = &["degree", "points", "knots", "weights", "closed"];
+/// The tangents at the ends of a spline through points.
+pub const ENDS: &[&str] = &["start", "end"];
+/// A stretch about a point.
+pub const SCALE: &[&str] = &["about", "by"];
+/// A turn about an axis.
+pub const ROTATE: &[&str] = &["about", "axis", "angle"];
 /// `[families.NAME]`.
 pub const FAMILY: &[&str] = &[
     "bernstein",
@@ -118,6 +141,10 @@ pub const ALL: &[Section] = &[
     ("plane", PLANE),
     ("curve", CURVE),
     ("arc", ARC),
+    ("spline", SPLINE),
+    ("ends", ENDS),
+    ("scaling", SCALE),
+    ("rotation", ROTATE),
     ("family", FAMILY),
     ("patch", PATCH),
     ("hermite", HERMITE),

@@ -8,24 +8,29 @@
 mod chains;
 mod curves;
 mod formula;
+mod imports;
 mod joints;
 pub mod keys;
 mod patches;
+mod pieces;
+mod placement;
 mod planes;
 mod points;
 mod reader;
 mod settings;
+mod splines;
 mod surfaces;
 
 use crate::design::Design;
 use crate::error::DesignError;
+use imports::{Files, Imports};
 use reader::{Named, Reader, Value, ordered};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 use toml::de::DeTable;
 use torse_exchange::FileKind;
-use torse_geometry::prelude::{Planes, Point, Rail};
+use torse_geometry::prelude::{PiecewiseRail, Planes, Point};
 
 pub use torse_syntax::derivation::Source;
 
@@ -35,8 +40,8 @@ pub const MOST_BYTES: usize = 1 << 20;
 pub const MOST_LINE: usize = 1 << 16;
 /// The most things of one kind in a file.
 pub const MOST_THINGS: usize = 512;
-/// The most control elements of a curve or a family.
-pub const MOST_CONTROLS: usize = 24;
+/// The most control elements of a curve of one piece or of a family; splines have more.
+pub const MOST_CONTROLS: usize = 65;
 /// The most mistakes that are told of one file.
 const MOST_MISTAKES: usize = 100;
 /// So many bytes of the file are shown with them, and the line of the first in any case.
@@ -47,7 +52,7 @@ const MOST_SHOWN: usize = 1 << 15;
 struct Parts {
     points: Named<Point>,
     planes: Named<[f64; 4]>,
-    curves: Named<Rail>,
+    curves: Named<PiecewiseRail>,
     families: Named<Planes>,
 }
 
@@ -65,13 +70,26 @@ pub fn load(path: &Path) -> Result<Design, DesignError> {
     if size.is_dir() {
         return Err(unreadable("it is a folder".to_owned()));
     }
-    let mut bytes = Vec::new();
     let file = std::fs::File::open(path).map_err(|e| unreadable(e.to_string()))?;
+    load_from(path, file)
+}
+
+/// As [`load`], from a stream, standard input for instance; files that the design names are looked for beside `path`.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_from(path: &Path, stream: impl std::io::Read) -> Result<Design, DesignError> {
+    let shown = path.display().to_string();
+    let unreadable = |reason: String| DesignError::Unreadable {
+        path: shown.clone(),
+        reason,
+    };
+    let mut bytes = Vec::new();
     // A file may be longer than it says, a device for instance.
     let most = u64::try_from(MOST_BYTES).unwrap_or(u64::MAX);
-    std::io::Read::read_to_end(&mut std::io::Read::take(file, most + 1), &mut bytes)
+    std::io::Read::read_to_end(&mut std::io::Read::take(stream, most + 1), &mut bytes)
         .map_err(|e| unreadable(e.to_string()))?;
-    other_kind(&path.display().to_string(), &bytes)?;
+    other_kind(&shown, &bytes)?;
     if bytes.len() > MOST_BYTES {
         return Err(unreadable(format!("it is longer than {MOST_BYTES} bytes")));
     }
@@ -79,8 +97,20 @@ pub fn load(path: &Path) -> Result<Design, DesignError> {
         let at = e.utf8_error().valid_up_to();
         unreadable(format!("it is no UTF-8 text (byte {at})"))
     })?;
-    let shown = path.file_name().unwrap_or_default().to_string_lossy();
-    read(&shown, &text)
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let folder = path.parent().unwrap_or(Path::new(""));
+    read_with(&name, &text, &mut |file| beside(folder, file))
+}
+
+/// A file that a design in a folder names.
+fn beside(folder: &Path, file: &str) -> Result<Vec<u8>, String> {
+    let path = folder.join(file);
+    let most = u64::try_from(torse_exchange::MAX_FILE_BYTES).unwrap_or(u64::MAX);
+    let open = std::fs::File::open(&path).map_err(|error| error.to_string())?;
+    let mut bytes = Vec::new();
+    std::io::Read::read_to_end(&mut std::io::Read::take(open, most + 1), &mut bytes)
+        .map_err(|error| error.to_string())?;
+    Ok(bytes)
 }
 
 /// Refuses, in one line, what is a file of another kind: its text is no TOML that somebody mistyped.
@@ -133,6 +163,33 @@ fn line_at(text: &str, byte: usize) -> &str {
 /// # Ok::<(), DesignError>(())
 /// ```
 pub fn read(name: &str, text: &str) -> Result<Design, DesignError> {
+    let none = |_: &str| Err("no files are read here".to_owned());
+    read_with(name, text, &mut { none })
+}
+
+/// As [`read`], of a design that names other files: `files` gives the bytes of the file at a path that stands in the
+/// design, or says why it has none.
+///
+/// # Errors
+/// As [`read`].
+///
+/// ```
+/// use torse_designs::read_with;
+/// let text = r#"
+///     [curves.low]
+///     import = "hull.csv#chine"
+///     [curves.high]
+///     import = "hull.csv#sheer"
+///     [patches.side]
+///     ruled = ["low", "high"]
+/// "#;
+/// let table = "x [m],chine y,chine z,sheer y,sheer z\n0,0,0,0,0.5\n1,0.3,0,0.4,0.6\n2,0.2,0.1,0.3,0.7\n";
+/// let design = read_with("hull.toml", text, &mut |_| Ok(table.as_bytes().to_vec()))?;
+/// assert_eq!(design.patches.len(), design.chains[0].patches.len());
+/// assert_eq!(design.notes, ["hull.csv: a CSV table, lengths in m, stated by the file"]);
+/// # Ok::<(), torse_designs::DesignError>(())
+/// ```
+pub fn read_with(name: &str, text: &str, files: Files<'_>) -> Result<Design, DesignError> {
     other_kind(name, text.as_bytes())?;
     if let Some(line) = text.lines().position(|line| line.len() > MOST_LINE) {
         return Err(DesignError::Unreadable {
@@ -151,7 +208,7 @@ pub fn read(name: &str, text: &str) -> Result<Design, DesignError> {
         reader.complain(&span, error.message(), "");
     }
     let design = if errors.is_empty() {
-        sections(&mut reader, name, table.into_inner())
+        sections(&mut reader, name, table.into_inner(), files)
     } else {
         None
     };
@@ -172,7 +229,12 @@ pub fn read(name: &str, text: &str) -> Result<Design, DesignError> {
     }
 }
 
-fn sections(reader: &mut Reader, name: &str, table: DeTable<'_>) -> Option<Design> {
+fn sections(
+    reader: &mut Reader,
+    name: &str,
+    table: DeTable<'_>,
+    files: Files<'_>,
+) -> Option<Design> {
     let mut sections: BTreeMap<String, Value<'_>> = BTreeMap::new();
     for (key, span, value) in ordered(table) {
         if keys::TOP.contains(&key.as_str()) {
@@ -196,10 +258,12 @@ fn sections(reader: &mut Reader, name: &str, table: DeTable<'_>) -> Option<Desig
     let mut parts = Parts::default();
     parts.points = points::points(reader, take("points"));
     parts.planes = planes::planes(reader, take("planes"), &parts.points);
-    parts.curves = curves::curves(reader, take("curves"), &parts.points);
+    let mut imports = Imports::new(files);
+    let section = take("curves");
+    parts.curves = curves::curves(reader, section, &parts.points, &parts.planes, &mut imports);
     parts.families = planes::families(reader, take("families"), &parts.planes);
-    let patches = patches::patches(reader, take("patches"), &parts);
-    let chains = chains::chains(reader, take("chains"), &patches);
+    let (patches, groups) = patches::patches(reader, take("patches"), &parts);
+    let chains = chains::chains(reader, take("chains"), &patches, &groups);
     let surfaces = surfaces::surfaces(reader, take("surfaces"), &parts);
     if patches.is_empty() && surfaces.is_empty() {
         let end = reader.source().text.len();
@@ -219,6 +283,7 @@ fn sections(reader: &mut Reader, name: &str, table: DeTable<'_>) -> Option<Desig
         view,
         patches: patches.into_iter().filter_map(|(_, patch)| patch).collect(),
         chains,
+        notes: imports.notes,
         surfaces: surfaces.into_iter().filter_map(|(_, one)| one).collect(),
     })
 }

@@ -1,6 +1,7 @@
 //! Patches.
 
 use super::curves;
+use super::pieces::{Cells, distributed};
 use super::planes::{continued, pair, plane};
 use super::points::{list, point};
 use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
@@ -9,7 +10,9 @@ use crate::construct;
 use crate::design::{Ends, Mark, Patch};
 use std::ops::Range;
 use torse_geometry::developable::{HermiteCone, QuarticData, QuinticData};
-use torse_geometry::prelude::{Connected, Cut, GeometryError, Planes, Point, Rail, Reason, Sheet};
+use torse_geometry::prelude::{
+    Connected, Cut, GeometryError, PiecewiseRail, Planes, Point, Rail, Reason, Sheet,
+};
 
 /// The ways to make a patch.
 const KINDS: [&str; 8] = [
@@ -25,10 +28,22 @@ const KINDS: [&str; 8] = [
 /// The most marks of a patch, and points of a line.
 const MOST_MARKS: usize = 256;
 
-/// A patch, and where a continuation would begin.
+/// The patches of an entry, one for each pieces of its curves, and where a continuation would begin.
 pub struct Made {
-    pub patch: Patch,
+    patches: Vec<Patch>,
+    /// Whether the last piece ends where the first begins.
+    closed: bool,
     cut: Option<Cutting>,
+}
+
+/// The patches that an entry with curves of several pieces became.
+pub struct Group {
+    /// The name of the entry.
+    pub name: String,
+    /// The indices of the patches.
+    pub patches: Vec<usize>,
+    /// Whether the last meets the first.
+    pub closed: bool,
 }
 
 /// What part of the rulings of a family a patch takes.
@@ -39,7 +54,12 @@ enum Cutting {
     Tangent([f64; 2]),
 }
 
-pub fn patches(reader: &mut Reader, section: Option<Value<'_>>, parts: &Parts) -> Named<Patch> {
+/// The patches, and which of them belong together.
+pub fn patches(
+    reader: &mut Reader,
+    section: Option<Value<'_>>,
+    parts: &Parts,
+) -> (Named<Patch>, Vec<Group>) {
     let made = named(
         reader,
         section,
@@ -50,10 +70,27 @@ pub fn patches(reader: &mut Reader, section: Option<Value<'_>>, parts: &Parts) -
             patch(reader, name, &mut entries, parts, known)
         },
     );
-    let patches = made.into_iter();
-    patches
-        .map(|(name, made)| (name, made.map(|made| made.patch)))
-        .collect()
+    let (mut patches, mut groups) = (Named::new(), Vec::new());
+    for (name, made) in made {
+        let Some(made) = made else {
+            patches.push((name, None));
+            continue;
+        };
+        let first = patches.len();
+        patches.extend(
+            made.patches
+                .into_iter()
+                .map(|patch| (patch.name.clone(), Some(patch))),
+        );
+        if patches.len() > first + 1 {
+            groups.push(Group {
+                name,
+                patches: (first..patches.len()).collect(),
+                closed: made.closed,
+            });
+        }
+    }
+    (patches, groups)
 }
 
 /// A surface before it is trimmed.
@@ -110,26 +147,48 @@ fn patch(
     };
     let value = entries.take(kind)?;
     let place = value.span();
-    let raw = match kind {
+    let part = part.unwrap_or(Some([0.0, 1.0]))?;
+    let mut cells = Cells::ONE;
+    let raws = match kind {
         "ruled" | "connect" => {
-            let [first, second] = rails(reader, value, &parts.curves)?;
-            if kind == "ruled" {
-                Raw::between(first, second)
-            } else {
-                connected(reader, &place, &first, &second)?
+            let pair = rails(reader, value, &parts.curves)?;
+            let (found, pairs) = accepted(reader, &place, Cells::between(&pair, part))?;
+            cells = found;
+            let mut raws = Vec::with_capacity(pairs.len());
+            for [first, second] in pairs {
+                raws.push(if kind == "ruled" {
+                    Raw::between(first, second)
+                } else {
+                    connected(reader, &place, &first, &second)?
+                });
             }
+            raws
         }
-        "cylinder" => swept(reader, entries, value, parts, &CYLINDER)?,
-        "cone" => swept(reader, entries, value, parts, &CONE)?,
+        "cylinder" | "cone" => {
+            let sweep = if kind == "cone" { &CONE } else { &CYLINDER };
+            let curve = reader.named(value, "curve", &parts.curves).cloned();
+            let swept = swept(reader, entries, parts, sweep);
+            let (found, pieces) = accepted(reader, &place, Cells::of(&curve?, part))?;
+            cells = found;
+            let swept = swept?;
+            let mut raws = Vec::with_capacity(pieces.len());
+            for piece in pieces {
+                let [first, second] = swept
+                    .rails(sweep, &piece)
+                    .map(|rail| accepted(reader, &span, rail));
+                raws.push(Raw::between(first?, second?));
+            }
+            raws
+        }
         "hermite" => {
             let mut data = reader.entries(value, "a Hermite cone", keys::HERMITE)?;
-            hermite(reader, entries, &mut data, parts)?
+            vec![hermite(reader, entries, &mut data, parts)?]
         }
-        "continues" => continuation(reader, entries, value, parts, known)?,
+        "continues" => vec![continuation(reader, entries, value, parts, known)?],
         _ => {
             let planes = reader.named(value, "family", &parts.families).cloned();
             let cut = cutting(reader, entries, parts, kind == "tangent");
-            developable(reader, &span, planes?, cut?)?
+            vec![developable(reader, &span, planes?, cut?)?]
         }
     };
     for key in keys::PATCH {
@@ -138,40 +197,66 @@ fn patch(
             reader.complain(&value.span(), message, "");
         }
     }
-    let part = part.unwrap_or(Some([0.0, 1.0]))?;
-    let sheet = if part == [0.0, 1.0] {
-        raw.sheet
-    } else {
-        accepted(reader, &span, raw.sheet.part(part[0], part[1]))?
-    };
-    let is_point = |rail: &Rail| construct::is_point(rail);
-    let apexes = raw
-        .rails
-        .as_ref()
-        .map(|rails| rails.each_ref().map(is_point));
-    // What has no rulings has no place in a design.
-    for x in [0.0, 0.5, 1.0] {
-        accepted(reader, &span, sheet.ruling(x))?;
+    // The curves of several pieces are cut already, and with them the part.
+    let part = if cells.trimmed { [0.0, 1.0] } else { part };
+    let cut = raws.first().and_then(|raw| raw.cut);
+    let several = raws.len() > 1;
+    let marks = distributed(marks?, &cells);
+    let mut patches = Vec::with_capacity(raws.len());
+    for (index, (raw, marks)) in raws.into_iter().zip(marks).enumerate() {
+        let name = if several {
+            format!("{name}.{}", index + 1)
+        } else {
+            name.to_owned()
+        };
+        patches.push(trimmed(reader, &span, (name, kind), raw, (part, marks))?);
     }
     Some(Made {
-        patch: Patch {
-            name: name.to_owned(),
-            kind,
-            sheet,
-            ends: Ends {
-                planes: raw.planes,
-                rails: raw.rails,
-                part,
-            },
-            apexes: apexes.unwrap_or([false; 2]),
-            marks: marks?,
-            notes: raw.notes,
-        },
-        cut: raw.cut,
+        patches,
+        closed: several && cells.closed,
+        cut,
     })
 }
 
-fn rails(reader: &mut Reader, value: Value<'_>, curves: &Named<Rail>) -> Option<[Rail; 2]> {
+/// The patch of a surface: its part, with its marks.
+fn trimmed(
+    reader: &mut Reader,
+    span: &Range<usize>,
+    (name, kind): (String, &'static str),
+    raw: Raw,
+    (part, marks): ([f64; 2], Vec<Mark>),
+) -> Option<Patch> {
+    let sheet = if part == [0.0, 1.0] {
+        raw.sheet
+    } else {
+        accepted(reader, span, raw.sheet.part(part[0], part[1]))?
+    };
+    let rails = raw.rails.as_ref();
+    let apexes = rails.map(|rails| rails.each_ref().map(construct::is_point));
+    // What has no rulings has no place in a design.
+    for x in [0.0, 0.5, 1.0] {
+        accepted(reader, span, sheet.ruling(x))?;
+    }
+    Some(Patch {
+        name,
+        kind,
+        sheet,
+        ends: Ends {
+            planes: raw.planes,
+            rails: raw.rails,
+            part,
+        },
+        apexes: apexes.unwrap_or([false; 2]),
+        marks,
+        notes: raw.notes,
+    })
+}
+
+fn rails(
+    reader: &mut Reader,
+    value: Value<'_>,
+    curves: &Named<PiecewiseRail>,
+) -> Option<[PiecewiseRail; 2]> {
     let items = reader.list(value, "curves", [2, 2])?;
     let both: Vec<_> = items
         .into_iter()
@@ -316,15 +401,29 @@ const CONE: Sweep = Sweep {
     on: construct::cut,
 };
 
+/// The lines of a cone or a cylinder, and where they end.
+struct Swept {
+    lines: Point,
+    stretch: Stretch,
+}
+
+impl Swept {
+    /// The two images of a curve that bound the surface.
+    fn rails(&self, sweep: &Sweep, curve: &Rail) -> [Result<Rail, GeometryError>; 2] {
+        match &self.stretch {
+            Stretch::Range(range) => range.map(|share| (sweep.at)(curve, &self.lines, share)),
+            Stretch::Between(planes) => planes.map(|plane| (sweep.on)(curve, &self.lines, &plane)),
+        }
+    }
+}
+
 fn swept(
     reader: &mut Reader,
     entries: &mut Entries<'_>,
-    value: Value<'_>,
     parts: &Parts,
     sweep: &Sweep,
-) -> Option<Raw> {
+) -> Option<Swept> {
     let span = entries.span.clone();
-    let curve = reader.named(value, "curve", &parts.curves).cloned();
     let [key, lacking, help] = sweep.by;
     let Some(lines) = entries.take(key) else {
         reader.complain(&span, lacking, help);
@@ -332,13 +431,10 @@ fn swept(
     };
     let lines = point(reader, lines, &parts.points);
     let stretch = stretch(reader, entries, parts, sweep.whole);
-    let (curve, lines) = (curve?, lines?);
-    let rails = match stretch? {
-        Stretch::Range(range) => range.map(|share| (sweep.at)(&curve, &lines, share)),
-        Stretch::Between(planes) => planes.map(|plane| (sweep.on)(&curve, &lines, &plane)),
-    };
-    let [first, second] = rails.map(|rail| accepted(reader, &span, rail));
-    Some(Raw::between(first?, second?))
+    Some(Swept {
+        lines: lines?,
+        stretch: stretch?,
+    })
 }
 
 /// A Hermite cone between parallel planes, or cut by an oblique one.
@@ -491,7 +587,13 @@ fn continuation(
 ) -> Option<Raw> {
     let (span, place) = (entries.span.clone(), value.span());
     let first = reader.named(value, "patch", known)?;
-    let (Some(planes), Some(cut)) = (&first.patch.ends.planes, first.cut) else {
+    let (Some(planes), Some(cut)) = (
+        first
+            .patches
+            .first()
+            .and_then(|patch| patch.ends.planes.as_ref()),
+        first.cut,
+    ) else {
         let help = "it is made by `envelope` or `tangent`; curves are continued under [curves]";
         reader.complain(&place, "this patch is not given by planes", help);
         return None;

@@ -1,7 +1,7 @@
 //! Points: three lengths, or the name of a point.
 
+use super::named;
 use super::reader::{Dimension, Named, Reader, Value};
-use super::{MOST_CONTROLS, named};
 use toml::de::DeValue;
 use torse_geometry::prelude::Point;
 
@@ -26,7 +26,7 @@ pub fn list(
     known: &Named<Point>,
     [least, most]: [usize; 2],
 ) -> Option<Vec<Point>> {
-    let items = reader.list(value, "points", [least, most.min(MOST_CONTROLS)])?;
+    let items = reader.list(value, "points", [least, most])?;
     let points: Vec<Option<Point>> = items
         .into_iter()
         .map(|item| point(reader, item, known))

@@ -258,6 +258,25 @@ impl Reader {
         double
     }
 
+    /// A number exactly as it stands in the file; one that is only enclosed is rounded to f64 first.
+    pub fn rational(&mut self, value: Value<'_>, dimension: Dimension) -> Option<Rational> {
+        let span = value.span();
+        let number = self.exact(value)?;
+        let number = match dimension {
+            Dimension::None => number,
+            Dimension::Length => number.times(&self.unit),
+        };
+        let double = number.to_f64();
+        if double.is_none() {
+            let message = "this number is too large, or lost all its digits";
+            self.complain(&span, message, "numbers of a design are doubles");
+        }
+        match number {
+            Number::Exact(exact) => double.map(|_| exact),
+            Number::Near(_) => double.map(torse_geometry::exact),
+        }
+    }
+
     /// A number in a range, which is told when it is missed.
     pub fn number_in(
         &mut self,

@@ -1,12 +1,12 @@
 //! Surfaces that are no developables: tensor products, given by their nets or made from curves.
 
-use super::curves::shape_of;
+use super::curves::{shape_of, single};
 use super::points::list;
 use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
 use super::{MOST_CONTROLS, Parts, keys, named};
 use crate::design::{FreeSurface, Tensor};
 use torse_geometry::basis::Shape;
-use torse_geometry::prelude::{GeometryError, Place, Rail};
+use torse_geometry::prelude::{GeometryError, PiecewiseRail, Place, Rail};
 use torse_geometry::sheet::RailCurve;
 use torse_geometry::{Curve, TensorSurface};
 
@@ -58,8 +58,8 @@ fn surface(
             TensorSurface::new(u?, v?, net).map(|surface| vec![surface])
         }
         "rotation" => {
-            let profile = reader.named(value, "curve", &parts.curves)?;
-            turned(profile)
+            let profile = single(reader, value, &parts.curves)?;
+            turned(&profile)
         }
         _ => {
             let [first, second] = curves(reader, value, &parts.curves)?;
@@ -75,9 +75,9 @@ fn surface(
                 None => 1.0,
             };
             let made = if kind == "swung" {
-                swung(first, second, factor)
+                swung(&first, &second, factor)
             } else {
-                swept(first, second)
+                swept(&first, &second)
             };
             made.map(|surface| vec![surface])
         }
@@ -95,15 +95,13 @@ fn surface(
     })
 }
 
-fn curves<'p>(
+fn curves(
     reader: &mut Reader,
     value: Value<'_>,
-    known: &'p Named<Rail>,
-) -> Option<[&'p Rail; 2]> {
+    known: &Named<PiecewiseRail>,
+) -> Option<[Rail; 2]> {
     let items = reader.list(value, "curves", [2, 2])?;
-    let mut both = items
-        .into_iter()
-        .map(|item| reader.named(item, "curve", known));
+    let mut both = items.into_iter().map(|item| single(reader, item, known));
     match (both.next()?, both.next()?) {
         (Some(first), Some(second)) => Some([first, second]),
         _ => None,

@@ -10,6 +10,7 @@ mod text;
 pub(crate) use joint::joint_of;
 pub use joint::{JointReport, joints};
 pub use surface::SurfaceReport;
+pub(crate) use text::columns;
 pub use text::table;
 pub(crate) use text::{number, wrapped};
 
@@ -41,6 +42,8 @@ pub struct Report {
     pub missed: Vec<String>,
     /// The surfaces in the order of the file.
     pub surfaces: Vec<SurfaceReport>,
+    /// The files that curves were taken from, with their units, in words.
+    pub notes: Vec<String>,
 }
 
 /// Whether something is so, and how that is known.
@@ -188,6 +191,7 @@ pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignE
         patches,
         joints,
         missed,
+        notes: design.notes.clone(),
     })
 }
 

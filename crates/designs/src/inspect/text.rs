@@ -57,6 +57,12 @@ pub fn table(report: &Report) -> String {
             text.push_str(&wrapped(&format!("{}: ", patch.name), note));
         }
     }
+    if !report.notes.is_empty() {
+        text.push('\n');
+    }
+    for note in &report.notes {
+        text.push_str(&wrapped("from ", note));
+    }
     text.push('\n');
     if report.missed.is_empty() {
         text.push_str("All tolerances are met.\n");
@@ -175,7 +181,7 @@ pub fn number(value: f64) -> String {
 }
 
 /// Columns two blanks apart.
-fn columns(heads: &[&str], rows: &[Vec<String>]) -> String {
+pub fn columns(heads: &[&str], rows: &[Vec<String>]) -> String {
     let length = |text: &str| text.chars().count();
     let mut widths: Vec<usize> = heads.iter().map(|head| length(head)).collect();
     for row in rows {

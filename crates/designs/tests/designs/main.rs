@@ -11,6 +11,7 @@ mod hostile;
 mod kinds;
 mod mistakes;
 mod patterns;
+mod rails;
 mod random;
 mod schema;
 mod surfaces;

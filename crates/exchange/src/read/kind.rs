@@ -31,7 +31,7 @@ pub enum FileKind {
 }
 
 impl FileKind {
-    /// The formats that torse reads, in a row of words.
+    /// The formats that [`read`](super::read) reads, in a row of words.
     pub const READ: &'static str = "STEP, IGES, DXF, SVG, CSV, OBJ and STL";
 
     /// What the file with these bytes is; a beginning of it is enough, a mebibyte for instance.
@@ -67,7 +67,7 @@ impl FileKind {
         of_text(&text)
     }
 
-    /// Whether torse reads it.
+    /// Whether [`read`](super::read) reads it.
     #[must_use]
     pub fn is_read(self) -> bool {
         matches!(

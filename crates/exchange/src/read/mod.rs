@@ -1,5 +1,184 @@
-//! Reading files of other programs.
+//! Reading files of other programs: curves, faces and meshes, with names and places, in millimetres.
+//!
+//! | format | what is read | by |
+//! |---|---|---|
+//! | CSV | points, tables of offsets | the crate `csv` |
+//! | SVG | paths and shapes, with groups, transforms and units | the crates `roxmltree` and `svgtypes` |
+//! | DXF | lines, arcs, circles, ellipses, polylines with bulges, splines, blocks | here |
+//! | STEP | curves, surfaces, faces with edges, placements of parts | here |
+//! | IGES | curves, surfaces, trimmed faces | here |
+//! | OBJ, STL | triangles | here |
+//!
+//! Formats are read by hand where no crate tells the line and entity of what is wrong and bounds its own work, and
+//! keeps the decimals of the text. Reading needs time and memory in proportion to the file, which has at most
+//! [`MAX_FILE_BYTES`].
+//!
+//! ```
+//! use torse_exchange::read;
+//! let table = "station,x,y,z\n0,0,0,0\n1,400,180,-40\n2,900,260,-30\n3,1500,200,20\n";
+//! let found = read("chine.csv", table.as_bytes(), None)?;
+//! assert_eq!(found.curves[0].name, "chine");
+//! assert_eq!(found.curves[0].shape.rail()?.count(), 3);
+//! assert_eq!(found.unit.to_string(), "mm, assumed: the file states no unit");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
+mod csv;
+mod decimal;
+pub(crate) mod dxf;
+mod error;
+mod iges;
+mod imported;
 mod kind;
+mod obj;
+mod step;
+mod stl;
+pub(crate) mod svg;
+mod trim;
+mod unit;
 
+pub use error::{FilePlace, ReadError, ReadResult};
+pub use imported::{
+    CurveShape, Imported, ImportedCurve, ImportedFace, ImportedMesh, SplineSurface, SurfaceFrame,
+    SurfaceShape,
+};
 pub use kind::FileKind;
+pub use unit::{LengthUnit, UnitSource};
+
+use imported::{Names, PassedOver};
+
+/// The largest file that is read, in bytes.
+pub const MAX_FILE_BYTES: usize = 1 << 28;
+/// The most curves of a file.
+pub const MAX_IMPORTED_CURVES: usize = 200_000;
+
+/// Reads a file of another program; `name` is that of the file, `unit` holds where the file states none.
+///
+/// # Errors
+/// [`ReadError`], with line and entity.
+pub fn read(name: &str, bytes: &[u8], unit: Option<&LengthUnit>) -> ReadResult<Imported> {
+    if bytes.len() > MAX_FILE_BYTES {
+        return Err(ReadError::TooMuch {
+            place: FilePlace::default(),
+            what: "bytes",
+            most: MAX_FILE_BYTES,
+        });
+    }
+    let kind = FileKind::of(bytes);
+    let text = || {
+        let text = String::from_utf8_lossy(bytes);
+        text.strip_prefix('\u{feff}')
+            .map(str::to_owned)
+            .unwrap_or_else(|| text.into_owned())
+    };
+    let stem = std::path::Path::new(name)
+        .file_stem()
+        .unwrap_or_default()
+        .to_string_lossy();
+    match kind {
+        FileKind::Csv => csv::read(&stem, &text(), unit),
+        FileKind::Svg => svg::read(&text(), unit),
+        FileKind::Dxf => dxf::read(&text(), unit),
+        FileKind::Step => step::read(&text(), unit),
+        FileKind::Iges => iges::read(&text(), unit),
+        FileKind::Obj => obj::read(&stem, &text(), unit),
+        FileKind::Stl => stl::read(&stem, bytes, unit),
+        kind => Err(ReadError::Kind { kind }),
+    }
+}
+
+/// Where the unit comes from.
+fn check_unit(stated: Option<LengthUnit>, given: Option<&LengthUnit>) -> ReadResult<UnitSource> {
+    let shown = stated.as_ref().map_or("", LengthUnit::name).to_owned();
+    UnitSource::of(stated, given).ok_or_else(|| ReadError::OtherUnit {
+        stated: shown,
+        given: given.map_or("", LengthUnit::name).to_owned(),
+    })
+}
+
+/// Curves, faces and meshes while they come in; all are in millimetres already.
+struct Drafts {
+    imported: Imported,
+    curves: Names,
+    faces: Names,
+    meshes: Names,
+}
+
+impl Drafts {
+    fn new(unit: &UnitSource) -> Self {
+        Self {
+            imported: Imported {
+                kind: FileKind::Empty,
+                unit: unit.clone(),
+                uncertainty: None,
+                curves: Vec::new(),
+                faces: Vec::new(),
+                meshes: Vec::new(),
+                passed_over: Vec::new(),
+            },
+            curves: Names::default(),
+            faces: Names::default(),
+            meshes: Names::default(),
+        }
+    }
+
+    /// Adds a curve; gives its index.
+    fn curve(&mut self, name: &str, place: FilePlace, shape: CurveShape) -> ReadResult<usize> {
+        let index = self.imported.curves.len();
+        if index >= MAX_IMPORTED_CURVES {
+            return Err(ReadError::TooMuch {
+                place,
+                what: "curves",
+                most: MAX_IMPORTED_CURVES,
+            });
+        }
+        self.imported.curves.push(ImportedCurve {
+            name: self.curves.unique(name),
+            place,
+            shape,
+            edge: false,
+        });
+        Ok(index)
+    }
+
+    /// Marks a curve as the edge of a face.
+    fn mark_edge(&mut self, index: usize) {
+        if let Some(curve) = self.imported.curves.get_mut(index) {
+            curve.edge = true;
+        }
+    }
+
+    fn face(&mut self, name: &str, mut face: ImportedFace) {
+        face.name = self.faces.unique(name);
+        self.imported.faces.push(face);
+    }
+
+    fn mesh(&mut self, name: &str, place: FilePlace, mesh: crate::mesh::Mesh) {
+        let name = self.meshes.unique(name);
+        self.imported
+            .meshes
+            .push(ImportedMesh { name, place, mesh });
+    }
+
+    fn finish(
+        mut self,
+        kind: FileKind,
+        uncertainty: Option<f64>,
+        passed: PassedOver,
+    ) -> ReadResult<Imported> {
+        let passed_over = passed.list();
+        let found = &mut self.imported;
+        if found.curves.is_empty() && found.faces.is_empty() && found.meshes.is_empty() {
+            let words = passed_over
+                .iter()
+                .map(|(kind, count)| format!("{count} {kind}"));
+            return Err(ReadError::Nothing {
+                passed_over: words.collect::<Vec<_>>().join(", "),
+            });
+        }
+        found.kind = kind;
+        found.uncertainty = uncertainty;
+        found.passed_over = passed_over;
+        Ok(self.imported)
+    }
+}

@@ -6,8 +6,10 @@
 )]
 
 mod cad;
+mod damaged;
 mod drawings;
 mod files;
 mod meshes;
 mod patterns;
+mod reading;
 mod sheets;

@@ -25,8 +25,8 @@ pub const MAX_SPLINE_WORK: usize = 10_000_000;
 /// A B-spline curve in space over exact numbers: polynomial, or rational where it has weights.
 ///
 /// Invariants: the degree is between 1 and [`MAX_SPLINE_DEGREE`]; there are as many knots as control points plus degree
-/// plus one; knots do not fall, and no knot that is used has more than degree plus one copies; the first and the last
-/// value of the parameter, `knots[degree]` and `knots[points]`, differ; weights are positive.
+/// plus one; knots do not fall; no knot has more than degree plus one copies, and no inner one more than the degree; the
+/// first and the last value of the parameter, `knots[degree]` and `knots[points]`, differ; weights are positive.
 ///
 /// ```
 /// use torse_algebra::rational::{integer, ratio};
@@ -101,6 +101,16 @@ impl Spline {
             return Err(GeometryError::Degenerate {
                 what: "a spline whose parameter has no range",
                 at: Place::Whole,
+            });
+        }
+        let torn = |window: &[Rational]| {
+            window.first() == window.last() && window[0] > from && window[0] < to
+        };
+        if let Some(index) = spline.knots.windows(degree + 1).position(torn) {
+            return Err(GeometryError::OutOfRange {
+                name: "inner knot with more copies than the degree, where the curve tears: its index",
+                value: count(index),
+                range: "at most as many copies as the degree",
             });
         }
         let work = spline

@@ -18,6 +18,7 @@ mod identities;
 mod joins;
 mod patterns;
 mod singular;
+mod splines;
 mod support;
 mod surfaces;
 mod ulps;

@@ -4,9 +4,11 @@
 use super::APPLICATION;
 use crate::drawing::{Drawing, Layer, Text, Vertex};
 use crate::error::{ExchangeError, Result};
+use crate::read::dxf::unit_of;
+use torse_geometry::Coordinate;
 
 impl Drawing {
-    /// The drawing in a DXF file: light-weight polylines, lines and texts on the layers of [`Layer`] with the
+    /// The drawing in a DXF file, in the unit of its `$INSUNITS`, in millimetres where it states none: light-weight polylines, lines and texts on the layers of [`Layer`] with the
     /// bend angles that [`dxf`](crate::dxf) writes, and the comments as notes. Entities on other layers and
     /// of other kinds are passed over.
     ///
@@ -18,6 +20,8 @@ impl Drawing {
         let mut entity: Option<Entity> = None;
         let mut inside = false;
         let mut pending = false;
+        let mut header = "";
+        let mut factor = 1.0;
         let mut lines = text.lines().zip(1..);
         while let Some((code, line)) = lines.next() {
             let bad = |what| ExchangeError::Unreadable { line, what };
@@ -25,9 +29,16 @@ impl Drawing {
             let (value, line) = lines.next().ok_or_else(|| bad("no value"))?;
             match (code, value.trim()) {
                 (999, _) => drawing.note(&unescaped(value))?,
+                (9, name) => header = name,
+                (70, number) if header == "$INSUNITS" => {
+                    header = "";
+                    let number = number.parse().map_err(|_| bad("no whole number"))?;
+                    let unit = unit_of(number).map_err(|_| bad("no unit of length"))?;
+                    factor = unit.map_or(1.0, |unit| unit.millimetres().approximate());
+                }
                 (0, kind) => {
                     if let Some(done) = entity.take() {
-                        done.add_to(&mut drawing)?;
+                        done.add_to(&mut drawing, factor)?;
                     }
                     pending = kind == "SECTION";
                     inside = inside && kind != "ENDSEC";
@@ -44,7 +55,7 @@ impl Drawing {
             }
         }
         if let Some(done) = entity.take() {
-            done.add_to(&mut drawing)?;
+            done.add_to(&mut drawing, factor)?;
         }
         Ok(drawing)
     }
@@ -139,10 +150,13 @@ impl Entity {
         Ok(())
     }
 
-    fn add_to(self, drawing: &mut Drawing) -> Result<()> {
+    fn add_to(mut self, drawing: &mut Drawing, factor: f64) -> Result<()> {
         let Some(layer) = self.layer else {
             return Ok(());
         };
+        for vertex in &mut self.vertices {
+            vertex.point = vertex.point.map(|c| c * factor);
+        }
         if self.kind != Kind::Text {
             return drawing.push(layer, &self.vertices, self.closed, self.bend);
         }
@@ -154,7 +168,7 @@ impl Entity {
         drawing.text(Text {
             layer,
             at,
-            height: self.height,
+            height: self.height * factor,
             angle: self.angle.unwrap_or(self.degrees.to_radians()),
             content: self.content,
         })

@@ -2,7 +2,6 @@
 
 mod commands;
 mod read;
-mod xml;
 
 use crate::drawing::{Drawing, Layer};
 use crate::error::{ExchangeError, Result};

@@ -1,20 +1,24 @@
 //! Our own SVG files read back, also after a drawing program has saved them: the layers are groups by their name,
 //! paths of straight sides and circular arcs, texts, and the description as notes. Elements on other layers and of
-//! other kinds are passed over; a file that moves a layer or a path is refused.
+//! other kinds are passed over. Groups and paths may be moved, turned, mirrored and scaled; lengths are in the unit that
+//! the file states.
 
-use super::commands::vertices;
-use super::xml::{Event, Reader, Tag};
 use crate::drawing::{Drawing, Layer, Text, Vertex};
-use crate::error::{Result, unreadable};
+use crate::error::{ExchangeError, Result};
+use crate::read::svg::document::{self, Element, Matrix};
+use crate::read::svg::parts;
+use crate::read::svg::path::{Segment, Subpath};
+use crate::read::{FilePlace, ReadError};
+use torse_algebra::Rational;
 
 impl Drawing {
     /// The drawing in an SVG file: paths and texts on the layers of [`Layer`], with the bend angles and in the order
-    /// that [`svg`](crate::svg) writes, and the description as notes. Arcs come back with bulges up to rounding.
+    /// that [`svg`](crate::svg) writes, and the description as notes. Arcs come back with bulges up to rounding. A file
+    /// that states no unit is in millimetres.
     ///
     /// # Errors
-    /// [`ExchangeError::Unreadable`](crate::ExchangeError::Unreadable) with the line for text that is not XML, for numbers that are none, for curves that
-    /// are neither lines nor circular arcs and for elements that are moved by a `transform`, and what
-    /// [`Drawing::path`] and [`Drawing::text`] refuse.
+    /// [`ExchangeError::Read`] with line and element for text that is not XML, for numbers that are none, for curves that
+    /// are neither lines nor circular arcs, and what [`Drawing::path`] and [`Drawing::text`] refuse.
     ///
     /// ```
     /// use torse_exchange::{Drawing, Layer, svg};
@@ -26,32 +30,37 @@ impl Drawing {
     /// # Ok::<(), torse_exchange::ExchangeError>(())
     /// ```
     pub fn from_svg(text: &str) -> Result<Self> {
-        let mut found = Found::default();
-        let mut reader = Reader::new(text);
-        // The open elements, each with the layer that it is in.
-        let mut open: Vec<(String, Option<Layer>)> = Vec::new();
-        let mut svg = false;
-        while let Some(event) = reader.next()? {
-            let within = open.last().and_then(|(_, layer)| *layer);
-            match event {
-                Event::Start(tag) => {
-                    svg |= tag.name == "svg";
-                    let layer = found.start(&tag, within)?;
-                    if !tag.empty {
-                        open.push((tag.name, layer));
-                    }
-                }
-                Event::End(name, line) => match open.pop() {
-                    Some((last, _)) if last == name => found.end(&name),
-                    _ => return Err(unreadable(line, "an end without its start")),
-                },
-                Event::Text(content) => found.content(&content),
+        let document = document::parse(text)?;
+        let found = document::drawn(&document, &Rational::from(1))?;
+        let mut drawing = Self::default();
+        for note in found.notes.lines().filter(|line| !line.is_empty()) {
+            drawing.note(note)?;
+        }
+        let mut paths = Vec::new();
+        let mut texts = Vec::new();
+        for element in &found.elements {
+            let Some(layer) = element
+                .layers
+                .iter()
+                .rev()
+                .find_map(|name| Layer::named(name))
+            else {
+                continue;
+            };
+            match element.tag {
+                "text" => texts.push(text_of(element, layer)?),
+                _ => paths.extend(paths_of(element, layer)?),
             }
         }
-        if !svg || !open.is_empty() {
-            return Err(unreadable(1, "no whole SVG"));
+        // In their order where the file says it.
+        paths.sort_by_key(|path| path.order.unwrap_or(usize::MAX));
+        for path in paths {
+            drawing.push(path.layer, &path.vertices, path.closed, path.bend)?;
         }
-        found.drawing()
+        for text in texts {
+            drawing.text(text)?;
+        }
+        Ok(drawing)
     }
 }
 
@@ -64,118 +73,133 @@ struct Drawn {
     bend: Option<f64>,
 }
 
-/// What was read so far.
-#[derive(Default)]
-struct Found {
-    paths: Vec<Drawn>,
-    texts: Vec<Text>,
-    notes: String,
-    /// What the characters that come belong to.
-    writing: Writing,
+fn wrong(place: &FilePlace, reason: impl Into<String>) -> ExchangeError {
+    ExchangeError::Read(ReadError::Wrong {
+        place: place.clone(),
+        reason: reason.into(),
+    })
 }
 
-#[derive(Default, Clone, Copy, PartialEq)]
-enum Writing {
-    #[default]
-    Nothing,
-    Notes,
-    Letters,
+fn paths_of(element: &Element<'_>, layer: Layer) -> Result<Vec<Drawn>> {
+    let attribute = |name: &str| element.node.attribute(name);
+    let bend = match attribute("data-bend") {
+        None => None,
+        Some(text) => {
+            let angle = text
+                .trim()
+                .parse::<f64>()
+                .ok()
+                .filter(|angle| angle.is_finite());
+            Some(angle.ok_or_else(|| wrong(&element.place, "`data-bend` is no number"))?)
+        }
+    };
+    let parts = parts(element)?;
+    if bend.is_some() && parts.len() > 1 {
+        return Err(wrong(&element.place, "a bend line of several parts"));
+    }
+    parts
+        .iter()
+        .map(|part| {
+            Ok(Drawn {
+                order: attribute("data-order").and_then(|n| n.parse().ok()),
+                layer,
+                vertices: vertices(part, element)?,
+                closed: part.closed,
+                bend,
+            })
+        })
+        .collect()
 }
 
-impl Found {
-    /// Takes an element; gives the layer of what is inside.
-    fn start(&mut self, tag: &Tag, within: Option<Layer>) -> Result<Option<Layer>> {
-        let moved = |layer| match tag.get("transform") {
-            Some(_) => Err(unreadable(tag.line, "a layer or path that is moved")),
-            None => Ok(layer),
-        };
-        match tag.name.as_str() {
-            "g" => {
-                let name = tag
-                    .get("inkscape:label")
-                    .or(tag.get("id"))
-                    .unwrap_or_default();
-                let layer = Layer::named(name).or(within);
-                return if layer.is_some() {
-                    moved(layer)
-                } else {
-                    Ok(None)
+/// By how much a map stretches, and whether it mirrors (which the step from y down to y up does); nothing for one that
+/// makes ellipses of circles.
+fn similarity(matrix: Matrix) -> Option<(f64, bool)> {
+    let ([a, b], [c, d]) = (matrix.vector([1.0, 0.0]), matrix.vector([0.0, 1.0]));
+    let (first, second) = (libm::hypot(a, b), libm::hypot(c, d));
+    let even =
+        (first - second).abs() <= 1e-9 * first && (a * c + b * d).abs() <= 1e-9 * first * second;
+    (even && first > 0.0).then_some((first, a * d - b * c < 0.0))
+}
+
+/// The vertices of a part, in millimetres, y up.
+fn vertices(part: &Subpath, element: &Element<'_>) -> Result<Vec<Vertex>> {
+    // Plus zero: no negative zero.
+    let vertex = |p: [f64; 2]| Vertex {
+        point: element.matrix.point(p).map(|c| c + 0.0),
+        bulge: 0.0,
+    };
+    let mut vertices = vec![vertex(part.start)];
+    let mut at = part.start;
+    for segment in &part.segments {
+        let mut bulge = 0.0;
+        match *segment {
+            Segment::Line(_) => {}
+            Segment::Arc {
+                radii: [rx, ry],
+                large,
+                sweep,
+                to,
+                ..
+            } => {
+                let round = (rx - ry).abs() <= 1e-9 * rx;
+                let Some((_, mirrored)) = similarity(element.matrix).filter(|_| round) else {
+                    return Err(wrong(&element.place, "an arc of an ellipse"));
                 };
-            }
-            "desc" if within.is_none() => self.writing = Writing::Notes,
-            "path" => {
-                if let Some(layer) = moved(within)? {
-                    let (vertices, closed) = vertices(tag.get("d").unwrap_or_default(), tag.line)?;
-                    self.paths.push(Drawn {
-                        order: tag.get("data-order").and_then(|n| n.parse().ok()),
-                        layer,
-                        vertices,
-                        closed,
-                        bend: tag.number("data-bend")?,
-                    });
+                bulge = bulge_of(at, to, rx, large, sweep);
+                if mirrored {
+                    bulge = -bulge;
                 }
             }
-            "text" => {
-                if let Some(layer) = within {
-                    let wanted = |name| tag.number(name);
-                    let angle = tag
-                        .get("transform")
-                        .map_or(Ok(0.0), |turn| rotation(turn, tag.line))?;
-                    self.texts.push(Text {
-                        layer,
-                        at: [
-                            wanted("x")?.unwrap_or(0.0),
-                            0.0 - wanted("y")?.unwrap_or(0.0),
-                        ],
-                        height: wanted("font-size")?.unwrap_or(1.0),
-                        angle,
-                        content: String::new(),
-                    });
-                    self.writing = Writing::Letters;
-                }
+            Segment::Quadratic(_) | Segment::Cubic(_) => {
+                return Err(wrong(
+                    &element.place,
+                    "a curve that is neither a line nor an arc of a circle",
+                ));
             }
-            _ => {}
         }
-        Ok(within)
+        if let Some(last) = vertices.last_mut() {
+            last.bulge = bulge;
+        }
+        at = segment.end();
+        vertices.push(vertex(at));
     }
-
-    fn end(&mut self, name: &str) {
-        if name == "desc" || name == "text" {
-            self.writing = Writing::Nothing;
-        }
-    }
-
-    fn content(&mut self, content: &str) {
-        match (self.writing, self.texts.last_mut()) {
-            (Writing::Notes, _) => self.notes.push_str(content),
-            (Writing::Letters, Some(text)) => text.content.push_str(content),
-            _ => {}
-        }
-    }
-
-    /// The drawing, its paths in their order where the file says it.
-    fn drawing(mut self) -> Result<Drawing> {
-        let mut drawing = Drawing::default();
-        for note in self.notes.lines().filter(|line| !line.is_empty()) {
-            drawing.note(note)?;
-        }
-        self.paths
-            .sort_by_key(|path| path.order.unwrap_or(usize::MAX));
-        for path in self.paths {
-            drawing.push(path.layer, &path.vertices, path.closed, path.bend)?;
-        }
-        for text in self.texts {
-            drawing.text(text)?;
-        }
-        Ok(drawing)
-    }
+    Ok(vertices)
 }
 
-/// The angle of `rotate(a x y)`, counter-clockwise with y up, in radians.
-fn rotation(transform: &str, line: usize) -> Result<f64> {
-    let inside = transform.trim().strip_prefix("rotate(");
-    let first = inside.and_then(|rest| rest.split([' ', ',', ')']).next());
-    let degrees = first.and_then(|a| a.parse::<f64>().ok());
-    let degrees = degrees.ok_or(unreadable(line, "a text that is moved"))?;
-    Ok(-degrees.to_radians() + 0.0)
+/// `tan(theta/4)` of an arc over a chord, positive for SVG's positive way; half a circle where the radius is too small
+/// for the chord, as SVG demands.
+fn bulge_of(from: [f64; 2], to: [f64; 2], radius: f64, large: bool, sweep: bool) -> f64 {
+    let half = 0.5 * libm::hypot(to[0] - from[0], to[1] - from[1]);
+    if radius == 0.0 || half == 0.0 {
+        return 0.0;
+    }
+    let height = ((radius - half) * (radius + half)).max(0.0).sqrt();
+    let size = if large {
+        (radius + height) / half
+    } else {
+        half / (radius + height)
+    };
+    let size = if radius <= half { 1.0 } else { size };
+    if sweep { size } else { -size }
+}
+
+/// A text: its place, its height and the direction of its base line.
+fn text_of(element: &Element<'_>, layer: Layer) -> Result<Text> {
+    let number = |name: &str| element.length(name).map_err(ExchangeError::from);
+    let (x, y) = (number("x")?.unwrap_or(0.0), number("y")?.unwrap_or(0.0));
+    let Some((stretch, _)) = similarity(element.matrix) else {
+        return Err(wrong(&element.place, "a text that is stretched"));
+    };
+    let [a, b] = element.matrix.vector([1.0, 0.0]);
+    let content = element
+        .node
+        .descendants()
+        .filter_map(|node| if node.is_text() { node.text() } else { None });
+    Ok(Text {
+        layer,
+        at: element.matrix.point([x, y]).map(|c| c + 0.0),
+        height: number("font-size")?.unwrap_or(1.0) * stretch,
+        angle: libm::atan2(b, a) + 0.0,
+        content: content.collect(),
+    })
 }

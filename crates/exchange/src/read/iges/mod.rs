@@ -1,0 +1,439 @@
+//! IGES 5: curves, surfaces, and surfaces that are trimmed.
+//!
+//! Read are arcs (100), composite curves (102), linear paths (106), planes (108), lines (110), ruled surfaces (118),
+//! surfaces of revolution (120), tabulated cylinders (122), B-spline curves and surfaces (126, 128), trimmed and bounded
+//! surfaces (141 to 144), with their matrices (124). Entities that are only part of others are read where these use them.
+
+mod records;
+
+use super::error::{ReadError, ReadResult, at, refused};
+use super::imported::{Imported, PassedOver};
+use super::trim::{Base, Trim, between};
+use super::{
+    CurveShape, Drafts, FileKind, ImportedFace, LengthUnit, SplineSurface, SurfaceFrame,
+    SurfaceShape, check_unit,
+};
+use records::{Entity, File, parse};
+use std::cell::Cell;
+use torse_algebra::Rational;
+use torse_algebra::rational::ratio;
+use torse_geometry::curve::{EllipticHelix, MAX_SPLINE_POINTS, Spline};
+use torse_geometry::vector::{sub, unit};
+use torse_geometry::{Affine, Coordinate};
+
+/// How deep entities point to entities.
+const MAX_DEPTH: usize = 24;
+
+pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Imported> {
+    let file = parse(text)?;
+    let unit = check_unit(stated(&file)?, given)?;
+    let millimetres = unit.unit().millimetres().clone();
+    let scale = file
+        .global
+        .get(12)
+        .and_then(|text| super::decimal::decimal(text));
+    // Lengths of the file are lengths of the model times its scale.
+    let scale = scale
+        .filter(|scale| *scale > Rational::default())
+        .unwrap_or(Rational::from(1));
+    let factor = millimetres / scale;
+    let uncertainty = file
+        .global
+        .get(18)
+        .and_then(|text| super::decimal::decimal(text));
+    let reader = Reader {
+        file: &file,
+        map: Affine::stretch(&factor),
+        factor: factor.approximate(),
+        work: Cell::new(0),
+    };
+    let mut drafts = Drafts::new(&unit);
+    let mut passed = PassedOver::default();
+    for entity in &file.entities {
+        if entity.hidden || entity.dependent {
+            continue;
+        }
+        let name = match entity.label {
+            "" => entity.id.to_string(),
+            label => label.to_owned(),
+        };
+        if let Some(shape) = reader.curve(entity, 0)? {
+            drafts.curve(&name, entity.place(), shape.mapped(&reader.map))?;
+        } else if let Some((surface, loops)) = reader.face(entity)? {
+            let mut borders = Vec::new();
+            for edges in loops {
+                let mut border = Vec::new();
+                for (place, shape) in edges {
+                    let name = place.entity.clone().unwrap_or_default();
+                    let name: String = name.chars().filter(char::is_ascii_digit).collect();
+                    let index =
+                        drafts.curve(&format!("{name}.edge"), place, shape.mapped(&reader.map))?;
+                    drafts.mark_edge(index);
+                    border.push((index, true));
+                }
+                borders.push(border);
+            }
+            let face = ImportedFace {
+                name: String::new(),
+                place: entity.place(),
+                surface: surface.moved(&reader.map, reader.factor),
+                loops: borders,
+                forward: true,
+            };
+            drafts.face(&name, face);
+        } else if !matches!(entity.kind, 124 | 314 | 406 | 402 | 0) {
+            passed.add(&format!("entity of type {}", entity.kind));
+        }
+    }
+    let uncertainty = uncertainty
+        .map(|own| own.approximate() * reader.factor)
+        .filter(|own| *own > 0.0);
+    drafts.finish(FileKind::Iges, uncertainty, passed)
+}
+
+/// The unit that the global section states, by its flag.
+fn stated(file: &File<'_>) -> ReadResult<Option<LengthUnit>> {
+    let flag = file.global.get(13).map_or("", |text| text.trim());
+    let name = file.global.get(14).map_or("", |text| text.trim());
+    let wrong = |flag: &str| {
+        super::error::at_line(
+            1,
+            format!("units flag {flag} `{name}`: no unit of length that is read"),
+        )
+    };
+    let known = |name: &str| LengthUnit::named(name);
+    let found = match flag {
+        "" => return Ok(None),
+        "1" => known("in"),
+        "2" => known("mm"),
+        "3" => match name {
+            "" => return Ok(None),
+            name => known(name),
+        },
+        "4" => known("ft"),
+        "5" => known("mi"),
+        "6" => known("m"),
+        "7" => known("km"),
+        "8" => known("mil"),
+        "9" => known("um"),
+        "10" => known("cm"),
+        "11" => ratio(127, 5_000_000).and_then(|mm| LengthUnit::new("microinch", mm)),
+        _ => None,
+    };
+    found.map(Some).ok_or_else(|| wrong(flag))
+}
+
+type Border = Vec<(super::FilePlace, CurveShape)>;
+
+struct Reader<'t, 'f> {
+    file: &'f File<'t>,
+    /// To millimetres.
+    map: Affine<Rational>,
+    factor: f64,
+    work: Cell<usize>,
+}
+
+impl<'t> Reader<'t, '_> {
+    fn guard(&self, entity: &Entity<'t>, depth: usize) -> ReadResult<()> {
+        self.work.set(self.work.get() + 1);
+        let most = 50 * self.file.entities.len() + 1_000_000;
+        if depth > MAX_DEPTH || self.work.get() > most {
+            return Err(ReadError::TooMuch {
+                place: entity.place(),
+                what: "entities that point to each other: a circle of pointers?",
+                most: if depth > MAX_DEPTH { MAX_DEPTH } else { most },
+            });
+        }
+        Ok(())
+    }
+
+    /// The map of an entity's matrix, and of the matrix of that.
+    fn matrix(&self, entity: &Entity<'t>, depth: usize) -> ReadResult<Option<Affine<Rational>>> {
+        if entity.matrix == 0 {
+            return Ok(None);
+        }
+        self.guard(entity, depth)?;
+        let missing = || {
+            at(
+                &entity.place(),
+                format!("there is no matrix {}", entity.matrix),
+            )
+        };
+        let own = self
+            .file
+            .get(entity.matrix)
+            .filter(|own| own.kind == 124)
+            .ok_or_else(missing)?;
+        let row = |k: usize| own.exacts(4 * k, 4);
+        let rows = [row(0)?, row(1)?, row(2)?];
+        let map = Affine {
+            linear: std::array::from_fn(|i| std::array::from_fn(|j| rows[i][j].clone())),
+            shift: std::array::from_fn(|i| rows[i][3].clone()),
+        };
+        Ok(Some(match self.matrix(own, depth + 1)? {
+            Some(outer) => outer.after(&map),
+            None => map,
+        }))
+    }
+
+    /// The curve that an entity is; nothing for another kind.
+    fn curve(&self, entity: &Entity<'t>, depth: usize) -> ReadResult<Option<CurveShape>> {
+        self.guard(entity, depth)?;
+        let place = entity.place();
+        let made = match entity.kind {
+            100 => {
+                let height = entity.number(0)?;
+                let flat = |k: usize| -> ReadResult<[f64; 3]> {
+                    Ok([entity.number(k)?, entity.number(k + 1)?, height])
+                };
+                let (centre, start, end) = (flat(1)?, flat(3)?, flat(5)?);
+                let ([x, y, _], [u, v, _]) = (sub(&start, &centre), sub(&end, &centre));
+                let radius = libm::hypot(x, y);
+                if radius == 0.0 {
+                    return Err(at(&place, "an arc of radius zero"));
+                }
+                let turn = libm::atan2(x * v - y * u, x * u + y * v) * std::f64::consts::FRAC_2_PI;
+                let turn = if start == end || turn.abs() < 1e-9 {
+                    4.0
+                } else {
+                    turn.rem_euclid(4.0)
+                };
+                let arc =
+                    EllipticHelix::new(centre, [x, y, 0.0], [-y, x, 0.0], [0.0; 3], [0.0, turn]);
+                arc.map(CurveShape::Arc)
+            }
+            102 => {
+                let count = entity.count(0)?;
+                let mut row = Vec::with_capacity(count);
+                for k in 1..=count {
+                    let part = self.file.pointed(entity, k)?;
+                    // Points may stand among the curves.
+                    if part.kind == 116 {
+                        continue;
+                    }
+                    let Some(shape) = self.curve(part, depth + 1)? else {
+                        return Ok(None);
+                    };
+                    row.push(shape);
+                }
+                match row.len() {
+                    0 => return Err(at(&place, "a composite curve without curves")),
+                    1 => Ok(row.swap_remove(0)),
+                    _ => Ok(CurveShape::Row(row)),
+                }
+            }
+            106 if matches!(entity.form, 11 | 12 | 63) => {
+                let count = entity.count(1)?;
+                let mut points = Vec::with_capacity(count);
+                for k in 0..count {
+                    points.push(match entity.whole(0)? {
+                        1 => {
+                            let [x, y] = [entity.exact(3 + 2 * k)?, entity.exact(4 + 2 * k)?];
+                            [x, y, entity.exact(2)?]
+                        }
+                        2 => entity.point(2 + 3 * k)?,
+                        _ => return Ok(None),
+                    });
+                }
+                points.dedup();
+                Spline::polyline(points).map(CurveShape::Spline)
+            }
+            110 => CurveShape::line(entity.point(0)?, entity.point(3)?),
+            126 => {
+                let (upper, degree) = (entity.count(0)?, entity.count(1)?);
+                let (points, knots) = (upper + 1, upper + degree + 2);
+                if points > MAX_SPLINE_POINTS {
+                    return Err(at(&place, format!("{points} control points")));
+                }
+                let polynomial = entity.whole(4)? == 1;
+                let weights = entity.exacts(6 + knots, points)?;
+                let at = 6 + knots + points;
+                let control: ReadResult<Vec<_>> =
+                    (0..points).map(|k| entity.point(at + 3 * k)).collect();
+                let equal = weights.windows(2).all(|pair| pair[0] == pair[1]);
+                let weights = (!polynomial && !equal).then_some(weights);
+                let spline = Spline::new(degree, entity.exacts(6, knots)?, control?, weights)
+                    .map_err(refused(&place))?;
+                let range = [at + 3 * points, at + 3 * points + 1];
+                let ends = [entity.exact(range[0])?, entity.exact(range[1])?].map(Trim::Parameter);
+                between(Base::Curve(CurveShape::Spline(spline)), ends, true)
+            }
+            _ => return Ok(None),
+        };
+        let shape = made.map_err(refused(&place))?;
+        Ok(Some(match self.matrix(entity, depth)? {
+            Some(map) => shape.mapped(&map),
+            None => shape,
+        }))
+    }
+
+    fn whole(
+        &self,
+        from: &Entity<'t>,
+        index: usize,
+        depth: usize,
+    ) -> ReadResult<Option<CurveShape>> {
+        self.curve(self.file.pointed(from, index)?, depth + 1)
+    }
+
+    /// The surface that an entity is, with its borders where it has some; nothing for another kind.
+    fn face(&self, entity: &Entity<'t>) -> ReadResult<Option<(SurfaceShape, Vec<Border>)>> {
+        let surface = match entity.kind {
+            144 | 143 => self.file.pointed(entity, usize::from(entity.kind == 143))?,
+            _ => return Ok(self.surface(entity)?.map(|surface| (surface, Vec::new()))),
+        };
+        let Some(shape) = self.surface(surface)? else {
+            return Ok(None);
+        };
+        let mut borders = Vec::new();
+        if entity.kind == 144 {
+            // The outer border, unless it is that of the surface itself, then the inner ones.
+            let outer = usize::from(entity.whole(1)? != 0);
+            let inner = entity.count(2)?;
+            let first = if outer == 1 { 3 } else { 4 };
+            for k in first..first + outer + inner {
+                let on = self.file.pointed(entity, k)?;
+                borders.push(self.border(self.file.pointed(on, 3)?, 0)?);
+            }
+        } else {
+            for k in 0..entity.count(2)? {
+                let boundary = self.file.pointed(entity, 3 + k)?;
+                let mut border = Vec::new();
+                let mut index = 4;
+                for _ in 0..boundary.count(3)? {
+                    border.extend(self.border(self.file.pointed(boundary, index)?, 0)?);
+                    index += 3 + boundary.count(index + 2)?;
+                }
+                borders.push(border);
+            }
+        }
+        Ok(Some((shape, borders)))
+    }
+
+    /// The curves of a border: those of a composite curve one by one.
+    fn border(&self, entity: &Entity<'t>, depth: usize) -> ReadResult<Border> {
+        self.guard(entity, depth)?;
+        if entity.kind == 102 && entity.matrix == 0 {
+            let mut all = Vec::new();
+            for k in 1..=entity.count(0)? {
+                all.extend(self.border(self.file.pointed(entity, k)?, depth + 1)?);
+            }
+            return Ok(all);
+        }
+        Ok(self
+            .curve(entity, depth)?
+            .map(|shape| (entity.place(), shape))
+            .into_iter()
+            .collect())
+    }
+
+    fn surface(&self, entity: &Entity<'t>) -> ReadResult<Option<SurfaceShape>> {
+        let place = entity.place();
+        let shape = match entity.kind {
+            108 => {
+                let normal = [entity.number(0)?, entity.number(1)?, entity.number(2)?];
+                let size = torse_geometry::vector::dot(&normal, &normal);
+                let axis = unit(&normal).ok_or_else(|| at(&place, "a plane without normal"))?;
+                let share = entity.number(3)? / size;
+                SurfaceShape::Plane(SurfaceFrame {
+                    origin: normal.map(|c| c * share),
+                    axis,
+                    across: across(&axis),
+                })
+            }
+            118 => {
+                let (first, second) = (self.whole(entity, 0, 0)?, self.whole(entity, 1, 0)?);
+                let (Some(first), Some(second)) = (first, second) else {
+                    return Ok(None);
+                };
+                let second = if entity.whole(2)? == 1 {
+                    second.reversed()
+                } else {
+                    second
+                };
+                SurfaceShape::Ruled(Box::new([first, second]))
+            }
+            120 => {
+                let axis = self.file.pointed(entity, 0)?;
+                let Some(curve) = self.whole(entity, 1, 0)? else {
+                    return Ok(None);
+                };
+                let number = |p: [Rational; 3]| p.each_ref().map(Coordinate::approximate);
+                let (from, to) = (number(axis.point(0)?), number(axis.point(3)?));
+                let direction = unit(&sub(&to, &from))
+                    .ok_or_else(|| at(&place, "an axis without direction"))?;
+                SurfaceShape::Revolved(
+                    Box::new(curve),
+                    SurfaceFrame {
+                        origin: from,
+                        axis: direction,
+                        across: across(&direction),
+                    },
+                )
+            }
+            122 => {
+                let Some(curve) = self.whole(entity, 0, 0)? else {
+                    return Ok(None);
+                };
+                let end = entity.point(1)?.each_ref().map(Coordinate::approximate);
+                let rail = curve
+                    .rail()
+                    .and_then(|rail| rail.point(0.0))
+                    .map_err(refused(&place))?;
+                SurfaceShape::Extruded(Box::new(curve), sub(&end, &rail))
+            }
+            128 => self.spline_surface(entity)?,
+            _ => return Ok(None),
+        };
+        Ok(Some(match self.matrix(entity, 0)? {
+            Some(map) => shape.moved(&map, 1.0),
+            None => shape,
+        }))
+    }
+
+    fn spline_surface(&self, entity: &Entity<'t>) -> ReadResult<SurfaceShape> {
+        let place = entity.place();
+        let uppers = [entity.count(0)?, entity.count(1)?];
+        let degrees = [entity.count(2)?, entity.count(3)?];
+        let sizes = uppers.map(|upper| upper + 1);
+        let points = sizes[0].saturating_mul(sizes[1]);
+        if points > MAX_SPLINE_POINTS {
+            return Err(at(&place, format!("{points} control points")));
+        }
+        let counts = [0, 1].map(|k| sizes[k] + degrees[k] + 1);
+        let knots = [
+            entity.exacts(9, counts[0])?,
+            entity.exacts(9 + counts[0], counts[1])?,
+        ];
+        let start = 9 + counts[0] + counts[1];
+        let all = entity.exacts(start, points)?;
+        // The first direction runs fastest.
+        let grid = |list: &dyn Fn(usize) -> ReadResult<[Rational; 3]>| -> ReadResult<Vec<Vec<[Rational; 3]>>> {
+            (0..sizes[0]).map(|i| (0..sizes[1]).map(|j| list(i + j * sizes[0])).collect()).collect()
+        };
+        let net = grid(&|k| entity.point(start + points + 3 * k))?;
+        let equal = all.windows(2).all(|pair| pair[0] == pair[1]);
+        let weights = (!equal).then(|| {
+            (0..sizes[0])
+                .map(|i| {
+                    (0..sizes[1])
+                        .map(|j| all[i + j * sizes[0]].clone())
+                        .collect()
+                })
+                .collect()
+        });
+        SplineSurface::new(degrees, knots, net, weights)
+            .map(SurfaceShape::Spline)
+            .map_err(refused(&place))
+    }
+}
+
+/// A direction across another one.
+fn across(axis: &[f64; 3]) -> [f64; 3] {
+    let other = if axis[0].abs() < 0.5 {
+        [1.0, 0.0, 0.0]
+    } else {
+        [0.0, 1.0, 0.0]
+    };
+    unit(&torse_geometry::vector::cross(axis, &other)).unwrap_or(other)
+}
