@@ -42,8 +42,8 @@ pub struct ListedCurve {
     pub degree: Option<usize>,
     /// The number of its pieces.
     pub pieces: usize,
-    /// Its length, measured.
-    pub length: f64,
+    /// Its length, measured; none where it is too uneven to be measured.
+    pub length: Option<f64>,
     /// Its first point.
     pub start: [f64; 3],
     /// Its last point.
@@ -78,8 +78,8 @@ pub struct ListedMesh {
     pub area: f64,
 }
 
-/// The accuracy of lengths, in millimetres.
-const ACCURACY: f64 = 1e-6;
+/// The accuracy of lengths, as a share of the largest coordinate.
+const ACCURACY: f64 = 1e-9;
 
 /// Reads a file of another program and lists what is in it. `unit` holds for a file that states none.
 ///
@@ -90,7 +90,7 @@ const ACCURACY: f64 = 1e-6;
 /// use torse_designs::listing::list;
 /// let table = "x [in],y,z\n0,0,0\n3,4,0\n";
 /// let found = list("sheer.csv", table.as_bytes(), None)?;
-/// assert_eq!((found.curves[0].name.as_str(), found.curves[0].length), ("sheer", 127.0));
+/// assert_eq!((found.curves[0].name.as_str(), found.curves[0].length), ("sheer", Some(127.0)));
 /// assert!(found.text().contains("spline through 2 points"));
 /// # Ok::<(), torse_exchange::ReadError>(())
 /// ```
@@ -108,6 +108,14 @@ pub fn list(name: &str, bytes: &[u8], unit: Option<&LengthUnit>) -> Result<FileL
             reason,
         };
         let rail = curve.shape.rail().map_err(refused)?;
+        let (start, end) = match (rail.point(0.0), rail.point(1.0)) {
+            (Ok(start), Ok(end)) => (start, end),
+            (Err(reason), _) | (_, Err(reason)) => return Err(refused(reason)),
+        };
+        let size = start
+            .iter()
+            .chain(&end)
+            .fold(1.0_f64, |m, c| m.max(c.abs()));
         curves.push(ListedCurve {
             name: curve.name.clone(),
             place: place(&curve.place),
@@ -115,9 +123,9 @@ pub fn list(name: &str, bytes: &[u8], unit: Option<&LengthUnit>) -> Result<FileL
             edge: curve.edge,
             degree: curve.shape.degree(),
             pieces: rail.count(),
-            length: rail.length(ACCURACY).map_err(refused)?,
-            start: rail.point(0.0).map_err(refused)?,
-            end: rail.point(1.0).map_err(refused)?,
+            length: rail.length(ACCURACY * size).ok(),
+            start,
+            end,
         });
     }
     Ok(FileListing {
@@ -189,7 +197,7 @@ impl FileListing {
                 curve
                     .degree
                     .map_or("-".to_owned(), |degree| degree.to_string()),
-                number(curve.length),
+                curve.length.map_or("-".to_owned(), number),
                 coordinates(&curve.start),
                 coordinates(&curve.end),
             ]

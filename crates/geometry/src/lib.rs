@@ -139,6 +139,7 @@ pub mod coordinate;
 pub mod curve;
 pub mod developable;
 mod dual;
+mod dyadic;
 pub mod error;
 pub mod join;
 pub mod pattern;

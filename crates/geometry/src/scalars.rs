@@ -3,12 +3,13 @@
 
 use crate::basis::{Bernstein, Gbt, Shape};
 use crate::coordinate::Coordinate;
-use crate::curve::{Curve, RationalCurve};
+use crate::curve::{Curve, EllipticHelix, RationalCurve};
 use crate::developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch, unit_plane};
 use crate::error::Result;
 use crate::planes::PlaneFamily;
 use crate::surface::{Part, RotationSurface, RuledSurface, TensorSurface};
-use torse_algebra::{Ball, Integer, Rational};
+
+pub use crate::dyadic::{exact, exact_ball};
 
 /// Carries an object over the scalar `S` to the scalar `T`.
 ///
@@ -31,45 +32,6 @@ pub trait Over<S, T> {
     /// # Errors
     /// What the constructor of the object refuses.
     fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object>;
-}
-
-/// The rational number that a finite f64 is; zero for NaN and infinities, which no object here holds.
-///
-/// ```
-/// use torse_algebra::rational::ratio;
-/// assert_eq!(Some(torse_geometry::exact(0.375)), ratio(3, 8));
-/// assert_eq!(torse_geometry::exact(-0.1) + torse_geometry::exact(0.1), ratio(0, 1).unwrap());
-/// ```
-#[must_use]
-pub fn exact(value: f64) -> Rational {
-    if !value.is_finite() {
-        return Rational::from_integer(Integer::ZERO);
-    }
-    let bits = value.to_bits();
-    let exponent = (bits >> 52) & 0x7ff;
-    let fraction = bits & ((1 << 52) - 1);
-    let (mantissa, power) = if exponent == 0 {
-        (fraction, 0)
-    } else {
-        (fraction | 1 << 52, exponent - 1)
-    };
-    let signed = if value.is_sign_negative() {
-        -Integer::from(mantissa)
-    } else {
-        Integer::from(mantissa)
-    };
-    // value = mantissa * 2^(power - 1074)
-    let power = usize::try_from(power).unwrap_or(0);
-    match power.checked_sub(1074) {
-        Some(up) => Rational::from_integer(signed << up),
-        None => Rational::new(signed, Integer::ONE << (1074 - power)),
-    }
-}
-
-/// The ball of this precision around a finite f64, exact when `bits` is large enough (1074 always is).
-#[must_use]
-pub fn exact_ball(value: f64, bits: usize) -> Ball {
-    Ball::from_rational(&exact(value), bits)
 }
 
 fn point<S, T, const D: usize>(p: &[S; D], convert: &impl Fn(&S) -> T) -> [T; D] {
@@ -131,6 +93,21 @@ where
             .map(|(p, w)| (point(p, convert), convert(w)))
             .unzip();
         RationalCurve::from_homogeneous(self.basis().over(convert)?, points, weights)
+    }
+}
+
+impl<S: Coordinate, T: Coordinate> Over<S, T> for EllipticHelix<S> {
+    type Object = EllipticHelix<T>;
+
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<EllipticHelix<T>> {
+        let [cosine, sine] = self.axes();
+        EllipticHelix::new(
+            point(self.centre(), convert),
+            point(cosine, convert),
+            point(sine, convert),
+            point(self.rise(), convert),
+            point(self.range(), convert),
+        )
     }
 }
 

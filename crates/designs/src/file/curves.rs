@@ -4,9 +4,9 @@ use super::imports::Imports;
 use super::joints::joint;
 use super::points::{list, point};
 use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
+use super::shapes::shape;
 use super::{MOST_CONTROLS, keys, named, placement, splines};
 use std::ops::Range;
-use toml::de::DeValue;
 use torse_geometry::basis::Shape;
 use torse_geometry::curve::EllipticHelix;
 use torse_geometry::prelude::{PiecewiseRail, Point, Rail};
@@ -264,27 +264,6 @@ pub fn one_piece(reader: &mut Reader, place: &Range<usize>, curve: &PiecewiseRai
         reader.complain(place, message, "");
     }
     rail
-}
-
-/// The shape parameters, if any; `None` when they are wrong.
-#[allow(clippy::option_option, reason = "wrong is not missing")]
-pub fn shape(reader: &mut Reader, entries: &mut Entries<'_>) -> Option<Option<Shape<f64>>> {
-    match entries.take("shape") {
-        Some(value) => shape_of(reader, value).map(Some),
-        None => Some(None),
-    }
-}
-
-/// Shape parameters, or the word for none.
-pub fn shape_of(reader: &mut Reader, value: Value<'_>) -> Option<Shape<f64>> {
-    if let DeValue::String(word) = value.get_ref()
-        && word == "bernstein"
-    {
-        return Some(Shape::Bernstein);
-    }
-    let span = value.span();
-    let [mu, nu] = reader.numbers(value, [Dimension::None; 2])?;
-    accepted(reader, &span, Shape::gbt(mu, nu))
 }
 
 fn weights(reader: &mut Reader, value: Value<'_>) -> Option<Vec<f64>> {

@@ -18,6 +18,7 @@ mod planes;
 mod points;
 mod reader;
 mod settings;
+mod shapes;
 mod splines;
 mod surfaces;
 
@@ -116,7 +117,8 @@ fn beside(folder: &Path, file: &str) -> Result<Vec<u8>, String> {
 /// Refuses, in one line, what is a file of another kind: its text is no TOML that somebody mistyped.
 fn other_kind(path: &str, bytes: &[u8]) -> Result<(), DesignError> {
     match FileKind::of(bytes) {
-        FileKind::Text | FileKind::Empty => Ok(()),
+        // Bytes that mean nothing are refused where they are no text.
+        FileKind::Text | FileKind::Empty | FileKind::Binary => Ok(()),
         kind => Err(DesignError::OtherKind {
             path: path.to_owned(),
             kind,

@@ -1,10 +1,10 @@
 //! Patches.
 
-use super::curves;
 use super::pieces::{Cells, distributed};
 use super::planes::{continued, pair, plane};
 use super::points::{list, point};
 use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
+use super::shapes::shape;
 use super::{Parts, keys, named};
 use crate::construct;
 use crate::design::{Ends, Mark, Patch};
@@ -598,7 +598,7 @@ fn continuation(
         reader.complain(&place, "this patch is not given by planes", help);
         return None;
     };
-    let shape = curves::shape(reader, entries);
+    let shape = shape(reader, entries);
     let own = entries.has("between") || entries.has("range");
     let tangent = matches!(cut, Cutting::Tangent(_));
     let cut = if own {

@@ -3,7 +3,8 @@
 use super::joints::joint;
 use super::points::{list as point_list, point};
 use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
-use super::{MOST_CONTROLS, curves, keys, named};
+use super::shapes::shape;
+use super::{MOST_CONTROLS, keys, named};
 use toml::de::DeValue;
 use torse_geometry::basis::Shape;
 use torse_geometry::prelude::{Planes, Point};
@@ -130,7 +131,7 @@ fn family(
     known: &Named<Planes>,
 ) -> Option<Planes> {
     let (what, span) = (entries.what.clone(), entries.span.clone());
-    let shape = curves::shape(reader, entries);
+    let shape = shape(reader, entries);
     let made = match (
         entries.take("bernstein"),
         entries.take("gbt"),

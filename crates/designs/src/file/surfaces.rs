@@ -1,8 +1,9 @@
 //! Surfaces that are no developables: tensor products, given by their nets or made from curves.
 
-use super::curves::{shape_of, single};
+use super::curves::single;
 use super::points::list;
 use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
+use super::shapes::shape_of;
 use super::{MOST_CONTROLS, Parts, keys, named};
 use crate::design::{FreeSurface, Tensor};
 use torse_geometry::basis::Shape;

@@ -129,7 +129,7 @@ all = { patches = [\"p\", \"s\"], continuity = \"G9\" }
             "expected a number, a name or a bracket, found the end of the formula",
             "2 numbers: 3 are wanted",
             "no point above is called `C`",
-            "[curves.d] is made in one of five ways",
+            "[curves.d] is made in one of eleven ways",
             "[curves.d] has no entry `bezir`",
             "no curve above is called `e`",
             "a cone lacks its `apex`",

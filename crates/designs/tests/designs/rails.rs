@@ -35,19 +35,42 @@ fn a_cylinder_over_a_closed_spline_is_one_strip() {
     "#,
     );
     assert_eq!(part.patches.len(), 4);
-    assert_eq!((part.chains[0].name.as_str(), part.chains[0].closed), ("skirt", true));
-    let points = [[30.0, 0.0, 0.0], [0.0, 20.0, 0.0], [-30.0, 0.0, 0.0], [0.0, -25.0, 0.0]];
+    assert_eq!(
+        (part.chains[0].name.as_str(), part.chains[0].closed),
+        ("skirt", true)
+    );
+    let points = [
+        [30.0, 0.0, 0.0],
+        [0.0, 20.0, 0.0],
+        [-30.0, 0.0, 0.0],
+        [0.0, -25.0, 0.0],
+    ];
     let ring = interpolate_closed(&points, Spacing::Chord).unwrap().spline;
     let length = PiecewiseRail::spline(&ring).unwrap().length(1e-9).unwrap();
     let report = inspect(&part).unwrap();
     assert!(report.missed.is_empty(), "{:?}", report.missed);
     // C2 by construction: nothing kinks at the joints, the last one included.
     assert_eq!(report.joints.len(), 4);
-    assert!(report.joints.iter().all(|joint| joint.kink < 1e-6 && joint.gap < 1e-9));
+    assert!(
+        report
+            .joints
+            .iter()
+            .all(|joint| joint.kink < 1e-6 && joint.gap < 1e-9)
+    );
     let flat = unroll(&part, &Demand::default()).unwrap();
     assert_eq!(flat.len(), 1);
-    assert!((flat[0].flat.area() - 10.0 * length).abs() < 1e-4, "{} {length}", flat[0].flat.area());
-    assert_eq!(part.patches.iter().map(|patch| patch.marks.len()).sum::<usize>(), 5);
+    assert!(
+        (flat[0].flat.area() - 10.0 * length).abs() < 1e-4,
+        "{} {length}",
+        flat[0].flat.area()
+    );
+    assert_eq!(
+        part.patches
+            .iter()
+            .map(|patch| patch.marks.len())
+            .sum::<usize>(),
+        5
+    );
 }
 
 #[test]
@@ -64,7 +87,11 @@ fn a_cone_over_an_arc_of_any_angle_is_a_sector() {
     );
     let flat = unroll(&part, &Demand::default()).unwrap();
     let exact = 250.0_f64.to_radians() * (30.0 * 50.0 - 15.0 * 25.0) / 2.0;
-    assert!((flat[0].flat.area() - exact).abs() < 1e-3, "{} {exact}", flat[0].flat.area());
+    assert!(
+        (flat[0].flat.area() - exact).abs() < 1e-3,
+        "{} {exact}",
+        flat[0].flat.area()
+    );
     let report = inspect(&part).unwrap();
     assert!(report.missed.is_empty(), "{:?}", report.missed);
 }
@@ -86,7 +113,11 @@ fn a_patch_between_polygons_is_flat_pieces_in_a_row() {
     // 60 mm of wall, cut at 30: on the corner.
     assert_eq!(part.patches.len(), 2);
     let flat = unroll(&part, &Demand::default()).unwrap();
-    assert!((flat[0].flat.area() - 150.0).abs() < 1e-6, "{}", flat[0].flat.area());
+    assert!(
+        (flat[0].flat.area() - 150.0).abs() < 1e-6,
+        "{}",
+        flat[0].flat.area()
+    );
     assert_eq!(part.patches[0].name, "wall.1");
 }
 
@@ -98,10 +129,22 @@ fn curves_are_placed_in_the_stated_order() {
         ));
         [0.0, 1.0].map(|u| part.patches[0].sheet.point(u, 0.0).unwrap())
     };
-    assert_eq!(ends("reversed = true\nscale = 3"), [[6.0, 0.0, 0.0], [3.0, 0.0, 0.0]]);
-    assert_eq!(ends("rotate = { angle = 90 }\nmove = [0, 0, 1]"), [[0.0, 1.0, 1.0], [0.0, 2.0, 1.0]]);
-    assert_eq!(ends("mirror = [1, 0, 0, 5]"), [[9.0, 0.0, 0.0], [8.0, 0.0, 0.0]]);
-    assert_eq!(ends("section = [0.5, 1]\nscale = { about = [2, 0, 0], by = 2 }"), [[1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]);
+    assert_eq!(
+        ends("reversed = true\nscale = 3"),
+        [[6.0, 0.0, 0.0], [3.0, 0.0, 0.0]]
+    );
+    assert_eq!(
+        ends("rotate = { angle = 90 }\nmove = [0, 0, 1]"),
+        [[0.0, 1.0, 1.0], [0.0, 2.0, 1.0]]
+    );
+    assert_eq!(
+        ends("mirror = [1, 0, 0, 5]"),
+        [[9.0, 0.0, 0.0], [8.0, 0.0, 0.0]]
+    );
+    assert_eq!(
+        ends("section = [0.5, 1]\nscale = { about = [2, 0, 0], by = 2 }"),
+        [[1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]
+    );
 }
 
 #[test]
@@ -118,57 +161,103 @@ fn a_spline_keeps_its_decimals_and_its_pieces_are_exact() {
     );
     assert_eq!(part.patches.len(), 2);
     // The joint is 0.7 of the way back from the second to the third control point: 0.1 + 0.3 1.9, with one rounding.
-    assert_eq!(part.patches[0].sheet.point(1.0, 0.0).unwrap(), [0.67, 1.0, 0.0]);
-    assert_eq!(part.patches[1].sheet.point(0.0, 0.0).unwrap(), [0.67, 1.0, 0.0]);
+    assert_eq!(
+        part.patches[0].sheet.point(1.0, 0.0).unwrap(),
+        [0.67, 1.0, 0.0]
+    );
+    assert_eq!(
+        part.patches[1].sheet.point(0.0, 0.0).unwrap(),
+        [0.67, 1.0, 0.0]
+    );
 }
 
 #[test]
 fn imported_rails_make_a_part() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../exchange/tests/files");
-    let mut files = |name: &str| std::fs::read(format!("{folder}/{name}")).map_err(|e| e.to_string());
+    let mut files =
+        |name: &str| std::fs::read(format!("{folder}/{name}")).map_err(|e| e.to_string());
     let text = |low: &str, high: &str| {
-        format!("[curves.low]\nimport = \"{low}\"\n[curves.high]\nimport = \"{high}\"\n[patches.side]\nruled = [\"low\", \"high\"]\n[tolerances]\ntwist = 30\nstrain = 0.1\n")
+        format!(
+            "[curves.low]\nimport = \"{low}\"\n[curves.high]\nimport = \"{high}\"\n[patches.side]\nruled = [\"low\", \"high\"]\n[tolerances]\ntwist = 30\nstrain = 0.1\n"
+        )
     };
     for (low, high, pieces) in [
         ("rails_spline.dxf#CHINE", "rails_spline.dxf#SHEER", 5),
-        ("rails.step#39", "rails.step#69", 5),
+        ("rails.step#38", "rails.step#68", 5),
         ("rails.svg#path", "rails.svg#path.2", 1),
         ("offsets.csv", "rails_poly.dxf#polyline.2", 5),
     ] {
         let part = read_with("side.toml", &text(low, high), &mut files);
         let part = part.unwrap_or_else(|error| panic!("{low}: {}", mistakes(&error)));
         assert_eq!(part.patches.len(), pieces, "{low}");
-        let demand = Demand { allow_strain: 0.2, ..Demand::default() };
+        let demand = Demand {
+            allow_strain: 0.2,
+            ..Demand::default()
+        };
         let flat = unroll(&part, &demand).unwrap();
         assert_eq!(flat.len(), 1, "{low}: one pattern of several pieces");
     }
-    let message = |low: &str| mistakes(&read_with("side.toml", &text(low, "offsets.csv"), &mut files).unwrap_err());
+    let mut message = |low: &str| {
+        mistakes(&read_with("side.toml", &text(low, "offsets.csv"), &mut files).unwrap_err())
+    };
     assert!(message("rails_spline.dxf#KEEL").contains("rails_spline.dxf has no curve `KEEL`"));
     assert!(message("rails_spline.dxf").contains("rails_spline.dxf has 2 curves: which one?"));
     assert!(message("cone.obj").contains("cone.obj has 0 curves"));
     assert!(message("nothing.dxf").contains("nothing.dxf: "));
-    let inches = text("rails.step#39", "rails.step#69").replace("#39\"", "#39\"\nunit = \"in\"");
+    let inches = text("rails.step#38", "rails.step#68").replace("#38\"", "#38\"\nunit = \"in\"");
     let error = mistakes(&read_with("side.toml", &inches, &mut files).unwrap_err());
-    assert!(error.contains("the file states mm as its unit of length, and in was given"), "{error}");
-    let spaced = text("rails.step#39", "offsets.csv").replace("#39\"", "#39\"\nspacing = \"uniform\"");
+    assert!(
+        error.contains("the file states mm as its unit of length, and in was given"),
+        "{error}"
+    );
+    let spaced =
+        text("rails.step#38", "offsets.csv").replace("#38\"", "#38\"\nspacing = \"uniform\"");
     let error = mistakes(&read_with("side.toml", &spaced, &mut files).unwrap_err());
     assert!(error.contains("has its own ends and spacing"), "{error}");
 }
 
 #[test]
 fn what_is_no_curve_is_told() {
-    let curve = |text: &str| refused(&format!("[curves.a]\n{text}\n[patches.p]\ncylinder = \"a\"\ndirection = [0, 0, 1]\n"));
+    let curve = |text: &str| {
+        refused(&format!(
+            "[curves.a]\n{text}\n[patches.p]\ncylinder = \"a\"\ndirection = [0, 0, 1]\n"
+        ))
+    };
     for (text, message) in [
-        ("spline = { points = [[0, 0, 0], [1, 0, 0]] }", "control points of a spline: 2 given, at least 4 needed"),
-        ("spline = { degree = 1, points = [[0, 0, 0], [1, 0, 0]], weights = [1, 0] }", "weight 1 is 0"),
-        ("through = [[0, 0, 0], [0, 0, 0]]", "two neighbours at one place"),
-        ("through = [[0, 0, 0], [1, 0, 0]]\nends = \"closed\"", "at least 3 needed"),
-        ("polyline = [[0, 0, 0], [1, 0, 0]]\nspacing = \"chord\"", "`spacing` means nothing for this curve"),
+        (
+            "spline = { points = [[0, 0, 0], [1, 0, 0]] }",
+            "control points of a spline: 2 given, at least 4 needed",
+        ),
+        (
+            "spline = { degree = 1, points = [[0, 0, 0], [1, 0, 0]], weights = [1, 0] }",
+            "weight 1 is 0",
+        ),
+        (
+            "through = [[0, 0, 0], [0, 0, 0]]",
+            "two neighbours at one place",
+        ),
+        (
+            "through = [[0, 0, 0], [1, 0, 0]]\nends = \"closed\"",
+            "at least 3 needed",
+        ),
+        (
+            "polyline = [[0, 0, 0], [1, 0, 0]]\nspacing = \"chord\"",
+            "`spacing` means nothing for this curve",
+        ),
         ("import = \"a.dxf#b\"", "no files are read here"),
-        ("arc = { centre = [0, 0, 0], from = [1, 0, 0] }", "an arc has a centre and two ends"),
-        ("arc = { centre = [0, 0, 0], from = [1, 0, 0], axis = [0, 0, 1] }", "lacks its `angle`"),
+        (
+            "arc = { centre = [0, 0, 0], from = [1, 0, 0] }",
+            "an arc has a centre and two ends",
+        ),
+        (
+            "arc = { centre = [0, 0, 0], from = [1, 0, 0], axis = [0, 0, 1] }",
+            "lacks its `angle`",
+        ),
         ("copy = \"b\"", "no curve above is called `b`"),
-        ("bezier = [[0, 0, 0], [1, 0, 0]]\nscale = -1", "-1 is outside"),
+        (
+            "bezier = [[0, 0, 0], [1, 0, 0]]\nscale = -1",
+            "-1 is outside",
+        ),
     ] {
         let error = curve(text);
         assert!(error.contains(message), "{text}: {error}");

@@ -46,7 +46,7 @@ fn splines_of_ezdxf_go_through_their_points() {
     let names: Vec<&str> = found.curve_names().collect();
     assert_eq!(names, ["CHINE", "SHEER"]);
     assert!(off(&found.curves[0].shape, &LOW) < 1e-8 && off(&found.curves[1].shape, &HIGH) < 1e-8);
-    assert_eq!(found.curves[0].place.to_string(), "line 2025, SPLINE 2F: ");
+    assert_eq!(found.curves[0].place.to_string(), "line 2026, SPLINE 2F: ");
     // The natural cubic with the chords as parameters, in three pieces, as an independent program computes it.
     let pieces = found.curves[0].shape.rail().unwrap().rails().unwrap();
     let wanted = [
@@ -455,15 +455,15 @@ fn dxf_that_cannot_be_read_is_refused_with_line_and_entity() {
     let cases = [
         (
             spline("41\n1\n41\n0\n41\n1\n", knots),
-            "line 12, SPLINE 2F: weight 1 is 0",
+            "line 18, SPLINE 2F: weight 1 is 0",
         ),
         (
             spline("", "40\n0\n40\n0\n40\n5\n40\n1\n40\n1\n40\n1\n"),
-            "line 12, SPLINE 2F: knot that falls",
+            "line 18, SPLINE 2F: knot that falls",
         ),
         (
             spline("", "40\n0\n40\nNaN\n"),
-            "line 20, SPLINE 2F: `NaN` is no finite number",
+            "line 26, SPLINE 2F: `NaN` is no finite number",
         ),
         (
             dxf("", ring, "0\nINSERT\n5\nB\n2\na\n10\n0\n20\n0\n"),

@@ -1,10 +1,8 @@
 //! Bezier curves over the rationals: what splines consist of.
 
 use crate::basis::Bernstein;
-use crate::coordinate::Coordinate;
 use crate::curve::{Curve, RationalCurve};
 use crate::error::Result;
-use crate::sheet::Rail;
 use torse_algebra::Rational;
 
 /// A Bezier curve in space with exact control points, weighted or not, over [0, 1].
@@ -36,8 +34,15 @@ impl Bezier {
         Ok(Self { curve })
     }
 
-    /// The homogeneous control points.
-    pub(crate) fn homogeneous(&self) -> Vec<[Rational; 4]> {
+    /// Whether the curve has weights.
+    #[must_use]
+    pub fn is_weighted(&self) -> bool {
+        matches!(self.curve, Shape::Weighted(_))
+    }
+
+    /// The homogeneous control points `(w x, w y, w z, w)`.
+    #[must_use]
+    pub fn homogeneous(&self) -> Vec<[Rational; 4]> {
         let joined =
             |[x, y, z]: &[Rational; 3], w: &Rational| [x.clone(), y.clone(), z.clone(), w.clone()];
         let one = Rational::from_integer(1.into());
@@ -80,29 +85,5 @@ impl Bezier {
                 curve: Shape::Weighted(part),
             }),
         })
-    }
-
-    /// The curve on f64: each control point and weight is rounded once.
-    ///
-    /// # Errors
-    /// [`GeometryError::NotFinite`](crate::GeometryError::NotFinite) for what has no f64,
-    /// [`GeometryError::BadWeight`](crate::GeometryError::BadWeight) for a weight that becomes zero.
-    pub fn rail(&self) -> Result<Rail> {
-        match &self.curve {
-            Shape::Plain(curve) => {
-                let points = curve.points().iter();
-                let points: Vec<[f64; 3]> = points
-                    .map(|p| p.each_ref().map(Coordinate::approximate))
-                    .collect();
-                Rail::bezier(&points)
-            }
-            Shape::Weighted(curve) => {
-                let (points, weights): (Vec<[f64; 3]>, Vec<f64>) = curve
-                    .homogeneous()
-                    .map(|(p, w)| (p.each_ref().map(Coordinate::approximate), w.approximate()))
-                    .unzip();
-                RationalCurve::from_homogeneous(Bernstein, points, weights).map(Rail::from)
-            }
-        }
     }
 }

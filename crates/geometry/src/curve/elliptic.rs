@@ -7,7 +7,6 @@
 use super::{Affine, SpaceCurve};
 use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Place, Result};
-use crate::scalars::Over;
 use crate::vector::{add, cross, dot, norm, scale, sub, unit};
 use torse_algebra::Jet;
 
@@ -211,20 +210,5 @@ impl EllipticHelix {
         let quarters = degrees / 90.0;
         let rise = scale(&(climb / quarters), &axis);
         Self::new(foot, cosine, cross(&axis, &cosine), rise, [0.0, quarters])
-    }
-}
-
-impl<S: Coordinate, T: Coordinate> Over<S, T> for EllipticHelix<S> {
-    type Object = EllipticHelix<T>;
-
-    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<EllipticHelix<T>> {
-        let vector = |v: &[S; 3]| v.each_ref().map(convert);
-        EllipticHelix::new(
-            vector(&self.centre),
-            vector(&self.cosine),
-            vector(&self.sine),
-            vector(&self.rise),
-            self.range.each_ref().map(convert),
-        )
     }
 }

@@ -64,7 +64,7 @@ impl Spline {
         points: Vec<[Rational; 3]>,
         weights: Option<Vec<Rational>>,
     ) -> Result<Self> {
-        check(degree, &points, weights.as_deref())?;
+        check(degree, degree + 1, &points, weights.as_deref())?;
         let expected = points.len() + degree + 1;
         if knots.len() != expected {
             return Err(GeometryError::LengthMismatch {
@@ -133,7 +133,7 @@ impl Spline {
     /// Control point `i` belongs to the intervals from `i - degree` to `i`, counted round.
     ///
     /// # Errors
-    /// As [`Spline::new`].
+    /// As [`Spline::new`], for three points at least.
     ///
     /// ```
     /// use torse_algebra::rational::integer;
@@ -151,7 +151,7 @@ impl Spline {
         points: Vec<[Rational; 3]>,
         weights: Option<Vec<Rational>>,
     ) -> Result<Self> {
-        check(degree, &points, weights.as_deref())?;
+        check(degree, 3, &points, weights.as_deref())?;
         let n = points.len();
         let (Some(first), Some(last), true) = (knots.first(), knots.last(), knots.len() == n + 1)
         else {
@@ -491,7 +491,12 @@ fn inserted<S: Coordinate>(
     Ok(kept)
 }
 
-fn check(degree: usize, points: &[[Rational; 3]], weights: Option<&[Rational]>) -> Result<()> {
+fn check(
+    degree: usize,
+    least: usize,
+    points: &[[Rational; 3]],
+    weights: Option<&[Rational]>,
+) -> Result<()> {
     if !(1..=MAX_SPLINE_DEGREE).contains(&degree) {
         return Err(GeometryError::OutOfRange {
             name: "degree of a spline",
@@ -499,10 +504,10 @@ fn check(degree: usize, points: &[[Rational; 3]], weights: Option<&[Rational]>) 
             range: "[1, 64]",
         });
     }
-    if points.len() <= degree {
+    if points.len() < least {
         return Err(GeometryError::TooFew {
             what: "control points of a spline",
-            needed: degree + 1,
+            needed: least,
             given: points.len(),
         });
     }

@@ -1,8 +1,9 @@
 //! Curves of several pieces, and what two of them have in common.
 
 use super::{Point, Rail};
+use crate::basis::Bernstein;
 use crate::coordinate::Coordinate;
-use crate::curve::{Affine, Bezier, EllipticHelix, Spline};
+use crate::curve::{Affine, Bezier, EllipticHelix, RationalCurve, Spline};
 use crate::error::{GeometryError, Place, Result};
 use crate::vector::{norm, sub};
 use std::cmp::Ordering;
@@ -39,7 +40,7 @@ enum Piece {
 impl Piece {
     fn rail(&self) -> Result<Rail> {
         match self {
-            Self::Exact(bezier) => bezier.rail(),
+            Self::Exact(bezier) => Rail::try_from(bezier),
             Self::Rail(rail) => Ok(rail.clone()),
         }
     }
@@ -54,6 +55,24 @@ impl Piece {
 
     fn reversed(&self) -> Result<Self> {
         self.rail().map(|rail| Self::Rail(rail.reversed()))
+    }
+}
+
+/// The curve on f64: each control point and weight is rounded once.
+impl TryFrom<&Bezier> for Rail {
+    type Error = GeometryError;
+
+    fn try_from(bezier: &Bezier) -> Result<Self> {
+        let control = bezier.homogeneous();
+        let control = control
+            .iter()
+            .map(|p| p.each_ref().map(Coordinate::approximate));
+        let (points, weights): (Vec<Point>, Vec<f64>) =
+            control.map(|[x, y, z, w]| ([x, y, z], w)).unzip();
+        if bezier.is_weighted() {
+            return RationalCurve::from_homogeneous(Bernstein, points, weights).map(Self::from);
+        }
+        Self::bezier(&points)
     }
 }
 

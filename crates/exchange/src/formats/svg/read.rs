@@ -93,7 +93,9 @@ fn paths_of(element: &Element<'_>, layer: Layer) -> Result<Vec<Drawn>> {
             Some(angle.ok_or_else(|| wrong(&element.place, "`data-bend` is no number"))?)
         }
     };
-    let parts = parts(element)?;
+    let mut parts = parts(element)?;
+    // A move alone draws nothing.
+    parts.retain(|part| !part.segments.is_empty());
     if bend.is_some() && parts.len() > 1 {
         return Err(wrong(&element.place, "a bend line of several parts"));
     }

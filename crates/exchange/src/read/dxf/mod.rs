@@ -19,7 +19,7 @@ use torse_geometry::Affine;
 /// How deep blocks are inserted into blocks.
 const MAX_DEPTH: usize = 16;
 /// The most entities, those of inserted blocks counted each time.
-const MAX_ENTITIES: usize = 2_000_000;
+const MAX_ENTITIES: usize = 500_000;
 
 pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Imported> {
     let all = groups(text)?;

@@ -63,11 +63,9 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
             let mut borders = Vec::new();
             for edges in loops {
                 let mut border = Vec::new();
-                for (place, shape) in edges {
-                    let name = place.entity.clone().unwrap_or_default();
-                    let name: String = name.chars().filter(char::is_ascii_digit).collect();
-                    let index =
-                        drafts.curve(&format!("{name}.edge"), place, shape.mapped(&reader.map))?;
+                for (id, place, shape) in edges {
+                    let shape = shape.mapped(&reader.map);
+                    let index = drafts.curve(&id.to_string(), place, shape)?;
                     drafts.mark_edge(index);
                     border.push((index, true));
                 }
@@ -123,7 +121,8 @@ fn stated(file: &File<'_>) -> ReadResult<Option<LengthUnit>> {
     found.map(Some).ok_or_else(|| wrong(flag))
 }
 
-type Border = Vec<(super::FilePlace, CurveShape)>;
+/// The curves of a border, with their entities.
+type Border = Vec<(usize, super::FilePlace, CurveShape)>;
 
 struct Reader<'t, 'f> {
     file: &'f File<'t>,
@@ -322,7 +321,7 @@ impl<'t> Reader<'t, '_> {
         }
         Ok(self
             .curve(entity, depth)?
-            .map(|shape| (entity.place(), shape))
+            .map(|shape| (entity.id, entity.place(), shape))
             .into_iter()
             .collect())
     }

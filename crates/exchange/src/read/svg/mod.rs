@@ -152,8 +152,8 @@ fn shape(part: &Subpath, matrix: Matrix) -> Result<CurveShape, GeometryError> {
     let mut corners: Vec<[Rational; 3]> = vec![exact(part.start)];
     let mut at = part.start;
     let flush = |row: &mut Vec<CurveShape>,
-                     corners: &mut Vec<[Rational; 3]>,
-                     next: [f64; 2]|
+                 corners: &mut Vec<[Rational; 3]>,
+                 next: [f64; 2]|
      -> Result<(), GeometryError> {
         corners.dedup();
         if corners.len() > 1 {
