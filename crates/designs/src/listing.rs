@@ -105,7 +105,7 @@ pub fn list(name: &str, bytes: &[u8], unit: Option<&LengthUnit>) -> Result<FileL
     for curve in &found.curves {
         let refused = |reason: GeometryError| ReadError::Geometry {
             place: curve.place.clone(),
-            reason,
+            reason: Box::new(reason),
         };
         let rail = curve.shape.rail().map_err(refused)?;
         let (start, end) = match (rail.point(0.0), rail.point(1.0)) {

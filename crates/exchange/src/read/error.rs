@@ -71,7 +71,7 @@ pub enum ReadError {
         /// Where.
         place: FilePlace,
         /// Why.
-        reason: GeometryError,
+        reason: Box<GeometryError>,
     },
     /// There is more of something than is read.
     #[error("{place}more than {most} {what}")]
@@ -125,5 +125,8 @@ pub(super) fn at(place: &FilePlace, reason: impl Into<String>) -> ReadError {
 /// The objection of the geometry at a place.
 pub(super) fn refused(place: &FilePlace) -> impl FnOnce(GeometryError) -> ReadError {
     let place = place.clone();
-    move |reason| ReadError::Geometry { place, reason }
+    move |reason| ReadError::Geometry {
+        place,
+        reason: Box::new(reason),
+    }
 }

@@ -138,7 +138,7 @@ impl CurveShape {
             },
             Self::Arc(arc) => {
                 let [from, to] = *arc.range();
-                let lengths = arc.axes().map(|axis| torse_geometry::vector::norm(axis));
+                let lengths = arc.axes().map(torse_geometry::vector::norm);
                 let round = (lengths[0] - lengths[1]).abs() <= 1e-9 * lengths[0]
                     && torse_geometry::vector::dot(arc.axes()[0], arc.axes()[1]).abs()
                         <= 1e-9 * lengths[0] * lengths[1];

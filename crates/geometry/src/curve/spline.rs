@@ -199,7 +199,7 @@ impl Spline {
                     at: Place::Index(index + 1),
                 });
             }
-            at = at + crate::exact(length);
+            at += crate::exact(length);
             knots.push(at.clone());
         }
         knots.push(at);

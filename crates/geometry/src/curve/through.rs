@@ -295,7 +295,7 @@ fn sums(steps: &[f64]) -> Vec<Rational> {
     let mut at = Rational::default();
     let mut all = vec![at.clone()];
     for step in steps {
-        at = at + crate::exact(*step);
+        at += crate::exact(*step);
         all.push(at.clone());
     }
     all

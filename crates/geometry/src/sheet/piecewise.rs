@@ -126,7 +126,7 @@ impl PiecewiseRail {
             pieces.extend(curve.pieces.iter().cloned());
             let inside = curve.breaks.iter().skip(1);
             ends.extend(inside.map(|x| start.clone() + x.clone() * width.clone()));
-            start = start + width;
+            start += width;
         }
         if pieces.is_empty() {
             return Err(GeometryError::TooFew {

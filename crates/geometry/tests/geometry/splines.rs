@@ -39,10 +39,10 @@ fn point(spline: &Spline, t: &Rational) -> [Rational; 3] {
     for (i, point) in spline.points().iter().enumerate() {
         let weight = spline.weights().map_or(integer(1), |w| w[i].clone());
         let share = weight * basis(spline.knots(), i, spline.degree(), t, last);
-        for axis in 0..3 {
-            sums[axis] = sums[axis].clone() + share.clone() * point[axis].clone();
+        let [x, y, z] = point.clone();
+        for (sum, c) in sums.iter_mut().zip([x, y, z, integer(1)]) {
+            *sum = sum.clone() + share.clone() * c;
         }
-        sums[3] = sums[3].clone() + share;
     }
     let [x, y, z, w] = sums;
     [x, y, z].map(|c| c / w.clone())
@@ -128,13 +128,13 @@ proptest! {
         for i in 0..if closed { count } else { count - 1 } {
             let next = (i + 1) % count;
             let (before, after) = (rails[i].derivatives(1.0, 2).unwrap(), rails[next].derivatives(0.0, 2).unwrap());
-            for order in 0..=2 {
-                let power = i32::try_from(order).unwrap();
+            for (power, (a, b)) in (0..).zip(before.iter().zip(&after)) {
                 let scaled = |v: &[f64; 3], w: f64| v.map(|c| c / w.powi(power));
-                let (a, b) = (scaled(&before[order], widths[i]), scaled(&after[order], widths[next]));
+                let (a, b) = (scaled(a, widths[i]), scaled(b, widths[next]));
                 let size = 1.0 + norm(&a);
                 // Derivatives of control points that differ by rounding, over the square of a short step.
-                prop_assert!(norm(&sub(&a, &b)) < 1e-7 * size * (1.0 + 1.0 / widths[i].min(widths[next]).powi(power)), "{order}");
+                let short = 1.0 / widths[i].min(widths[next]).powi(power);
+                prop_assert!(norm(&sub(&a, &b)) < 1e-7 * size * (1.0 + short), "{power}");
             }
         }
         for (point, x) in points.iter().zip(found.spline.breaks()) {

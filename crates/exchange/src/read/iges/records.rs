@@ -239,10 +239,8 @@ fn global_parameters(text: &str) -> ReadResult<Vec<String>> {
         rest.get(parameter.len_utf8()..).unwrap_or_default()
     });
     let rest = rest.strip_prefix(parameter).unwrap_or(rest);
-    let record = match rest.strip_prefix("1H").and_then(|rest| rest.chars().next()) {
-        Some(c) => c,
-        None => ';',
-    };
+    let named = rest.strip_prefix("1H").and_then(|rest| rest.chars().next());
+    let record = named.unwrap_or(';');
     split(text, [parameter, record], 1)
 }
 

@@ -202,12 +202,10 @@ pub(crate) fn centred(
         axes: [[a * cosine, a * sine], [-b * sine, b * cosine]],
         range: [start, end],
     };
-    let numbers = arc
+    let mut numbers = arc
         .centre
         .iter()
         .chain(arc.axes.iter().flatten())
         .chain(&arc.range);
-    numbers
-        .fold(true, |all, c| all && c.is_finite())
-        .then_some(arc)
+    numbers.all(|c| c.is_finite()).then_some(arc)
 }
