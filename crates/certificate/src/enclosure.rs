@@ -113,7 +113,7 @@ impl Enclosure<Polynomial> {
     /// The steps in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
-        let digits = self.digits();
+        let decimals = crate::point::counted(self.digits(), "decimal");
         let cut = self
             .entries
             .iter()
@@ -121,11 +121,11 @@ impl Enclosure<Polynomial> {
         let how = match (self.is_exact(), cut) {
             (true, _) => "the printed numbers are exact".to_owned(),
             (false, false) => {
-                format!("the printed numbers are the values rounded to {digits} decimals")
+                format!("the printed numbers are the values rounded to {decimals}")
             }
-            (false, true) => format!(
-                "the printed numbers are the values cut off (not rounded) after {digits} decimals"
-            ),
+            (false, true) => {
+                format!("the printed numbers are the values cut off (not rounded) after {decimals}")
+            }
         };
         vec![format!("the exact values begin {}", self.decimals()), how]
     }

@@ -172,7 +172,7 @@ impl<P> Failure<P> {
             Self::Sides { kind, left, .. } => match kind {
                 Comparison::Equation { entry, terms } => {
                     let mut steps =
-                        vec![format!("the normal form of the difference has {terms} terms")];
+                        vec![format!("the normal form of the difference has {}", counted(terms, "term"))];
                     if left.len() > 1 {
                         steps.push(format!("entry {} differs", entry + 1));
                     }
@@ -187,7 +187,10 @@ impl<P> Failure<P> {
                 if enclosure.entries.len() > 1 {
                     let differing = enclosure.differing();
                     let list: Vec<String> = differing.iter().map(usize::to_string).collect();
-                    steps.push(format!("entry {} differs", list.join(", ")));
+                    steps.push(match list.as_slice() {
+                        [one] => format!("entry {one} differs"),
+                        _ => format!("entries {} differ", list.join(", ")),
+                    });
                 }
                 steps
             }
@@ -209,5 +212,14 @@ impl Value<Polynomial> {
     #[must_use]
     pub fn text(&self) -> String {
         format!("{} = {}", self.symbol, self.value)
+    }
+}
+
+/// So many of something.
+pub(crate) fn counted(count: impl std::fmt::Display, noun: &str) -> String {
+    let count = count.to_string();
+    match count.as_str() {
+        "1" => format!("1 {noun}"),
+        _ => format!("{count} {noun}s"),
     }
 }

@@ -9,14 +9,16 @@ use crate::{guard, selection, terminal};
 use clap::Args;
 use std::path::PathBuf;
 use torse_report::model::Report;
-use torse_report::{Manuscript, ReportError, erratum_latex, erratum_markdown, write_file};
+use torse_report::{
+    Envelope, Manuscript, ReportError, erratum_latex, erratum_markdown, words, write_file,
+};
 use torse_syntax::derivation::Paper;
 
 /// Write the corrections of a paper as TeX, PDF and Markdown, ready to be sent to its authors or journal.
 ///
-/// Each has the place, what is printed, what is to be read instead, and why: the point at which the print
-/// fails. Only what is false in every reading that its words allow goes into them, and nothing that may be
-/// a slip of the copy at hand; a paper without any such statement gets a letter that says so.
+/// Each fault has one item: the place, what is wrong in a sentence, what is printed, what is to be read instead, with
+/// what changes framed, and an exact counterexample. Conditions that the text should state, and what may be a slip of the
+/// copy at hand, have parts of their own. A paper without a fault gets a letter that says so.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Erratum {
@@ -26,6 +28,15 @@ pub struct Erratum {
     /// The folder to write to; it is made if need be
     #[arg(long, value_name = "DIR", default_value = "reports")]
     out: PathBuf,
+    /// Decide the statements once more with all corrections of the letter in force, and say what holds then
+    #[arg(long)]
+    verify: bool,
+    /// Who writes the letter; without a name every page says that it is a draft
+    #[arg(long, value_name = "NAME")]
+    sender: Option<String>,
+    /// The date to be written on the letter
+    #[arg(long, value_name = "DATE")]
+    date: Option<String>,
     #[command(flatten)]
     kernel: Kernel,
     #[command(flatten)]
@@ -37,21 +48,22 @@ pub struct Erratum {
 const EXAMPLES: &str = "\
 Examples:
   torse erratum gbt-surfaces
-  torse erratum gbt-developable --out letters";
+  torse erratum gbt-developable --out letters --verify
+  torse erratum gbt-surfaces --sender 'A. Reader' --date '1 May 2026'";
 
 /// How a letter is made.
-type Letter = fn(&Report) -> Result<Made, ReportError>;
+type Letter = fn(&Report, &Envelope) -> Result<Made, ReportError>;
 
 /// The files of a letter: their endings, and what makes them.
 pub const LETTERS: [(&str, Letter); 3] = [
-    ("tex", |report| {
-        Ok(Made::Bytes(erratum_latex(report).into_bytes()))
+    ("tex", |report, envelope| {
+        Ok(Made::Bytes(erratum_latex(report, envelope).into_bytes()))
     }),
-    ("pdf", |report| {
-        Manuscript::erratum(report).map(Made::Manuscript)
+    ("pdf", |report, envelope| {
+        Manuscript::erratum(report, envelope).map(Made::Manuscript)
     }),
-    ("md", |report| {
-        Ok(Made::Bytes(erratum_markdown(report).into_bytes()))
+    ("md", |report, envelope| {
+        Ok(Made::Bytes(erratum_markdown(report, envelope).into_bytes()))
     }),
 ];
 
@@ -71,21 +83,32 @@ impl Erratum {
         selection::paper(&papers, &self.paper)?;
         let wanted = |paper: &Paper| paper.head.id == self.paper;
         let papers: Vec<Paper> = papers.into_iter().filter(wanted).collect();
-        let run = Run::of(&papers, self.budget, &mut mistakes);
+        let mut run = Run::of(&papers, self.budget, &mut mistakes);
+        if self.verify {
+            run.restore(&papers, self.budget, &mut mistakes);
+        }
         guard::finished();
         // A letter without a correction that belongs into it would not be one.
         if !mistakes.is_empty() {
             return Ok(mistakes.tell(Exit::BadData));
         }
         let accepted = self.kernel.accepted(&papers, &run);
+        let envelope = Envelope {
+            sender: self.sender.clone(),
+            date: self.date.clone(),
+        };
         let mut written = String::new();
         for paper in &run.papers {
             let report = Report::with_kernel(paper, &[], &accepted);
             for (ending, letter) in LETTERS {
                 let file = self.out.join(file(&paper.slug, ending));
-                write_file(&file, &letter(&report)?.bytes()?)?;
+                write_file(&file, &letter(&report, &envelope)?.bytes()?)?;
                 written.push_str(&format!("{}\n", file.display()));
             }
+        }
+        for restored in run.papers.iter().flat_map(|paper| &paper.restored) {
+            let verdict = words::verdict(restored.verdict).label;
+            written.push_str(&format!("{}  {verdict}\n", restored.claim));
         }
         terminal::print(&written)?;
         Ok(Exit::of(run.outcomes(), &[]))

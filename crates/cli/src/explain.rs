@@ -9,12 +9,12 @@ use crate::{guard, selection, terminal};
 use clap::Args;
 use comfy_table::ColumnConstraint;
 use torse_prove::evidence::Witness;
-use torse_report::{counted, rests, words};
+use torse_report::{counted, difference, rests, words};
 use torse_syntax::derivation::Paper;
 use torse_syntax::notation::Formula;
 use torse_syntax::words::Verdict;
 use torse_verdicts::consequences::{consequences, resting, users};
-use torse_verdicts::outcome::{Correction, Outcome, PaperOutcome, Role};
+use torse_verdicts::outcome::{Correction, Outcome, PaperFault, PaperOutcome, Role};
 
 /// Explain one claim: what is printed, how it was understood, what is true, and why.
 ///
@@ -79,52 +79,78 @@ impl Explain {
         kernel: bool,
     ) -> String {
         let mut note = Note::default();
-        note.add("paper", &format!("{}, {}", paper.title, paper.venue));
-        note.add("where", &outcome.at);
-        note.add("printed", &outcome.printed);
-        note.option("our reading", outcome.reading.as_deref());
-        note.option("understood", self.formula(outcome.parsed.as_ref()));
-        let assumed = outcome.assumed.iter();
-        let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
-        note.list("assuming", assumed.map(|h| self.cut(&h.formula.text)));
-        self.rests(&mut note, outcome);
-        note.gap();
         note.add("verdict", &verdict(outcome));
-        note.option(
-            "evidence",
-            words::evidence_on(outcome).map(|of| format!("{}. {}", of.label, of.meaning)),
-        );
-        note.option("replayed", replayed(outcome));
-        note.option("kernel", kernel.then_some(ACCEPTED));
-        let condition = match outcome.evidence {
-            Some(_) => "on condition",
-            None => "condition",
-        };
-        note.list(condition, self.formulas(&outcome.conditions));
-        note.list("steps", counted(&outcome.steps).into_iter());
+        let each = outcome.readings.iter().map(|reading| {
+            let verdict = words::verdict(reading.outcome.verdict).label;
+            format!("{} if read as {}", verdict, reading.name)
+        });
+        note.list("namely", each);
+        note.option("found", found(paper, outcome));
+        self.difference(&mut note, paper, outcome);
+        note.list("on condition", self.formulas(&outcome.conditions));
         self.readings(&mut note, outcome);
+        note.list("true form", true_forms(paper, outcome).into_iter());
         note.gap();
         add_witness(&mut note, outcome);
         let part = derived_part(outcome);
         let derived = |formula| Some(self.formula(formula)? + &part);
         note.option("left - right", derived(outcome.difference.as_ref()));
         note.option("derived", derived(outcome.derived.as_ref()));
-        if let Some(correction) = &outcome.correction {
-            note.gap();
-            note.add("corrected", &self.cut(&correction.statement.text));
-            note.list("by", edits(correction));
-        }
         if let Some(data) = &outcome.data {
             note.gap();
             note.list("right if", data.in_words().into_iter());
         }
         note.gap();
-        note.option("found", outcome.finding.as_deref().map(torse_report::plain));
+        note.list(resting.label, resting.rows.into_iter());
+        note.gap();
+        note.add("paper", &format!("{}, {}", paper.title, paper.venue));
+        note.add("where", &outcome.at);
+        note.option("our reading", outcome.reading.as_deref());
+        let assumed = outcome.assumed.iter();
+        let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
+        note.list("assuming", assumed.map(|h| self.cut(&h.formula.text)));
+        self.rests(&mut note, outcome);
         note.option("copy at hand", outcome.garbled.as_deref());
         note.option("note", outcome.note.as_deref());
         note.list("uses", outcome.uses.iter().cloned());
-        note.list(resting.label, resting.rows.into_iter());
+        note.gap();
+        note.option(
+            "evidence",
+            words::evidence_on(outcome).map(|of| format!("{}. {}", of.label, of.meaning)),
+        );
+        note.option("replayed", replayed(outcome));
+        note.option("kernel", kernel.then_some(ACCEPTED));
+        note.list("steps", counted(&outcome.steps).into_iter());
         format!("{}\n\n{}", terminal::heading(&outcome.id), note.text())
+    }
+
+    /// What is printed and what is to be read, or how the print was understood, what differs marked.
+    fn difference(&self, note: &mut Note, paper: &PaperOutcome, outcome: &Outcome) {
+        note.gap();
+        let mut changes = paper.faults.iter().flat_map(|fault| &fault.changes);
+        match changes.find(|change| change.claim == outcome.id) {
+            Some(change) => {
+                let [printed, reads] = difference(&change.printed, &change.reads);
+                note.add("printed", &printed);
+                note.add("to be read", &reads);
+                if change.printed != outcome.printed {
+                    note.add("in", &outcome.printed);
+                }
+            }
+            None => note.add("printed", &outcome.printed),
+        }
+        match (&outcome.parsed, &outcome.correction) {
+            (Some(parsed), Some(correction)) => {
+                let [understood, corrected] = difference(
+                    &parsed.text.replace("[]", ""),
+                    &correction.statement.text.replace("[]", ""),
+                );
+                note.add("understood", &self.cut(&understood));
+                note.add("corrected", &self.cut(&corrected));
+                note.list("by", edits(correction));
+            }
+            (parsed, _) => note.option("understood", self.formula(parsed.as_ref())),
+        }
     }
 
     fn rests(&self, note: &mut Note, outcome: &Outcome) {
@@ -139,12 +165,12 @@ impl Explain {
             let of = &reading.outcome;
             note.gap();
             note.add("read as", &format!("{}: {}", reading.name, reading.says));
+            note.add("verdict", &verdict(of));
             note.option("understood", self.formula(of.parsed.as_ref()));
             let assumed = of.assumed.iter();
             let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
             note.list("assuming", assumed.map(|h| self.cut(&h.formula.text)));
             self.rests(note, of);
-            note.add("verdict", &verdict(of));
             note.list("on condition", self.formulas(&of.conditions));
             note.list("steps", counted(&of.steps).into_iter());
             add_witness(note, of);
@@ -172,6 +198,41 @@ impl Explain {
             None => formula.to_owned(),
         }
     }
+}
+
+/// The one sentence that matters: the fault of which the authors are told, what the file found, or where the statement fails.
+fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
+    let told = outcome.finding.as_deref().map(torse_report::plain);
+    let shows = |fault: &&PaperFault| fault.shows.contains(&outcome.id);
+    let fault = paper
+        .faults
+        .iter()
+        .find(shows)
+        .filter(|fault| !fault.says.is_empty());
+    told.or_else(|| fault.map(|fault| torse_report::plain(&fault.says)))
+        .or_else(|| {
+            let refuted = matches!(outcome.verdict, Verdict::False | Verdict::Misprint);
+            let fails = || {
+                outcome
+                    .note
+                    .clone()
+                    .or_else(|| torse_report::failure_in_full(outcome))
+            };
+            refuted.then(fails).flatten()
+        })
+        .map(|text| torse_report::plain(&text))
+}
+
+/// The remarks that state what is true instead.
+fn true_forms(paper: &PaperOutcome, outcome: &Outcome) -> Vec<String> {
+    let shows = |fault: &&PaperFault| fault.shows.contains(&outcome.id);
+    let changes = paper
+        .faults
+        .iter()
+        .filter(shows)
+        .flat_map(|fault| &fault.changes);
+    let own = changes.filter(|change| change.claim == outcome.id);
+    own.filter_map(|change| change.remark.clone()).collect()
 }
 
 /// What the checker of proofs found.
@@ -237,7 +298,13 @@ fn add_witness(note: &mut Note, outcome: &Outcome) {
 fn derived_part(outcome: &Outcome) -> String {
     let steps = || outcome.steps.iter();
     let instance = steps().find_map(|step| step.strip_prefix("the instance "));
-    let entry = steps().find_map(|step| step.strip_prefix("entry ")?.strip_suffix(" differs"));
+    let entry = steps()
+        .find_map(|step| step.strip_prefix("entr"))
+        .and_then(|step| step.split_once(' '))
+        .map(|(_, list)| {
+            list.trim_end_matches(" differs")
+                .trim_end_matches(" differ")
+        });
     let mut of = vec![];
     of.extend(entry.map(|place| format!("entry {place}")));
     of.extend(instance.map(|values| format!("at {values}")));

@@ -14,7 +14,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use torse_report::model::Report as Model;
 use torse_report::{
-    FigureImage, Manuscript, Source, gallery, html_page, landing_page, verdicts_json_with_kernel,
+    Envelope, FigureImage, Manuscript, Source, gallery, html_page, landing_page,
+    verdicts_json_with_kernel,
 };
 use torse_verdicts::outcome::PaperOutcome;
 
@@ -60,7 +61,8 @@ impl Report {
         for paper in &papers {
             check_slug(&paper.head.id)?;
         }
-        let run = Run::of(&papers, self.budget, &mut mistakes);
+        let mut run = Run::of(&papers, self.budget, &mut mistakes);
+        run.restore(&papers, self.budget, &mut mistakes);
         let evaluated = figures::evaluated(&papers, &mut mistakes);
         guard::finished();
         // A report without a claim that the paper makes would not be one.
@@ -158,7 +160,9 @@ impl Report {
             }));
             for (ending, letter) in erratum::LETTERS {
                 let name = erratum::file(&paper.slug, ending);
-                documents.push(Document::new(name, move || letter(report)));
+                documents.push(Document::new(name, move || {
+                    letter(report, &Envelope::default())
+                }));
             }
         }
         documents.push(Document::new("summary.pdf", || {

@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use std::time::{Duration, Instant};
 use torse_syntax::derivation::{Claim, DerivationError, Paper};
 use torse_verdicts::engine::STANDARD_WORK;
+use torse_verdicts::faults::{faults, restore};
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 use torse_verdicts::stage::Stage;
 
@@ -79,15 +80,31 @@ impl Run {
                     Err(error) => mistakes.add(error),
                 }
             }
+            let faults = faults(paper, &outcomes).unwrap_or_else(|error| {
+                mistakes.add(error);
+                vec![]
+            });
             run.papers.push(PaperOutcome {
                 slug: paper.head.id.clone(),
                 title: paper.head.title.clone(),
                 authors: paper.head.authors.clone(),
                 venue: paper.head.venue.clone(),
                 claims: outcomes,
+                faults,
+                restored: vec![],
             });
         }
         run
+    }
+
+    /// Decides the claims in which faults show once more, with all corrections of their paper in force.
+    pub fn restore(&mut self, papers: &[Paper], budget: Budget, mistakes: &mut Mistakes) {
+        for (paper, outcome) in papers.iter().zip(&mut self.papers) {
+            match restore(budget.units, paper, outcome) {
+                Ok(restored) => outcome.restored = restored,
+                Err(error) => mistakes.add(error),
+            }
+        }
     }
 
     /// All outcomes, in file order.

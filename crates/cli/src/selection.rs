@@ -33,6 +33,7 @@ pub fn select(
         Paper {
             claims: paper.claims.into_iter().filter(wanted).collect(),
             own_figures: if whole { paper.own_figures } else { vec![] },
+            corrigenda: paper.corrigenda,
             ..paper
         }
     });
@@ -47,6 +48,7 @@ pub fn only(papers: &[Paper], ids: &[&str]) -> Vec<Paper> {
             head: paper.head.clone(),
             declarations: paper.declarations.clone(),
             claims: paper.claims.iter().filter(wanted).cloned().collect(),
+            corrigenda: paper.corrigenda.clone(),
             own_figures: vec![],
         }
     });

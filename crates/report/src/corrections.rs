@@ -1,7 +1,7 @@
 //! What is false as printed, and what is to be read instead, in the order of what rests on it.
 
 use crate::findings::{self, Finding};
-use crate::math::{Names, Prose, spans};
+use crate::math::{Names, Prose, compared, spans};
 use crate::sentence;
 use crate::text::visible;
 use crate::view::{CorrectionView, FormulaView, correction, formula};
@@ -10,13 +10,15 @@ use serde::Serialize;
 use std::collections::BTreeSet;
 use torse_syntax::words::{Kind, Verdict};
 use torse_verdicts::consequences::{Fate, consequences};
-use torse_verdicts::outcome::Outcome;
+use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
 
 /// A statement that is false as printed.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Corrected {
     /// Which it is, what is printed, and what was found.
     pub finding: Finding,
+    /// The words of the paper and what is to be read instead, where the files tell of the fault.
+    pub reworded: Option<Reworded>,
     /// What is to be read instead, where a correction or a true form is proved.
     pub correction: Option<CorrectionView>,
     /// The statement as understood, where there is no correction.
@@ -35,11 +37,22 @@ pub struct Corrected {
     pub falling: usize,
 }
 
-impl Corrected {
-    /// Whether the finding says more than where the statement fails.
-    pub(crate) fn is_told(&self) -> bool {
-        self.why.is_some() || self.why_in_full.is_none()
-    }
+/// Words of the paper and what is to be read instead, with what differs marked.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Reworded {
+    /// As printed.
+    pub printed: Prose,
+    /// To be read.
+    pub reads: Prose,
+}
+
+/// What the files tell of a claim's fault.
+pub(crate) fn reworded(claim: &Outcome, faults: &[PaperFault]) -> Option<Reworded> {
+    let mut changes = faults.iter().flat_map(|fault| &fault.changes);
+    let change = changes.find(|change| change.claim == claim.id)?;
+    let names = Names::of(claim);
+    let [printed, reads] = compared(&visible(&change.printed), &visible(&change.reads), &names);
+    Some(Reworded { printed, reads })
 }
 
 /// Whether a claim of the paper is false as printed.
@@ -87,10 +100,11 @@ fn rank(claim: &Outcome) -> usize {
 
 /// The corrections of a paper.
 pub(crate) fn of(
-    claims: &[Outcome],
+    paper: &PaperOutcome,
     anchors: &[String],
     accepted: &BTreeSet<String>,
 ) -> Vec<Corrected> {
+    let claims = &paper.claims;
     let view = |(position, (resting, falling)): (usize, (usize, usize))| {
         let claim = claims.get(position)?;
         let names = Names::of(claim);
@@ -98,6 +112,7 @@ pub(crate) fn of(
         let parsed = claim.parsed.as_ref();
         Some(Corrected {
             finding: findings::about(claim, anchors.get(position)?),
+            reworded: reworded(claim, &paper.faults),
             correction: (claim.correction.as_ref())
                 .map(|repair| correction(parsed, repair, &names)),
             stated: match claim.correction {

@@ -1,35 +1,21 @@
-//! Corrections ready to be sent: to the authors, or to the journal.
-//!
-//! Only what is false under every honest reading, and is no confusion of the copy at hand, goes into a letter: where it
-//! stands, what is printed, what is to be read instead, and why, with the point at which the print fails.
+//! The letter of corrections written as Markdown and as LaTeX; its PDF is set from the same [`Letter`].
 
-use crate::corrections::Corrected;
 use crate::gallery::escaped;
+use crate::letter::{Envelope, Item, ItemChange};
 use crate::math::{Mathematics, Prose, Span, latex_words};
-use crate::model::{FormulaView, Report};
+use crate::model::Report;
+use crate::view::FormulaView;
 use std::fmt::{self, Write};
 
-/// The corrections of a paper that can be sent.
-pub(crate) fn certain(report: &Report) -> impl Iterator<Item = &Corrected> {
-    let list = report.corrections.iter();
-    list.filter(|one| one.garbled.is_none())
-}
+/// Stands on every page of a letter without a sender.
+pub(crate) const DRAFT: &str = "Draft: no sender is named";
 
-/// What the letter says first.
-pub(crate) fn opening(report: &Report) -> String {
-    let count = certain(report).count();
-    match count {
-        0 => format!(
-            "No statement of this paper was found to be false as printed: {}",
-            report.short.counts
-        ),
-        1 => "One statement of this paper is false as printed, in every reading that its words allow.".to_owned(),
-        _ => format!("{count} statements of this paper are false as printed, in every reading that their words allow. What most rests on comes first."),
-    }
-}
-
-/// How the corrections were found, for the end of the letter.
-pub(crate) const CLOSING: &str = "Each statement was refuted by an exact counterexample, computed and not typed. Where a formula is said to be read differently, the new one is proved. The report of the paper has the proofs, and every other statement.";
+/// The headings of the three parts of a letter.
+pub(crate) const PARTS: [&str; 3] = [
+    "Corrections",
+    "Conditions that the text should state",
+    "Please compare with the printed page",
+];
 
 /// The verification as an entry of a bibliography.
 fn bibliography(report: &Report) -> String {
@@ -48,64 +34,117 @@ fn line(text: &str) -> String {
     latex_words(&text.replace('\n', " ").replace('`', "'"))
 }
 
-/// The corrections as Markdown, with mathematics as repositories' pages set it.
+/// The items of the three parts.
+fn parts(report: &Report) -> [(&'static str, &[Item]); 3] {
+    let letter = &report.letter;
+    let lists = [&letter.corrections, &letter.conditions, &letter.questions];
+    let mut parts = PARTS.into_iter().zip(lists);
+    std::array::from_fn(|_| {
+        parts
+            .next()
+            .map_or(("", [].as_slice()), |(name, list)| (name, list.as_slice()))
+    })
+}
+
+/// The letter as Markdown, with mathematics as repositories' pages set it.
 #[must_use]
-pub fn erratum_markdown(report: &Report) -> String {
+pub fn erratum_markdown(report: &Report, envelope: &Envelope) -> String {
     let mut out = String::new();
     // A string does not refuse to be written to.
-    let _ = markdown(&mut out, report);
+    let _ = markdown(&mut out, report, &envelope.cleared());
     out
 }
 
-fn markdown(out: &mut String, report: &Report) -> fmt::Result {
+fn markdown(out: &mut String, report: &Report, envelope: &Envelope) -> fmt::Result {
+    write!(out, "# Corrections to “{}”\n\n", escaped(&report.title))?;
+    if envelope.sender.is_none() {
+        write!(out, "**{DRAFT}.**\n\n")?;
+    }
     write!(
         out,
-        "# Corrections to “{}”\n\n{}, *{}*\n\n{}\n",
-        escaped(&report.title),
+        "To: {}\n\nPaper: *{}*\n\n",
         escaped(&report.authors),
-        escaped(&report.venue),
-        opening(report)
+        escaped(&report.venue)
     )?;
-    for (number, one) in (1..).zip(certain(report)) {
-        let finding = &one.finding;
-        write!(out, "\n## {number}. {}\n\n", escaped(&finding.at))?;
-        match &one.correction {
-            Some(repair) => {
-                out.push_str("Printed:\n\n");
-                match &repair.printed {
-                    Some(view) => markdown_display(out, view)?,
-                    None => write!(out, "> {}\n\n", Markdown(&finding.printed))?,
-                }
-                out.push_str("To be read:\n\n");
-                markdown_display(out, &repair.statement)?;
-            }
-            None => write!(out, "Printed:\n\n> {}\n\n", Markdown(&finding.printed))?,
+    if let Some(sender) = &envelope.sender {
+        write!(out, "From: {}\n\n", escaped(sender))?;
+    }
+    if let Some(date) = &envelope.date {
+        write!(out, "Date: {}\n\n", escaped(date))?;
+    }
+    let letter = &report.letter;
+    write!(
+        out,
+        "{}\n\n{}\n",
+        escaped(&letter.salutation),
+        escaped(&letter.opening)
+    )?;
+    for (name, items) in parts(report) {
+        if items.is_empty() {
+            continue;
         }
-        if one.is_told() {
-            writeln!(out, "{}", Markdown(&finding.text))?;
-        }
-        if let Some(why) = &one.why_in_full {
-            write!(out, "\n*Why:* {}.\n", Markdown(why))?;
-        }
-        if let Some(level) = one.level {
-            write!(
-                out,
-                "\n*Level of assurance:* {}. {}\n",
-                level.label, level.meaning
-            )?;
+        write!(out, "\n## {name}\n")?;
+        for (number, item) in (1..).zip(items) {
+            markdown_item(out, number, item)?;
         }
     }
-    if certain(report).next().is_some() {
-        write!(out, "\n{CLOSING}\n")?;
+    if !letter.closing.is_empty() {
+        write!(out, "\n## How this was checked\n")?;
+    }
+    for text in &letter.closing {
+        write!(out, "\n{}\n", escaped(text))?;
+    }
+    if let Some(sender) = &envelope.sender {
+        write!(out, "\nYours sincerely,\n\n{}\n", escaped(sender))?;
     }
     write!(out, "\n```bibtex\n{}```\n", bibliography(report))
 }
 
-fn markdown_display(out: &mut String, view: &FormulaView) -> fmt::Result {
-    match &view.math {
-        Some(math) => write!(out, "```math\n{}\n```\n\n", math.latex),
-        None => write!(out, "    {}\n\n", view.text.replace('\n', " ")),
+fn markdown_item(out: &mut String, number: usize, item: &Item) -> fmt::Result {
+    write!(
+        out,
+        "\n### {number}. {}\n\n{}\n",
+        Markdown(&item.heading),
+        Markdown(&item.says)
+    )?;
+    for change in &item.changes {
+        let at = change.at.as_ref().map(|at| format!(" ({})", Markdown(at)));
+        write!(
+            out,
+            "\nPrinted{}:\n\n> {}\n",
+            at.unwrap_or_default(),
+            Markdown(&change.printed)
+        )?;
+        if let Some(reads) = &change.reads {
+            write!(out, "\nTo be read:\n\n> {}\n", Markdown(reads))?;
+        }
+        for (label, view) in formulas(change) {
+            write!(out, "\n{label}:\n\n")?;
+            match &view.math {
+                Some(math) => write!(out, "```math\n{}\n```\n", math.latex)?,
+                None => writeln!(out, "    {}", view.text.replace('\n', " "))?,
+            }
+        }
     }
+    if let Some(why) = &item.why {
+        write!(out, "\n*Counterexample:* {}.\n", Markdown(why))?;
+    }
+    if !item.also.is_empty() {
+        let also: Vec<String> = (item.also.iter())
+            .map(|at| Markdown(at).to_string())
+            .collect();
+        write!(out, "\nIt shows in: {}.\n", also.join("; "))?;
+    }
+    Ok(())
+}
+
+/// How the words were understood, and the correction that was found of that.
+fn formulas(change: &ItemChange) -> Vec<(&'static str, &FormulaView)> {
+    let Some(repair) = &change.formula else {
+        return vec![];
+    };
+    let printed = repair.printed.iter().map(|view| ("That is", view));
+    printed.chain([("To be read", &repair.statement)]).collect()
 }
 
 /// A sentence as Markdown.
@@ -124,32 +163,70 @@ impl fmt::Display for Markdown<'_> {
     }
 }
 
-/// The corrections as a document of LaTeX, with nothing but amsmath.
+/// The letter as a document of LaTeX, with nothing but amsmath.
 #[must_use]
-pub fn erratum_latex(report: &Report) -> String {
+pub fn erratum_latex(report: &Report, envelope: &Envelope) -> String {
     let mut out = String::new();
     // A string does not refuse to be written to.
-    let _ = latex(&mut out, report);
+    let _ = latex(&mut out, report, &envelope.cleared());
     out
 }
 
-fn latex(out: &mut String, report: &Report) -> fmt::Result {
+/// What stands before the text: frames around what changes, as large as the script that they stand in.
+const PREAMBLE: &str = "\\documentclass[11pt,a4paper]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath,amssymb}\n\
+    \\allowdisplaybreaks\n\\setlength{\\parindent}{0pt}\n\\setlength{\\parskip}{6pt}\n\\setlength{\\textwidth}{16cm}\n\\setlength{\\oddsidemargin}{0pt}\n\
+    \\raggedright\n\\sloppy\n\\relpenalty=0\n\\binoppenalty=0\n\
+    \\newcommand{\\framedin}[2]{\\fbox{$#1#2$}}\n\
+    \\renewcommand{\\boxed}[1]{{\\setlength{\\fboxsep}{1.2pt}\\mathpalette\\framedin{#1}}}\n";
+
+fn latex(out: &mut String, report: &Report, envelope: &Envelope) -> fmt::Result {
+    out.push_str(PREAMBLE);
+    let head = match envelope.sender {
+        Some(_) => "",
+        None => DRAFT,
+    };
     write!(
         out,
-        "\\documentclass[11pt,a4paper]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage[T1]{{fontenc}}\n\\usepackage{{amsmath,amssymb}}\n\
-         \\allowdisplaybreaks\n\\setlength{{\\parindent}}{{0pt}}\n\\setlength{{\\parskip}}{{6pt}}\n\\emergencystretch=3em\n\\setlength{{\\textwidth}}{{16cm}}\n\\setlength{{\\oddsidemargin}}{{0pt}}\n\n\
-         \\title{{Corrections to ``{}''}}\n\\author{{{}\\\\ \\textit{{{}}}}}\n\\date{{}}\n\n\\begin{{document}}\n\\maketitle\n\n{}\n",
+        "\\pagestyle{{myheadings}}\n\\markright{{{head}}}\n\n\\begin{{document}}\n{{\\Large\\bfseries Corrections to ``{}''\\par}}\n\nTo: {}\n\nPaper: \\textit{{{}}}\n\n",
         latex_words(&report.title),
         latex_words(&report.authors),
         latex_words(&report.venue),
-        latex_words(&opening(report))
     )?;
-    if certain(report).next().is_some() {
-        out.push_str("\n\\begin{enumerate}\n");
-        for one in certain(report) {
-            latex_entry(out, one)?;
+    if let Some(sender) = &envelope.sender {
+        write!(out, "From: {}\n\n", latex_words(sender))?;
+    }
+    if let Some(date) = &envelope.date {
+        write!(out, "Date: {}\n\n", latex_words(date))?;
+    }
+    let letter = &report.letter;
+    write!(
+        out,
+        "\\bigskip\n{}\n\n{}\n",
+        latex_words(&letter.salutation),
+        latex_words(&letter.opening)
+    )?;
+    for (name, items) in parts(report) {
+        if items.is_empty() {
+            continue;
         }
-        write!(out, "\\end{{enumerate}}\n\n{CLOSING}\n")?;
+        write!(out, "\n\\subsection*{{{name}}}\n\\begin{{enumerate}}\n")?;
+        for item in items {
+            latex_item(out, item)?;
+        }
+        out.push_str("\\end{enumerate}\n");
+    }
+    if !letter.closing.is_empty() {
+        out.push_str("\n\\subsection*{How this was checked}\n");
+    }
+    for text in &letter.closing {
+        write!(out, "\n{}\n", latex_words(text))?;
+    }
+    if let Some(sender) = &envelope.sender {
+        write!(
+            out,
+            "\n\\bigskip\nYours sincerely,\n\n{}\n",
+            latex_words(sender)
+        )?;
     }
     let entry = bibliography(report);
     let entry = entry.lines().map(|line| format!("% {line}\n"));
@@ -160,35 +237,39 @@ fn latex(out: &mut String, report: &Report) -> fmt::Result {
     )
 }
 
-fn latex_entry(out: &mut String, one: &Corrected) -> fmt::Result {
-    let finding = &one.finding;
-    write!(out, "\\item \\textbf{{{}.}} ", latex_words(&finding.at))?;
-    let quotation = Latex(&finding.printed);
-    match &one.correction {
-        Some(repair) => {
-            match &repair.printed {
-                Some(view) => latex_display(out, "Printed:", view)?,
-                None => write!(out, "Printed: ``{quotation}''.\n\n")?,
-            }
-            latex_display(out, "To be read:", &repair.statement)?;
-        }
-        None => write!(out, "Printed: ``{quotation}''.\n\n")?,
-    }
-    if one.is_told() {
-        writeln!(out, "{}", Latex(&finding.text))?;
-    }
-    if let Some(why) = &one.why_in_full {
-        write!(out, "\n\\emph{{Why:}} {}.\n", Latex(why))?;
-    }
-    if let Some(level) = one.level {
-        write!(
+fn latex_item(out: &mut String, item: &Item) -> fmt::Result {
+    write!(
+        out,
+        "\\item \\textbf{{{}.}} {}\n\n",
+        Latex(&item.heading),
+        Latex(&item.says)
+    )?;
+    for change in &item.changes {
+        let at = change.at.as_ref().map(|at| format!(" ({})", Latex(at)));
+        writeln!(
             out,
-            "\n\\emph{{Level of assurance:}} {}. {}\n",
-            level.label,
-            latex_words(level.meaning)
+            "Printed{}:\n\\begin{{quote}}{}\\end{{quote}}",
+            at.unwrap_or_default(),
+            Latex(&change.printed)
         )?;
+        if let Some(reads) = &change.reads {
+            writeln!(
+                out,
+                "To be read:\n\\begin{{quote}}{}\\end{{quote}}",
+                Latex(reads)
+            )?;
+        }
+        for (label, view) in formulas(change) {
+            latex_display(out, label, view)?;
+        }
     }
-    out.push('\n');
+    if let Some(why) = &item.why {
+        write!(out, "\\emph{{Counterexample:}} {}.\n\n", Latex(why))?;
+    }
+    if !item.also.is_empty() {
+        let also: Vec<String> = (item.also.iter()).map(|at| Latex(at).to_string()).collect();
+        write!(out, "It shows in: {}.\n\n", also.join("; "))?;
+    }
     Ok(())
 }
 
@@ -197,10 +278,10 @@ fn latex_display(out: &mut String, label: &str, view: &FormulaView) -> fmt::Resu
     match &view.math {
         Some(math) => writeln!(
             out,
-            "{label}\n\\begin{{multline*}}\n{}\n\\end{{multline*}}",
+            "{label}:\n\\begin{{multline*}}\n{}\n\\end{{multline*}}",
             lines(math)
         ),
-        None => writeln!(out, "{label} \\texttt{{{}}}\n", latex_words(&view.text)),
+        None => writeln!(out, "{label}: \\texttt{{{}}}\n", latex_words(&view.text)),
     }
 }
 

@@ -4,7 +4,7 @@
 //! data and the pictures. Its fingerprint tells whether a document that was set before is still the one that setting
 //! it again would give.
 
-use crate::corrections::Corrected;
+use crate::letter::Envelope;
 use crate::model::{Report, figure_file};
 use crate::words::{self, EVIDENCE, RULES, Rule, Term, VERDICTS};
 use crate::world::{MemoryWorld, has_glyph};
@@ -13,7 +13,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 /// Changes whenever the same manuscript is set or written in another way, so that every fingerprint does.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 const TEMPLATES: [(&str, &str); 4] = [
     ("theme.typ", include_str!("../assets/theme.typ")),
@@ -92,12 +92,12 @@ impl Manuscript {
     /// # Errors
     ///
     /// [`ReportError::Json`] when the reports cannot be written as data.
-    pub fn erratum(report: &Report) -> Result<Self, ReportError> {
-        let data = Letter {
+    pub fn erratum(report: &Report, envelope: &Envelope) -> Result<Self, ReportError> {
+        let data = Sheet {
             content: report,
-            corrections: erratum::certain(report).collect(),
-            opening: erratum::opening(report),
-            closing: erratum::CLOSING,
+            envelope: envelope.cleared(),
+            draft: erratum::DRAFT,
+            parts: erratum::PARTS,
         };
         let identifier = format!("{}-erratum", report.slug);
         Self::new(
@@ -171,11 +171,11 @@ struct Data<C> {
 }
 
 #[derive(Serialize)]
-struct Letter<'a> {
+struct Sheet<'a> {
     content: &'a Report,
-    corrections: Vec<&'a Corrected>,
-    opening: String,
-    closing: &'static str,
+    envelope: Envelope,
+    draft: &'static str,
+    parts: [&'static str; 3],
 }
 
 #[derive(Serialize)]

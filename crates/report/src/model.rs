@@ -10,6 +10,7 @@ pub(crate) use build::figure_file;
 
 use crate::corrections::Corrected;
 use crate::findings::Finding;
+use crate::letter::Letter;
 use crate::math::Prose;
 use crate::short::Short;
 use crate::source::Source;
@@ -38,6 +39,8 @@ pub struct Report {
     pub short: Short,
     /// What the paper builds and states by name, and whether it can be used.
     pub constructions: Vec<Construction>,
+    /// What its authors are told.
+    pub letter: Letter,
     /// What is false as printed, and what is to be read instead; what most rests on first.
     pub corrections: Vec<Corrected>,
     /// What was found out, in plain words.

@@ -61,6 +61,20 @@ pub(crate) fn of(claim: &Outcome) -> String {
 }
 
 /// With a capital letter and a full stop.
+pub(crate) fn finished(text: &str) -> String {
+    sentence(text)
+}
+
+/// The exact point at which a formula fails, with both sides and their difference.
+pub(crate) fn counterexample(claim: &Outcome) -> Option<String> {
+    claim.witness.as_ref()?;
+    match denied(claim) {
+        Some(_) => None,
+        None => failure_in_full(claim),
+    }
+}
+
+/// With a capital letter and a full stop.
 fn sentence(text: &str) -> String {
     let text = capital(text.trim());
     match text.ends_with(['.', '!', '?']) {
@@ -200,6 +214,11 @@ fn compared(
                 end(place)
             )
         }
+        // A bound before the value: told of the value.
+        (_, _, false) if number_left => format!(
+            "{shown_right} is {value_right}{}, and {value_left} is not {wanted} that",
+            end(place)
+        ),
         (_, _, true) => format!(
             "{shown_left} is {value_left}{}, which is not {wanted} {value_right}",
             end(place)
@@ -277,7 +296,7 @@ pub(crate) fn denied(claim: &Outcome) -> Option<String> {
     let so = opposite(&statement).map(|so| text(&so));
     Some(match so {
         Some(so) if so.chars().count() <= LONGEST_LIST => format!("{place}`{so}` everywhere"),
-        _ => format!("{place}what it denies holds everywhere"),
+        _ => format!("{place}the opposite is true everywhere"),
     })
 }
 

@@ -158,8 +158,14 @@ pub fn long(text: &str) -> Option<String> {
     }
     let terms = terms(text);
     Some(match text.strip_suffix("!= 0") {
-        Some(_) => format!("a polynomial of {terms} terms is not 0 (`torse explain` has it)"),
-        None => format!("a formula of {terms} terms (`torse explain` has it)"),
+        Some(_) => format!(
+            "a polynomial of {} is not 0 (`torse explain` has it)",
+            plural(terms, "term")
+        ),
+        None => format!(
+            "a formula of {} (`torse explain` has it)",
+            plural(terms, "term")
+        ),
     })
 }
 
@@ -226,7 +232,7 @@ pub const fn verdict(of: Verdict) -> Term {
         Verdict::Depends => (
             "depends",
             "depends on the reading",
-            "The sentence has more than one honest reading, and they have different verdicts; each is given. This says nothing against the statement.",
+            "The sentence has more than one honest reading, and they have different verdicts; each is given.",
         ),
         Verdict::Undecided => (
             "undecided",
@@ -419,6 +425,7 @@ pub const fn flag(of: Flag) -> &'static str {
         Flag::UnstatedReading => "unstated-reading",
         Flag::UnstatedRelation => "unstated-relation",
         Flag::UnneededHypothesis => "unneeded-hypothesis",
+        Flag::QuoteSaysOtherwise => "quote-says-otherwise",
     }
 }
 

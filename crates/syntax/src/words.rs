@@ -102,4 +102,6 @@ pub enum Flag {
     UnstatedRelation,
     /// A hypothesis of ours is not needed.
     UnneededHypothesis,
+    /// The quotation of a hypothesis does not say it.
+    QuoteSaysOtherwise,
 }

@@ -8,6 +8,7 @@ use serde::de::{Deserializer, Error as _, Visitor};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
+use torse_syntax::derivation::schema::corrigendum::{ChangeEntry, CorrigendumEntry};
 use torse_syntax::derivation::schema::figure::{
     Aspect, Border, ColourMap, Dash, FigureEntry, Frame, LayerEntry, Legend, Marker, NamedColour,
     PanelEntry, PieceEntry, Place, Rulings, ScaleEntry, Shape, Style, TorseEntry,
@@ -79,6 +80,8 @@ fn the_schema_has_the_entries_that_the_reader_knows() {
         ("claim", names::<ClaimEntry>()),
         ("reading", names::<ReadingEntry>()),
         ("answer", names::<AnswerEntry>()),
+        ("corrigendum", names::<CorrigendumEntry>()),
+        ("change", names::<ChangeEntry>()),
         ("figure", names::<FigureEntry>()),
         ("torse", names::<TorseEntry>()),
         ("piece", names::<PieceEntry>()),

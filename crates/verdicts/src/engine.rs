@@ -1,5 +1,6 @@
 //! Running claims: from a loaded paper to outcomes.
 
+use crate::faults::faults;
 use crate::outcome::{Outcome, PaperOutcome};
 use crate::stage::Stage;
 use rayon::prelude::*;
@@ -22,12 +23,15 @@ pub fn run(paper: &Paper, done: &(dyn Fn() + Sync)) -> Result<PaperOutcome, Box<
             outcome
         })
         .collect();
+    let claims: Vec<Outcome> = outcomes.into_iter().collect::<Result<_, _>>()?;
     Ok(PaperOutcome {
         slug: paper.head.id.clone(),
         title: paper.head.title.clone(),
         authors: paper.head.authors.clone(),
         venue: paper.head.venue.clone(),
-        claims: outcomes.into_iter().collect::<Result<_, _>>()?,
+        faults: faults(paper, &claims)?,
+        claims,
+        restored: vec![],
     })
 }
 

@@ -12,7 +12,7 @@ use torse_prove::decide::order::enclosure;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::quantity::Quantity;
 use torse_prove::evaluate::value::Value;
-use torse_syntax::derivation::{Claim, DerivationError, Form, Piece, Written};
+use torse_syntax::derivation::{Claim, DerivationError, Finding, Form, Piece, Written};
 use torse_syntax::formula::parse;
 
 /// Digits that count, where the file asks for none.
@@ -30,9 +30,22 @@ const SIMPLE: i64 = 100;
 ///
 /// A hole that is no number where the finding is told, at its place in the file.
 pub fn told(claim: &Claim, outcome: &Outcome) -> Result<Option<String>, Box<DerivationError>> {
-    let Some(finding) = &claim.finding else {
-        return Ok(None);
-    };
+    match &claim.finding {
+        Some(finding) => filled_in(claim, outcome, finding).map(Some),
+        None => Ok(None),
+    }
+}
+
+/// A sentence about a claim with its holes filled.
+///
+/// # Errors
+///
+/// A hole that is no number where the claim fails, at its place in the file.
+pub fn filled_in(
+    claim: &Claim,
+    outcome: &Outcome,
+    finding: &Finding,
+) -> Result<String, Box<DerivationError>> {
     let mut evaluator = Evaluator::new(&claim.declarations);
     for (name, value) in outcome.witness.iter().flat_map(|witness| &witness.at) {
         if let Some(value) = exact(claim, value) {
@@ -51,7 +64,7 @@ pub fn told(claim: &Claim, outcome: &Outcome) -> Result<Option<String>, Box<Deri
             Piece::Hole(formula, form) => text.push_str(&filled(&evaluator, formula, *form)?),
         }
     }
-    Ok(Some(text))
+    Ok(text)
 }
 
 /// The number that a witness writes.

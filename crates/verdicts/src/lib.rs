@@ -15,6 +15,7 @@ mod conjunction;
 pub mod consequences;
 pub mod derive;
 pub mod engine;
+pub mod faults;
 mod finding;
 pub mod grounds;
 mod meant;

@@ -149,7 +149,7 @@ fn a_proved_relation_says_whether_its_ranges_are_sharp() {
     let sharp = steps("sharp", "(1 - sin(pi/2*x))*(1 - mu*sin(pi/2*x)) >= 0");
     assert!(
         sharp.contains(
-            &"the range of mu cannot be widened by 1/1024: it fails at mu = 1025/1024, tan(pi/4*x) = 31/32"
+            &"outside of the range of mu, by 1/1024, it fails: at mu = 1025/1024, tan(pi/4*x) = 31/32"
                 .to_owned()
         ),
         "{sharp:?}"

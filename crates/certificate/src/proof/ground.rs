@@ -203,7 +203,7 @@ where
                     .map(|(text, value)| format!(", {text} = {value}"));
                 let others: String = others.collect();
                 format!(
-                    "the range of {name} cannot be widened by {by}: it fails at {name} = {at}{others}"
+                    "outside of the range of {name}, by {by}, it fails: at {name} = {at}{others}"
                 )
             }
             Self::Wider { name, to } => {

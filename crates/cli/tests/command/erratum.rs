@@ -28,13 +28,13 @@ fn the_corrections_of_a_paper_are_written_in_three_forms_and_the_same_twice() {
     );
     for text in [&tex, &markdown] {
         assert!(
-            text.contains("eq. (slip)") && text.contains("One statement"),
+            text.contains("eq. (slip)") && text.contains("One place needs a correction"),
             "{text}"
         );
-        assert!(
-            !text.contains("eq. (copy)") && !text.contains("eq. (right)"),
-            "{text}"
-        );
+        let (corrections, questions) = text.split_once("Please compare").unwrap();
+        assert!(!corrections.contains("eq. (copy)"), "{text}");
+        assert!(questions.contains("eq. (copy)"), "{text}");
+        assert!(!text.contains("eq. (right)"), "{text}");
         assert!(text.contains("@misc{torse-mini"), "{text}");
     }
     assert!(tex.starts_with("\\documentclass") && tex.ends_with("\\end{document}\n"));
@@ -48,10 +48,68 @@ fn a_paper_without_corrections_gets_a_letter_that_says_so() {
     let ran = on(folder.path(), &["erratum", "mini", "--out", path]);
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     let letter = fs::read_to_string(out.path().join("mini-erratum.md")).unwrap();
+    assert!(letter.contains("None was found to be false"), "{letter}");
+}
+
+const FAULT: &str = r#"
+[[corrigendum]]
+id = "mini/corrigendum.coefficient"
+says = "the coefficient is {a}, and not {b}"
+shows = ["mini/slip", "mini/product"]
+define = { b = '2' }
+[[corrigendum.change]]
+claim = "mini/slip"
+reads = "y = 2 x"
+states = 'x + x == 2*x'
+"#;
+
+#[test]
+fn all_corrections_of_a_letter_are_in_force_together_when_it_is_verified() {
+    let slip = claim("slip", "x + x == 3*x", "let = { a = '2', b = '3' }");
+    let product = claim("product", "(x + x)*x == b*x^2", "let = { b = '3' }");
+    let folder = mini(&[slip, product, FAULT.to_owned()].concat());
+    let out = TempDir::new().unwrap();
+    let path = out.path().to_str().unwrap();
+    let letter = |more: &[&str]| {
+        let words = [&["erratum", "mini", "--out", path], more].concat();
+        let ran = on(folder.path(), &words);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        (
+            ran.out,
+            fs::read_to_string(out.path().join("mini-erratum.md")).unwrap(),
+        )
+    };
+    let (_, plain) = letter(&[]);
     assert!(
-        letter.contains("No statement of this paper was found to be false"),
-        "{letter}"
+        plain.contains("The coefficient is 2, and not 3."),
+        "{plain}"
     );
+    assert_eq!(plain.matches("\n### ").count(), 1, "{plain}");
+    assert!(!plain.contains("in force at once"), "{plain}");
+    let (said, verified) = letter(&["--verify"]);
+    assert!(said.contains("mini/product  holds"), "{said}");
+    assert!(
+        verified
+            .contains("the 2 statements in which the faults show were decided again: 2 are true."),
+        "{verified}"
+    );
+}
+
+#[test]
+fn a_fault_names_claims_of_its_paper_and_quotes_their_prints() {
+    let wrong = FAULT
+        .replace("\"mini/product\"", "\"mini/nothing\"")
+        .replace("reads", "printed = \"z\"\nreads");
+    let slip = claim("slip", "x + x == 3*x", "let = { a = '2', b = '3' }");
+    let folder = mini(&[slip, wrong].concat());
+    let ran = on(folder.path(), &["erratum", "mini"]);
+    assert_eq!(ran.code, Some(4), "{}", ran.err);
+    for told in [
+        "no claim has the id `mini/nothing`",
+        "these words are not in the print of `mini/slip`",
+    ] {
+        assert!(ran.err.contains(told), "{told}: {}", ran.err);
+    }
 }
 
 #[test]

@@ -31,6 +31,14 @@ fn a_refuted_claim_is_explained_with_both_sides_at_a_point() {
             ran.out
         );
     }
+    // The answer comes first.
+    let first = ran.out.lines().nth(2).unwrap();
+    assert!(first.trim_start().starts_with("verdict"), "{}", ran.out);
+    assert!(
+        ran.out.contains("x»^2« + 3*x") && ran.out.contains("x»*(x - 1)« + 3*x"),
+        "{}",
+        ran.out
+    );
     let used = on(folder.path(), &["explain", "mini/right"]);
     assert!(
         used.out.contains("used by") && used.out.contains("mini/wrong"),
@@ -156,8 +164,8 @@ readings = [
     let plain = ran.out.split_whitespace().collect::<Vec<_>>().join(" ");
     for told in [
         "verdict depends on the reading.",
-        "read as literal: all x are understood x > 0",
-        "read as kind: x is not negative understood x >= 0",
+        "read as literal: all x are verdict false.",
+        "read as kind: x is not negative verdict holds.",
         "fails at x = 0",
     ] {
         assert!(plain.contains(told), "{told} is not in {plain}");

@@ -87,6 +87,8 @@ pub fn sample() -> PaperOutcome {
         authors: "A. Ångström, B. Øst & C. Müller".to_owned(),
         venue: "Journal of Invented Results 12 (2021) 459".to_owned(),
         claims: [basis(), conditions(), values(), rest()].concat(),
+        faults: vec![],
+        restored: vec![],
     }
 }
 

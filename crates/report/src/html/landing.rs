@@ -123,10 +123,12 @@ fn usable(report: &Report) -> String {
         (0, ..) => "Usable with corrections.".to_owned(),
         (_, 0, _) => "Usable as printed, under the conditions that the report states.".to_owned(),
         (_, bad, corrected) if bad == corrected => format!(
-            "Usable with corrections: {corrected} of {all} theorems, algorithms and examples need one."
+            "Usable with corrections: {corrected} of {all} theorems, algorithms and examples {} one.",
+            if corrected == 1 { "needs" } else { "need" }
         ),
         (_, bad, corrected) => format!(
-            "Usable in parts: of {all} theorems, algorithms and examples {corrected} need a correction, and {} cannot be used as printed.",
+            "Usable in parts: of {all} theorems, algorithms and examples {corrected} {} a correction, and {} cannot be used as printed.",
+            if corrected == 1 { "needs" } else { "need" },
             bad - corrected
         ),
     }

@@ -7,6 +7,7 @@ use super::text::{Sentence, Text, badge, formula};
 use crate::Tally;
 use crate::corrections::Corrected;
 use crate::findings::Finding;
+use crate::math::Prose;
 use crate::model::Report;
 use crate::usable::{Answer, Construction};
 use crate::words::{self, DECIDED, EVIDENCE, KERNEL, NETTED, RULES, VERDICTS};
@@ -138,7 +139,7 @@ fn corrections(out: &mut String, list: &[Corrected]) -> fmt::Result {
         out.push_str("<p>No statement was found false as printed.</p></section>\n");
         return Ok(());
     }
-    out.push_str("<p>What is false as printed, and what is to be read instead; what most rests on comes first. Struck out is what goes, underlined what comes.</p>\n<ol>");
+    out.push_str("<p>What is false as printed, and what is to be read instead; what most rests on comes first. What changes is framed.</p>\n<ol>");
     for one in list {
         let finding = &one.finding;
         writeln!(
@@ -149,14 +150,25 @@ fn corrections(out: &mut String, list: &[Corrected]) -> fmt::Result {
             Text(&finding.name),
             badge(finding.verdict),
         )?;
-        match &one.correction {
-            Some(repair) => correction(out, repair)?,
-            None => write!(
+        let quote = |out: &mut String, words: &Prose| {
+            write!(
                 out,
                 "<blockquote class=\"printed v-{}\">{}</blockquote>",
                 finding.verdict.key,
-                Sentence(&finding.printed)
-            )?,
+                Sentence(words)
+            )
+        };
+        match (&one.reworded, &one.correction) {
+            (Some(reworded), _) => {
+                quote(out, &reworded.printed)?;
+                out.push_str("<p class=\"meta\">to be read</p>");
+                quote(out, &reworded.reads)?;
+            }
+            (None, Some(repair)) => {
+                quote(out, &finding.printed)?;
+                correction(out, repair)?;
+            }
+            (None, None) => quote(out, &finding.printed)?,
         }
         write!(out, "<p>{}", Sentence(&finding.text))?;
         if let (Some(_), Some(why)) = (&one.correction, &one.why) {

@@ -7,6 +7,7 @@
 use super::layout::{ADDED, REMOVED, layout};
 use super::tidy::{factors, sum, terms, tidy};
 use super::{Names, Node as Shown, expression};
+use crate::difference::common;
 use torse_syntax::formula::{Connective, Expr, Node, Operator};
 
 /// Formulas of more nodes than this are not compared.
@@ -246,7 +247,7 @@ fn aligned(old: &[Expr], new: &[Expr]) -> (Vec<Expr>, Vec<Expr>, usize) {
         shown_new.extend(kept.cloned());
     };
     let (mut i, mut j) = (0, 0);
-    for (next_i, next_j) in common(old, new) {
+    for (next_i, next_j) in common(old, new, |a, b| a == b) {
         let a = old.get(i..next_i).unwrap_or_default();
         let b = new.get(j..next_j).unwrap_or_default();
         gap(a, b, old.get(next_i));
@@ -256,38 +257,6 @@ fn aligned(old: &[Expr], new: &[Expr]) -> (Vec<Expr>, Vec<Expr>, usize) {
     let b = new.get(j..).unwrap_or_default();
     gap(a, b, None);
     (shown_old, shown_new, marked)
-}
-
-/// The positions of a longest common subsequence.
-fn common(old: &[Expr], new: &[Expr]) -> Vec<(usize, usize)> {
-    let width = new.len() + 1;
-    // lengths[i * width + j] is the length of a longest common subsequence of old[i..] and new[j..].
-    let mut lengths = vec![0_usize; (old.len() + 1) * width];
-    let at =
-        |lengths: &[usize], i: usize, j: usize| lengths.get(i * width + j).copied().unwrap_or(0);
-    for (i, a) in old.iter().enumerate().rev() {
-        for (j, b) in new.iter().enumerate().rev() {
-            let length = match a == b {
-                true => at(&lengths, i + 1, j + 1) + 1,
-                false => at(&lengths, i + 1, j).max(at(&lengths, i, j + 1)),
-            };
-            if let Some(cell) = lengths.get_mut(i * width + j) {
-                *cell = length;
-            }
-        }
-    }
-    let (mut i, mut j, mut list) = (0, 0, Vec::new());
-    while let (Some(a), Some(b)) = (old.get(i), new.get(j)) {
-        if a == b {
-            list.push((i, j));
-            (i, j) = (i + 1, j + 1);
-        } else if at(&lengths, i + 1, j) >= at(&lengths, i, j + 1) {
-            i += 1;
-        } else {
-            j += 1;
-        }
-    }
-    list
 }
 
 #[cfg(test)]

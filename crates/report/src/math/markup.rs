@@ -77,6 +77,19 @@ impl<'a> Reader<'a> {
                     let base = nodes.pop().unwrap_or(Node::Row(vec![]));
                     nodes.push(base.scripted(primes, None, None));
                 }
+                '²' | '³' => {
+                    self.next();
+                    let power = Node::Number(if next == '²' { "2" } else { "3" }.to_owned());
+                    let base = nodes.pop().unwrap_or(Node::Row(vec![]));
+                    nodes.push(base.scripted(0, None, Some(power)));
+                }
+                // A sign above a letter that stands behind it.
+                '\u{302}' | '\u{303}' if !nodes.is_empty() => {
+                    self.next();
+                    let sign = if next == '\u{302}' { '^' } else { '~' };
+                    let base = nodes.pop().unwrap_or(Node::Row(vec![]));
+                    nodes.push(Node::Accent(sign, Box::new(base)));
+                }
                 _ => nodes.extend(self.one()),
             }
         }
@@ -89,6 +102,10 @@ impl<'a> Reader<'a> {
             Some('{') => {
                 self.next();
                 self.group('}')
+            }
+            Some('(') if self.rest.contains(')') => {
+                self.next();
+                self.group(')')
             }
             Some(c) if c.is_ascii_digit() => {
                 Node::Number(self.take(|c| c.is_ascii_digit()).to_owned())
@@ -141,6 +158,8 @@ impl<'a> Reader<'a> {
                 let more = self.take(|c| c.is_ascii_alphabetic());
                 return Some(self.letters(&format!("{c}{more}")));
             }
+            'Ĝ' => Node::Accent('^', Box::new(Node::italic("G"))),
+            'Ĥ' => Node::Accent('^', Box::new(Node::italic("H"))),
             c if c.is_alphanumeric() => Node::Letter(c.to_string(), Face::Italic),
             '/' if matches!(self.peek(), Some('/' | '\\')) => match self.next() {
                 Some('/') => Node::Sign('∥'),
@@ -188,6 +207,20 @@ impl<'a> Reader<'a> {
         if root {
             self.next();
             return Node::Root(Box::new(self.group(')')));
+        }
+        if letters == "binom" && self.peek() == Some('(') {
+            self.next();
+            let Node::Row(inner) = self.group(')') else {
+                return Node::word(letters);
+            };
+            let comma = inner.iter().position(|node| *node == Node::Sign(','));
+            let comma = comma.unwrap_or(inner.len());
+            let part = |list: &[Node]| Box::new(Node::row(list.iter().cloned()));
+            let (above, below) = (inner.get(..comma), inner.get(comma + 1..));
+            return Node::Binomial(
+                part(above.unwrap_or_default()),
+                part(below.unwrap_or_default()),
+            );
         }
         match letters {
             "sum" => Node::Sign('∑'),

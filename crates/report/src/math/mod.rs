@@ -9,6 +9,7 @@
 mod change;
 mod layout;
 mod letters;
+mod marked;
 mod markup;
 mod mathml;
 mod names;
@@ -18,6 +19,7 @@ mod tidy;
 mod write;
 
 pub(crate) use change::changed;
+pub(crate) use marked::compared;
 pub(crate) use names::Names;
 pub(crate) use node::Node;
 pub use prose::in_words;

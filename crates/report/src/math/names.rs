@@ -3,7 +3,7 @@
 //! A file says how a name is printed between dollar signs, `$\mathbf{p}_0^u$`; a name of which it says nothing is read by
 //! the rule of [`super::letters`].
 
-use super::letters::by_rule;
+use super::letters::{by_rule, greek_letter, is_function};
 use super::markup;
 use super::node::{Face, Node};
 use std::collections::{BTreeMap, BTreeSet};
@@ -29,6 +29,40 @@ impl Names {
             names.add(&reading.outcome.table);
         }
         names
+    }
+
+    /// Whether all names of a formula are the paper's: a file says how they are printed, or they are single letters, with an
+    /// index of one digit or none.
+    pub(crate) fn are_of_the_paper(&self, formula: &str) -> bool {
+        let word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '\'');
+        let mut words = formula
+            .split(|c| !word(c))
+            .filter(|name| name.starts_with(char::is_alphabetic));
+        words.all(|name| {
+            let stem = name.trim_end_matches('\'');
+            let letter = stem.trim_end_matches(|c: char| c.is_ascii_digit());
+            let index = stem.len() - letter.len();
+            if stem.starts_with("printed") {
+                return false;
+            }
+            let simple = letter.chars().count() == 1 || greek_letter(letter).is_some();
+            self.printed.contains_key(stem)
+                || self.printed.contains_key(name)
+                || is_function(stem)
+                || (simple && index <= 1)
+                || matches!(
+                    stem,
+                    "sum" | "binom" | "D" | "sqrt" | "and" | "det" | "cross" | "dot" | "pi"
+                )
+        })
+    }
+
+    /// Takes the names of another claim besides; where both have one, this one's is kept.
+    pub(crate) fn extend(&mut self, others: Names) {
+        for (name, node) in others.printed {
+            self.printed.entry(name).or_insert(node);
+        }
+        self.known.extend(others.known);
     }
 
     fn add(&mut self, table: &Table) {

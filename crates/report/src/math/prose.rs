@@ -11,6 +11,27 @@ use super::{Mathematics, Names, Span, markup, read};
 
 /// The sentence in stretches; formulas are those of a claim with these names.
 pub(crate) fn spans(text: &str, names: &Names) -> Vec<Span> {
+    let span = |stretch: Stretch| match stretch {
+        Stretch::Words(text) => Span::Words(text),
+        Stretch::Code(text) => Span::Code(text),
+        Stretch::Math(node) => Span::Math(Mathematics::inline(&node)),
+    };
+    stretches(text, names).into_iter().map(span).collect()
+}
+
+/// A stretch of a sentence, its formula not yet written in any language.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Stretch {
+    /// Words.
+    Words(String),
+    /// A command or a name of a file, as it is typed.
+    Code(String),
+    /// A formula.
+    Math(super::Node),
+}
+
+/// The sentence in stretches.
+pub(super) fn stretches(text: &str, names: &Names) -> Vec<Stretch> {
     let mut list = List::default();
     match text.matches('$').count().is_multiple_of(2) {
         true => {
@@ -37,19 +58,19 @@ pub fn in_words(spans: &[Span]) -> String {
 }
 
 #[derive(Default)]
-struct List(Vec<Span>);
+struct List(Vec<Stretch>);
 
 impl List {
     fn words(&mut self, text: &str) {
         match self.0.last_mut() {
             _ if text.is_empty() => {}
-            Some(Span::Words(words)) => words.push_str(text),
-            _ => self.0.push(Span::Words(text.to_owned())),
+            Some(Stretch::Words(words)) => words.push_str(text),
+            _ => self.0.push(Stretch::Words(text.to_owned())),
         }
     }
 
     fn math(&mut self, node: &super::Node) {
-        self.0.push(Span::Math(Mathematics::inline(node)));
+        self.0.push(Stretch::Math(node.clone()));
     }
 }
 
@@ -63,7 +84,7 @@ fn between_backticks(text: &str, names: &Names, list: &mut List) {
             // A command has blanks between words, and no formula has.
             _ => match notation(part, names) {
                 Some(node) => list.math(&node),
-                None => list.0.push(Span::Code(part.to_owned())),
+                None => list.0.push(Stretch::Code(part.to_owned())),
             },
         }
     }
@@ -228,6 +249,18 @@ fn run(tokens: &[Token<'_>], start: usize) -> Option<usize> {
                 .any(|t| matches!(t.kind, Kind::Letter | Kind::Sure));
             let lone = tokens.get(start..position).unwrap_or_default();
             let article = lone.len() == 1 && lone.iter().all(|t| matches!(t.text, "a" | "A" | "I"));
+            // The letter of a list, `(a)`, is no formula.
+            let item = match lone {
+                [open, letter, close] => {
+                    (open.text, close.text) == ("(", ")")
+                        && letter.kind == Kind::Letter
+                        && letter.text.chars().all(|c| c.is_ascii_lowercase())
+                }
+                _ => false,
+            };
+            if item {
+                continue;
+            }
             let mathematics =
                 sure || (letters && operands > 0 && !article) || (operators > 0 && operands > 1);
             if mathematics {
@@ -501,8 +534,8 @@ mod tests {
     fn formulas_between_words_are_found() {
         for (sentence, expected) in [
             (
-                "the range of nu cannot be widened by 1/2: it fails at nu = 5/2, tan(pi/4*z) = 1/3, mu = -1",
-                "the range of ⟨ν⟩ cannot be widened by ⟨1/2⟩: it fails at ⟨ν = 5/2⟩, ⟨tan(π/4z) = 1/3⟩, ⟨μ = −1⟩",
+                "outside of the range of nu, by 1/2, it fails: at nu = 5/2, tan(pi/4*z) = 1/3, mu = -1",
+                "outside of the range of ⟨ν⟩, by ⟨1/2⟩, it fails: at ⟨ν = 5/2⟩, ⟨tan(π/4z) = 1/3⟩, ⟨μ = −1⟩",
             ),
             (
                 "a factor 4 before λ is missing, as (5.16) has it: Q_{k,1} = 0 for a point",

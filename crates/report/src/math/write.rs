@@ -87,6 +87,7 @@ pub(super) fn typst(node: &Node) -> String {
                     }
                     _ => format!("{name}({})", typst(inner)),
                 },
+                Node::Sign(sign) => format!("{name}sign({})", typst_sign(*sign)),
                 _ => format!("{name}({})", typst(inner)),
             }
         }
@@ -149,7 +150,7 @@ pub(super) fn latex(node: &Node) -> String {
             let mut text = format!("{base}{}", "'".repeat(*primes));
             for (sign, script) in [('_', below), ('^', above)] {
                 if let Some(script) = script {
-                    let script = latex(script);
+                    let script = latex(script).replace("\\boxed{", "\\boxed{\\scriptstyle ");
                     match script.chars().count() {
                         1 => text.push_str(&format!("{sign}{script}")),
                         _ => text.push_str(&format!("{sign}{{{script}}}")),
@@ -197,8 +198,19 @@ pub(super) fn latex(node: &Node) -> String {
             let above = above.as_ref().map(|above| format!("^{{{}}}", latex(above)));
             format!("\\sum_{{{}}}{}", latex(below), above.unwrap_or_default())
         }
-        Node::Marked(Mark::Added, inner) => format!("\\underline{{{}}}", latex(inner)),
-        Node::Marked(Mark::Removed, inner) => latex(inner),
+        // A line at a sign would make another sign of it.
+        Node::Marked(_, inner) => match &**inner {
+            Node::Sign(_) => format!("\\mathbin{{\\boxed{{{}}}}}", latex(inner)),
+            Node::Row(nodes) => match nodes.split_first() {
+                Some((Node::Sign(sign @ ('+' | '−')), rest)) if !rest.is_empty() => {
+                    let term = latex(&Node::row(rest.iter().cloned()));
+                    let sign = latex_sign(*sign);
+                    format!("\\mathbin{{\\boxed{{{sign}}}}} \\boxed{{{term}}}")
+                }
+                _ => format!("\\boxed{{{}}}", latex(inner)),
+            },
+            _ => format!("\\boxed{{{}}}", latex(inner)),
+        },
         Node::Gap => "\\ ".to_owned(),
     }
 }
@@ -280,6 +292,8 @@ fn latex_sign(sign: char) -> String {
         '∥' => "\\parallel",
         '∧' => "\\wedge",
         '⊤' => "\\top",
+        '⟨' => "\\langle",
+        '⟩' => "\\rangle",
         other => return latex_words(&other.to_string()),
     };
     command.to_owned()

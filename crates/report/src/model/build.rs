@@ -13,7 +13,7 @@ use crate::text::{
 };
 use crate::view::{correction, derived, formula};
 use crate::words;
-use crate::{FigureImage, corrections, findings, sentence, short, usable};
+use crate::{FigureImage, corrections, findings, letter, sentence, short, usable};
 use std::collections::{BTreeMap, BTreeSet};
 use torse_prove::Witness;
 use torse_syntax::notation::Formula;
@@ -65,7 +65,8 @@ impl Report {
             tally: Tally::new(&paper.claims),
             short: short::of(&paper.claims, &builder.anchors),
             constructions: usable::of(&paper.claims, &builder.anchors),
-            corrections: corrections::of(&paper.claims, &builder.anchors, accepted),
+            letter: letter::of(paper, accepted),
+            corrections: corrections::of(paper, &builder.anchors, accepted),
             findings: findings::of(&paper.claims, &builder.anchors),
             unexpected: paper
                 .claims

@@ -1,14 +1,24 @@
 //! Letters of corrections.
 
 use crate::paper;
-use torse_report::{Manuscript, erratum_latex, erratum_markdown, model::Report};
+use torse_report::{Envelope, Manuscript, erratum_latex, erratum_markdown, model::Report};
 use torse_syntax::words::Verdict;
+use torse_verdicts::outcome::{FaultChange, PaperFault};
+
+fn draft() -> Envelope {
+    Envelope::default()
+}
+
+fn pdf(report: &Report, envelope: &Envelope) -> Vec<u8> {
+    let manuscript = Manuscript::erratum(report, envelope).unwrap();
+    manuscript.typeset().unwrap().pdf().unwrap()
+}
 
 #[test]
-fn a_letter_holds_what_is_false_in_every_reading_and_no_slip_of_the_copy() {
+fn a_letter_leaves_no_refuted_statement_out_and_asks_about_slips_of_the_copy() {
     let mut sample = paper::sample();
-    let whole = erratum_markdown(&Report::new(&sample, &[]));
-    assert!(whole.contains("2 statements of this paper are false"));
+    let whole = erratum_markdown(&Report::new(&sample, &[]), &draft());
+    assert!(whole.contains("2 places need a correction"), "{whole}");
     assert!(whole.contains("Theorem 4") && whole.contains("eq. (3.7)"));
     assert!(whole.contains("@misc{torse-sample"));
     for claim in &mut sample.claims {
@@ -17,8 +27,15 @@ fn a_letter_holds_what_is_false_in_every_reading_and_no_slip_of_the_copy() {
         }
     }
     let report = Report::new(&sample, &[]);
-    let (letter, tex) = (erratum_markdown(&report), erratum_latex(&report));
-    assert!(letter.contains("One statement") && !letter.contains("eq. (3.7)"));
+    let (letter, tex) = (
+        erratum_markdown(&report, &draft()),
+        erratum_latex(&report, &draft()),
+    );
+    let (corrections, questions) = letter
+        .split_once("## Please compare with the printed page")
+        .unwrap();
+    assert!(corrections.contains("One place") && !corrections.contains("eq. (3.7)"));
+    assert!(questions.contains("eq. (3.7)"));
     assert!(
         tex.contains("\\item \\textbf{Sect. 3.2, Theorem 4.}")
             && tex.ends_with("\\end{document}\n")
@@ -27,23 +44,55 @@ fn a_letter_holds_what_is_false_in_every_reading_and_no_slip_of_the_copy() {
         .claims
         .retain(|claim| claim.verdict == Verdict::Holds);
     let report = Report::new(&sample, &[]);
-    let none = erratum_markdown(&report);
-    assert!(none.contains("No statement of this paper was found to be false as printed"));
-    let pdf = Manuscript::erratum(&report)
-        .unwrap()
-        .typeset()
-        .unwrap()
-        .pdf()
-        .unwrap();
-    assert!(pdf.starts_with(b"%PDF-1."));
-    assert!(
-        pdf == Manuscript::erratum(&report)
-            .unwrap()
-            .typeset()
-            .unwrap()
-            .pdf()
-            .unwrap()
-    );
+    let none = erratum_markdown(&report, &draft());
+    assert!(none.contains("None was found to be false"));
+    assert!(pdf(&report, &draft()).starts_with(b"%PDF-1."));
+    assert!(pdf(&report, &draft()) == pdf(&report, &draft()));
+}
+
+#[test]
+fn the_authors_are_addressed_and_a_letter_without_a_sender_is_a_draft() {
+    let report = Report::new(&paper::sample(), &[]);
+    let letter = erratum_markdown(&report, &draft());
+    assert!(letter.contains("**Draft: no sender is named.**"));
+    assert!(letter.contains("Dear "), "{letter}");
+    assert!(erratum_latex(&report, &draft()).contains("\\markright{Draft: no sender is named}"));
+    let sent = Envelope {
+        sender: Some("A. Reader".to_owned()),
+        date: Some("1 May 2026".to_owned()),
+    };
+    let letter = erratum_markdown(&report, &sent);
+    assert!(!letter.contains("Draft"));
+    assert!(letter.contains("From: A. Reader") && letter.contains("Date: 1 May 2026"));
+    assert!(letter.contains("Yours sincerely,\n\nA. Reader"));
+    let tex = erratum_latex(&report, &sent);
+    assert!(tex.contains("\\markright{}") && !tex.contains("\\author"));
+}
+
+#[test]
+fn a_fault_is_one_item_with_the_words_of_the_paper_and_what_changes_framed() {
+    let mut sample = paper::sample();
+    let shows = ["sample/thm-4.det", "sample/eq-3.7"].map(str::to_owned);
+    let printed = "det(A) = k^4";
+    sample.faults = vec![PaperFault {
+        id: "sample/corrigendum.one".to_owned(),
+        at: None,
+        says: "the exponent is wrong".to_owned(),
+        shows: shows.to_vec(),
+        changes: vec![FaultChange {
+            claim: "sample/eq-3.7".to_owned(),
+            printed: printed.to_owned(),
+            reads: "det(A) = k^3".to_owned(),
+            remark: None,
+        }],
+    }];
+    let letter = erratum_markdown(&Report::new(&sample, &[]), &draft());
+    assert!(letter.contains("One place needs a correction"), "{letter}");
+    assert_eq!(letter.matches("\n### ").count(), 1);
+    assert!(letter.contains("The exponent is wrong."));
+    assert!(letter.contains("^{\\boxed{\\scriptstyle 4}}"), "{letter}");
+    assert!(letter.contains("^{\\boxed{\\scriptstyle 3}}"), "{letter}");
+    assert!(letter.contains("It shows in:"));
 }
 
 #[test]
@@ -56,18 +105,20 @@ fn hostile_strings_do_not_act_in_a_letter() {
         claim.printed = paper::HOSTILE.to_owned();
         claim.finding = Some(paper::HOSTILE.to_owned());
     }
+    let hostile = Envelope {
+        sender: Some(paper::HOSTILE.to_owned()),
+        date: Some(paper::HOSTILE.to_owned()),
+    };
     let report = Report::new(&sample, &[]);
-    let (letter, tex) = (erratum_markdown(&report), erratum_latex(&report));
+    let (letter, tex) = (
+        erratum_markdown(&report, &hostile),
+        erratum_latex(&report, &hostile),
+    );
     // The entry of the bibliography is code in a block of its own, on one line.
     let (text, entry) = letter.split_once("```bibtex").unwrap();
     assert!(!text.contains("<script>"), "{text}");
     assert_eq!(entry.matches("```").count(), 1);
     assert!(!letter.contains("\n#panic"), "{letter}");
     assert!(!tex.contains(" # ") && !tex.contains(" & "));
-    Manuscript::erratum(&report)
-        .unwrap()
-        .typeset()
-        .unwrap()
-        .pdf()
-        .unwrap();
+    pdf(&report, &hostile);
 }

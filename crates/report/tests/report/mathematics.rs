@@ -2,7 +2,9 @@
 
 use crate::paper;
 use crate::support::{HTML, unpacked};
-use torse_report::{Prose, Span, erratum_latex, erratum_markdown, html_page, model::Report};
+use torse_report::{
+    Envelope, Prose, Span, erratum_latex, erratum_markdown, html_page, model::Report,
+};
 
 /// The words of a report, which are no formulas: sentences, places and titles.
 fn words(report: &Report) -> String {
@@ -72,10 +74,10 @@ fn no_typed_mathematics_is_in_the_words_of_a_report_of_the_worked_example() {
     assert_eq!(typed(&words), None);
     let page = unpacked(&html_page(&report, &[]).unwrap());
     assert_eq!(typed(&text_of(&page).replace(names, "")), None);
-    let letter = erratum_markdown(&report);
+    let letter = erratum_markdown(&report, &Envelope::default());
     let outside: String = letter.split('`').step_by(2).collect();
     assert_eq!(typed(&outside), None);
-    let letter = erratum_latex(&report);
+    let letter = erratum_latex(&report, &Envelope::default());
     assert!(letter.contains("\\begin{multline*}") && !letter.contains("pi/2"));
 }
 

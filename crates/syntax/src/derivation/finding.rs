@@ -27,6 +27,18 @@ impl Finding {
     }
 }
 
+impl Finding {
+    /// The sentence, if it has no holes.
+    #[must_use]
+    pub fn without_holes(&self) -> Option<String> {
+        let words = self.pieces.iter().map(|piece| match piece {
+            Piece::Words(words) => Some(words.as_str()),
+            Piece::Hole(..) => None,
+        });
+        words.collect()
+    }
+}
+
 /// A part of a finding.
 #[derive(Debug, Clone)]
 pub enum Piece {

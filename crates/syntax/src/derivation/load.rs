@@ -4,11 +4,13 @@
 //! shown at once, and nothing is complained of that is wrong only because something else is.
 
 use super::claim::{Claim, claim, gather_examples};
+use super::corrigendum::corrigenda;
 use super::declarations::Declarations;
 use super::definitions::{add_definitions, name_of};
 use super::error::{DerivationError, LoadError};
 use super::figure::{Figure, own_figure};
 use super::paper::Paper;
+use super::schema::corrigendum::CorrigendumEntry;
 use super::schema::figure::FigureEntry;
 use super::schema::{ClaimEntry, PaperHead};
 use super::source::{Origin, Source};
@@ -131,7 +133,7 @@ impl Reading {
         let head = head.and_then(|head| entry::<PaperHead>(&source, head));
         let head = self.errors.keep(head)?;
         let declarations = Arc::new(shared);
-        let (mut claims, mut own_figures) = (vec![], vec![]);
+        let (mut claims, mut own_figures, mut faults) = (vec![], vec![], vec![]);
         for name in &head.claims {
             let file = folder::check_name(&source, name).and_then(|()| read(name.get_ref()));
             if let Some(source) = self.errors.keep(file) {
@@ -141,13 +143,16 @@ impl Reading {
                     &head.id,
                     &mut claims,
                     &mut own_figures,
+                    &mut faults,
                 );
             }
         }
+        let corrigenda = corrigenda(&faults, &claims, &self.left_out, &mut self.errors);
         Some(Paper {
             head,
             declarations,
             claims,
+            corrigenda,
             own_figures,
         })
     }
@@ -181,6 +186,7 @@ impl Reading {
         slug: &str,
         claims: &mut Vec<Claim>,
         own_figures: &mut Vec<Figure>,
+        faults: &mut Vec<(Arc<Source>, CorrigendumEntry)>,
     ) {
         let Some(mut sections) = self.errors.keep(sections(source)) else {
             return;
@@ -190,10 +196,25 @@ impl Reading {
         let entries: Vec<ClaimEntry> = list(source, sections.remove("claim"), &mut self.errors);
         let drawn: Vec<Spanned<FigureEntry>> =
             list(source, sections.remove("figure"), &mut self.errors);
+        let told: Vec<CorrigendumEntry> =
+            list(source, sections.remove("corrigendum"), &mut self.errors);
+        for entry in told {
+            self.add_id(source, &entry.id);
+            self.errors.keep(folder::check_id(source, &entry.id, slug));
+            faults.push((Arc::clone(source), entry));
+        }
         nothing_else(
             source,
             sections,
-            &["symbols", "basis", "define", "display", "claim", "figure"],
+            &[
+                "symbols",
+                "basis",
+                "define",
+                "display",
+                "claim",
+                "figure",
+                "corrigendum",
+            ],
             &mut self.errors,
         );
         let shared = Arc::new(shared);

@@ -4,6 +4,7 @@
 //! basis families and definitions, and lists the files with claims, in order.
 
 mod claim;
+mod corrigendum;
 pub mod declarations;
 mod definitions;
 mod error;
@@ -22,6 +23,7 @@ mod table;
 mod written;
 
 pub use claim::{Answer, Claim, Reading};
+pub use corrigendum::{CorrectedClaim, Corrigendum, Rewording};
 pub use error::{DerivationError, LoadError};
 pub use figure::Figure;
 pub use finding::{Finding, Form, Piece};

@@ -1,6 +1,7 @@
 //! A paper: its head, what it declares, its claims and figures.
 
 use super::claim::Claim;
+use super::corrigendum::Corrigendum;
 use super::declarations::Declarations;
 use super::figure::Figure;
 use super::schema::PaperHead;
@@ -15,6 +16,8 @@ pub struct Paper {
     pub declarations: Arc<Declarations>,
     /// The claims.
     pub claims: Vec<Claim>,
+    /// The faults of which its authors are told.
+    pub corrigenda: Vec<Corrigendum>,
     /// Figures that are not the paper's.
     pub own_figures: Vec<Figure>,
 }

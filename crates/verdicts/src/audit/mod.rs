@@ -12,6 +12,7 @@ mod instance;
 mod occurrences;
 mod parts;
 mod print;
+mod quotes;
 mod setting;
 mod sides;
 mod slips;
@@ -152,6 +153,7 @@ fn signs_of<'a>(
         add(instance::coordinate(&subject));
         add(instance::instance(&subject));
         add(unstated::reading(&subject));
+        add(quotes::otherwise(&subject));
     }
     signs
 }

@@ -1,5 +1,6 @@
 //! The shape of a derivation file, as TOML. See `derivations/README.md` for the language.
 
+pub mod corrigendum;
 pub mod figure;
 pub mod hypothesis;
 

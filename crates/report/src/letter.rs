@@ -1,0 +1,383 @@
+//! The letter to the authors of a paper: what is to be corrected, fault by fault, in the notation of the paper.
+//!
+//! A fault that files tell of has one item, wherever it shows, with the words of the paper and what is to be read instead.
+//! A refuted statement of which no fault is told has an item of its own, so that none is left out. What may be a slip of the
+//! copy at hand is asked, and not claimed; conditions that the text should state have a part of their own.
+
+use crate::corrections::{is_refuted, ranked};
+use crate::math::{Names, Prose, compared, in_words, spans};
+use crate::sentence;
+use crate::text::visible;
+use crate::view::{CorrectionView, correction};
+use crate::words::plural;
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
+use torse_syntax::words::Verdict;
+use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome, Restored};
+use torse_verdicts::repair;
+
+/// Who writes a letter, and when. Without a sender it is a draft.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+pub struct Envelope {
+    /// The name of the sender.
+    pub sender: Option<String>,
+    /// The date, as it is to be written.
+    pub date: Option<String>,
+}
+
+impl Envelope {
+    /// The envelope with what could act on the text around it spelled out.
+    #[must_use]
+    pub fn cleared(&self) -> Self {
+        let clear = |text: &Option<String>| text.as_deref().map(|text| visible(text.trim()));
+        Self {
+            sender: clear(&self.sender).filter(|name| !name.is_empty()),
+            date: clear(&self.date).filter(|date| !date.is_empty()),
+        }
+    }
+}
+
+/// What a letter says.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Letter {
+    /// How the authors are addressed.
+    pub salutation: String,
+    /// What the letter is about, and how the statements were decided.
+    pub opening: String,
+    /// What is false and how it is to be corrected, what most rests on first.
+    pub corrections: Vec<Item>,
+    /// Conditions that the text should state.
+    pub conditions: Vec<Item>,
+    /// What may be right in print, and a slip of the copy at hand.
+    pub questions: Vec<Item>,
+    /// What is true with all corrections in force, and how all of it was checked.
+    pub closing: Vec<String>,
+}
+
+/// A fault.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Item {
+    /// Where it is.
+    pub heading: Prose,
+    /// What is wrong, in a sentence.
+    pub says: Prose,
+    /// What is printed and what is to be read.
+    pub changes: Vec<ItemChange>,
+    /// An exact counterexample.
+    pub why: Option<Prose>,
+    /// Where it shows besides.
+    pub also: Vec<Prose>,
+}
+
+/// Words of the paper, and what is to be read instead.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct ItemChange {
+    /// Where they stand, if there is more than one place.
+    pub at: Option<Prose>,
+    /// The words.
+    pub printed: Prose,
+    /// What is to be read instead; none where the words say what is not so and no others are offered.
+    pub reads: Option<Prose>,
+    /// A correction that was found for the formula by which the words were understood.
+    pub formula: Option<CorrectionView>,
+}
+
+/// The letter about a paper.
+pub(crate) fn of(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Letter {
+    let claims = &paper.claims;
+    let ranks: BTreeMap<&str, usize> = ranked(claims)
+        .into_iter()
+        .enumerate()
+        .filter_map(|(rank, (position, _))| Some((claims.get(position)?.id.as_str(), rank)))
+        .collect();
+    let find = |id: &String| claims.iter().find(|claim| claim.id == *id);
+    let mut placed: Vec<(Part, usize, Item)> = vec![];
+    for fault in &paper.faults {
+        let shows: Vec<&Outcome> = fault.shows.iter().filter_map(find).collect();
+        let Some(part) = part(&shows) else {
+            continue;
+        };
+        let rank = shows
+            .iter()
+            .filter_map(|claim| ranks.get(claim.id.as_str()));
+        let rank = rank.min().copied().unwrap_or(usize::MAX);
+        placed.push((part, rank, told(fault, &shows)));
+    }
+    let is_told = |id: &str| {
+        paper
+            .faults
+            .iter()
+            .any(|fault| fault.shows.iter().any(|of| of == id))
+    };
+    for claim in claims
+        .iter()
+        .filter(|claim| is_refuted(claim) && !is_told(&claim.id))
+    {
+        let rank = ranks.get(claim.id.as_str()).copied().unwrap_or(usize::MAX);
+        let part = part(&[claim]).unwrap_or(Part::Correction);
+        placed.push((part, rank, untold(claim)));
+    }
+    placed.sort_by_key(|(part, rank, _)| (*part, *rank));
+    let take = |wanted: Part| -> Vec<Item> {
+        let of = placed.iter().filter(|(part, ..)| *part == wanted);
+        of.map(|(.., item)| item.clone()).collect()
+    };
+    let (corrections, conditions, questions) = (
+        take(Part::Correction),
+        take(Part::Condition),
+        take(Part::Question),
+    );
+    Letter {
+        salutation: salutation(&visible(&paper.authors)),
+        opening: opening(corrections.len(), conditions.len(), questions.len()),
+        closing: closing(paper, corrections.len(), accepted),
+        corrections,
+        conditions,
+        questions,
+    }
+}
+
+/// The parts of a letter, in their order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Part {
+    Correction,
+    Condition,
+    Question,
+}
+
+/// Where a fault belongs; nowhere if all is true in which it is said to show.
+fn part(shows: &[&Outcome]) -> Option<Part> {
+    let mut refuted = shows.iter().filter(|claim| is_refuted(claim)).peekable();
+    if refuted.peek().is_some() {
+        return Some(match refuted.all(|claim| claim.garbled.is_some()) {
+            true => Part::Question,
+            false => Part::Correction,
+        });
+    }
+    let limited =
+        |claim: &&Outcome| matches!(claim.verdict, Verdict::Conditional | Verdict::Depends);
+    shows.iter().any(limited).then_some(Part::Condition)
+}
+
+fn told(fault: &PaperFault, shows: &[&Outcome]) -> Item {
+    let find = |id: &str| shows.iter().find(|claim| claim.id == id);
+    let mut names = shows
+        .first()
+        .map(|claim| Names::of(claim))
+        .unwrap_or_default();
+    for claim in shows.iter().skip(1) {
+        names.extend(Names::of(claim));
+    }
+    let several = fault.changes.len() > 1;
+    let mut changes: Vec<ItemChange> = (fault.changes.iter())
+        .filter_map(|change| {
+            let claim = find(&change.claim)?;
+            let [printed, reads] =
+                compared(&visible(&change.printed), &visible(&change.reads), &names);
+            Some(ItemChange {
+                at: several.then(|| place(claim)),
+                printed,
+                reads: Some(reads),
+                formula: None,
+            })
+        })
+        .collect();
+    // Of a sentence for which no other is offered, the words.
+    if changes.is_empty() {
+        changes.extend(shows.first().map(|claim| ItemChange {
+            at: None,
+            printed: spans(&visible(&claim.printed), &names),
+            reads: None,
+            formula: None,
+        }));
+    }
+    let changed = |claim: &&&Outcome| fault.changes.iter().any(|change| change.claim == claim.id);
+    let mut also: Vec<Prose> = vec![];
+    for claim in shows
+        .iter()
+        .filter(|claim| !changed(claim))
+        .skip(usize::from(fault.changes.is_empty()))
+    {
+        let place = place(claim);
+        if !also.contains(&place) {
+            also.push(place);
+        }
+    }
+    Item {
+        heading: match &fault.at {
+            Some(at) => spans(&visible(at), &Names::default()),
+            None => shows.first().map(|claim| place(claim)).unwrap_or_default(),
+        },
+        says: spans(&visible(&sentence::finished(&fault.says)), &names),
+        changes,
+        why: shows.iter().find_map(|claim| counterexample(claim)),
+        also,
+    }
+}
+
+/// The item of a refuted statement of which no fault is told.
+fn untold(claim: &Outcome) -> Item {
+    let names = Names::of(claim);
+    let formula =
+        (claim.correction.as_ref()).map(|repair| correction(claim.parsed.as_ref(), repair, &names));
+    let says = match (&claim.finding, &claim.correction, &claim.note) {
+        (Some(finding), ..) => sentence::finished(finding),
+        (None, Some(repair), _) => sentence::finished(&repair.edits.join("; ")),
+        (None, None, Some(note)) => note.clone(),
+        (None, None, None) => String::new(),
+    };
+    Item {
+        heading: place(claim),
+        says: spans(&visible(&says), &names),
+        changes: vec![ItemChange {
+            at: None,
+            printed: spans(&visible(&claim.printed), &names),
+            reads: None,
+            formula,
+        }],
+        why: counterexample(claim),
+        also: vec![],
+    }
+}
+
+fn place(claim: &Outcome) -> Prose {
+    spans(&visible(&claim.at), &Names::default())
+}
+
+/// A counterexample of more characters is left to the report.
+const LONGEST_COUNTEREXAMPLE: usize = 400;
+
+/// Where a formula of the paper fails; none where that cannot be told in names that the paper has. The formulas of sentences
+/// are ours, and what they come to at a point tells an author nothing.
+fn counterexample(claim: &Outcome) -> Option<Prose> {
+    let witness = claim.witness.as_ref()?;
+    let names = Names::of(claim);
+    let stated = claim.parsed.as_ref()?;
+    let of_the_paper = names.are_of_the_paper(&stated.text)
+        && witness
+            .at
+            .iter()
+            .all(|(name, _)| names.are_of_the_paper(name));
+    let plain_value = |text: &str| !text.starts_with('[');
+    let told = is_refuted(claim)
+        && repair::is_sought(claim.kind)
+        && of_the_paper
+        && plain_value(&witness.left)
+        && plain_value(&witness.right);
+    let why = told.then(|| sentence::counterexample(claim)).flatten()?;
+    if why.chars().count() > LONGEST_COUNTEREXAMPLE {
+        return None;
+    }
+    // Two sides of one name would be told to differ from themselves.
+    let (left, right) = stated.text.split_once(" == ")?;
+    let shown = |side: &str| in_words(&spans(&format!("`{side}`"), &names));
+    (shown(left) != shown(right)).then(|| spans(&visible(&why), &names))
+}
+
+fn salutation(authors: &str) -> String {
+    let names: Vec<&str> = authors.split(',').map(str::trim).collect();
+    match names.split_last() {
+        Some((last, [])) => format!("Dear {last},"),
+        Some((last, others)) => format!("Dear {} and {last},", others.join(", ")),
+        None => "Dear authors,".to_owned(),
+    }
+}
+
+fn opening(corrections: usize, conditions: usize, questions: usize) -> String {
+    let mut text = "Every statement of your paper was written down as a formula and decided by exact computation, with the program torse. ".to_owned();
+    text.push_str(&match corrections {
+        0 => "None was found to be false.".to_owned(),
+        1 => "One place needs a correction. What changes in it is framed, words are bold.".to_owned(),
+        _ => format!(
+            "{corrections} places need a correction; what most rests on comes first. What changes is framed, words are bold."
+        ),
+    });
+    if conditions > 0 {
+        text.push_str(&match conditions {
+            1 => " Behind them follows a condition that the text should state.".to_owned(),
+            _ => format!(" Behind them follow {conditions} conditions that the text should state."),
+        });
+    }
+    match questions {
+        0 => {}
+        1 => text.push_str(" One more may be a slip of our copy, and we ask you to look at it."),
+        _ => text.push_str(&format!(
+            " {questions} more may be slips of our copy, and we ask you to look at them."
+        )),
+    }
+    text
+}
+
+fn closing(paper: &PaperOutcome, corrections: usize, accepted: &BTreeSet<String>) -> Vec<String> {
+    let mut list = vec![];
+    list.extend(restored(paper));
+    if corrections > 0 {
+        let refuted: Vec<&Outcome> = paper
+            .claims
+            .iter()
+            .filter(|claim| is_refuted(claim))
+            .collect();
+        let proved = refuted
+            .iter()
+            .filter(|claim| accepted.contains(&claim.id))
+            .count();
+        let mut text =
+            "Each counterexample is exact: its numbers are computed, none is rounded.".to_owned();
+        if proved > 0 {
+            text.push_str(&format!(
+                " Of the {} concerned, the refutations of {proved} were also accepted by the proof assistant Rocq; the proofs come with torse, in the folder proofs.",
+                plural(refuted.len(), "statement")
+            ));
+        }
+        list.push(text);
+    }
+    list.push(format!(
+        "The report “{}” has every statement of the paper with its verdict and proof.",
+        visible(&paper.slug)
+    ));
+    list
+}
+
+/// What became of the claims with all corrections in force; none if nobody asked.
+fn restored(paper: &PaperOutcome) -> Option<String> {
+    let of = |wanted: Verdict| {
+        let list = paper.restored.iter().filter(move |of| of.verdict == wanted);
+        list.collect::<Vec<&Restored>>()
+    };
+    let (holds, limited) = (
+        of(Verdict::Holds).len() + of(Verdict::Definition).len(),
+        of(Verdict::Conditional).len(),
+    );
+    let all = paper.restored.len();
+    if all == 0 {
+        return None;
+    }
+    let mut text = format!(
+        "With all corrections of this letter in force at once, the {} in which the faults show {} decided again: ",
+        plural(all, "statement"),
+        if all == 1 { "was" } else { "were" }
+    );
+    let mut parts = vec![];
+    if holds > 0 {
+        parts.push(format!(
+            "{holds} {} true",
+            if holds == 1 { "is" } else { "are" }
+        ));
+    }
+    if limited > 0 {
+        let verb = if limited == 1 { "is" } else { "are" };
+        parts.push(format!(
+            "{limited} {verb} true where what they divide by does not vanish"
+        ));
+    }
+    let left = all - holds - limited;
+    if left > 0 {
+        let verb = if left == 1 { "is" } else { "are" };
+        parts.push(format!(
+            "{left} {verb} not repaired, and should be left out of the text"
+        ));
+    }
+    text.push_str(&parts.join(", "));
+    text.push('.');
+    Some(text)
+}

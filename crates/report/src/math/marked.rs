@@ -1,0 +1,495 @@
+//! Two versions of a sentence with what differs marked, on the boxes: for corrections that are written as the paper
+//! writes, and not in the notation of the files.
+//!
+//! Words are compared one by one, formulas box by box, with a longest common subsequence kept. Only what differs is marked:
+//! of an index the letter and not its base, of a bracket what is in it. Words are marked by their face, bold, and boxes by a
+//! frame.
+
+use super::letters::is_function;
+use super::markup;
+use super::node::{Face, Mark, Node};
+use super::prose::{Stretch, stretches};
+use super::{Mathematics, Names, Prose, Span};
+use crate::difference::common;
+
+/// Sentences of more words and formulas, and formulas of more boxes, are not compared.
+const MOST: usize = 2_000;
+
+/// A sentence as printed and as it is to be read, what differs marked in both.
+pub(crate) fn compared(printed: &str, reads: &str, names: &Names) -> [Prose; 2] {
+    let (old, new) = (atoms(printed, names), atoms(reads, names));
+    if old.len().max(new.len()) > MOST {
+        return [prose(&old), prose(&new)];
+    }
+    let (mut shown_old, mut shown_new) = (vec![], vec![]);
+    let (mut i, mut j) = (0, 0);
+    for (next_i, next_j) in common(&old, &new, |a, b| a.is(b)) {
+        gap(
+            slice(&old, i, next_i),
+            slice(&new, j, next_j),
+            &mut shown_old,
+            &mut shown_new,
+        );
+        shown_old.extend(old.get(next_i).cloned());
+        shown_new.extend(new.get(next_j).cloned());
+        (i, j) = (next_i + 1, next_j + 1);
+    }
+    gap(
+        slice(&old, i, old.len()),
+        slice(&new, j, new.len()),
+        &mut shown_old,
+        &mut shown_new,
+    );
+    [prose(&shown_old), prose(&shown_new)]
+}
+
+/// A word or a formula, and the blanks behind it.
+#[derive(Clone)]
+struct Atom {
+    inner: Stretch,
+    behind: String,
+}
+
+impl Atom {
+    fn is(&self, other: &Self) -> bool {
+        self.inner == other.inner
+    }
+
+    fn marked(&self, mark: Mark) -> Self {
+        let node = match &self.inner {
+            Stretch::Words(word) if word.chars().any(char::is_alphanumeric) => {
+                Node::Letter(word.clone(), Face::Bold)
+            }
+            // A comma in bold is not seen to be so.
+            Stretch::Words(_) | Stretch::Code(_) => return self.clone(),
+            Stretch::Math(node) => whole(mark, node),
+        };
+        Atom {
+            inner: Stretch::Math(node),
+            behind: self.behind.clone(),
+        }
+    }
+}
+
+fn slice<T>(list: &[T], from: usize, to: usize) -> &[T] {
+    list.get(from..to).unwrap_or_default()
+}
+
+/// Whether a quotation is one formula and has no words: single letters, names of functions, and words in scripts.
+fn is_formula(text: &str) -> bool {
+    if text.contains(['$', '`', '…']) || text.contains("...") {
+        return false;
+    }
+    let known = |word: &str| {
+        // d V for a vector V
+        let product = word.len() == 2 && word.ends_with(|c: char| c.is_ascii_uppercase());
+        product || is_function(word) || matches!(word, "sum" | "binom" | "det" | "sqrt")
+    };
+    let mut rest = text;
+    let mut before = ' ';
+    while let Some(first) = rest.chars().next() {
+        let letters = |c: char| c.is_ascii_alphabetic();
+        let end = match letters(first) {
+            true => rest.find(|c| !letters(c)).unwrap_or(rest.len()),
+            false => first.len_utf8(),
+        };
+        let (word, after) = rest.split_at_checked(end).unwrap_or((rest, ""));
+        let script = matches!(before, '_' | '^' | '{');
+        if word.len() > 1 && letters(first) && !script && !known(word) {
+            return false;
+        }
+        (before, rest) = (first, after);
+    }
+    true
+}
+
+fn atoms(text: &str, names: &Names) -> Vec<Atom> {
+    if is_formula(text) {
+        return vec![Atom {
+            inner: Stretch::Math(markup::boxes(text)),
+            behind: String::new(),
+        }];
+    }
+    let mut list: Vec<Atom> = vec![];
+    for stretch in stretches(text, names) {
+        let Stretch::Words(words) = &stretch else {
+            list.push(Atom {
+                inner: stretch,
+                behind: String::new(),
+            });
+            continue;
+        };
+        let mut rest = words.as_str();
+        while !rest.is_empty() {
+            let blank = rest.len() - rest.trim_start().len();
+            if blank > 0 {
+                let (blanks, after) = rest.split_at(blank);
+                match list.last_mut() {
+                    Some(last) => last.behind.push_str(blanks),
+                    None => list.push(Atom {
+                        inner: Stretch::Words(String::new()),
+                        behind: blanks.to_owned(),
+                    }),
+                }
+                rest = after;
+                continue;
+            }
+            // A comma is an atom of its own: what stands before it may be the same word.
+            let punctuation = |c: char| matches!(c, ',' | ';' | '.' | ':');
+            let end = match rest.starts_with(punctuation) {
+                true if rest.starts_with("...") => 3,
+                true => 1,
+                false => {
+                    let end = rest.find(|c: char| c.is_whitespace()).unwrap_or(rest.len());
+                    let word = rest.get(..end).unwrap_or(rest);
+                    word.trim_end_matches(punctuation).len().max(1)
+                }
+            };
+            let (word, after) = rest.split_at_checked(end).unwrap_or((rest, ""));
+            list.push(Atom {
+                inner: Stretch::Words(word.to_owned()),
+                behind: String::new(),
+            });
+            rest = after;
+        }
+    }
+    list
+}
+
+/// What lies between two atoms that both have: formulas are compared with each other, one by one.
+fn gap(old: &[Atom], new: &[Atom], shown_old: &mut Vec<Atom>, shown_new: &mut Vec<Atom>) {
+    let formulas = |list: &[Atom]| -> Vec<Node> {
+        let nodes = list.iter().filter_map(|atom| match &atom.inner {
+            Stretch::Math(node) => Some(node.clone()),
+            _ => None,
+        });
+        nodes.collect()
+    };
+    let (a, b) = (formulas(old), formulas(new));
+    let pairs: Vec<Pair> = a.iter().zip(&b).map(|(a, b)| compare(a, b)).collect();
+    let show = |list: &[Atom], mark: Mark, of: fn(&Pair) -> &Node| -> Vec<Atom> {
+        let mut pairs = pairs.iter();
+        let shown = list.iter().map(|atom| match &atom.inner {
+            Stretch::Math(_) => match pairs.next() {
+                Some(pair) => Atom {
+                    inner: Stretch::Math(of(pair).clone()),
+                    behind: atom.behind.clone(),
+                },
+                None => atom.marked(mark),
+            },
+            _ => atom.marked(mark),
+        });
+        shown.collect()
+    };
+    shown_old.extend(show(old, Mark::Removed, |pair| &pair.old));
+    shown_new.extend(show(new, Mark::Added, |pair| &pair.new));
+}
+
+fn prose(atoms: &[Atom]) -> Prose {
+    let mut list: Prose = vec![];
+    for atom in atoms {
+        let (words, span) = match &atom.inner {
+            Stretch::Words(word) => (word.as_str(), None),
+            Stretch::Code(code) => ("", Some(Span::Code(code.clone()))),
+            Stretch::Math(node) => ("", Some(Span::Math(Mathematics::inline(node)))),
+        };
+        list.extend(span);
+        let words = format!("{words}{}", atom.behind);
+        match list.last_mut() {
+            _ if words.is_empty() => {}
+            Some(Span::Words(last)) => last.push_str(&words),
+            _ => list.push(Span::Words(words)),
+        }
+    }
+    list
+}
+
+/// Larger formulas are never marked as a whole.
+const SMALL: usize = 60;
+
+/// Two boxes with marks, and how many boxes are marked.
+struct Pair {
+    old: Node,
+    new: Node,
+    marked: usize,
+}
+
+fn whole(mark: Mark, node: &Node) -> Node {
+    Node::Marked(mark, Box::new(node.clone()))
+}
+
+fn replaced(old: &Node, new: &Node) -> Pair {
+    Pair {
+        old: whole(Mark::Removed, old),
+        new: whole(Mark::Added, new),
+        marked: size(old) + size(new),
+    }
+}
+
+fn compare(old: &Node, new: &Node) -> Pair {
+    if old == new {
+        return Pair {
+            old: old.clone(),
+            new: new.clone(),
+            marked: 0,
+        };
+    }
+    let pair = parts(old, new).unwrap_or_else(|| replaced(old, new));
+    let all = size(old) + size(new);
+    // A formula with every second letter marked is not read.
+    match pair.marked * 4 > all * 3 && all < SMALL && !matches!(old, Node::Scripts { .. }) {
+        true => replaced(old, new),
+        false => pair,
+    }
+}
+
+fn parts(old: &Node, new: &Node) -> Option<Pair> {
+    let one = |a: &Node, b: &Node, make: &dyn Fn(Box<Node>) -> Node| {
+        let pair = compare(a, b);
+        Pair {
+            old: make(Box::new(pair.old)),
+            new: make(Box::new(pair.new)),
+            marked: pair.marked,
+        }
+    };
+    let two = |[a, b]: [&Node; 2], [c, d]: [&Node; 2], make: fn(Box<Node>, Box<Node>) -> Node| {
+        let (first, second) = (compare(a, c), compare(b, d));
+        Pair {
+            old: make(Box::new(first.old), Box::new(second.old)),
+            new: make(Box::new(first.new), Box::new(second.new)),
+            marked: first.marked + second.marked,
+        }
+    };
+    Some(match (old, new) {
+        (Node::Row(a), Node::Row(b)) => rows(a, b),
+        (Node::Row(a), _) => rows(a, std::slice::from_ref(new)),
+        (_, Node::Row(b)) => rows(std::slice::from_ref(old), b),
+        (Node::Fenced(f, a), Node::Fenced(g, b)) if f == g => {
+            one(a, b, &|inner| Node::Fenced(*f, inner))
+        }
+        (Node::Root(a), Node::Root(b)) => one(a, b, &Node::Root),
+        (Node::Accent(s, a), Node::Accent(t, b)) if s == t => {
+            one(a, b, &|inner| Node::Accent(*s, inner))
+        }
+        (Node::Fraction(a, b), Node::Fraction(c, d)) => two([a, b], [c, d], Node::Fraction),
+        (Node::Binomial(a, b), Node::Binomial(c, d)) => two([a, b], [c, d], Node::Binomial),
+        (
+            Node::Scripts {
+                base,
+                primes,
+                below,
+                above,
+            },
+            Node::Scripts {
+                base: other,
+                primes: count,
+                below: under,
+                above: over,
+            },
+        ) if primes == count => {
+            let base = compare(base, other);
+            let below = script(below.as_deref(), under.as_deref())?;
+            let above = script(above.as_deref(), over.as_deref())?;
+            let marked = base.marked + below.marked + above.marked;
+            let made = |base: Node, below: Option<Node>, above: Option<Node>| Node::Scripts {
+                base: Box::new(base),
+                primes: *primes,
+                below: below.map(Box::new),
+                above: above.map(Box::new),
+            };
+            Pair {
+                old: made(base.old, below.old, above.old),
+                new: made(base.new, below.new, above.new),
+                marked,
+            }
+        }
+        (
+            Node::Sum { below, above },
+            Node::Sum {
+                below: under,
+                above: over,
+            },
+        ) => {
+            let below = compare(below, under);
+            let above = script(above.as_deref(), over.as_deref())?;
+            let made = |below: Node, above: Option<Node>| Node::Sum {
+                below: Box::new(below),
+                above: above.map(Box::new),
+            };
+            Pair {
+                marked: below.marked + above.marked,
+                old: made(below.old, above.old),
+                new: made(below.new, above.new),
+            }
+        }
+        _ => return None,
+    })
+}
+
+/// Two scripts, each of which may be missing.
+struct ScriptPair {
+    old: Option<Node>,
+    new: Option<Node>,
+    marked: usize,
+}
+
+/// None where one alone is there: then the whole box differs.
+fn script(old: Option<&Node>, new: Option<&Node>) -> Option<ScriptPair> {
+    match (old, new) {
+        (None, None) => Some(ScriptPair {
+            old: None,
+            new: None,
+            marked: 0,
+        }),
+        (Some(old), Some(new)) => {
+            let pair = compare(old, new);
+            Some(ScriptPair {
+                old: Some(pair.old),
+                new: Some(pair.new),
+                marked: pair.marked,
+            })
+        }
+        _ => None,
+    }
+}
+
+fn rows(old: &[Node], new: &[Node]) -> Pair {
+    if old.len().max(new.len()) > MOST {
+        return replaced(&Node::Row(old.to_vec()), &Node::Row(new.to_vec()));
+    }
+    // Of a few boxes, such as indices, each is compared with that in its place.
+    const FEW: usize = 4;
+    let (mut shown_old, mut shown_new, mut marked) = (vec![], vec![], 0);
+    let mut between = |a: &[Node], b: &[Node]| match a.len() == b.len() {
+        true => {
+            for (a, b) in a.iter().zip(b) {
+                let pair = compare(a, b);
+                marked += pair.marked;
+                shown_old.push(pair.old);
+                shown_new.push(pair.new);
+            }
+        }
+        false => {
+            // What is in two brackets is compared, wherever the rest ends.
+            let fenced = |(a, b): &(&Node, &Node)| matches!((a, b), (Node::Fenced(f, _), Node::Fenced(g, _)) if f == g);
+            let mut paired = 0;
+            for (a, b) in a.iter().zip(b).take_while(fenced) {
+                let pair = compare(a, b);
+                marked += pair.marked;
+                shown_old.push(pair.old);
+                shown_new.push(pair.new);
+                paired += 1;
+            }
+            let (a, b) = (slice(a, paired, a.len()), slice(b, paired, b.len()));
+            for (list, shown, mark) in [
+                (a, &mut shown_old, Mark::Removed),
+                (b, &mut shown_new, Mark::Added),
+            ] {
+                if !list.is_empty() {
+                    marked += list.iter().map(size).sum::<usize>();
+                    shown.push(whole(mark, &Node::row(list.iter().cloned())));
+                }
+            }
+        }
+    };
+    let (mut i, mut j) = (0, 0);
+    let in_place = old.len() == new.len() && old.len() < FEW;
+    let kept = match in_place {
+        true => vec![],
+        false => common(old, new, |a, b| a == b),
+    };
+    for (next_i, next_j) in kept {
+        between(slice(old, i, next_i), slice(new, j, next_j));
+        (i, j) = (next_i + 1, next_j + 1);
+        // Both have it: it goes to both as it is.
+        if let Some(node) = old.get(next_i) {
+            between(std::slice::from_ref(node), std::slice::from_ref(node));
+        }
+    }
+    between(slice(old, i, old.len()), slice(new, j, new.len()));
+    Pair {
+        old: Node::row(shown_old),
+        new: Node::row(shown_new),
+        marked,
+    }
+}
+
+/// How many boxes that show something are in a box.
+fn size(node: &Node) -> usize {
+    let of = |inner: &Option<Box<Node>>| inner.as_deref().map_or(0, size);
+    match node {
+        Node::Letter(..) | Node::Function(_) | Node::Number(_) | Node::Sign(_) => 1,
+        Node::Gap => 0,
+        Node::Row(nodes) => nodes.iter().map(size).sum(),
+        Node::Scripts {
+            base,
+            primes,
+            below,
+            above,
+        } => size(base) + primes + of(below) + of(above),
+        Node::Accent(_, inner) | Node::Root(inner) | Node::Marked(_, inner) => 1 + size(inner),
+        Node::Fenced(_, inner) => 2 + size(inner),
+        Node::Fraction(a, b) | Node::Binomial(a, b) => 1 + size(a) + size(b),
+        Node::Matrix(_, rows) => rows.iter().flatten().map(size).sum(),
+        Node::Sum { below, above } => 1 + size(below) + of(above),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both sentences, what is marked in angle brackets.
+    fn shown(printed: &str, reads: &str) -> [String; 2] {
+        compared(printed, reads, &Names::default()).map(|spans| {
+            let part = |span: &Span| match span {
+                Span::Words(text) | Span::Code(text) => text.clone(),
+                Span::Math(math) => math.latex.clone(),
+            };
+            spans.iter().map(part).collect()
+        })
+    }
+
+    #[test]
+    fn a_missing_factor_is_marked_alone() {
+        let [old, new] = shown("q = c (γ a + λ (k + 1))", "q = c (γ a + 4 λ (k + 1))");
+        assert!(!old.contains("boxed"), "{old}");
+        assert!(new.contains("\\boxed{4}"), "{new}");
+        assert_eq!(new.matches("boxed").count(), 1);
+    }
+
+    #[test]
+    fn of_an_index_the_letter_is_marked_and_not_its_base() {
+        let [old, new] = shown("Q^X_{k,0} and Q^Y_{k,1}", "Q^X_{k,0} and Q^Y_{l,1}");
+        assert!(old.contains("_{\\boxed{\\scriptstyle k} , 1}"), "{old}");
+        assert!(new.contains("_{\\boxed{\\scriptstyle l} , 1}"), "{new}");
+    }
+
+    #[test]
+    fn a_changed_sign_is_boxed_and_no_line_lies_on_it() {
+        let [old, new] = shown("b = c + d (1 − μ − ν)", "b = c + d (1 + μ − ν)");
+        assert_eq!(old.matches("\\mathbin{\\boxed{-}}").count(), 1, "{old}");
+        assert_eq!(new.matches("\\mathbin{\\boxed{+}}").count(), 1, "{new}");
+    }
+
+    #[test]
+    fn words_are_marked_one_by_one() {
+        let [old, new] = shown(
+            "the starting generator J(0) grows",
+            "the ending generator J(1) grows",
+        );
+        assert!(
+            old.starts_with("the \\mathbf{starting} generator "),
+            "{old}"
+        );
+        assert!(new.starts_with("the \\mathbf{ending} generator "), "{new}");
+        assert!(new.ends_with(" grows"));
+    }
+
+    #[test]
+    fn what_is_equal_has_no_mark() {
+        let [old, new] = shown("a = b, and no more.", "a = b, and no more.");
+        assert_eq!(old, new);
+        assert!(!old.contains("boxed"));
+    }
+}

@@ -1,0 +1,212 @@
+//! Corrigenda: the faults of a paper as its authors are told of them, and the claims as they stand once all are corrected.
+//!
+//! The corrected definitions of all corrigenda are in force together: what is claimed of the corrected text is claimed of
+//! it as a whole.
+
+use super::claim::Claim;
+use super::declarations::Declarations;
+use super::definitions::add_definitions;
+use super::error::{DerivationError, LoadError};
+use super::finding::{Finding, finding};
+use super::provenance::{Hypothesis, Provenance, Quote};
+use super::schema::corrigendum::{ChangeEntry, CorrigendumEntry};
+use super::source::{Origin, Source, whole};
+use super::table::Errors;
+use super::written::written;
+use crate::words::Kind;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use toml::Spanned;
+
+/// A fault of a paper.
+#[derive(Debug, Clone)]
+pub struct Corrigendum {
+    /// Its id: `paper/corrigendum.name`.
+    pub id: String,
+    /// Where the paper has it, if that is not the place of the first claim.
+    pub at: Option<String>,
+    /// What is wrong, in one sentence with holes for numbers, which are those of the first claim.
+    pub says: Finding,
+    /// The ids of the claims in which it shows.
+    pub shows: Vec<String>,
+    /// What is to be read instead.
+    pub changes: Vec<Rewording>,
+    /// The claims in which it shows, in the same order, once the whole paper is corrected.
+    pub corrected: Vec<CorrectedClaim>,
+}
+
+/// Words of a paper, and what is to be read instead.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Rewording {
+    /// The id of the claim in whose print they stand.
+    pub claim: String,
+    /// The words, or the whole print of the claim.
+    pub printed: String,
+    /// What is to be read instead.
+    pub reads: String,
+    /// The id of the remark that states it.
+    pub remark: Option<String>,
+}
+
+/// A claim with the corrections of its paper.
+#[derive(Debug, Clone)]
+pub struct CorrectedClaim {
+    /// The claim.
+    pub claim: Claim,
+    /// Whether the file states it anew; if not, a correction that was found takes the place of its statement.
+    pub restated: bool,
+}
+
+/// The corrigenda of a paper with these claims. Those that name no claim of it, or quote words that are not printed, are
+/// mistakes.
+pub(super) fn corrigenda(
+    entries: &[(Arc<Source>, CorrigendumEntry)],
+    claims: &[Claim],
+    left_out: &[String],
+    errors: &mut Errors,
+) -> Vec<Corrigendum> {
+    let mut shown = BTreeSet::new();
+    // Each definition is complained of once, and not for each claim that is read with it.
+    for (source, entry) in entries {
+        add_definitions(&mut Declarations::default(), source, &entry.define, errors);
+    }
+    let made = |(source, entry): &(Arc<Source>, CorrigendumEntry)| {
+        let says = errors.keep(finding(source, &entry.says));
+        let mut wrong = |text: &Spanned<String>, message: String, help: &str| {
+            let origin = Origin::of(source, text);
+            let error = DerivationError::at(&origin, whole(text), message).with_help(help);
+            errors.0.push(LoadError::Derivation(Box::new(error)));
+        };
+        if entry.says.get_ref().trim().is_empty() || entry.shows.is_empty() {
+            let help = "`says` has the fault in one sentence, `shows` the claims in which it shows";
+            wrong(&entry.id, "this tells of no fault".to_owned(), help);
+        }
+        let find =
+            |id: &Spanned<String>| claims.iter().find(|c| c.entry.id.get_ref() == id.get_ref());
+        for id in &entry.shows {
+            if find(id).is_none() && !left_out.contains(id.get_ref()) {
+                let message = format!("no claim has the id `{}`", id.get_ref());
+                wrong(id, message, "a claim of this paper is named by its full id");
+            }
+            if !shown.insert(id.get_ref().clone()) {
+                let message = format!("`{}` shows in two corrigenda", id.get_ref());
+                wrong(
+                    id,
+                    message,
+                    "a claim belongs to the fault that makes it false",
+                );
+            }
+        }
+        let mut changes = vec![];
+        for change in &entry.changes {
+            let shows = entry
+                .shows
+                .iter()
+                .any(|id| id.get_ref() == change.claim.get_ref());
+            let Some(claim) = find(&change.claim).filter(|_| shows) else {
+                let message = format!("`{}` is not among `shows`", change.claim.get_ref());
+                wrong(
+                    &change.claim,
+                    message,
+                    "what is changed is a claim in which the fault shows",
+                );
+                continue;
+            };
+            if let Some(id) = &change.remark
+                && find(id).is_none_or(|remark| remark.entry.kind != Kind::Remark)
+                && !left_out.contains(id.get_ref())
+            {
+                let message = format!("`{}` is no remark", id.get_ref());
+                wrong(id, message, "`remark` names a claim of the kind `remark`");
+            }
+            let printed = match &change.printed {
+                None => claim.entry.printed.clone(),
+                Some(words) => {
+                    let quote = Quote::new(source, words, None, claim.entry.id.get_ref());
+                    if !quote.stands_in(&claim.entry.printed) {
+                        let message =
+                            format!("these words are not in the print of `{}`", quote.claim);
+                        let help = "a quote has the words of `printed` letter by letter";
+                        wrong(words, message, help);
+                    }
+                    words.get_ref().clone()
+                }
+            };
+            changes.extend(change.reads.as_ref().map(|reads| Rewording {
+                claim: change.claim.get_ref().clone(),
+                printed,
+                reads: reads.get_ref().clone(),
+                remark: change.remark.as_ref().map(|id| id.get_ref().clone()),
+            }));
+        }
+        let corrected = entry.shows.iter().filter_map(find);
+        let corrected: Vec<CorrectedClaim> = corrected
+            .map(|claim| {
+                let id = claim.entry.id.get_ref();
+                let restates = |c: &&ChangeEntry| {
+                    c.claim.get_ref() == id && (c.states.is_some() || c.remark.is_some())
+                };
+                let change = entry.changes.iter().find(restates);
+                // A statement of its own comes before that of the remark to which the change leads.
+                let stated = change.filter(|change| change.states.is_none());
+                let remark = stated.and_then(|change| change.remark.as_ref());
+                let remark = remark.and_then(find);
+                correct(source, claim, remark, change, entries, errors)
+            })
+            .collect();
+        Corrigendum {
+            id: entry.id.get_ref().clone(),
+            at: entry.at.clone(),
+            says: says.unwrap_or(Finding { pieces: vec![] }),
+            shows: entry.shows.iter().map(|id| id.get_ref().clone()).collect(),
+            changes,
+            corrected,
+        }
+    };
+    entries.iter().map(made).collect()
+}
+
+/// The claim with the corrected definitions of all corrigenda, and with the statement of the change or of the remark.
+fn correct(
+    source: &Arc<Source>,
+    claim: &Claim,
+    remark: Option<&Claim>,
+    change: Option<&ChangeEntry>,
+    entries: &[(Arc<Source>, CorrigendumEntry)],
+    errors: &mut Errors,
+) -> CorrectedClaim {
+    let mut corrected = remark.unwrap_or(claim).clone();
+    corrected.entry.id = claim.entry.id.clone();
+    corrected.finding = None;
+    let mut declarations = (*corrected.declarations).clone();
+    for (source, entry) in entries {
+        add_definitions(
+            &mut declarations,
+            source,
+            &entry.define,
+            &mut Errors::default(),
+        );
+    }
+    if let Some(change) = change {
+        add_definitions(&mut declarations, source, &change.local, errors);
+        for text in &change.assume {
+            if let Some(formula) = errors.keep(written(source, text)) {
+                corrected.assumptions.push(Hypothesis {
+                    formula,
+                    provenance: Provenance::Stated,
+                });
+            }
+        }
+        let states = change
+            .states
+            .as_ref()
+            .and_then(|text| errors.keep(written(source, text)));
+        corrected.statement = states.or(corrected.statement);
+        corrected.readings.clear();
+    }
+    corrected.declarations = Arc::new(declarations);
+    CorrectedClaim {
+        claim: corrected,
+        restated: change.is_some(),
+    }
+}

@@ -1,0 +1,182 @@
+//! A quotation that does not say the hypothesis for which it is given.
+//!
+//! The words stand in the print: the reader of files sees to that. Whether they say it is looked at here, for what can be
+//! read off: a bound of a number, and that something is not zero. `0 < u < 1` does not print `0 <= u <= 1`, `m >= 2` says
+//! nothing of n, and a slash does not say that what is below it is not zero.
+
+use super::{Sign, Subject, listed};
+use crate::outcome::SaidBy;
+use torse_syntax::formula::{Expr, Node, Relation, parse};
+use torse_syntax::notation::text;
+use torse_syntax::words::Flag;
+
+/// The hypotheses whose quotations say something else.
+pub(super) fn otherwise(subject: &Subject<'_>) -> Vec<Sign> {
+    let assumed = subject.outcome.assumed.iter();
+    let printed = assumed.filter_map(|hypothesis| match &hypothesis.from {
+        SaidBy::Printed { quote, .. } => Some((&hypothesis.formula.text, quote)),
+        _ => None,
+    });
+    let wrong = printed.filter(|(formula, quote)| !says(quote, formula));
+    let list = wrong.map(|(formula, quote)| format!("`{formula}` by “{quote}”"));
+    listed(
+        Flag::QuoteSaysOtherwise,
+        "the words do not say",
+        list.collect(),
+    )
+}
+
+/// Whether a quotation says a hypothesis, as far as that can be read off.
+fn says(quote: &str, formula: &str) -> bool {
+    let Ok(expr) = parse(formula) else {
+        return true;
+    };
+    let Node::Compare(first, rest) = &expr.node else {
+        return true;
+    };
+    let mut sides = vec![(**first).clone()];
+    sides.extend(rest.iter().map(|(_, side)| side.clone()));
+    let signs = signs(quote);
+    let mut links = sides.windows(2).zip(rest);
+    links.all(|(pair, (relation, _))| match (pair, relation) {
+        (_, Relation::Equal) => true,
+        (_, Relation::Different) => signs.denied,
+        ([a, b], relation) => match (name(a), number(b), number(a), name(b)) {
+            (Some(name), Some(bound), ..) => signs.bound(name, &bound, is_strict(*relation)),
+            (.., Some(bound), Some(name)) => signs.bound(name, &bound, is_strict(*relation)),
+            _ => true,
+        },
+        _ => true,
+    })
+}
+
+fn is_strict(relation: Relation) -> bool {
+    matches!(relation, Relation::Less | Relation::Greater)
+}
+
+fn name(side: &Expr) -> Option<&str> {
+    match &side.node {
+        Node::Name(name) if name != "pi" => Some(name),
+        _ => None,
+    }
+}
+
+/// A number as a print writes it.
+fn number(side: &Expr) -> Option<String> {
+    let written = text(side);
+    let plain = |c: char| c.is_ascii_digit() || matches!(c, '-' | '/' | '.' | '*');
+    let is_number = written.replace("pi", "").chars().all(plain);
+    is_number.then(|| written.replace('*', "").replace("pi", "π"))
+}
+
+/// What a quotation says of bounds.
+struct Signs {
+    /// Its letters, digits and signs without blanks.
+    plain: String,
+    /// Whether it says of something that it is not so.
+    denied: bool,
+}
+
+fn signs(quote: &str) -> Signs {
+    let denials = [
+        "≠",
+        "!=",
+        " not ",
+        "nonzero",
+        "except",
+        "distinct",
+        "different",
+        "independent",
+        "regular",
+    ];
+    let mut plain: String = quote.chars().filter(|c| !c.is_whitespace()).collect();
+    for (typed, sign) in [("<=", "≤"), (">=", "≥"), ("−", "-"), ("–", "-")] {
+        plain = plain.replace(typed, sign);
+    }
+    Signs {
+        plain,
+        denied: denials.iter().any(|word| quote.contains(word))
+            || quote.contains(['<', '>', '≤', '≥']),
+    }
+}
+
+impl Signs {
+    /// Whether a bound of a name is said: the name, and the number beside a sign that is as strict.
+    fn bound(&self, name: &str, bound: &str, strict: bool) -> bool {
+        if !self.names(name) {
+            return false;
+        }
+        let beside = |at: usize| {
+            let before = self
+                .plain
+                .get(..at)
+                .and_then(|text| text.chars().next_back());
+            let behind = self
+                .plain
+                .get(at + bound.len()..)
+                .and_then(|text| text.chars().next());
+            let wanted = |c: char| match strict {
+                true => matches!(c, '<' | '>'),
+                false => matches!(c, '≤' | '≥'),
+            };
+            let bracket = |open: Option<char>, close: Option<char>| match strict {
+                true => matches!(open, Some('(')) || matches!(close, Some(')')),
+                false => matches!(open, Some('[')) || matches!(close, Some(']')),
+            };
+            let listed = matches!(before, Some('=' | ',')) && !strict;
+            before.is_some_and(wanted)
+                || behind.is_some_and(wanted)
+                || bracket(before, behind)
+                || listed
+        };
+        let mut places = self.plain.match_indices(bound).map(|(at, _)| at);
+        let near = places.any(beside);
+        // Words for a bound, within the range that the symbol has anyway, and a list 0, 1, ..., m.
+        let words = ["positive", "negative", "..."];
+        near || words.iter().any(|word| self.plain.contains(word))
+    }
+
+    /// Whether a symbol is named: by its letter, whatever its index.
+    fn names(&self, name: &str) -> bool {
+        let stem = name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
+        let letter = match stem {
+            "mu" => "μ",
+            "nu" => "ν",
+            "lambda" => "λ",
+            "gamma" => "γ",
+            "alpha" => "α",
+            "beta" => "β",
+            "phi" => "φ",
+            "psi" => "ψ",
+            "theta" => "θ",
+            "omega" => "ω",
+            "rho" => "ρ",
+            _ => stem,
+        };
+        self.plain.contains(letter) || self.plain.contains(stem)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quotation_says_a_bound_with_its_strictness_and_its_name() {
+        for (quote, formula, said) in [
+            ("u in interval 0 < u < 1", "0 <= u <= 1", false),
+            ("u in interval 0 < u < 1", "0 < u < 1", true),
+            ("0 ≤ z ≤ 1", "0 <= z <= 1", true),
+            ("z, z_1 ∈ [0,1]", "0 <= z1 <= 1", true),
+            ("(-1 ≤ μ,ν ≤ 1)", "-1 <= mu1 <= 1", true),
+            ("m (m ≥ 2)", "n >= 2", false),
+            ("m (m ≥ 2)", "m >= 2", true),
+            ("/[(q - o).(a /\\ d)]", "dot(q - o, n) != 0", false),
+            ("we elect the value k > 0 and k != 1", "k != 1", true),
+            ("k = 0, 1, 2, ..., m", "0 <= k", true),
+            ("H_2(0) = H_1(1)", "h2 == h", true),
+        ] {
+            assert_eq!(says(quote, formula), said, "{quote}: {formula}");
+        }
+    }
+}
