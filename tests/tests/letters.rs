@@ -10,7 +10,7 @@ use torse_syntax::derivation::{Paper, load};
 use torse_syntax::words::Verdict;
 use torse_verdicts::PaperOutcome;
 use torse_verdicts::engine::{STANDARD_WORK, run};
-use torse_verdicts::faults::restore;
+use torse_verdicts::restore::restore;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")

@@ -7,8 +7,9 @@ use rayon::prelude::*;
 use std::time::{Duration, Instant};
 use torse_syntax::derivation::{Claim, DerivationError, Paper};
 use torse_verdicts::engine::STANDARD_WORK;
-use torse_verdicts::faults::{faults, restore};
+use torse_verdicts::faults::faults;
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
+use torse_verdicts::restore::restore;
 use torse_verdicts::stage::Stage;
 
 /// The option that bounds the work on a claim.

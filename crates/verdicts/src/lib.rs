@@ -27,6 +27,7 @@ pub mod readings;
 pub mod recheck;
 pub mod repair;
 pub mod replay;
+pub mod restore;
 mod sought;
 pub mod stage;
 pub mod table;
