@@ -11,6 +11,7 @@
 mod bernstein;
 pub mod certificate;
 pub mod coordinates;
+mod farkas;
 mod proof;
 mod prove;
 mod rooted;

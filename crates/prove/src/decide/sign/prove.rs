@@ -3,6 +3,7 @@
 use super::bernstein::{Shown, Spread};
 use super::certificate::{Certificate, Factor, Piece, Reason, assumed};
 use super::coordinates::{Coordinates, Region};
+use super::farkas;
 use super::samples;
 use super::squares::squares;
 use crate::decide::domain::Domain;
@@ -85,15 +86,22 @@ pub fn prove(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Certificate
     {
         best = better(best, found);
     }
-    best.or_else(|| without_square(polynomial, domain, &assumed))
+    let found = best.or_else(|| without_square(polynomial, domain, &assumed));
+    if strict(&found) {
+        return found;
+    }
+    match farkas::combination(polynomial, &assumed) {
+        Some(sum) => better(found, sum),
+        None => found,
+    }
 }
 
 /// The most assumptions that are combined, of the first so many.
 const MAX_COMBINED: usize = 3;
 const MAX_COMBINABLE: usize = 8;
 
-/// The polynomial as a constant plus nonnegative multiples of two or three assumptions (Farkas 1902: for linear ones
-/// there is such a sum whenever the polynomial is nonnegative where they are).
+/// The polynomial as a constant plus nonnegative multiples of two or three assumptions: what is short is found at once.
+/// [`farkas`] looks for all others.
 fn combination(polynomial: &Polynomial, assumed: &[(Polynomial, bool)]) -> Option<Certificate> {
     let useful: Vec<usize> = assumed
         .iter()
