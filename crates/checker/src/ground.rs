@@ -309,7 +309,11 @@ impl<'a> Domain<'a> {
     ) -> Result<(), Beyond> {
         let strange = || Beyond::Construct("a hypothesis that is no comparison");
         let mut gap = None;
-        let of_exponents = hypothesis.statement.of_exponents();
+        // The places of given equations count those that are written.
+        let of_exponents = match hypothesis.source {
+            Source::Given => None,
+            _ => hypothesis.statement.of_exponents(),
+        };
         for statement in [&hypothesis.statement].into_iter().chain(&of_exponents) {
             for (relation, left, right) in compared(statement).ok_or_else(strange)? {
                 match self.compare(groups, hypothesis, relation, left, right) {

@@ -10,7 +10,7 @@ use torse_prove::evidence::Witness;
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 use torse_syntax::notation::{Formula, text};
 use torse_syntax::words::Verdict;
-use torse_verdicts::outcome::{Correction, Outcome};
+use torse_verdicts::outcome::{Correction, Net, Outcome, Sides};
 
 /// Exact values of more characters than this are told by their decimals.
 const LONGEST_EXACT_VALUE: usize = 24;
@@ -35,10 +35,14 @@ pub(crate) fn of(claim: &Outcome) -> String {
             .unwrap_or_else(|| "False as printed.".to_owned()),
         Verdict::Conditional => {
             let told = told.map_or_else(String::new, |told| format!(" In words: {told}"));
+            let only = match claim.net.as_ref().is_some_and(needs_all) {
+                true => "only ",
+                false => "",
+            };
             match conjunction(&claim.conditions) {
-                Some(conditions) => format!("True only if {conditions}.{told}"),
+                Some(conditions) => format!("True {only}if {conditions}.{told}"),
                 None => {
-                    format!("True only under a condition, which is stated with the claim.{told}")
+                    format!("True {only}under a condition, which is stated with the claim.{told}")
                 }
             }
         }
@@ -58,6 +62,12 @@ pub(crate) fn of(claim: &Outcome) -> String {
             None => "Not decided.".to_owned(),
         },
     }
+}
+
+/// Whether of every condition a point is known at which it fails and the statement with it: then, and only then, the statement
+/// is true only if they hold.
+fn needs_all(net: &Net) -> bool {
+    !net.conditions.is_empty() && net.conditions.iter().all(Sides::seen_needed)
 }
 
 /// With a capital letter and a full stop.
