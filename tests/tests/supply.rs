@@ -135,3 +135,17 @@ fn alternatives_need_one_licence_and_conjunctions_all() {
     assert!(!is_met("MITX", &allowed));
     assert!(!is_met("MPL-2.0", &allowed));
 }
+
+#[test]
+fn the_citation_names_the_version_and_the_licences_of_the_workspace() {
+    let read = |name: &str| std::fs::read_to_string(format!("{ROOT}/{name}")).unwrap();
+    let workspace: toml::Table = read("Cargo.toml").parse().unwrap();
+    let package = &workspace["workspace"]["package"];
+    let citation = read("CITATION.cff");
+    let field = |line: &str| citation.lines().any(|own| own.trim() == line);
+    assert!(field(&format!("version: {}", package["version"].as_str().unwrap())));
+    let licences = package["license"].as_str().unwrap();
+    for licence in licences.split(" OR ") {
+        assert!(field(&format!("- {licence}")), "{licence}");
+    }
+}

@@ -84,11 +84,13 @@ Examples:
   torse unroll DESIGN.toml --to part.dxf the flat pattern, for the cutter
 
 Exit codes (of several that apply, the uppermost):
-  6  a verdict and its replay, or the kernel, contradict each other
+  6  a verdict and its replay, or the kernel, contradict each other: the claim is `undecided`, with
+     \"internal contradiction\"
   2  the command line cannot be followed: an unknown name, a missing folder
-  4  a derivation or design file is wrong; all mistakes are shown with file, line and column
+  4  a derivation or design file is wrong: all mistakes are shown with file, line and column, and the claims
+     that are right are decided all the same
   5  an output could not be made or written
-  8  the time limit has ended the run, without verdicts
+  8  the time limit (`--time-limit SECONDS`) has ended the run, without verdicts
   7  a program that was asked for is missing (coqc)
   1  a verdict differs from what its derivation file expects, or from an earlier run; a flag is open; a design
      misses a tolerance

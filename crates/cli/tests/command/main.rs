@@ -8,6 +8,7 @@ mod data;
 mod derive;
 mod design;
 mod erratum;
+mod exit_codes;
 mod explain;
 mod hostile;
 mod new;
