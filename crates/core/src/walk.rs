@@ -294,6 +294,16 @@ impl Family {
 }
 
 impl Statement {
+    /// The number of its statements: itself, and those that it joins or denies.
+    #[must_use]
+    pub fn size(&self) -> u64 {
+        match self {
+            Self::Compare { .. } | Self::Agrees { .. } | Self::Family(..) => 1,
+            Self::Join(_, a, b) => 1 + a.size() + b.size(),
+            Self::Not(inner) => 1 + inner.size(),
+        }
+    }
+
     /// The same statement with every term changed.
     #[must_use]
     pub fn mapped(&self, change: &dyn Fn(&Term) -> Term) -> Self {

@@ -245,14 +245,8 @@ impl<'a> Elaborator<'a> {
     }
 
     fn open(&self, expr: &Expr, scope: &Scope) -> Outcome<Meaning> {
-        self.nodes.set(self.nodes.get() + 1);
-        if self.nodes.get() > MAX_NODES {
-            return Err(Fault::limit(
-                expr.place,
-                format!("the formula opens to more than {MAX_NODES} terms"),
-            ));
-        }
         let place = expr.place;
+        self.count(1, place)?;
         let term = |node| Ok(Meaning::Term(self.made(node, place)));
         match &expr.node {
             formula::Node::Number { value, .. } => term(Node::Number(value.clone())),
@@ -299,6 +293,24 @@ impl<'a> Elaborator<'a> {
         }
     }
 
+    /// Counts nodes that are made.
+    fn count(&self, nodes: u64, place: Place) -> Outcome<()> {
+        self.nodes.set(self.nodes.get().saturating_add(nodes));
+        if self.nodes.get() > MAX_NODES {
+            let what = format!("the formula opens to more than {MAX_NODES} terms");
+            return Err(Fault::limit(place, what));
+        }
+        Ok(())
+    }
+
+    /// Once more what was opened before. Terms are shared; a statement is a tree of its own, and its size is counted.
+    fn copied(&self, meaning: &Meaning, place: Place) -> Outcome<Meaning> {
+        if let Meaning::Statement(statement) = meaning {
+            self.count(statement.size(), place)?;
+        }
+        Ok(meaning.clone())
+    }
+
     fn named(&self, name: &str, place: Place, scope: &Scope) -> Outcome<Meaning> {
         let term = |node| Ok(Meaning::Term(self.made(node, place)));
         if let Some((variable, _)) = scope.locals.get(name) {
@@ -336,7 +348,7 @@ impl<'a> Elaborator<'a> {
         let base = name.trim_end_matches('\'');
         let closed = scope.globals.is_empty() && !scope.locals.contains_key(base);
         if closed && let Some(meaning) = self.opened.borrow().get(name) {
-            return Ok(meaning.clone());
+            return self.copied(meaning, place);
         }
         if base.len() < name.len()
             && let Ok(Meaning::Function(function)) = self.named(base, place, scope)
@@ -364,7 +376,7 @@ impl<'a> Elaborator<'a> {
     ) -> Outcome<Meaning> {
         let closed = scope.globals.is_empty();
         if closed && let Some(meaning) = self.opened.borrow().get(name) {
-            return Ok(meaning.clone());
+            return self.copied(meaning, place);
         }
         if self.depth.get() >= MAX_DEPTH {
             return Err(Fault::at(place, Problem::Circular { limit: MAX_DEPTH }));

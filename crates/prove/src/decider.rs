@@ -15,7 +15,7 @@ use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::planted::{Planted, planted};
-use torse_algebra::{Fraction, Polynomial, Symbol};
+use torse_algebra::{Fraction, Polynomial, Symbol, work};
 use torse_certificate::Refuted;
 use torse_certificate::identity::{Combination, Equations, Vanishing};
 use torse_certificate::proof::Emptiness;
@@ -25,7 +25,7 @@ use torse_core::{self as core};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::fault::{Fault, Problem};
-use torse_syntax::formula::Relation;
+use torse_syntax::formula::{Place, Relation};
 /// The values of some integers.
 pub(crate) type Instance = BTreeMap<String, i64>;
 
@@ -100,6 +100,8 @@ impl<'a> Decider<'a> {
             return Ok(known.clone());
         }
         let made = self.ground_where(instance, RootsAre::Symbols)?;
+        // What a job that is over came to would be that of all later parts.
+        work::check().map_err(|limit| Fault::limit(Place::default(), limit.to_string()))?;
         Ok(self.ground.get_or_init(|| made).clone())
     }
 

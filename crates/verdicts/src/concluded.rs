@@ -136,20 +136,32 @@ pub(crate) fn rest_on(outcome: &mut Outcome, needed: Vec<Formula>) {
 }
 
 /// Searches for what the paper meant. The outcome changes only when something is found.
-pub(crate) fn correct(outcome: &mut Outcome, claim: &Claim, statement: &Written) {
+///
+/// # Errors
+/// The limit that ended a search; what was found before stands.
+pub(crate) fn correct(
+    outcome: &mut Outcome,
+    claim: &Claim,
+    statement: &Written,
+) -> Result<(), work::Spent> {
+    // What a search that is over came to is nothing.
+    fn found<T>(found: T) -> Result<T, work::Spent> {
+        work::check().map(|()| found)
+    }
     if repair::is_sought(outcome.kind) {
-        outcome.correction = repair::search(claim, statement);
+        outcome.correction = found(repair::search(claim, statement))?;
         if outcome.correction.is_some() {
             outcome.verdict = Verdict::Misprint;
-            return;
+            return Ok(());
         }
         // Derived anew is no slip of printing: the statement is false.
-        outcome.correction = repair::ansatz::search(claim, statement);
-        outcome.data = repair::entries::search(claim, statement);
+        outcome.correction = found(repair::ansatz::search(claim, statement))?;
+        outcome.data = found(repair::entries::search(claim, statement))?;
     }
     if outcome.kind == Kind::Value && outcome.correction.is_none() && outcome.data.is_none() {
-        outcome.data = repair::data::search(claim, statement);
+        outcome.data = found(repair::data::search(claim, statement))?;
     }
+    Ok(())
 }
 
 /// The same of a correction.

@@ -1,6 +1,6 @@
 //! Conjunctions: their parts, and of a refuted one which part fails, which hold and by what.
 
-use torse_algebra::work;
+use torse_algebra::work::Allowance;
 use torse_prove::decide::Decision;
 use torse_prove::evidence::Evidence;
 use torse_prove::with_prepared;
@@ -8,8 +8,11 @@ use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Connective, Expr, Node};
 use torse_syntax::notation;
 
+/// So many parts may take all the work that one may; more of them have to share it.
+const WITH_ALL_WORK: u64 = 50;
+
 /// What is true of each part, a line each; nothing for what is no conjunction. What the first parts are is known; each
-/// further one may take so much work.
+/// further one may take so much work, and all together fifty times as much.
 #[must_use]
 pub fn part_by_part(
     claim: &Claim,
@@ -23,10 +26,11 @@ pub fn part_by_part(
     }
     let undecided = || "is not decided".to_owned();
     if known.len() < parts.len() {
+        let mut allowance = Allowance::new(budget, budget.saturating_mul(WITH_ALL_WORK));
         // A formula without sense was refused with the verdict.
         let _ = with_prepared(claim, statement, |prepared| {
             for number in known.len()..parts.len() {
-                let decided = work::within(budget, || prepared.decide_part(number));
+                let decided = allowance.within(|| prepared.decide_part(number));
                 known.push(match decided {
                     Ok(Ok(Some(decision))) => word(&decision),
                     _ => undecided(),

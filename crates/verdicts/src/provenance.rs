@@ -10,7 +10,8 @@
 
 use crate::outcome::{Assumed, Outcome, Role, SaidBy};
 use std::sync::Arc;
-use torse_algebra::{Polynomial, work};
+use torse_algebra::Polynomial;
+use torse_algebra::work::Allowance;
 use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 use torse_syntax::derivation::declarations::SymbolKind;
@@ -146,7 +147,11 @@ pub struct Weighed {
     pub needed: Vec<(Slot, bool)>,
 }
 
-/// Tries to do without the hypotheses that are ours, with so much work for each. One that cannot be tried with that is needed.
+/// So many hypotheses of ours may take all the work that one may; more of them have to share it.
+const WITH_ALL_WORK: u64 = 5;
+
+/// Tries to do without the hypotheses that are ours, with so much work for each, and five times as much for all. One that
+/// cannot be tried with that is needed.
 #[must_use]
 pub fn weigh(claim: &Claim, statement: &Written, decision: Decision, budget: u64) -> Weighed {
     let mut weighed = Weighed {
@@ -156,6 +161,7 @@ pub fn weigh(claim: &Claim, statement: &Written, decision: Decision, budget: u64
     if !weighed.decision.is_proven() {
         return weighed;
     }
+    let mut allowance = Allowance::new(budget, budget.saturating_mul(WITH_ALL_WORK));
     let mut dropped = vec![];
     for slot in slots(claim) {
         if !can_be_dropped(claim, &slot) {
@@ -164,7 +170,7 @@ pub fn weigh(claim: &Claim, statement: &Written, decision: Decision, budget: u64
         dropped.push(slot.clone());
         let fewer = without(claim, &dropped);
         // What makes no sense without the hypothesis needs it.
-        let found = work::within(budget, || decide_statement(&fewer, statement));
+        let found = allowance.within(|| decide_statement(&fewer, statement));
         match found.ok().and_then(Result::ok) {
             Some(decision) if stands_for(&decision, &weighed.decision, stated(claim, &slot)) => {
                 weighed.decision = decision;

@@ -9,7 +9,7 @@ use crate::meant::Meant;
 use crate::outcome::{Outcome, Replay};
 use crate::{condition, net, provenance};
 use std::sync::Arc;
-use torse_algebra::work::{self, OutOfWork};
+use torse_algebra::work::{self, Spent};
 use torse_certificate::Proof;
 use torse_certificate::proof::Emptiness;
 use torse_prove::decide::Decision;
@@ -70,7 +70,7 @@ pub(crate) fn decided(
 fn known<T>(
     outcome: &mut Outcome,
     statement: &Written,
-    found: Result<Result<T, Fault>, OutOfWork>,
+    found: Result<Result<T, Fault>, Spent>,
 ) -> Result<Option<T>, Box<DerivationError>> {
     let limit = match found {
         Ok(Ok(found)) => return Ok(Some(found)),

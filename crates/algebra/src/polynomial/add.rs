@@ -54,9 +54,11 @@ pub(super) fn widened<'p>(p: &'p Polynomial, symbols: &Arc<[Symbol]>) -> Cow<'p,
 }
 
 fn sum(a: &Polynomial, b: &Polynomial, negated: &Integer) -> Polynomial {
-    cost::sum(a, b);
     let symbols = common_symbols(a, b);
     let width = symbols.len();
+    if cost::sum(a, b, width).is_err() {
+        return Polynomial::zero();
+    }
     let (rows_a, rows_b) = (widened(a, &symbols), widened(b, &symbols));
     let (denominator, scale_a, scale_b) = if a.body.denominator == b.body.denominator {
         (a.body.denominator.clone(), Integer::ONE, negated.clone())

@@ -2,11 +2,13 @@
 
 use crate::rational::Integer;
 use crate::symbol::Symbol;
+use dashu_int::ops::BitTest;
 use num_integer::Integer as _;
 use std::sync::Arc;
+use torse_numbers::work;
 
-/// The table of a polynomial.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// The table of a polynomial. Its memory is counted from [`Body::shared`] to its end.
+#[derive(PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Body {
     /// The symbols that occur, ascending.
     pub(super) symbols: Arc<[Symbol]>,
@@ -18,7 +20,29 @@ pub(super) struct Body {
     pub(super) denominator: Integer,
 }
 
+impl Drop for Body {
+    fn drop(&mut self) {
+        work::give_back(self.bytes());
+    }
+}
+
 impl Body {
+    /// Counts the memory of a table, which does not change from here on.
+    pub(super) fn shared(self) -> Arc<Self> {
+        work::hold(self.bytes());
+        Arc::new(self)
+    }
+
+    /// About the bytes that the table holds: the first, middle and last coefficient stand for all.
+    fn bytes(&self) -> usize {
+        let terms = self.coefficients.len();
+        let some = [0, terms / 2, terms.saturating_sub(1)].map(|term| self.coefficients.get(term));
+        let bits = |c: &Integer| c.bit_len();
+        let longest = some.into_iter().flatten().map(bits).max().unwrap_or(0);
+        let term = size_of::<Integer>() + longest / 8;
+        size_of::<Self>() + size_of_val(self.exponents.as_slice()) + terms * term
+    }
+
     /// The rows of exponents.
     pub(super) fn rows(&self) -> impl Iterator<Item = &[u16]> {
         let width = self.symbols.len();

@@ -96,7 +96,7 @@ fn quotient<R: Difference>(
         };
         let step = row.less(&lead, &guards)?;
         limits.less(&step, &guards)?;
-        cost::division_step(divisor.len());
+        cost::division_step(divisor.len()).ok()?;
         let factor = integer_quotient(&coefficient, &lead_coefficient)?;
         for (other, c) in &divisor {
             match rest.entry(step.plus(other)) {

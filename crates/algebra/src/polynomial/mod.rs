@@ -70,13 +70,15 @@ impl Polynomial {
         coefficients: Vec<Integer>,
         denominator: Integer,
     ) -> Self {
-        let body = Arc::new(Body {
+        let body = Body {
             symbols,
             exponents,
             coefficients,
             denominator,
-        });
-        Self { body }
+        };
+        Self {
+            body: body.shared(),
+        }
     }
 
     /// A constant in lowest terms that is not zero.
@@ -321,7 +323,7 @@ impl Polynomial {
         body.drop_absent_symbols();
         body.cancel_content();
         Self {
-            body: Arc::new(body),
+            body: body.shared(),
         }
     }
 

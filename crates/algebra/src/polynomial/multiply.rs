@@ -17,20 +17,19 @@ use super::quotients::Quotients;
 use super::{Polynomial, cost, dense, sparse};
 use crate::rational::Integer;
 use std::ops::Mul;
+use torse_numbers::work::room;
 
-/// The highest exponent of each column of the product.
-///
-/// # Panics
-/// When one is above `u16::MAX`: no row holds it, and a wrong product would be worse than none.
-fn highest(rows_a: &[u16], rows_b: &[u16], columns: usize) -> Vec<u16> {
+/// So many terms are made before it is looked at whether there is room for more.
+const TERMS_BETWEEN_LOOKS: usize = 1 << 14;
+
+/// The highest exponent of each column of the product; none when one is above `u16::MAX`.
+fn highest(rows_a: &[u16], rows_b: &[u16], columns: usize) -> Option<Vec<u16>> {
     let top = |rows: &[u16], column: usize| -> u16 {
         let exponents = rows.iter().skip(column).step_by(columns);
         exponents.copied().max().unwrap_or(0)
     };
     let sums = (0..columns).map(|column| {
-        let (sum, overflow) = top(rows_a, column).overflowing_add(top(rows_b, column));
-        assert!(!overflow, "a product has an exponent above {}", u16::MAX);
-        sum
+        top(rows_a, column).checked_add(top(rows_b, column))
     });
     sums.collect()
 }
@@ -70,7 +69,16 @@ fn sparse_terms<R: Row, K: Coefficients>(
     let likely = a.len() + b.len();
     let mut exponents = Vec::with_capacity(likely * widths.len());
     let mut coefficients = Vec::with_capacity(likely);
+    let bytes = cost::bytes_of_a_term(widths.len());
+    let mut over = false;
     sparse::product(kind, &packed(rows_a, a), &packed(rows_b, b), |row, sum| {
+        let terms = coefficients.len() + 1;
+        if terms.is_multiple_of(TERMS_BETWEEN_LOOKS) {
+            over = over || room(terms * bytes).is_err();
+        }
+        if over {
+            return;
+        }
         row.unpack(widths, &mut exponents);
         coefficients.push(kind.value(sum));
     });
@@ -78,7 +86,7 @@ fn sparse_terms<R: Row, K: Coefficients>(
 }
 
 /// # Panics
-/// When an exponent of the product is above `u16::MAX`.
+/// When an exponent of the product is above `u16::MAX`, outside of a job: see [`torse_numbers::work`].
 impl Mul for &Polynomial {
     type Output = Polynomial;
     fn mul(self, other: Self) -> Polynomial {
@@ -91,10 +99,15 @@ impl Mul for &Polynomial {
         if let ([], [factor]) = (other.symbols(), other.body.coefficients.as_slice()) {
             return self.multiple(factor, &other.body.denominator);
         }
-        cost::product(self, other);
+        if cost::product(self, other).is_err() {
+            return self.clone();
+        }
         let symbols = common_symbols(self, other);
         let (rows_a, rows_b) = (widened(self, &symbols), widened(other, &symbols));
-        let highest = highest(&rows_a, &rows_b, symbols.len());
+        let Some(highest) = highest(&rows_a, &rows_b, symbols.len()) else {
+            cost::exponent_overflow();
+            return self.clone();
+        };
         let (a, b) = (&self.body.coefficients, &other.body.coefficients);
         let (exponents, coefficients) = if let Some((a, b)) = Words::factors(a, b) {
             terms(&Words, &highest, (&rows_a, a), (&rows_b, b))
@@ -127,7 +140,7 @@ impl Polynomial {
     /// `self` to the power `exponent`, by repeated squaring.
     ///
     /// # Panics
-    /// When an exponent of the result is above `u16::MAX`.
+    /// When an exponent of the result is above `u16::MAX`, outside of a job: see [`torse_numbers::work`].
     #[must_use]
     pub fn power(&self, exponent: u32) -> Self {
         let mut result = Self::constant(&crate::rational::integer(1));

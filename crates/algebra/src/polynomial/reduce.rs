@@ -3,7 +3,7 @@
 //! Each rule lowers the degree of its symbol and the rules share no symbol on the left, so rewriting
 //! ends and does not depend on the order (the left sides are coprime powers, hence a Groebner basis).
 
-use super::Polynomial;
+use super::{Polynomial, cost};
 use crate::rational::Integer;
 use crate::symbol::Symbol;
 use num_traits::One;
@@ -49,6 +49,12 @@ impl Polynomial {
         let cosine = symbol
             .partner()
             .and_then(|c| symbols.binary_search(&c).ok());
+        let exponents = rows.chunks(symbols.len()).filter_map(|row| row.get(column));
+        let highest = exponents.clone().copied().max().unwrap_or(0);
+        let made = exponents.map(|e| usize::from(*e) / 2 + 1).sum();
+        if cost::rewriting(made, highest, symbols.len()).is_err() {
+            return Self::zero();
+        }
         let mut terms = Vec::with_capacity(self.len());
         for (row, coefficient) in rows.chunks(symbols.len()).zip(&self.body.coefficients) {
             let mut row = row.to_vec();
@@ -71,7 +77,9 @@ impl Polynomial {
                         let mut term = row.clone();
                         if let Some(slot) = term.get_mut(cosine) {
                             let total = slot.checked_add(2 * j);
-                            assert!(total.is_some(), "an exponent above {}", u16::MAX);
+                            if total.is_none() {
+                                cost::exponent_overflow();
+                            }
                             *slot = total.unwrap_or(u16::MAX);
                         }
                         let signed = if j % 2 == 0 {

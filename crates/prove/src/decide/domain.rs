@@ -198,7 +198,8 @@ impl Domain<'_> {
             if assumed.exact_quotient(&rest).is_some() {
                 return Polynomial::integer(1);
             }
-            while assumed.as_constant().is_none()
+            while !rest.is_zero()
+                && assumed.as_constant().is_none()
                 && let Some(quotient) = rest.exact_quotient(assumed)
             {
                 rest = quotient;

@@ -157,6 +157,7 @@ impl Evaluator<'_> {
         };
         let row: Rc<[Fraction]> = row.into_iter().map(|f| self.at_sample(f)).collect();
         if family.closed {
+            super::memory::lasting(place)?;
             let mut members = self.members.borrow_mut();
             members
                 .entry(key)

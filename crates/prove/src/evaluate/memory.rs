@@ -9,8 +9,10 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
-use torse_algebra::Fraction;
+use torse_algebra::{Fraction, work};
 use torse_core::{Node, Term};
+use torse_syntax::fault::Fault;
+use torse_syntax::formula::Place;
 
 /// The most values of one term that are kept.
 const MAX_KEPT: usize = 24;
@@ -118,6 +120,11 @@ impl Memory {
     }
 }
 
+/// What a job that is over came to is not kept: others would take it for the value. See [`work`].
+pub(super) fn lasting(place: Place) -> Outcome<()> {
+    work::check().map_err(|limit| Fault::limit(place, limit.to_string()))
+}
+
 impl Evaluator<'_> {
     /// The value of a term, from memory if its free variables had the same values before.
     pub(super) fn remembered(
@@ -148,6 +155,7 @@ impl Evaluator<'_> {
             return Ok(value.clone());
         }
         let value = evaluate()?;
+        lasting(term.place)?;
         let mut kept = self.memory.values.borrow_mut();
         let kept = kept.entry(key).or_default();
         if kept.len() < MAX_KEPT {
@@ -170,6 +178,7 @@ impl Evaluator<'_> {
         }
         let before = self.work();
         let value = evaluate()?;
+        lasting(term.place)?;
         let work = self.work().saturating_sub(before);
         let kept = (value.clone(), work);
         self.memory.parts.borrow_mut().insert(key, kept);

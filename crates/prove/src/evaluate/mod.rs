@@ -285,8 +285,8 @@ impl<'a> Evaluator<'a> {
     fn visit(&self, term: &Term, bound: &Environment) -> Outcome<Value> {
         self.nodes.set(self.nodes.get() + 1);
         self.spend(1);
-        work::spend(NODE_WORK);
         let place = term.place;
+        work::spend(NODE_WORK).map_err(|limit| Fault::limit(place, limit.to_string()))?;
         if self.nodes.get() > MAX_NODES {
             return Err(Fault::limit(
                 place,

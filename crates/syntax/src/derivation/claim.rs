@@ -18,6 +18,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use toml::Spanned;
 
+/// The most readings of a sentence: each is decided as a claim of its own.
+const MAX_READINGS: usize = 16;
+
 /// A claim, parsed but not decided.
 #[derive(Debug, Clone)]
 pub struct Claim {
@@ -147,6 +150,7 @@ pub(super) fn claim(
     let readings = entry
         .readings
         .iter()
+        .take(MAX_READINGS)
         .map(|reading| Reading {
             name: reading.name.get_ref().clone(),
             says: reading.says.get_ref().clone(),
@@ -296,6 +300,11 @@ fn check_fields(source: &Arc<Source>, entry: &ClaimEntry, errors: &mut Errors) {
             let message = "a reading says in words what it makes of the sentence";
             wrong(&reading.says, message, help);
         }
+    }
+    if let Some(first_above) = entry.readings.get(MAX_READINGS) {
+        let all = entry.readings.len();
+        let message = format!("a sentence has {MAX_READINGS} readings at most, and this has {all}");
+        wrong(&first_above.name, &message, help);
     }
     match (entry.readings.as_slice(), &entry.states) {
         ([only], _) => wrong(&only.name, "one reading alone is the statement", help),

@@ -322,7 +322,7 @@ fn exponents_up_to_the_largest_are_added_exactly() {
 }
 
 #[test]
-#[should_panic(expected = "a product has an exponent above 65535")]
+#[should_panic(expected = "a power with an exponent above 65535")]
 fn a_larger_exponent_is_refused_not_wrapped() {
     let _ = Polynomial::named("x").power(65_536);
 }
