@@ -143,7 +143,10 @@ fn the_citation_names_the_version_and_the_licences_of_the_workspace() {
     let package = &workspace["workspace"]["package"];
     let citation = read("CITATION.cff");
     let field = |line: &str| citation.lines().any(|own| own.trim() == line);
-    assert!(field(&format!("version: {}", package["version"].as_str().unwrap())));
+    assert!(field(&format!(
+        "version: {}",
+        package["version"].as_str().unwrap()
+    )));
     let licences = package["license"].as_str().unwrap();
     for licence in licences.split(" OR ") {
         assert!(field(&format!("- {licence}")), "{licence}");

@@ -66,7 +66,7 @@ fn surfaces(design: &Design) -> Outcome<Value> {
         border += piece.flat.outline().length();
         for ruling in piece.flat.rulings() {
             let [[x0, y0], [x1, y1]] = ruling.ends;
-            border += ruling.bend.abs() * (x1 - x0).hypot(y1 - y0);
+            border += ruling.bend.abs() * libm::hypot(x1 - x0, y1 - y0);
         }
     }
     for surface in &report.surfaces {

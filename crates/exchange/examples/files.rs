@@ -199,7 +199,7 @@ fn pattern(folder: &Path) -> Outcome<String> {
     write_file(&folder.join("cone.dxf"), dxf(&drawing)?.as_bytes())?;
     write_file(&folder.join("cone.svg"), svg(&drawing)?.as_bytes())?;
     let quarter = std::f64::consts::FRAC_PI_2;
-    let slant = 20.0_f64.hypot(40.0);
+    let slant = libm::hypot(20.0_f64, 40.0);
     Ok(format!(
         "{{\"dxf\": \"cone.dxf\", \"svg\": \"cone.svg\", \"area\": {:?}, \"outline\": {:?}, \
          \"radii\": [{:?}, {:?}], \"error\": {:?}, \"rulings\": {}}}",
@@ -215,7 +215,7 @@ fn pattern(folder: &Path) -> Outcome<String> {
 /// A plate with round corners, a hole, bends and lettering.
 fn drawing(folder: &Path) -> Outcome<String> {
     let (width, height, corner, hole) = (80.0, 50.0, 10.0, 6.0);
-    let quarter = (std::f64::consts::PI / 8.0).tan();
+    let quarter = libm::tan(std::f64::consts::PI / 8.0);
     let vertex = |x: f64, y: f64, bulge: f64| Vertex {
         point: [x, y],
         bulge,

@@ -169,7 +169,7 @@ impl Coordinate for f64 {
         if (0.0..=1.0).contains(self) {
             return Ok(crate::turn::of_unit(*self));
         }
-        Ok((std::f64::consts::FRAC_PI_2 * self).sin_cos())
+        Ok(libm::sincos(std::f64::consts::FRAC_PI_2 * self))
     }
 
     #[inline(always)]

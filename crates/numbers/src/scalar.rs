@@ -134,7 +134,7 @@ impl Scalar for f64 {
     }
 
     fn quarter_turn(&self) -> Result<(Self, Self), ExactError> {
-        Ok((self * std::f64::consts::FRAC_PI_2).sin_cos())
+        Ok(libm::sincos(self * std::f64::consts::FRAC_PI_2))
     }
 
     fn pi_like(&self) -> Result<Self, ExactError> {

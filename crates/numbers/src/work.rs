@@ -126,7 +126,9 @@ pub fn within<T>(limit: u64, job: impl FnOnce() -> T) -> Result<T, Spent> {
         meter.limit.set(around.limit.min(own));
         meter.budget.set(limit);
         if around.most == i64::MAX {
-            meter.most.set(meter.held.get().saturating_add(signed(MAX_MEMORY)));
+            meter
+                .most
+                .set(meter.held.get().saturating_add(signed(MAX_MEMORY)));
         }
         around
     });
@@ -220,7 +222,9 @@ pub fn check() -> Result<(), Spent> {
 /// Where they may not, or a limit was met before, the job is over.
 pub fn room(bytes: usize) -> Result<(), Spent> {
     METER.with(|meter| {
-        if meter.over.get().is_none() && meter.held.get().saturating_add(size(bytes)) > meter.most.get() {
+        if meter.over.get().is_none()
+            && meter.held.get().saturating_add(size(bytes)) > meter.most.get()
+        {
             meter.over.set(Some(Spent::Memory { limit: MAX_MEMORY }));
         }
         meter.over.get().map_or(Ok(()), Err)

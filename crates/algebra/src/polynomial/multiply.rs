@@ -28,9 +28,7 @@ fn highest(rows_a: &[u16], rows_b: &[u16], columns: usize) -> Option<Vec<u16>> {
         let exponents = rows.iter().skip(column).step_by(columns);
         exponents.copied().max().unwrap_or(0)
     };
-    let sums = (0..columns).map(|column| {
-        top(rows_a, column).checked_add(top(rows_b, column))
-    });
+    let sums = (0..columns).map(|column| top(rows_a, column).checked_add(top(rows_b, column)));
     sums.collect()
 }
 

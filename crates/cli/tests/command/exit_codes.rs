@@ -30,7 +30,10 @@ fn by_readme() -> Vec<(u8, String)> {
     let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../README.md"));
     let readme = readme.unwrap();
     let table = readme.split_once("| exit code |").unwrap().1;
-    let rows = table.lines().skip(2).take_while(|line| line.starts_with('|'));
+    let rows = table
+        .lines()
+        .skip(2)
+        .take_while(|line| line.starts_with('|'));
     let cells = rows.map(|row| row.trim_matches('|').split_once('|').unwrap());
     let cells = cells.map(|(number, meaning)| (number.trim().parse().unwrap(), plain(meaning)));
     cells.collect()

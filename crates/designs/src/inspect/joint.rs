@@ -167,7 +167,7 @@ fn report(
         other.reverse();
     }
     let angle = |(n, m): (&Option<Point>, &Option<Point>)| match (n, m) {
-        (Some(n), Some(m)) => norm(&cross(n, m)).atan2(dot(n, m).abs()),
+        (Some(n), Some(m)) => libm::atan2(norm(&cross(n, m)), dot(n, m).abs()),
         _ => std::f64::consts::FRAC_PI_2,
     };
     let kink = own

@@ -135,7 +135,7 @@ fn marks(
                     layer: Layer::Marks,
                     at: flatten(*place)?,
                     height: *height,
-                    angle: (to[1] - from[1]).atan2(to[0] - from[0]) + angle,
+                    angle: libm::atan2(to[1] - from[1], to[0] - from[0]) + angle,
                     content: content.clone(),
                 })?;
             }

@@ -29,7 +29,7 @@ pub type Drawn = Vec<[f64; 2]>;
 
 /// The box of a line of letters as a polygon, to keep other lines clear of it.
 pub fn frame(line: &Line, letters: usize) -> Drawn {
-    let (sine, cosine) = line.angle.sin_cos();
+    let (sine, cosine) = libm::sincos(line.angle);
     let (width, height) = (width(letters, line.height), line.height);
     let corner = |x: f64, y: f64| {
         [
@@ -63,11 +63,11 @@ pub fn place(rulings: &[Ends], letters: usize, wished: f64, drawn: &[Drawn]) -> 
         }
     }
     let [from, to] = upright(*rulings.get(5 * count / 8)?);
-    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+    let length = libm::hypot(to[0] - from[0], to[1] - from[1]);
     Some(Line {
         at: along(&[from, to], 0.1),
         height: wished.min(0.8 * length / width(letters, 1.0)),
-        angle: (to[1] - from[1]).atan2(to[0] - from[0]),
+        angle: libm::atan2(to[1] - from[1], to[0] - from[0]),
     })
 }
 
@@ -93,7 +93,7 @@ fn between(a: &Ends, b: &Ends, letters: usize, height: f64, drawn: &[Drawn]) -> 
     let middle = [0, 1].map(|end| along(&[a[end], b[end]], 0.5));
     let middle = upright(middle);
     let way = [0, 1].map(|i| middle[1][i] - middle[0][i]);
-    let length = way[0].hypot(way[1]);
+    let length = libm::hypot(way[0], way[1]);
     let taken = width(letters, height) / length;
     // Also clear of the rails, which may lean.
     let margin = 0.5 * HIGH * height / length;
@@ -132,7 +132,7 @@ fn between(a: &Ends, b: &Ends, letters: usize, height: f64, drawn: &[Drawn]) -> 
         return Some(Line {
             at: [x + 0.5 * height * unit[1], y - 0.5 * height * unit[0]],
             height,
-            angle: way[1].atan2(way[0]),
+            angle: libm::atan2(way[1], way[0]),
         });
     }
     None
@@ -141,7 +141,7 @@ fn between(a: &Ends, b: &Ends, letters: usize, height: f64, drawn: &[Drawn]) -> 
 /// The distance of a point from the line through two others.
 fn distance([p, q]: &Ends, point: [f64; 2]) -> f64 {
     let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
-    ((point[0] - p[0]) * dy - (point[1] - p[1]) * dx).abs() / dx.hypot(dy)
+    ((point[0] - p[0]) * dy - (point[1] - p[1]) * dx).abs() / libm::hypot(dx, dy)
 }
 
 /// Whether a segment meets a box (Liang and Barsky).

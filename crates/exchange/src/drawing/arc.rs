@@ -21,7 +21,7 @@ impl Arc {
     pub(crate) fn of(from: Vertex, to: [f64; 2]) -> Option<Self> {
         let ([x, y], b) = (from.point, from.bulge);
         let chord = [to[0] - x, to[1] - y];
-        let radius = chord[0].hypot(chord[1]) * (1.0 + b * b) / (4.0 * b.abs());
+        let radius = libm::hypot(chord[0], chord[1]) * (1.0 + b * b) / (4.0 * b.abs());
         let rise = (1.0 - b * b) / (4.0 * b);
         let centre = [
             x + 0.5 * chord[0] - rise * chord[1],
@@ -60,7 +60,7 @@ pub(crate) fn parts(from: Vertex, to: [f64; 2], share: f64) -> Vec<[f64; 2]> {
     let Some(arc) = Arc::of(from, to) else {
         return vec![to];
     };
-    let turn = 4.0 * from.bulge.atan();
+    let turn = 4.0 * libm::atan(from.bulge);
     // A part of an angle t has a sagitta below r t^2/8, and the whole arc the length r |turn|.
     let wanted = (turn.abs() / (8.0 * share.max(1e-9))).sqrt().ceil();
     let count = wanted.clamp(1.0, 256.0);
@@ -68,7 +68,7 @@ pub(crate) fn parts(from: Vertex, to: [f64; 2], share: f64) -> Vec<[f64; 2]> {
     let mut points = Vec::new();
     let mut k = 1.0;
     while k < count {
-        let (sine, cosine) = (turn * k / count).sin_cos();
+        let (sine, cosine) = libm::sincos(turn * k / count);
         points.push([
             arc.centre[0] + cosine * x - sine * y,
             arc.centre[1] + sine * x + cosine * y,

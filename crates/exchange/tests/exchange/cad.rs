@@ -177,7 +177,7 @@ fn what_is_not_rational_says_why() {
     let degree = 9;
     let planes = (0..=degree)
         .map(f64::from)
-        .map(|t| [t.sin(), t.cos(), 2.0 + (2.0 * t).sin(), 3.0]);
+        .map(|t| [libm::sin(t), libm::cos(t), 2.0 + libm::sin(2.0 * t), 3.0]);
     let family = PlaneFamily::new(Bernstein, planes.collect()).unwrap();
     let high = EnvelopingPatch::new(family, Bounds::Range([1.0, 2.0]))
         .unwrap()
@@ -195,7 +195,13 @@ fn what_is_not_rational_says_why() {
 #[test]
 fn tensor_products_of_both_bases_stay_within_their_distance() {
     let net = |m: usize, n: usize| -> Vec<Vec<[f64; 3]>> {
-        let at = |i: usize, j: usize| [i as f64, j as f64 + 0.1 * i as f64, ((i * j) as f64).sin()];
+        let at = |i: usize, j: usize| {
+            [
+                i as f64,
+                j as f64 + 0.1 * i as f64,
+                libm::sin((i * j) as f64),
+            ]
+        };
         (0..m).map(|i| (0..n).map(|j| at(i, j)).collect()).collect()
     };
     let gbt = |mu: f64, nu: f64| Gbt::new(mu, nu).unwrap();

@@ -12,7 +12,7 @@ fn vertex(x: f64, y: f64, bulge: f64) -> Vertex {
 fn an_arc_reaches_as_far_as_its_circle() {
     let mut drawing = Drawing::default();
     // Three quarters of the unit circle, from the right around to the bottom.
-    let bulge = (3.0 * std::f64::consts::PI / 8.0).tan();
+    let bulge = libm::tan(3.0 * std::f64::consts::PI / 8.0);
     let arc = [vertex(1.0, 0.0, bulge), vertex(0.0, -1.0, 0.0)];
     drawing.path(Layer::Outline, &arc, false).unwrap();
     let [low, high] = drawing.bounds().unwrap();

@@ -267,7 +267,7 @@ impl<T: Range> Squares<T> {
 fn angle<T: Range>(sine: &T, cosine: &T) -> [f64; 2] {
     let ([s_low, s_high], [c_low, c_high]) = (sine.interval(), cosine.interval());
     // Plus zero: the arc tangent of a negative zero would be pi.
-    let turn = |s: f64, c: f64| (s.max(0.0) + 0.0).atan2(c.max(0.0) + 0.0);
+    let turn = |s: f64, c: f64| libm::atan2(s.max(0.0) + 0.0, c.max(0.0) + 0.0);
     // The arc tangent of the library is good to one unit in the last place; two are allowed for.
     let low = turn(s_low, c_high).next_down().next_down();
     let high = turn(s_high, c_low);

@@ -77,7 +77,7 @@ impl Sheet {
     /// The distance from the tangent point of a bend to its outer corner.
     #[must_use]
     pub fn setback(&self, angle: f64, inside_radius: f64) -> f64 {
-        (0.5 * angle.abs()).tan() * (inside_radius + self.thickness)
+        libm::tan(0.5 * angle.abs()) * (inside_radius + self.thickness)
     }
 
     /// What the flat length falls short of the sum of the two outer flanges.

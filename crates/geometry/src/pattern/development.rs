@@ -189,7 +189,7 @@ impl Development {
     pub(super) fn rail(&self, side: usize, x: f64) -> [[f64; 2]; 2] {
         let panel = self.panel_at(x);
         let row = panel.basis(x);
-        let (s, c) = panel.theta.at(&row).sin_cos();
+        let (s, c) = libm::sincos(panel.theta.at(&row));
         let (along, across) = (panel.along[side].at(&row), panel.across[side].at(&row));
         let tangent = [along * c - across * s, along * s + across * c];
         [panel.rails[side].each_ref().map(|f| f.at(&row)), tangent]
@@ -200,7 +200,7 @@ impl Panel {
     /// The interval in its place behind those before, which `state` counts together: turned about the end of the first
     /// rail and moved there.
     fn placed(mut self, share: &Share, state: &mut State) -> Self {
-        let (sine, cosine) = state.theta.sin_cos();
+        let (sine, cosine) = libm::sincos(state.theta);
         for rail in &mut self.rails {
             let [x, y] = *rail;
             *rail = [
@@ -399,7 +399,7 @@ fn resolved(
 
 impl Frame {
     fn speed(&self) -> f64 {
-        let speed = |i: usize| self.along[i].hypot(self.across[i]);
+        let speed = |i: usize| libm::hypot(self.along[i], self.across[i]);
         speed(0).max(speed(1))
     }
 }
@@ -491,7 +491,7 @@ impl Samples {
         let theta = turn.integral(half, 0.0);
         let node_rows = node_rows();
         let velocity = |frame: &Frame, theta: f64| {
-            let (s, c) = theta.sin_cos();
+            let (s, c) = libm::sincos(theta);
             let (a, b) = (frame.along[0], frame.across[0]);
             [a * c - b * s, a * s + b * c]
         };
@@ -505,13 +505,13 @@ impl Samples {
         for (frame, row) in self.checks.iter().zip(&rows) {
             let v = velocity(frame, theta.at(row));
             let off = [0, 1].map(|i| v[i] - speeds[i].at(row));
-            rail_defect = rail_defect.max(SAFETY * off[0].hypot(off[1]));
+            rail_defect = rail_defect.max(SAFETY * libm::hypot(off[0], off[1]));
         }
         let rail = [0, 1].map(|i| speeds[i].integral(half, 0.0));
         // The other rail from the first and the ruling, so that both ends are on the flat ruling.
         let (length, length_defect) = self.checked(&rows, |f| f.length);
         let opposite = |row: &Row, length: f64| {
-            let (s, c) = theta.at(row).sin_cos();
+            let (s, c) = libm::sincos(theta.at(row));
             [rail[0].at(row) + length * c, rail[1].at(row) + length * s]
         };
         let mut far = [[0.0; NODES]; 2];
@@ -524,7 +524,7 @@ impl Samples {
         for (frame, row) in self.checks.iter().zip(&rows) {
             let q = opposite(row, frame.length);
             let off = [0, 1].map(|i| q[i] - far[i].at(row));
-            far_defect = far_defect.max(length_defect + SAFETY * off[0].hypot(off[1]));
+            far_defect = far_defect.max(length_defect + SAFETY * libm::hypot(off[0], off[1]));
         }
         let mut space_defect = 0.0_f64;
         let space = [0, 1].map(|side| {
@@ -616,8 +616,8 @@ impl Samples {
         };
         let [mut first, mut second] = share.lengths;
         let mut area = share.area;
-        add(&mut first, 0, &|f| f.along[0].hypot(f.across[0]));
-        add(&mut second, 0, &|f| f.along[1].hypot(f.across[1]));
+        add(&mut first, 0, &|f| libm::hypot(f.along[0], f.across[0]));
+        add(&mut second, 0, &|f| libm::hypot(f.along[1], f.across[1]));
         add(&mut area, 1, &|f| {
             0.5 * f.length * (f.across[0] + f.across[1])
         });

@@ -93,7 +93,7 @@ impl Rail<'_> {
         }
         let [alpha, beta] = leans(from, to)?;
         // The one arc whose tangents differ from both by the same angle.
-        let bulge = (0.25 * (beta - alpha)).tan();
+        let bulge = libm::tan(0.25 * (beta - alpha));
         let arc = Segment { bulge, ..line };
         if near(&arc)
             && let Some(distance) = bound(&arc, from.x, to.x)
@@ -142,7 +142,7 @@ impl Rail<'_> {
     /// A bound for the distance of the rail on `[from, to]` and the segment; `None` above the tolerance.
     fn bound(&self, segment: &Segment, from: f64, to: f64, tolerance: f64) -> Option<f64> {
         let chord = segment.chord_length();
-        let phi = 2.0 * segment.bulge.atan();
+        let phi = 2.0 * libm::atan(segment.bulge);
         if phi.abs() > WIDEST || !(chord > 0.0 || segment.is_line()) {
             return None;
         }
@@ -169,13 +169,13 @@ impl Rail<'_> {
                 largest = largest.max(circle_bound(segment, u, v, chord));
             } else {
                 // The segment is a point.
-                largest = largest.max(absolute(u).hypot(absolute(v)));
+                largest = largest.max(libm::hypot(absolute(u), absolute(v)));
             }
             if largest > tolerance {
                 return None;
             }
         }
-        let distance = largest / phi.cos();
+        let distance = largest / libm::cos(phi);
         (distance <= tolerance).then_some(distance)
     }
 }
@@ -183,8 +183,12 @@ impl Rail<'_> {
 /// The angles of the tangents at both ends from the chord, in (-pi, pi].
 fn leans(from: &End, to: &End) -> Option<[f64; 2]> {
     let chord = [to.point[0] - from.point[0], to.point[1] - from.point[1]];
-    let lean =
-        |t: &[f64; 2]| (chord[0] * t[1] - chord[1] * t[0]).atan2(chord[0] * t[0] + chord[1] * t[1]);
+    let lean = |t: &[f64; 2]| {
+        libm::atan2(
+            chord[0] * t[1] - chord[1] * t[0],
+            chord[0] * t[0] + chord[1] * t[1],
+        )
+    };
     let found = [lean(&from.tangent), lean(&to.tangent)];
     let steep = found.iter().any(|a| !a.is_finite() || a.abs() > 1.2);
     (!steep).then_some(found)
@@ -195,7 +199,7 @@ fn leans(from: &End, to: &End) -> Option<[f64; 2]> {
 fn biarc(a: [f64; 2], b: [f64; 2], [alpha, beta]: [f64; 2]) -> [Segment; 2] {
     let chord = [b[0] - a[0], b[1] - a[1]];
     let gamma = -0.5 * (alpha + beta);
-    let above = 0.5 * (0.25 * (alpha - beta)).tan();
+    let above = 0.5 * libm::tan(0.25 * (alpha - beta));
     let joint = [
         a[0] + 0.5 * chord[0] - above * chord[1],
         a[1] + 0.5 * chord[1] + above * chord[0],
@@ -203,7 +207,7 @@ fn biarc(a: [f64; 2], b: [f64; 2], [alpha, beta]: [f64; 2]) -> [Segment; 2] {
     let arc = |from, to, turn: f64| Segment {
         from,
         to,
-        bulge: (0.25 * turn).tan(),
+        bulge: libm::tan(0.25 * turn),
     };
     [arc(a, joint, gamma - alpha), arc(joint, b, beta - gamma)]
 }
@@ -243,7 +247,7 @@ impl Chord {
         if self.length > 0.0 {
             segment.off_circle(u, v, self.length)
         } else {
-            u.hypot(v)
+            libm::hypot(u, v)
         }
     }
 

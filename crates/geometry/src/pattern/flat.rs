@@ -169,7 +169,9 @@ impl FlatPattern {
     pub fn regression(&self, reach: f64) -> Vec<Vec<[f64; 2]>> {
         let near = |r: &FlatRuling| {
             let point = r.regression?;
-            let away = r.ends.map(|e| (e[0] - point[0]).hypot(e[1] - point[1]));
+            let away = r
+                .ends
+                .map(|e| libm::hypot(e[0] - point[0], e[1] - point[1]));
             (away[0].min(away[1]) <= reach).then_some(point)
         };
         // An apex is one point, however many rulings meet in it.
@@ -186,7 +188,7 @@ impl FlatPattern {
             }
             match (near(ruling), chain.last()) {
                 (Some(point), Some(last))
-                    if (point[0] - last[0]).hypot(point[1] - last[1]) <= same => {}
+                    if libm::hypot(point[0] - last[0], point[1] - last[1]) <= same => {}
                 (Some(point), _) => chain.push(point),
                 (None, _) => chains.push(std::mem::take(&mut chain)),
             }
@@ -284,7 +286,7 @@ const FLAT: f64 = 1e-13;
 /// The angle from one normal to the next about an axis.
 fn fold_angle(m: &[f64; 3], n: &[f64; 3], axis: &[f64; 3]) -> f64 {
     let length = super::frame::norm(axis);
-    let angle = (dot(&cross(m, n), axis) / length).atan2(dot(m, n));
+    let angle = libm::atan2(dot(&cross(m, n), axis) / length, dot(m, n));
     if angle.abs() < FLAT { 0.0 } else { angle }
 }
 
@@ -339,7 +341,7 @@ fn outline(pieces: &[Piece]) -> (Outline, f64) {
     for i in 0..count {
         let start = segments[(i + 1) % count].from;
         let end = segments[i].to;
-        snapped = snapped.max((start[0] - end[0]).hypot(start[1] - end[1]));
+        snapped = snapped.max(libm::hypot(start[0] - end[0], start[1] - end[1]));
         segments[i].to = start;
     }
     let size = pieces.iter().map(|p| p.development.size);
@@ -355,7 +357,7 @@ fn without_points(segments: Vec<Segment>, rounding: f64) -> (Vec<Segment>, f64) 
     let mut moved = 0.0_f64;
     for segment in segments {
         let from = kept.last().map_or(segment.from, |last| last.to);
-        let length = (segment.to[0] - from[0]).hypot(segment.to[1] - from[1]);
+        let length = libm::hypot(segment.to[0] - from[0], segment.to[1] - from[1]);
         if length > rounding {
             kept.push(Segment { from, ..segment });
         } else {
@@ -364,7 +366,10 @@ fn without_points(segments: Vec<Segment>, rounding: f64) -> (Vec<Segment>, f64) 
         }
     }
     if let (Some(first), Some(last)) = (kept.first().copied(), kept.last_mut()) {
-        moved = moved.max((first.from[0] - last.to[0]).hypot(first.from[1] - last.to[1]));
+        moved = moved.max(libm::hypot(
+            first.from[0] - last.to[0],
+            first.from[1] - last.to[1],
+        ));
         last.to = first.from;
     }
     (kept, moved)

@@ -84,7 +84,7 @@ pub fn fold(rulings: &[[[f64; 2]; 2]], angles: &[f64]) -> PatternResult<Vec<[[f6
 
 /// Rodrigues' formula.
 fn rotation_about(axis: &Vector3<f64>, angle: f64) -> Matrix3<f64> {
-    let (s, c) = angle.sin_cos();
+    let (s, c) = libm::sincos(angle);
     let cross = axis.cross_matrix();
     Matrix3::identity() + cross * s + cross * cross * (1.0 - c)
 }

@@ -93,14 +93,14 @@ impl Frame {
         let lean = |v: &Vector, across: f64| {
             let out = dot(v, &n);
             // A rail that stands still, at an apex, or runs along the ruling, at an edge of regression.
-            let noise = across.hypot(out) <= 1e-12 * speeds.max(f64::MIN_POSITIVE);
+            let noise = libm::hypot(across, out) <= 1e-12 * speeds.max(f64::MIN_POSITIVE);
             if noise { 0.0 } else { out }
         };
         let out = [lean(&dp, across[0]), lean(&dq, across[1])];
         // 1 - cos psi without cancellation.
         let lost = |i: usize| {
             let (a, b) = (across[i].abs(), out[i]);
-            let way = a.hypot(b);
+            let way = libm::hypot(a, b);
             if b == 0.0 {
                 0.0
             } else {
@@ -129,7 +129,7 @@ impl Frame {
 
     /// The angle between the tangent planes at the ends, in radians.
     pub(super) fn twist(&self) -> f64 {
-        let lean = |i: usize| self.out[i].atan2(self.across[i].abs());
+        let lean = |i: usize| libm::atan2(self.out[i], self.across[i].abs());
         (lean(0) - lean(1)).abs()
     }
 

@@ -33,7 +33,7 @@ impl Placement {
     /// A rotation about the origin by an angle in radians, counterclockwise.
     #[must_use]
     pub fn turned(angle: f64) -> Self {
-        let (sine, cosine) = angle.sin_cos();
+        let (sine, cosine) = libm::sincos(angle);
         Self {
             cosine,
             sine,
@@ -112,7 +112,7 @@ impl Placement {
         let a = [from[1][0] - from[0][0], from[1][1] - from[0][1]];
         let b = [to[1][0] - to[0][0], to[1][1] - to[0][1]];
         let (cosine, sine) = (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]);
-        let length = cosine.hypot(sine);
+        let length = libm::hypot(cosine, sine);
         if !(length > 0.0 && length.is_finite()) {
             return None;
         }

@@ -49,13 +49,13 @@ impl Segment {
     #[must_use]
     pub fn chord_length(&self) -> f64 {
         let [x, y] = self.chord();
-        x.hypot(y)
+        libm::hypot(x, y)
     }
 
     /// The swept angle in radians, positive counterclockwise, 0 for a line.
     #[must_use]
     pub fn angle(&self) -> f64 {
-        4.0 * self.bulge.atan()
+        4.0 * libm::atan(self.bulge)
     }
 
     /// The radius; infinite for a line.
@@ -68,13 +68,13 @@ impl Segment {
     /// The length.
     #[must_use]
     pub fn length(&self) -> f64 {
-        let half = 2.0 * self.bulge.atan();
+        let half = 2.0 * libm::atan(self.bulge);
         let chord = self.chord_length();
         if half.abs() < 1e-4 {
             // phi / sin phi without dividing zero by zero.
             chord * (1.0 + half * half / 6.0)
         } else {
-            chord * half / half.sin()
+            chord * half / libm::sin(half)
         }
     }
 
@@ -91,15 +91,15 @@ impl Segment {
             return self.to;
         }
         let [x, y] = self.chord();
-        let half = 2.0 * self.bulge.atan();
+        let half = 2.0 * libm::atan(self.bulge);
         // In units of the chord: along it sin(share phi)/sin phi cos((1 - share) phi), below it with the sine.
         let ratio = if half.abs() < 1e-9 {
             share
         } else {
-            (share * half).sin() / half.sin()
+            libm::sin(share * half) / libm::sin(half)
         };
         let lift = (1.0 - share) * half;
-        let (along, below) = (ratio * lift.cos(), ratio * lift.sin());
+        let (along, below) = (ratio * libm::cos(lift), ratio * libm::sin(lift));
         [
             self.from[0] + along * x + below * y,
             self.from[1] + along * y - below * x,
@@ -111,13 +111,13 @@ impl Segment {
     #[must_use]
     pub fn area(&self) -> f64 {
         let triangle = 0.5 * (self.from[0] * self.to[1] - self.from[1] * self.to[0]);
-        let half = 2.0 * self.bulge.atan();
+        let half = 2.0 * libm::atan(self.bulge);
         let chord = self.chord_length();
         // (2 phi - sin 2 phi)/(8 sin^2 phi), from its series for flat arcs.
         let cap = if half.abs() < 1e-2 {
             half / 6.0 * (1.0 + 2.0 / 15.0 * half * half)
         } else {
-            (2.0 * half - (2.0 * half).sin()) / (8.0 * half.sin().powi(2))
+            (2.0 * half - libm::sin(2.0 * half)) / (8.0 * libm::sin(half).powi(2))
         };
         triangle + cap * chord * chord
     }
@@ -129,7 +129,7 @@ impl Segment {
         let mut low = [a[0].min(b[0]), a[1].min(b[1])];
         let mut high = [a[0].max(b[0]), a[1].max(b[1])];
         if let Some((centre, radius)) = self.circle() {
-            let start = (a[1] - centre[1]).atan2(a[0] - centre[0]);
+            let start = libm::atan2(a[1] - centre[1], a[0] - centre[0]);
             for (quarter, axis, sign) in
                 [(0.0, 0, 1.0), (1.0, 1, 1.0), (2.0, 0, -1.0), (3.0, 1, -1.0)]
             {
@@ -170,15 +170,15 @@ impl Segment {
     /// ```
     #[must_use]
     pub fn distance(&self, point: [f64; 2]) -> f64 {
-        let ends = [self.from, self.to].map(|e| (point[0] - e[0]).hypot(point[1] - e[1]));
+        let ends = [self.from, self.to].map(|e| libm::hypot(point[0] - e[0], point[1] - e[1]));
         let to_ends = ends[0].min(ends[1]);
         let ([x, y], chord) = (self.chord(), self.chord_length());
         let from = [point[0] - self.from[0], point[1] - self.from[1]];
         if let Some((centre, radius)) = self.circle() {
-            let way = |p: [f64; 2]| (p[1] - centre[1]).atan2(p[0] - centre[0]);
+            let way = |p: [f64; 2]| libm::atan2(p[1] - centre[1], p[0] - centre[0]);
             let turned = (way(point) - way(self.from)) * self.bulge.signum();
             if turned.rem_euclid(2.0 * PI) <= self.angle().abs() {
-                let away = (point[0] - centre[0]).hypot(point[1] - centre[1]);
+                let away = libm::hypot(point[0] - centre[0], point[1] - centre[1]);
                 // By the equation of the circle in the frame of the chord, which flat arcs need.
                 let (u, v) = (
                     (from[0] * x + from[1] * y) / chord,
@@ -221,7 +221,7 @@ impl Segment {
     /// Both halves.
     pub(super) fn halves(&self) -> [Self; 2] {
         let middle = self.point(0.5);
-        let bulge = (0.5 * self.bulge.atan()).tan();
+        let bulge = libm::tan(0.5 * libm::atan(self.bulge));
         let (from, to) = (self.from, self.to);
         [
             Self {
@@ -247,7 +247,7 @@ mod tests {
         let point = || prop::array::uniform2(-5.0..5.0_f64);
         (point(), point(), -3.0..3.0_f64)
             .prop_filter("ends apart", |(a, b, _)| {
-                (a[0] - b[0]).hypot(a[1] - b[1]) > 1e-3
+                libm::hypot(a[0] - b[0], a[1] - b[1]) > 1e-3
             })
             .prop_map(|(from, to, bulge)| Segment { from, to, bulge })
     }
@@ -261,9 +261,9 @@ mod tests {
             let [low, high] = s.bounds();
             let (mut length, mut area) = (0.0, 0.0);
             for (a, b) in points.iter().zip(&points[1..]) {
-                length += (b[0] - a[0]).hypot(b[1] - a[1]);
+                length += libm::hypot(b[0] - a[0], b[1] - a[1]);
                 area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
-                let off = (b[0] - centre[0]).hypot(b[1] - centre[1]) - radius;
+                let off = libm::hypot(b[0] - centre[0], b[1] - centre[1]) - radius;
                 prop_assert!(s.is_line() || off.abs() < 1e-9 * radius.max(1.0));
                 let slack = 1e-9 * radius.max(1.0);
                 prop_assert!((0..2).all(|k| low[k] - slack <= b[k] && b[k] <= high[k] + slack));
@@ -276,11 +276,11 @@ mod tests {
         #[test]
         fn flat_arcs_have_the_length_and_area_of_their_series(bend in -1e-2..1e-2_f64) {
             let s = Segment { from: [0.0, 0.0], to: [2.0, 0.0], bulge: bend };
-            let half = 2.0 * bend.atan();
+            let half = 2.0 * libm::atan(bend);
             if half.abs() > 1e-3 {
-                let radius = 1.0 / half.sin();
+                let radius = 1.0 / libm::sin(half);
                 prop_assert!((s.length() - 2.0 * radius * half).abs() < 1e-12);
-                let area = 0.5 * radius * radius * (2.0 * half - (2.0 * half).sin());
+                let area = 0.5 * radius * radius * (2.0 * half - libm::sin(2.0 * half));
                 prop_assert!((s.area() - area).abs() < 1e-10, "{} {}", s.area(), area);
             }
         }

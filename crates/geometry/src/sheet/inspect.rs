@@ -115,7 +115,8 @@ impl Sheet {
         let (end, start) = (RulingForms::of(self, &1.0)?, RulingForms::of(next, &0.0)?);
         let pairs = end.ends().iter().zip(start.ends());
         let gap = pairs.map(|(p, q)| norm(&sub(p, q))).fold(0.0, f64::max);
-        let angle = |(n, m): (&[f64; 3], &[f64; 3])| norm(&cross(n, m)).atan2(dot(n, m).abs());
+        let angle =
+            |(n, m): (&[f64; 3], &[f64; 3])| libm::atan2(norm(&cross(n, m)), dot(n, m).abs());
         let normals = end.normals().iter().zip(start.normals());
         let kink = normals.map(angle).fold(0.0, f64::max);
         Ok(Seam { gap, kink })

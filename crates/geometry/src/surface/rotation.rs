@@ -148,7 +148,7 @@ impl<B: Basis<f64>> RotationSurface<B, f64> {
 /// ```
 #[must_use]
 pub fn rotation_parameter(angle: f64) -> f64 {
-    let (sine, cosine) = (0.5 * angle).sin_cos();
+    let (sine, cosine) = libm::sincos(0.5 * angle);
     sine / (sine + cosine)
 }
 

@@ -36,7 +36,12 @@ fn planes() -> impl Strategy<Value = Vec<[f64; 4]>> {
         let count = noise.len() as f64;
         let plane = |(i, [a, b, c, d]): (usize, [f64; 4])| {
             let angle = 2.0 * i as f64 / count;
-            [angle.cos() + a, angle.sin() + b, 0.5 + c * angle, 3.0 + d]
+            [
+                libm::cos(angle) + a,
+                libm::sin(angle) + b,
+                0.5 + c * angle,
+                3.0 + d,
+            ]
         };
         noise.into_iter().enumerate().map(plane).collect()
     })

@@ -54,7 +54,7 @@ pub fn cone(radii: [f64; 2], height: f64, angle: f64) -> impl Rails<f64> {
 
 /// The tangent surface of the helix of radius `a` and pitch `2 pi b`, from `from` to `to` along the unit tangents.
 pub fn helix(a: f64, b: f64, turns: f64, [from, to]: [f64; 2]) -> impl Rails<f64> {
-    let speed = a.hypot(b);
+    let speed = libm::hypot(a, b);
     Formula(move |x: Jet<f64>| {
         let number = |v: f64| x.constant_like(v);
         let angle = x.clone() * number(2.0 * PI * turns);

@@ -17,7 +17,7 @@ pub fn ball(x: &f64) -> Ball {
 pub fn ulps(value: f64, enclosure: &Ball, scale: f64) -> f64 {
     let reach = |end: &Rational| to_f64(&(exact(value) - end.clone())).abs();
     let farthest = reach(&enclosure.lower()).max(reach(&enclosure.upper()));
-    let ulp = f64::EPSILON * 2_f64.powf(scale.log2().floor());
+    let ulp = f64::EPSILON * libm::pow(2_f64, libm::log2(scale).floor());
     farthest / ulp
 }
 

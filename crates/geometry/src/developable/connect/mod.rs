@@ -348,7 +348,7 @@ fn best_ruling<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
         let (one, two) = (Contact::of(rails.0, &s)?, Contact::of(rails.1, &t)?);
         let r = sub(&two.point, &one.point);
         let (n0, n1) = (cross(&one.first, &r), cross(&two.first, &r));
-        let twist = norm(&cross(&n0, &n1)).atan2(dot(&n0, &n1).abs());
+        let twist = libm::atan2(norm(&cross(&n0, &n1)), dot(&n0, &n1).abs());
         Ok(BestRuling { s, t, twist })
     };
     let sample = |k: usize| count(k.min(OTHER_SAMPLES - 1)) / count(OTHER_SAMPLES - 1);

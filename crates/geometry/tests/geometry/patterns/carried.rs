@@ -86,7 +86,7 @@ fn points_go_to_the_sheet_and_back_and_distances_along_rulings_stay() {
 #[test]
 fn lengths_of_curves_on_the_patch_stay_on_the_sheet() {
     for (name, flat) in patches() {
-        let curve = |t: f64| [0.1 + 0.8 * t, 0.5 + 0.4 * (5.0 * t).sin()];
+        let curve = |t: f64| [0.1 + 0.8 * t, 0.5 + 0.4 * libm::sin(5.0 * t)];
         let n = 20_000;
         let (mut sheet, mut space) = (0.0, 0.0);
         let at = |i: i32| {
@@ -158,11 +158,11 @@ fn marks_that_touch_the_edge_of_regression_are_carried_to_its_flat_image() {
     let (a, b, turns) = (1.0, 0.5, 0.5);
     let flat = unroll(&helix(a, b, turns, [0.0, 2.0]), 33, 1e-6).unwrap();
     let (radius, angle) = ((a * a + b * b) / a, 2.0 * std::f64::consts::PI * turns);
-    let length = angle * a.hypot(b);
+    let length = angle * libm::hypot(a, b);
     let edge = flat.carry(0, |t| [t, 0.0], 1e-6).unwrap();
     // It begins at the origin along the first axis and turns to the left.
     for [x, y] in &edge {
-        let off = x.hypot(y - radius) - radius;
+        let off = libm::hypot(x, y - radius) - radius;
         assert!(off.abs() < 1e-6, "{off:e}");
     }
     let along: f64 = edge.windows(2).map(|w| norm(&sub(&w[1], &w[0]))).sum();
@@ -178,7 +178,9 @@ fn marks_that_touch_the_edge_of_regression_are_carried_to_its_flat_image() {
     };
     let space: f64 = (0..20_000).map(|i| norm(&sub(&at(i + 1), &at(i)))).sum();
     assert!((sheet - space).abs() < 1e-4 * space, "{sheet} {space}");
-    let nearest = carried.iter().map(|[x, y]| x.hypot(y - radius) - radius);
+    let nearest = carried
+        .iter()
+        .map(|[x, y]| libm::hypot(x, y - radius) - radius);
     assert!(nearest.fold(f64::INFINITY, f64::min).abs() < 1e-6);
 
     // The way back: next to the edge the distance falls with the square, the ruling is known to half the digits,

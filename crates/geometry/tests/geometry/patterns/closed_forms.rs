@@ -25,14 +25,17 @@ pub fn true_error(flat: &FlatPattern, exact: &Exact) -> f64 {
 
 /// The exact flat ruling as seen from the first one, by the apex: polar angles about the image of the apex.
 pub fn flat_cone(radii: [f64; 2], height: f64, angle: f64) -> impl Fn(f64) -> [[f64; 2]; 2] {
-    let slant = (radii[1] - radii[0]).hypot(height);
+    let slant = libm::hypot(radii[1] - radii[0], height);
     let sine = (radii[1] - radii[0]) / slant;
     move |x| {
         let turned = x * angle * sine;
         // The apex is at -radii[0]/sine on the first ruling.
         radii.map(|r| {
             let away = r / sine;
-            [away * turned.cos() - radii[0] / sine, away * turned.sin()]
+            [
+                away * libm::cos(turned) - radii[0] / sine,
+                away * libm::sin(turned),
+            ]
         })
     }
 }
@@ -72,11 +75,11 @@ fn a_cone_is_cut_along_exact_arcs_and_its_errors_are_bounded() {
 /// Of a helix the tangents develop into the tangents of a circle of radius (a^2 + b^2)/a.
 fn flat_helix(a: f64, b: f64, turns: f64, range: [f64; 2]) -> impl Fn(f64) -> [[f64; 2]; 2] {
     let radius = (a * a + b * b) / a;
-    let speed = a.hypot(b);
+    let speed = libm::hypot(a, b);
     move |x| {
         let turned = 2.0 * PI * turns * x * speed / radius;
         // At x = 0 the tangent runs along the first axis from (-range[0], 0).
-        let (s, c) = turned.sin_cos();
+        let (s, c) = libm::sincos(turned);
         range.map(|t| [radius * s + t * c - range[0], radius * (1.0 - c) + t * s])
     }
 }
@@ -103,7 +106,7 @@ fn a_helix_tangent_surface_develops_into_tangents_of_a_circle() {
             // The edge of regression is that circle.
             let [x, y] = ruling.regression.unwrap();
             let radius = (a * a + b * b) / a;
-            assert!(((x + range[0]).hypot(y - radius) - radius).abs() < 1e-6);
+            assert!((libm::hypot(x + range[0], y - radius) - radius).abs() < 1e-6);
         }
     }
 }
@@ -135,7 +138,10 @@ fn integrated(patch: &impl Rails<f64>, steps: usize) -> Vec<[[f64; 2]; 2]> {
         let length = frame(x).3;
         out.push([
             p,
-            [p[0] + length * theta.cos(), p[1] + length * theta.sin()],
+            [
+                p[0] + length * libm::cos(theta),
+                p[1] + length * libm::sin(theta),
+            ],
         ]);
         if step == steps {
             break;
@@ -162,7 +168,7 @@ fn integrated(patch: &impl Rails<f64>, steps: usize) -> Vec<[[f64; 2]; 2]> {
         ];
         for (i, row) in matrix.iter().enumerate() {
             let inner = theta + h * (0..3).map(|j| row[j] * at[j].0).sum::<f64>();
-            let (s, c) = inner.sin_cos();
+            let (s, c) = libm::sincos(inner);
             p[0] += h * weights[i] * (at[i].1 * c - at[i].2 * s);
             p[1] += h * weights[i] * (at[i].1 * s + at[i].2 * c);
         }
@@ -363,12 +369,14 @@ fn spikes_as_narrow_as_polynomials_have_them_are_seen() {
                 let y = spike(&x, k) * x.constant_like(height);
                 [0.0, 1.0].map(|z| [x.clone(), y.clone(), x.constant_like(z)])
             });
-            let sides = graph.windows(2).map(|w| step.hypot(height * (w[1] - w[0])));
+            let sides = graph
+                .windows(2)
+                .map(|w| libm::hypot(step, height * (w[1] - w[0])));
             let length = 1.0 - (to - from) + sides.sum::<f64>();
             for (tolerance, rulings) in [(0.1, 2), (1e-2, 9), (1e-5, 33)] {
                 let flat = unroll(&patch, rulings, tolerance).unwrap();
                 let [x, y] = flat.rulings().last().unwrap().ends[0];
-                let off = x.hypot(y - length);
+                let off = libm::hypot(x, y - length);
                 // The polygon cuts off the tops.
                 let bound = flat.errors().point + 1e-6 * height.max(1.0);
                 assert!(off <= bound, "{k} {height} {tolerance}: {off:e} {bound:e}");
