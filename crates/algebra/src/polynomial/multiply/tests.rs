@@ -47,7 +47,7 @@ fn layouts<K: Coefficients>(
 where
     K::Factor: Clone,
 {
-    let highest = highest(rows_a, rows_b, columns);
+    let highest = highest(rows_a, rows_b, columns).unwrap();
     let widths = widths(&highest);
     let (left, right) = (|| (rows_a, a.to_vec()), || (rows_b, b.to_vec()));
     let mut results = vec![
