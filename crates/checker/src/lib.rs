@@ -35,7 +35,7 @@ use torse_certificate::proof::refutation::Refuted;
 use torse_certificate::proof::{Emptiness, Instance, Proof, Zero};
 use torse_certificate::sign::Sign;
 use torse_certificate::symbol::Symbol;
-use torse_core::{Claim, Hypothesis, Set, Source, Statement};
+use torse_core::{Claim, Hypothesis, Set, Source, Statement, stack};
 use torse_syntax::derivation::Origin;
 use torse_syntax::formula::Connective;
 
@@ -64,7 +64,7 @@ pub fn proves(
         zeros: &[],
         work,
     };
-    check.proof(&with_roots(claim, origin)?, proof, &BTreeMap::new())
+    stack::deep(|| check.proof(&with_roots(claim, origin)?, proof, &BTreeMap::new()))
 }
 
 /// Checks a refutation of the statement of a claim.
@@ -86,7 +86,7 @@ pub fn refutes(
         zeros: &[],
         work,
     };
-    check.refutation(&with_roots(claim, origin)?, refuted, &BTreeMap::new())
+    stack::deep(|| check.refutation(&with_roots(claim, origin)?, refuted, &BTreeMap::new()))
 }
 
 /// The claim with symbols for its roots, and what they are: what a proof is about.

@@ -2,7 +2,7 @@
 
 use crate::exit::Failure;
 use crate::mistakes::Mistakes;
-use crate::selection;
+use crate::{selection, terminal};
 use sha2::{Digest as _, Sha256};
 use std::path::{Path, PathBuf};
 use torse_report::Source;
@@ -37,6 +37,10 @@ impl Derivations {
             .errors
             .into_iter()
             .for_each(|error| mistakes.add(error));
+        let papers = loaded.papers.iter();
+        for name in papers.flat_map(Paper::look_alikes) {
+            terminal::remark(&terminal::shown(&name));
+        }
         Ok(Found {
             papers: loaded.papers,
             left_out: loaded.left_out,

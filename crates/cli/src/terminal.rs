@@ -6,7 +6,7 @@
 use crate::exit::Failure;
 use comfy_table::{ContentArrangement, Table, presets};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use miette::{GraphicalReportHandler, GraphicalTheme, ThemeCharacters, ThemeStyles};
+use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, ThemeCharacters, ThemeStyles};
 use owo_colors::{OwoColorize, Style};
 use std::io::{ErrorKind, Write};
 use std::time::Duration;
@@ -40,7 +40,7 @@ pub fn complain(failure: &Failure) {
 }
 
 /// A failure as text: message, place in the file with a caret, and what would help.
-pub fn shown(failure: &Failure) -> String {
+pub fn shown(failure: &dyn Diagnostic) -> String {
     let theme = GraphicalTheme {
         characters: ThemeCharacters {
             underline: '^',

@@ -4,7 +4,7 @@ use crate::elaborator::Elaborator;
 use crate::sought;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use torse_core::{Claim, Hypothesis, Set, Source, Visited};
+use torse_core::{Claim, Hypothesis, Set, Source, Visited, stack};
 use torse_syntax::derivation::{self, Written};
 use torse_syntax::fault::Fault;
 
@@ -23,6 +23,10 @@ impl Elaborator<'_> {
     /// # Errors
     /// As [`elaborate`].
     pub fn claim(&self, claim: &derivation::Claim, statement: &Written) -> Result<Claim, Fault> {
+        stack::deep(|| self.opened_claim(claim, statement))
+    }
+
+    fn opened_claim(&self, claim: &derivation::Claim, statement: &Written) -> Result<Claim, Fault> {
         let within = |w: &Written| self.statement(&w.expr).map_err(|f| f.within(&w.origin));
         let mut hypotheses = vec![];
         for (source, texts) in [

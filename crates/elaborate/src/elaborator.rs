@@ -17,7 +17,7 @@ use smooth::At;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use torse_core::{Family, Node, Points, Set, Statement, Term, Variable};
+use torse_core::{Family, Node, Points, Set, Statement, Term, Variable, stack};
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Declarations, Definition, SymbolKind};
 use torse_syntax::fault::{Fault, Problem};
@@ -108,10 +108,14 @@ impl<'a> Elaborator<'a> {
     /// [`Fault`] for undeclared names, what stands at the wrong place, and wrong numbers of arguments.
     pub fn meaning(&self, expr: &Expr) -> Outcome<Meaning> {
         self.nodes.set(0);
-        Ok(match self.open(expr, &Scope::default())? {
-            Meaning::Term(term) => Meaning::Term(self.in_jets(term)?),
-            Meaning::Statement(statement) => Meaning::Statement(self.statement_in_jets(statement)?),
-            Meaning::Function(function) => Meaning::Function(function),
+        stack::deep(|| {
+            Ok(match self.open(expr, &Scope::default())? {
+                Meaning::Term(term) => Meaning::Term(self.in_jets(term)?),
+                Meaning::Statement(statement) => {
+                    Meaning::Statement(self.statement_in_jets(statement)?)
+                }
+                Meaning::Function(function) => Meaning::Function(function),
+            })
         })
     }
 
@@ -121,7 +125,7 @@ impl<'a> Elaborator<'a> {
     /// As [`Elaborator::meaning`].
     pub fn term(&self, expr: &Expr) -> Outcome<Term> {
         self.nodes.set(0);
-        self.in_jets(self.term_in(expr, &Scope::default())?)
+        stack::deep(|| self.in_jets(self.term_in(expr, &Scope::default())?))
     }
 
     /// The core of a statement.
@@ -130,7 +134,7 @@ impl<'a> Elaborator<'a> {
     /// As [`Elaborator::meaning`].
     pub fn statement(&self, expr: &Expr) -> Outcome<Statement> {
         self.nodes.set(0);
-        self.statement_in_jets(self.statement_in(expr, &Scope::default())?)
+        stack::deep(|| self.statement_in_jets(self.statement_in(expr, &Scope::default())?))
     }
 
     /// The core of a statement in which closed terms stand for declared symbols, wherever these occur: as `at` puts values in.
@@ -138,6 +142,10 @@ impl<'a> Elaborator<'a> {
     /// # Errors
     /// As [`Elaborator::meaning`].
     pub fn statement_where(&self, expr: &Expr, values: &[(&str, Term)]) -> Outcome<Statement> {
+        stack::deep(|| self.statement_with(expr, values))
+    }
+
+    fn statement_with(&self, expr: &Expr, values: &[(&str, Term)]) -> Outcome<Statement> {
         self.nodes.set(0);
         let mut scope = Scope::default();
         let mut bound = vec![];
@@ -173,7 +181,7 @@ impl<'a> Elaborator<'a> {
             .declarations
             .basis(name)
             .ok_or_else(|| wrong(place, "a formula", "the name of a basis"))?;
-        self.family_of(name, basis, &Scope::default())
+        stack::deep(|| self.family_of(name, basis, &Scope::default()))
     }
 
     /// The declared symbols of these names, and those in whose terms their sets are declared.

@@ -10,7 +10,7 @@ use crate::decide::{self, Decision};
 use crate::evidence::Witness;
 use crate::parts::Parts;
 use std::rc::Rc;
-use torse_core::{self as core};
+use torse_core::{self as core, stack};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::derivation::{Claim, Origin, Written};
@@ -40,6 +40,14 @@ pub fn a_point_of(claim: &Claim, statement: &Written) -> Result<Option<Witness>,
 /// # Errors
 /// [`Fault`] when a formula makes no sense, and that of what is done.
 pub fn with_prepared<T>(
+    claim: &Claim,
+    statement: &Written,
+    then: impl FnOnce(&Prepared<'_>) -> Result<T, Fault>,
+) -> Result<T, Fault> {
+    stack::deep(|| prepared(claim, statement, then))
+}
+
+fn prepared<T>(
     claim: &Claim,
     statement: &Written,
     then: impl FnOnce(&Prepared<'_>) -> Result<T, Fault>,

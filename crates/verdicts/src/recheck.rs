@@ -11,6 +11,7 @@
 use crate::net::{self, Effort, Objection};
 use crate::outcome::{Net, Outcome};
 use crate::sought;
+use torse_core::stack;
 use torse_syntax::derivation::Claim;
 
 /// What a verdict has to pass here.
@@ -55,7 +56,7 @@ pub fn claim(claim: &Claim, outcome: &Outcome) -> Recheck {
     let witnessed =
         (!claim.sought.is_empty()).then(|| sought::witnessed(claim, statement, WITNESS));
     let claim = witnessed.as_ref().unwrap_or(claim);
-    match net::judged(outcome, claim, statement, &THOROUGH) {
+    match stack::deep(|| net::judged(outcome, claim, statement, &THOROUGH)) {
         None => Recheck::Nothing,
         Some(Ok(net)) if net.netted => Recheck::Netted(net),
         Some(Ok(net)) => Recheck::Decided(net),

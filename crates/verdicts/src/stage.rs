@@ -11,6 +11,7 @@ use crate::outcome::{Outcome, ReadingOutcome};
 use crate::{conjunction, finding, net, provenance, readings, sought};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use torse_algebra::work;
+use torse_core::stack;
 use torse_elaborate::Elaborator;
 use torse_prove::decide::Decision;
 use torse_prove::with_prepared;
@@ -50,6 +51,10 @@ impl<'c> Stage<'c> {
         paper: &str,
         claim: &'c Claim,
     ) -> Result<Self, Box<DerivationError>> {
+        stack::deep(|| Self::decided(budget, paper, claim))
+    }
+
+    fn decided(budget: u64, paper: &str, claim: &'c Claim) -> Result<Self, Box<DerivationError>> {
         let meant = Meant::own(claim);
         let outcome = undecided(paper, claim, meant.as_ref());
         // What the closure could leave half done are values of its own and memory of formulas already evaluated.
@@ -84,6 +89,10 @@ impl<'c> Stage<'c> {
     /// # Errors
     /// A [`DerivationError`] when a formula of the finding does not make sense.
     pub fn complete(self) -> Result<Outcome, Box<DerivationError>> {
+        stack::deep(|| self.completed())
+    }
+
+    fn completed(self) -> Result<Outcome, Box<DerivationError>> {
         let (claim, budget, paper) = (self.claim, self.budget, self.paper);
         let told = catch_unwind(AssertUnwindSafe(|| {
             let mut outcome = self.outcome;

@@ -30,7 +30,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 use torse_algebra::{Affine, Fraction, Symbol, work};
-use torse_core::{self as core, Node, Term};
+use torse_core::{self as core, Node, Term, stack};
 use torse_elaborate::{Elaborator, Meaning};
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::fault::{Fault, Problem};
@@ -219,7 +219,7 @@ impl<'a> Evaluator<'a> {
     /// [`Fault`]: wrong types, and what the engine cannot carry out.
     pub fn term(&self, term: &Term) -> Outcome<Value> {
         self.nodes.set(0);
-        self.value(term, &Environment::new())
+        stack::deep(|| self.value(term, &Environment::new()))
     }
 
     /// The statement that a formula makes.
@@ -236,7 +236,7 @@ impl<'a> Evaluator<'a> {
     /// [`Fault`]: wrong types, and what the engine cannot carry out.
     pub fn truth(&self, statement: &core::Statement) -> Outcome<Statement> {
         self.nodes.set(0);
-        self.stated(statement)
+        stack::deep(|| self.stated(statement))
     }
 
     fn stated(&self, statement: &core::Statement) -> Outcome<Statement> {

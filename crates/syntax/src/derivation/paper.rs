@@ -3,7 +3,9 @@
 use super::claim::Claim;
 use super::corrigendum::Corrigendum;
 use super::declarations::Declarations;
+use super::error::LookAlike;
 use super::figure::Figure;
+use super::look_alikes::look_alikes;
 use super::schema::PaperHead;
 use std::sync::Arc;
 
@@ -23,6 +25,12 @@ pub struct Paper {
 }
 
 impl Paper {
+    /// The names of its formulas that a reader takes for others, each once a file.
+    #[must_use]
+    pub fn look_alikes(&self) -> Vec<LookAlike> {
+        look_alikes(self)
+    }
+
     /// All figures: those of claims, then those of our own, each in file order.
     pub fn figures(&self) -> impl Iterator<Item = &Figure> {
         let drawn = self.claims.iter().filter_map(|claim| claim.figure.as_ref());

@@ -1,7 +1,7 @@
 //! Texts of files and places in them, for error messages.
 
 use crate::formula::Place;
-use miette::{NamedSource, SourceSpan};
+use miette::{MietteError, NamedSource, SourceCode, SourceSpan, SpanContents};
 use std::sync::Arc;
 use toml::Spanned;
 
@@ -12,6 +12,17 @@ pub struct Source {
     pub name: String,
     /// The whole text.
     pub text: String,
+}
+
+impl SourceCode for Source {
+    fn read_span<'a>(
+        &'a self,
+        span: &SourceSpan,
+        lines_before: usize,
+        lines_after: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        self.text.read_span(span, lines_before, lines_after)
+    }
 }
 
 /// The last column at which a caret is drawn; further on the formula as a whole is pointed at.
@@ -73,10 +84,10 @@ impl Origin {
         }
     }
 
-    /// The file as miette wants it.
+    /// The file as miette wants it. Its text is shared: a file may have many mistakes.
     #[must_use]
-    pub fn named_source(&self) -> NamedSource<String> {
-        NamedSource::new(&self.source.name, self.source.text.clone()).with_language("toml")
+    pub fn named_source(&self) -> NamedSource<Arc<Source>> {
+        NamedSource::new(&self.source.name, Arc::clone(&self.source)).with_language("toml")
     }
 }
 

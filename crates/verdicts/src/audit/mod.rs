@@ -25,6 +25,7 @@ use print::Print;
 use rayon::prelude::*;
 use setting::Setting;
 use std::collections::BTreeMap;
+use torse_core::stack;
 use torse_syntax::derivation::{Answer, Claim, Paper};
 use torse_syntax::words::{Flag, Kind};
 
@@ -81,7 +82,7 @@ pub fn audit<'a>(
     let setting = Setting::of(papers);
     let audited = |(claim, outcome): &(&'a Claim, &'a Outcome)| {
         let whole = claim.whole().and_then(|id| together.get(id.as_str()));
-        let signs = signs(claim, outcome, &setting, whole.copied());
+        let signs = stack::deep(|| signs(claim, outcome, &setting, whole.copied()));
         done();
         answered(claim, signs)
     };
