@@ -12,6 +12,7 @@
 mod claim;
 pub mod degree;
 mod roots;
+pub mod stack;
 mod visited;
 mod walk;
 

@@ -116,7 +116,7 @@ impl Sum {
                         continue;
                     }
                     Symbol::Exp(exponent) if symbol.is_number() => {
-                        let root = f64::from(exponent.parts()).recip().exp();
+                        let root = libm::exp(f64::from(exponent.parts()).recip());
                         coefficient *= root.powi(i32::from(power));
                         continue;
                     }
@@ -228,11 +228,11 @@ fn powers(monomials: &[Monomial], angles: &[Atom], at: f64) -> Vec<f64> {
                     Unit::QuarterTurn => std::f64::consts::FRAC_PI_2 * at,
                     Unit::Radian => at,
                 };
-                let (sin, cos) = (whole / f64::from(angle.parts)).sin_cos();
+                let (sin, cos) = libm::sincos(whole / f64::from(angle.parts));
                 atoms.extend([sin, cos]);
             }
             Atom::Power((power, parts)) => {
-                let power = (at.powi(i32::from(*power)) / f64::from(*parts)).exp();
+                let power = libm::exp(at.powi(i32::from(*power)) / f64::from(*parts));
                 atoms.extend([power, power]);
             }
         }

@@ -13,7 +13,7 @@ type Point = [f64; 3];
 /// Generalized blended trigonometric basis of degree k: three trigonometric seeds of degree 2, then the
 /// Bernstein recursion (gbt-surfaces, Sect. 2).
 fn gbt(k: usize, mu: f64, nu: f64, z: f64) -> Vec<f64> {
-    let (s, c) = (PI / 2.0 * z).sin_cos();
+    let (s, c) = libm::sincos(PI / 2.0 * z);
     let (first, last) = ((1.0 - s) * (1.0 - mu * s), (1.0 - c) * (1.0 - nu * c));
     let mut row = vec![first, 1.0 - first - last, last];
     for degree in 3..=k {
@@ -77,13 +77,17 @@ fn curve_family() -> Plot {
 fn tangent_surface(turns: f64, reach: f64) -> Result<Grid, FigureError> {
     Grid::sample(241, 25, |u, v| {
         let (a, t) = (TAU * turns * u, 0.05 + reach * v);
-        [a.cos() - t * a.sin(), a.sin() + t * a.cos(), 0.35 * (a + t)]
+        [
+            libm::cos(a) - t * libm::sin(a),
+            libm::sin(a) + t * libm::cos(a),
+            0.35 * (a + t),
+        ]
     })
 }
 
 fn helix(turns: f64) -> Vec<Point> {
     steps(300)
-        .map(|u| (TAU * turns * u).sin_cos())
+        .map(|u| libm::sincos(TAU * turns * u))
         .zip(steps(300))
         .map(|((s, c), u)| [c, s, 0.35 * TAU * turns * u])
         .collect()
@@ -263,7 +267,7 @@ fn vase() -> Result<View, FigureError> {
     let profile = [[0.9, 0.0], [2.0, 0.7], [0.2, 2.2], [0.7, 3.0], [1.25, 3.4]];
     let grid = Grid::sample(121, 61, |u, v| {
         let [r, z] = curve(&profile, 0.3, 0.3, v);
-        [r * (TAU * u).cos(), r * (TAU * u).sin(), z]
+        [r * libm::cos(TAU * u), r * libm::sin(TAU * u), z]
     })?;
     Ok(View::new()
         .surface(Surface::new(grid).border(Border::Hidden).lines(24, 12))

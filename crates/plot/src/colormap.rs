@@ -81,7 +81,7 @@ mod tests {
     fn lightness(colour: Colour) -> f64 {
         let y = f64::from(colour.luminance());
         if y > 0.008_856 {
-            116.0 * y.cbrt() - 16.0
+            116.0 * libm::cbrt(y) - 16.0
         } else {
             903.3 * y
         }

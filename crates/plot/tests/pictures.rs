@@ -18,7 +18,7 @@ fn graph(legend: Legend) -> Plot {
     let sine = |k: f64| {
         (0..=100)
             .map(|i| f64::from(i) / 50.0 - 1.0)
-            .map(|t| [t, (k * t).sin()])
+            .map(|t| [t, libm::sin(k * t)])
             .collect()
     };
     Plot::new(Axis::auto("$t$"), Axis::auto("$\\sin kt$"))
@@ -172,9 +172,12 @@ fn an_svg_is_well_formed_enough_and_carries_no_outside_reference() {
 fn default_sizes_stay_below_300_kib() {
     // The worst of views: filled by a coloured surface with many lines.
     let n = 121;
-    let wave = Grid::sample(n, n, |u, v| [u, v, 0.1 * (9.0 * u).sin() * (7.0 * v).cos()]).unwrap();
+    let wave = Grid::sample(n, n, |u, v| {
+        [u, v, 0.1 * libm::sin(9.0 * u) * libm::cos(7.0 * v)]
+    })
+    .unwrap();
     let values = (0..n * n)
-        .map(|k| ((k / n) as f64 * 0.11).sin() * ((k % n) as f64 * 0.09).cos())
+        .map(|k| libm::sin((k / n) as f64 * 0.11) * libm::cos((k % n) as f64 * 0.09))
         .collect();
     let surface = Surface::new(wave)
         .paint(Paint::Values(values))

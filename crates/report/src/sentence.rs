@@ -277,7 +277,7 @@ fn off(witness: &Witness) -> String {
 
 /// A number with four digits that count.
 fn significant(number: f64) -> String {
-    let places = 3.0 - number.log10().floor();
+    let places = 3.0 - libm::log10(number).floor();
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

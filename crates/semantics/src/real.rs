@@ -407,7 +407,7 @@ impl Arithmetic for Reals<'_> {
                 let size = low.abs().max(high.abs());
                 if size < 1e300 {
                     // A power of two above the size: doubles below this bound have small exponents.
-                    (size.log2().max(0.0).ceil() as usize) + 1
+                    (libm::log2(size).max(0.0).ceil() as usize) + 1
                 } else {
                     ball.abs()
                         .upper()

@@ -186,7 +186,7 @@ fn significant(q: &Rational, digits: usize) -> Option<String> {
     } else {
         q.clone()
     };
-    let mut exponent = to_f64(&size).log10().floor();
+    let mut exponent = libm::log10(to_f64(&size)).floor();
     if !exponent.is_finite() || exponent.abs() > 300.0 {
         return None;
     }

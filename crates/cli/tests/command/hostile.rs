@@ -1,8 +1,10 @@
 //! Claims that ask for more than any machine has: each ends within the budget of work, in little memory, with a verdict
 //! or a reason.
 
-use crate::support::{claim, measured, mini};
+use crate::support::{claim, measured, mini, timed};
 use std::fmt::Write;
+use std::fs;
+use std::path::Path;
 
 /// What a run may hold in memory, in kilobytes.
 const MEMORY: u64 = 1_000_000;
@@ -155,4 +157,111 @@ fn a_small_budget_leaves_claims_undecided_with_the_reason_and_a_large_one_does_n
     assert!(small.contains("undecided"), "{small}");
     assert!(small.contains("budget of 10 units"), "{small}");
     assert!(told("1000000").contains("holds"));
+}
+
+/// What a run may take of the processor, in seconds, with the standard budget.
+const SECONDS: f64 = 20.0;
+
+/// Verifies a folder within bounds of memory and time, and returns how it ended and all that was said.
+#[track_caller]
+fn verified(folder: &Path) -> (Option<i32>, String) {
+    let (ran, kilobytes, seconds) = timed(folder, &["verify", "--format", "json"]);
+    let said = ran.out + &ran.err;
+    let shown: String = said.chars().take(2000).collect();
+    assert!(kilobytes < MEMORY, "{kilobytes} kB: {shown}");
+    assert!(seconds < SECONDS, "{seconds} s: {shown}");
+    (ran.code, said)
+}
+
+/// A folder that is kept beside these tests.
+fn kept(name: &str) -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/hostile")
+        .join(name)
+}
+
+#[test]
+fn statements_that_double_at_every_definition_are_refused_where_they_stand() {
+    let (code, said) = verified(&kept("doubled-statements"));
+    assert_eq!(code, Some(4), "{said}");
+    assert!(said.contains("z/c.toml:"), "{said}");
+    assert!(said.contains("opens to more than"), "{said}");
+}
+
+#[test]
+fn a_determinant_of_many_symbols_is_undecided_for_want_of_work_or_memory() {
+    let (code, said) = verified(&kept("determinant"));
+    assert_eq!(code, Some(0), "{said}");
+    assert!(said.contains("\"undecided\""), "{said}");
+    assert!(
+        said.contains("bytes at once") || said.contains("budget of"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_paper_whose_id_is_a_path_is_refused_and_nothing_is_written_outside() {
+    let proofs = tempfile::TempDir::new().unwrap();
+    let inside = proofs.path().join("a/b");
+    let command = ["verify", "--proofs", inside.to_str().unwrap()];
+    let (ran, _, _) = timed(&kept("path-escape"), &command);
+    assert_eq!(ran.code, Some(4), "{}", ran.err);
+    assert!(ran.err.contains("z/paper.toml:"), "{}", ran.err);
+    let beside = |folder: &Path| fs::read_dir(folder).map_or(0, Iterator::count);
+    assert!(beside(proofs.path()) <= 1 && !proofs.path().join("evil").exists());
+}
+
+#[test]
+fn thousands_of_readings_are_refused() {
+    let mut claims = String::from(
+        "[[claim]]\nid = \"mini/c\"\nat = \"a\"\nkind = \"property\"\nprinted = \"p\"\n",
+    );
+    for n in 0..5000 {
+        let reading = "[[claim.readings]]\nname = \"nN\"\nsays = \"s\"\nstates = \"x == x\"\n";
+        claims.push_str(&reading.replace("nN", &format!("n{n}")));
+    }
+    let (code, said) = verified(mini(&claims).path());
+    assert_eq!(code, Some(4), "{said}");
+    assert!(
+        said.contains("16 readings at most, and this has 5000"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_file_of_many_mistakes_holds_its_text_once() {
+    let mut claims = String::new();
+    for n in 0..2000 {
+        claims.push_str(&claim(
+            &format!("c{n}"),
+            "x + == 2",
+            &"# a long line of the file\n".repeat(20),
+        ));
+    }
+    let (code, said) = verified(mini(&claims).path());
+    assert_eq!(code, Some(4), "{}", &said[..2000]);
+}
+
+#[test]
+fn chains_of_alternatives_end() {
+    let links: Vec<String> = (0..3200).map(|n| format!("x == {n}/3200")).collect();
+    let (code, said) = verified(mini(&claim("c", &links.join(" or "), "")).path());
+    assert!(matches!(code, Some(0)), "{said}");
+}
+
+#[test]
+fn powers_of_sines_end() {
+    let states = "sin(x)^200 + cos(x)^200 <= 1";
+    let (code, said) = verified(mini(&claim("c", states, "")).path());
+    assert!(matches!(code, Some(0)), "{said}");
+}
+
+#[test]
+fn hundreds_of_hypotheses_of_ours_end() {
+    let each = |n: usize| format!("{{ states = \"x != {n}/201\", ours = \"why\" }}");
+    let all: Vec<String> = (1..201).map(each).collect();
+    let fields = format!("assume = [{}]", all.join(", "));
+    let (code, said) = verified(mini(&claim("c", "(x + 1)^2 == x^2 + 2*x + 1", &fields)).path());
+    assert!(matches!(code, Some(0)), "{said}");
+    assert!(said.contains("\"holds\""), "{said}");
 }

@@ -43,6 +43,12 @@ pub fn torse_in<S: AsRef<OsStr>>(folder: &Path, arguments: &[S]) -> Ran {
 
 /// Runs `torse COMMAND.. --derivations FOLDER`, and the most kilobytes that it held at a time, where the system tells.
 pub fn measured(folder: &Path, command: &[&str]) -> (Ran, u64) {
+    let (ran, kilobytes, _) = timed(folder, command);
+    (ran, kilobytes)
+}
+
+/// The same with the time of the processor, in seconds.
+pub fn timed(folder: &Path, command: &[&str]) -> (Ran, u64, f64) {
     let mut torse = Command::new(env!("CARGO_BIN_EXE_torse"));
     watched(torse.args(command).arg("--derivations").arg(folder))
 }
@@ -50,20 +56,22 @@ pub fn measured(folder: &Path, command: &[&str]) -> (Ran, u64) {
 /// Runs `torse` with these arguments in this folder, measured like [`measured`].
 pub fn measured_in(folder: &Path, arguments: &[&str]) -> (Ran, u64) {
     let mut torse = Command::new(env!("CARGO_BIN_EXE_torse"));
-    watched(torse.args(arguments).current_dir(folder))
+    let (ran, kilobytes, _) = watched(torse.args(arguments).current_dir(folder));
+    (ran, kilobytes)
 }
 
-fn watched(torse: &mut Command) -> (Ran, u64) {
+fn watched(torse: &mut Command) -> (Ran, u64, f64) {
     let child = torse
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
     let status = format!("/proc/{}/status", child.id());
+    let times = format!("/proc/{}/stat", child.id());
     let (sender, receiver) = mpsc::channel();
     thread::spawn(move || sender.send(child.wait_with_output()));
     let started = Instant::now();
-    let mut most = 0;
+    let (mut most, mut ticks) = (0, 0);
     let output = loop {
         if let Ok(output) = receiver.recv_timeout(Duration::from_millis(10)) {
             break output.unwrap();
@@ -74,13 +82,18 @@ fn watched(torse: &mut Command) -> (Ran, u64) {
         let mark = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
         let kilobytes = mark.and_then(|rest| rest.trim().strip_suffix(" kB")?.parse().ok());
         most = most.max(kilobytes.unwrap_or(0));
+        // Behind the name in brackets the twelfth and the next are user and system time, a hundred ticks a second.
+        let text = fs::read_to_string(&times).unwrap_or_default();
+        let fields = text.rsplit_once(')').map_or("", |(_, rest)| rest);
+        let spent = fields.split_whitespace().skip(11).take(2);
+        ticks = ticks.max(spent.filter_map(|field| field.parse::<u32>().ok()).sum());
     };
     let ran = Ran {
         code: output.status.code(),
         out: String::from_utf8(output.stdout).unwrap(),
         err: String::from_utf8(output.stderr).unwrap(),
     };
-    (ran, most)
+    (ran, most, f64::from(ticks) / 100.0)
 }
 
 /// The derivations of the repository.

@@ -262,7 +262,7 @@ impl Map {
     /// Shaft and head; an arrow with an end outside keeps its shaft only.
     fn arrow(&self, scene: &mut Scene, from: [f64; 2], to: [f64; 2], line: Line) {
         let d = [to[0] - from[0], to[1] - from[1]];
-        let length = d[0].hypot(d[1]);
+        let length = libm::hypot(d[0], d[1]);
         if !(self.shows(from) && self.shows(to)) || length < 1e-9 {
             return self.line(scene, &[from, to], line);
         }

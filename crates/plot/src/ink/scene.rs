@@ -230,7 +230,7 @@ impl Scene {
     ) -> Result<(), FigureError> {
         let line = typeset(text, TypeLine::size_of_capitals(height))?;
         // The page has y downwards; from the base line to the middle of the capitals.
-        let way = [angle.cos(), -angle.sin()];
+        let way = [libm::cos(angle), -libm::sin(angle)];
         let rise = 0.5 * line.cap_height();
         let middle = [at[0] + rise * way[1], at[1] - rise * way[0]];
         self.type_line(&line, middle, Align::Left, Turn::Along(way), 0.0, colour);

@@ -17,13 +17,13 @@ impl Ticks {
     pub(crate) fn new(low: f64, high: f64, wanted: f64) -> Ticks {
         let wanted = wanted.clamp(2.0, 20.0);
         let largest = low.abs().max(high.abs());
-        let order = largest.log10().floor() as i32;
+        let order = libm::log10(largest).floor() as i32;
         let exponent = if (-2..=3).contains(&order) { 0 } else { order };
         // Work on numbers of moderate size: 10^-exponent itself may not be a finite f64.
         let unit = |x: f64| x / 10f64.powi(exponent / 2) / 10f64.powi(exponent - exponent / 2);
         let (a, b) = (unit(low), unit(high));
         let raw = (b - a) / wanted;
-        let decade = raw.log10().floor() as i32;
+        let decade = libm::log10(raw).floor() as i32;
         let power = 10f64.powi(decade);
         // The roundest step near the raw one: at most a third more ticks than wanted, and one.
         let factor = [1.0, 2.0, 5.0, 10.0]

@@ -41,7 +41,7 @@ impl<'a> StageBox<'a> {
                 let mut ends = [[0.0; 3]; 2];
                 (ends[0][k], ends[1][k]) = (low, high);
                 let [a, b] = ends.map(|p| projection.apply(p));
-                let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+                let length = libm::hypot(b[0] - a[0], b[1] - a[1]);
                 Ticks::new(low, high, (length / PER_TICK).min(8.0))
             }),
         }
@@ -141,7 +141,7 @@ impl<'a> StageBox<'a> {
             };
             let [a, b] = self.bounds[k].map(at);
             let run = [b[0] - a[0], b[1] - a[1]];
-            let length = run[0].hypot(run[1]);
+            let length = libm::hypot(run[0], run[1]);
             if length < SHORTEST {
                 continue;
             }

@@ -167,7 +167,11 @@ mod tests {
         for (a, e) in [(-60.0, 25.0), (30.0, 60.0), (135.0, -20.0f64), (0.0, 0.0)] {
             let (ar, er): (f64, f64) = (f64::to_radians(a), f64::to_radians(e));
             let axes = Axes::new(a, e);
-            let eye = [er.cos() * ar.cos(), er.cos() * ar.sin(), er.sin()];
+            let eye = [
+                libm::cos(er) * libm::cos(ar),
+                libm::cos(er) * libm::sin(ar),
+                libm::sin(er),
+            ];
             assert!((dot(eye, axes.away) + 1.0).abs() < 1e-12);
             assert!(axes.right[2].abs() < 1e-12 && axes.down[2] < 0.0);
             // Right, up and towards the viewer are a right-handed frame: nothing is mirrored.

@@ -12,7 +12,7 @@ pub(crate) fn dashes(chain: &[[V3; 2]], pattern: &[f64]) -> Vec<[V3; 2]> {
     let mut strokes = Vec::new();
     let mut offset = 0.0;
     for &[a, b] in chain {
-        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let length = libm::hypot(b[0] - a[0], b[1] - a[1]);
         let mut from = 0.0;
         while from < length {
             let (on, left) = phase(pattern, offset);

@@ -145,7 +145,11 @@ mod tests {
         let sphere = Grid::sample(33, 33, |u, v| {
             let (a, b) = (std::f64::consts::TAU * u, 0.2 + 2.7 * v);
             // Longitude then polar angle: the product of the derivatives points inwards, so turn one round.
-            [b.sin() * (-a).cos(), b.sin() * (-a).sin(), b.cos()]
+            [
+                libm::sin(b) * libm::cos(-a),
+                libm::sin(b) * libm::sin(-a),
+                libm::cos(b),
+            ]
         })
         .unwrap();
         for (p, n) in sphere.points().iter().zip(sphere.normals()) {
@@ -155,7 +159,7 @@ mod tests {
 
     #[test]
     fn the_apex_of_a_cone_takes_the_normal_of_its_ruling() {
-        let cone = Grid::sample(9, 5, |u, v| [v * u.cos(), v * u.sin(), v]).unwrap();
+        let cone = Grid::sample(9, 5, |u, v| [v * libm::cos(u), v * libm::sin(u), v]).unwrap();
         let normals = cone.normals();
         for row in normals.chunks(5) {
             assert!(dot(row[0], row[1]) > 1.0 - 1e-9);

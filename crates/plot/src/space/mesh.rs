@@ -177,7 +177,7 @@ impl Builder<'_> {
     /// A shaft and a cone.
     fn arrow(&self, mesh: &mut Mesh, from: V3, to: V3, line: Line) {
         let [a, b] = [from, to].map(|p| self.to_samples(p));
-        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let length = libm::hypot(b[0] - a[0], b[1] - a[1]);
         let head = ((6.0 + 2.0 * line.width) * self.fine).min(0.6 * length);
         if !(length > 0.0 && contains(self.bounds, from) && contains(self.bounds, to)) {
             return self.curve(mesh, &[from, to], line);

@@ -112,7 +112,7 @@ fn work(mesh: &Mesh, w: f64, h: f64) -> f64 {
     let segments = mesh.segments.iter().map(|s| {
         let [a, b] = s.ends;
         let r = s.radii[0].max(s.radii[1]);
-        8.0 + 2.0 * (r + 1.0) * ((b[0] - a[0]).hypot(b[1] - a[1]).min(w + h) + 2.0 * r)
+        8.0 + 2.0 * (r + 1.0) * (libm::hypot(b[0] - a[0], b[1] - a[1]).min(w + h) + 2.0 * r)
     });
     triangles.sum::<f64>() + segments.sum::<f64>()
 }
@@ -240,7 +240,7 @@ impl Band {
                 } else {
                     0.0
                 };
-                let distance = (x - a[0] - t * d[0]).hypot(y - a[1] - t * d[1]);
+                let distance = libm::hypot(x - a[0] - t * d[0], y - a[1] - t * d[1]);
                 if distance > ra + t * (rb - ra) {
                     continue;
                 }
@@ -362,7 +362,7 @@ impl<'a> Face<'a> {
                     .map(|i| f64::from(v[i].uv[k]) * weights[i][axis])
                     .sum::<f64>()
             };
-            along(0).hypot(along(1)) as f32
+            libm::hypot(along(0), along(1)) as f32
         });
         Face {
             weights,

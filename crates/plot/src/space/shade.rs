@@ -70,7 +70,11 @@ mod tests {
         for i in 0..40 {
             for j in 0..40 {
                 let (a, b) = (i as f32 * 0.16, j as f32 * 0.04);
-                let n = [b.sin() * a.cos(), b.sin() * a.sin(), b.cos()];
+                let n = [
+                    libm::sin(b) * libm::cos(a),
+                    libm::sin(b) * libm::sin(a),
+                    libm::cos(b),
+                ];
                 let [light, ..] = shade(n, [1.0; 3], Finish::Matt);
                 assert!((0.5..=1.01).contains(&light), "{n:?}: {light}");
             }

@@ -26,7 +26,8 @@ pub(super) fn data(picture: &Interactive) -> Result<String, ReportError> {
         .iter()
         .flat_map(|part| part.nets.iter().flatten());
     let largest = points.flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
-    let decimals = (DIGITS - largest.max(f64::MIN_POSITIVE).log10().ceil() as i32).clamp(0, 17);
+    let decimals =
+        (DIGITS - libm::log10(largest.max(f64::MIN_POSITIVE)).ceil() as i32).clamp(0, 17);
     let parts: Vec<Value> = (picture.parts().iter())
         .map(|of| part(of, dimension, decimals as usize))
         .collect::<Result<_, ReportError>>()?;

@@ -1,9 +1,9 @@
 //! Letters that look like others: two names that nobody can tell apart are two names all the same, and a reader is told.
 
+use super::claim::Claim;
+use super::declarations::Declarations;
 use super::error::LookAlike;
-use super::paper::Paper;
 use super::written::Written;
-use super::{Claim, declarations::Declarations};
 use crate::formula::{Expr, Node};
 use std::collections::BTreeSet;
 
@@ -50,11 +50,11 @@ pub fn name_taken_for(name: &str) -> Option<String> {
     (other != name && other.chars().all(usual)).then_some(other)
 }
 
-/// Names of a paper's formulas that are taken for others, each once a file.
-pub(super) fn look_alikes(paper: &Paper) -> Vec<LookAlike> {
+/// Names of formulas that are taken for others, each once a file.
+pub(super) fn look_alikes(declarations: &Declarations, claims: &[Claim]) -> Vec<LookAlike> {
     let mut search = Search::default();
-    search.declarations(&paper.declarations);
-    for claim in &paper.claims {
+    search.declarations(declarations);
+    for claim in claims {
         search.claim(claim);
     }
     search.found

@@ -28,7 +28,7 @@ impl Paper {
     /// The names of its formulas that a reader takes for others, each once a file.
     #[must_use]
     pub fn look_alikes(&self) -> Vec<LookAlike> {
-        look_alikes(self)
+        look_alikes(&self.declarations, &self.claims)
     }
 
     /// All figures: those of claims, then those of our own, each in file order.

@@ -31,7 +31,7 @@ impl Rounded {
                     Symbol::Pi => coefficient *= std::f64::consts::PI.powi(exponent),
                     Symbol::Root(n) => coefficient *= f64::from(*n).sqrt().powi(exponent),
                     Symbol::Exp(e) if symbol.is_number() => {
-                        coefficient *= f64::from(e.parts()).recip().exp().powi(exponent);
+                        coefficient *= libm::exp(f64::from(e.parts()).recip()).powi(exponent);
                     }
                     _ => powers.extend(
                         symbols

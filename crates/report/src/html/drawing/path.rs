@@ -137,7 +137,7 @@ fn distance(p: Point, a: Point, b: Point) -> f64 {
     } else {
         0.0
     };
-    (from[0] - share * along[0]).hypot(from[1] - share * along[1])
+    libm::hypot(from[0] - share * along[0], from[1] - share * along[1])
 }
 
 fn written(segments: &[Segment]) -> String {
@@ -218,7 +218,7 @@ mod tests {
         let (mut x, mut y) = (0.0_f64, 0.0_f64);
         for k in 1..=400 {
             let turn = f64::from(k) / 400.0 * std::f64::consts::PI;
-            let (to_x, to_y) = (100.0 * (1.0 - turn.cos()), 100.0 * turn.sin());
+            let (to_x, to_y) = (100.0 * (1.0 - libm::cos(turn)), 100.0 * libm::sin(turn));
             data.push_str(&format!(" {:.2} {:.2}", to_x - x, to_y - y));
             (x, y) = (to_x, to_y);
         }
