@@ -40,7 +40,7 @@ impl Colour {
             if s <= 0.040_45 {
                 s / 12.92
             } else {
-                libm::pow((s + 0.055) / 1.055, 2.4)
+                libm::powf((s + 0.055) / 1.055, 2.4)
             }
         })
     }
@@ -59,7 +59,7 @@ impl Colour {
             let s = if x <= 0.003_130_8 {
                 12.92 * x
             } else {
-                1.055 * libm::pow(x, 1.0 / 2.4) - 0.055
+                1.055 * libm::powf(x, 1.0 / 2.4) - 0.055
             };
             (s * 255.0).round() as u8
         });

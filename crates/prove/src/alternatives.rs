@@ -7,12 +7,16 @@
 //! many parts is a conjunction of such alternatives.
 
 use std::ops::Range;
+use torse_algebra::work::{self, Spent};
 use torse_core::{Claim, Hypothesis, Source, Statement};
 use torse_syntax::derivation::Origin;
 use torse_syntax::formula::Connective;
 
 /// The most parts a domain is cut into, and a statement.
 const MAX_PARTS: usize = 32;
+
+/// What it costs to compare two hypotheses of a domain, in units of [`work`].
+const PAIR_WORK: u64 = 16;
 
 /// Comparisons that all hold.
 type Part = Vec<Statement>;
@@ -74,7 +78,16 @@ pub fn clauses(statement: &Statement) -> Option<Vec<Vec<&Statement>>> {
     }
 }
 
-/// Each of these claims with each part in this place of its hypotheses; `None` if there are too many.
+/// Spends what a domain with so many hypotheses costs: each is compared with those before it.
+///
+/// # Errors
+/// The limit that the job met.
+pub fn spend_on_domain(hypotheses: usize) -> Result<(), Spent> {
+    let pairs = hypotheses.saturating_mul(hypotheses);
+    work::spend(PAIR_WORK.saturating_mul(u64::try_from(pairs).unwrap_or(u64::MAX)))
+}
+
+/// Each of these claims with each part in this place of its hypotheses; `None` if there are too many, or no work is left.
 fn divided(
     claims: &[Claim],
     cut: &[Part],
@@ -92,8 +105,17 @@ fn divided(
         claim.hypotheses.splice(place.clone(), all);
         claim
     };
-    let pairs = claims.iter().flat_map(|c| cut.iter().map(move |p| (c, p)));
-    (claims.len() * cut.len() <= MAX_PARTS).then(|| pairs.map(|(c, p)| with(c, p)).collect())
+    if claims.len() * cut.len() > MAX_PARTS {
+        return None;
+    }
+    let mut made = vec![];
+    for claim in claims {
+        for part in cut {
+            spend_on_domain(claim.hypotheses.len() + part.len()).ok()?;
+            made.push(with(claim, part));
+        }
+    }
+    Some(made)
 }
 
 /// Whether the statement is more than a conjunction of comparisons and denials of such.

@@ -15,7 +15,7 @@ use torse_elaborate::Elaborator;
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::derivation::{Claim, Origin, Written};
 use torse_syntax::fault::Fault;
-use torse_syntax::formula::{Connective, Expr, Node};
+use torse_syntax::formula::{Connective, Expr, Node, Place};
 
 /// Decides a statement on the domain of a claim: the claim's own, or another one in its place.
 ///
@@ -77,6 +77,8 @@ fn prepared<T>(
             (rooted, elaborator)
         }
     };
+    alternatives::spend_on_domain(core.hypotheses.len())
+        .map_err(|limit| Fault::limit(Place::default(), limit.to_string()))?;
     then(&Prepared {
         parts: Parts::of(alternatives::parts(&core), &elaborator, &statement.origin),
         statement: core.statement,

@@ -2,6 +2,7 @@
 
 use super::error::{DerivationError, LoadError};
 use super::source::{Origin, Source, whole};
+use crate::formula::Place;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -63,16 +64,31 @@ pub fn check_name(source: &Arc<Source>, name: &Spanned<String>) -> Result<(), Lo
     Err(LoadError::Derivation(Box::new(error)))
 }
 
+/// Fails unless the id of a paper is a plain name: of letters, digits, `-` and `_`. Folders and files are called after it.
+pub fn check_slug(source: &Arc<Source>, slug: &str) -> Result<(), LoadError> {
+    if is_plain(slug) {
+        return Ok(());
+    }
+    let start = source.text.find(slug).unwrap_or(0);
+    let origin = Origin::range(source, start, start + slug.len());
+    let message = format!("the id `{slug}` of the paper is no plain name");
+    let error = DerivationError::at(&origin, Place::default(), message)
+        .with_help("an id is made of letters, digits, `-` and `_`: outputs are called after it");
+    Err(LoadError::Derivation(Box::new(error)))
+}
+
+/// Whether a word may be a part of the name of a file anywhere.
+fn is_plain(word: &str) -> bool {
+    let letter = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    !word.is_empty() && word.chars().all(letter)
+}
+
 /// Fails unless the id is `slug/name` with a name of letters, digits, `-`, `_` and `.`, none of them a point at an end or
 /// beside another point: outputs are called after ids.
 pub fn check_id(source: &Arc<Source>, id: &Spanned<String>, slug: &str) -> Result<(), LoadError> {
-    let plain = |word: &str| {
-        let letter = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-        !word.is_empty() && word.chars().all(letter)
-    };
     let name = id.get_ref().strip_prefix(slug);
     let name = name.and_then(|rest| rest.strip_prefix('/'));
-    if name.is_some_and(|name| name.split('.').all(plain)) {
+    if name.is_some_and(|name| name.split('.').all(is_plain)) {
         return Ok(());
     }
     let message = match name {
