@@ -71,9 +71,9 @@ mod tests {
             for j in 0..40 {
                 let (a, b) = (i as f32 * 0.16, j as f32 * 0.04);
                 let n = [
-                    libm::sin(b) * libm::cos(a),
-                    libm::sin(b) * libm::sin(a),
-                    libm::cos(b),
+                    libm::sinf(b) * libm::cosf(a),
+                    libm::sinf(b) * libm::sinf(a),
+                    libm::cosf(b),
                 ];
                 let [light, ..] = shade(n, [1.0; 3], Finish::Matt);
                 assert!((0.5..=1.01).contains(&light), "{n:?}: {light}");

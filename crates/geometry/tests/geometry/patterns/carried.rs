@@ -162,7 +162,7 @@ fn marks_that_touch_the_edge_of_regression_are_carried_to_its_flat_image() {
     let edge = flat.carry(0, |t| [t, 0.0], 1e-6).unwrap();
     // It begins at the origin along the first axis and turns to the left.
     for [x, y] in &edge {
-        let off = libm::hypot(x, y - radius) - radius;
+        let off = libm::hypot(*x, y - radius) - radius;
         assert!(off.abs() < 1e-6, "{off:e}");
     }
     let along: f64 = edge.windows(2).map(|w| norm(&sub(&w[1], &w[0]))).sum();
@@ -180,7 +180,7 @@ fn marks_that_touch_the_edge_of_regression_are_carried_to_its_flat_image() {
     assert!((sheet - space).abs() < 1e-4 * space, "{sheet} {space}");
     let nearest = carried
         .iter()
-        .map(|[x, y]| libm::hypot(x, y - radius) - radius);
+        .map(|[x, y]| libm::hypot(*x, y - radius) - radius);
     assert!(nearest.fold(f64::INFINITY, f64::min).abs() < 1e-6);
 
     // The way back: next to the edge the distance falls with the square, the ruling is known to half the digits,
