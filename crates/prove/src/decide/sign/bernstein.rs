@@ -11,10 +11,25 @@ use torse_algebra::bernstein::{BernsteinForm, Term};
 use torse_algebra::planted::{Planted, planted};
 use torse_algebra::rational::integer;
 use torse_algebra::rational_box::RationalBox;
+use torse_algebra::work::{self, Spent};
 use torse_algebra::{Fraction, Integer, Polynomial};
 
 /// The most Bernstein coefficients computed.
 const MAX_PIECES: usize = 20_000;
+
+/// What a step with rational numbers of a word costs, in units of [`work`].
+const RATIONAL_WORK: usize = 8;
+
+/// Spends what as many steps as these multiply to cost.
+///
+/// # Errors
+/// The limit that the job met.
+pub fn spend_on_rationals(steps: &[usize]) -> Result<(), Spent> {
+    let all = steps
+        .iter()
+        .fold(RATIONAL_WORK, |all, n| all.saturating_mul(*n));
+    work::spend(u64::try_from(all).unwrap_or(u64::MAX))
+}
 
 /// A polynomial on a part of the box: for each product of numbers (pi, roots) and of unbounded coordinates a Bernstein
 /// form with rational coefficients, all of the same degrees. Halving costs additions of integers.
@@ -59,6 +74,9 @@ impl Spread {
         if count.is_none_or(|count| count > MAX_PIECES) {
             return None;
         }
+        // Each line of coefficients is turned by as many steps as it is long, times half of it.
+        let highest: usize = degrees.iter().sum();
+        spend_on_rationals(&[count?, highest, 1 + polynomial.bits().max(highest) / 64]).ok()?;
         // A box has at least one side.
         let region = RationalBox::unit(sides.len().max(1)).ok()?;
         let highest = degrees.iter().map(|d| u32::try_from(*d).ok());
@@ -98,6 +116,11 @@ impl Spread {
 
     /// The polynomial on the two halves across a side.
     pub fn halves(&self, side: usize) -> Option<[Self; 2]> {
+        let count: usize = self.degrees.iter().map(|d| d + 1).product();
+        let steps = [count, self.parts.len(), self.degree(side)]
+            .iter()
+            .product();
+        work::spend(u64::try_from::<usize>(steps).unwrap_or(u64::MAX)).ok()?;
         let mut halves = [vec![], vec![]];
         for Part { ray, number, form } in &self.parts {
             let (low, high) = form.halves(side)?;

@@ -327,6 +327,12 @@ fn coefficients(
     let degrees: Vec<usize> = sides()
         .map(|side| usize::from(polynomial.degree_in(&side.symbol)))
         .collect();
+    // The square of a degree for each index, and each term for all of them.
+    for d in &degrees {
+        spend_on_rationals(&[*d, *d, *d, 1 + d / 64]).ok()?;
+    }
+    let count = degrees.iter().fold(1_usize, |n, d| n.saturating_mul(d + 1));
+    spend_on_rationals(&[count, polynomial.len(), degrees.len() + 1]).ok()?;
     // polar[side][index][exponent]
     let polar: Vec<Vec<Vec<Rational>>> = degrees
         .iter()
