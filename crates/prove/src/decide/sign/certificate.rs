@@ -13,6 +13,7 @@
 //! the Bernstein coefficient of index j and degree d of `t^e` on `[a, b]` is the elementary symmetric
 //! polynomial of degree e in d - j arguments a and j arguments b, divided by `C(d, e)`.
 
+use super::bernstein::spend_on_rationals;
 use super::coordinates::{Coordinates, Region};
 use crate::decide::domain::{Constraint, Domain};
 use crate::decide::order::truth;
