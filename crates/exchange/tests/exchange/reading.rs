@@ -196,8 +196,8 @@ fn meshes_have_their_areas() {
         (66, UnitSource::Assumed)
     );
     // A pyramid over 64 sides.
-    let side = 2.0 * 50.0 * (std::f64::consts::PI / 64.0).sin();
-    let apothem = 50.0 * (std::f64::consts::PI / 64.0).cos();
+    let side = 2.0 * 50.0 * libm::sin(std::f64::consts::PI / 64.0);
+    let apothem = 50.0 * libm::cos(std::f64::consts::PI / 64.0);
     let wanted = 32.0 * side * (apothem + (apothem * apothem + 6400.0_f64).sqrt());
     assert!(
         (cone.meshes[0].mesh.area() - wanted).abs() < 1e-3,
