@@ -18,7 +18,7 @@ use torse_algebra::{Fraction, Integer, Polynomial};
 const MAX_PIECES: usize = 20_000;
 
 /// What a step with rational numbers of a word costs, in units of [`work`].
-const RATIONAL_WORK: usize = 8;
+const RATIONAL_WORK: usize = 4;
 
 /// Spends what as many steps as these multiply to cost.
 ///
@@ -117,10 +117,10 @@ impl Spread {
     /// The polynomial on the two halves across a side.
     pub fn halves(&self, side: usize) -> Option<[Self; 2]> {
         let count: usize = self.degrees.iter().map(|d| d + 1).product();
-        let steps = [count, self.parts.len(), self.degree(side)]
+        let steps: usize = [count, self.parts.len(), self.degree(side)]
             .iter()
             .product();
-        work::spend(u64::try_from::<usize>(steps).unwrap_or(u64::MAX)).ok()?;
+        work::spend(u64::try_from(steps).unwrap_or(u64::MAX)).ok()?;
         let mut halves = [vec![], vec![]];
         for Part { ray, number, form } in &self.parts {
             let (low, high) = form.halves(side)?;
