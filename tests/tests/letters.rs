@@ -26,7 +26,7 @@ static PAPERS: LazyLock<Vec<PaperOutcome>> = LazyLock::new(|| {
 });
 
 /// What no reader is to meet: names and sentences of the engine, and slips of grammar.
-const PATTERNS: [&str; 18] = [
+const PATTERNS: [&str; 16] = [
     "printed_",
     "printed(z",
     "{printed}",
@@ -43,8 +43,6 @@ const PATTERNS: [&str; 18] = [
     "1 of 8 need ",
     "1 places",
     "no correction is proved",
-    "..  ",
-    " ,",
 ];
 
 /// What a text has of that, with what stands around it.
@@ -66,9 +64,7 @@ fn no_letter_and_no_finding_has_a_sentence_of_the_engine() {
     for paper in PAPERS.iter() {
         let report = Report::new(paper, &[]);
         let letter = erratum_markdown(&report, &Envelope::default());
-        // Signs of mathematics have blanks before commas.
-        let words: String = letter.split('$').step_by(2).collect();
-        all.extend(found(&words, &format!("{}-erratum.md", paper.slug)));
+        all.extend(found(&letter, &format!("{}-erratum.md", paper.slug)));
         let tex = erratum_latex(&report, &Envelope::default());
         assert!(tex.contains("\\begin{document}"));
         for (id, text) in findings_in_words(&paper.claims) {

@@ -224,7 +224,9 @@ fn untold(claim: &Outcome) -> Item {
         (Some(finding), ..) => sentence::finished(finding),
         (None, Some(repair), _) => sentence::finished(&repair.edits.join("; ")),
         (None, None, Some(note)) => note.clone(),
-        (None, None, None) => String::new(),
+        (None, None, None) => sentence::failure_in_full(claim)
+            .map(|text| sentence::finished(&text))
+            .unwrap_or_default(),
     };
     Item {
         heading: place(claim),
