@@ -229,7 +229,7 @@ impl Tableau {
         column: usize,
         cost: Option<&mut Vec<Rational>>,
     ) -> Option<()> {
-        work::spend(self.rows.len() as u64);
+        work::spend(self.rows.len() as u64).ok()?;
         let pivot = self.rows.get(row)?.get(column)?.clone();
         for value in self.rows.get_mut(row)? {
             *value = &*value / &pivot;
