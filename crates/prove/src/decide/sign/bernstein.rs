@@ -17,8 +17,8 @@ use torse_algebra::{Fraction, Integer, Polynomial};
 /// The most Bernstein coefficients computed.
 const MAX_PIECES: usize = 20_000;
 
-/// What a step with rational numbers of a word costs, in units of [`work`].
-const RATIONAL_WORK: usize = 4;
+/// What a step with rational numbers of a word costs at least, in units of [`work`].
+const RATIONAL_WORK: usize = 1;
 
 /// Spends what as many steps as these multiply to cost.
 ///

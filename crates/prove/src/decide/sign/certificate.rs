@@ -330,7 +330,7 @@ fn coefficients(
         .collect();
     // The square of a degree for each index, and each term for all of them.
     for d in &degrees {
-        spend_on_rationals(&[*d, *d, *d, 1 + d / 64]).ok()?;
+        spend_on_rationals(&[*d, *d, *d, 1 + d / 16]).ok()?;
     }
     let count = degrees.iter().fold(1_usize, |n, d| n.saturating_mul(d + 1));
     spend_on_rationals(&[count, polynomial.len(), degrees.len() + 1]).ok()?;
