@@ -1,8 +1,10 @@
 //! Joints: how the end of a patch meets the next one.
 //!
 //! Two things are told apart. The *seam* is what lies there: how far apart the ends of the rulings are, by which angle the
-//! tangent planes differ. The *contact* is that of what the patches are made from: of families of planes the order to
-//! which they agree up to a change of parameter (with its beta values) and a factor, of rails the same.
+//! sheet is folded. The *contact* is that of what the patches are made from: of families of planes the order to
+//! which they agree up to a change of parameter (with its beta values) and a factor, of rails the same. Families that
+//! agree to any order touch along the common ruling, but say nothing about the side on which each sheet grows away from
+//! it: a sheet that folds back on the other has a fold of 180 degrees, and no contact above position.
 
 use crate::design::{Chain, Design, Patch, Smoothness};
 use crate::error::DesignError;
@@ -26,7 +28,8 @@ pub struct JointReport {
     pub patches: [String; 2],
     /// The larger distance of corresponding ends of the two rulings.
     pub gap: f64,
-    /// The largest angle between the tangent planes, in degrees.
+    /// The largest angle by which the sheet is folded, in degrees: 0 where it goes on smoothly, 180 where it folds back
+    /// on itself.
     pub kink: f64,
     /// The largest difference of the curvatures across the ruling, as a share of the larger one.
     pub curvature: Option<f64>,
@@ -84,7 +87,7 @@ struct End {
     last: bool,
     /// Its ends.
     points: [Point; 2],
-    /// Normals at both, of length one where there are any.
+    /// At both, the cross product of the speed of the rail with the ruling, of length one where there is any.
     normals: [Option<Point>; 2],
 }
 
@@ -113,9 +116,13 @@ impl End {
         })
     }
 
-    /// The normals at the two ends; an apex takes that of the other end.
-    fn planes(&self) -> [Option<Point>; 2] {
-        let [p, q] = self.normals;
+    /// At both ends the cross product of the direction in which one who walks `into` the patch (or out of it) leaves the
+    /// ruling, with the ruling from the first end to the second; an apex takes that of the other end.
+    fn growth(&self, into: bool) -> [Option<Point>; 2] {
+        let forward = into != self.last;
+        let [p, q] = self
+            .normals
+            .map(|n| n.map(|n| if forward { n } else { n.map(|c| -c) }));
         [p.or(q), q.or(p)]
     }
 }
@@ -162,12 +169,14 @@ fn report(
     seam: &Seam,
 ) -> JointReport {
     let [a, b] = seam.ends;
-    let (own, mut other) = (a.planes(), b.planes());
+    let (own, mut other) = (a.growth(false), b.growth(true));
     if seam.crossed {
+        // The same ruling seen the other way.
         other.reverse();
+        other = other.map(|m| m.map(|m| m.map(|c| -c)));
     }
     let angle = |(n, m): (&Option<Point>, &Option<Point>)| match (n, m) {
-        (Some(n), Some(m)) => libm::atan2(norm(&cross(n, m)), dot(n, m).abs()),
+        (Some(n), Some(m)) => libm::atan2(norm(&cross(n, m)), dot(n, m)),
         _ => std::f64::consts::FRAC_PI_2,
     };
     let kink = own
@@ -177,7 +186,12 @@ fn report(
         .fold(0.0, f64::max)
         .to_degrees();
     let limits = &design.tolerances;
-    let contact = contact(first, second, seam, limits.continuity);
+    // Sheets that fold back have their planes in common and nothing else.
+    let contact = if kink > 90.0 {
+        Contact::folded()
+    } else {
+        contact(first, second, seam, limits.continuity)
+    };
     let curvature = curvatures([first, second], seam);
     let smooth = seam.gap <= limits.gap && kink <= limits.kink;
     let geometric = if seam.gap > limits.gap {
@@ -208,6 +222,17 @@ struct Contact {
     parametric: Option<usize>,
     betas: Vec<Vec<f64>>,
     scale: Vec<f64>,
+}
+
+impl Contact {
+    /// That of sheets that meet in a ruling and lie on the same side of it.
+    fn folded() -> Self {
+        Self {
+            geometric: Some(0),
+            parametric: Some(0),
+            ..Self::default()
+        }
+    }
 }
 
 fn contact(first: &Patch, second: &Patch, seam: &Seam, tolerance: f64) -> Contact {
@@ -332,7 +357,7 @@ fn objection(design: &Design, chain: &Chain, report: &JointReport) -> Option<Str
     };
     (!reached).then(|| {
         format!(
-            "the joint of {first} and {second} is {}, {} wanted (tangent planes differ by {:.6} degrees)",
+            "the joint of {first} and {second} is {}, {} wanted (the sheet is folded by {:.6} degrees)",
             report.smoothness(),
             wanted.name(),
             report.kink

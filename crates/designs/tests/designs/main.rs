@@ -8,6 +8,7 @@
 )]
 
 mod hostile;
+mod joints;
 mod kinds;
 mod mistakes;
 mod patterns;

@@ -36,7 +36,8 @@ impl Inspection {
 pub struct Seam {
     /// The largest distance of corresponding ends of the two rulings.
     pub gap: f64,
-    /// The largest angle between the tangent planes there, in radians.
+    /// The largest angle by which the sheet is folded there, in radians: 0 where it goes on smoothly, pi where the next
+    /// sheet folds back on this one, though both have their tangent planes in common.
     pub kink: f64,
 }
 
@@ -115,8 +116,8 @@ impl Sheet {
         let (end, start) = (RulingForms::of(self, &1.0)?, RulingForms::of(next, &0.0)?);
         let pairs = end.ends().iter().zip(start.ends());
         let gap = pairs.map(|(p, q)| norm(&sub(p, q))).fold(0.0, f64::max);
-        let angle =
-            |(n, m): (&[f64; 3], &[f64; 3])| libm::atan2(norm(&cross(n, m)), dot(n, m).abs());
+        // Both are the cross product of the direction of travel with the same ruling: their sign counts.
+        let angle = |(n, m): (&[f64; 3], &[f64; 3])| libm::atan2(norm(&cross(n, m)), dot(n, m));
         let normals = end.normals().iter().zip(start.normals());
         let kink = normals.map(angle).fold(0.0, f64::max);
         Ok(Seam { gap, kink })
