@@ -18,7 +18,7 @@ Module abs_conics_planes.
 (* gbt-developable/abs-conics.planes, Abstract, second sentence
    printed: Developable Bézier surfaces ..., due to polynomial depiction and having no shape parameter, they cannot describe conics exactly and can only handle a few shapes.
    read as: 'they' are the developable Bézier surfaces of this paper's kind, (3.1) with Bernstein polynomials in place of the GBTB functions: the family with the control planes (1,0,0,1), (1,1,0,1), (0,2,0,2) has no arc of the unit circle as its section Z = 0.
-   stated: not (profile[1]^2 + profile[2]^2 == 1 and profile[3] == 0) *)
+   stated: fails(profile[1]^2 + profile[2]^2 == 1 and profile[3] == 0) *)
 Definition bernstein_family (u : R) : list R :=
   vadd (vadd (vscale ((1 - u) ^ 2) [1; 0; 0; 1]) (vscale (2 * u * (1 - u)) [1; 1; 0; 1])) (vscale (u ^ 2) [0; 2; 0; 2]).
 Definition profile (u : R) : list R :=

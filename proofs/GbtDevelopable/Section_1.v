@@ -95,7 +95,7 @@ Module intro_continuity_free_b_suitable_values.
 (* gbt-developable/intro-continuity-free.b.suitable values, Sect. 1, list of contributions, last item, for the smooth connection (5.12)
    printed: The local and overall shape of a composite developable GBT-Bézier surface with a smooth connection can be accommodated by modifying its shape parameters without re-establishing the control planes.
    read as: There are other values with which the connection stays: exhibited for cubic families that join with all shape parameters 0, of which all four are changed together, along a curve with the parameter t.
-   stated: N2(0) == N1(1) and N2'(0) == N1'(1) and N2''(0) == N1''(1) and -1 <= inner and inner <= 1 and -1 <= outer and outer <= 1 and not inner == 0 and not outer == 0 *)
+   stated: N2(0) == N1(1) and N2'(0) == N1'(1) and N2''(0) == N1''(1) and -1 <= inner and inner <= 1 and -1 <= outer and outer <= 1 and fails(inner == 0) and fails(outer == 0) *)
 Definition F2 (B : Z -> R) (x : Z) : R :=
   sum 0%Z 3%Z (fun i => g (IZR x) 0 0 i 3%Z * B i).
 Definition F1 (A : Z -> R) (x : Z) : R :=

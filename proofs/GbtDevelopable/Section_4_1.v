@@ -249,7 +249,7 @@ Module ex_4_1_c1_d.
 (* gbt-developable/ex-4.1.c1.d, Sect. 4.1, Example 4.1, conclusion 1
    printed: however the length of the starting generator J(0; μ, ν) will modify
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length. With μ unchanged and ν changed, as the sentence before says.
-   stated: not D(length2(E1(0), E1'(0)), nu) == 0 *)
+   stated: fails(D(length2(E1(0), E1'(0)), nu) == 0) *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -358,7 +358,7 @@ Module ex_4_1_c2_c.
 (* gbt-developable/ex-4.1.c2.c, Sect. 4.1, Example 4.1, conclusion 2
    printed: but the lengths of ending generators J(1; μ, ν) will modify
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length. With ν fixed and μ changed, as the sentence before says.
-   stated: not D(length2(E1(1), E1'(1)), mu) == 0 *)
+   stated: fails(D(length2(E1(1), E1'(1)), mu) == 0) *)
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -445,7 +445,7 @@ Module ex_4_1_c3_a.
 (* gbt-developable/ex-4.1.c3.a, Sect. 4.1, Example 4.1, conclusion 3
    printed: For identical values of μ, ν, the ... location of both starting J(0; μ, ν) and ending J(1; μ, ν) generators will modify with modifying values of μ, ν.
    read as: 'location' is the line itself. Refuted is already that one of the two lines moves for some change of μ and ν.
-   stated: not (D(foot(E1(0), E1'(0)), mu) == 0 and D(foot(E1(0), E1'(0)), nu) == 0 and cross(direction(E1(0), E1'(0)), D(direction(E1(0), E1'(0)), mu)) == 0 and cross(direction(E1(0), E1'(0)), D(direction(E1(0), E1'(0)), nu)) == 0 and D(foot(E1(1), E1'(1)), mu) == 0 and D(foot(E1(1), E1'(1)), nu) == 0 and cross(direction(E1(1), E1'(1)), D(direction(E1(1), E1'(1)), mu)) == 0 and cross(direction(E1(1), E1'(1)), D(direction(E1(1), E1'(1)), nu)) == 0) *)
+   stated: fails(D(foot(E1(0), E1'(0)), mu) == 0 and D(foot(E1(0), E1'(0)), nu) == 0 and cross(direction(E1(0), E1'(0)), D(direction(E1(0), E1'(0)), mu)) == 0 and cross(direction(E1(0), E1'(0)), D(direction(E1(0), E1'(0)), nu)) == 0 and D(foot(E1(1), E1'(1)), mu) == 0 and D(foot(E1(1), E1'(1)), nu) == 0 and cross(direction(E1(1), E1'(1)), D(direction(E1(1), E1'(1)), mu)) == 0 and cross(direction(E1(1), E1'(1)), D(direction(E1(1), E1'(1)), nu)) == 0) *)
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -468,7 +468,7 @@ Module ex_4_1_c3_b.
 (* gbt-developable/ex-4.1.c3.b, Sect. 4.1, Example 4.1, conclusion 3
    printed: For identical values of μ, ν, the length ... of both starting J(0; μ, ν) and ending J(1; μ, ν) generators will modify
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
-   stated: not D(at(length2(E1(0), E1'(0)), mu, nu), nu) == 0 and not D(at(length2(E1(1), E1'(1)), mu, nu), nu) == 0 *)
+   stated: fails(D(at(length2(E1(0), E1'(0)), mu, nu), nu) == 0) and fails(D(at(length2(E1(1), E1'(1)), mu, nu), nu) == 0) *)
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -653,7 +653,7 @@ Module ex_4_2_class.
 (* gbt-developable/ex-4.2.class, Sect. 4.1, Example 4.2, paragraph after the planes
    printed: with fluctuating values of shape parameters μ, ν, a class of enveloping developable GBT-Bézier surfaces can be designed on the requirement of provided control planes
    read as: (3.7) is a surface at some point at least: for some shape parameters, some x and some x1 its two tangent vectors are not parallel.
-   stated: not cross(direction(E2(x), E2'(x)), J'(x)) == 0 *)
+   stated: fails(cross(direction(E2(x), E2'(x)), J'(x)) == 0) *)
 Definition E2 (mu : R) (nu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
 Definition J (mu : R) (nu : R) (x1 : R) (x : R) : list R :=
@@ -713,7 +713,7 @@ Module ex_4_2_c1_a.
 (* gbt-developable/ex-4.2.c1.a, Sect. 4.1, Example 4.2, conclusion 1
    printed: When we fix the value of ν, the length of generator J(1; μ, ν) will modify ... with fluctuating values of μ
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
-   stated: not D(length2(E2(1), E2'(1)), mu) == 0 *)
+   stated: fails(D(length2(E2(1), E2'(1)), mu) == 0) *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -836,7 +836,7 @@ Module ex_4_2_c2_d.
 (* gbt-developable/ex-4.2.c2.d, Sect. 4.1, Example 4.2, conclusion 2
    printed: but the length of the ending generator J(1; μ, ν) will modify, see Fig. 11
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
-   stated: not (D(length2(E2(1), E2'(1)), mu) == 0 and D(length2(E2(1), E2'(1)), nu) == 0) *)
+   stated: fails(D(length2(E2(1), E2'(1)), mu) == 0 and D(length2(E2(1), E2'(1)), nu) == 0) *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   0 < mu <= 1 ->
@@ -893,7 +893,7 @@ Module ex_4_2_c3_c.
 (* gbt-developable/ex-4.2.c3.c, Sect. 4.1, Example 4.2, conclusion 3
    printed: however, the length of the ending and starting generator will modify
    read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length. Both parameters altered together.
-   stated: not D(at(length2(E2(1), E2'(1)), mu, nu), nu) == 0 and not D(at(length2(E2(0), E2'(0)), mu, nu), nu) == 0 *)
+   stated: fails(D(at(length2(E2(1), E2'(1)), mu, nu), nu) == 0) and fails(D(at(length2(E2(0), E2'(0)), mu, nu), nu) == 0) *)
 Definition statement : Prop :=
 forall (nu : R),
   (-1) <= nu < 0 ->
@@ -911,7 +911,7 @@ Module ex_4_2_c3_d.
 (* gbt-developable/ex-4.2.c3.d, Sect. 4.1, Example 4.2, conclusion 3
    printed: ... will modify along with the shape of the enveloping developable GBT-Bézier surface, see Fig. 12
    read as: The shape is the set of the generators; refuted is already that one of them moves when μ = ν changes.
-   stated: not (D(line(x), nu) == 0 and cross(along(x), D(along(x), nu)) == 0) *)
+   stated: fails(D(line(x), nu) == 0 and cross(along(x), D(along(x), nu)) == 0) *)
 Definition E2 (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
 Definition line (nu : R) (x : R) : list R :=

@@ -138,7 +138,7 @@ Module sec_4_2_class.
 (* gbt-developable/sec-4.2.class, Sect. 4.2, after the planes
    printed: With different values of shape parameters μ and ν, a class of cubic spine curve developable GBT-Bézier surfaces can be designed on the requirement of provided control planes Q_0, Q_1, Q_2, Q_3 in Fig. 13 and Fig. 14 respectively, with distinct shapes.
    read as: The surface is there and is no cone, for all shape parameters: near x = 1/2 the characteristic point exists and its velocity is not zero. It changes with each shape parameter.
-   stated: det([normal(E3(1/2)), normal(E3'(1/2)), normal(E3''(1/2))]) > 0 and det([E3(1/2), E3'(1/2), E3''(1/2), E3'''(1/2)]) > 0 and not D(middle, mu) == 0 and not D(middle, nu) == 0 *)
+   stated: det([normal(E3(1/2)), normal(E3'(1/2)), normal(E3''(1/2))]) > 0 and det([E3(1/2), E3'(1/2), E3''(1/2), E3'''(1/2)]) > 0 and fails(D(middle, mu) == 0) and fails(D(middle, nu) == 0) *)
 Definition E3 (mu : R) (nu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E3_0) (vscale (g x mu nu 1%Z 3%Z) E3_1)) (vscale (g x mu nu 2%Z 3%Z) E3_2)) (vscale (g x mu nu 3%Z 3%Z) E3_3).
 Definition E3_ (nu : R) (mu : R) (x : R) : list R :=

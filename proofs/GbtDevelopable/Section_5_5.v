@@ -122,7 +122,7 @@ Module ex_5_1_shape_shape.
 (* gbt-developable/ex-5.1.shape.shape, Sect. 5.5, Example 5.1
    printed: These four graphs indicate that without disturbing control planes, the shape of the combined developable GBT-Bézier surface can be simply modified by amending the shape parameters.
    read as: The family of planes changes with the shape parameters, the control planes fixed.
-   stated: not D(N2(x), mu3) == 0 and not D(N2(x), nu3) == 0 *)
+   stated: fails(D(N2(x), mu3) == 0) and fails(D(N2(x), nu3) == 0) *)
 Definition N2 (P2 : Z -> R) (nu3 : R) (mu3 : R) (x : R) : R :=
   sum 0%Z 3%Z (fun i => g x mu3 nu3 i 3%Z * P2 i).
 Definition statement : Prop :=
@@ -311,7 +311,7 @@ Module ex_5_2_gap_surfaces.
 (* gbt-developable/ex-5.2.gap.surfaces, Sect. 5.5, Example 5.2
    printed: at connection a gap will be achieved on merged developable GBT-Bézier surfaces when γ ≠ 1
    read as: The surfaces of (3.7), with generators that are lines, do not meet in one line.
-   stated: not (foot(K2(0), K2'(0)) == foot(K1(1), K1'(1)) and cross(direction(K2(0), K2'(0)), direction(K1(1), K1'(1))) == 0) *)
+   stated: fails(foot(K2(0), K2'(0)) == foot(K1(1), K1'(1)) and cross(direction(K2(0), K2'(0)), direction(K1(1), K1'(1))) == 0) *)
 Definition statement : Prop :=
 forall (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in

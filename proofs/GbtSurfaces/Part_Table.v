@@ -50,7 +50,7 @@ Module tab_1_1_proposed.
 (* gbt-surfaces/tab-1.1.proposed, Table 1, row 1, proposed method
    printed: The GBTB functions are constructed with only two shape parameters.
    read as: The curve, whose coefficients are the functions of its order, changes with both shape parameters; the formulas (1) and (2) have no other.
-   stated: not D(F'(0), mu) == 0 and not D(F'(1), nu) == 0 *)
+   stated: fails(D(F'(0), mu) == 0) and fails(D(F'(1), nu) == 0) *)
 Definition F (Q : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=

@@ -250,7 +250,7 @@ End sec_2_2_invariance.
 Module sec_2_2_shape_adjustable.
 (* gbt-surfaces/sec-2.2.shape-adjustable, Sect. 2.2, sentence after eq. (3)
    printed: ... including ... shape adjustable property
-   stated: not D(F'(0), mu) == 0 and not D(F'(1), nu) == 0 *)
+   stated: fails(D(F'(0), mu) == 0) and fails(D(F'(1), nu) == 0) *)
 Definition F (Q : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
@@ -354,7 +354,7 @@ End sec_2_2_interpolation.
 Module sec_2_2_end_derivatives.
 (* gbt-surfaces/sec-2.2.end-derivatives, Sect. 2.2, paragraph after eq. (3)
    printed: the values of their derivatives at both end points on GBT-Bézier curves will be easily modified by adjusting the shape parameters μ, ν in their respective value range
-   stated: not D(F'(0), mu) == 0 and not D(F'(1), nu) == 0 and not D(F''(0), nu) == 0 and not D(F''(1), mu) == 0 and not D(F'''(0), mu) == 0 and not D(F'''(1), nu) == 0 *)
+   stated: fails(D(F'(0), mu) == 0) and fails(D(F'(1), nu) == 0) and fails(D(F''(0), nu) == 0) and fails(D(F''(1), mu) == 0) and fails(D(F'''(0), mu) == 0) and fails(D(F'''(1), nu) == 0) *)
 Definition F (Q : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=

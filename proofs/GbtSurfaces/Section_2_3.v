@@ -118,7 +118,7 @@ Module sec_2_3_features_c.
 (* gbt-surfaces/sec-2.3.features.c, Sect. 2.3, sentence after eq. (7)
    printed: As the GBT-Bézier surfaces are defined on the bases of GBT-Bézier curves, so they have all the features that the GBT-Bézier curves have.
    read as: The tangents at the corners change with all four shape parameters.
-   stated: not D(Tz0(0), mu) == 0 and not D(Tz1(0), nu) == 0 and not D(Tu0(0), mu1) == 0 and not D(Tu1(0), nu1) == 0 *)
+   stated: fails(D(Tz0(0), mu) == 0) and fails(D(Tz1(0), nu) == 0) and fails(D(Tu0(0), mu1) == 0) and fails(D(Tu1(0), nu1) == 0) *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (2 <= m)%Z ->
@@ -216,7 +216,7 @@ Module sec_2_3_classical_the_features_of_Sect__2_2.
 (* gbt-surfaces/sec-2.3.classical.the features of Sect. 2.2, Sect. 2.3, paragraph after eq. (7)
    printed: The tensor product GBT-Bézier surfaces shares all the properties with classical tensor product Bézier surfaces except for the shape adjustable property which is superior to the properties of classical tensor product Bézier surfaces.
    read as: The properties are those that Sect. 2.2 lists for curves, but for variation diminution: convex hull, affine invariance, interpolation of the corners, symmetry with the parameters exchanged; and the tangents at the corners change with the shape parameters.
-   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 and T(0, 0) == G[0,0] and T(1, 0) == G[m,0] and T(0, 1) == G[0,n] and T(1, 1) == G[m,n] and sum(l, 0, n, f[l,n](z1, mu1, nu1)*sum(k, 0, m, f[k,m](z, nu, mu)*G[m-k,l])) == T(1 - z, z1) and not D(Tz0(0), mu) == 0 and not D(Tz1(0), nu) == 0 and not D(Tu0(0), mu1) == 0 and not D(Tu1(0), nu1) == 0 *)
+   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 and T(0, 0) == G[0,0] and T(1, 0) == G[m,0] and T(0, 1) == G[0,n] and T(1, 1) == G[m,n] and sum(l, 0, n, f[l,n](z1, mu1, nu1)*sum(k, 0, m, f[k,m](z, nu, mu)*G[m-k,l])) == T(1 - z, z1) and fails(D(Tz0(0), mu) == 0) and fails(D(Tz1(0), nu) == 0) and fails(D(Tu0(0), mu1) == 0) and fails(D(Tu1(0), nu1) == 0) *)
 Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
   sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * sum 0%Z m (fun k => f (IZR z) mu nu k m * G k l)).
 Definition T_ (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=

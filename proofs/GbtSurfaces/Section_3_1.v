@@ -155,7 +155,7 @@ Module sec_3_1_not_tensor_literal.
 (* gbt-surfaces/sec-3.1.not-tensor.literal, Sect. 3.1, paragraph after Figure 3
    printed: the cylinder in (9) leads to some complications in designing GBT-Bézier curves and surfaces as it is not a tensor product GBT-Bézier surface
    read as: The cylinder is no tensor product surface of the functions (1)-(2). Tried with the net Q_k, Q_k + αV, Q_k, Q_k + αV and the functions of order 3 in z_1 with both shape parameters -1.
-   stated: not T(z, z1) == sum(k, 0, m, f[k,m](z, mu, nu)*(f[0,3](z1, -1, -1)*net3(k, 0) + f[1,3](z1, -1, -1)*net3(k, 1) + f[2,3](z1, -1, -1)*net3(k, 0) + f[3,3](z1, -1, -1)*net3(k, 1))) *)
+   stated: fails(T(z, z1) == sum(k, 0, m, f[k,m](z, mu, nu)*(f[0,3](z1, -1, -1)*net3(k, 0) + f[1,3](z1, -1, -1)*net3(k, 1) + f[2,3](z1, -1, -1)*net3(k, 0) + f[3,3](z1, -1, -1)*net3(k, 1)))) *)
 Definition net3 (Q : Z -> R) (V : R) (alpha : R) (k : Z) (a : Z) : R :=
   Q k + IZR a * alpha * V.
 Definition statement : Prop :=
@@ -181,7 +181,7 @@ Module sec_3_1_not_tensor_as_it_stands.
 (* gbt-surfaces/sec-3.1.not-tensor.as it stands, Sect. 3.1, paragraph after Figure 3
    printed: the cylinder in (9) leads to some complications in designing GBT-Bézier curves and surfaces as it is not a tensor product GBT-Bézier surface
    read as: With its own two rows of control points, Q_k and Q_k + αV, and the functions of (2), whose order is 2 or more, the cylinder is no tensor product surface: for every order and all shape parameters that surface shrinks to the origin for z_1 = 1, the cylinder does not.
-   stated: rows(z, 1) == 0 and T(z, 1) == F(z) + alpha*V and not T(z, z1) == rows(z, z1) *)
+   stated: rows(z, 1) == 0 and T(z, 1) == F(z) + alpha*V and fails(T(z, z1) == rows(z, z1)) *)
 Definition rows (Q : Z -> R) (V : R) (alpha : R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
   sum 0%Z m (fun k => f z mu nu k m * (f (IZR z1) mu1 nu1 0%Z n * net Q V alpha k 0%Z + f (IZR z1) mu1 nu1 1%Z n * net Q V alpha k 1%Z)).
 Definition T (Q : Z -> R) (V : R) (alpha : R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : Z) : R :=
@@ -228,7 +228,7 @@ End sec_3_1_not_tensor_as_it_stands.
 Module sec_3_1_order_one_missing_none.
 (* gbt-surfaces/sec-3.1.order-one-missing.none, Sect. 3.1, paragraph before eq. (10)
    printed: No functions of order one lead to (1) by the step (2): the first and the last line would give f_{0,1} = f_{0,2}/(1 - z) and f_{1,1} = f_{2,2}/z, which do not give f_{1,2}.
-   stated: not f[1,2](z) == (1 - z)*(f[2,2](z)/z) + z*(f[0,2](z)/(1 - z)) *)
+   stated: fails(f[1,2](z) == (1 - z)*(f[2,2](z)/z) + z*(f[0,2](z)/(1 - z))) *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -384,7 +384,7 @@ Module eq_11_parameters.
 (* gbt-surfaces/eq-11.parameters, Sect. 3.1, Theorem 3, left side of eq. (11) and last line of the statement
    printed: T_cylinder(z,z_1,μ,ν,μ_1,ν_1) ..., and μ, ν are shape control parameters
    read as: The surface changes with mu and with nu.
-   stated: not D(at(D(tensor(z, z1), z), z, 0), mu) == 0 and not D(at(D(tensor(z, z1), z), z, 1), nu) == 0 *)
+   stated: fails(D(at(D(tensor(z, z1), z), z, 0), mu) == 0) and fails(D(at(D(tensor(z, z1), z), z, 1), nu) == 0) *)
 Definition tensor (Q : Z -> R) (V : R) (alpha : R) (m : Z) (nu : R) (mu : R) (z : R) (z1 : R) : R :=
   sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => net Q V alpha k l * f z mu nu k m * b z1 l 1%Z)).
 Definition statement : Prop :=
@@ -611,7 +611,7 @@ Module sec_3_1_any_shape_the_shape_changes.
 (* gbt-surfaces/sec-3.1.any-shape.the shape changes, Sect. 3.1, paragraph before Algorithm 1
    printed: by keeping the control mesh unchanged, the GBT-Bézier cylinder can be transformed into any shape merely by changing the shape parameters
    read as: The shape changes with the shape parameters while the net does not.
-   stated: not D(at(D(tensor(z, z1), z), z, 0), mu) == 0 and not D(at(D(tensor(z, z1), z), z, 1), nu) == 0 *)
+   stated: fails(D(at(D(tensor(z, z1), z), z, 0), mu) == 0) and fails(D(at(D(tensor(z, z1), z), z, 1), nu) == 0) *)
 Definition tensor (Q : Z -> R) (V : R) (alpha : R) (m : Z) (nu : R) (mu : R) (z : R) (z1 : R) : R :=
   sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => net Q V alpha k l * f z mu nu k m * b z1 l 1%Z)).
 Definition statement : Prop :=

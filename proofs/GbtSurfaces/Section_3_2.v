@@ -705,7 +705,7 @@ End ex_3_2_coplanar.
 Module ex_3_2_noncoplanar_possible.
 (* gbt-surfaces/ex-3.2.noncoplanar.possible, Sect. 3.2, Example 3.2, last sentence
    printed: There are such surfaces: the four angular points need not lie in a plane, and all four boundaries are straight all the same.
-   stated: not det([Km0 - K00, K0n - K00, Kmn - K00]) == 0 and sum(k, 0, m, f[k,m](z, mu, nu)*(K00 + t[k]*(Km0 - K00))) == K00 + sum(k, 0, m, f[k,m](z, mu, nu)*t[k])*(Km0 - K00) and sum(k, 0, m, f[k,m](z, mu, nu)*(K0n + t[k]*(Kmn - K0n))) == K0n + sum(k, 0, m, f[k,m](z, mu, nu)*t[k])*(Kmn - K0n) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*(K00 + t[l]*(K0n - K00))) == K00 + sum(l, 0, n, f[l,n](z1, mu1, nu1)*t[l])*(K0n - K00) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*(Km0 + t[l]*(Kmn - Km0))) == Km0 + sum(l, 0, n, f[l,n](z1, mu1, nu1)*t[l])*(Kmn - Km0) *)
+   stated: fails(det([Km0 - K00, K0n - K00, Kmn - K00]) == 0) and sum(k, 0, m, f[k,m](z, mu, nu)*(K00 + t[k]*(Km0 - K00))) == K00 + sum(k, 0, m, f[k,m](z, mu, nu)*t[k])*(Km0 - K00) and sum(k, 0, m, f[k,m](z, mu, nu)*(K0n + t[k]*(Kmn - K0n))) == K0n + sum(k, 0, m, f[k,m](z, mu, nu)*t[k])*(Kmn - K0n) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*(K00 + t[l]*(K0n - K00))) == K00 + sum(l, 0, n, f[l,n](z1, mu1, nu1)*t[l])*(K0n - K00) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*(Km0 + t[l]*(Kmn - Km0))) == Km0 + sum(l, 0, n, f[l,n](z1, mu1, nu1)*t[l])*(Kmn - Km0) *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (K00'1 K00'2 K00'3 : R) (K0n'1 K0n'2 K0n'3 : R) (Km0'1 Km0'2 Km0'3 : R) (Kmn'1 Kmn'2 Kmn'3 : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (t : Z -> R) (z : R) (z1 : R),
   let K00 := [K00'1; K00'2; K00'3] in

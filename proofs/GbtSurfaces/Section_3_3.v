@@ -76,7 +76,7 @@ Module sec_3_3_same_degree_literal.
 (* gbt-surfaces/sec-3.3.same-degree.literal, Sect. 3.3, paragraph before eq. (17)
    printed: The necessary condition to express the ruled surface into tensor product form is that both should have the same degree.
    read as: Guide lines of degrees that differ never give a tensor product surface. Tried with a cubic of the points P, R, R, W and any quartic, all shape parameters -1.
-   stated: not (1 - z1)*cubic(z) + z1*quartic(z) == b[0,1](z1)*raised(z) + b[1,1](z1)*quartic(z) *)
+   stated: fails((1 - z1)*cubic(z) + z1*quartic(z) == b[0,1](z1)*raised(z) + b[1,1](z1)*quartic(z)) *)
 Definition cubic (P : R) (R_ : R) (W : R) (z : R) : R :=
   f z (- 1) (- 1) 0%Z 3%Z * P + f z (- 1) (- 1) 1%Z 3%Z * R_ + f z (- 1) (- 1) 2%Z 3%Z * R_ + f z (- 1) (- 1) 3%Z 3%Z * W.
 Definition quartic (B : Z -> R) (z : R) : R :=
@@ -97,7 +97,7 @@ Module sec_3_3_same_degree_in_general.
 (* gbt-surfaces/sec-3.3.same-degree.in general, Sect. 3.3, paragraph before eq. (17)
    printed: The necessary condition to express the ruled surface into tensor product form is that both should have the same degree.
    read as: Guide lines of degrees that differ do not in general give one, since a cubic is no quartic with the same shape parameters. Shown for vanishing shape parameters: the ends, the tangents there and a second derivative determine the quartic.
-   stated: not cubic(z) == quartic(z) *)
+   stated: fails(cubic(z) == quartic(z)) *)
 Definition quartic (C_ : Z -> R) (z : Z) : R :=
   sum 0%Z 4%Z (fun k => f (IZR z) 0 0 k 4%Z * C_ k).
 Definition cubic (A : Z -> R) (z : Z) : R :=
@@ -446,7 +446,7 @@ Module sec_3_3_benefits_a.
 (* gbt-surfaces/sec-3.3.benefits.a, Sect. 3.3, paragraph after eq. (18)
    printed: The GBT-Bézier ruled surfaces defined in (18) take over all characteristics and benefits of GBT-Bézier surfaces because these surfaces are expressed in the form of tensor product GBT-Bézier surfaces and the GLs are two GBT-Bézier curves that have the same degree.
    read as: Convex hull and affine invariance (nonnegative weights that sum to one), interpolation of the corners, change with the shape parameters; with one set of functions for both guide lines, and with a set for each.
-   stated: nonnegative(f) and nonnegative(b) and b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) == 1 and b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu1, nu1)) == 1 and printed(0, 0) == A[0] and printed(1, 0) == A[m] and printed(0, 1) == B[0] and printed(1, 1) == B[m] and with_own(0, 0) == A[0] and with_own(1, 0) == A[m] and with_own(0, 1) == B[0] and with_own(1, 1) == B[m] and not D(at(D(printed(z, z1), z), z, 0), mu) == 0 and not D(at(D(printed(z, z1), z), z, 1), nu) == 0 and not D(at(D(with_own(z, z1), z), z, 0), mu) == 0 and not D(at(D(with_own(z, z1), z), z, 1), nu) == 0 and not D(at(D(with_own(z, z1), z), z, 0), mu1) == 0 and not D(at(D(with_own(z, z1), z), z, 1), nu1) == 0 *)
+   stated: nonnegative(f) and nonnegative(b) and b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) == 1 and b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu1, nu1)) == 1 and printed(0, 0) == A[0] and printed(1, 0) == A[m] and printed(0, 1) == B[0] and printed(1, 1) == B[m] and with_own(0, 0) == A[0] and with_own(1, 0) == A[m] and with_own(0, 1) == B[0] and with_own(1, 1) == B[m] and fails(D(at(D(printed(z, z1), z), z, 0), mu) == 0) and fails(D(at(D(printed(z, z1), z), z, 1), nu) == 0) and fails(D(at(D(with_own(z, z1), z), z, 0), mu) == 0) and fails(D(at(D(with_own(z, z1), z), z, 1), nu) == 0) and fails(D(at(D(with_own(z, z1), z), z, 0), mu1) == 0) and fails(D(at(D(with_own(z, z1), z), z, 1), nu1) == 0) *)
 Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f (IZR z) mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f (IZR z) mu nu k m * B k).
 Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
@@ -569,7 +569,7 @@ Module prop_3_3_b.
 (* gbt-surfaces/prop-3.3.b, Sect. 3.3, Proposition 3.3, second sentence
    printed: Generally, joining the same length of an arc of any two GLs gives us a different ruled surface.
    read as: Two straight guide lines of degree 2 with evenly spaced control points: the expressions are the lengths of arc from the start, as parts of the whole, at equal parameters.
-   stated: not f[1,2](z, mu, nu)/2 + f[2,2](z, mu, nu) == f[1,2](z, mu1, nu1)/2 + f[2,2](z, mu1, nu1) *)
+   stated: fails(f[1,2](z, mu, nu)/2 + f[2,2](z, mu, nu) == f[1,2](z, mu1, nu1)/2 + f[2,2](z, mu1, nu1)) *)
 Definition statement : Prop :=
 forall (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -635,7 +635,7 @@ End prop_3_4_a_with_f_l.
 Module prop_3_4_a_net.
 (* gbt-surfaces/prop-3.4.a.net, Sect. 3.3, Proposition 3.4, first sentence
    printed: With a set of functions for each guide line no other net helps: the second guide line of order 2 is no curve with the functions of the first. The net is determined by the ends and one end tangent.
-   stated: not line(z) == any(z) *)
+   stated: fails(line(z) == any(z)) *)
 Definition any (C_ : Z -> R) (mu : R) (nu : R) (z : Z) : R :=
   sum 0%Z 2%Z (fun k => f (IZR z) mu nu k 2%Z * C_ k).
 Definition line (B : Z -> R) (mu1 : R) (nu1 : R) (z : Z) : R :=

@@ -303,7 +303,7 @@ End prop_3_7_1_a.
 Module prop_3_7_2a.
 (* gbt-surfaces/prop-3.7.2a, Sect. 3.5, Proposition 3.7, item 2, first sentence
    printed: By keeping control mesh fixed and varying the values of shape control parameters, the shape of the GBT-Bézier swept surface can be modified.
-   stated: not D(at(D(T(z, z1), z), z, 0), mu) == 0 and not D(at(D(T(z, z1), z), z, 1), nu) == 0 and not D(at(D(T(z, z1), z1), z1, 0), mu1) == 0 and not D(at(D(T(z, z1), z1), z1, 1), nu1) == 0 *)
+   stated: fails(D(at(D(T(z, z1), z), z, 0), mu) == 0) and fails(D(at(D(T(z, z1), z), z, 1), nu) == 0) and fails(D(at(D(T(z, z1), z1), z1, 0), mu1) == 0) and fails(D(at(D(T(z, z1), z1), z1, 1), nu1) == 0) *)
 Definition section (A : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * A k).
 Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (mu : R) (z : R) (z1 : R) : R :=

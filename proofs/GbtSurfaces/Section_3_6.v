@@ -271,7 +271,7 @@ End sec_3_6_other_axes.
 Module prop_3_8_a_linear.
 (* gbt-surfaces/prop-3.8.a.linear, Sect. 3.6, Proposition 3.8 (a)
    printed: With 0 ≤ z_1 ≤ φ/π the line is not turned by φ.
-   stated: not T(x, w, q) == [cos(pi*q)*x, sin(pi*q)*x, w] *)
+   stated: fails(T(x, w, q) == [cos(pi*q)*x, sin(pi*q)*x, w]) *)
 Definition statement : Prop :=
 forall (q : R) (w : R) (x : R),
   0 <= q <= 1 ->
@@ -375,7 +375,7 @@ Module prop_3_9_a_composite_line.
 (* gbt-surfaces/prop-3.9.a.composite line, Sect. 3.6, Proposition 3.9, first sentence
    printed: From the reality of GBT-Bézier rotation surfaces which have various independent shape parameters, we can generate the desired shape of a rotation surface both locally and globally, by modifying shape control parameters.
    read as: Of a composite generating line each segment changes with its own shape parameters.
-   stated: not D(FX'(0), mu) == 0 and not D(FX'(1), nu) == 0 *)
+   stated: fails(D(FX'(0), mu) == 0) and fails(D(FX'(1), nu) == 0) *)
 Definition FX (X : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * X k).
 Definition FX_ (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
@@ -407,7 +407,7 @@ Module prop_3_9_a_one_segment.
 (* gbt-surfaces/prop-3.9.a.one segment, Sect. 3.6, Proposition 3.9, first sentence
    printed: From the reality of GBT-Bézier rotation surfaces which have various independent shape parameters, we can generate the desired shape of a rotation surface both locally and globally, by modifying shape control parameters.
    read as: Of one segment a shape parameter changes a part and leaves another: μ the part at its end of the line, and not the point of the parameter 2/3.
-   stated: not D(FX'(0), mu) == 0 and at(D(FX(z), mu), z, 2/3) == 0 *)
+   stated: fails(D(FX'(0), mu) == 0) and at(D(FX(z), mu), z, 2/3) == 0 *)
 Definition FX (X : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * X k).
 Definition statement : Prop :=

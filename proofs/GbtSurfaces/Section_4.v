@@ -20,7 +20,7 @@ Module abs_features_the_features_of_Sect__2_2.
 (* gbt-surfaces/abs.features.the features of Sect. 2.2, Abstract; repeated in Sect. 4
    printed: All geometric features of the proposed GBT-Bézier curves and surfaces are similar to the traditional Bézier curves and surfaces, but the shape-adjustment is the additional feature that the traditional Bézier curves and surfaces do not hold
    read as: The features are those that Sect. 2.2 lists, but for variation diminution, which is a claim of its own: convex hull, affine invariance, end points, symmetry for equal parameters; and the shape changes.
-   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z)) == 1 and F(0) == Q[0] and F(1) == Q[m] and f[m-k,m](z, mu, mu) == f[k,m](1 - z, mu, mu) and not D(F'(0), mu) == 0 *)
+   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z)) == 1 and F(0) == Q[0] and F(1) == Q[m] and f[m-k,m](z, mu, mu) == f[k,m](1 - z, mu, mu) and fails(D(F'(0), mu) == 0) *)
 Definition F_ (Q : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=

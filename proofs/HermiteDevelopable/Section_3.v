@@ -553,7 +553,7 @@ Module eq_3_2_planes_a_generatrix.
 (* hermite-developable/eq-3.2.planes.a.generatrix, Sect. 3, sentence before (3.2)
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is q - p, as it is defined before (3.1) and used in (3.4)
-   stated: not h == 0 *)
+   stated: fails(h == 0) *)
 Definition Q (h : R) (x0 : R) (y1 : R) (z1 : R) : list R :=
   [x0 + h; y1; z1].
 Definition P (x0 : R) (y0 : R) (z0 : R) : list R :=
@@ -574,7 +574,7 @@ Module eq_3_2_planes_a_direction.
 (* hermite-developable/eq-3.2.planes.a.direction, Sect. 3, sentence before (3.2)
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is the vector that the next sentence determines
-   stated: not h == 0 *)
+   stated: fails(h == 0) *)
 Definition Q (h : R) (x0 : R) (y1 : R) (z1 : R) : list R :=
   [x0 + h; y1; z1].
 Definition P (x0 : R) (y0 : R) (z0 : R) : list R :=
@@ -603,7 +603,7 @@ Module eq_3_2_planes_b_generatrix.
 (* hermite-developable/eq-3.2.planes.b.generatrix, Sect. 3, sentence before (3.2)
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is q - p, as it is defined before (3.1) and used in (3.4): the component of (3.2) across the plane of q is f + k f' = 0
-   stated: not f'(u) == 0 *)
+   stated: fails(f'(u) == 0) *)
 Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R) : R :=
   f f0 f1 f2 f3 f4 f5 u + k * Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u.
 Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (n : Z) : R :=
@@ -648,7 +648,7 @@ Module eq_3_2_planes_b_direction.
 (* hermite-developable/eq-3.2.planes.b.direction, Sect. 3, sentence before (3.2)
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is the vector that the next sentence determines: the component of (3.2) across the plane of q is k f + k f' = (1 - k) s, where s is the distance of that plane from the summit
-   stated: not f'(u) == 0 *)
+   stated: fails(f'(u) == 0) *)
 Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R) : R :=
   k * f f0 f1 f2 f3 f4 f5 u + k * Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u - (1 - k) * s.
 Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (n : Z) : R :=

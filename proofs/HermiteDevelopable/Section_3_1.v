@@ -852,7 +852,7 @@ End sec_3_1_tension.
 Module ex_3_1_arrange.
 (* hermite-developable/ex-3.1.arrange, Sect. 3.1, last paragraph
    printed: the determination of the point O and the parameter k can arrange the position of control points p_0, p_1, and the measure of generatrix g between the parallel planes Gamma_1 // Gamma_2
-   stated: p0 == solved0 and p1 == solved1 and coefficients([p0, p1], [o]) == [[(k - 1)/k], [(k - 1)/k]] and not D(solved0, k) == 0 and not D(solved1, k) == 0 and q3(u) - p3(u) == (1 - 1/k)*(q3(u) - o) *)
+   stated: p0 == solved0 and p1 == solved1 and coefficients([p0, p1], [o]) == [[(k - 1)/k], [(k - 1)/k]] and fails(D(solved0, k) == 0) and fails(D(solved1, k) == 0) and q3(u) - p3(u) == (1 - 1/k)*(q3(u) - o) *)
 Definition solved0 (k : R) (o : R) (q0 : R) : R :=
   (q0 + (k - 1) * o) / k.
 Definition solved1 (k : R) (o : R) (q1 : R) : R :=
@@ -936,7 +936,7 @@ Module ex_3_1_tension_effect.
 (* hermite-developable/ex-3.1.tension-effect, Sect. 3.1, last sentence
    printed: giving tensions to the tangent vectors q_0^u and q_1^u will effect the surface tangent form, sharply or weakly, in area near the control points q_0 and q_1 (Figure (2d))
    read as: the bending of the boundary curve q: the curvature at q_0 is |q' x q''| / |q'|^3, and so at q_1
-   stated: tense'(0) == k1*q0u and start == k1*at(start, k1, 1) and not at(start, k1, 1) == 0 and tense'(1) == k2*q1u and end == k2*at(end, k2, 1) and not at(end, k2, 1) == 0 *)
+   stated: tense'(0) == k1*q0u and start == k1*at(start, k1, 1) and fails(at(start, k1, 1) == 0) and tense'(1) == k2*q1u and end == k2*at(end, k2, 1) and fails(at(end, k2, 1) == 0) *)
 Definition blend4 (w : list R) (a : list R) (b : list R) (c : list R) (d : list R) : list R :=
   vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d).
 Definition hermite3 (A : R) (B : R) (C_ : R) (E_ : R) (u : R) (a : list R) (b : list R) (s : list R) (t : list R) : list R :=
@@ -1450,7 +1450,7 @@ End ex_3_1_width.
 Module ex_3_1_shapes.
 (* hermite-developable/ex-3.1.shapes, Sect. 3.1, last paragraph
    printed: the choices of different tangent vectors q_0^u and q_1^u will produce various shapes of the surfaces as presented in Figure (2a) and Figure (2c)
-   stated: not q2a(u) == q2c(u) and not coefficients([generic(u)], [s]) == 0 and not coefficients([generic(u)], [t]) == 0 *)
+   stated: fails(q2a(u) == q2c(u)) and fails(coefficients([generic(u)], [s]) == 0) and fails(coefficients([generic(u)], [t]) == 0) *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=

@@ -247,7 +247,7 @@ Module sec_4_goal_leaves.
 (* hermite-developable/sec-4.goal.leaves, Sect. 4, paragraph after (4.1)
    printed: The Hermite curve of the projected data is not on the cone in general: between u = 0, 1/2 and 1 it leaves the generatrices.
    read as: in affine coordinates with the summit at 0, q in the plane x = 1 with q_0 = <1, 0, 0>, and the oblique plane x + y = 1: every case is of this form, since affine maps keep planes, Hermite curves, projections and developable patches
-   stated: not cross(r5(u) - o, q5(u) - o) == 0 *)
+   stated: fails(cross(r5(u) - o, q5(u) - o) == 0) *)
 Definition q0 : list R :=
   [1; 0; 0].
 Definition r0 : list R :=
@@ -925,7 +925,7 @@ Module sec_4_oblique.
 (* hermite-developable/sec-4.oblique, Sect. 4, after (4.1)
    printed: Gamma_3 is in oblique position to the plane Gamma_1 and Gamma_2, i.e., Gamma_3 not// Gamma_1 and Gamma_3 not// Gamma_2
    read as: the second 'not parallel' sign appears in our copy as a crossed single stroke
-   stated: not cross(normal, [1, 0, 0]) == 0 and not cross(normal2, [1, 0, 0]) == 0 *)
+   stated: fails(cross(normal, [1, 0, 0]) == 0) and fails(cross(normal2, [1, 0, 0]) == 0) *)
 Definition normal : list R :=
   cross a d.
 Definition normal2 : list R :=

@@ -282,7 +282,8 @@ pub enum Statement {
     Family(FamilyProperty, Arc<Family>),
     /// Both, one of both, or the second wherever the first.
     Join(Connective, Box<Statement>, Box<Statement>),
-    /// The statement does not hold at every point of the domain.
+    /// `fails(p)`: there is a point of the domain at which p is defined and false. As a hypothesis, which only proofs
+    /// make: p is false at the point.
     Not(Box<Statement>),
 }
 

@@ -1,6 +1,6 @@
 //! Claims of derivation files to core claims.
 
-use crate::elaborator::Elaborator;
+use crate::elaborator::{Elaborator, is_about_domain, misplaced};
 use crate::sought;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -34,8 +34,13 @@ impl Elaborator<'_> {
             (Source::Given, &claim.given),
         ] {
             for text in texts {
+                let statement = within(&text.formula)?;
+                if is_about_domain(&statement) {
+                    let fault = misplaced(text.formula.expr.place);
+                    return Err(fault.within(&text.formula.origin));
+                }
                 hypotheses.push(Hypothesis {
-                    statement: within(&text.formula)?,
+                    statement,
                     source,
                     origin: text.formula.origin.clone(),
                 });

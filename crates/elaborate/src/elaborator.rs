@@ -6,12 +6,14 @@
 
 mod binders;
 mod built_in;
+mod denial;
 mod families;
 mod parts;
 mod smooth;
 
 use binders::{Local, Scope};
 use built_in::NAMES;
+pub(crate) use denial::{is_about_domain, misplaced};
 use parts::Parts;
 use smooth::At;
 use std::cell::{Cell, RefCell};
@@ -290,14 +292,23 @@ impl<'a> Elaborator<'a> {
                     .map(Meaning::Statement)
                     .ok_or_else(|| wrong(place, "nothing", "a comparison"))
             }
-            formula::Node::Join(connective, a, b) => Ok(Meaning::Statement(Statement::Join(
-                *connective,
-                Box::new(self.statement_in(a, scope)?),
-                Box::new(self.statement_in(b, scope)?),
-            ))),
-            formula::Node::Not(inner) => Ok(Meaning::Statement(Statement::Not(Box::new(
-                self.statement_in(inner, scope)?,
-            )))),
+            formula::Node::Join(connective, a, b) => {
+                let side = |tree: &Expr| {
+                    let statement = self.statement_in(tree, scope)?;
+                    match connective {
+                        Connective::And => Ok(statement),
+                        Connective::Or | Connective::Implies => {
+                            denial::about_points(statement, tree)
+                        }
+                    }
+                };
+                let (a, b) = (Box::new(side(a)?), Box::new(side(b)?));
+                Ok(Meaning::Statement(Statement::Join(*connective, a, b)))
+            }
+            formula::Node::Not(inner) => {
+                let denied = self.statement_in(inner, scope)?;
+                denial::opposite(denied, inner).map(Meaning::Statement)
+            }
         }
     }
 

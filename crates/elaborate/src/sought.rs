@@ -51,7 +51,7 @@ pub(super) fn put_in(
         .statement_where(&statement.expr, &witnesses)
         .map_err(within)?;
     if denies(&body) {
-        let what = "a statement with `not` about what there is: say it of each point";
+        let what = "`fails`, or a property of a basis, about what there is: say it of each point";
         return Err(within(Fault::limit(statement.expr.place, what)));
     }
     let mut members = vec![];

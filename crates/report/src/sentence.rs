@@ -314,6 +314,10 @@ pub(crate) fn denied(claim: &Outcome) -> Option<String> {
 fn opposite(statement: &Expr) -> Option<Expr> {
     match &statement.node {
         Node::Not(inner) => Some((**inner).clone()),
+        Node::Call(head, arguments) => match (&head.node, arguments.as_slice()) {
+            (Node::Name(name), [inner]) if name == "fails" => Some(inner.clone()),
+            _ => None,
+        },
         Node::Compare(left, rest) => match rest.as_slice() {
             [(relation, right)] => {
                 let node = Node::Compare(left.clone(), vec![(relation.opposite(), right.clone())]);

@@ -12,6 +12,23 @@ use torse_core::Term;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
+/// How two numbers compare.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Comparison {
+    /// They are the same.
+    Equal,
+    /// The first is less.
+    Less,
+    /// The first is greater.
+    Greater,
+    /// They are different; an order is not known, or there is none.
+    Apart,
+    /// They agree to so many digits that they count as equal, but no proof says so.
+    Near,
+    /// Not known.
+    Open,
+}
+
 /// Arithmetic with numbers of one kind.
 ///
 /// Every operation returns the value of the mathematical operation, or says that it is undefined, or that it is not
@@ -94,6 +111,19 @@ pub trait Arithmetic {
     ) -> Result<Expanded<Self::Number>, Gap> {
         let what = "rates along the solutions of equations, inside of others";
         Err(Unknown::NotCovered { what }.into())
+    }
+
+    /// How a compares with b; where numbers satisfy their equations only nearly, those that differ by little count as open.
+    ///
+    /// # Errors
+    /// [`Gap::Unknown`] for too much work.
+    fn compare(&self, a: &Self::Number, b: &Self::Number, _near: bool) -> Result<Comparison, Gap> {
+        let gap = self.minus(a, b)?;
+        Ok(match self.is_zero(&gap) {
+            Some(true) => Comparison::Equal,
+            Some(false) => Comparison::Apart,
+            None => Comparison::Open,
+        })
     }
 
     /// Some number between two, of which nothing else is known; `None` for arithmetics that know no order.

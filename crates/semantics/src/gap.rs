@@ -95,6 +95,9 @@ pub enum Unknown {
         /// What.
         what: &'static str,
     },
+    /// The infinitesimal of a derivative was met outside of it: a fault of this evaluator.
+    #[error("the infinitesimals of two derivatives were confused")]
+    Confused,
     /// A symbol that has no value at the point.
     #[error("`{name}` has no value")]
     NoValue {

@@ -216,3 +216,53 @@ pub fn identity<A: Arithmetic>(size: usize, a: &A) -> Rows<A> {
 pub fn inverse<A: Arithmetic>(matrix: &Rows<A>, a: &A) -> Result<Rows<A>, Gap> {
     solution(matrix, &identity(matrix.len(), a), a)
 }
+
+/// For each right side the x with `sum of x[k] columns[k] = -right`, where rows that are not needed are left out; `None` where
+/// no pivot is known for one of the columns.
+///
+/// # Errors
+/// The gaps of arithmetic.
+pub fn solved_columns<A: Arithmetic>(
+    columns: &Rows<A>,
+    right: &Rows<A>,
+    a: &A,
+) -> Result<Option<Rows<A>>, Gap> {
+    let height = columns.first().map_or(0, Vec::len);
+    let all = || columns.iter().chain(right);
+    let mut rest: Rows<A> = (0..height)
+        .map(|r| all().filter_map(|column| column.get(r).cloned()).collect())
+        .collect();
+    let mut done: Rows<A> = vec![];
+    for place in 0..columns.len() {
+        let unit = |row: &Vec<_>| row.get(place).is_some_and(|x| is_unit(x, a));
+        let Some(pivot) = rest.iter().position(unit) else {
+            return Ok(None);
+        };
+        let lead = rest.swap_remove(pivot);
+        let Some(leading) = lead.get(place).cloned() else {
+            return Ok(None);
+        };
+        let lead: Vec<_> = lead
+            .iter()
+            .map(|x| x.over(&leading, a))
+            .collect::<Result<_, _>>()?;
+        for row in rest.iter_mut().chain(&mut done) {
+            let Some(factor) = row.get(place).cloned() else {
+                continue;
+            };
+            if factor.is_zero(a) == Some(true) {
+                continue;
+            }
+            for (x, y) in row.iter_mut().zip(&lead) {
+                *x = x.minus(&factor.times(y, a)?, a)?;
+            }
+        }
+        done.push(lead);
+    }
+    let solution = |column: usize| {
+        let values = done.iter();
+        let values = values.filter_map(|row| row.get(columns.len() + column));
+        values.map(|x| x.negated(a)).collect()
+    };
+    Ok(Some((0..right.len()).map(solution).collect()))
+}

@@ -11,6 +11,7 @@ use crate::name::Name;
 use crate::real::Real;
 use crate::residue::judge::has_equation;
 use crate::survey::{COSTLY, Ground, HOPELESS, Seen, Survey};
+use crate::tree::Reading;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_core::{Claim, Hypothesis, Source, Statement};
@@ -45,6 +46,8 @@ pub struct Tally {
     pub single: bool,
     /// Whether the budget was spent.
     pub exhausted: bool,
+    /// Where the trees say something else than the core terms: both cannot be what the text says.
+    pub objection: Option<String>,
 }
 
 impl Tally {
@@ -112,7 +115,32 @@ pub fn tally(
     budget: u64,
 ) -> Tally {
     let survey = Survey::new(claim, seed, wanted, budget);
+    counted(survey, None, statement, conditions, wanted)
+}
+
+/// The same, where every point is judged by the trees of the claim and the statement as well: see [`Tally::objection`].
+#[must_use]
+pub fn tally_twice(
+    reading: &Reading<'_>,
+    claim: &Claim,
+    conditions: &[Statement],
+    seed: &str,
+    wanted: u64,
+    budget: u64,
+) -> Tally {
+    let survey = Survey::new(claim, seed, wanted, budget);
+    counted(survey, Some(reading), &claim.statement, conditions, wanted)
+}
+
+fn counted<'a>(
+    survey: Survey<'a>,
+    reading: Option<&'a Reading<'a>>,
+    statement: &Statement,
+    conditions: &[Statement],
+    wanted: u64,
+) -> Tally {
     let denied = survey.settled(statement);
+    let survey = survey.read_by(reading);
     if has_equation(statement) {
         // What they find false, and what they cannot tell, is for exact numbers, but where those would cost too much too.
         let tally = walked(
@@ -124,6 +152,9 @@ pub fn tally(
         );
         let enough = tally.holding >= wanted || (tally.single && tally.holding > 0);
         let costly = tally.exhausted || tally.costly >= COSTLY;
+        if tally.objection.is_some() {
+            return tally;
+        }
         if tally.failing.is_none() && tally.open == tally.costly && (enough || costly) {
             return tally;
         }
@@ -145,7 +176,8 @@ fn walked(
         let hopeless = tally.holding == 0 && tally.found >= HOPELESS;
         let unseen = matches!(survey.ground, Ground::Residues) && tally.open > tally.costly;
         let enough = tally.single || tally.decided() >= wanted;
-        !(enough || hopeless || unseen) && tally.failing.is_none()
+        let contradicted = tally.failing.is_some() || tally.objection.is_some();
+        !(enough || hopeless || unseen || contradicted)
     });
     tally.exhausted = survey.work.left() == 0;
     tally
@@ -212,6 +244,7 @@ pub fn beyond(
             draft,
             near,
             exactly_first: true,
+            ..
         } = seen
         else {
             return true;
@@ -245,12 +278,14 @@ impl Tally {
             judgement,
             draft,
             near,
+            objection,
             ..
         } = seen
         else {
             self.excepted += 1;
             return;
         };
+        self.objection = objection;
         self.found += 1;
         self.single = draft.is_determined();
         match judgement {

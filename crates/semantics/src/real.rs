@@ -2,7 +2,7 @@
 //!
 //! So a polynomial at a rational point is decided exactly, and `sin(pi/2*x)` at 0 or 1 as well, and `exp(x)` at 0.
 
-use crate::arithmetic::Arithmetic;
+use crate::arithmetic::{Arithmetic, Comparison};
 use crate::domain::newton::expanded;
 use crate::expansion::Expanded;
 use crate::gap::{Gap, Undefined, Unknown, Work};
@@ -19,6 +19,10 @@ use torse_numbers::{Ball, Integer, Rational, Scalar};
 
 /// The longest numerator or denominator of an exact number, in bits; beyond it is enclosed.
 const MAX_EXACT_BITS: usize = 3000;
+/// Equal enclosures differ by at most two to the minus this, relative to the larger of 1 and the sides.
+const AGREEMENT_BITS: usize = 128;
+/// At a point that satisfies its hypotheses only nearly, different numbers differ by at least two to the minus this.
+const SLACK_BITS: usize = 64;
 /// The largest integer part of an enclosed number, in bits.
 const MAX_SIZE_BITS: u64 = 20_000;
 
@@ -382,6 +386,31 @@ impl Arithmetic for Reals<'_> {
 
     fn between(&self, low: &Rational, high: &Rational) -> Option<Real> {
         Some(Ball::from_bounds(low, high, self.bits).into())
+    }
+
+    /// A difference of exact numbers is exact. Enclosed numbers are the same as far as one can see if their difference is
+    /// enclosed within `2^-128` times the larger of 1 and the sides.
+    fn compare(&self, x: &Real, y: &Real, near: bool) -> Result<Comparison, Gap> {
+        let gap = self.minus(x, y)?;
+        let size = || {
+            let one = Ball::from_rational(&integer(1), 8);
+            let (x, y) = (x.ball(self.bits).abs(), y.ball(self.bits).abs());
+            one.hull(&x).hull(&y).upper()
+        };
+        let within = |bits: usize| {
+            let bound = size() / Rational::from_integer(Integer::ONE << bits);
+            gap.ball(self.bits).abs().upper() <= bound
+        };
+        Ok(match gap.sign() {
+            Some(Ordering::Equal) => Comparison::Equal,
+            Some(_) | None if within(AGREEMENT_BITS) && (near || gap.sign().is_none()) => {
+                Comparison::Near
+            }
+            None => Comparison::Open,
+            Some(_) if near && within(SLACK_BITS) => Comparison::Open,
+            Some(Ordering::Less) => Comparison::Less,
+            Some(Ordering::Greater) => Comparison::Greater,
+        })
     }
 
     /// Far below what numbers are told apart by, see [`judge`](crate::judge()).

@@ -85,7 +85,8 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         }
     }
 
-    fn level(&self) -> usize {
+    /// The highest infinitesimal in it, 0 for numbers.
+    pub(crate) fn level(&self) -> usize {
         match self {
             Self::Number(_) => 0,
             Self::Powers { level, .. } => *level,

@@ -8,8 +8,10 @@ use crate::domain::stream::Stream;
 use crate::gap::{Undefined, Work};
 use crate::judge::{Judge, address};
 use crate::judgement::Judgement;
+use crate::name::Name;
 use crate::residue;
 use crate::residue::domain::{Drawn, drawn};
+use crate::tree::{Reading, second};
 use std::collections::BTreeMap;
 use torse_core::{Claim, Statement};
 
@@ -37,8 +39,13 @@ pub(crate) enum Seen<'s, 'a> {
         near: bool,
         /// Whether the hypotheses that are satisfied first are so exactly.
         exactly_first: bool,
+        /// What the trees say otherwise.
+        objection: Option<String>,
     },
 }
+
+/// What a statement is at a point, and what the trees say otherwise.
+type Judged = (Judgement, Option<String>);
 
 /// A walk through points of a domain, with bounded work.
 pub(crate) struct Survey<'a> {
@@ -56,6 +63,8 @@ pub(crate) struct Survey<'a> {
     first: Option<&'a Claim>,
     /// What points consist of.
     pub ground: Ground,
+    /// The trees of the claim and the statement, if every point is judged by them as well.
+    reading: Option<&'a Reading<'a>>,
 }
 
 /// The numbers that points consist of.
@@ -80,7 +89,13 @@ impl<'a> Survey<'a> {
             edges: EDGES,
             first: None,
             ground: Ground::Reals,
+            reading: None,
         }
+    }
+
+    /// The same walk where the trees judge every point as well.
+    pub fn read_by(self, reading: Option<&'a Reading<'a>>) -> Self {
+        Self { reading, ..self }
     }
 
     /// The same walk where the hypotheses of `first` are satisfied before all others, often at the edges of the declared sets.
@@ -142,7 +157,10 @@ impl<'a> Survey<'a> {
     ) -> Option<bool> {
         let stream = Stream::new(self.seed, attempt);
         let stream = match (attempt + 1) % self.edges {
+            // The corners of the declared sets, every other time.
+            0 if (attempt + 1) % (2 * self.edges) == 0 => stream.at_corner(),
             0 => stream.at_edges(),
+            n if n == self.edges / 2 && self.edges > EDGES_BEYOND => stream.with_coincidences(),
             _ => stream,
         };
         let draft = Draft::new(self.claim, &self.narrowed, stream);
@@ -154,17 +172,18 @@ impl<'a> Survey<'a> {
                     draft: &draft,
                     near,
                     exactly_first: !near,
+                    objection: None,
                 }));
             }
         }
-        let (judgement, near) = match self.ground {
+        let (judged, near) = match self.ground {
             Ground::Reals => self.exactly(statement, conditions, denied, &draft, work)?,
             Ground::Residues => (
                 self.modulo_prime(statement, conditions, denied, &draft, work)?,
                 false,
             ),
         };
-        let Some(judgement) = judgement else {
+        let Some((judgement, objection)) = judged else {
             return Some(each(Seen::Excepted));
         };
         // What was solved for since may have moved them.
@@ -180,6 +199,7 @@ impl<'a> Survey<'a> {
             draft: &draft,
             near,
             exactly_first,
+            objection,
         }))
     }
 
@@ -192,7 +212,7 @@ impl<'a> Survey<'a> {
         denied: &BTreeMap<usize, ()>,
         draft: &Draft<'_>,
         work: &Work,
-    ) -> Option<(Option<Judgement>, bool)> {
+    ) -> Option<(Option<Judged>, bool)> {
         let near = completed(self.claim, draft, work)?;
         let judge = Judge {
             claim: self.claim,
@@ -202,7 +222,15 @@ impl<'a> Survey<'a> {
             work,
         };
         let excepted = conditions.iter().any(|c| judge.judge(c) != Judgement::True);
-        Some(((!excepted).then(|| judge.judge(statement)), near))
+        let judged = || {
+            let judgement = judge.judge(statement);
+            let number = |name: &Name| draft.value(name);
+            let objection = self
+                .reading
+                .and_then(|reading| second::objection(reading, &judgement, &number, near, work));
+            (judgement, objection)
+        };
+        Some(((!excepted).then(judged), near))
     }
 
     /// The same modulo a prime.
@@ -213,11 +241,12 @@ impl<'a> Survey<'a> {
         denied: &BTreeMap<usize, ()>,
         draft: &Draft<'_>,
         work: &Work,
-    ) -> Option<Option<Judgement>> {
+    ) -> Option<Option<Judged>> {
+        let unknown = |why| Some(Some((Judgement::Unknown(why), None)));
         let point = match drawn(self.claim, draft, work) {
             Drawn::Inside(point) => point,
             Drawn::Outside => return None,
-            Drawn::Unknown(why) => return Some(Some(Judgement::Unknown(why))),
+            Drawn::Unknown(why) => return unknown(why),
         };
         let judge = residue::judge::Judge {
             claim: self.claim,
@@ -228,11 +257,17 @@ impl<'a> Survey<'a> {
         for condition in conditions {
             match judge.judge(condition) {
                 Judgement::True => {}
-                open @ (Judgement::Undecided | Judgement::Unknown(_)) => return Some(Some(open)),
+                open @ (Judgement::Undecided | Judgement::Unknown(_)) => {
+                    return Some(Some((open, None)));
+                }
                 Judgement::False | Judgement::Undefined(_) => return Some(None),
             }
         }
-        Some(Some(judge.judge(statement)))
+        let judgement = judge.judge(statement);
+        let objection = self
+            .reading
+            .and_then(|reading| second::objection_modulo_prime(reading, &judgement, &point, work));
+        Some(Some((judgement, objection)))
     }
 
     /// Finds, for each `not p` of a statement, a point of the domain at which p is false: `not p` is true then.

@@ -23,11 +23,13 @@ use crate::{condition, provenance, replay};
 use torse_algebra::work;
 use torse_core as core;
 use torse_prove::{self as prove, a_point_of};
+use torse_semantics::tree::{Reading, objection_at};
 use torse_semantics::{
     Identity, Judgement, Outside, Tally, Witness, Work, beyond, check_witness, identity, instances,
-    tally,
+    read, tally_twice,
 };
 use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::formula::Node;
 use torse_syntax::notation::Formula;
 use torse_syntax::words::Verdict;
 
@@ -198,16 +200,28 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
-    fn tally(&self, conditions: &[core::Statement]) -> Tally {
+    /// The statement at points of the domain, and why these do not count.
+    fn tally(&self, conditions: &[core::Statement]) -> (Tally, Option<String>) {
         let Effort { points, budget, .. } = *self.effort;
-        tally(
-            self.core,
-            &self.core.statement,
-            conditions,
-            &self.seed,
-            points,
-            budget,
-        )
+        let (seed, reading) = (&self.seed, self.reading());
+        let tally = tally_twice(&reading, self.core, conditions, seed, points, budget);
+        let why = match (tally.holding, reading.holding()) {
+            (1.., 0) => {
+                let why = reading.why_open().unwrap_or_default();
+                Some(format!(
+                    "read anew it is decided at none of its points: {why}"
+                ))
+            }
+            _ if reading.is_blind() => Some("its points do not see a slip in it".to_owned()),
+            _ => None,
+        };
+        (tally, why)
+    }
+
+    /// The trees of the claim and the statement: what the text says, whatever the core terms made of it.
+    fn reading(&self) -> Reading<'_> {
+        let names = self.core.symbols.keys().map(|name| &**name);
+        Reading::new(self.claim, &self.statement.expr, names)
     }
 
     /// A proof under conditions, at points of the domain.
@@ -216,7 +230,10 @@ impl Case<'_> {
         let Some(read) = read else {
             return Ok(Net::uncovered("a condition that cannot be read back"));
         };
-        let tally = self.tally(&read);
+        let (tally, useless) = self.tally(&read);
+        if let Some(objection) = tally.objection {
+            return Err(objection.into());
+        }
         if let Some(point) = tally.failing {
             return Err(format!("it is false at {point}").into());
         }
@@ -230,6 +247,7 @@ impl Case<'_> {
         let enough = tally.holding >= self.effort.points || (tally.single && tally.holding > 0);
         let unneeded = conditions.iter().find(|sides| !sides.seen_needed());
         let why = match (enough, unneeded) {
+            (true, _) if useless.is_some() => useless,
             (true, None) => None,
             (true, Some(sides)) => Some(format!(
                 "no point was found at which the condition {} is needed",
@@ -394,8 +412,14 @@ impl Case<'_> {
             .at
             .iter()
             .map(|(name, value)| (name.as_str(), value.as_str()));
-        match check_witness(self.core, &self.core.statement, numbers) {
-            Witness::Refutes => Ok(Net::refuted(1)),
+        match check_witness(self.core, &self.core.statement, numbers.clone()) {
+            Witness::Refutes => {
+                let point = read(self.core, numbers).ok();
+                match point.and_then(|point| objection_at(&self.reading(), &point)) {
+                    Some(objection) => Err(format!("at its witness {objection}").into()),
+                    None => Ok(Net::refuted(1)),
+                }
+            }
             Witness::Outside(Outside::Hypothesis {
                 judgement: judgement @ (Judgement::Undecided | Judgement::Unknown(_)),
                 ..
@@ -411,12 +435,23 @@ impl Case<'_> {
         }
     }
 
-    /// That `not p` is false says that p is true at every point: a proof.
+    /// That `fails(p)` is false says that p is true at every point: a proof.
     fn denial(&self, denied: &core::Statement) -> Result<Net, Objection> {
         let mut core = self.core.clone();
         core.statement = denied.clone();
+        let Node::Call(_, inner) = &self.statement.expr.node else {
+            return Ok(Net::uncovered("what is denied stands in a definition"));
+        };
+        let Some(inner) = inner.first() else {
+            return Ok(Net::uncovered("nothing is denied"));
+        };
+        let statement = Written {
+            expr: inner.clone(),
+            origin: self.statement.origin.clone(),
+        };
         let case = Case {
             core: &core,
+            statement: &statement,
             seed: self.seed.clone(),
             excepted: vec![],
             ..*self
@@ -428,7 +463,10 @@ impl Case<'_> {
     /// A refutation whose witness cannot be put in, because it does not name every number, or is not decided there: another
     /// point at which the statement is false. Without one nothing but the prover says that it is.
     fn elsewhere(&self, why: &str) -> Result<Net, Objection> {
-        let tally = self.tally(&[]);
+        let (tally, _) = self.tally(&[]);
+        if let Some(objection) = tally.objection {
+            return Err(objection.into());
+        }
         match tally.failing {
             Some(_) => Ok(Net::refuted(tally.attempts)),
             None => Err(Objection::Unseen(format!(
@@ -439,7 +477,7 @@ impl Case<'_> {
 
     /// A domain that is said to be empty.
     fn nowhere(&self) -> Result<Net, Objection> {
-        let tally = self.tally(&[]);
+        let (tally, _) = self.tally(&[]);
         match tally.found {
             0 => Ok(Net {
                 tried: tally.attempts,

@@ -124,7 +124,7 @@ fn a_witness_has_a_value_wherever_its_divisors_do_not_vanish() {
 #[test]
 fn nothing_else_speaks_of_the_number() {
     refused("['r == s', 's == 1']", "r == 1", "`s` is what there is");
-    refused("['r']", "not (r == a)", "`not`");
+    refused("['r']", "fails(r == a)", "`fails`");
     let assumed = "exists = ['r']\nassume = ['r > 0']\nstates = 'r == a'";
     let found = common::outcomes("there", SHARED, &[assumed]);
     assert_eq!(found[0].verdict, Undecided);

@@ -1,6 +1,7 @@
 //! The built-in functions, and derivatives.
 
 use super::binders::{Local, Scope, Use};
+use super::denial;
 use super::{Elaborator, Lambda, Meaning, Outcome, apart, wrong};
 use std::sync::Arc;
 use torse_core::{
@@ -12,7 +13,7 @@ use torse_syntax::fault::{Fault, Problem};
 use torse_syntax::formula::{self, Expr, Operator, Place};
 
 /// The names of the built-in functions.
-pub(super) const NAMES: [&str; 29] = [
+pub(super) const NAMES: [&str; 30] = [
     "sum",
     "product",
     "integral",
@@ -37,6 +38,7 @@ pub(super) const NAMES: [&str; 29] = [
     "solve",
     "norm",
     "agrees",
+    "fails",
     "coefficients",
     "identity",
     "nonnegative",
@@ -193,6 +195,14 @@ impl Elaborator<'_> {
                 });
             }
             ("at", _) => return Err(count("at(formula, variable, point)")),
+            ("fails", [inner]) => {
+                if !scope.is_outermost() {
+                    return Err(denial::misplaced(place));
+                }
+                let denied = self.statement_in(inner, scope)?;
+                let denied = Box::new(denial::about_points(denied, inner)?);
+                return Ok(Meaning::Statement(Statement::Not(denied)));
+            }
             ("agrees", [value, printed]) => {
                 return Ok(Meaning::Statement(Statement::Agrees {
                     value: self.term_in(value, scope)?,

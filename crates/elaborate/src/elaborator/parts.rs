@@ -19,7 +19,7 @@ pub(super) struct Parts {
 }
 
 impl Scope {
-    fn is_outermost(&self) -> bool {
+    pub(super) fn is_outermost(&self) -> bool {
         self.locals.is_empty() && self.globals.is_empty()
     }
 }

@@ -99,7 +99,7 @@ impl Writer<'_> {
                 Piece::new(Level::Relation, Shown::row(nodes))
             }
             Node::Join(connective, a, b) => self.join(*connective, a, b),
-            Node::Not(inner) => self.not(inner),
+            Node::Not(inner) => self.denied("not", inner),
         }
     }
 
@@ -248,8 +248,8 @@ impl Writer<'_> {
     }
 
     /// `not` denies that a statement is so everywhere.
-    fn not(&self, inner: &Expr) -> Piece {
-        let words = Shown::word("not everywhere");
+    fn denied(&self, words: &str, inner: &Expr) -> Piece {
+        let words = Shown::word(words);
         let nodes = [words, Shown::Gap, self.operand(inner, Level::Relation)];
         Piece::new(Level::Not, Shown::row(nodes))
     }
@@ -379,6 +379,7 @@ impl Writer<'_> {
                 ];
                 Piece::new(Level::Relation, Shown::row(nodes))
             }
+            ("fails", [inner]) => self.denied("not everywhere", inner),
             ("nonnegative", [of]) => said("is nowhere negative", of),
             ("independent", [of]) => said("is linearly independent", of),
             ("variation_diminishing", [of]) => said("diminishes variation", of),

@@ -59,7 +59,7 @@ impl<'a> Draft<'a> {
         if self.values.borrow().len() >= MAX_NAMES {
             return None;
         }
-        let label = name.to_string();
+        let label = self.stream.label(name);
         let declared = self.claim.symbols.get(name.declared())?;
         let set = self.narrowed.sets.get(name.declared());
         let drawn = match (name, set.unwrap_or(declared)) {

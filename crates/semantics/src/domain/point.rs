@@ -4,6 +4,7 @@ use super::constraints::is_equations;
 use super::draft::Draft;
 use super::set;
 use super::solve::{Solved, solve};
+use super::sort::sorted;
 use crate::gap::Work;
 use crate::judge::Judge;
 use crate::judgement::Judgement;
@@ -118,6 +119,7 @@ pub(crate) fn check_hypotheses(
 /// Changes a draft until it is a point of the domain, to be completed by what a statement asks for: whether it satisfies
 /// its equations only nearly; `None` if it cannot be one.
 pub(crate) fn completed(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<bool> {
+    sorted(claim, draft, work);
     let solved = solve(claim, draft, work)?;
     let near = solved == Solved::Nearly;
     let denied = BTreeMap::new();

@@ -53,7 +53,7 @@ pub(crate) fn between(set: Option<&Set>, share: &Rational) -> Real {
 
 /// A rational number without a bound: small, and often an integer.
 pub(crate) fn anywhere(stream: &Stream, label: &str) -> Rational {
-    if stream.edges && stream.below(&format!("{label} zero"), 2) == 0 {
+    if stream.corner || (stream.edges && stream.below(&format!("{label} zero"), 2) == 0) {
         return integer(0);
     }
     let denominator = match stream.below(&format!("{label}/"), 8) {
@@ -80,7 +80,11 @@ pub(crate) fn in_interval(interval: &Interval, stream: &Stream, label: &str) -> 
         .flatten()
         .filter(|end| end.closed)
         .collect();
-    let often = if stream.edges { 2 } else { 8 };
+    let often = match (stream.corner, stream.edges) {
+        (true, _) => 1,
+        (false, true) => 2,
+        (false, false) => 8,
+    };
     if stream.below(&format!("{label} end"), often) == 0
         && let Some(end) = usize::try_from(stream.below(&format!("{label} which"), 2))
             .ok()

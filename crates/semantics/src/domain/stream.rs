@@ -1,5 +1,7 @@
 //! A source of choices without state: each is a function of the seed, the number of the attempt and a label.
 
+use crate::name::Name;
+
 /// The choices of one attempt.
 #[derive(Debug, Clone)]
 pub(crate) struct Stream {
@@ -8,6 +10,10 @@ pub(crate) struct Stream {
     pub attempt: u64,
     /// Whether numbers are mostly taken from the edges of their sets: closed ends, and zero.
     pub edges: bool,
+    /// Whether all of them are, at once.
+    pub corner: bool,
+    /// Into how many groups numbers fall that are drawn alike.
+    groups: Option<i64>,
 }
 
 /// The hash of Fowler, Noll and Vo (FNV-1a, 64 bits).
@@ -30,7 +36,42 @@ impl Stream {
             start: hashed(seeded, &attempt.to_le_bytes()),
             attempt,
             edges: false,
+            corner: false,
+            groups: None,
         }
+    }
+
+    /// The same choices, of which all are at the edges.
+    pub fn at_corner(self) -> Self {
+        Self {
+            edges: true,
+            corner: true,
+            ..self
+        }
+    }
+
+    /// The same choices where many numbers of one kind coincide.
+    pub fn with_coincidences(self) -> Self {
+        Self {
+            groups: Some(2),
+            ..self
+        }
+    }
+
+    /// The label by which a number is drawn: that of its group, where numbers coincide.
+    pub fn label(&self, name: &Name) -> String {
+        let own = name.to_string();
+        let (Some(groups), false) = (self.groups, own.contains('(')) else {
+            return own;
+        };
+        // Vectors coincide with all their coordinates.
+        let (whole, coordinate) = match name {
+            Name::Symbol(_) | Name::Member(_, _, None) => (own, 0),
+            Name::Coordinate(name, c) => (name.to_string(), *c),
+            Name::Member(name, indices, Some(c)) => (format!("{name}{indices:?}"), *c),
+        };
+        let group = self.below(&format!("{whole} group"), groups);
+        format!("group {group}[{coordinate}]")
     }
 
     /// The same choices, of which many are at the edges of the declared sets: there conditions fail.

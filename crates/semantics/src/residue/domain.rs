@@ -5,6 +5,7 @@ use super::point::Point;
 use crate::domain::constraints::is_equations;
 use crate::domain::draft::Draft;
 use crate::domain::point::check_sets;
+use crate::domain::sort::sorted;
 use crate::gap::{Unknown, Work};
 use crate::judgement::Judgement;
 use std::collections::BTreeMap;
@@ -29,6 +30,7 @@ pub(crate) fn drawn<'d, 'a>(claim: &Claim, draft: &'d Draft<'a>, work: &Work) ->
             _ => Unknown::NotCovered { what },
         })
     };
+    sorted(claim, draft, work);
     let point = Point::new(draft);
     if point.solve(claim, work).is_none() || !point.is_free(claim) {
         return not_covered();

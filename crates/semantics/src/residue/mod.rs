@@ -20,6 +20,8 @@ mod field;
 pub(crate) mod judge;
 mod point;
 
+pub(crate) use point::Point;
+
 use crate::arithmetic::Arithmetic;
 use crate::domain::newton::expanded;
 use crate::expansion::Expanded;

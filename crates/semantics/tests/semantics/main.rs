@@ -7,4 +7,5 @@ mod laws;
 mod net;
 mod smooth;
 mod support;
+mod tree;
 mod values;

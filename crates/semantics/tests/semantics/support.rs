@@ -5,7 +5,10 @@ mod claims;
 
 use claims::paper_of;
 use torse_core as core;
-use torse_semantics::{Judgement, Tally, judge, read, tally};
+use torse_semantics::tree::{Reading, Values};
+use torse_semantics::{Judgement, Name, Point, Reals, Tally, Work, judge, read, tally};
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::derivation::{self, Paper};
 
 /// Symbols and bases that every claim of the tests may use.
 const SHARED: &str = r#"
@@ -69,15 +72,50 @@ seeds = ['1 - a^3*x', 'a^3*x']
 step = ['1 - x', 'x']
 "#;
 
+/// A paper of one claim with these further fields (TOML) and this statement.
+pub fn paper(fields: &str, states: &str) -> Paper {
+    let lines = format!("{fields}\nstates = '''{states}'''");
+    paper_of("t", SHARED, &[&lines]).unwrap_or_else(|error| panic!("{error:?} in {lines}"))
+}
+
+fn core_of(claim: &derivation::Claim) -> core::Claim {
+    let statement = claim.statement.as_ref().expect("a statement");
+    let core = torse_elaborate::elaborate(claim, statement);
+    core.unwrap_or_else(|fault| panic!("{}", fault.problem))
+}
+
 /// A claim with these further fields (TOML) and this statement.
 pub fn claim(fields: &str, states: &str) -> core::Claim {
-    let lines = format!("{fields}\nstates = '''{states}'''");
-    let paper =
-        paper_of("t", SHARED, &[&lines]).unwrap_or_else(|error| panic!("{error:?} in {lines}"));
-    let claim = paper.claims.first().expect("one claim");
-    let statement = claim.statement.as_ref().expect("a statement");
-    torse_elaborate::elaborate(claim, statement)
-        .unwrap_or_else(|fault| panic!("{} in {states}", fault.problem))
+    let paper = paper(fields, states);
+    core_of(paper.claims.first().expect("one claim"))
+}
+
+/// What the tree of the statement is at a point: with a memory, and without, which is the same.
+pub fn tree_at(claim: &derivation::Claim, point: &Point) -> Judgement {
+    let statement = &claim.statement.as_ref().expect("a statement").expr;
+    let names: Vec<String> = point
+        .values
+        .keys()
+        .map(|n| n.declared().to_string())
+        .collect();
+    let reading = Reading::new(claim, statement, names.iter().map(String::as_str));
+    let mut last = Judgement::Undecided;
+    for bits in [320, 1280] {
+        let work = Work::new(4_000_000);
+        let reals = Reals { bits, work: &work };
+        let values = Values {
+            number: &|name: &Name| point.values.get(name).cloned(),
+            near: point.near,
+            fails: &|_| false,
+        };
+        last = reading.statement(&reals, values);
+        let plain = reading.statement_plainly(&reals, values);
+        assert_eq!(last, plain, "with a memory, and without, at {point}");
+        if last.decided().is_some() {
+            break;
+        }
+    }
+    last
 }
 
 /// The judgement at a point; names that do not occur in the claim are left out.
@@ -92,9 +130,26 @@ pub fn at(claim: &core::Claim, point: &[(&str, &str)]) -> Judgement {
     judge(claim, &claim.statement, &point)
 }
 
-/// The judgement of a statement at a point, without hypotheses.
+/// The judgement of a statement at a point, without hypotheses: by its tree and by its core terms.
 pub fn says(states: &str, point: &[(&str, &str)]) -> Judgement {
-    at(&claim("", states), point)
+    let paper = paper("", states);
+    let written = paper.claims.first().expect("one claim");
+    let claim = core_of(written);
+    let found = at(&claim, point);
+    let occurs = |name: &str| {
+        claim
+            .symbols
+            .contains_key(name.split('[').next().unwrap_or(name))
+    };
+    let numbers = point.iter().copied().filter(|(name, _)| occurs(name));
+    let by_tree = tree_at(
+        written,
+        &read(&claim, numbers).expect("a point of the claim"),
+    );
+    let kind = std::mem::discriminant::<Judgement>;
+    let agree = kind(&by_tree) == kind(&found) || matches!(found, Judgement::Unknown(_));
+    assert!(agree, "{states} at {point:?}: {by_tree}, {found}");
+    found
 }
 
 /// Whether a statement is true at a point.
@@ -160,4 +215,45 @@ pub fn is_never_denied(fields: &str, states: &str) {
 pub fn is_empty(fields: &str, states: &str) {
     let tally = netted(&claim(fields, states));
     assert_eq!(tally.found, 0, "{states} with {fields}: {tally:?}");
+}
+
+/// What the tree of a statement is at a point, where no core terms are looked at.
+pub fn in_shared(fields: &str, states: &str, point: &[(&str, &str)]) -> Judgement {
+    let paper = paper(fields, states);
+    let claim = paper.claims.first().expect("one claim");
+    tree_at(claim, &numbers_of(claim, point))
+}
+
+/// The same under other declarations (TOML).
+pub fn in_declarations(declarations: &str, states: &str, point: &[(&str, &str)]) -> Judgement {
+    let lines = format!("states = '''{states}'''");
+    let paper = paper_of("t", declarations, &[&lines]);
+    let paper = paper.unwrap_or_else(|error| panic!("{error:?} in {lines}"));
+    let claim = paper.claims.first().expect("one claim");
+    tree_at(claim, &numbers_of(claim, point))
+}
+
+/// A point from names such as `a`, `p[1]`, `P[0]`, and rational numbers.
+fn numbers_of(claim: &derivation::Claim, point: &[(&str, &str)]) -> Point {
+    let mut values = std::collections::BTreeMap::new();
+    for (name, value) in point {
+        let (numerator, denominator) = value.split_once('/').unwrap_or((value, "1"));
+        let part = |text: &str| text.parse::<i64>().expect("an integer");
+        let number = torse_numbers::rational::ratio(part(numerator), part(denominator));
+        let (head, index) = name.split_once('[').unwrap_or((name, ""));
+        let declared = std::sync::Arc::from(head);
+        let index = || part(index.trim_end_matches(']'));
+        let name = match claim.declarations.symbol(head) {
+            Some(SymbolKind::Family { .. }) => Name::Member(declared, vec![index()], None),
+            Some(SymbolKind::Vector(Some(_))) => {
+                Name::Coordinate(declared, u8::try_from(index()).expect("a coordinate"))
+            }
+            _ => Name::Symbol(declared),
+        };
+        values.insert(name, number.expect("a rational number").into());
+    }
+    Point {
+        values,
+        near: false,
+    }
 }

@@ -257,9 +257,9 @@ fn connectives_are_those_of_logic() {
 
 #[test]
 fn a_denial_needs_a_point_where_the_denied_fails() {
-    holds("not (x == 1/2)", &[("x", "1/3")]);
+    holds("fails(x == 1/2)", &[("x", "1/3")]);
     assert!(matches!(
-        says("not (x == 1/2)", &[("x", "1/2")]),
+        says("fails(x == 1/2)", &[("x", "1/2")]),
         Judgement::Unknown(_)
     ));
 }

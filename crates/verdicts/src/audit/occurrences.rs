@@ -316,6 +316,7 @@ impl Kinds {
             Node::Not(_) => self.different = true,
             Node::Call(head, _) => {
                 self.property |= matches!(&head.node, Node::Name(name) if is_property(name));
+                self.different |= matches!(&head.node, Node::Name(name) if name == "fails");
             }
             _ => {}
         }

@@ -548,7 +548,7 @@ fn counterexamples() {
         })],
     );
     rejected(
-        "states = 'not (x^2 == x)'",
+        "states = 'fails(x^2 == x)'",
         &[("a point at which it holds", &|f| {
             let Proof::Exists(refuted) = proof(f) else {
                 panic!();
@@ -559,7 +559,7 @@ fn counterexamples() {
         })],
     );
     rejected(
-        "states = 'not (x*(1 - x) >= 0)'",
+        "states = 'fails(x*(1 - x) >= 0)'",
         &[
             ("what is denied has no proof", &|f| {
                 if let Refuted::Denied { proof, .. } = refuted(f) {

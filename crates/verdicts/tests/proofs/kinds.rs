@@ -49,7 +49,7 @@ kinds! {
     no_choice_but_zero_by_a_square: "assume = ['a^2 + b^2 == 0']\nstates = 'a == 0'";
     no_choice_but_zero_beside_a_factor: "assume = ['a^2 == 4', 'a != 2']\nstates = 'a == -2'";
     printed_decimals: "states = 'agrees([pi, sqrt(2)], [3.142, 1.4142])'";
-    an_existing_point: "states = 'not (x^2 == x)'";
+    an_existing_point: "states = 'fails(x^2 == x)'";
     all_instances: "states = 'i*(i - 1)*(i - 2) == 0'";
     an_alternative: "states = 'x >= 1/2 or x <= 1/2'";
     a_conclusion: "states = 'a == 2*b implies a^2 == 4*b^2'";
@@ -57,7 +57,7 @@ kinds! {
     a_nonnegative_basis: "states = 'nonnegative(B)'";
     a_counterexample: "assume = ['r == 2*a']\nstates = 'r*x <= a'";
     wrong_decimals: "states = 'agrees(pi, 3.15)'";
-    a_denial_that_is_false: "states = 'not (x*(1 - x) >= 0)'";
+    a_denial_that_is_false: "states = 'fails(x*(1 - x) >= 0)'";
 }
 
 #[test]

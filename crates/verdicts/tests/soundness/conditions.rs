@@ -11,7 +11,7 @@ fn an_inequation_of_vectors_keeps_its_condition() {
 
 #[test]
 fn a_denial_needs_one_point_at_which_its_statement_is_defined_and_false() {
-    expect("denied", "states = 'not ([1/y, 1] == [0, 2])'", Holds);
+    expect("denied", "states = 'fails([1/y, 1] == [0, 2])'", Holds);
 }
 
 #[test]
@@ -111,8 +111,45 @@ fn a_left_out_argument_under_a_parameter_of_the_same_name_is_an_error() {
 
 #[test]
 fn a_denial_says_not_everywhere() {
-    expect("not-everywhere", "states = 'not (x == 1/2)'", Holds);
-    expect("everywhere", "states = 'not (x - x == 0)'", False);
+    expect("not-everywhere", "states = 'fails(x == 1/2)'", Holds);
+    expect("everywhere", "states = 'fails(x - x == 0)'", False);
+}
+
+#[test]
+fn a_denial_of_a_comparison_is_about_the_point() {
+    expect(
+        "at-points",
+        "assume = ['not (a == 0)']\nstates = 'a != 0'",
+        Holds,
+    );
+    expect("premise", "states = 'not (a == 0) implies a != 0'", Holds);
+    expect(
+        "both",
+        "states = 'not (a > 0 and b > 0) implies a <= 0 or b <= 0'",
+        Holds,
+    );
+    expect("wrong", "states = 'not (a == 0)'", False);
+    expect("implied", "states = 'not (x >= 0 implies x > 2)'", Holds);
+}
+
+#[test]
+fn what_fails_somewhere_stands_alone_or_beside_others() {
+    expect(
+        "beside",
+        "states = 'x >= 0 and fails(x == 0) and fails(x == 1)'",
+        Holds,
+    );
+    for lines in [
+        "states = 'not fails(x == 0)'",
+        "states = 'fails(x == 0) or x == 0'",
+        "states = 'x == 0 implies fails(x == 1)'",
+        "states = 'fails(fails(x == 0))'",
+        "states = 'at(fails(x == 0), x, 1)'",
+        "assume = ['fails(x == 0)']\nstates = 'x == 0'",
+        "states = 'not nonnegative(B)'",
+    ] {
+        assert!(tried("misplaced", lines).is_err(), "{lines}");
+    }
 }
 
 #[test]

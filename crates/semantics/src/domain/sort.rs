@@ -1,0 +1,83 @@
+//! Chains of order among the hypotheses, `t[1] < t[2] < x`: what was drawn is sorted, and not thrown away.
+//!
+//! Numbers that stand in the wrong order are exchanged, and equal ones that have to differ are moved apart, until all
+//! comparisons between two numbers hold. Whether the point lies in the domain is asked of it afterwards, like of all others.
+
+use super::constraints::constraints;
+use super::draft::Draft;
+use crate::arithmetic::Arithmetic;
+use crate::evaluate::Evaluator;
+use crate::gap::Work;
+use crate::name::Name;
+use crate::real::{Real, Reals};
+use crate::scope::Scope;
+use std::cmp::Ordering;
+use torse_core::{Claim, Node, Set, Term};
+use torse_numbers::rational::ratio;
+use torse_syntax::formula::Relation;
+
+/// How often all comparisons are gone through.
+const ROUNDS: usize = 24;
+/// The precision at which numbers that are not exact are compared.
+const BITS: usize = 128;
+
+/// Sorts the numbers of a draft that the hypotheses of a claim order.
+pub(crate) fn sorted(claim: &Claim, draft: &Draft<'_>, work: &Work) {
+    let reals = Reals { bits: BITS, work };
+    let chain: Vec<(Name, Name, bool)> = {
+        let values = |name: &Name| draft.value(name);
+        let at = Evaluator::new(&reals, &values);
+        let name = |term: &Term| {
+            // What an index is worth is asked of names alone: formulas are not ordered by exchanging numbers.
+            let is_name = matches!(&*term.node, Node::Symbol(_) | Node::Member(..));
+            let names = is_name.then(|| at.names(term, &Scope::outermost()).ok());
+            let [name] = <[Name; 1]>::try_from(names??).ok()?;
+            let is_real = match claim.symbols.get(name.declared())? {
+                Set::Real(_) | Set::Family { .. } => true,
+                Set::Vector(_) | Set::Integer { .. } => false,
+            };
+            is_real.then_some(name)
+        };
+        let link = |(relation, left, right): (Relation, &Term, &Term)| {
+            let (low, high, strict) = match relation {
+                Relation::Less => (left, right, true),
+                Relation::AtMost => (left, right, false),
+                Relation::Greater => (right, left, true),
+                Relation::AtLeast => (right, left, false),
+                Relation::Equal | Relation::Different => return None,
+            };
+            Some((name(low)?, name(high)?, strict))
+        };
+        constraints(claim).into_iter().filter_map(link).collect()
+    };
+    for _ in 0..ROUNDS {
+        let mut changed = false;
+        for (low, high, strict) in &chain {
+            let (Some(a), Some(b)) = (draft.value(low), draft.value(high)) else {
+                return;
+            };
+            let Some(order) = reals.minus(&b, &a).ok().and_then(|gap| gap.sign()) else {
+                return;
+            };
+            match order {
+                Ordering::Greater => continue,
+                Ordering::Equal if !strict => continue,
+                Ordering::Equal => {
+                    let step = ratio(1, 2).map(Real::from);
+                    let Some(apart) = step.and_then(|step| reals.plus(&b, &step).ok()) else {
+                        return;
+                    };
+                    draft.set(high, apart);
+                }
+                Ordering::Less => {
+                    draft.set(low, b);
+                    draft.set(high, a);
+                }
+            }
+            changed = true;
+        }
+        if !changed {
+            return;
+        }
+    }
+}

@@ -1,0 +1,309 @@
+//! A claim of a derivation file at a point: SEMANTICS.md, "The sentence" and "What there is".
+
+use super::environment::{Environment, Part};
+use super::evaluate::{Evaluator, Given, Point};
+use super::slips::leaves;
+use super::smooth::Jets;
+use super::statement::joined;
+use crate::arithmetic::Arithmetic;
+use crate::domain::set;
+use crate::domain::stream::Stream;
+use crate::gap::{Gap, Unknown};
+use crate::judgement::Judgement;
+use crate::name::Name;
+use crate::real::Real;
+use crate::series::Series;
+use crate::value::Value;
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeSet;
+use torse_syntax::derivation::declarations::{Bound, Interval, SymbolKind};
+use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::formula::{Connective, Expr, Node, Relation};
+
+/// A claim with a statement, to be judged at points, from their trees alone.
+#[derive(Debug)]
+pub struct Reading<'a> {
+    claim: &'a Claim,
+    statement: &'a Expr,
+    jets: Jets,
+    /// The names of the numbers that a point is about. Others may have any values of their sets.
+    names: BTreeSet<String>,
+    /// What the ends of the sets of sought numbers say that are formulas.
+    sought: Vec<Vec<Written>>,
+    /// The leaves at which slips are tried.
+    leaves: Vec<&'a Expr>,
+    /// Whether a slip was seen at a point.
+    seen: Cell<bool>,
+    /// The points at which the trees say that the statement is true.
+    holding: Cell<u64>,
+    /// Why the trees were not decided at a point.
+    open: RefCell<Option<String>>,
+}
+
+/// The numbers of a point.
+pub struct Values<'e, N> {
+    /// The number of each symbol, coordinate and member.
+    pub number: &'e dyn Fn(&Name) -> Option<N>,
+    /// Whether they satisfy the equations of the domain only nearly.
+    pub near: bool,
+    /// Whether a statement is known to be false somewhere on the domain.
+    pub fails: &'e dyn Fn(&Expr) -> bool,
+}
+
+impl<N> Clone for Values<'_, N> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<N> Copy for Values<'_, N> {}
+
+type At<'a, 'e, A> = Evaluator<'a, 'e, A>;
+type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
+
+impl<'a> Reading<'a> {
+    /// A statement about the domain of a claim. A point may name derivatives of smooth functions, such as `f'(u)`: `names` has
+    /// the names of its numbers.
+    pub fn new<'n>(
+        claim: &'a Claim,
+        statement: &'a Expr,
+        names: impl IntoIterator<Item = &'n str>,
+    ) -> Self {
+        let names: BTreeSet<String> = names.into_iter().map(str::to_owned).collect();
+        let ends = |name: &str| match claim.declarations.symbol(name) {
+            Some(SymbolKind::Real(interval)) => interval.relations(name),
+            _ => vec![],
+        };
+        Self {
+            claim,
+            statement,
+            jets: Jets::new(&claim.declarations, names.iter().map(String::as_str)),
+            names,
+            sought: claim.sought.iter().map(|s| ends(&s.name)).collect(),
+            leaves: leaves(statement),
+            seen: Cell::new(false),
+            holding: Cell::new(0),
+            open: RefCell::default(),
+        }
+    }
+
+    pub(super) fn at<'s, 'e, A: Arithmetic>(
+        &'s self,
+        arithmetic: &'e A,
+        values: Values<'e, A::Number>,
+    ) -> At<'s, 'e, A> {
+        let point = Point {
+            values: values.number,
+            near: values.near,
+            failing: values.fails,
+        };
+        Evaluator::new(&self.claim.declarations, &self.jets, arithmetic, point).remembering()
+    }
+
+    /// A number of a declared symbol that the points are not about, such as the place of a function of which they name
+    /// derivatives: any of its set.
+    pub(super) fn free(&self, name: &Name) -> Option<Real> {
+        let symbol = &**name.declared();
+        if self.names.contains(symbol) {
+            return None;
+        }
+        match self.claim.declarations.symbol(symbol)? {
+            SymbolKind::Real(interval) if interval.formulas().next().is_none() => {
+                let stream = Stream::new(symbol, 0);
+                Some(set::in_interval(interval, &stream, symbol))
+            }
+            _ => None,
+        }
+    }
+
+    /// The parts of the statement that are joined by `and`; all of it where something is sought.
+    pub(super) fn conjuncts(&self) -> Vec<&Expr> {
+        let mut parts = vec![];
+        let mut pending = vec![self.statement];
+        while let Some(tree) = pending.pop() {
+            match &tree.node {
+                Node::Join(Connective::And, a, b) => pending.extend([&**b, &**a]),
+                _ => parts.push(tree),
+            }
+        }
+        parts
+    }
+
+    pub(super) fn seeks(&self) -> bool {
+        !self.claim.sought.is_empty()
+    }
+
+    /// The hypotheses.
+    pub(super) fn assumptions(&self) -> impl Iterator<Item = &Expr> {
+        let all = self.claim.assumptions.iter().chain(&self.claim.given);
+        all.map(|hypothesis| &hypothesis.formula.expr)
+    }
+
+    /// What the statement is at a point.
+    #[must_use]
+    pub fn statement<A: Arithmetic>(
+        &self,
+        arithmetic: &A,
+        values: Values<'_, A::Number>,
+    ) -> Judgement {
+        self.judged(&self.at(arithmetic, values).along(self.given()))
+    }
+
+    /// The same without any memory: slow, and plain.
+    #[must_use]
+    pub fn statement_plainly<A: Arithmetic>(
+        &self,
+        arithmetic: &A,
+        values: Values<'_, A::Number>,
+    ) -> Judgement {
+        let point = Point {
+            values: values.number,
+            near: values.near,
+            failing: values.fails,
+        };
+        let declarations = &self.claim.declarations;
+        let at = Evaluator::new(declarations, &self.jets, arithmetic, point);
+        self.judged(&at.along(self.given()))
+    }
+
+    /// What the statement is, read by an evaluator that knows the given equations.
+    pub(super) fn judged<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) -> Judgement {
+        let outermost = Environment::outermost();
+        if self.claim.sought.is_empty() {
+            return at.truth(self.statement, &outermost);
+        }
+        self.there_is(at)
+    }
+
+    /// Whether slips of the statement were looked for, and none was seen at any point.
+    #[must_use]
+    pub fn is_blind(&self) -> bool {
+        let looked = !self.leaves.is_empty() && self.claim.sought.is_empty();
+        looked && self.holding.get() > 0 && !self.seen.get()
+    }
+
+    /// The points at which the trees say that the statement is true.
+    #[must_use]
+    pub fn holding(&self) -> u64 {
+        self.holding.get()
+    }
+
+    /// Why the trees were not decided at one of the points.
+    #[must_use]
+    pub fn why_open(&self) -> Option<String> {
+        self.open.borrow().clone()
+    }
+
+    pub(super) fn note_open(&self, judgement: &Judgement) {
+        let mut open = self.open.borrow_mut();
+        open.get_or_insert_with(|| judgement.to_string());
+    }
+
+    /// Notes a point at which the statement is true, and looks whether a slip in it changes a value there.
+    pub(super) fn look<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) {
+        self.holding.set(self.holding.get() + 1);
+        if !self.seen.get() && self.claim.sought.is_empty() {
+            let seen = at.sees_a_slip(self.statement, &self.leaves);
+            self.seen.set(seen);
+        }
+    }
+
+    /// What each hypothesis is at a point, in the order `assume`, `given`.
+    #[must_use]
+    pub fn hypotheses<A: Arithmetic>(
+        &self,
+        arithmetic: &A,
+        values: Values<'_, A::Number>,
+    ) -> Vec<Judgement> {
+        let at = self.at(arithmetic, values);
+        let outermost = Environment::outermost();
+        let all = self.assumptions();
+        all.map(|tree| at.truth(tree, &outermost)).collect()
+    }
+
+    /// The given equations and their unknowns, if there are any.
+    pub(super) fn given(&self) -> Option<Given<'_>> {
+        if self.claim.unknowns.is_empty() {
+            return None;
+        }
+        Some(Given {
+            equations: self.claim.given.iter().map(|h| &h.formula.expr).collect(),
+            unknowns: self.claim.unknowns.iter().map(|w| &w.expr).collect(),
+        })
+    }
+
+    /// A statement about what there is, with the witnesses moved in: they are in their sets, and it is true. Of `p implies q`
+    /// with p free of what is sought, the conclusion alone is meant so.
+    fn there_is<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) -> Judgement {
+        let outermost = Environment::outermost();
+        let mut inside = outermost.clone();
+        for sought in &self.claim.sought {
+            let Some(witness) = &sought.witness else {
+                let what = "what there is without a witness";
+                return Judgement::Unknown(Unknown::NotCovered { what });
+            };
+            match at.number(&witness.expr, &outermost) {
+                Ok(value) => inside = at.moving(&sought.name, Part::Whole, value, &inside),
+                Err(gap) => return gap.into(),
+            }
+        }
+        let mut members = Judgement::True;
+        for (sought, ends) in self.claim.sought.iter().zip(&self.sought) {
+            let inside_set = match self.claim.declarations.symbol(&sought.name) {
+                Some(SymbolKind::Real(interval)) => is_member(at, &sought.name, interval, &inside),
+                _ => Ok(Judgement::True),
+            };
+            let inside_set = inside_set.unwrap_or_else(Judgement::from);
+            members = joined(Connective::And, members, inside_set);
+            for end in ends {
+                let end = at.truth(&end.expr, &inside);
+                members = joined(Connective::And, members, end);
+            }
+        }
+        if let Node::Join(Connective::Implies, premise, conclusion) = &self.statement.node
+            && self.is_free(premise)
+            && self.sought.iter().all(Vec::is_empty)
+        {
+            let premise = at.truth(premise, &inside);
+            let conclusion = at.truth(conclusion, &inside);
+            let conclusion = joined(Connective::And, members, conclusion);
+            return joined(Connective::Implies, premise, conclusion);
+        }
+        joined(Connective::And, members, at.truth(self.statement, &inside))
+    }
+
+    /// Whether nothing that is sought is reached.
+    fn is_free(&self, tree: &Expr) -> bool {
+        let names = super::memory::reached(&self.claim.declarations, [tree]);
+        let mut sought = self.claim.sought.iter();
+        !sought.any(|sought| names.contains(sought.name.as_str()))
+    }
+}
+
+/// Whether the number that a symbol is moved to is in its set, as far as the ends are numbers.
+fn is_member<'a, A: Arithmetic>(
+    at: &At<'a, '_, A>,
+    name: &'a str,
+    interval: &Interval,
+    place: &Place<'a, A>,
+) -> Result<Judgement, Gap> {
+    let a = at.arithmetic;
+    let value = Value::Number(at.symbol(name, &Part::Whole, place)?);
+    let mut all = Judgement::True;
+    let ends: [(&Option<Bound>, [Relation; 2]); 2] = [
+        (&interval.lower, [Relation::AtLeast, Relation::Greater]),
+        (&interval.upper, [Relation::AtMost, Relation::Less]),
+    ];
+    for (end, [closed, open]) in ends {
+        let Some(end) = end else {
+            continue;
+        };
+        let turns = Series::rational(&end.value.turns, a);
+        let turns = Series::Number(a.pi()).times(&turns, a)?;
+        let number = Series::rational(&end.value.rational, a).plus(&turns, a)?;
+        let relation = if end.closed { closed } else { open };
+        let inside = at.related(relation, &value, &Value::Number(number))?;
+        all = joined(Connective::And, all, Judgement::of(inside));
+    }
+    Ok(all)
+}

@@ -1,0 +1,30 @@
+//! What a tree means, written to be read beside `derivations/SEMANTICS.md`: one section there, one file here.
+//!
+//! - [`evaluate`]: names, operators, entries; [`environment`]: what names stand for
+//! - [`functions`]: the functions of the language, [`closure`]: functions as values, and derivatives
+//! - [`basis`], [`property`]: basis families; [`smooth`]: arbitrary smooth functions
+//! - [`integral`], [`coefficients`]
+//! - [`statement`]: what is true at a point; [`judge`]: a claim at a point
+//! - [`second`]: trees against core terms; [`slips`]: whether points see anything
+//! - [`memory`]: what need not be evaluated twice
+//!
+//! The trees are those of the parser, with the declarations of the file. No other reading of the text is looked at: what the
+//! elaborator makes of a claim is judged by this one.
+
+mod basis;
+mod closure;
+mod coefficients;
+mod environment;
+mod evaluate;
+mod functions;
+mod integral;
+mod judge;
+mod memory;
+mod property;
+pub(crate) mod second;
+mod slips;
+mod smooth;
+mod statement;
+
+pub use judge::{Reading, Values};
+pub use second::objection_at;

@@ -1,0 +1,268 @@
+//! Arbitrary smooth functions: SEMANTICS.md, "Smooth functions".
+//!
+//! A declared smooth function is a concrete one here, a polynomial. Where a point names derivatives, `f'(u) = 3`, it is one
+//! that has these at the values of the *texts* of the places, by Newton's interpolation with nodes that are repeated; two
+//! places with one value give no function. The coefficients of higher orders are drawn, so that a derivative that no number
+//! of the point determines has a value of its own: whoever overlooks it is found out.
+
+use super::environment::Environment;
+use super::evaluate::Evaluator;
+use crate::arithmetic::Arithmetic;
+use crate::domain::stream::Stream;
+use crate::gap::{Gap, Unknown};
+use crate::name::Name;
+use crate::series::Series;
+use crate::value::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+use std::sync::Arc;
+use torse_numbers::Rational;
+use torse_numbers::rational::integer;
+use torse_syntax::derivation::declarations::Declarations;
+use torse_syntax::formula::{Expr, parse};
+
+/// How many coefficients beyond those that a point names are drawn.
+const DRAWN: usize = 6;
+/// The most coefficients of a function.
+const MAX_COEFFICIENTS: usize = 40;
+
+/// The derivatives of smooth functions that a point names.
+#[derive(Debug, Default, Clone)]
+pub(crate) struct Jets {
+    /// By function: the text of each place, its tree, and the orders that are named there.
+    places: BTreeMap<String, Vec<(String, Expr, BTreeSet<usize>)>>,
+}
+
+impl Jets {
+    /// Those among names: `f''(u)`.
+    pub fn new<'n>(declarations: &Declarations, names: impl IntoIterator<Item = &'n str>) -> Self {
+        let mut places: BTreeMap<String, Vec<(String, Expr, BTreeSet<usize>)>> = BTreeMap::new();
+        for name in names {
+            let Some((head, rest)) = name.split_once('(') else {
+                continue;
+            };
+            let function = head.trim_end_matches('\'');
+            let Some(text) = rest.strip_suffix(')') else {
+                continue;
+            };
+            if declarations.function(function).is_none() {
+                continue;
+            }
+            let Ok(tree) = parse(text) else {
+                continue;
+            };
+            let order = head.len() - function.len();
+            let all = places.entry(function.to_owned()).or_default();
+            match all.iter_mut().find(|(own, ..)| own == text) {
+                Some((.., orders)) => {
+                    orders.insert(order);
+                }
+                None => all.push((text.to_owned(), tree, BTreeSet::from([order]))),
+            }
+        }
+        Self { places }
+    }
+}
+
+/// A polynomial in Newton's form, one for each coordinate: the sum of `c_k (t - z_0) ... (t - z_(k-1))`.
+#[derive(Debug)]
+pub(super) struct Smooth<N> {
+    nodes: Vec<Series<N>>,
+    coefficients: Vec<Vec<Series<N>>>,
+    /// Whether its values are vectors.
+    is_vector: bool,
+}
+
+impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
+    /// The value of a smooth function.
+    pub(super) fn smooth_value(
+        &self,
+        name: &'a str,
+        argument: &Series<A::Number>,
+    ) -> Result<Value<A::Number>, Gap> {
+        let a = self.arithmetic;
+        let known = self.smooth.borrow().get(name).cloned();
+        let function = match known {
+            Some(Some(known)) => known,
+            // The place of a function that is taken at its own value.
+            Some(None) => return Err(not_placed()),
+            None => {
+                self.smooth.borrow_mut().insert(name, None);
+                let function = Rc::new(self.interpolated(name)?);
+                let mut all = self.smooth.borrow_mut();
+                all.insert(name, Some(Rc::clone(&function)));
+                function
+            }
+        };
+        let mut values = vec![];
+        for coefficients in &function.coefficients {
+            // Horner's scheme. The argument keeps its infinitesimals, be the function constant.
+            let mut sum = argument.times(&Series::integer(0, a), a)?;
+            for (k, coefficient) in coefficients.iter().enumerate().rev() {
+                if let Some(node) = function.nodes.get(k) {
+                    sum = sum.times(&argument.minus(node, a)?, a)?;
+                }
+                sum = sum.plus(coefficient, a)?;
+            }
+            values.push(sum);
+        }
+        Ok(match (function.is_vector, values.as_slice()) {
+            (false, [value]) => Value::Number(value.clone()),
+            _ => Value::vector(values),
+        })
+    }
+
+    fn interpolated(&self, name: &'a str) -> Result<Smooth<A::Number>, Gap> {
+        let a = self.arithmetic;
+        let dimension = self.declarations.function(name).flatten();
+        let coordinates: Vec<Option<u8>> = match dimension {
+            None | Some(1) => vec![None],
+            Some(d) => (1..=d).map(Some).collect(),
+        };
+        let outermost = Environment::outermost();
+        let mut nodes = vec![];
+        let mut places = vec![];
+        let named = self.jets.places.get(name).map_or(&[][..], |all| all);
+        for (text, tree, orders) in named {
+            let order = orders.last().copied().unwrap_or(0);
+            let value = self.number(tree, &outermost)?;
+            for (_, other) in &places {
+                let apart = value.minus(other, a)?;
+                if apart.is_zero(a) != Some(false) {
+                    return Err(not_placed());
+                }
+            }
+            nodes.extend((0..=order).map(|_| value.clone()));
+            places.push((text, value));
+        }
+        if nodes.len() > MAX_COEFFICIENTS {
+            let what = "the number of derivatives of a function";
+            return Err(Unknown::Large { what }.into());
+        }
+        let last = nodes.last().cloned().unwrap_or_else(|| {
+            let stream = Stream::new(name, 0);
+            Series::rational(&drawn(&stream, "center"), a)
+        });
+        let named_nodes = nodes.len();
+        nodes.extend((0..DRAWN).map(|_| last.clone()));
+        let mut coefficients = vec![];
+        for coordinate in coordinates {
+            let mut derivatives: Vec<Vec<Series<A::Number>>> = vec![];
+            for ((text, _), (.., orders)) in places.iter().zip(named) {
+                let order = orders.last().copied().unwrap_or(0);
+                let jet = |n| match orders.contains(&n) {
+                    true => self.jet(name, n, text, coordinate),
+                    false => Ok(self.drawn_jet(name, n, text, coordinate)),
+                };
+                derivatives.push((0..=order).map(jet).collect::<Result<_, _>>()?);
+            }
+            let nodes = nodes.get(..named_nodes).unwrap_or_default();
+            let mut all = divided_differences(nodes, &derivatives, a)?;
+            let stream = Stream::new(&format!("{name} {coordinate:?}"), 0);
+            for k in 0..DRAWN {
+                all.push(Series::rational(&drawn(&stream, &k.to_string()), a));
+            }
+            coefficients.push(all);
+        }
+        Ok(Smooth {
+            nodes,
+            coefficients,
+            is_vector: dimension.is_some_and(|d| d > 1),
+        })
+    }
+
+    /// A derivative of a function at a place that the point names.
+    fn jet(
+        &self,
+        function: &str,
+        order: usize,
+        place: &str,
+        coordinate: Option<u8>,
+    ) -> Result<Series<A::Number>, Gap> {
+        let text = format!("{function}{}({place})", "'".repeat(order));
+        let declared: Arc<str> = Arc::from(text.as_str());
+        let name = match coordinate {
+            None => Name::Symbol(declared),
+            Some(c) => Name::Coordinate(declared, c),
+        };
+        let number = (self.point.values)(&name);
+        let number = number.ok_or_else(|| super::evaluate::no_value(&text))?;
+        Ok(Series::Number(number))
+    }
+
+    /// One that no number of the point determines.
+    fn drawn_jet(
+        &self,
+        function: &str,
+        order: usize,
+        place: &str,
+        coordinate: Option<u8>,
+    ) -> Series<A::Number> {
+        let stream = Stream::new(&format!("{function} {order} {place} {coordinate:?}"), 0);
+        Series::rational(&drawn(&stream, "derivative"), self.arithmetic)
+    }
+}
+
+fn not_placed() -> Gap {
+    let what = "a function at two places that may be one";
+    Unknown::NotCovered { what }.into()
+}
+
+fn drawn(stream: &Stream, label: &str) -> Rational {
+    let numerator = stream.below(label, 41) - 20;
+    let denominator = 1 + stream.below(&format!("{label}/"), 5);
+    Rational::new(numerator.into(), denominator.into())
+}
+
+/// The coefficients of Newton's form. Nodes of one place stand together, and `derivatives` has the derivatives at each place.
+///
+/// The difference of nodes that are all at one place is a derivative over a factorial; else it is the quotient of the
+/// differences of one node less by the distance of the outer ones.
+fn divided_differences<A: Arithmetic>(
+    nodes: &[Series<A::Number>],
+    derivatives: &[Vec<Series<A::Number>>],
+    a: &A,
+) -> Result<Vec<Series<A::Number>>, Gap> {
+    let place_of: Vec<usize> = derivatives
+        .iter()
+        .enumerate()
+        .flat_map(|(place, all)| all.iter().map(move |_| place))
+        .collect();
+    let derivative = |place: usize, order: usize| -> Result<Series<A::Number>, Gap> {
+        let all = derivatives.get(place);
+        let value = all.and_then(|all| all.get(order)).ok_or_else(not_placed)?;
+        let factorial: Rational = (1..=order)
+            .filter_map(|n| i64::try_from(n).ok())
+            .map(integer)
+            .product();
+        value.over(&Series::rational(&factorial, a), a)
+    };
+    let mut column = vec![];
+    for place in &place_of {
+        column.push(derivative(*place, 0)?);
+    }
+    let mut coefficients: Vec<Series<A::Number>> = column.first().cloned().into_iter().collect();
+    for width in 1..nodes.len() {
+        let mut next = vec![];
+        for low in 0..nodes.len() - width {
+            let high = low + width;
+            let (Some(p), Some(q)) = (place_of.get(low), place_of.get(high)) else {
+                return Err(not_placed());
+            };
+            if p == q {
+                next.push(derivative(*p, width)?);
+                continue;
+            }
+            let (Some(x), Some(y)) = (nodes.get(low), nodes.get(high)) else {
+                return Err(not_placed());
+            };
+            let (Some(before), Some(after)) = (column.get(low), column.get(low + 1)) else {
+                return Err(not_placed());
+            };
+            next.push(after.minus(before, a)?.over(&y.minus(x, a)?, a)?);
+        }
+        coefficients.extend(next.first().cloned());
+        column = next;
+    }
+    Ok(coefficients)
+}

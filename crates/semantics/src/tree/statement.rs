@@ -1,0 +1,292 @@
+//! What a statement is at a point: SEMANTICS.md, "Statements".
+//!
+//! Every part is evaluated, so that a statement with an undefined part is undefined. `fails(p)` alone is about the domain: its
+//! parts do not count for where the rest is defined.
+
+use super::environment::Environment;
+use super::evaluate::{Evaluator, Meaning};
+use crate::arithmetic::{Arithmetic, Comparison};
+use crate::gap::{Gap, Unknown};
+use crate::judgement::Judgement;
+use crate::value::Value;
+use torse_numbers::rational::integer;
+use torse_numbers::{Integer, Rational};
+use torse_syntax::formula::{Connective, Expr, Node, Relation};
+
+/// The most digits that a printed number has after the point.
+const MAX_DECIMALS: u32 = 1000;
+
+type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
+
+/// Both are true; false as soon as one is false.
+pub(super) fn both(a: Option<bool>, b: Option<bool>) -> Option<bool> {
+    match (a, b) {
+        (Some(false), _) | (_, Some(false)) => Some(false),
+        (Some(true), Some(true)) => Some(true),
+        _ => None,
+    }
+}
+
+/// One of both is true.
+fn either(a: Option<bool>, b: Option<bool>) -> Option<bool> {
+    both(a.map(|t| !t), b.map(|t| !t)).map(|t| !t)
+}
+
+/// What two statements make together.
+pub(super) fn joined(connective: Connective, a: Judgement, b: Judgement) -> Judgement {
+    a.joined(b, |a, b| match connective {
+        Connective::And => both(a, b),
+        Connective::Or => either(a, b),
+        Connective::Implies => either(a.map(|t| !t), b),
+    })
+}
+
+impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
+    /// What a statement is here; gaps of its terms are a part of the answer.
+    pub(super) fn truth(&self, tree: &'a Expr, place: &Place<'a, A>) -> Judgement {
+        match self.meaning(tree, place) {
+            Ok(Meaning::Statement(judgement)) => judgement,
+            Ok(Meaning::Value(_)) => Gap::shape("a number where a statement is needed").into(),
+            Err(gap) => gap.into(),
+        }
+    }
+
+    /// A comparison, a denial, or statements that are joined.
+    pub(super) fn statement(&self, tree: &'a Expr, place: &Place<'a, A>) -> Result<Judgement, Gap> {
+        match &tree.node {
+            Node::Compare(first, rest) => self.compared(first, rest, place),
+            Node::Not(inner) => {
+                let inner = self.truth(inner, place);
+                Ok(inner.joined(Judgement::True, |truth, _| truth.map(|t| !t)))
+            }
+            Node::Join(..) => {
+                // Long chains are walked without recursion.
+                let mut rights = vec![];
+                let mut left = tree;
+                while let Node::Join(connective, a, b) = &left.node {
+                    rights.push((*connective, b));
+                    left = a;
+                }
+                let mut all = self.truth(left, place);
+                while let Some((connective, right)) = rights.pop() {
+                    all = joined(connective, all, self.truth(right, place));
+                }
+                Ok(all)
+            }
+            _ => Err(Gap::shape("a formula where a statement is needed")),
+        }
+    }
+
+    /// `a == b`, `a < b <= c`: all links of the chain.
+    fn compared(
+        &self,
+        first: &'a Expr,
+        rest: &'a [(Relation, Expr)],
+        place: &Place<'a, A>,
+    ) -> Result<Judgement, Gap> {
+        let mut all = Some(true);
+        let mut left = self.value(first, place)?;
+        for (relation, right) in rest {
+            let right = self.value(right, place)?;
+            all = both(all, self.related(*relation, &left, &right)?);
+            left = right;
+        }
+        Ok(Judgement::of(all))
+    }
+
+    /// Whether two values are in a relation.
+    pub(super) fn related(
+        &self,
+        relation: Relation,
+        left: &Value<A::Number>,
+        right: &Value<A::Number>,
+    ) -> Result<Option<bool>, Gap> {
+        let a = self.arithmetic;
+        let mut all = vec![];
+        for (x, y) in left.pairs(right, a)? {
+            let (Some(x), Some(y)) = (x.as_number(), y.as_number()) else {
+                return Err(Gap::shape("an infinitesimal to a comparison"));
+            };
+            all.push(a.compare(x, y, self.point.near)?);
+        }
+        let equal = || {
+            let each = all.iter().map(|comparison| comparison.equal());
+            each.fold(Some(true), both)
+        };
+        let [only] = all.as_slice() else {
+            return match relation {
+                Relation::Equal => Ok(equal()),
+                Relation::Different => Ok(equal().map(|e| !e)),
+                _ => Err(Gap::shape("an order of vectors")),
+            };
+        };
+        Ok(match relation {
+            Relation::Equal => only.equal(),
+            Relation::Different => only.equal().map(|e| !e),
+            Relation::Less => only.less(),
+            Relation::Greater => only.greater(),
+            Relation::AtMost => only.greater().map(|g| !g),
+            Relation::AtLeast => only.less().map(|l| !l),
+        })
+    }
+
+    /// The functions of the language that are statements.
+    pub(super) fn stated(
+        &self,
+        name: &str,
+        arguments: &'a [Expr],
+        place: &Place<'a, A>,
+    ) -> Result<Judgement, Gap> {
+        match (name, arguments) {
+            ("agrees", [value, printed]) => {
+                let value = self.value(value, place)?;
+                Ok(Judgement::of(self.agrees(&value, printed)?))
+            }
+            ("fails", [inner]) => {
+                if (self.point.failing)(inner) {
+                    return Ok(Judgement::True);
+                }
+                match self.truth(inner, place) {
+                    Judgement::False => Ok(Judgement::True),
+                    _ => {
+                        let what = "a denial without a point where the denied statement fails";
+                        Err(Unknown::NotCovered { what }.into())
+                    }
+                }
+            }
+            (_, [family, degrees @ ..]) => self.property(name, family, degrees, place),
+            _ => Err(Gap::shape("a number of arguments")),
+        }
+    }
+
+    /// Every entry is its printed number, rounded to as many digits as are printed, or cut off there.
+    fn agrees(&self, value: &Value<A::Number>, printed: &Expr) -> Result<Option<bool>, Gap> {
+        let items = match &printed.node {
+            Node::List(items) => items.as_slice(),
+            _ => std::slice::from_ref(printed),
+        };
+        let printed: Option<Vec<Printed>> = items.iter().map(Printed::new).collect();
+        let printed = printed.ok_or_else(|| Gap::shape("a formula for a printed number"))?;
+        let values = value.numbers();
+        if values.len() != printed.len() {
+            return Err(Gap::shape("the printed numbers to the value"));
+        }
+        // An integer among decimals is read with as many digits as the decimal that has the fewest.
+        let decimals = printed.iter().map(|p| p.decimals).filter(|d| *d > 0);
+        let fewest = decimals.min().unwrap_or(0);
+        let mut all = Some(true);
+        for (value, printed) in values.into_iter().zip(&printed) {
+            let value = value.as_number();
+            let value = value.ok_or_else(|| Gap::shape("an infinitesimal"))?;
+            all = both(all, self.agrees_with(value, printed, fewest)?);
+        }
+        Ok(all)
+    }
+
+    fn agrees_with(
+        &self,
+        value: &A::Number,
+        printed: &Printed,
+        fewest: u32,
+    ) -> Result<Option<bool>, Gap> {
+        let a = self.arithmetic;
+        let compared = |q: Rational| a.compare(value, &a.rational(&q), false);
+        let decimals = match printed.decimals {
+            0 => fewest,
+            own => own,
+        };
+        if decimals == 0 {
+            // Integers alone are exact.
+            return Ok(compared(printed.value.clone())?.exactly_equal());
+        }
+        if decimals > MAX_DECIMALS {
+            let what = "a number of printed digits";
+            return Err(Unknown::Large { what }.into());
+        }
+        let digits = usize::try_from(decimals).unwrap_or(usize::MAX);
+        let unit = Rational::new(1.into(), Integer::from(10).pow(digits));
+        let half = &unit / integer(2);
+        let not = |truth: Option<bool>| truth.map(|t| !t);
+        let rounded = both(
+            not(compared(&printed.value - &half)?.less()),
+            not(compared(&printed.value + &half)?.greater()),
+        );
+        // Cut off: the value lies between the printed number and the next one away from zero.
+        let cut = match printed.is_negative {
+            true => both(
+                not(compared(printed.value.clone())?.greater()),
+                compared(&printed.value - &unit)?.greater(),
+            ),
+            false => both(
+                not(compared(printed.value.clone())?.less()),
+                compared(&printed.value + &unit)?.less(),
+            ),
+        };
+        Ok(either(rounded, cut))
+    }
+}
+
+/// A printed number.
+struct Printed {
+    value: Rational,
+    /// Digits after the point; none for an integer.
+    decimals: u32,
+    /// Whether a minus sign is printed, which `-0.00` needs.
+    is_negative: bool,
+}
+
+impl Printed {
+    fn new(item: &Expr) -> Option<Self> {
+        let (number, is_negative) = match &item.node {
+            Node::Negative(inner) => (&inner.node, true),
+            other => (other, false),
+        };
+        let Node::Number { value, decimals } = number else {
+            return None;
+        };
+        Some(Self {
+            value: match is_negative {
+                true => -value.clone(),
+                false => value.clone(),
+            },
+            decimals: decimals.unwrap_or(0),
+            is_negative,
+        })
+    }
+}
+
+impl Comparison {
+    /// Whether the numbers are equal, or as near as only equal ones are.
+    fn equal(self) -> Option<bool> {
+        match self {
+            Self::Equal | Self::Near => Some(true),
+            Self::Less | Self::Greater | Self::Apart => Some(false),
+            Self::Open => None,
+        }
+    }
+
+    fn exactly_equal(self) -> Option<bool> {
+        match self {
+            Self::Near => None,
+            other => other.equal(),
+        }
+    }
+
+    /// Whether the first is less.
+    pub(super) fn less(self) -> Option<bool> {
+        match self {
+            Self::Less => Some(true),
+            Self::Equal | Self::Greater => Some(false),
+            Self::Near | Self::Apart | Self::Open => None,
+        }
+    }
+
+    /// Whether the first is greater.
+    pub(super) fn greater(self) -> Option<bool> {
+        match self {
+            Self::Greater => Some(true),
+            Self::Equal | Self::Less => Some(false),
+            Self::Near | Self::Apart | Self::Open => None,
+        }
+    }
+}
