@@ -454,6 +454,10 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
             }
             return Ok(row);
         }
+        // Factors that multiply nothing are not looked at.
+        if steps == 0 {
+            return Ok(row);
+        }
         let (keep, shift) = (
             self.number(&family.step.0, scope)?,
             self.number(&family.step.1, scope)?,
