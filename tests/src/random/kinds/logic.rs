@@ -46,8 +46,13 @@ fn part(stream: &mut Stream, depth: usize, wanted: bool) -> String {
 
 fn leaf(stream: &mut Stream, wanted: bool) -> String {
     if stream.once_in(5) {
-        let inner = atom(stream, !wanted);
-        return format!("not ({inner})");
+        // A denial is about the point: what is false somewhere may be true elsewhere.
+        let k = stream.positive();
+        return match (wanted, stream.once_in(2)) {
+            (true, true) => format!("not (x + {k} <= 0)"),
+            (true, false) => format!("not (y^2 + {k} == 0)"),
+            (false, _) => format!("not ({})", atom(stream, true)),
+        };
     }
     atom(stream, wanted)
 }
