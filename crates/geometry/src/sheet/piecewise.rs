@@ -279,9 +279,9 @@ impl PiecewiseRail {
     /// use torse_algebra::rational::ratio;
     /// use torse_geometry::prelude::*;
     /// let rail = PiecewiseRail::from(Rail::bezier(&[[0.0; 3], [2.0, 2.0, 0.0], [4.0, 0.0, 0.0]])?);
-    /// let cut = rail.refined(&[ratio(1, 4).unwrap(), ratio(1, 2).unwrap()])?;
+    /// let cut = rail.refined(&[ratio(1, 2).unwrap(), ratio(3, 4).unwrap()])?;
     /// assert_eq!(cut.count(), 3);
-    /// assert_eq!(cut.rails()?[1].point(1.0)?, [2.0, 1.0, 0.0]);
+    /// assert_eq!(cut.rails()?[0].point(1.0)?, [2.0, 1.0, 0.0]);
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn refined(&self, places: &[Rational]) -> Result<Self> {

@@ -13,7 +13,8 @@ use torse_algebra::Rational;
 
 impl Drawing {
     /// The drawing in an SVG file: paths and texts on the layers of [`Layer`], with the bend angles and in the order
-    /// that [`svg`](crate::svg) writes, and the description as notes. Arcs come back with bulges up to rounding. A file
+    /// that [`svg`](crate::svg) writes, and the description as notes. Arcs come back with bulges up to
+    /// rounding, the direction of a text without whole turns. A file
     /// that states no unit is in millimetres.
     ///
     /// # Errors
