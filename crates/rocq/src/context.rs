@@ -242,6 +242,17 @@ impl<'a> Context<'a> {
         self.locals.insert(variable.number(), local);
     }
 
+    /// The variables in scope.
+    #[must_use]
+    pub fn locals(&self) -> BTreeMap<u32, Local> {
+        self.locals.clone()
+    }
+
+    /// Variables that were in scope stand for what they stood for.
+    pub fn put_back(&mut self, locals: BTreeMap<u32, Local>) {
+        self.locals = locals;
+    }
+
     /// A name that nothing else has here.
     pub fn fresh(&mut self, like: &str) -> String {
         let name = self.names.fresh(like);

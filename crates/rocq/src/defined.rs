@@ -107,7 +107,10 @@ impl Context<'_> {
                 value,
                 body,
             } => {
+                // What is applied inside of the value may have the same variables, with other texts.
+                let before = self.locals();
                 self.defined(value, premises)?;
+                self.put_back(before);
                 // The text stands for the variable: there is nothing to bind.
                 let local = self.standing_for(value)?;
                 let code = Code::atom(local.code.argument());
