@@ -51,6 +51,9 @@ pub struct Prove {
     /// With `--check`: leave out the sections of which the kernel accepted each theorem as it stands
     #[arg(long, requires = "check")]
     changed: bool,
+    /// With `--check`: have the separate checker coqchk read all compiled files as well, which takes up to an hour
+    #[arg(long, requires = "check", conflicts_with = "changed")]
+    thorough: bool,
     /// Find out which scripts prove their theorems, for so many seconds each; the others are left out from then on
     #[arg(long = "try", value_name = "SECONDS", num_args = 0..=1, default_missing_value = "20")]
     attempt: Option<u64>,
@@ -273,6 +276,7 @@ impl Prove {
         let (answers, axioms) = checked?;
         let mut text = String::new();
         let mut counts = [0_usize; 3];
+        let mut as_printed = 0_usize;
         let fingerprints = Fingerprints::of_version(&coqc.version);
         let mut accepted = BTreeMap::new();
         for theorem in &folder.theorems {
@@ -280,6 +284,11 @@ impl Prove {
                 Some(Answer::Accepted) => {
                     let print = fingerprints.of(theorem);
                     accepted.insert(theorem.name(), print);
+                    // What is printed is said apart: it follows from what is proved.
+                    if theorem.rests_on.is_some() {
+                        as_printed += 1;
+                        continue;
+                    }
                     0
                 }
                 Some(Answer::Rejected(reason)) => {
@@ -305,7 +314,7 @@ impl Prove {
             text.push_str(&format!("a proof rests on `{axiom}`\n"));
         }
         text.push_str(&format!(
-            "Coq {}: {good} accepted, {bad} rejected, {open} not reached; axioms: {}\n",
+            "Coq {}: {good} accepted, {bad} rejected, {open} not reached; {as_printed} accepted as printed; axioms: {}\n",
             coqc.version,
             if axioms.is_empty() {
                 "none".to_owned()
@@ -313,15 +322,38 @@ impl Prove {
                 axioms.join(", ")
             }
         ));
+        let rechecked = match self.thorough {
+            true => {
+                let progress = Progress::new("coqchk", 1);
+                let said = coqc.recheck(scratch.path(), self.limits(), accepted.len())?;
+                progress.finish();
+                let word = match said.accepted {
+                    true => "accepts",
+                    false => "does not accept",
+                };
+                text.push_str(&format!("coqchk {word} what was compiled\n"));
+                Some(said)
+            }
+            false => None,
+        };
+        let doubted = rechecked.as_ref().is_some_and(|said| !said.accepted);
         let fresh = Accepted {
             coq: coqc.version.clone(),
             axioms: axioms.clone(),
+            coqchk: rechecked,
             theorems: accepted,
         };
-        let fresh = self.with_others(fresh, folder);
+        let mut fresh = self.with_others(fresh, folder);
+        // What the separate checker said holds while the theorems are the same.
+        if fresh.coqchk.is_none()
+            && let Some(old) = Accepted::read(&self.out)
+            && old.theorems == fresh.theorems
+        {
+            fresh.coqchk = old.coqchk;
+        }
         text.push_str(self.compared(&fresh));
         self.write(ACCEPTED, &json(&fresh))?;
-        let exit = match bad + open + foreign.len() {
+        let exit = match bad + open + foreign.len() + usize::from(doubted) {
             0 => Exit::AsExpected,
             _ => Exit::Contradiction,
         };
@@ -436,7 +468,7 @@ fn solved(grounds: &Grounds) -> Vec<Solved> {
 /// What was written, by what the verdicts rest on, and why the rest was not.
 fn written(folder: &Folder) -> String {
     let mut rows: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
-    for theorem in &folder.theorems {
+    for theorem in folder.theorems.iter().filter(|t| t.rests_on.is_none()) {
         rows.entry(theorem.evidence.word()).or_default()[0] += 1;
     }
     let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
@@ -457,6 +489,12 @@ fn written(folder: &Folder) -> String {
     }
     text.push_str("\nnot generated:\n");
     text.push_str(&terminal::lines(&table));
+    let printed = folder.theorems.iter().filter(|t| t.rests_on.is_some());
+    text.push_str(&format!(
+        "\n{} of them stated as printed, {} not\n",
+        printed.count(),
+        folder.not_printed.len()
+    ));
     text.push('\n');
     text
 }

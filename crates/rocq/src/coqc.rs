@@ -5,6 +5,7 @@ use crate::closed::CLOSED;
 use crate::digest::Digest;
 use crate::folder::{ACCEPTED, CHECK, Folder, Theorem};
 use crate::library::{self, LIBRARY};
+use crate::printed::{self, FOLLOWS};
 use crate::{modules, queue};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -24,6 +25,9 @@ pub const AXIOMS: [&str; 4] = [
 
 /// How to get the program.
 pub const INSTALL: &str = "apt-get install coq libcoq-coquelicot";
+
+/// The longest time for the separate checker.
+const MAX_RECHECK: Duration = Duration::from_secs(3600);
 
 /// Why nothing could be checked.
 #[derive(Debug, Error)]
@@ -73,8 +77,22 @@ pub struct Accepted {
     pub coq: String,
     /// The axioms that all of them together rest on.
     pub axioms: Vec<String>,
+    /// What the separate checker of compiled files said of the same theorems, if it was asked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coqchk: Option<Recheck>,
     /// Names of theorems, with the digest of all that the answer depends on.
     pub theorems: BTreeMap<String, String>,
+}
+
+/// The answer of the separate checker, which reads compiled files anew and trusts no tactic and no compiler of theirs.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Recheck {
+    /// Whether it accepted all files and all that they rest on.
+    pub accepted: bool,
+    /// The axioms that it lists: those of all files that were loaded, whatever uses them.
+    pub axioms: Vec<String>,
+    /// How many theorems were accepted when it was asked.
+    pub theorems: usize,
 }
 
 impl Accepted {
@@ -89,6 +107,16 @@ impl Accepted {
     #[must_use]
     pub fn fingerprints(&self) -> Fingerprints {
         Fingerprints::of_version(&self.coq)
+    }
+
+    /// Whether a theorem of this section was accepted.
+    #[must_use]
+    pub fn has_section(&self, section: &str) -> bool {
+        let mut names = self.theorems.keys();
+        names.any(|name| {
+            name.strip_prefix(section)
+                .is_some_and(|rest| rest.starts_with('.'))
+        })
     }
 
     /// Whether a theorem was accepted with this digest.
@@ -116,7 +144,13 @@ impl Fingerprints {
     #[must_use]
     pub fn of(&self, theorem: &Theorem) -> String {
         let shared = self.0.clone();
-        shared.and(&theorem.says).and(&theorem.proof).hexadecimal()
+        let own = shared.and(&theorem.says).and(&theorem.proof);
+        // What follows from another statement was accepted beside that one, by a tactic of its own.
+        let whole = match &theorem.rests_on {
+            Some(core) => own.and(core).and(FOLLOWS.1),
+            None => own,
+        };
+        whole.hexadecimal()
     }
 }
 
@@ -240,7 +274,7 @@ impl Coqc {
         limits: Limits,
         done: &(dyn Fn() + Sync),
     ) -> Result<(), CheckError> {
-        for (path, text) in LIBRARY {
+        for (path, text) in LIBRARY.into_iter().chain([FOLLOWS]) {
             write(&scratch.join(path), text)?;
         }
         let compile = |path: &str| {
@@ -254,7 +288,35 @@ impl Coqc {
         let files = LIBRARY.map(|(path, _)| path).into_iter();
         let jobs: Vec<_> = files.zip(library::needs()).collect();
         queue::worked(&jobs, limits.at_once, &|path| compile(path))?;
-        Ok(())
+        compile(FOLLOWS.0)
+    }
+
+    /// Has the separate checker read all that was compiled in `scratch` after a [check](Self::check), and all that it rests on.
+    /// `coqchk` is told to recompute by the same means as the kernel did: without that, conversions by `vm_compute` take days.
+    ///
+    /// # Errors
+    /// [`CheckError`] if it cannot be run at all.
+    pub fn recheck(
+        &self,
+        scratch: &Path,
+        limits: Limits,
+        theorems: usize,
+    ) -> Result<Recheck, CheckError> {
+        let mut command = limited("coqchk", limits.memory);
+        command.args(["-silent", "-o", "-bytecode-compiler", "yes"]);
+        for prefix in prefixes(scratch)? {
+            command.arg("-Q").arg(&prefix).arg(&prefix);
+        }
+        // What names every theorem rests on all files.
+        let checked = CHECK.trim_end_matches(".v");
+        command.args(["-Q", ".", ""]).arg(checked);
+        command.current_dir(scratch).stdin(Stdio::null());
+        let run = run(&mut command, MAX_RECHECK)?;
+        Ok(Recheck {
+            accepted: run.status.success(),
+            axioms: listed_axioms(&run.text),
+            theorems,
+        })
     }
 
     /// The answers about one section: its statements, then its proofs.
@@ -266,6 +328,9 @@ impl Coqc {
         limits: Limits,
     ) -> Result<Vec<(String, Answer)>, CheckError> {
         let theorems = folder.theorems_of(section);
+        if let Some(core) = printed::proved(section) {
+            self.proved(core, scratch, limits)?;
+        }
         let statements = self.run(scratch, &format!("{section}.v"), limits)?;
         if !statements.status.success() {
             let reason = Answer::Rejected(first_lines(&statements.text));
@@ -309,6 +374,17 @@ impl Coqc {
             None => (t.name(), Answer::Accepted),
         };
         Ok(theorems.iter().map(answer).collect())
+    }
+
+    /// Compiles what a section of printed statements follows from, unless it was. What is wrong with it, the theorems that follow say.
+    fn proved(&self, core: &str, scratch: &Path, limits: Limits) -> Result<(), CheckError> {
+        for end in [".v", CLOSED, PROOFS] {
+            let path = scratch.join(format!("{core}{end}"));
+            if path.exists() && !path.with_extension("vo").exists() {
+                self.run(scratch, &format!("{core}{end}"), limits)?;
+            }
+        }
+        Ok(())
     }
 
     /// Compiles the closed forms of the definitions of a section, where there are any; what is wrong with them.
@@ -356,8 +432,16 @@ pub(crate) fn each_section<T: Send>(
     done: &(dyn Fn() + Sync),
     work: &(dyn Fn(&str) -> Result<T, CheckError> + Sync),
 ) -> Result<Vec<T>, CheckError> {
-    let sections = folder.sections().into_iter();
-    let jobs: Vec<_> = sections.map(|section| (section, vec![])).collect();
+    let sections = folder.sections();
+    // What is printed follows from what is proved.
+    let needs = |section: &str| {
+        let core = printed::proved(section)?;
+        sections.iter().position(|other| *other == core)
+    };
+    let jobs = sections.iter().map(|section| (*section, needs(section)));
+    let jobs: Vec<_> = jobs
+        .map(|(section, need)| (section, need.into_iter().collect()))
+        .collect();
     queue::worked(&jobs, at_once, &|section| {
         let result = work(section);
         done();
@@ -499,6 +583,18 @@ fn assumptions(text: &str) -> Vec<String> {
     names
 }
 
+/// The axioms of the summary of `coqchk`: what is indented below `* Axioms:`.
+fn listed_axioms(text: &str) -> Vec<String> {
+    let Some((_, list)) = text.split_once("* Axioms:") else {
+        return vec![];
+    };
+    let indented = |line: &&str| line.starts_with("    ");
+    let names = list.lines().skip(1).take_while(indented);
+    let mut names: Vec<String> = names.map(|line| line.trim().to_owned()).collect();
+    names.sort();
+    names
+}
+
 fn first_lines(text: &str) -> String {
     let lines: Vec<&str> = text
         .lines()
@@ -526,6 +622,13 @@ mod tests {
             "x : y\nAxioms:\nB.classic : forall P : Prop, P \\/ ~ P\nA.sig\n  : forall P,\n    P\n";
         assert_eq!(assumptions(text), ["A.sig", "B.classic"]);
         assert_eq!(assumptions("Closed under the global context"), [""; 0]);
+    }
+
+    #[test]
+    fn axioms_are_read_off_the_summary_of_the_separate_checker() {
+        let text = "CONTEXT SUMMARY\n===\n\n* Theory: Set is predicative\n\n* Axioms:\n    B.classic\n    A.sig\n\n* Constants: none\n";
+        assert_eq!(listed_axioms(text), ["A.sig", "B.classic"]);
+        assert_eq!(listed_axioms("* Axioms: <none>\n"), [""; 0]);
     }
 
     #[test]

@@ -5,6 +5,7 @@ use crate::closed::CLOSED;
 use crate::gap::Gap;
 use crate::library::LIBRARY;
 use crate::name::camel;
+use crate::printed::{self, FOLLOWS, PRINTED};
 use crate::script::{self, scripts};
 use crate::shared::Shared;
 use crate::task::{Evidence, Finding, Goal, Role, goals};
@@ -45,6 +46,9 @@ pub const ACCEPTED: &str = "accepted.json";
 /// The file with the claims that have no statement, and why.
 pub const NOT_STATED: &str = "not-stated.json";
 
+/// The file with the claims whose statements are not written from the tree, and why.
+pub const NOT_PRINTED: &str = "not-printed.json";
+
 /// The file whose output is the referee's list.
 pub const CHECK: &str = "Check.v";
 
@@ -68,6 +72,8 @@ pub struct Theorem {
     pub says: String,
     /// The text of the proof.
     pub proof: String,
+    /// The statement that is proved, where this one follows from it.
+    pub rests_on: Option<String>,
 }
 
 impl Theorem {
@@ -100,6 +106,8 @@ pub struct Folder {
     pub missing: Vec<Missing>,
     /// The claims that have no statement, and why.
     pub not_stated: BTreeMap<String, String>,
+    /// The claims whose statements are not written from the tree, and why.
+    pub not_printed: BTreeMap<String, String>,
     /// The ids of all claims it was made for.
     pub asked: BTreeSet<String>,
     /// Where definitions stand.
@@ -154,14 +162,17 @@ impl Folder {
             let prefix = camel(slug);
             folder.paper(slug, &prefix, findings, unproved, chosen);
         }
+        let (path, text) = FOLLOWS;
+        folder.files.insert(path.to_owned(), text.to_owned());
+        folder
+            .files
+            .insert(NOT_PRINTED.to_owned(), listed(&folder.not_printed));
         folder
             .files
             .insert(CHECK.to_owned(), check::referee(&folder.files));
-        let reasons = serde_json::to_string_pretty(&folder.not_stated);
-        folder.files.insert(
-            NOT_STATED.to_owned(),
-            reasons.map_or_else(|_| String::new(), |text| text + "\n"),
-        );
+        folder
+            .files
+            .insert(NOT_STATED.to_owned(), listed(&folder.not_stated));
         folder
             .files
             .insert(PROJECT.to_owned(), check::project(&folder.files));
@@ -232,7 +243,8 @@ impl Folder {
                 format!("{path}.v"),
                 chapter::statements(slug, &section, &goals, &shared),
             );
-            let mut proved = vec![];
+            let printed = self.printed(slug, prefix, &section, &goals);
+            let (mut proved, mut followed) = (vec![], vec![]);
             for goal in &goals {
                 let name = format!("{path}.{}", goal.module);
                 let which = chosen.get(&name).copied().unwrap_or_default();
@@ -258,6 +270,29 @@ impl Folder {
                     evidence: goal.evidence,
                     says: chapter::statement(goal, &goal.definitions()),
                     proof,
+                    rests_on: None,
+                });
+                let Some(printed) = printed.get(&goal.module) else {
+                    continue;
+                };
+                let own = format!("{path}{PRINTED}");
+                if let Some(reason) = unproved.get(&format!("{own}.{}", goal.module)) {
+                    self.missing.push(Missing {
+                        id: goal.id.clone(),
+                        evidence: Some(goal.evidence),
+                        reason: reason.clone(),
+                    });
+                    continue;
+                }
+                followed.push(Theorem {
+                    section: own,
+                    module: goal.module.clone(),
+                    id: goal.id.clone(),
+                    role: goal.role,
+                    evidence: goal.evidence,
+                    says: chapter::statement(printed, &printed.definitions()),
+                    proof: printed::module(prefix, &section, printed, &scripts),
+                    rests_on: Some(chapter::statement(goal, &goal.definitions())),
                 });
             }
             if !proved.is_empty() {
@@ -271,7 +306,43 @@ impl Folder {
                 self.files
                     .insert(format!("{path}{PROOFS}"), chapter::proofs(&uses, &proved));
             }
+            if !followed.is_empty() {
+                let modules: Vec<&str> = followed.iter().map(|t| t.proof.as_str()).collect();
+                self.files.insert(
+                    format!("{path}{PRINTED}{PROOFS}"),
+                    printed::file(prefix, &section, &modules),
+                );
+                self.theorems.extend(followed);
+            }
         }
+    }
+
+    /// The goals of a section with the statements that are printed, by their modules; writes the file of these statements.
+    fn printed(
+        &mut self,
+        slug: &str,
+        prefix: &str,
+        section: &str,
+        goals: &[Goal],
+    ) -> BTreeMap<String, Goal> {
+        let mut printed = vec![];
+        for goal in goals {
+            match goal.as_printed() {
+                Ok(goal) => printed.push(goal),
+                Err(gap) => {
+                    self.not_printed.insert(goal.id.clone(), gap.to_string());
+                }
+            }
+        }
+        if !printed.is_empty() {
+            let shared = self.layout.shared(&printed);
+            self.files.insert(
+                format!("{prefix}/{section}{PRINTED}.v"),
+                chapter::statements(slug, section, &printed, &shared),
+            );
+        }
+        let named = printed.into_iter();
+        named.map(|goal| (goal.module.clone(), goal)).collect()
     }
 
     fn lacks(&mut self, id: &str, evidence: Option<Evidence>, gap: &Gap) {
@@ -281,6 +352,12 @@ impl Folder {
             reason: gap.to_string(),
         });
     }
+}
+
+/// A list of names and reasons, as a file.
+pub(crate) fn listed(reasons: &BTreeMap<String, String>) -> String {
+    let text = serde_json::to_string_pretty(reasons);
+    text.map_or_else(|_| String::new(), |text| text + "\n")
 }
 
 #[cfg(test)]
@@ -296,6 +373,7 @@ mod tests {
             evidence: Evidence::Identity,
             says: "True".to_owned(),
             proof: "exact I".to_owned(),
+            rests_on: None,
         }
     }
 

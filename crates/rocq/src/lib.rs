@@ -37,6 +37,7 @@ mod modules;
 pub mod name;
 mod place;
 pub mod point;
+pub mod printed;
 pub mod proposition;
 mod queue;
 pub mod said;

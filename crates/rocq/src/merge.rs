@@ -2,14 +2,14 @@
 
 use crate::check::{self, PROOFS};
 use crate::closed::CLOSED;
-use crate::folder::{CHECK, Folder, NOT_STATED, PROJECT};
+use crate::folder::{CHECK, Folder, NOT_PRINTED, NOT_STATED, PROJECT, listed};
 use crate::modules::{join, split};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The files of `old` that are ours, by its list of files. `read` gives a file of it, if it is there.
 pub fn ours(read: &dyn Fn(&str) -> Option<String>) -> BTreeMap<String, String> {
     let project = read(PROJECT).unwrap_or_default();
-    let named = check::listed(&project).chain([NOT_STATED]);
+    let named = check::listed(&project).chain([NOT_STATED, NOT_PRINTED]);
     named
         .filter_map(|path| Some((path.to_owned(), read(path)?)))
         .collect()
@@ -60,14 +60,15 @@ pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String
             false => files.insert(path.clone(), join(&head, bodies)),
         };
     }
-    let mut not_stated = not_stated(old);
-    not_stated.retain(|id, _| !fresh.asked.contains(id));
-    not_stated.extend(fresh.not_stated.clone());
-    let reasons = serde_json::to_string_pretty(&not_stated);
-    files.insert(
-        NOT_STATED.to_owned(),
-        reasons.map_or_else(|_| String::new(), |text| text + "\n"),
-    );
+    for (path, fresh_reasons) in [
+        (NOT_STATED, &fresh.not_stated),
+        (NOT_PRINTED, &fresh.not_printed),
+    ] {
+        let mut all = reasons(old, path);
+        all.retain(|id, _| !fresh.asked.contains(id));
+        all.extend(fresh_reasons.clone());
+        files.insert(path.to_owned(), listed(&all));
+    }
     files.insert(CHECK.to_owned(), check::referee(&files));
     files.insert(PROJECT.to_owned(), check::project(&files));
     files
@@ -97,8 +98,8 @@ fn gone<'a>(fresh: &Folder, old: &'a str) -> BTreeSet<&'a str> {
     asked.map(|(name, _)| name).collect()
 }
 
-/// The claims that an old folder says have no statement; none where its list cannot be read.
-fn not_stated(old: &BTreeMap<String, String>) -> BTreeMap<String, String> {
-    let text = old.get(NOT_STATED).map_or("", String::as_str);
+/// The claims that a list of an old folder names, with the reasons; none where it cannot be read.
+fn reasons(old: &BTreeMap<String, String>, path: &str) -> BTreeMap<String, String> {
+    let text = old.get(path).map_or("", String::as_str);
     serde_json::from_str(text).unwrap_or_default()
 }

@@ -5,13 +5,14 @@ use crate::name::identifier;
 use crate::proposition::Proposition;
 use crate::solutions::Solved;
 use crate::statement::proposition;
+use crate::tree;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_core::{BuiltIn, Node, Set, Statement, Term};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::{self, Origin, Source, Written};
 use torse_syntax::fault::Fault;
-use torse_syntax::formula::parse;
+use torse_syntax::formula::{Expr, parse};
 use torse_syntax::words::Verdict;
 
 /// What a verdict rests on, as far as it matters for the way of proving it.
@@ -95,8 +96,10 @@ pub struct Goal {
     pub role: Role,
     /// What the verdict rests on.
     pub evidence: Evidence,
-    /// The statement.
+    /// The statement as it is proved, from core terms.
     pub proposition: Proposition,
+    /// The statement as it is printed, from the tree, or why there is none.
+    pub printed_proposition: Result<Proposition, Gap>,
     /// The declared symbols of the claim.
     pub symbols: BTreeMap<Arc<str>, Set>,
     /// A point at which a refuted statement fails.
@@ -108,6 +111,17 @@ pub struct Goal {
 }
 
 impl Goal {
+    /// The same goal with the statement that is printed.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn as_printed(&self) -> Result<Self, Gap> {
+        Ok(Self {
+            proposition: self.printed_proposition.clone()?,
+            ..self.clone()
+        })
+    }
+
     /// The texts of its definitions, in order.
     #[must_use]
     pub fn definitions(&self) -> Vec<&str> {
@@ -192,6 +206,17 @@ fn goal(
             "refutations of coefficients of forms that are not plainly linear",
         ));
     }
+    let conditions = conditions.iter().map(|text| written(text, &finding.id));
+    let conditions: Vec<Expr> = conditions
+        .map(|condition| Ok(condition?.expr))
+        .collect::<Result<_, Gap>>()?;
+    // A symbol whose name has a place is the value of a function or of one of its derivatives there.
+    let printed_proposition = match core.symbols.keys().any(|name| name.contains('(')) {
+        true => Err(Gap::Theory(
+            "functions: what is proved is about the values of their derivatives",
+        )),
+        false => tree::sentence(claim, &statement.expr, &conditions),
+    };
     let short = finding
         .id
         .split_once('/')
@@ -214,6 +239,7 @@ fn goal(
         role,
         evidence,
         proposition,
+        printed_proposition,
         symbols: core.symbols.clone(),
         witness: finding.witness.clone(),
         given: core.unknowns.len(),

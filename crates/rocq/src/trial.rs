@@ -7,6 +7,7 @@ use crate::check::PROOFS;
 use crate::coqc::{CheckError, Coqc, Limits, each_section, lay_out, limited, prefixes, run};
 use crate::folder::{Folder, Theorem};
 use crate::modules::split;
+use crate::printed;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::path::Path;
@@ -18,6 +19,9 @@ const SCRIPTS: [(&str, &str); 3] = [
     ("refuted", "the tactics find no refutation"),
     ("met", "no values are found that meet all premises"),
 ];
+
+/// What it means that a theorem as it is printed fails.
+const NOT_FOLLOWING: &str = "what is printed does not follow from what is proved";
 
 /// Is told which theorems of a section were tried, and what fails of them.
 pub type Found<'a> = dyn Fn(&[String], &BTreeMap<String, String>) + Sync + 'a;
@@ -62,6 +66,9 @@ fn section_failing(
         let words = move |theorem: &&Theorem| (theorem.name(), why.to_owned());
         theorems.iter().map(words)
     };
+    if let Some(core) = printed::proved(section) {
+        coqc.run(scratch, &format!("{core}.v"), limits)?;
+    }
     let statements = coqc.run(scratch, &format!("{section}.v"), limits)?;
     if !statements.status.success() {
         return Ok(all("the statement is not accepted").collect());
@@ -71,11 +78,20 @@ fn section_failing(
         return Ok(all("the definitions of the section have no closed forms").collect());
     }
     let proofs = folder.files.get(&format!("{section}{PROOFS}"));
-    let mut text = split(proofs.map_or("", String::as_str)).head.to_owned();
+    let is_printed = printed::proved(section).is_some();
+    let mut text = match is_printed {
+        true => printed::head(section),
+        false => split(proofs.map_or("", String::as_str)).head.to_owned(),
+    };
+    // What is printed is tried beside what is proved, whatever becomes of that.
+    let proof = |theorem: &Theorem| match is_printed {
+        true => printed::alone(theorem),
+        false => theorem.proof.clone(),
+    };
     for (place, theorem) in theorems.iter().enumerate() {
         text.push_str(&format!(
             "Definition mark_{place} := O.\nCheck mark_{place}.\n{}",
-            tried(&theorem.proof, seconds)
+            tried(&proof(theorem), seconds)
         ));
     }
     let path = scratch.join(format!("{section}_trial.v"));
@@ -105,7 +121,11 @@ fn section_failing(
                 && !part.contains(&format!("{name}\n     : "))
         });
         if let Some((_, reason)) = reasons.next() {
-            failed.push((theorem.name(), (*reason).to_owned()));
+            let reason = match is_printed {
+                true => NOT_FOLLOWING,
+                false => *reason,
+            };
+            failed.push((theorem.name(), reason.to_owned()));
         }
     }
     Ok(failed)

@@ -140,7 +140,13 @@ fn a_run_for_one_claim_keeps_what_the_folder_has_of_the_others() {
     let (derivations, out) = (mini(&two), tempfile::tempdir().unwrap());
     let folder = out.path().to_str().unwrap();
     let written = || {
-        let paths = ["Check.v", "_CoqProject", "not-stated.json"].map(|path| out.path().join(path));
+        let paths = [
+            "Check.v",
+            "_CoqProject",
+            "not-stated.json",
+            "not-printed.json",
+        ]
+        .map(|path| out.path().join(path));
         let sections = fs::read_dir(out.path().join("Mini")).unwrap().flatten();
         let mut paths: Vec<_> = paths
             .into_iter()
@@ -199,9 +205,13 @@ fn what_is_no_longer_stated_is_removed_and_what_others_wrote_stays() {
         names.sort();
         names
     };
-    let first = ["Section_1.v", "Section_1_proofs.v"];
-    let second = ["Section_2.v", "Section_2_proofs.v"];
-    assert_eq!(written(&(one.clone() + &other)), [first, second].concat());
+    let files = |n: u8| {
+        let ends = ["", "_printed", "_printed_proofs", "_proofs"];
+        ends.map(|end| format!("Section_{n}{end}.v"))
+    };
+    let (first, second) = (files(1), files(2));
+    let both = [first.clone(), second].concat();
+    assert_eq!(written(&(one.clone() + &other)), both);
     // A list of files that somebody edited names what is not ours.
     let beside = out.path().join("beside.v");
     let project = folder.join("_CoqProject");
@@ -209,7 +219,8 @@ fn what_is_no_longer_stated_is_removed_and_what_others_wrote_stays() {
     fs::write(&project, listed).unwrap();
     fs::write(&beside, "mine").unwrap();
     fs::write(folder.join("Mini/Mine.v"), "mine").unwrap();
-    assert_eq!(written(&one), [&["Mine.v"], &first[..]].concat());
+    let mine = ["Mine.v".to_owned()];
+    assert_eq!(written(&one), [&mine[..], &first[..]].concat());
     assert_eq!(fs::read_to_string(beside).unwrap(), "mine");
 }
 

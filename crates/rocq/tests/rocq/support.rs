@@ -7,6 +7,7 @@ use std::time::Duration;
 use tempfile::TempDir;
 use torse_rocq::coqc::{AXIOMS, Answer, Coqc, Limits};
 use torse_rocq::folder::Folder;
+use torse_rocq::printed::PRINTED;
 
 pub const LIMITS: Limits = Limits {
     time: Duration::from_secs(300),
@@ -47,7 +48,7 @@ pub fn with_library(coqc: &Coqc) -> TempDir {
     scratch
 }
 
-/// The kernel accepts so many theorems of a folder, all there are, on no other axioms than those of the classical reals; those
+/// The kernel accepts so many theorems of a folder, all there are, and each as it is printed, on no other axioms than those of the classical reals; those
 /// that they rest on.
 pub fn accepts_all(coqc: &Coqc, folder: &Folder, count: usize) -> Vec<String> {
     let scratch = with_library(coqc);
@@ -57,7 +58,9 @@ pub fn accepts_all(coqc: &Coqc, folder: &Folder, count: usize) -> Vec<String> {
         .filter(|(_, a)| **a != Answer::Accepted)
         .collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
-    assert_eq!(answers.len(), count);
+    let printed = |name: &&String| name.contains(&format!("{PRINTED}."));
+    assert_eq!(answers.keys().filter(printed).count(), count);
+    assert_eq!(answers.len(), 2 * count);
     assert!(
         axioms.iter().all(|a| AXIOMS.contains(&a.as_str())),
         "{axioms:?}"

@@ -1,0 +1,44 @@
+(* What is printed follows from what is proved: nothing here has to be read. *)
+From Torse Require Import Defs.
+From Coq Require Import Lra.
+Open Scope R_scope.
+
+(* what is assumed, or plain: divisors and radicands of witnesses *)
+Ltac plain := first [ assumption | apply Rle_0_sqr | lra | nra ].
+
+(* what is proved, at the values that are introduced *)
+Ltac at_values H := lazymatch goal with
+  | |- forall x : ?T, _ => lazymatch type of T with
+      | Prop => intros
+      | _ => let y := fresh x in intro y; specialize (H y); at_values H end
+  | _ => idtac end.
+Ltac by_premises H := lazymatch type of H with
+  | ?A -> _ => let K := fresh in assert (K : A) by plain; specialize (H K); clear K; by_premises H
+  | _ => idtac end.
+Ltac witnessed H := lazymatch goal with
+  | |- ex _ => eexists; witnessed H
+  | _ => exact H end.
+Ltac from H := hnf in H; cbv zeta in H; hnf; cbv zeta; at_values H; by_premises H;
+  first [ exact H | witnessed H | apply H; assumption ].
+
+(* the parts of a conjunction, and a conjunction of such parts *)
+Ltac parted H := lazymatch type of H with
+  | _ /\ _ => let A := fresh in destruct H as [A H]; parted H
+  | _ => idtac end.
+Ltac joined := first [ assumption | split; joined ].
+(* values that meet the premises of what is proved meet those of what is printed *)
+Ltac there H := lazymatch type of H with
+  | ex _ => let x := fresh in destruct H as [x H]; exists x; there H
+  | _ => parted H; joined end.
+
+(* with premises in another order, or written twice *)
+Ltac reordered proved := let P := type of proved in
+  let H := fresh in
+  lazymatch eval hnf in P with
+  | ex _ => pose proof proved as H; hnf in H; cbv zeta in H; hnf; cbv zeta; there H
+  | _ /\ _ => pose proof proved as H; hnf in H; hnf; there H
+  | _ -> False => intro H; apply proved; from H
+  | _ => pose proof proved as H; from H end.
+
+(* by conversion, else so *)
+Ltac follows proved := first [ exact proved | reordered proved ].
