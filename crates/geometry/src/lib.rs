@@ -135,6 +135,7 @@
 
 pub mod basis;
 pub mod batch;
+mod chebyshev;
 pub mod coordinate;
 pub mod curve;
 pub mod developable;
@@ -142,6 +143,7 @@ mod dual;
 mod dyadic;
 pub mod error;
 pub mod join;
+mod model;
 pub mod pattern;
 pub mod planes;
 mod scalars;
@@ -165,6 +167,7 @@ pub use curve::{Affine, Curve, RationalCurve, SpaceCurve};
 pub use developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch};
 pub use error::{GeometryError, Place, Result};
 pub use join::Continuity;
+pub use model::Model;
 pub use planes::{Plane, PlaneFamily, Ruling};
 pub use scalars::{Over, exact, exact_ball};
 pub use surface::{

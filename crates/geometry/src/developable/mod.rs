@@ -18,7 +18,7 @@ pub use connect::{
     BestRuling, Branch, BranchEnd, ConnectingPatch, Connections, Gap, NODE_RADIUS, ParameterBox,
     Reason, connect,
 };
-pub use enclosure::{Enclosed, EnclosedCertificate, enclose};
+pub use enclosure::{Enclosed, EnclosedCertificate, enclose, enclose_by_models};
 pub use forms::RulingForms;
 pub use hermite::{HermiteCone, QuarticData, QuinticData, cone_system};
 pub use linear::solve;

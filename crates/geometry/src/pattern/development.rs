@@ -19,12 +19,12 @@
 //!
 //! and of a point on the ruling by `|R| E` more. Roundings of the samples are counted in `d`.
 
-use super::chebyshev::{
-    DEGREE, Interpolant, NODES, Row, Rows, bases, basis, between, node_rows, nodes,
-};
 use super::error::{PatternError, PatternResult};
 use super::frame::{Frame, check_across};
 use crate::batch::widest;
+use crate::chebyshev::{
+    DEGREE, Interpolant, NODES, Row, Rows, bases, basis, between, node_rows, nodes,
+};
 use crate::surface::Rails;
 use crate::vector::dot;
 use rayon::prelude::*;

@@ -9,10 +9,10 @@
 //! along the chord cannot leave the arc at its ends, so this is the distance of both from each other, up to the
 //! factor `1/cos(phi)` there, with `phi` half the swept angle.
 
-use super::chebyshev::{Interpolant, NODES, Row};
 use super::development::Development;
 use super::error::{PatternError, PatternResult};
 use super::segment::Segment;
+use crate::chebyshev::{Interpolant, NODES, Row};
 
 /// Halvings of the parameter interval.
 const DEEPEST: u32 = 40;
@@ -318,7 +318,7 @@ fn circle_bound(segment: &Segment, u: &[f64], v: &[f64], chord: f64) -> f64 {
 
 /// The values at the nodes of a polynomial given by its coefficients.
 fn values(coefficients: &[f64]) -> impl Iterator<Item = f64> {
-    super::chebyshev::node_rows()
+    crate::chebyshev::node_rows()
         .iter()
         .map(move |row| row.iter().zip(coefficients).map(|(t, c)| t * c).sum())
 }

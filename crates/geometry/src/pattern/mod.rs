@@ -11,7 +11,6 @@
 
 mod bending;
 mod chain;
-mod chebyshev;
 mod crossing;
 mod development;
 mod error;

@@ -9,6 +9,7 @@ use crate::developable::{
     prove_regular,
 };
 use crate::error::Result;
+use crate::model::Model;
 use crate::pattern::{FlatPattern, PatternResult, unroll};
 use crate::planes::Plane;
 use crate::scalars::{Over, exact_ball};
@@ -315,7 +316,7 @@ macro_rules! rails_over {
     )*};
 }
 
-rails_over!(f64, Ball);
+rails_over!(f64, Ball, Model);
 
 impl Surface<f64> for Sheet {
     fn partials(&self, u: &f64, v: &f64, order: usize) -> Result<Partials<f64>> {

@@ -2,9 +2,11 @@
 
 use super::equation::{Equation, Expansion};
 use super::trace::{Branch, NODE_RADIUS, solution};
+use crate::chebyshev::{NODES, nodes};
 use crate::coordinate::Coordinate;
 use crate::curve::SpaceCurve;
 use crate::error::{GeometryError, Place, Result};
+use crate::model::Model;
 use crate::scalars::{Over, exact_ball};
 use crate::surface::{Partials, Rails, Surface, partials_between};
 use torse_algebra::{Ball, Jet, Rational, Scalar};
@@ -98,6 +100,26 @@ impl<P, Q> ConnectingPatch<P, Q> {
         Ok([one.points(&s), two.points(&t)])
     }
 
+    /// Bounds of `w` over these `u`, from the boxes of the links that lie over them: on a link `s` and `t` stay between
+    /// those of its nodes, up to [`NODE_RADIUS`], so `w = t - s = u - 2 s = 2 t - u` does.
+    fn linked(&self, low: f64, high: f64) -> Option<[f64; 2]> {
+        let mut found: Option<[f64; 2]> = None;
+        for link in self.branch.nodes().windows(2) {
+            let [[s0, t0], [s1, t1]] = link else { continue };
+            let (from, to) = (s0 + t0 - 4.0 * NODE_RADIUS, s1 + t1 + 4.0 * NODE_RADIUS);
+            if to < low || high < from {
+                continue;
+            }
+            let (from, to) = (from.max(low), to.min(high));
+            let slack = 4.0 * NODE_RADIUS;
+            let least = (from - 2.0 * s1).max(2.0 * t0 - to) - slack;
+            let most = (to - 2.0 * s0).min(2.0 * t1 - from) + slack;
+            let [a, b] = found.unwrap_or([least, most]);
+            found = Some([a.min(least), b.max(most)]);
+        }
+        found
+    }
+
     /// The two nodes of the branch about `u`, as `[u, w]`.
     fn around(&self, u: f64) -> [[f64; 2]; 2] {
         let turned = |node: &[f64; 2]| [node[0] + node[1], node[1] - node[0]];
@@ -162,6 +184,14 @@ impl<P: SpaceCurve<Ball>, Q: SpaceCurve<Ball>> ConnectingPatch<P, Q> {
         let bound = |w: f64| exact_ball(w, bits);
         let mut w = bound((before[1] - reach).max(after[1] - reach).next_down())
             .hull(&bound((before[1] + reach).min(after[1] + reach).next_up()));
+        // Nor does it leave the boxes of the links over these parameters, which hold no other solution.
+        if let Some([low, high]) = self.linked(low, high) {
+            let (from, to) = (crate::exact(low), crate::exact(high));
+            let (from, to) = (from.max(w.lower()), to.min(w.upper()));
+            if from <= to {
+                w = Ball::from_bounds(&from, &to, bits);
+            }
+        }
         let middle_u = ball(&u.midpoint());
         let rest = u.clone() - middle_u.clone();
         let at = |u: &Ball, w: &Ball| {
@@ -195,6 +225,94 @@ impl<P: SpaceCurve<Ball>, Q: SpaceCurve<Ball>> ConnectingPatch<P, Q> {
             }
         }
         w
+    }
+}
+
+impl<P: SpaceCurve<Model>, Q: SpaceCurve<Model>> Rails<Model> for ConnectingPatch<P, Q> {
+    fn rail_jets(&self, x: &Model, order: usize) -> Result<[[Jet<Model>; 3]; 2]> {
+        let [from, to] = self.span().map(Model::exact);
+        let u = from + (to - from) * *x;
+        let w = self.modelled(&u).ok_or_else(|| turns(&u))?;
+        self.series(&u, w, order)
+    }
+
+    fn is_developable_by_construction(&self) -> bool {
+        true
+    }
+}
+
+/// How often Newton's method is tried at a node.
+const STEPS: usize = 12;
+
+impl<P: SpaceCurve<Model>, Q: SpaceCurve<Model>> ConnectingPatch<P, Q> {
+    /// The equation at the parameters `s = (u - w)/2` and `t = (u + w)/2`.
+    fn equation(&self, u: &Model, w: &Model) -> Option<Equation<Model>> {
+        let s = (*u - *w).times_two_to(-1);
+        let t = (*u + *w).times_two_to(-1);
+        Equation::at((&self.first, &self.second), &s, &t).ok()
+    }
+
+    /// `w` on the branch over an interval of `u`: the polynomial through Newton's solutions, and by how much it may be off,
+    /// `|F(w)| / min |F_w|`, where `F_w` is bounded over a tube about the polynomial. In the tube there is one solution for
+    /// each `u`, and it is the one of the branch, since in the middle of the interval the tube lies in the box of a proved
+    /// link.
+    fn modelled(&self, u: &Model) -> Option<Model> {
+        let [low, high] = u.range();
+        let [first, last] = self.span();
+        let [low, high] = [low.max(first), high.min(last)];
+        let mut values = [0.0; NODES];
+        for (value, at) in values.iter_mut().zip(nodes(low, high)) {
+            let [[u0, w0], [u1, w1]] = self.around(at);
+            let mut w = if u1 > u0 {
+                w0 + (w1 - w0) * (at - u0) / (u1 - u0)
+            } else {
+                w0
+            };
+            for _ in 0..STEPS {
+                let equation = self.equation(&Model::exact(at), &Model::exact(w))?;
+                let by_w = 0.5 * (equation.by_t.approximate() - equation.by_s.approximate());
+                let step = equation.value.approximate() / by_w;
+                if !step.is_finite() {
+                    return None;
+                }
+                w -= step;
+                if step.abs() <= 4.0 * f64::EPSILON {
+                    break;
+                }
+            }
+            *value = w;
+        }
+        let w = Model::through(&values);
+        let residual = self.equation(u, &w)?.value.largest();
+        let mut tube = 1e-12;
+        // As narrow as it may be: a wide tube says less about the slope.
+        while tube < 1e-3 {
+            let over = self.equation(u, &w.widened(tube))?;
+            let by_w = (over.by_t - over.by_s).times_two_to(-1);
+            let least = by_w.least();
+            if least <= 0.0 {
+                return None;
+            }
+            let off = residual / least * (1.0 + 4.0 * f64::EPSILON);
+            if off < 0.5 * tube {
+                let middle = 0.5 * (low + high);
+                let at = w.at(0.0);
+                return self.holds(middle, at, tube).then(|| w.widened(off));
+            }
+            tube = 4.0 * off.max(tube);
+        }
+        None
+    }
+
+    /// Whether the points of this antidiagonal within `tube` of `w` lie in the box of the link there.
+    fn holds(&self, u: f64, w: f64, tube: f64) -> bool {
+        let [[u0, w0], [u1, w1]] = self.around(u);
+        let parameters = |u: f64, w: f64| [0.5 * (u - w), 0.5 * (u + w)];
+        let (from, to) = (parameters(u0, w0), parameters(u1, w1));
+        [w - tube, w + tube].iter().all(|w| {
+            let at = parameters(u, *w);
+            (0..2).all(|i| from[i] - NODE_RADIUS <= at[i] && at[i] <= to[i] + NODE_RADIUS)
+        })
     }
 }
 

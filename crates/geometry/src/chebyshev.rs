@@ -10,12 +10,12 @@ use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 /// The degree of the interpolants.
-pub(super) const DEGREE: usize = 16;
+pub(crate) const DEGREE: usize = 16;
 /// The number of samples.
-pub(super) const NODES: usize = DEGREE + 1;
+pub(crate) const NODES: usize = DEGREE + 1;
 
 /// The values or the coefficients of an interpolant.
-pub(super) type Row = [f64; NODES];
+pub(crate) type Row = [f64; NODES];
 
 /// The tables that all intervals share.
 struct Tables {
@@ -52,7 +52,7 @@ static TABLES: LazyLock<Tables> = LazyLock::new(|| {
 });
 
 /// The parameters of the samples on `[from, to]`; the first and the last are the ends themselves.
-pub(super) fn nodes(from: f64, to: f64) -> Row {
+pub(crate) fn nodes(from: f64, to: f64) -> Row {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     let mut row = TABLES.nodes.map(|t| middle + half * t);
     (row[0], row[DEGREE]) = (from, to);
@@ -60,12 +60,12 @@ pub(super) fn nodes(from: f64, to: f64) -> Row {
 }
 
 /// [`basis`] at the samples.
-pub(super) fn node_rows() -> &'static [Row; NODES] {
+pub(crate) fn node_rows() -> &'static [Row; NODES] {
     &TABLES.rows
 }
 
 /// Parameters between the samples, where the error of interpolation is near its summits.
-pub(super) fn between(from: f64, to: f64) -> [f64; 4] {
+pub(crate) fn between(from: f64, to: f64) -> [f64; 4] {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     [2.5, 6.5, 9.5, 13.5].map(|k| {
         #[allow(clippy::cast_precision_loss)]
@@ -75,7 +75,7 @@ pub(super) fn between(from: f64, to: f64) -> [f64; 4] {
 }
 
 /// `T_0(t), ..., T_16(t)` for `t` in [-1, 1]: evaluates any number of interpolants.
-pub(super) fn basis(t: f64) -> Row {
+pub(crate) fn basis(t: f64) -> Row {
     let mut row = [1.0; NODES];
     row[1] = t;
     // T_(i+k) = 2 T_i T_k - T_(i-k) with halves: four steps one after the other, not fifteen.
@@ -87,11 +87,11 @@ pub(super) fn basis(t: f64) -> Row {
 }
 
 /// [`basis`] at several parameters: row `j` has the values of `T_j`.
-pub(super) type Rows<const L: usize> = [[f64; L]; NODES];
+pub(crate) type Rows<const L: usize> = [[f64; L]; NODES];
 
 /// [`basis`] at several parameters, with the same bits.
 #[inline(always)]
-pub(super) fn bases<const L: usize>(t: [f64; L]) -> Rows<L> {
+pub(crate) fn bases<const L: usize>(t: [f64; L]) -> Rows<L> {
     let mut rows = [[1.0; L]; NODES];
     rows[1] = t;
     for j in 2..NODES {
@@ -106,11 +106,16 @@ pub(super) fn bases<const L: usize>(t: [f64; L]) -> Rows<L> {
 
 /// An interpolant by its coefficients.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Interpolant(Row);
+pub(crate) struct Interpolant(Row);
 
 impl Interpolant {
+    /// With these coefficients.
+    pub(crate) fn of(coefficients: Row) -> Self {
+        Self(coefficients)
+    }
+
     /// Through these values at the nodes.
-    pub(super) fn through(values: &Row) -> Self {
+    pub(crate) fn through(values: &Row) -> Self {
         // What is transformed are differences, so that rounding is relative to the change.
         let base = values[DEGREE / 2];
         let (tables, mut row) = (&*TABLES, [0.0; NODES]);
@@ -142,13 +147,13 @@ impl Interpolant {
 
     /// The value for a row of [`basis`].
     #[inline(always)]
-    pub(super) fn at(&self, basis: &Row) -> f64 {
+    pub(crate) fn at(&self, basis: &Row) -> f64 {
         product(&self.0, basis)
     }
 
     /// The values for several parameters, with the bits of [`Interpolant::at`].
     #[inline(always)]
-    pub(super) fn at_each<const L: usize>(&self, rows: &Rows<L>) -> [f64; L] {
+    pub(crate) fn at_each<const L: usize>(&self, rows: &Rows<L>) -> [f64; L] {
         let mut sums = [[0.0; L]; 4];
         for (c, rows) in self.0.chunks_exact(4).zip(rows.chunks_exact(4)) {
             for (sum, (c, row)) in sums.iter_mut().zip(c.iter().zip(rows)) {
@@ -164,7 +169,7 @@ impl Interpolant {
     }
 
     /// `factors[0] f + factors[1] g + constant`.
-    pub(super) fn sum(factors: [f64; 2], [f, g]: [&Self; 2], constant: f64) -> Self {
+    pub(crate) fn sum(factors: [f64; 2], [f, g]: [&Self; 2], constant: f64) -> Self {
         let mut row: Row = std::array::from_fn(|j| factors[0] * f.0[j] + factors[1] * g.0[j]);
         row[0] += constant;
         Self(row)
@@ -172,7 +177,7 @@ impl Interpolant {
 
     /// The integral from the left end of an interval of this half width, plus a constant. The part of degree
     /// 17 is dropped: [`Interpolant::tail`] times the half width bounds it.
-    pub(super) fn integral(&self, half: f64, start: f64) -> Self {
+    pub(crate) fn integral(&self, half: f64, start: f64) -> Self {
         let c = |j: usize| self.0.get(j).copied().unwrap_or(0.0);
         let mut row = [0.0; NODES];
         for (j, slot) in row.iter_mut().enumerate().skip(1) {
@@ -191,7 +196,7 @@ impl Interpolant {
     }
 
     /// The derivative on an interval of this half width.
-    pub(super) fn derivative(&self, half: f64) -> Self {
+    pub(crate) fn derivative(&self, half: f64) -> Self {
         let mut row = [0.0; NODES];
         for j in (0..DEGREE).rev() {
             let beyond = row.get(j + 2).copied().unwrap_or(0.0);
@@ -204,7 +209,7 @@ impl Interpolant {
     }
 
     /// The integral over the whole of an interval of this half width (Clenshaw and Curtis).
-    pub(super) fn total(&self, half: f64) -> f64 {
+    pub(crate) fn total(&self, half: f64) -> f64 {
         let term = |(j, c): (usize, &f64)| {
             #[allow(clippy::cast_precision_loss)]
             let below = 1.0 - (j * j) as f64;
@@ -214,12 +219,12 @@ impl Interpolant {
     }
 
     /// The size of the last two coefficients: what the next ones are not expected to exceed together.
-    pub(super) fn tail(&self) -> f64 {
+    pub(crate) fn tail(&self) -> f64 {
         self.0[DEGREE - 1].abs() + self.0[DEGREE].abs()
     }
 
     /// Of `T_0`, ..., `T_16`.
-    pub(super) fn coefficients(&self) -> &Row {
+    pub(crate) fn coefficients(&self) -> &Row {
         &self.0
     }
 }
