@@ -2,9 +2,10 @@
 
     cargo run --release -p torse-tests --example composed -- 2000 1 write > target/composed.jsonl
     python3 tests/judges/third.py target/composed.jsonl [seconds]
+    python3 tests/judges/third.py reports/verdicts.json [seconds]    the claims of derivations/ instead
 
 Each line has a claim file and what the engine says of it. Points are drawn from the declared sets, degenerate ones among them;
-equations are met by solving them for one of their symbols. A claim takes at most so many seconds (5), else it is counted as
+equations are met by solving them for one of their symbols. A claim takes at most so many seconds of work (5), else it is counted as
 timed out. Every disagreement is printed with its point.
 """
 
@@ -15,6 +16,7 @@ import random
 import signal
 import sys
 import tomllib
+from pathlib import Path
 
 import mpmath
 import sympy
@@ -212,8 +214,8 @@ def written(scene, point):
     return {n: str(DRAWN[int(v)]) if scene.functions.get(n) == 1 else str(v) for n, v in point.items()}
 
 
-class TimedOut(Exception):
-    pass
+class TimedOut(BaseException):
+    """Not one of the exceptions that a library catches."""
 
 
 def judged(line, seconds):
@@ -221,11 +223,13 @@ def judged(line, seconds):
     def ring(*_):
         raise TimedOut
 
-    signal.signal(signal.SIGALRM, ring)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    # It rings again, should a library catch the first.
+    signal.signal(signal.SIGPROF, ring)
+    signal.setitimer(signal.ITIMER_PROF, seconds, 1)
     said = {"true": 0, "undefined": 0, "false": []}
     try:
-        scene = Scene(tomllib.loads(line["file"]))
+        file = line["file"]
+        scene = Scene(file if isinstance(file, dict) else tomllib.loads(file))
         if scene.sought:
             return said | {"why": "exists"}
         conditions = [parse(text) for text in line.get("conditions", [])]
@@ -259,7 +263,7 @@ def judged(line, seconds):
     except RecursionError:
         said["why"] = "recursion"
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.setitimer(signal.ITIMER_PROF, 0)
     return said
 
 
@@ -284,11 +288,45 @@ def disagreement(line, said):
     return None
 
 
+def hiding(outer, inner):
+    """The sections of a file further in, on those further out: a name means one thing."""
+    merged = {key: dict(outer.get(key, {})) for key in ("symbols", "basis", "define")}
+    for key, other in (("symbols", "define"), ("basis", None), ("define", "symbols")):
+        for head, entry in inner.get(key, {}).items():
+            stem = lambda text: text.split("(")[0].split("[")[0].strip()
+            for part in ("symbols", "define"):
+                if other:
+                    merged[part] = {h: e for h, e in merged[part].items() if stem(h) != stem(head)}
+            merged[key][head] = entry
+    return merged
+
+
+def shipped(path):
+    """The claims of the derivation files with one reading, and their verdicts."""
+    verdicts = {claim["id"]: claim for claim in json.loads(path.read_text())["claims"]}
+    folder = path.resolve().parent.parent / "derivations"
+    for head in sorted(folder.glob("*/paper.toml")):
+        paper = tomllib.loads(head.read_text(encoding="utf-8"))
+        for name in paper["paper"]["claims"]:
+            file = tomllib.loads((head.parent / name).read_text(encoding="utf-8"))
+            shared = hiding(hiding({}, paper), file)
+            for number, entry in enumerate(file.get("claim", [])):
+                said = verdicts.get(entry["id"], {})
+                if "states" not in entry or not said:
+                    continue
+                own = hiding(shared, {"symbols": entry.get("symbols", {}), "define": entry.get("let", {})})
+                claim = {key: entry[key] for key in ("assume", "given", "states", "exists") if key in entry}
+                yield {"number": number, "form": entry["id"], "file": own | {"claim": [claim]},
+                       "verdict": said["verdict"], "contradiction": said["contradiction"], "correction": said["corrected"],
+                       "conditions": [said["condition"]] if said["condition"] else []}
+
+
 def work(task):
-    text, seconds = task
-    line = json.loads(text)
+    line, seconds = task
     try:
         said = judged(line, seconds)
+    except TimedOut:  # It rang once more while the first was on its way.
+        said = {"true": 0, "undefined": 0, "false": [], "why": "time"}
     except Exception as error:  # A fault of this judge is counted, not hidden.
         said = {"true": 0, "undefined": 0, "false": [], "why": f"fault {type(error).__name__}: {error}"}
     return line, said
@@ -296,8 +334,13 @@ def work(task):
 
 def main(path, seconds=5):
     counts, why = collections.Counter(), collections.Counter()
-    with open(path, encoding="utf-8") as file, multiprocessing.Pool() as pool:
-        for line, said in pool.imap(work, ((text, float(seconds)) for text in file)):
+    path = Path(path)
+    if path.suffix == ".json":
+        lines = list(shipped(path))
+    else:
+        lines = map(json.loads, path.read_text(encoding="utf-8").splitlines())
+    with multiprocessing.Pool() as pool:
+        for line, said in pool.imap(work, ((line, float(seconds)) for line in lines)):
             decided = bool(said["false"]) or said["true"] >= POINTS // 2
             counts["claims"] += 1
             counts["false" if said["false"] else "true" if decided else "timed out" if said.get("why") == "time" else "open"] += 1
@@ -305,7 +348,8 @@ def main(path, seconds=5):
                 why[said.get("why", "few points").split(":")[0][:60]] += 1
             if found := disagreement(line, said):
                 counts["disagreements"] += 1
-                print(f"--- {line['number']} {line.get('form')}: {found}\n{line['file']}truth: {line.get('truth')}\n"
+                shown = line["file"] if isinstance(line["file"], str) else f"{line['file']['claim']}\n"
+                print(f"--- {line['number']} {line.get('form')}: {found}\n{shown}truth: {line.get('truth')}\n"
                       f"engine: {line.get('verdict')} {line.get('said', '')}\n")
     print(json.dumps(counts))
     print(json.dumps(dict(why.most_common(12))))
