@@ -1,5 +1,7 @@
 //! Drawings: what DXF and SVG say is what was drawn.
 
+#![allow(clippy::disallowed_methods, reason = "compared within a tolerance")]
+
 use proptest::prelude::*;
 use torse_exchange::{Drawing, ExchangeError, Layer, ReadError, Text, Vertex, dxf, svg};
 
