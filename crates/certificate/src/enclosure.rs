@@ -3,6 +3,7 @@
 use crate::number::decimal;
 use crate::polynomial::Polynomial;
 use crate::ratio::Ratio;
+use crate::text::counted;
 use serde::{Serialize, Serializer};
 use torse_core::Printed;
 
@@ -113,7 +114,7 @@ impl Enclosure<Polynomial> {
     /// The steps in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
-        let decimals = crate::point::counted(self.digits(), "decimal");
+        let decimals = counted(self.digits(), "decimal");
         let cut = self
             .entries
             .iter()

@@ -4,6 +4,7 @@ use crate::enclosure::Enclosure;
 use crate::polynomial::Polynomial;
 use crate::ratio::Ratio;
 use crate::symbol::Symbol;
+use crate::text::counted;
 use serde::Serialize;
 
 /// The value of a symbol.
@@ -212,14 +213,5 @@ impl Value<Polynomial> {
     #[must_use]
     pub fn text(&self) -> String {
         format!("{} = {}", self.symbol, self.value)
-    }
-}
-
-/// So many of something.
-pub(crate) fn counted(count: impl std::fmt::Display, noun: &str) -> String {
-    let count = count.to_string();
-    match count.as_str() {
-        "1" => format!("1 {noun}"),
-        _ => format!("{count} {noun}s"),
     }
 }

@@ -1,4 +1,4 @@
-//! Numbers as text in written proofs: exact, `-7/3`.
+//! Numbers as text: in written proofs exact, `-7/3`; in steps, how many of something.
 
 use serde::{Serialize, Serializer};
 use torse_numbers::Rational;
@@ -15,4 +15,13 @@ pub(crate) fn region<S: Serializer>(
 ) -> Result<S::Ok, S::Error> {
     let sides = region.iter().map(|(a, b)| [a.to_string(), b.to_string()]);
     sides.collect::<Vec<_>>().serialize(to)
+}
+
+/// So many of something.
+pub(crate) fn counted(count: impl std::fmt::Display, noun: &str) -> String {
+    let count = count.to_string();
+    match count.as_str() {
+        "1" => format!("1 {noun}"),
+        _ => format!("{count} {noun}s"),
+    }
 }

@@ -4,6 +4,7 @@
 //! in which the symbols that were eliminated before have their values, is linear in the symbol; so it determines it where its
 //! coefficient is not zero. Several `given` equations determine as many symbols where their determinant is not zero.
 
+use super::apart::Apart;
 use super::gap::{Beyond, Unchecked, Wrong};
 use super::ground::{Compared, Domain, Met};
 use super::quotient::Quotient;
@@ -299,39 +300,6 @@ impl Domain<'_> {
     ) -> Result<bool, Beyond> {
         let known = self.hypotheses(groups);
         self.is_nonzero(polynomial, &known.all, groups, &[])
-    }
-}
-
-/// What differs from zero by its sign.
-#[derive(Debug, Default)]
-pub(super) struct Apart {
-    factors: Vec<Polynomial>,
-    /// Why a sign could not be followed.
-    gap: Option<Beyond>,
-}
-
-impl Apart {
-    /// Takes a polynomial whose sign was checked.
-    fn take(
-        &mut self,
-        checked: Result<(), Unchecked>,
-        sign: &Sign<Polynomial>,
-    ) -> Result<(), Unchecked> {
-        match checked {
-            Ok(()) if sign.strict => self.factors.push(sign.polynomial.clone()),
-            Ok(()) => return Err(Wrong::Zero.into()),
-            Err(Unchecked::Beyond(gap)) => self.gap = Some(gap),
-            Err(wrong) => return Err(wrong),
-        }
-        Ok(())
-    }
-
-    /// What is said of a divisor of which nothing that is known says that it does not vanish.
-    fn may_vanish(&self, divisor: &Polynomial) -> Unchecked {
-        match &self.gap {
-            Some(gap) => gap.clone().into(),
-            None => Wrong::Divisor(divisor.to_string()).into(),
-        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The domain of a claim as the checker sees it: hypotheses expanded, eliminated symbols replaced by their values, and
 //! what was divided by.
 
-use super::eliminated::Apart;
+use super::apart::Apart;
 use super::expand::Expander;
 use super::gap::{Beyond, Work};
 use super::quotient::Quotient;

@@ -5,6 +5,7 @@
 //! come out is [`Wrong`]; what the checker does not know, as series of symbolic degree, is [`Beyond`] it, which says
 //! nothing against the proof.
 
+mod apart;
 mod bernstein;
 mod eliminated;
 mod expand;

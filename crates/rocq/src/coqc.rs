@@ -3,9 +3,10 @@
 use crate::check::{self, PROOFS};
 use crate::closed::CLOSED;
 use crate::digest::Digest;
-use crate::folder::{ACCEPTED, CHECK, Folder, Theorem};
+use crate::folder::{ACCEPTED, CHECK, Folder};
 use crate::library::{self, LIBRARY};
 use crate::printed::{self, FOLLOWS};
+use crate::theorem::Theorem;
 use crate::{modules, queue};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

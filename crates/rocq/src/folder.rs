@@ -8,7 +8,8 @@ use crate::name::camel;
 use crate::printed::{self, FOLLOWS, PRINTED};
 use crate::script::{self, scripts};
 use crate::shared::Shared;
-use crate::task::{Evidence, Finding, Goal, Role, goals};
+use crate::task::{Evidence, Finding, Goal, goals};
+use crate::theorem::Theorem;
 use crate::{chapter, check, closed};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -54,35 +55,6 @@ pub const CHECK: &str = "Check.v";
 
 /// The file that lists the files for `coq_makefile`.
 pub const PROJECT: &str = "_CoqProject";
-
-/// A theorem of the folder.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Theorem {
-    /// The folder and the section, as `GbtDevelopable/Section_5_1`.
-    pub section: String,
-    /// The module.
-    pub module: String,
-    /// The id of the claim.
-    pub id: String,
-    /// What it says of the claim's statement.
-    pub role: Role,
-    /// What the verdict rests on.
-    pub evidence: Evidence,
-    /// The proposition that is proved, and its proof, as they stand in their modules.
-    pub says: String,
-    /// The text of the proof.
-    pub proof: String,
-    /// The statement that is proved, where this one follows from it.
-    pub rests_on: Option<String>,
-}
-
-impl Theorem {
-    /// A name that no other theorem of the folder has: `GbtDevelopable/Section_5_1.thm_2_a`.
-    #[must_use]
-    pub fn name(&self) -> String {
-        format!("{}.{}", self.section, self.module)
-    }
-}
 
 /// A claim, or a part of its verdict, for which no proof is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -363,6 +335,7 @@ pub(crate) fn listed(reasons: &BTreeMap<String, String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::task::Role;
 
     fn theorem(section: &str, module: &str) -> Theorem {
         Theorem {

@@ -48,6 +48,7 @@ pub mod solutions;
 pub mod solved;
 pub mod statement;
 pub mod task;
+pub mod theorem;
 pub mod tree;
 pub mod trial;
 pub mod unknowns;

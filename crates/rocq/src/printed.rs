@@ -7,9 +7,9 @@
 
 use crate::chapter::comment;
 use crate::check::PROOFS;
-use crate::folder::Theorem;
 use crate::script::Script;
 use crate::task::Goal;
+use crate::theorem::Theorem;
 
 /// The end of the names of sections of statements that are written from the tree.
 pub const PRINTED: &str = "_printed";

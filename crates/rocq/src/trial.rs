@@ -5,9 +5,10 @@
 
 use crate::check::PROOFS;
 use crate::coqc::{CheckError, Coqc, Limits, each_section, lay_out, limited, prefixes, run};
-use crate::folder::{Folder, Theorem};
+use crate::folder::Folder;
 use crate::modules::split;
 use crate::printed;
+use crate::theorem::Theorem;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::path::Path;

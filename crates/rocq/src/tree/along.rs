@@ -4,6 +4,7 @@
 //! `A_of_p0 p0 = A` whose values solve the equations for every `p0`.
 
 use super::forms::derivative;
+use super::moving::{Along, Place};
 use super::scope::{Scope, words};
 use super::writer::{Writer, fresh};
 use crate::binder::Binder;
@@ -13,85 +14,6 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
-
-/// A symbol, or a member of a family.
-#[derive(Debug, Clone)]
-pub(super) struct Place {
-    /// The declared name of the symbol, or of the family.
-    pub declared: String,
-    /// What stands for it.
-    pub name: String,
-    /// The indices of a member.
-    pub indices: Vec<Code>,
-}
-
-impl Place {
-    /// Whether this is a member of a family.
-    pub fn is_member(&self) -> bool {
-        !self.indices.is_empty()
-    }
-
-    /// The number that stands there: `p0`, or `P 2`.
-    pub fn own(&self) -> Code {
-        Code::apply(&self.name, &self.indices)
-    }
-
-    /// The indices as part of a name, if they are numbers.
-    fn label(&self) -> Option<String> {
-        let texts = self
-            .indices
-            .iter()
-            .map(|index| index.text().strip_suffix("%Z"));
-        let digits = |text: &&str| text.bytes().all(|byte| byte.is_ascii_digit());
-        let labels: Option<Vec<&str>> = texts.map(|text| text.filter(digits)).collect();
-        labels
-            .filter(|labels| !labels.is_empty())
-            .map(|labels| labels.join("_"))
-    }
-
-    /// What stands for the declared name if the number is another one.
-    ///
-    /// # Errors
-    /// [`Gap`] for members with more than two indices.
-    pub fn with(&self, family: &str, value: &Code) -> Result<Code, Gap> {
-        let update = match self.indices.len() {
-            0 => return Ok(value.clone()),
-            1 => "update1",
-            2 => "update2",
-            _ => {
-                return Err(Gap::Construct(
-                    "`coefficients` of members with many indices",
-                ));
-            }
-        };
-        let mut arguments = vec![Code::atom(family)];
-        arguments.extend(self.indices.iter().cloned());
-        arguments.push(value.clone());
-        Ok(Code::apply(update, &arguments))
-    }
-}
-
-/// The unknowns as functions of one symbol.
-#[derive(Debug, Clone)]
-pub(super) struct Along {
-    /// The symbol.
-    place: Place,
-    /// The variable that it is where it moves.
-    variable: String,
-    /// The functions: their names, and the unknowns.
-    functions: Vec<(String, Place)>,
-    /// What stands for declared names where the symbol moves.
-    moved: Vec<(String, Code)>,
-}
-
-impl Along {
-    fn scope(&self, scope: &Scope) -> Scope {
-        let moved = self.moved.iter();
-        moved.fold(scope.clone(), |scope, (name, code)| {
-            scope.with_moved(name, code.clone())
-        })
-    }
-}
 
 impl Writer<'_> {
     /// The declared names of what equations determine.

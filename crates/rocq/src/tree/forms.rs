@@ -1,6 +1,6 @@
 //! `coefficients`: the derivatives of forms by symbols, and by members of families.
 
-use super::along::Place;
+use super::moving::Place;
 use super::scope::{Scope, words};
 use super::writer::{Value, Writer};
 use crate::code::{Code, Level};

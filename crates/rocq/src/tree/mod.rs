@@ -16,6 +16,7 @@ mod forms;
 mod function;
 mod integer;
 mod kinds;
+mod moving;
 mod property;
 mod reach;
 mod said;

@@ -1,7 +1,7 @@
 //! The state of writing one claim: the names in Rocq, and the definitions so far.
 
-use super::along::Along;
 use super::kinds::Kind;
+use super::moving::Along;
 use super::reach::{Names, Reach};
 use super::scope::Scope;
 use crate::code::Code;

@@ -4,9 +4,10 @@
 use crate::support::{LIMITS, accepts_all, coqc, with_library};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use torse_rocq::folder::{Folder, Theorem};
+use torse_rocq::folder::Folder;
 use torse_rocq::solutions::Solved;
 use torse_rocq::task::{Evidence, Finding};
+use torse_rocq::theorem::Theorem;
 use torse_rocq::trial;
 use torse_syntax::derivation::{Claim, LoadError, Source, paper};
 use torse_syntax::words::Verdict;

@@ -4,8 +4,8 @@
 //! they are met, in the [`Environment`] of their place: there is no second tree in which they would have been resolved before.
 
 use super::environment::{Environment, Part};
+use super::jets::{Jets, Smooth};
 use super::memory::Memory;
-use super::smooth::{Jets, Smooth};
 use crate::arithmetic::Arithmetic;
 use crate::gap::{Gap, Undefined, Unknown};
 use crate::judgement::Judgement;

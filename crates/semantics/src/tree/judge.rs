@@ -2,8 +2,8 @@
 
 use super::environment::{Environment, Part};
 use super::evaluate::{Evaluator, Given, Point};
+use super::jets::Jets;
 use super::slips::leaves;
-use super::smooth::Jets;
 use super::statement::joined;
 use crate::arithmetic::Arithmetic;
 use crate::domain::set;

@@ -6,72 +6,23 @@
 //! of the point determines has a value of its own: whoever overlooks it is found out.
 
 use super::environment::Environment;
-use super::evaluate::Evaluator;
+use super::evaluate::{Evaluator, no_value};
+use super::jets::Smooth;
 use crate::arithmetic::Arithmetic;
 use crate::domain::stream::Stream;
 use crate::gap::{Gap, Unknown};
 use crate::name::Name;
 use crate::series::Series;
 use crate::value::Value;
-use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
-use torse_syntax::derivation::declarations::Declarations;
-use torse_syntax::formula::{Expr, parse};
 
 /// How many coefficients beyond those that a point names are drawn.
 const DRAWN: usize = 6;
 /// The most coefficients of a function.
 const MAX_COEFFICIENTS: usize = 40;
-
-/// The derivatives of smooth functions that a point names.
-#[derive(Debug, Default, Clone)]
-pub(crate) struct Jets {
-    /// By function: the text of each place, its tree, and the orders that are named there.
-    places: BTreeMap<String, Vec<(String, Expr, BTreeSet<usize>)>>,
-}
-
-impl Jets {
-    /// Those among names: `f''(u)`.
-    pub fn new<'n>(declarations: &Declarations, names: impl IntoIterator<Item = &'n str>) -> Self {
-        let mut places: BTreeMap<String, Vec<(String, Expr, BTreeSet<usize>)>> = BTreeMap::new();
-        for name in names {
-            let Some((head, rest)) = name.split_once('(') else {
-                continue;
-            };
-            let function = head.trim_end_matches('\'');
-            let Some(text) = rest.strip_suffix(')') else {
-                continue;
-            };
-            if declarations.function(function).is_none() {
-                continue;
-            }
-            let Ok(tree) = parse(text) else {
-                continue;
-            };
-            let order = head.len() - function.len();
-            let all = places.entry(function.to_owned()).or_default();
-            match all.iter_mut().find(|(own, ..)| own == text) {
-                Some((.., orders)) => {
-                    orders.insert(order);
-                }
-                None => all.push((text.to_owned(), tree, BTreeSet::from([order]))),
-            }
-        }
-        Self { places }
-    }
-}
-
-/// A polynomial in Newton's form, one for each coordinate: the sum of `c_k (t - z_0) ... (t - z_(k-1))`.
-#[derive(Debug)]
-pub(super) struct Smooth<N> {
-    nodes: Vec<Series<N>>,
-    coefficients: Vec<Vec<Series<N>>>,
-    /// Whether its values are vectors.
-    is_vector: bool,
-}
 
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     /// The value of a smooth function.
@@ -186,7 +137,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             Some(c) => Name::Coordinate(declared, c),
         };
         let number = (self.point.values)(&name);
-        let number = number.ok_or_else(|| super::evaluate::no_value(&text))?;
+        let number = number.ok_or_else(|| no_value(&text))?;
         Ok(Series::Number(number))
     }
 

@@ -1,0 +1,53 @@
+//! The derivatives of smooth functions that a point names, and a function that has them.
+
+use crate::series::Series;
+use std::collections::{BTreeMap, BTreeSet};
+use torse_syntax::derivation::declarations::Declarations;
+use torse_syntax::formula::{Expr, parse};
+
+/// The derivatives of smooth functions that a point names.
+#[derive(Debug, Default, Clone)]
+pub(crate) struct Jets {
+    /// By function: the text of each place, its tree, and the orders that are named there.
+    pub(super) places: BTreeMap<String, Vec<(String, Expr, BTreeSet<usize>)>>,
+}
+
+impl Jets {
+    /// Those among names: `f''(u)`.
+    pub fn new<'n>(declarations: &Declarations, names: impl IntoIterator<Item = &'n str>) -> Self {
+        let mut places: BTreeMap<String, Vec<(String, Expr, BTreeSet<usize>)>> = BTreeMap::new();
+        for name in names {
+            let Some((head, rest)) = name.split_once('(') else {
+                continue;
+            };
+            let function = head.trim_end_matches('\'');
+            let Some(text) = rest.strip_suffix(')') else {
+                continue;
+            };
+            if declarations.function(function).is_none() {
+                continue;
+            }
+            let Ok(tree) = parse(text) else {
+                continue;
+            };
+            let order = head.len() - function.len();
+            let all = places.entry(function.to_owned()).or_default();
+            match all.iter_mut().find(|(own, ..)| own == text) {
+                Some((.., orders)) => {
+                    orders.insert(order);
+                }
+                None => all.push((text.to_owned(), tree, BTreeSet::from([order]))),
+            }
+        }
+        Self { places }
+    }
+}
+
+/// A polynomial in Newton's form, one for each coordinate: the sum of `c_k (t - z_0) ... (t - z_(k-1))`.
+#[derive(Debug)]
+pub(super) struct Smooth<N> {
+    pub nodes: Vec<Series<N>>,
+    pub coefficients: Vec<Vec<Series<N>>>,
+    /// Whether its values are vectors.
+    pub is_vector: bool,
+}
