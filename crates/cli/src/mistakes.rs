@@ -1,19 +1,28 @@
-//! What is wrong with the derivation files: all of it is told, each mistake once, and the rest goes on.
+//! What is wrong with the derivation files: each mistake is told once, of very many the first, and the rest goes on.
 
 use crate::exit::{Exit, Failure};
 use crate::terminal;
 use std::collections::BTreeSet;
+
+/// The most mistakes that are shown. Each is set with the lines around it, which takes time in long files.
+const MAX_SHOWN: usize = 100;
 
 /// Mistakes of derivation files, in the order in which they were found.
 #[derive(Default)]
 pub struct Mistakes {
     shown: BTreeSet<String>,
     texts: Vec<String>,
+    /// How many came after the last one that is shown.
+    further: usize,
 }
 
 impl Mistakes {
     /// Adds a mistake, unless it is known: a wrong definition is met by every claim that uses it.
     pub fn add(&mut self, mistake: impl Into<Failure>) {
+        if self.texts.len() >= MAX_SHOWN {
+            self.further += 1;
+            return;
+        }
         let text = terminal::shown(&mistake.into());
         if self.shown.insert(text.clone()) {
             self.texts.push(text);
@@ -28,6 +37,10 @@ impl Mistakes {
     /// Tells all of them, and says how the run ends.
     pub fn tell(&self, exit: Exit) -> Exit {
         self.texts.iter().for_each(|text| terminal::remark(text));
+        if self.further > 0 {
+            let further = self.further;
+            terminal::remark(&format!("{further} further messages are not shown"));
+        }
         match self.is_empty() {
             true => exit,
             false => exit.max(Exit::BadData),

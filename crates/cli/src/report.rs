@@ -198,7 +198,7 @@ const LETTER: &str = "-erratum";
 /// Fails unless `slug` can be the name of a paper's files: it stays in the folder and takes no other
 /// file's name.
 fn check_slug(slug: &str) -> Result<(), Failure> {
-    let plain = |character: char| character.is_ascii_alphanumeric() || character == '-';
+    let plain = |character: char| character.is_ascii_alphanumeric() || "-_.".contains(character);
     match !slug.is_empty()
         && slug.chars().all(plain)
         && !TAKEN.contains(&slug)

@@ -109,7 +109,7 @@ impl Drop for Around {
 ///     assert!(within(30, || spend(20)).is_ok());
 ///     assert_eq!(within(30, || spend(31)).unwrap_err(), Spent::Work { limit: 30 });
 ///     spend(80)?;
-///     Ok("done")
+///     Ok::<_, Spent>("done")
 /// };
 /// assert_eq!(within(100, job), Ok(Ok("done")));
 /// assert_eq!(within(99, job), Err(Spent::Work { limit: 99 }));

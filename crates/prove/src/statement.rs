@@ -25,6 +25,9 @@ pub fn decide_statement(claim: &Claim, statement: &Written) -> Result<Decision, 
     with_prepared(claim, statement, |prepared| prepared.decide(&mut |_| {}))
 }
 
+/// The most sides of comparisons in one statement: each part of a chain is decided with all the others in view.
+const MAX_SIDES: usize = 2000;
+
 /// A point of the domain of a claim at which the sides of a comparison of the statement have values, if one is found.
 ///
 /// # Errors
@@ -77,6 +80,10 @@ fn prepared<T>(
             (rooted, elaborator)
         }
     };
+    if core.statement.terms().len() > MAX_SIDES {
+        let what = format!("a statement that compares more than {MAX_SIDES} formulas");
+        return Err(Fault::limit(Place::default(), what).within(&statement.origin));
+    }
     alternatives::spend_on_domain(core.hypotheses.len())
         .map_err(|limit| Fault::limit(Place::default(), limit.to_string()))?;
     then(&Prepared {

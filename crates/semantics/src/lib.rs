@@ -17,7 +17,6 @@
 //!
 //! ```
 //! use std::sync::Arc;
-//! use torse_core::Claim;
 //! use torse_syntax::derivation::{paper, Source};
 //! use torse_semantics::{Witness, check_witness, tally};
 //!
@@ -46,7 +45,7 @@
 //! }));
 //! let paper = paper(files)?;
 //! let written = &paper.claims[0];
-//! let claim = Claim::new(written, written.statement.as_ref().unwrap()).expect("it can be read");
+//! let claim = torse_elaborate::elaborate(written, written.statement.as_ref().unwrap()).expect("it can be read");
 //!
 //! let found = tally(&claim, &claim.statement, &[], "p/square", 20, 1_000_000);
 //! let point = found.failing.expect("it is false at the ends");

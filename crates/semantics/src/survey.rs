@@ -11,7 +11,8 @@ use crate::judgement::Judgement;
 use crate::name::Name;
 use crate::residue;
 use crate::residue::domain::{Drawn, drawn};
-use crate::tree::{Reading, second};
+use crate::tree::Reading;
+use crate::tree::second::{self, Second};
 use std::collections::BTreeMap;
 use torse_core::{Claim, Statement};
 
@@ -46,6 +47,16 @@ pub(crate) enum Seen<'s, 'a> {
 
 /// What a statement is at a point, and what the trees say otherwise.
 type Judged = (Judgement, Option<String>);
+
+/// What both readings make of a point together.
+fn weighed(judgement: Judgement, second: Option<Second>) -> Judged {
+    match second {
+        None => (judgement, None),
+        Some(Second::Objection(objection)) => (judgement, Some(objection)),
+        Some(Second::Fails) => (Judgement::False, None),
+        Some(Second::Open) => (Judgement::Undecided, None),
+    }
+}
 
 /// A walk through points of a domain, with bounded work.
 pub(crate) struct Survey<'a> {
@@ -228,7 +239,7 @@ impl<'a> Survey<'a> {
             let objection = self
                 .reading
                 .and_then(|reading| second::objection(reading, &judgement, &number, near, work));
-            (judgement, objection)
+            weighed(judgement, objection)
         };
         Some(((!excepted).then(judged), near))
     }
@@ -267,7 +278,7 @@ impl<'a> Survey<'a> {
         let objection = self
             .reading
             .and_then(|reading| second::objection_modulo_prime(reading, &judgement, &point, work));
-        Some(Some((judgement, objection)))
+        Some(Some(weighed(judgement, objection)))
     }
 
     /// Finds, for each `not p` of a statement, a point of the domain at which p is false: `not p` is true then.

@@ -29,7 +29,7 @@ fn findings_tell_the_refuted_first_and_leave_out_what_holds() {
             "False as printed. It is proved with this change: the factor 2 added before μ; k replaced by k − 2.".to_owned()
         )
     );
-    assert_eq!(told[2].1, "True only if α₁ ≠ 0 and μ + ν + 2 ≠ 0.");
+    assert_eq!(told[2].1, "True if α₁ ≠ 0 and μ + ν + 2 ≠ 0.");
     assert!(!told.iter().any(|(id, _)| *id == "sample/thm-2.b"));
 }
 

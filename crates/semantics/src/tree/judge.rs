@@ -16,7 +16,7 @@ use crate::series::Series;
 use crate::value::Value;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
-use torse_syntax::derivation::declarations::{Bound, Interval, SymbolKind};
+use torse_syntax::derivation::declarations::{Bound, Declarations, Interval, SymbolKind};
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
@@ -48,6 +48,59 @@ pub struct Values<'e, N> {
     pub near: bool,
     /// Whether a statement is known to be false somewhere on the domain.
     pub fails: &'e dyn Fn(&Expr) -> bool,
+}
+
+/// How deep definitions of statements are opened in search of properties.
+const MAX_OPENED: u32 = 16;
+
+/// Where a statement names properties of bases, which are looked at in samples.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Properties {
+    /// Nowhere.
+    None,
+    /// As the statement, a part of `and` or `or`, or the end of `implies`: where one fails, the statement is false or as good.
+    Concluded,
+    /// As a premise, or where something is denied.
+    Premised,
+}
+
+impl Properties {
+    fn of(declarations: &Declarations, tree: &Expr, depth: u32) -> Self {
+        let below = |tree: &Expr| match depth.checked_sub(1) {
+            Some(depth) => Self::of(declarations, tree, depth),
+            None => Self::Premised,
+        };
+        let denied = |tree: &Expr| match below(tree) {
+            Self::None => Self::None,
+            _ => Self::Premised,
+        };
+        match &tree.node {
+            Node::Join(Connective::Implies, premise, conclusion) => {
+                denied(premise).max(below(conclusion))
+            }
+            Node::Join(_, a, b) => below(a).max(below(b)),
+            Node::Not(inner) => denied(inner),
+            Node::Name(name) => match declarations.definition(name) {
+                Some(definition) => below(&definition.body.expr),
+                None => Self::None,
+            },
+            Node::Call(head, arguments) => match &head.node {
+                Node::Name(name) if is_property(name) => Self::Concluded,
+                Node::Name(name) if name == "at" => arguments.first().map_or(Self::None, below),
+                Node::Name(name) if name == "fails" => arguments.first().map_or(Self::None, denied),
+                Node::Name(name) => match declarations.definition(name) {
+                    Some(definition) => below(&definition.body.expr),
+                    None => Self::None,
+                },
+                _ => Self::None,
+            },
+            _ => Self::None,
+        }
+    }
+}
+
+fn is_property(name: &str) -> bool {
+    ["nonnegative", "independent", "variation_diminishing"].contains(&name)
 }
 
 impl<N> Clone for Values<'_, N> {
@@ -206,6 +259,11 @@ impl<'a> Reading<'a> {
             let seen = at.sees_a_slip(self.statement, &self.leaves);
             self.seen.set(seen);
         }
+    }
+
+    /// Where the statement names properties of bases.
+    pub(super) fn properties(&self) -> Properties {
+        Properties::of(&self.claim.declarations, self.statement, MAX_OPENED)
     }
 
     /// What each hypothesis is at a point, in the order `assume`, `given`.

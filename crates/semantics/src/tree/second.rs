@@ -4,7 +4,7 @@
 
 use super::environment::Environment;
 use super::evaluate::Evaluator;
-use super::judge::{Reading, Values};
+use super::judge::{Properties, Reading, Values};
 use super::statement::joined;
 use crate::arithmetic::Arithmetic;
 use crate::domain::point::Point;
@@ -19,6 +19,17 @@ use torse_syntax::formula::{Connective, Expr};
 const PRECISIONS: [usize; 2] = [320, 1280];
 /// The work that the trees may take at one point: what is beyond it is not decided.
 const POINT_WORK: u64 = 1_000_000;
+
+/// What the trees say of a point at which core terms have been judged otherwise.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Second {
+    /// The two readings contradict each other.
+    Objection(String),
+    /// A property of a basis fails, of which the first reading met no failure among its own samples.
+    Fails,
+    /// A property of a basis fails for one reading alone, and it is a premise: nothing is decided.
+    Open,
+}
 
 /// What the trees make of a point.
 struct Found {
@@ -39,7 +50,7 @@ pub(crate) fn objection(
     number: &dyn Fn(&Name) -> Option<Real>,
     near: bool,
     work: &Work,
-) -> Option<String> {
+) -> Option<Second> {
     let number = |name: &Name| number(name).or_else(|| reading.free(name));
     let values = Values {
         number: &number,
@@ -50,7 +61,7 @@ pub(crate) fn objection(
         let work = work.apart(POINT_WORK);
         let reals = Reals { bits, work: &work };
         let found = judged::<Reals<'_>, Reals<'_>>(reading, (&reals, values), None);
-        let objection = found.against(judgement);
+        let objection = found.against(judgement, reading.properties());
         if objection.is_some() || !found.is_open {
             return objection;
         }
@@ -64,7 +75,7 @@ pub(crate) fn objection_modulo_prime(
     judgement: &Judgement,
     point: &residue::Point<'_, '_>,
     work: &Work,
-) -> Option<String> {
+) -> Option<Second> {
     let work = work.apart(POINT_WORK);
     let [bits, _] = PRECISIONS;
     let (residues, reals) = (Residues { work: &work }, Reals { bits, work: &work });
@@ -84,7 +95,7 @@ pub(crate) fn objection_modulo_prime(
         fails: &|_| true,
     };
     let found = judged(reading, (&residues, modulo), Some((&reals, exact)));
-    found.against(judgement)
+    found.against(judgement, reading.properties())
 }
 
 /// What the trees make of a point, in one arithmetic, and where that does not decide a part in another one.
@@ -160,16 +171,31 @@ fn truth<'s, A: Arithmetic, B: Arithmetic>(
 
 impl Found {
     /// What is said otherwise of a point of the domain at which the statement is this.
-    fn against(&self, judgement: &Judgement) -> Option<String> {
+    fn against(&self, judgement: &Judgement, properties: Properties) -> Option<Second> {
         if let Some((number, outside)) = &self.outside {
-            return Some(format!("hypothesis {number} is {outside}, read anew"));
+            let objection = format!("hypothesis {number} is {outside}, read anew");
+            return Some(Second::Objection(objection));
         }
         let is_open = |one: &Judgement| matches!(one, Judgement::Undecided | Judgement::Unknown(_));
         let differ = !is_open(&self.statement)
             && !is_open(judgement)
             && std::mem::discriminant(&self.statement) != std::mem::discriminant(judgement);
         let found = &self.statement;
-        differ.then(|| format!("the statement is {found}, read anew, and not {judgement}"))
+        let sampled = |one: &Judgement| matches!(one, Judgement::True | Judgement::False);
+        if differ && sampled(found) && sampled(judgement) {
+            // That a property fails is seen at a sample, that it holds is not: each reading has samples of its own.
+            match properties {
+                Properties::None => {}
+                Properties::Concluded => {
+                    return (*found == Judgement::False).then_some(Second::Fails);
+                }
+                Properties::Premised => return Some(Second::Open),
+            }
+        }
+        differ.then(|| {
+            let objection = format!("the statement is {found}, read anew, and not {judgement}");
+            Second::Objection(objection)
+        })
     }
 }
 
@@ -179,5 +205,8 @@ impl Found {
 pub fn objection_at(reading: &Reading<'_>, point: &Point) -> Option<String> {
     let work = Work::new(0);
     let number = |name: &Name| point.values.get(name).cloned();
-    objection(reading, &Judgement::False, &number, point.near, &work)
+    match objection(reading, &Judgement::False, &number, point.near, &work)? {
+        Second::Objection(objection) => Some(objection),
+        Second::Fails | Second::Open => None,
+    }
 }

@@ -2,7 +2,6 @@
 
 use super::error::{DerivationError, LoadError};
 use super::source::{Origin, Source, whole};
-use crate::formula::Place;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -61,19 +60,6 @@ pub fn check_name(source: &Arc<Source>, name: &Spanned<String>) -> Result<(), Lo
     let message = format!("`{}` is no file below the paper's folder", name.get_ref());
     let error = DerivationError::at(&origin, whole(name), message)
         .with_help("`claims` lists files of this folder, such as `claims.toml`");
-    Err(LoadError::Derivation(Box::new(error)))
-}
-
-/// Fails unless the id of a paper is a plain name: of letters, digits, `-` and `_`. Folders and files are called after it.
-pub fn check_slug(source: &Arc<Source>, slug: &str) -> Result<(), LoadError> {
-    if is_plain(slug) {
-        return Ok(());
-    }
-    let start = source.text.find(slug).unwrap_or(0);
-    let origin = Origin::range(source, start, start + slug.len());
-    let message = format!("the id `{slug}` of the paper is no plain name");
-    let error = DerivationError::at(&origin, Place::default(), message)
-        .with_help("an id is made of letters, digits, `-` and `_`: outputs are called after it");
     Err(LoadError::Derivation(Box::new(error)))
 }
 

@@ -132,7 +132,6 @@ impl Reading {
         );
         let head = head.and_then(|head| entry::<PaperHead>(&source, head));
         let head = self.errors.keep(head)?;
-        self.errors.keep(folder::check_slug(&source, &head.id))?;
         let declarations = Arc::new(shared);
         let (mut claims, mut own_figures, mut faults) = (vec![], vec![], vec![]);
         for name in &head.claims {
