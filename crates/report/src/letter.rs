@@ -5,7 +5,7 @@
 //! copy at hand is asked, and not claimed; conditions that the text should state have a part of their own.
 
 use crate::corrections::{is_refuted, ranked};
-use crate::math::{Names, Prose, compared, in_words, spans};
+use crate::math::{Names, Prose, compared, in_words, plain, spans};
 use crate::sentence;
 use crate::text::visible;
 use crate::view::{CorrectionView, correction};
@@ -256,10 +256,7 @@ fn counterexample(claim: &Outcome) -> Option<Prose> {
     let names = Names::of(claim);
     let stated = claim.parsed.as_ref()?;
     let of_the_paper = names.are_of_the_paper(&stated.text)
-        && witness
-            .at
-            .iter()
-            .all(|(name, _)| names.are_of_the_paper(name));
+        && sentence::point(witness).all(|(name, _)| names.are_of_the_paper(name));
     let plain_value = |text: &str| !text.starts_with('[');
     let told = is_refuted(claim)
         && repair::is_sought(claim.kind)
@@ -372,14 +369,45 @@ fn restored(paper: &PaperOutcome) -> Option<String> {
             "{limited} {verb} true where what they divide by does not vanish"
         ));
     }
-    let left = all - holds - limited;
-    if left > 0 {
-        let verb = if left == 1 { "is" } else { "are" };
+    let ambiguous = of(Verdict::Depends);
+    if !ambiguous.is_empty() {
+        let verb = if ambiguous.len() == 1 {
+            "depends"
+        } else {
+            "depend"
+        };
+        let (count, places) = (ambiguous.len(), places(paper, &ambiguous));
+        parts.push(format!("{count} still {verb} on the reading ({places})"));
+    }
+    let settled = [
+        Verdict::Holds,
+        Verdict::Definition,
+        Verdict::Conditional,
+        Verdict::Depends,
+    ];
+    let left = paper.restored.iter();
+    let left: Vec<&Restored> = left.filter(|of| !settled.contains(&of.verdict)).collect();
+    if !left.is_empty() {
+        let verb = if left.len() == 1 { "is" } else { "are" };
+        let (count, places) = (left.len(), places(paper, &left));
         parts.push(format!(
-            "{left} {verb} not repaired, and should be left out of the text"
+            "{count} {verb} not repaired, and cannot stay as printed ({places})"
         ));
     }
     text.push_str(&parts.join(", "));
     text.push('.');
     Some(text)
+}
+
+/// Where the paper has these claims, each place once.
+fn places(paper: &PaperOutcome, of: &[&Restored]) -> String {
+    let find = |of: &&Restored| paper.claims.iter().find(|claim| claim.id == of.claim);
+    let mut places: Vec<String> = vec![];
+    for claim in of.iter().filter_map(find) {
+        let place = visible(&plain(&claim.at));
+        if !places.contains(&place) {
+            places.push(place);
+        }
+    }
+    places.join("; ")
 }

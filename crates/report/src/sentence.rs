@@ -333,14 +333,26 @@ fn opposite(statement: &Expr) -> Option<Expr> {
     }
 }
 
+/// The values of a point that readers need: the engine's symbols for roots follow from those of the others.
+pub(crate) fn point(witness: &Witness) -> impl Iterator<Item = &(String, String)> {
+    let is_root = |name: &str| {
+        let heads = ["sqrt(", "norm(", "abs(", "√"];
+        heads.iter().any(|head| name.starts_with(head))
+    };
+    let alone = witness.at.iter().all(|(name, _)| is_root(name));
+    // Where nothing else is known, a root that is written as a formula is told; one that has a number for a name never is.
+    let told = move |name: &str| match alone {
+        true => !name.starts_with('√'),
+        false => !is_root(name),
+    };
+    witness.at.iter().filter(move |(name, _)| told(name))
+}
+
 /// ` at k = 3, mu = 1 ` in words, unless it is longer than that.
 fn place(witness: &Witness, longest: usize) -> String {
-    let values: Vec<String> = witness
-        .at
-        .iter()
-        .map(|(name, value)| format!("`{name} = {value}`"))
-        .collect();
-    let values = values.join(", ");
+    let values = point(witness);
+    let values = values.map(|(name, value)| format!("`{name} = {value}`"));
+    let values = values.collect::<Vec<String>>().join(", ");
     let told = (values.chars().count() <= longest).then_some(values);
     match told {
         Some(values) if values.is_empty() => String::new(),

@@ -413,8 +413,8 @@ fn witness(of: &Witness, names: &Names) -> WitnessView {
     };
     let length = |(name, value): &(String, String)| name.len() + value.len();
     WitnessView {
-        short: of.at.iter().all(|pair| length(pair) <= SHORT),
-        at: of.at.iter().map(equation).collect(),
+        short: sentence::point(of).all(|pair| length(pair) <= SHORT),
+        at: sentence::point(of).map(equation).collect(),
         sides,
     }
 }
