@@ -14,11 +14,13 @@ use std::cell::{Cell, RefCell};
 use std::ops::RangeInclusive;
 use std::rc::Rc;
 use std::sync::Arc;
-use torse_core::{BuiltIn, Claim, Family, Node, Points, Term, Variable};
+use torse_core::{BuiltIn, Claim, Family, Node, Points, Term, Variable, stack};
 use torse_syntax::formula::Operator;
 
-/// How deep terms may be nested, not counting chains of one operator.
-const MAX_DEPTH: usize = 300;
+/// How deep terms may be nested, not counting chains of one operator: 80 definitions in each other of 300 levels each, as deep
+/// as can be written. Each definition, and each basis, sees to it that there is a
+/// stack for its own.
+const MAX_DEPTH: usize = 80 * 300;
 /// The longest sum.
 const MAX_TERMS: i64 = 4000;
 /// The largest exponent, degree of a basis and order of a derivative.
@@ -246,11 +248,12 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                 }
             }
             Node::Opened { closed, body, .. } => {
+                let evaluate = || stack::deep(|| self.term(body, scope));
                 if *closed {
                     // A closed body has one value at the point, wherever it stands.
-                    self.once(body, scope, || self.term(body, scope))
+                    self.once(body, scope, evaluate)
                 } else {
-                    self.term(body, scope)
+                    evaluate()
                 }
             }
         }
@@ -410,9 +413,9 @@ impl<'a, A: Arithmetic> Evaluator<'a, A> {
                 return Ok(Rc::clone(&known.functions));
             }
         }
-        let functions: Rc<[_]> = self
-            .recursion(family, steps, &family.variables, &arguments, scope)?
-            .into();
+        let variables = &family.variables;
+        let recursion = || self.recursion(family, steps, variables, &arguments, scope);
+        let functions: Rc<[_]> = stack::deep(recursion)?.into();
         if alike {
             let mut rows = self.rows.borrow_mut();
             if rows.len() >= 24 {

@@ -10,6 +10,7 @@
 mod common;
 
 use torse_syntax::words::Verdict::{Conditional, False, Holds, Undecided};
+use torse_verdicts::engine::decide_claim;
 use torse_verdicts::outcome::Outcome;
 
 const SHARED: &str = r#"
@@ -124,7 +125,22 @@ fn a_witness_has_a_value_wherever_its_divisors_do_not_vanish() {
 #[test]
 fn nothing_else_speaks_of_the_number() {
     refused("['r == s', 's == 1']", "r == 1", "`s` is what there is");
-    refused("['r']", "fails(r == a)", "`fails`");
+    for states in ["fails(r == a)", "r == a and fails(r == b)"] {
+        let lines = format!("exists = ['r']\nstates = '{states}'");
+        let paper = common::paper("there", SHARED, &[&lines]);
+        let error = decide_claim("there", &paper.claims[0]).unwrap_err();
+        let error = error.to_string();
+        for said in ["`fails` inside", "of a claim without `exists`"] {
+            assert!(error.contains(said), "{states}: {error}");
+        }
+    }
+    // What is denied at each point speaks of points.
+    assert_eq!(outcome("['r == a + 1']", "not (r == a)").verdict, Holds);
+    let nowhere = outcome("['r']", "not (r == r)");
+    assert!(
+        !matches!(nowhere.verdict, Holds | Conditional),
+        "{nowhere:?}"
+    );
     let assumed = "exists = ['r']\nassume = ['r > 0']\nstates = 'r == a'";
     let found = common::outcomes("there", SHARED, &[assumed]);
     assert_eq!(found[0].verdict, Undecided);

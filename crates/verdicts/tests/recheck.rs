@@ -92,15 +92,27 @@ fn what_the_prover_proves_is_netted() {
 
 #[test]
 fn a_condition_that_no_point_of_the_domain_violates_is_not_netted() {
-    // lambda*t == gamma > 0 has no solution for lambda = 0.
+    // The right side is the polynomial of Motzkin, which is nowhere negative and no sum of squares, and gamma > 0: there is no
+    // solution for lambda = 0, and no proof of that is found.
     let paper = paper();
-    let outcome = decided(&paper, "solution-at");
+    let outcome = decided(&paper, "solution-beyond");
     assert_eq!(outcome.verdict, Verdict::Conditional);
-    let Recheck::Decided(net) = recheck(named(&paper, "solution-at"), &outcome) else {
+    let Recheck::Decided(net) = recheck(named(&paper, "solution-beyond"), &outcome) else {
         panic!("it is netted");
     };
     assert!(net.why.unwrap().contains("lambda != 0"));
     assert_eq!(net.decided, 60);
+}
+
+#[test]
+fn a_condition_that_the_prover_settles_is_none() {
+    // lambda*t == gamma > 0 has no solution for lambda = 0.
+    let paper = paper();
+    let outcome = decided(&paper, "solution-at");
+    assert_eq!(outcome.verdict, Verdict::Holds, "{outcome:?}");
+    assert_eq!(outcome.conditions, []);
+    let result = recheck(named(&paper, "solution-at"), &outcome);
+    assert!(matches!(result, Recheck::Netted(_)), "{result:?}");
 }
 
 #[test]

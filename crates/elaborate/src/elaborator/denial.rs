@@ -66,6 +66,6 @@ pub(crate) fn misplaced(place: Place) -> Fault {
     wrong(
         place,
         "`fails` inside of a statement about points",
-        "`fails(..)` as the statement, or joined to it by `and`",
+        "`fails(..)` as the statement of a claim without `exists`, or joined to it by `and`,",
     )
 }

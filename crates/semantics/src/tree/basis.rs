@@ -9,6 +9,7 @@ use crate::series::Series;
 use crate::value::Value;
 use std::rc::Rc;
 use std::sync::Arc;
+use torse_core::stack;
 use torse_numbers::Affine;
 use torse_syntax::derivation::declarations::Basis;
 use torse_syntax::formula::Expr;
@@ -181,7 +182,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             let inside = bound.fold(outside.clone(), |inside, (name, value)| {
                 inside.with_local(name, value.clone(), false)
             });
-            self.recursion(basis, degree, &inside).map(Rc::from)
+            stack::deep(|| self.recursion(basis, degree, &inside)).map(Rc::from)
         })
     }
 

@@ -16,11 +16,13 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
+use torse_core::stack;
 use torse_syntax::derivation::declarations::{Declarations, Definition, SymbolKind};
 use torse_syntax::formula::{Expr, Node, Operator};
 
-/// How deep formulas may be nested, definitions included, not counting chains of one operator.
-const MAX_DEPTH: usize = 300;
+/// How deep formulas may be nested, definitions included, not counting chains of one operator: 80 definitions in each other of
+/// 300 levels each, as deep as can be written. Each definition, and each basis, sees to it that there is a stack for its own.
+const MAX_DEPTH: usize = 80 * 300;
 /// The largest exponent.
 const MAX_EXPONENT: i64 = 2000;
 /// The largest power, in bits.
@@ -256,7 +258,8 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
             }
             let body = &definition.body.expr;
             let outside = place.outside();
-            return self.remembered(body, place, || self.meaning(body, &outside));
+            let evaluate = || stack::deep(|| self.meaning(body, &outside));
+            return self.remembered(body, place, evaluate);
         }
         Ok(Meaning::Value(match self.declarations.symbol(name) {
             Some(SymbolKind::Real(_) | SymbolKind::Integer { .. } | SymbolKind::Vector(None)) => {
@@ -373,7 +376,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
             let inside = bound.fold(outside.clone(), |inside, (name, value)| {
                 inside.with_local(name, value, definition.indexed)
             });
-            self.value(body, &inside)
+            stack::deep(|| self.value(body, &inside))
         })
     }
 
