@@ -169,7 +169,7 @@ impl<'a> Survey<'a> {
         let stream = Stream::new(self.seed, attempt);
         let stream = match (attempt + 1) % self.edges {
             // The corners of the declared sets, every other time.
-            0 if (attempt + 1) % (2 * self.edges) == 0 => stream.at_corner(),
+            0 if (attempt + 1).is_multiple_of(2 * self.edges) => stream.at_corner(),
             0 => stream.at_edges(),
             n if n == self.edges / 2 && self.edges > EDGES_BEYOND => stream.with_coincidences(),
             _ => stream,

@@ -19,7 +19,7 @@ fn by_help() -> Vec<(u8, String)> {
         match (number.parse(), rows.last_mut()) {
             (Ok(number), _) => rows.push((number, plain(meaning))),
             (Err(_), Some((_, above))) => *above = plain(&format!("{above} {line}")),
-            (Err(_), None) => panic!("{line}"),
+            (Err(_), None) => unreachable!("a meaning without a number: {line}"),
         }
     }
     rows

@@ -15,6 +15,8 @@ use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 type Numbers<A> = Vec<Series<<A as Arithmetic>::Number>>;
+/// What forms are worth in an environment.
+type Values<'v, 'a, A> = dyn Fn(&Place<'a, A>) -> Result<Numbers<A>, Gap> + 'v;
 /// A number of the point: of which symbol, and which of its numbers.
 type Moving<'a> = (&'a str, Part);
 
@@ -68,7 +70,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         (symbol, part): &Moving<'a>,
         order: usize,
         place: &Place<'a, A>,
-        value: &dyn Fn(&Place<'a, A>) -> Result<Numbers<A>, Gap>,
+        value: &Values<'_, 'a, A>,
     ) -> Result<(Numbers<A>, Numbers<A>), Gap> {
         let a = self.arithmetic;
         let own = self.symbol(symbol, part, place)?;
@@ -89,7 +91,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         &self,
         part: &Moving<'a>,
         place: &Place<'a, A>,
-        value: &dyn Fn(&Place<'a, A>) -> Result<Numbers<A>, Gap>,
+        value: &Values<'_, 'a, A>,
     ) -> Result<Numbers<A>, Gap> {
         let (first, second) = self.rates(part, 2, place, value)?;
         for coefficient in &second {

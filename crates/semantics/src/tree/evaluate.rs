@@ -80,6 +80,11 @@ pub(super) struct Point<'e, N> {
     pub failing: &'e dyn Fn(&Expr) -> bool,
 }
 
+/// A smooth function of the point; none where the point gives it no values.
+pub(super) type Known<N> = Option<Rc<Smooth<N>>>;
+/// Divisors, each with the place in the tree at which it was met.
+pub(super) type Divisors<N> = Vec<(usize, N)>;
+
 /// Evaluates trees at one point.
 pub(super) struct Evaluator<'a, 'e, A: Arithmetic> {
     pub declarations: &'a Declarations,
@@ -90,10 +95,10 @@ pub(super) struct Evaluator<'a, 'e, A: Arithmetic> {
     /// The given equations and their unknowns, where `coefficients` is read with these put in.
     pub given: RefCell<Option<Given<'a>>>,
     pub memory: Memory<'a, A::Number>,
-    pub smooth: RefCell<BTreeMap<&'a str, Option<Rc<Smooth<A::Number>>>>>,
+    pub smooth: RefCell<BTreeMap<&'a str, Known<A::Number>>>,
     symbols: RefCell<BTreeMap<&'a str, Series<A::Number>>>,
     /// The divisors that are met while an integral looks for them.
-    pub divisors: RefCell<Option<Vec<(usize, A::Number)>>>,
+    pub divisors: RefCell<Option<Divisors<A::Number>>>,
     /// The leaf whose value is wrong on purpose.
     pub slip: Cell<Option<usize>>,
     /// The highest level of infinitesimals in use.

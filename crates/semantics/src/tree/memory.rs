@@ -28,12 +28,17 @@ pub(super) type Calls<N, T> = Vec<(Vec<Value<N>>, T)>;
 /// A number with the value to which it is moved.
 type Binding<'a, N> = (&'a str, Part, Series<N>, u64);
 
+/// The functions of a basis of one degree at one argument.
+type Row<N> = Rc<[Series<N>]>;
+/// The rows of each basis and degree, by their arguments.
+type Rows<N> = BTreeMap<(Key, i64), Calls<N, Row<N>>>;
+
 /// What was evaluated before.
 pub(super) struct Memory<'a, N> {
     pub remembers: bool,
     pub values: RefCell<BTreeMap<Key, Value<N>>>,
     pub calls: RefCell<BTreeMap<Key, Calls<N, Value<N>>>>,
-    pub rows: RefCell<BTreeMap<(Key, i64), Calls<N, Rc<[Series<N>]>>>>,
+    pub rows: RefCell<Rows<N>>,
     serials: RefCell<Vec<Binding<'a, N>>>,
     next: Cell<u64>,
     reached: RefCell<BTreeMap<usize, Rc<BTreeSet<&'a str>>>>,

@@ -39,6 +39,9 @@ struct Shaped<'a, 's, A: Arithmetic> {
     place: &'s Place<'a, A>,
 }
 
+/// The ends of a set, and whether they belong to it.
+type Ends<A> = [(Series<<A as Arithmetic>::Number>, bool); 2];
+
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     /// What a property is here.
     pub(super) fn property(
@@ -100,7 +103,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// The ends of the declared set of the variable, and whether they belong to it.
-    fn ends(&self, basis: &'a Basis) -> Result<[(Series<A::Number>, bool); 2], Gap> {
+    fn ends(&self, basis: &'a Basis) -> Result<Ends<A>, Gap> {
         let a = self.arithmetic;
         let interval = match self.declarations.symbol(&basis.variable) {
             Some(SymbolKind::Real(interval)) => Some(interval),
@@ -227,7 +230,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                     _ => {}
                 }
             }
-            let polygon = controls.iter().map(|c| *c > line).collect();
+            let polygon: Vec<bool> = controls.iter().map(|c| *c > line).collect();
             if changes(&along) > changes(&polygon) {
                 return Ok(Some(false));
             }
@@ -237,7 +240,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
 }
 
 /// Changes of sign.
-fn changes(signs: &Vec<bool>) -> usize {
+fn changes(signs: &[bool]) -> usize {
     let pairs = signs.windows(2);
     pairs.filter(|pair| pair.first() != pair.last()).count()
 }

@@ -185,7 +185,6 @@ impl Tableau {
     /// Exchanges unknowns until no exchange makes the objective larger, or its negative, which is the last entry of `cost`, is as `enough`
     /// wants it. Returns the unknown that can grow without end, if that is how it ends; `None` for the whole if the exchanges are
     /// spent.
-    #[expect(clippy::type_complexity, reason = "the two ways to end")]
     fn maximise(
         &mut self,
         cost: &mut Vec<Rational>,
