@@ -5,8 +5,8 @@
 //! sees what the elaborator makes of a text: of the language this module imports trees and declarations alone, so that a fault of
 //! the elaborator is a statement that does not follow from the one that is proved, and no theorem.
 //!
-//! [`reach`] says which declared symbols a formula depends on, [`kinds`] which parameters are integers, [`value`] writes values,
-//! [`function`] what is applied, [`defined`] where all terms have values, [`said`] what is said, and [`sentence`] puts them
+//! `reach` says which declared symbols a formula depends on, `kinds` which parameters are integers, `value` writes values,
+//! `function` what is applied, `defined` where all terms have values, `said` what is said, and `sentence` puts them
 //! together. The rules are those of `derivations/SEMANTICS.md`, in its order.
 
 mod along;

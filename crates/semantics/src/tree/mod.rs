@@ -1,12 +1,12 @@
 //! What a tree means, written to be read beside `derivations/SEMANTICS.md`: one section there, one file here.
 //!
-//! - [`evaluate`]: names, operators, entries; [`environment`]: what names stand for
-//! - [`functions`]: the functions of the language, [`closure`]: functions as values, and derivatives
-//! - [`basis`], [`property`]: basis families; [`smooth`]: arbitrary smooth functions, [`jets`]: what is given of them
-//! - [`integral`], [`coefficients`]
-//! - [`statement`]: what is true at a point; [`judge`]: a claim at a point
-//! - [`second`]: trees against core terms; [`slips`]: whether points see anything
-//! - [`memory`], [`remembered`]: what need not be evaluated twice
+//! - `evaluate`: names, operators, entries; `environment`: what names stand for
+//! - `functions`: the functions of the language, `closure`: functions as values, and derivatives
+//! - `basis`, `property`: basis families; `smooth`: arbitrary smooth functions, `jets`: what is given of them
+//! - `integral`, `coefficients`
+//! - `statement`: what is true at a point; `judge`: a claim at a point
+//! - `second`: trees against core terms; `slips`: whether points see anything
+//! - `memory`, `remembered`: what need not be evaluated twice
 //!
 //! The trees are those of the parser, with the declarations of the file. No other reading of the text is looked at: what the
 //! elaborator makes of a claim is judged by this one.
