@@ -17,6 +17,7 @@ use torse_report::{
     Envelope, FigureImage, Manuscript, Source, gallery, html_page, landing_page,
     verdicts_json_with_kernel,
 };
+use torse_syntax::derivation::schema::is_plain;
 use torse_verdicts::outcome::PaperOutcome;
 
 /// Decide all claims, draw the figures, and write everything into a folder.
@@ -198,12 +199,7 @@ const LETTER: &str = "-erratum";
 /// Fails unless `slug` can be the name of a paper's files: it stays in the folder and takes no other
 /// file's name.
 fn check_slug(slug: &str) -> Result<(), Failure> {
-    let plain = |character: char| character.is_ascii_alphanumeric() || "-_.".contains(character);
-    match !slug.is_empty()
-        && slug.chars().all(plain)
-        && !TAKEN.contains(&slug)
-        && !slug.ends_with(LETTER)
-    {
+    match is_plain(slug) && !TAKEN.contains(&slug) && !slug.ends_with(LETTER) {
         true => Ok(()),
         false => Err(Failure::Slug {
             slug: slug.to_owned(),
