@@ -10,7 +10,7 @@ use torse_designs::export::{ENDINGS, PATTERNS, bytes, ending};
 use torse_designs::fold::fold_back;
 use torse_designs::inspect::{inspect, table};
 use torse_designs::listing::{FileListing, list};
-use torse_designs::unroll::{Demand, Summary, drawing, unroll};
+use torse_designs::unroll::{Demand, Flattening, Summary, drawing, unroll};
 use torse_designs::{Design, DesignError, draw, load, load_from};
 use torse_exchange::{FileKind, LengthUnit, MAX_FILE_BYTES, dxf, svg, write_file};
 
@@ -67,6 +67,10 @@ struct Pattern {
     /// Flatten also what is not developable, as long as no line loses more than this share of its length; the file says so
     #[arg(long, value_name = "STRAIN", default_value_t = 0.0)]
     allow_strain: f64,
+    /// Which development is made of what is not exactly developable: both edges keep their lengths, or one of them keeps
+    /// its length and curvature, or neither
+    #[arg(long, value_name = "NAME", value_parser = development, default_value = "edges")]
+    development: Flattening,
     /// Rulings shown of each patch
     #[arg(long, value_name = "NUMBER")]
     rulings: Option<usize>,
@@ -81,8 +85,18 @@ impl Pattern {
             allow_strain: self.allow_strain,
             rulings: self.rulings,
             only: self.only.clone(),
+            development: self.development,
         }
     }
+}
+
+/// A development by its name.
+fn development(name: &str) -> Result<Flattening, String> {
+    let known = Flattening::ALL.iter().find(|(own, _)| *own == name);
+    known.map(|(_, development)| *development).ok_or_else(|| {
+        let names = Flattening::ALL.map(|(name, _)| name);
+        format!("there are {}", names.join(", "))
+    })
 }
 
 /// Fold a pattern file back into space and compare it with its design.

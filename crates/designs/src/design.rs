@@ -1,10 +1,10 @@
 //! What a design file says: patches, chains of them, and what is demanded.
 
 use crate::Unit;
-use torse_geometry::TensorSurface;
 use torse_geometry::basis::Shape;
 use torse_geometry::pattern::Sheet as Metal;
 use torse_geometry::prelude::{Planes, Rail, Sheet};
+use torse_geometry::{Rails, TensorSurface};
 
 /// A design: everything in millimetres and radians.
 #[derive(Debug, Clone)]
@@ -101,8 +101,6 @@ pub struct Patch {
     pub sheet: Sheet,
     /// What is joined at its ends.
     pub ends: Ends,
-    /// Rails that are a point: the apex of a cone, the corner of a triangle.
-    pub apexes: [bool; 2],
     /// What is marked on it.
     pub marks: Vec<Mark>,
     /// What else is worth knowing: which developable was chosen, how much of the curves it uses.
@@ -210,6 +208,14 @@ pub struct Piece {
     pub name: String,
     /// The patches in order.
     pub patches: Vec<usize>,
+}
+
+impl Patch {
+    /// Rails that are a point: the apex of a cone, the corner of a triangle.
+    #[must_use]
+    pub fn apexes(&self) -> [bool; 2] {
+        Rails::<f64>::end_kinds(&self.sheet).apexes()
+    }
 }
 
 impl Design {

@@ -140,6 +140,7 @@ pub fn fold_text(design: &Design, shown: &str, text: &str) -> Result<FoldReport,
             allow_strain: 0.5,
             rulings: Some(each),
             only: Some(piece.name.clone()),
+            ..Demand::default()
         };
         let own = unroll(design, &demand)?;
         let Some(own) = own.first() else { continue };

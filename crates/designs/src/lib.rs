@@ -37,7 +37,6 @@
 //! All lengths are in millimetres once a file is read. The same file gives the same bytes everywhere.
 #![warn(missing_docs)]
 
-mod construct;
 mod design;
 pub mod draw;
 mod error;

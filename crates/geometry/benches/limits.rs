@@ -62,7 +62,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 use torse_geometry::batch::{GridEvaluator, ruled_grid_into};
 use torse_geometry::developable::certify;
-use torse_geometry::pattern::unroll;
+use torse_geometry::pattern::Unrolling;
 use torse_geometry::{
     Basis, Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, PlaneFamily, Rails, RuledSurface,
     TensorSurface,
@@ -299,7 +299,8 @@ fn thread_table(name: &str, patch: &impl Rails<f64>, rulings: usize) {
         pool.expect("threads")
     });
     let [one, two] = &threads;
-    let unrolled = || black_box(unroll(black_box(patch), rulings, 1e-4).expect("a developable"));
+    let unrolling = Unrolling::within(1e-4).rulings(rulings);
+    let unrolled = || black_box(unrolling.measured(black_box(patch)).expect("a developable"));
     let certified = || black_box(certify(black_box(patch), rulings).expect("a patch"));
     // As many operations as unrolling takes, nowhere near the memory: what this machine gains at best by a second thread
     // for so little work.

@@ -114,6 +114,18 @@ impl Interpolant {
         Self(coefficients)
     }
 
+    /// The same value everywhere.
+    pub(crate) fn constant(value: f64) -> Self {
+        Self::linear(value, value)
+    }
+
+    /// From one value at the left end to another at the right one.
+    pub(crate) fn linear(from: f64, to: f64) -> Self {
+        let mut row = [0.0; NODES];
+        (row[0], row[1]) = (0.5 * (from + to), 0.5 * (to - from));
+        Self(row)
+    }
+
     /// Through these values at the nodes.
     pub(crate) fn through(values: &Row) -> Self {
         // What is transformed are differences, so that rounding is relative to the change.

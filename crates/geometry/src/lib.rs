@@ -126,8 +126,9 @@
 //! # Limits
 //!
 //! * Bounds and estimates: [`developable::enclose`] bounds what [`developable::certify`] estimates; values on
-//!   balls are enclosures; [`curve::arc_length`] estimates its error from two step sizes. [`pattern::unroll`] bounds
-//!   the cut by the polynomials that it integrates, and checks these at finitely many parameters.
+//!   balls are enclosures; [`curve::arc_length`] estimates its error from two step sizes. [`pattern::unroll`] of a
+//!   patch whose rails can be had as models ([`Model`]) bounds the cut by polynomials that are proved over whole intervals;
+//!   of any other it measures.
 //! * A determinant that vanishes, but not by construction, is enclosed within a gap that falls with the
 //!   budget; that it is zero is proved for polynomial rails over the rationals and for formal functions
 //!   (with few symbols: the determinant is expanded).

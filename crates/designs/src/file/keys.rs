@@ -106,6 +106,7 @@ pub const PATCH: &[&str] = &[
     "scale",
     "free",
     "shape",
+    "branch",
     "part",
     "marks",
 ];

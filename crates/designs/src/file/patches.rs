@@ -6,12 +6,12 @@ use super::points::{list, point};
 use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
 use super::shapes::shape;
 use super::{Parts, keys, named};
-use crate::construct;
 use crate::design::{Ends, Mark, Patch};
 use std::ops::Range;
-use torse_geometry::developable::{HermiteCone, QuarticData, QuinticData};
+use torse_geometry::developable::{Branch, HermiteCone, QuarticData, QuinticData};
 use torse_geometry::prelude::{
-    Connected, Cut, GeometryError, PiecewiseRail, Planes, Point, Rail, Reason, Sheet,
+    Connected, Construction, Cut, GeometryError, PiecewiseRail, Place, Planes, Point, Rail, Reason,
+    Sheet, SweptEdge,
 };
 
 /// The ways to make a patch.
@@ -104,13 +104,43 @@ struct Raw {
 
 impl Raw {
     fn between(first: Rail, second: Rail) -> Self {
+        let sheet = Sheet::ruled(first.clone(), second.clone());
+        Self::with_rails(sheet, [first, second])
+    }
+
+    fn connecting(sheet: Sheet, notes: Vec<String>) -> Self {
         Self {
-            sheet: Sheet::ruled(first.clone(), second.clone()),
+            sheet,
             planes: None,
-            rails: Some([first, second]),
+            rails: None,
+            cut: None,
+            notes,
+        }
+    }
+
+    fn with_rails(sheet: Sheet, rails: [Rail; 2]) -> Self {
+        Self {
+            sheet,
+            planes: None,
+            rails: Some(rails),
             cut: None,
             notes: Vec::new(),
         }
+    }
+
+    /// A cylinder or a cone, with its edges as rails.
+    fn swept(sheet: Sheet) -> Result<Self, GeometryError> {
+        let rails = match sheet.construction() {
+            Construction::Cylinder(patch) => patch.rails()?,
+            Construction::Cone(patch) => patch.rails()?,
+            _ => {
+                return Err(GeometryError::NoValue {
+                    what: "edges of a cylinder or cone",
+                    at: Place::Whole,
+                });
+            }
+        };
+        Ok(Self::with_rails(sheet, rails))
     }
 }
 
@@ -152,6 +182,14 @@ fn patch(
     let raws = match kind {
         "ruled" | "connect" => {
             let pair = rails(reader, value, &parts.curves)?;
+            let branch = if kind == "connect" {
+                match entries.take("branch") {
+                    None => None,
+                    Some(value) => Some(branch(reader, value)?),
+                }
+            } else {
+                None
+            };
             let (found, pairs) = accepted(reader, &place, Cells::between(&pair, part))?;
             cells = found;
             let mut raws = Vec::with_capacity(pairs.len());
@@ -159,7 +197,7 @@ fn patch(
                 raws.push(if kind == "ruled" {
                     Raw::between(first, second)
                 } else {
-                    connected(reader, &place, &first, &second)?
+                    connected(reader, &place, [&first, &second], branch.clone())?
                 });
             }
             raws
@@ -173,10 +211,8 @@ fn patch(
             let swept = swept?;
             let mut raws = Vec::with_capacity(pieces.len());
             for piece in pieces {
-                let [first, second] = swept
-                    .rails(sweep, &piece)
-                    .map(|rail| accepted(reader, &span, rail));
-                raws.push(Raw::between(first?, second?));
+                let sheet = (sweep.sheet)(&piece, swept.lines, swept.edges);
+                raws.push(accepted(reader, &span, sheet.and_then(Raw::swept))?);
             }
             raws
         }
@@ -231,8 +267,6 @@ fn trimmed(
     } else {
         accepted(reader, span, raw.sheet.part(part[0], part[1]))?
     };
-    let rails = raw.rails.as_ref();
-    let apexes = rails.map(|rails| rails.each_ref().map(construct::is_point));
     // What has no rulings has no place in a design.
     for x in [0.0, 0.5, 1.0] {
         accepted(reader, span, sheet.ruling(x))?;
@@ -246,10 +280,18 @@ fn trimmed(
             rails: raw.rails,
             part,
         },
-        apexes: apexes.unwrap_or([false; 2]),
         marks,
         notes: raw.notes,
     })
+}
+
+/// The number of a developable, and where it is asked for.
+fn branch(reader: &mut Reader, value: Value<'_>) -> Option<(usize, Range<usize>)> {
+    let place = value.span();
+    let whole = |n: f64| n >= 1.0 && n.fract() == 0.0 && n <= 1e6;
+    let number = reader.number_in(value, Dimension::None, "{1, 2, ..}", whole)?;
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    Some((number as usize, place))
 }
 
 fn rails(
@@ -268,22 +310,27 @@ fn rails(
     }
 }
 
-/// A developable that touches two free curves.
+/// A developable that touches two free curves: the one of this number, or the best.
 fn connected(
     reader: &mut Reader,
     place: &Range<usize>,
-    first: &Rail,
-    second: &Rail,
+    [first, second]: [&Rail; 2],
+    branch: Option<(usize, Range<usize>)>,
 ) -> Option<Raw> {
-    let found = accepted(reader, place, Sheet::between(first, second))?;
-    let Connected {
-        sheet,
-        reason,
-        branches,
-        gaps,
-    } = found;
-    let Some(sheet) = sheet else {
-        let twists = gaps.iter().map(|gap| gap.worst.twist);
+    let mut notes = Vec::new();
+    let mut found = accepted(reader, place, Sheet::between(first, second))?;
+    if found.sheet.is_none() {
+        // A curve may be drawn from either of its ends.
+        let turned = accepted(reader, place, Sheet::between(first, &second.reversed()))?;
+        if turned.sheet.is_some() {
+            notes.push(
+                "curve 2 runs against curve 1: it is passed from its end to its start".to_owned(),
+            );
+            found = turned;
+        }
+    }
+    let Some(best) = &found.sheet else {
+        let twists = found.gaps.iter().map(|gap| gap.worst.twist);
         let worst = twists.fold(0.0, f64::max).to_degrees();
         let help = format!(
             "the best ruling twists by up to {worst:.3} degrees: bend the curves, or use `ruled`"
@@ -291,47 +338,67 @@ fn connected(
         reader.complain(place, "no developable touches both curves", &help);
         return None;
     };
-    let why = match reason {
-        None | Some(Reason::Only) => "the only one".to_owned(),
-        Some(Reason::OnlyRegular) => "the only regular one".to_owned(),
-        Some(Reason::CoversMost(own, next)) => {
-            format!(
-                "it uses {:.1} % of the curves, the next best {:.1} %",
-                100.0 * own,
-                100.0 * next
-            )
-        }
-        Some(Reason::ShorterRulings(own, next)) => {
-            format!("its longest ruling is {own:.4} mm, that of the next {next:.4} mm")
-        }
-    };
-    let count = branches.len();
-    let mut notes = vec![match count {
-        1 => "one developable touches both curves".to_owned(),
-        _ => format!("of {count} developables that touch both curves: {why}"),
-    }];
-    for gap in gaps {
+    let count = found.branches.len();
+    if let Some((number, place)) = branch {
+        let Some(sheet) = number
+            .checked_sub(1)
+            .and_then(|index| found.sheets.get(index))
+        else {
+            let message = format!("there is no developable {number} between the curves");
+            let help = format!("`branch` is from 1 to {count}");
+            reader.complain(&place, message, &help);
+            return None;
+        };
         notes.push(format!(
-            "curve {} from {:.4} to {:.4} is left over: there the best ruling twists by up to {:.3} degrees",
+            "the developable {number} of {count} that touch both curves"
+        ));
+        notes.extend(others(&found));
+        return Some(Raw::connecting(sheet.clone(), notes));
+    }
+    notes.push(match count {
+        1 => "one developable touches both curves".to_owned(),
+        _ => format!(
+            "of {count} developables that touch both curves: {}",
+            reason(&found)
+        ),
+    });
+    notes.extend(others(&found));
+    for gap in &found.gaps {
+        notes.push(format!(
+            "curve {} from {} to {} is left over: there the best ruling twists by up to {:.3} degrees",
             gap.curve + 1,
             gap.range[0],
             gap.range[1],
             gap.worst.twist.to_degrees()
         ));
     }
-    Some(Raw {
-        sheet,
-        planes: None,
-        rails: None,
-        cut: None,
-        notes,
-    })
+    Some(Raw::connecting(best.clone(), notes))
 }
 
-/// Where the rulings of a cone or cylinder end: a range of ratios, or two planes.
-enum Stretch {
-    Range([f64; 2]),
-    Between([[f64; 4]; 2]),
+/// Why the best was chosen.
+fn reason(found: &Connected) -> String {
+    match found.reason {
+        None | Some(Reason::Only) => "the only one".to_owned(),
+        Some(Reason::OnlyRegular) => "the only regular one".to_owned(),
+        Some(Reason::CoversMost(own, next)) => format!(
+            "it uses {:.1} % of the curves, the next best {:.1} %",
+            100.0 * own,
+            100.0 * next
+        ),
+        Some(Reason::ShorterRulings(own, next)) => {
+            format!("its longest ruling is {own:.4} mm, that of the next {next:.4} mm")
+        }
+    }
+}
+
+/// All developables, where there are several, so that each can be asked for.
+fn others(found: &Connected) -> Option<String> {
+    let part = |(number, branch): (usize, &Branch)| {
+        let [[s0, s1], [t0, t1]] = branch.ranges();
+        format!("{number}: curve 1 from {s0} to {s1}, curve 2 from {t0} to {t1}")
+    };
+    let list: Vec<String> = (1..).zip(&found.branches).map(part).collect();
+    (list.len() > 1).then(|| format!("take another by `branch`; {}", list.join("; ")))
 }
 
 fn stretch(
@@ -339,9 +406,9 @@ fn stretch(
     entries: &mut Entries<'_>,
     parts: &Parts,
     usual: [f64; 2],
-) -> Option<Stretch> {
+) -> Option<[SweptEdge; 2]> {
     match (entries.take("range"), entries.take("between")) {
-        (None, None) => Some(Stretch::Range(usual)),
+        (None, None) => Some(usual.map(SweptEdge::Share)),
         (Some(value), None) => {
             let place = value.span();
             let [from, to] = reader.numbers(value, [Dimension::None; 2])?;
@@ -353,9 +420,11 @@ fn stretch(
                 );
                 return None;
             }
-            Some(Stretch::Range([from, to]))
+            Some([from, to].map(SweptEdge::Share))
         }
-        (None, Some(value)) => pair(reader, value, &parts.planes).map(Stretch::Between),
+        (None, Some(value)) => {
+            pair(reader, value, &parts.planes).map(|planes| planes.map(SweptEdge::Cut))
+        }
         (Some(value), Some(_)) => {
             reader.complain(
                 &value.span(),
@@ -373,10 +442,8 @@ struct Sweep {
     by: [&'static str; 3],
     /// Where the surface begins and ends unless the file says so.
     whole: [f64; 2],
-    /// The image of the curve at a share of the way.
-    at: fn(&Rail, &Point, f64) -> Result<Rail, GeometryError>,
-    /// The image of the curve in a plane.
-    on: fn(&Rail, &Point, &[f64; 4]) -> Result<Rail, GeometryError>,
+    /// The sheet between two edges.
+    sheet: fn(&Rail, Point, [SweptEdge; 2]) -> Result<Sheet, GeometryError>,
 }
 
 const CYLINDER: Sweep = Sweep {
@@ -386,8 +453,7 @@ const CYLINDER: Sweep = Sweep {
         "a vector: `direction = [0, 0, 100]`",
     ],
     whole: [0.0, 1.0],
-    at: |curve, direction, share| construct::moved(curve, &direction.map(|c| share * c)),
-    on: construct::projected,
+    sheet: Sheet::cylinder,
 };
 
 const CONE: Sweep = Sweep {
@@ -397,24 +463,13 @@ const CONE: Sweep = Sweep {
         "a point: `apex = [0, 0, 100]`",
     ],
     whole: [1.0, 0.0],
-    at: construct::dilated,
-    on: construct::cut,
+    sheet: Sheet::swept_cone,
 };
 
 /// The lines of a cone or a cylinder, and where they end.
 struct Swept {
     lines: Point,
-    stretch: Stretch,
-}
-
-impl Swept {
-    /// The two images of a curve that bound the surface.
-    fn rails(&self, sweep: &Sweep, curve: &Rail) -> [Result<Rail, GeometryError>; 2] {
-        match &self.stretch {
-            Stretch::Range(range) => range.map(|share| (sweep.at)(curve, &self.lines, share)),
-            Stretch::Between(planes) => planes.map(|plane| (sweep.on)(curve, &self.lines, &plane)),
-        }
-    }
+    edges: [SweptEdge; 2],
 }
 
 fn swept(
@@ -430,10 +485,10 @@ fn swept(
         return None;
     };
     let lines = point(reader, lines, &parts.points);
-    let stretch = stretch(reader, entries, parts, sweep.whole);
+    let edges = stretch(reader, entries, parts, sweep.whole);
     Some(Swept {
         lines: lines?,
-        stretch: stretch?,
+        edges: edges?,
     })
 }
 
@@ -504,16 +559,13 @@ fn hermite(
     };
     let cone = accepted(reader, &span, cone)?;
     let q = accepted(reader, &span, Rail::hermite(&cone.q))?;
+    // From the curve p, the image of q in the ratio of the cone, or from the image of q in an oblique plane.
     let other = match entries.take("between") {
-        // From the curve q to its image in an oblique plane.
-        Some(value) => {
-            let plane = plane(reader, value, &parts.planes)?;
-            construct::cut(&q, &cone.summit, &plane)
-        }
-        None => Rail::hermite(&cone.p),
+        Some(value) => SweptEdge::Cut(plane(reader, value, &parts.planes)?),
+        None => SweptEdge::Share(1.0 / cone.ratio),
     };
-    let other = accepted(reader, &span, other)?;
-    Some(Raw::between(other, q))
+    let sheet = Sheet::swept_cone(&q, cone.summit, [other, SweptEdge::Share(1.0)]);
+    accepted(reader, &span, sheet.and_then(Raw::swept))
 }
 
 /// The entries `between` or `range`.

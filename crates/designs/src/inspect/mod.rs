@@ -12,14 +12,15 @@ pub use joint::{JointReport, joints};
 pub use surface::SurfaceReport;
 pub(crate) use text::columns;
 pub use text::table;
-pub(crate) use text::{number, wrapped};
+pub(crate) use text::{at_most, number, wrapped};
 
-use crate::construct;
 use crate::design::{Design, Patch};
 use crate::error::DesignError;
 use serde::Serialize;
+use torse_geometry::Rails;
 use torse_geometry::developable::{Certificate, EnclosedCertificate, Singularity};
-use torse_geometry::prelude::{Budget, GeometryError, Sheet};
+use torse_geometry::prelude::{Budget, Construction, GeometryError, Sheet};
+use torse_geometry::surface::RulingEnd;
 use torse_geometry::vector::{norm, sub};
 
 /// Rulings that are measured of every patch at least.
@@ -52,8 +53,10 @@ pub struct Report {
 pub enum Known {
     /// By the way it is made.
     ByConstruction,
-    /// Proved for the exact control data.
+    /// Proved for the exact control data: of a developable, that it is one exactly.
     Proved,
+    /// Proved within the tolerance: how far it may be from it is told beside.
+    Within,
     /// Measured; neither proved nor disproved.
     Measured,
     /// It is not so.
@@ -73,6 +76,7 @@ impl Known {
         match self {
             Self::ByConstruction => "by construction",
             Self::Proved => "proved",
+            Self::Within => "within",
             Self::Measured => "measured",
             Self::No => "no",
         }
@@ -173,6 +177,11 @@ pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignE
             reason,
         })?;
         judge(design, &report, &mut missed);
+        let failed = |reason| DesignError::Patch {
+            patch: patch.name.clone(),
+            reason,
+        };
+        missed.extend(left_open(design, patch).map_err(failed)?);
         patches.push(report);
     }
     let joints = joints(design, &mut missed)?;
@@ -195,44 +204,67 @@ pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignE
     })
 }
 
-/// The sheet whose regularity is that of a patch without its apex: the half of it that is farther from the apex. On
-/// a ruling from an apex the normal grows with the distance, so it vanishes on the half or nowhere.
-fn judged(patch: &Patch) -> Result<Sheet, GeometryError> {
-    let (Some([first, second]), [from, to]) = (&patch.ends.rails, patch.ends.part) else {
-        return Ok(patch.sheet.clone());
-    };
-    let whole = match patch.apexes {
-        [true, false] => {
-            let apex = first.point(0.0)?;
-            Sheet::ruled(construct::dilated(second, &apex, 0.5)?, second.clone())
+/// Of a patch that begins or ends in a special ruling, this share of the parameter is left out of what is judged.
+const END: f64 = 1.0 / 4096.0;
+
+/// The sheet whose regularity is that of a patch without its apex and without the rulings at its ends that have no normal
+/// by their kind; and what is left out of it, in words.
+fn judged(sheet: &Sheet) -> Result<(Sheet, Vec<String>), GeometryError> {
+    let mut left_out = Vec::new();
+    let mut judged = sheet.away_from_apex().unwrap_or_else(|| sheet.clone());
+    let rulings = Rails::<f64>::end_kinds(sheet).rulings();
+    for (ruling, u) in rulings.iter().zip([0, 1]) {
+        match ruling {
+            RulingEnd::Ordinary => {}
+            RulingEnd::Tip => left_out.push(format!("its edges meet in a point at u = {u}")),
+            RulingEnd::Still => left_out.push(format!(
+                "both edges stand still at u = {u}, where control points coincide: the radius may fall to nothing there"
+            )),
         }
-        [false, true] => {
-            let apex = second.point(0.0)?;
-            Sheet::ruled(first.clone(), construct::dilated(first, &apex, 0.5)?)
-        }
-        _ => return Ok(patch.sheet.clone()),
-    };
-    if [from, to] == [0.0, 1.0] {
-        return Ok(whole);
     }
-    whole.part(from, to)
+    let cut = |ruling: RulingEnd| {
+        if ruling == RulingEnd::Ordinary {
+            0.0
+        } else {
+            END
+        }
+    };
+    let [from, to] = [cut(rulings[0]), 1.0 - cut(rulings[1])];
+    if [from, to] != [0.0, 1.0] {
+        judged = judged.part(from, to)?;
+    }
+    Ok((judged, left_out))
+}
+
+/// Whether it is not the construction that makes a sheet developable.
+fn is_ruled(sheet: &Sheet) -> bool {
+    match sheet.construction() {
+        Construction::Ruled(_) => true,
+        Construction::Part(part) => is_ruled(part.whole()),
+        _ => false,
+    }
 }
 
 fn measured(design: &Design, patch: &Patch, budget: Budget) -> Result<PatchReport, GeometryError> {
     let mut notes = patch.notes.clone();
-    let sheet = judged(patch)?;
+    // Nothing depends on where in space it lies.
+    let near = patch.sheet.near_origin().map(|(near, _)| near);
+    let own = near.as_ref().unwrap_or(&patch.sheet);
+    let (sheet, left_out) = judged(own)?;
+    let ended = !left_out.is_empty();
+    notes.extend(left_out);
     let checked = match sheet.inspect(RULINGS) {
         Ok(checked) => checked,
         Err(error) => return singular(patch, sheet.certify(RULINGS)?, &error),
     };
     let apexes: Vec<usize> = (1..=2)
-        .zip(patch.apexes)
+        .zip(patch.apexes())
         .filter_map(|(n, apex)| apex.then_some(n))
         .collect();
-    let whole = if apexes.is_empty() {
+    let whole = if apexes.is_empty() && !ended {
         checked
     } else {
-        patch.sheet.inspect(RULINGS)?
+        own.inspect(RULINGS)?
     };
     let proved: Option<EnclosedCertificate> = match sheet.enclose(budget) {
         Ok(proved) => Some(proved),
@@ -247,18 +279,21 @@ fn measured(design: &Design, patch: &Patch, budget: Budget) -> Result<PatchRepor
         Bounds::of(p.twist.low.to_degrees(), p.twist.high.to_degrees())
     });
     let measured_twist = checked.twist_in_degrees();
-    let by_construction =
-        torse_geometry::Rails::<f64>::is_developable_by_construction(&patch.sheet);
-    let developable = if by_construction {
+    let exact = Rails::<f64>::is_developable_by_construction(&patch.sheet);
+    let developable = if exact && !is_ruled(&patch.sheet) {
         Known::ByConstruction
-    } else if twist.high.is_some_and(|high| high <= limit) {
+    } else if exact {
         Known::Proved
+    } else if twist.high.is_some_and(|high| high <= limit) {
+        Known::Within
     } else if measured_twist <= limit && twist.low.is_none_or(|low| low <= limit) {
         Known::Measured
     } else {
         Known::No
     };
     let regular = match proved.and_then(|p| p.is_regular()) {
+        // What was left out at an end was not looked at.
+        Some(true) if ended => Known::Measured,
         Some(true) => Known::Proved,
         Some(false) => Known::No,
         None if certificate.is_regular() => Known::Measured,
@@ -279,14 +314,27 @@ fn measured(design: &Design, patch: &Patch, budget: Budget) -> Result<PatchRepor
         (None, Some(_)) => Some(Bounds::of(f64::NEG_INFINITY, f64::INFINITY)),
         (None, None) => None,
     };
-    let radius = checked.least_radius.map(|worst| {
-        // Towards an apex the radius falls to nothing.
-        if apexes.is_empty() { worst.value } else { 0.0 }
-    });
-    let inside_radius = design
-        .metal
-        .zip(radius)
-        .map(|(metal, radius)| metal.sheet.inside_radius(radius) / metal.sheet.thickness());
+    // Towards an apex the radius falls to nothing, in proportion to the distance: asked for is the edge of the half that
+    // was judged.
+    let least = checked.least_radius.map(|worst| worst.value);
+    let radius = least.map(|radius| if apexes.is_empty() { radius } else { 0.0 });
+    let inside = |radius: f64| {
+        let metal = design.metal?;
+        Some(metal.sheet.inside_radius(radius) / metal.sheet.thickness())
+    };
+    let inside_radius = match (apexes.is_empty(), least, design.metal) {
+        (true, Some(radius), _) => inside(radius),
+        (false, Some(_), Some(metal)) => {
+            let reach = beyond_apex(own, metal)?;
+            notes.push(format!(
+                "the inside radius is below {} times the thickness within {} mm of the apex",
+                text::number(metal.least_radius),
+                text::number(reach.distance)
+            ));
+            reach.inside_radius
+        }
+        _ => None,
+    };
     let report = PatchReport {
         name: patch.name.clone(),
         kind: patch.kind,
@@ -321,6 +369,38 @@ fn measured(design: &Design, patch: &Patch, budget: Budget) -> Result<PatchRepor
     Err(GeometryError::NoValue {
         what: "a measure of the patch",
         at: torse_geometry::Place::Whole,
+    })
+}
+
+/// How near an apex a sheet of metal is bent too tightly.
+struct ApexReach {
+    /// The largest distance from the apex at which it is: no more than the length of the ruling.
+    distance: f64,
+    /// The least inside radius at the far end, as a multiple of the thickness; `None` where it is flat.
+    inside_radius: Option<f64>,
+}
+
+/// On a ruling through an apex the radius is in proportion to the distance from it: measured on some rulings.
+fn beyond_apex(sheet: &Sheet, metal: crate::design::Material) -> Result<ApexReach, GeometryError> {
+    let apex_first = Rails::<f64>::end_kinds(sheet).apexes()[0];
+    let far = if apex_first { 1.0 } else { 0.0 };
+    let thickness = metal.sheet.thickness();
+    let needed = thickness * (metal.least_radius + 0.5);
+    let (mut distance, mut least) = (0.0_f64, f64::INFINITY);
+    for k in 0..=4 * RULINGS {
+        #[allow(clippy::cast_precision_loss)]
+        let u = k as f64 / (4 * RULINGS) as f64;
+        let [p, q] = sheet.ruling(u)?;
+        let length = norm(&sub(&q, &p));
+        let bent = sheet.principal(u, far)?.map(|p| p.curvature.abs());
+        let curvature = bent[0].max(bent[1]);
+        distance = distance.max((length * needed * curvature).min(length));
+        least = least.min(1.0 / curvature);
+    }
+    let inside = metal.sheet.inside_radius(least) / thickness;
+    Ok(ApexReach {
+        distance,
+        inside_radius: inside.is_finite().then_some(inside),
     })
 }
 
@@ -373,6 +453,23 @@ fn words(singularity: &Singularity) -> String {
             format!("the patch jumps or turns back between u = {from:.6} and u = {to:.6}")
         }
     }
+}
+
+/// What is said of a patch between two closed curves that does not close.
+fn left_open(design: &Design, patch: &Patch) -> Result<Option<String>, GeometryError> {
+    if !Rails::<f64>::end_kinds(&patch.sheet).is_closed() {
+        return Ok(None);
+    }
+    let (first, last) = (patch.sheet.ruling(0.0)?, patch.sheet.ruling(1.0)?);
+    let apart = first.iter().zip(&last).map(|(p, q)| norm(&sub(p, q)));
+    let apart = apart.fold(0.0, f64::max);
+    Ok((apart > design.tolerances.gap).then(|| {
+        format!(
+            "{} does not close, though both of its curves do: its first and its last ruling are {} mm apart",
+            patch.name,
+            number(apart)
+        )
+    }))
 }
 
 fn judge(design: &Design, report: &PatchReport, missed: &mut Vec<String>) {

@@ -1,6 +1,6 @@
 //! The report as a table of at most 100 columns.
 
-use super::{Bounds, JointReport, PatchReport, Report, SurfaceReport};
+use super::{Bounds, JointReport, Known, PatchReport, Report, SurfaceReport};
 
 /// The widest line.
 const WIDTH: usize = 100;
@@ -80,9 +80,18 @@ fn row(patch: &PatchReport) -> Vec<String> {
     };
     vec![
         shortened(&patch.name),
-        patch.developable.words().to_owned(),
+        match (patch.developable, patch.twist.high) {
+            (Known::Within, Some(high)) => format!("within {}°", at_most(high)),
+            (known, _) => known.words().to_owned(),
+        },
         regular,
-        patch.clearance.map_or("no edge".to_owned(), bounds),
+        // Rulings that are only nearly parallel to a plane of their neighbours meet no edge.
+        match patch.developable {
+            Known::ByConstruction | Known::Proved => {
+                patch.clearance.map_or("no edge".to_owned(), bounds)
+            }
+            _ => "-".to_owned(),
+        },
         format!(
             "{} to {}",
             number(patch.rulings[0]),
@@ -180,6 +189,26 @@ pub fn number(value: f64) -> String {
     text
 }
 
+/// A number with three digits that is not below the value.
+pub fn at_most(value: f64) -> String {
+    if value <= 0.0 || !value.is_finite() {
+        return number(value);
+    }
+    let exponent = libm::floor(libm::log10(value));
+    let unit = libm::pow(10.0, exponent - 2.0);
+    let rounded = (value / unit * (1.0 - 1e-12)).ceil() * unit;
+    if (1e-3..1e6).contains(&rounded) {
+        let digits = (2.0 - exponent).clamp(0.0, 6.0);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let text = format!("{rounded:.*}", digits as usize);
+        if text.contains('.') {
+            return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+        }
+        return text;
+    }
+    format!("{rounded:.2e}")
+}
+
 /// Columns two blanks apart.
 pub fn columns(heads: &[&str], rows: &[Vec<String>]) -> String {
     let length = |text: &str| text.chars().count();
@@ -240,6 +269,15 @@ mod tests {
             "0", "0", "12", "0.123", "123.5", "-7.5", "123457", "1.00e9", "2.50e-7",
         ];
         assert_eq!(shown, wanted);
+    }
+
+    #[test]
+    fn bounds_are_rounded_upwards() {
+        let shown = [0.0, 0.088_252_2, 0.0883, 2.501, 123_456.7, 1.234_4e-7].map(at_most);
+        assert_eq!(
+            shown,
+            ["0", "0.0883", "0.0883", "2.51", "124000", "1.24e-7"]
+        );
     }
 
     #[test]

@@ -6,6 +6,7 @@ mod summary;
 
 pub use drawing::drawing;
 pub use summary::{BendRow, PieceSummary, Summary};
+pub use torse_geometry::pattern::Flattening;
 
 use crate::design::{Design, Patch, Piece};
 use crate::error::DesignError;
@@ -20,6 +21,8 @@ pub struct Demand {
     pub rulings: Option<usize>,
     /// The piece that is wanted; all where none is named.
     pub only: Option<String>,
+    /// Which development is made of patches that are not exactly developable.
+    pub development: Flattening,
 }
 
 /// The pattern of a piece.
@@ -87,13 +90,19 @@ pub fn unroll(design: &Design, demand: &Demand) -> Result<Vec<FlatPiece>, Design
             });
         }
     }
+    let limits = &design.tolerances;
     let mut flats = Vec::with_capacity(pieces.len());
     for piece in &pieces {
         let failed = |reason| DesignError::Unroll {
             piece: piece.name.clone(),
             reason,
         };
-        flats.push(flattened(design, piece, strain, rulings).map_err(failed)?);
+        let asked = Unrolling::within(limits.outline)
+            .rulings(rulings)
+            .developable_within(limits.strain)
+            .allow_strain(strain)
+            .flattening(demand.development);
+        flats.push(flattened(design, piece, asked).map_err(failed)?);
     }
     if flats.len() > 1 {
         let bounds = flats.iter().map(|flat| flat.outline().bounds());
@@ -115,8 +124,7 @@ pub fn unroll(design: &Design, demand: &Demand) -> Result<Vec<FlatPiece>, Design
 fn flattened(
     design: &Design,
     piece: &Piece,
-    strain: f64,
-    rulings: usize,
+    asked: Unrolling,
 ) -> Result<FlatPattern, PatternError> {
     let limits = &design.tolerances;
     let patches = piece
@@ -125,13 +133,10 @@ fn flattened(
         .filter_map(|index| design.patches.get(*index));
     // The errors of a chain add up: each patch gets its share.
     let count = f64::from(u32::try_from(piece.patches.len()).unwrap_or(u32::MAX));
-    let unrolling = Unrolling::within(limits.outline / count)
-        .rulings(rulings)
-        .developable_within(limits.strain)
-        .allow_strain(strain);
+    let unrolling = asked.within_tolerance(limits.outline / count);
     let mut chain: Option<FlatPattern> = None;
     for patch in patches {
-        let next = unrolling.of(&patch.sheet)?;
+        let next = patch.sheet.unrolled(&unrolling)?;
         chain = Some(match chain {
             None => next,
             Some(chain) => chain.append(&next, limits.gap)?,

@@ -2,9 +2,9 @@
 
 use super::FlatPiece;
 use crate::design::Design;
-use crate::inspect::{number, wrapped};
+use crate::inspect::{at_most, number, wrapped};
 use serde::Serialize;
-use torse_geometry::pattern::bends;
+use torse_geometry::pattern::{Evidence, Flattening, bends};
 
 /// The patterns of a design in numbers; lengths in millimetres, angles in degrees.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -30,8 +30,17 @@ pub struct PieceSummary {
     pub cut: f64,
     /// How many lines and arcs the outline has.
     pub segments: usize,
-    /// No point of the outline is farther from the exact one.
+    /// No point of the outline is farther from the exact one; of a piece that is not exactly developable, from any
+    /// development of no greater strain, after a motion.
     pub outline_error: f64,
+    /// The part of it that is due to the choice of the development: 0 for what is exactly developable.
+    pub ambiguity: f64,
+    /// Which development of a piece that is not exactly developable it is: `edges`, `edge-1`, `edge-2`, `between`.
+    pub development: Option<&'static str>,
+    /// Whether the bounds are proved; they are measured otherwise.
+    pub proved: bool,
+    /// By how much the edges of each patch are longer in space than on the pattern, at most.
+    pub shortened: Vec<[f64; 2]>,
     /// No mark is farther from its exact place.
     pub point_error: f64,
     /// No angle between rulings is off by more, in degrees.
@@ -40,7 +49,7 @@ pub struct PieceSummary {
     pub length_error: f64,
     /// The area is not off by more.
     pub area_error: f64,
-    /// No line is shortened by a larger share of its length.
+    /// No line is stretched or shortened by a larger share of its length.
     pub strain: f64,
     /// Whether that is more than counts as developable.
     pub strained: bool,
@@ -83,13 +92,28 @@ impl Summary {
             let [width, height] = piece.size.map(number);
             let mut words = format!(
                 "{width} x {height} mm, area {} mm2 (within {:.1e}), cut {} mm of {} lines and arcs, nowhere farther than \
-                 {:.1e} mm from the exact outline",
+                 {} mm from {}",
                 number(piece.area),
                 piece.area_error,
                 number(piece.cut),
                 piece.segments,
-                piece.outline_error
+                at_most(piece.outline_error - piece.ambiguity),
+                piece.exact_outline()
             );
+            if piece.development.is_some() {
+                let longest = piece
+                    .shortened
+                    .iter()
+                    .flatten()
+                    .fold(0.0_f64, |m, s| m.max(*s));
+                words += &format!(
+                    ", nor than {} mm from any other of no greater strain; lines change by at most {} of their length, \
+                     edges by {} mm",
+                    at_most(piece.outline_error),
+                    at_most(piece.strain),
+                    at_most(longest)
+                );
+            }
             if let Some(radius) = piece.radius {
                 words += &format!("; smallest radius {} mm", number(radius));
             }
@@ -98,13 +122,28 @@ impl Summary {
             }
             if piece.strained {
                 words += &format!(
-                    "; STRAINED: lines lose up to {:.2e} of their length",
-                    piece.strain
+                    "; STRAINED: lines change by up to {} of their length",
+                    at_most(piece.strain)
                 );
             }
             text.push_str(&wrapped(&format!("{}: ", piece.name), &words));
         }
         text
+    }
+}
+
+impl PieceSummary {
+    /// What the outline is compared with.
+    fn exact_outline(&self) -> String {
+        let of = match self.development {
+            None => "the exact outline".to_owned(),
+            Some(name) => format!("the development that is made (`{name}`)"),
+        };
+        if self.proved {
+            of
+        } else {
+            format!("{of} (measured, not proved)")
+        }
     }
 }
 
@@ -144,7 +183,13 @@ fn summary(design: &Design, FlatPiece { piece, flat }: &FlatPiece) -> PieceSumma
         area: flat.area(),
         cut: flat.outline().length(),
         segments: flat.outline().segments().len(),
-        outline_error: errors.outline,
+        outline_error: errors.outline + errors.ambiguity,
+        ambiguity: errors.ambiguity,
+        development: flat.flattening().map(Flattening::name),
+        proved: flat.evidence() == Evidence::Proved,
+        shortened: (0..flat.pieces())
+            .filter_map(|index| flat.shortened(index))
+            .collect(),
         point_error: errors.point,
         angle_error: errors.angle.to_degrees(),
         length_error: errors.length,

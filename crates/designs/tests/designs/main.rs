@@ -7,6 +7,8 @@
     reason = "tests"
 )]
 
+mod connect;
+mod ends;
 mod hostile;
 mod joints;
 mod kinds;

@@ -3,6 +3,7 @@
 use super::Converted;
 use super::exact::{BernsteinForm, ExactForm, HomogeneousRail};
 use crate::error::{ExchangeError, Result};
+use torse_geometry::RuledSurface;
 use torse_geometry::sheet::{Construction, Rail, RailCurve, Sheet};
 
 impl HomogeneousRail for Rail {
@@ -15,6 +16,11 @@ impl HomogeneousRail for Rail {
             }),
         }
     }
+}
+
+/// The exact form of the patch between two rails.
+fn between([first, second]: [Rail; 2]) -> Result<Converted> {
+    RuledSurface::new(first, second).exact_form()
 }
 
 /// The exact form of the patch that the sheet is; a developable between two free rails has none.
@@ -30,6 +36,8 @@ impl ExactForm for Sheet {
     fn exact_form(&self) -> Result<Converted> {
         match self.construction() {
             Construction::Ruled(patch) => patch.exact_form(),
+            Construction::Cylinder(patch) => between(patch.rails()?),
+            Construction::Cone(patch) => between(patch.rails()?),
             Construction::Envelope(patch) => patch.exact_form(),
             Construction::Tangent(patch) => patch.exact_form(),
             Construction::Connecting(_) => Err(ExchangeError::NotRational {

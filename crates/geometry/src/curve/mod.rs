@@ -207,6 +207,41 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
         Ok(coefficients.map(coefficient).collect())
     }
 
+    /// The first derivative, from the differences of neighbouring control points: with `D` the row of these,
+    ///
+    /// ```text
+    /// G' = (k - 2) g[., k-1] . D + B[., k-2] . (g2' E - g0') D,
+    /// ```
+    ///
+    /// as `g0' + g1' + g2' = 0`. Where control points coincide nothing is left of them, however far from the origin.
+    ///
+    /// # Errors
+    /// As [`Curve::point`].
+    pub(crate) fn slope(&self, x: &S) -> Result<[S; D]> {
+        let steps = self.points.iter().zip(self.points.iter().skip(1));
+        let steps: Vec<[S; D]> = steps.map(|(a, b)| sub(b, a)).collect();
+        let degree = self.degree();
+        if degree < 2 {
+            return blended(&[x.one()], &steps);
+        }
+        let [down, _, up] = self.basis.seed_slopes(x)?;
+        let blend = crate::basis::blend_row(degree - 2, x);
+        let mut weights = if degree > 2 {
+            let factor = x.natural(degree - 2);
+            let row = self.basis.row(degree - 1, x)?;
+            row.into_iter().map(|g| factor.clone() * g).collect()
+        } else {
+            vec![x.zero(); 2]
+        };
+        for (slot, b) in weights.iter_mut().zip(&blend) {
+            *slot = slot.clone() - down.clone() * b.clone();
+        }
+        for (slot, b) in weights.iter_mut().skip(1).zip(&blend) {
+            *slot = slot.clone() + up.clone() * b.clone();
+        }
+        blended(&weights, &steps)
+    }
+
     /// The same curve traversed backwards: `x -> G(1 - x)`.
     #[must_use]
     pub fn reversed(&self) -> Self {

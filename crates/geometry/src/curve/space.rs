@@ -48,13 +48,8 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> SpaceCurve<S, D> for Curve<B, S
         if x.centred().is_some() {
             return first_two(&self.jet(x, 1)?);
         }
-        let mut row = vec![x.zero(); self.degree() + 1];
-        let mut slope = row.clone();
-        self.basis().row_and_slope_into(x, &mut row, &mut slope)?;
-        Ok([
-            blended(&row, self.points())?,
-            blended(&slope, self.points())?,
-        ])
+        let row = self.basis().row(self.degree(), x)?;
+        Ok([blended(&row, self.points())?, self.slope(x)?])
     }
 }
 

@@ -9,7 +9,7 @@ use crate::surface::Rails;
 /// `1e-60` they would vanish, of `1e60` they would leave the range of f64. So lengths are measured in units of
 /// `2^length` and speeds in units of `2^speed`; both are exact changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Extent {
+pub(crate) struct Extent {
     /// `2^length` is not above the longest sampled ruling, and `2^(length + 1)` not far below.
     pub length: i32,
     /// The same of the derivatives of the rails.
@@ -25,7 +25,7 @@ impl Extent {
 
     /// The extent of a patch on nine rulings at equal steps, of which those that do not exist are left out;
     /// `number` makes the parameters. `None` when all have length zero or both rails stand still.
-    pub(super) fn of<S: Coordinate, R: Rails<S> + ?Sized>(
+    pub(crate) fn of<S: Coordinate, R: Rails<S> + ?Sized>(
         patch: &R,
         number: impl Fn(f64) -> S,
     ) -> Option<Self> {

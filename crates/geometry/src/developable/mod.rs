@@ -19,6 +19,7 @@ pub use connect::{
     Reason, connect,
 };
 pub use enclosure::{Enclosed, EnclosedCertificate, enclose, enclose_by_models};
+pub(crate) use extent::Extent;
 pub use forms::RulingForms;
 pub use hermite::{HermiteCone, QuarticData, QuinticData, cone_system};
 pub use linear::solve;

@@ -15,7 +15,7 @@
 
 mod residual;
 
-use crate::chebyshev::{Interpolant, NODES, Row, basis, node_rows};
+use crate::chebyshev::{DEGREE, Interpolant, NODES, Row, basis, node_rows};
 use crate::coordinate::Coordinate;
 use std::cmp::Ordering;
 use std::f64::consts::PI;
@@ -112,6 +112,14 @@ impl Model {
         }
     }
 
+    /// The polynomial alone.
+    pub(crate) fn polynomial(&self) -> Self {
+        Self {
+            radius: 0.0,
+            ..*self
+        }
+    }
+
     pub(crate) fn interpolant(&self) -> Interpolant {
         Interpolant::of(self.coefficients)
     }
@@ -150,6 +158,23 @@ impl Model {
         ]
     }
 
+    /// An upper bound of the absolute values that is at most a twelfth too high: a polynomial of degree 16 is nowhere larger
+    /// than `1/cos(16 pi/128)` times the largest of its values at the 65 points `cos(pi k/64)` (Ehlich and Zeller 1964).
+    pub(crate) fn sharply_largest(&self) -> f64 {
+        const POINTS: u32 = 64;
+        /// `1/cos(pi/8)`, rounded upwards.
+        const FACTOR: f64 = 1.082_392_200_293;
+        let largest = (0..=POINTS)
+            .map(|k| {
+                self.at(libm::cos(PI * f64::from(k) / f64::from(POINTS)))
+                    .abs()
+            })
+            .fold(0.0, f64::max);
+        let rounded = rounding(NODES + 2) * self.size();
+        self.largest()
+            .min(up(FACTOR * (largest + rounded) + self.radius))
+    }
+
     /// A lower bound of the absolute values; zero where the sign is not known.
     #[must_use]
     pub fn least(&self) -> f64 {
@@ -171,7 +196,45 @@ impl Model {
         self.interpolant().at(&basis(t))
     }
 
-    /// The functions times a number.
+    /// The integral from the left end of an interval of this half width.
+    pub(crate) fn integral(&self, half: f64) -> Self {
+        let whole = self.interpolant().integral(half, 0.0);
+        // The part of degree 17, and twice its half for the constant; rounding; and the radius over the width.
+        #[allow(clippy::cast_precision_loss)]
+        let dropped = if self.degree == DEGREE {
+            self.coefficients[DEGREE].abs() * half / NODES as f64
+        } else {
+            0.0
+        };
+        let rounded = rounding(NODES + 4) * half * (2.0 * self.size());
+        Self::of(
+            *whole.coefficients(),
+            up(dropped + rounded + 2.0 * half * self.radius),
+        )
+    }
+
+    /// Bounds of the integral over the whole of an interval of this half width.
+    pub(crate) fn total(&self, half: f64) -> [f64; 2] {
+        let value = self.interpolant().total(half);
+        let off = up(half * (rounding(NODES + 4) * 2.0 * self.size() + 2.0 * self.radius));
+        [value, off]
+    }
+
+    /// The derivative of the polynomial on an interval of this half width, with its rounding.
+    pub(crate) fn slope_of_polynomial(&self, half: f64) -> Self {
+        let slope = self.interpolant().derivative(half);
+        #[allow(clippy::cast_precision_loss)]
+        let terms = self
+            .active()
+            .iter()
+            .enumerate()
+            .map(|(j, c)| (j * j) as f64 * c.abs());
+        let rounded = rounding(NODES + 6) * terms.sum::<f64>() / half;
+        Self::of(*slope.coefficients(), up(rounded))
+    }
+
+    /// The same functions on a part of the interval, `t` from `from` to `to`, as an interpolant of the polynomial: exact
+    /// but for rounding.
     fn scaled_by(&self, factor: f64) -> Self {
         let coefficients = self.coefficients.map(|c| c * factor);
         let rounded = f64::EPSILON * self.size() * factor.abs();

@@ -4,8 +4,10 @@
 //! |---|---|---|
 //! | `y = f/g` | interpolant | `abs(y - f/g) <= max abs(y g - f) / min abs(g)` |
 //! | `y = sqrt(g)` | interpolant | `abs(y - sqrt(g)) <= max abs(y^2 - g) / (min y + sqrt(min g))` |
+//! | `z = exp(i theta)` | interpolant | `abs(z - exp(i theta)) <= width * max abs(z' - i theta' z)`, where both start alike |
 
 use super::{Model, up};
+use crate::chebyshev::NODES;
 
 impl Model {
     /// `self/divisor`; `None` where the divisor may vanish.
@@ -48,5 +50,32 @@ impl Model {
         let below = least.max(0.0) + low.sqrt() * (1.0 - 4.0 * f64::EPSILON);
         let radius = up(residual / below);
         radius.is_finite().then(|| y.widened(radius))
+    }
+
+    /// `[cos(theta), sin(theta)]` for the angle `theta` that starts from zero at the left end of an interval of this half
+    /// width and grows as the polynomial of `turn`. The radius of `turn` is not counted.
+    pub(crate) fn direction(turn: &Self, half: f64) -> Option<[Self; 2]> {
+        let turn = turn.polynomial();
+        let theta = turn.integral(half);
+        let angles = theta.at_nodes();
+        // Exactly the start.
+        let start = angles[0];
+        let mut values = [[0.0; NODES]; 2];
+        for (k, angle) in angles.into_iter().enumerate() {
+            let (s, c) = libm::sincos(angle - start);
+            (values[0][k], values[1][k]) = (c, s);
+        }
+        let [c, s] = values.each_ref().map(Self::through);
+        let off = [
+            (c.slope_of_polynomial(half) + turn * s).largest(),
+            (s.slope_of_polynomial(half) - turn * c).largest(),
+        ];
+        let at_start = [c.at(-1.0) - 1.0, s.at(-1.0)];
+        let started =
+            libm::hypot(at_start[0], at_start[1]) + 32.0 * f64::EPSILON * (c.size() + s.size());
+        let radius = up(started + 2.0 * half * (off[0] + off[1]));
+        radius
+            .is_finite()
+            .then(|| [c, s].map(|f| f.widened(radius)))
     }
 }

@@ -62,7 +62,13 @@ impl FlatPattern {
                 + first.development.error
                 + gap
                 + angle * size;
-            let moved = |piece: Piece| piece.moved(&placement, [point, angle]);
+            let chosen = last.moved_by_choice
+                + last.development.ambiguity * (1.0 + 2.0 * size / here.length());
+            let moved = |piece: Piece| {
+                let mut piece = piece.moved(&placement, [point, angle]);
+                piece.moved_by_choice += chosen;
+                piece
+            };
             pieces.extend(added.into_iter().map(moved));
             let tolerance = self.tolerance.max(next.tolerance);
             let developable = self.developable.min(next.developable);

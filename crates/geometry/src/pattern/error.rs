@@ -42,11 +42,11 @@ pub enum PatternError {
     },
     /// The patch is not developable: flattening it takes more strain than allowed.
     #[error(
-        "not developable: strain {strain:e} at x = {x}, where the tangent plane turns by {twist} rad, \
+        "not developable: strain {strain:e} about x = {x}, where the tangent plane turns by {twist} rad, \
          {limit:e} allowed"
     )]
     NotDevelopable {
-        /// The largest relative loss of length found.
+        /// A bound of the strain: with so much allowed it is flattened.
         strain: f64,
         /// The strain allowed.
         limit: f64,

@@ -1,12 +1,14 @@
 //! The flat pattern of a patch or of a chain of patches.
 
 use super::crossing::crossing;
-use super::development::At;
 use super::error::{PatternError, PatternResult};
+use super::flattening::Flattening;
 use super::outline::Outline;
+use super::panel::At;
 use super::piece::Piece;
 use super::placement::Placement;
 use super::segment::Segment;
+use super::source::Evidence;
 use crate::vector::{cross, dot};
 use rayon::prelude::*;
 
@@ -30,8 +32,9 @@ pub struct FlatRuling {
     pub regression: Option<[f64; 2]>,
 }
 
-/// Bounds for the errors of a flat pattern, against the exact development. Of a strained pattern against the
-/// flattening that it is; [`FlatPattern::strain`] is then the greater part.
+/// Bounds for the errors of a flat pattern, against the exact development. Of a patch that is not exactly developable
+/// against the development that it is ([`FlatPattern::flattening`]): how far that may be from others is the `ambiguity`.
+/// They are proved or measured, as [`FlatPattern::evidence`] says.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
     /// The largest distance of the cut outline from the exact one, both ways.
@@ -44,6 +47,9 @@ pub struct Errors {
     pub length: f64,
     /// The error of the area inside the cut outline.
     pub area: f64,
+    /// Every other development with a strain of at most `1 - cos(twist)`, as each of [`Flattening`] has, lies within this
+    /// of the exact outline of this one, after a motion. Zero for exactly developable patches.
+    pub ambiguity: f64,
 }
 
 /// A flat pattern: what is cut and where it is bent. It is made by [`unroll`](super::unroll) or
@@ -123,12 +129,42 @@ impl FlatPattern {
         self.tolerance
     }
 
-    /// The largest share of its length that a line on the patch loses in the plane (and of its area, a
-    /// part of the patch): zero up to rounding for a developable.
+    /// The largest share of its length by which a line on the patch is stretched or shortened in the plane: zero for what
+    /// is exactly developable.
     #[must_use]
     pub fn strain(&self) -> f64 {
         let each = self.pieces.iter().map(|p| p.development.strain);
         each.fold(0.0, f64::max)
+    }
+
+    /// Which development it is, where a patch is not exactly developable.
+    #[must_use]
+    pub fn flattening(&self) -> Option<Flattening> {
+        let inexact = self.pieces.iter().find(|p| !p.development.exact);
+        inexact.map(|p| p.development.flattening)
+    }
+
+    /// Whether the bounds are proved.
+    #[must_use]
+    pub fn evidence(&self) -> Evidence {
+        let each = self.pieces.iter().map(|p| p.development.evidence);
+        each.min().unwrap_or(Evidence::Measured)
+    }
+
+    /// By how much the flat edges of a patch of the chain are shorter than its edges in space, at most: zero for what is
+    /// exactly developable, and for edges that the development keeps.
+    #[must_use]
+    pub fn shortened(&self, piece: usize) -> Option<[f64; 2]> {
+        self.pieces.get(piece).map(|p| p.development.shortened)
+    }
+
+    /// The pattern of patches that lie elsewhere in space.
+    pub(crate) fn moved_in_space(self, by: [f64; 3]) -> Self {
+        let pieces = self.pieces.into_iter().map(|p| p.moved_in_space(by));
+        Self {
+            pieces: pieces.collect(),
+            ..self
+        }
     }
 
     /// Whether a patch that is not developable was flattened by allowing strain.
@@ -403,5 +439,6 @@ fn errors(pieces: &[Piece], outline: &Outline, snapped: f64) -> Errors {
         angle,
         length: (cut - exact).abs() + quadrature(0) + 16.0 * f64::EPSILON * cut,
         area: (outline.area() - area).abs() + quadrature(1) + cut * rounding,
+        ambiguity: largest(&|p| p.development.ambiguity + p.moved_by_choice),
     }
 }

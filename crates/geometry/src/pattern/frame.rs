@@ -1,4 +1,4 @@
-//! What the development of a ruled patch needs to know about one ruling.
+//! One ruling of a patch on f64: why a patch cannot be developed there.
 //!
 //! Let `r` be the unit ruling from the first to the second rail, `n` the unit normal along it and
 //! `t = n x r` the unit vector across the ruling in which the patch proceeds. A developable has one `n` on
@@ -26,11 +26,9 @@ type Vector = [f64; 3];
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
     pub x: f64,
-    pub ends: [Vector; 2],
     pub length: f64,
     pub normal: Vector,
     pub turn: f64,
-    pub along: [f64; 2],
     pub across: [f64; 2],
     /// `1 - cos psi` at the worse end.
     pub strain: f64,
@@ -87,7 +85,7 @@ impl Frame {
             return Err(PatternError::NoTangentPlane { x });
         };
         let t = cross(&n, &r);
-        let (along, across) = ([dot(&dp, &r), dot(&dq, &r)], [dot(&dp, &t), dot(&dq, &t)]);
+        let across = [dot(&dp, &t), dot(&dq, &t)];
         let far = size(&p).max(size(&q));
         let relative = ROUNDINGS * f64::EPSILON * (1.0 + far / length) / sine;
         let lean = |v: &Vector, across: f64| {
@@ -109,11 +107,9 @@ impl Frame {
         };
         let frame = Self {
             x,
-            ends: [p, q],
             length,
             normal: n,
             turn: dot(&sub(&dq, &dp), &t) / length,
-            along,
             across,
             strain: lost(0).max(lost(1)),
             out,

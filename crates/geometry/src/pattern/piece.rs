@@ -1,6 +1,7 @@
 //! A patch of a chain: its development, its fitted rails, where it lies and which way the chain passes it.
 
-use super::development::{At, Development};
+use super::development::Development;
+use super::panel::At;
 use super::placement::Placement;
 use super::segment::Segment;
 
@@ -18,6 +19,8 @@ pub(super) struct Piece {
     pub backward: bool,
     /// What errors of the pieces before and of the joints add to its points and angles.
     pub inherited: [f64; 2],
+    /// By how much other developments of the pieces before move it.
+    pub moved_by_choice: f64,
 }
 
 impl Piece {
@@ -35,6 +38,7 @@ impl Piece {
             placement: Placement::default(),
             backward: false,
             inherited: [0.0; 2],
+            moved_by_choice: 0.0,
         }
     }
 
@@ -98,6 +102,14 @@ impl Piece {
         Self {
             placement: self.placement.then(placement),
             inherited: [self.inherited[0] + point, self.inherited[1] + angle],
+            ..self
+        }
+    }
+
+    /// The same piece of a patch that lies elsewhere in space.
+    pub(super) fn moved_in_space(self, by: [f64; 3]) -> Self {
+        Self {
+            development: self.development.moved_in_space(by),
             ..self
         }
     }

@@ -1,10 +1,14 @@
 //! From a patch to its flat pattern.
 
-use super::development::Development;
+use super::development::{Development, Wanted};
 use super::error::{PatternError, PatternResult, positive};
 use super::fit::fit;
 use super::flat::FlatPattern;
+use super::flattening::Flattening;
 use super::piece::Piece;
+use super::source::{Enclosed, Sampled, Source};
+use crate::model::Model;
+use crate::scalars::Over;
 use crate::surface::Rails;
 
 /// The strain below which a patch counts as developable: a micrometre for each metre, as little as steel
@@ -33,10 +37,12 @@ const COARSEST: f64 = 0.01;
 /// let Err(PatternError::NotDevelopable { strain, limit, .. }) = Unrolling::within(0.01).of(&strip) else {
 ///     panic!("a twisted strip");
 /// };
-/// assert!(strain > 3e-4 && limit == 1e-6);
-/// // unless strain is allowed; then the pattern says so.
-/// let flat = Unrolling::within(0.01).allow_strain(1e-3).of(&strip)?;
-/// assert!(flat.is_strained() && flat.strain() == strain);
+/// assert!(strain > 1e-4 && limit == 1e-6);
+/// // unless strain is allowed; then the pattern says so, and how far other developments of it lie.
+/// let flat = Unrolling::within(0.01).allow_strain(strain).of(&strip)?;
+/// assert!(flat.is_strained() && flat.strain() == strain && flat.errors().ambiguity > 0.0);
+/// // The usual one keeps the lengths of both edges.
+/// assert_eq!(flat.shortened(0), Some([0.0, 0.0]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,6 +51,7 @@ pub struct Unrolling {
     rulings: usize,
     developable: f64,
     allowed: f64,
+    flattening: Flattening,
 }
 
 impl Unrolling {
@@ -57,7 +64,15 @@ impl Unrolling {
             rulings: 33,
             developable: DEVELOPABLE_STRAIN,
             allowed: 0.0,
+            flattening: Flattening::default(),
         }
+    }
+
+    /// The same with another tolerance.
+    #[must_use]
+    pub fn within_tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
     }
 
     /// Shows this many rulings, both ends included: 2 at least, [`MOST_RULINGS`] at most, at equal steps of the
@@ -69,14 +84,21 @@ impl Unrolling {
         self
     }
 
-    /// What counts as developable: flattening shortens no line by more than this share of its length.
+    /// Which development is made of a patch that is not exactly developable.
+    #[must_use]
+    pub fn flattening(mut self, flattening: Flattening) -> Self {
+        self.flattening = flattening;
+        self
+    }
+
+    /// What counts as developable: flattening changes no line by more than this share of its length.
     #[must_use]
     pub fn developable_within(mut self, strain: f64) -> Self {
         self.developable = strain;
         self
     }
 
-    /// Flattens a patch that is not developable too, as long as no line is shortened by more than this share
+    /// Flattens a patch that is not developable too, as long as no line is stretched or shortened by more than this share
     /// of its length. Such a pattern says [`FlatPattern::is_strained`].
     #[must_use]
     pub fn allow_strain(mut self, strain: f64) -> Self {
@@ -84,7 +106,8 @@ impl Unrolling {
         self
     }
 
-    /// Unrolls a patch.
+    /// Unrolls a patch, with bounds that are proved over whole intervals ([`Model`]) for the exact numbers of its control
+    /// data. Where the tolerance is out of their reach it is measured, as [`FlatPattern::evidence`] then says.
     ///
     /// The first rail starts at the origin, the first ruling points along the first axis, and the patch
     /// proceeds along the second axis; the side that its normal `R x (P' + Q')` points to is seen.
@@ -96,7 +119,30 @@ impl Unrolling {
     /// [`PatternError::CrossesItself`] when it cannot be cut from one;
     /// [`PatternError::NotReached`] for a tolerance out of reach of f64; [`PatternError::Geometry`] from
     /// the evaluation of the patch.
-    pub fn of(&self, patch: &(impl Rails<f64> + ?Sized)) -> PatternResult<FlatPattern> {
+    pub fn of<P>(&self, patch: &P) -> PatternResult<FlatPattern>
+    where
+        P: Rails<f64> + Over<f64, Model, Object: Rails<Model>>,
+    {
+        match self.from(patch, &Enclosed::of(patch)?) {
+            Err(PatternError::NotReached { .. }) => self.measured(patch),
+            found => found,
+        }
+    }
+
+    /// Unrolls a patch that can be evaluated at parameters alone: its rails are interpolated and looked at in finitely
+    /// many, so the bounds are estimates ([`Evidence::Measured`](super::Evidence::Measured)).
+    ///
+    /// # Errors
+    /// As [`Unrolling::of`].
+    pub fn measured(&self, patch: &(impl Rails<f64> + ?Sized)) -> PatternResult<FlatPattern> {
+        self.from(patch, &Sampled(patch))
+    }
+
+    fn from(
+        &self,
+        patch: &(impl Rails<f64> + ?Sized),
+        source: &dyn Source,
+    ) -> PatternResult<FlatPattern> {
         positive("tolerance", self.tolerance)?;
         for (name, value) in [
             ("strain of a developable", self.developable),
@@ -108,12 +154,13 @@ impl Unrolling {
             }
         }
         // Half of the tolerance is for the arcs, the rest for the development.
-        let development = Development::of(
-            patch,
-            self.rulings.div_ceil(128).max(2),
-            0.25 * self.tolerance,
-            self.developable.max(self.allowed),
-        )?;
+        let wanted = Wanted {
+            panels: self.rulings.div_ceil(128).max(2),
+            allowed: 0.25 * self.tolerance,
+            strain: self.developable.max(self.allowed),
+            flattening: self.flattening,
+        };
+        let development = Development::of(patch, source, wanted)?;
         let tolerance = self.tolerance.min(COARSEST * development.size);
         let side = |side| fit(&development, side, 0.5 * tolerance);
         let (first, second) = rayon::join(|| side(0), || side(1));
@@ -149,10 +196,9 @@ impl Unrolling {
 /// assert!((ruling.radius - 2.0).abs() < 1e-6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn unroll(
-    patch: &(impl Rails<f64> + ?Sized),
-    rulings: usize,
-    tolerance: f64,
-) -> PatternResult<FlatPattern> {
+pub fn unroll<P>(patch: &P, rulings: usize, tolerance: f64) -> PatternResult<FlatPattern>
+where
+    P: Rails<f64> + Over<f64, Model, Object: Rails<Model>>,
+{
     Unrolling::within(tolerance).rulings(rulings).of(patch)
 }

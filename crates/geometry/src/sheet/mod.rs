@@ -92,12 +92,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod exact;
 mod inspect;
 mod nearest;
 mod piecewise;
 mod planes;
 mod rail;
 mod surface;
+mod swept;
 
 pub use crate::basis::Shape;
 pub use crate::developable::{
@@ -109,6 +111,7 @@ pub use piecewise::PiecewiseRail;
 pub use planes::{Joint, Planes};
 pub use rail::{Rail, RailCurve};
 pub use surface::{Budget, Connected, Construction, Cut, Sheet};
+pub use swept::{ConePatch, CylinderPatch, SweptEdge};
 
 /// A point or vector of space.
 pub type Point = [f64; 3];

@@ -10,6 +10,7 @@ use crate::curve::{
 use crate::error::{GeometryError, Place, Result};
 use crate::join::{JointMeasure, measure_curves, next_curve};
 use crate::scalars::Over;
+use crate::surface::RailKind;
 use torse_algebra::Jet;
 
 /// A curve in space over [0, 1] with any basis, weighted or not.
@@ -157,6 +158,16 @@ impl Rail {
         arc_length(self, [0.0, 1.0], accuracy)
     }
 
+    /// The curve as seen from `origin`; `None` for a weighted curve and an arc of an ellipse.
+    pub(super) fn moved_to(&self, origin: Point) -> Option<Self> {
+        match &self.curve {
+            RailCurve::Plain(curve) => Some(Self {
+                curve: RailCurve::Plain(curve.mapped(|p| crate::vector::sub(p, &origin))),
+            }),
+            RailCurve::Weighted(_) | RailCurve::Elliptic(_) => None,
+        }
+    }
+
     /// The same curve traversed backwards.
     #[must_use]
     pub fn reversed(&self) -> Self {
@@ -215,6 +226,52 @@ impl Rail {
                 what: "joint of an arc of an ellipse: it has no control points",
                 at: Place::Whole,
             }),
+        }
+    }
+}
+
+impl<S: Coordinate + PartialEq> Rail<S> {
+    /// What kind of rail it is, by its control points: where the scalar knows that they are equal.
+    #[must_use]
+    pub fn end_kinds(&self) -> RailKind {
+        match &self.curve {
+            RailCurve::Plain(curve) => RailKind::of(curve.points()),
+            // Equal points may have different weights: those of equal weights are found.
+            RailCurve::Weighted(curve) => {
+                let parts = curve.homogeneous().map(|(p, w)| (p.clone(), w.clone()));
+                RailKind::of(&parts.collect::<Vec<_>>())
+            }
+            // An arc is a point or runs with a speed; whether it closes depends on what is computed.
+            RailCurve::Elliptic(arc) => {
+                let [from, to] = arc.range();
+                let zero = from.zero();
+                let still = |v: &[S; 3]| v.iter().all(|c| *c == zero);
+                let moving = arc.axes().into_iter().chain([arc.rise()]);
+                if from == to || moving.into_iter().all(still) {
+                    RailKind::Point
+                } else {
+                    RailKind::default()
+                }
+            }
+        }
+    }
+
+    /// The first and the last control point, where they have no weight or the weight one; of an arc none.
+    pub(super) fn end_points(&self) -> [Option<[S; 3]>; 2] {
+        match &self.curve {
+            RailCurve::Plain(curve) => {
+                [curve.points().first(), curve.points().last()].map(|p| p.cloned())
+            }
+            RailCurve::Weighted(curve) => {
+                let mut parts = curve.homogeneous();
+                let first = parts.next();
+                let last = parts.last();
+                [first, last].map(|part| {
+                    let (point, weight) = part?;
+                    (*weight == weight.one()).then(|| point.clone())
+                })
+            }
+            RailCurve::Elliptic(_) => [None, None],
         }
     }
 }

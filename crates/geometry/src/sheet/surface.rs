@@ -1,19 +1,22 @@
 //! Sheets: ruled patches, most of them developable.
 
-use super::{Planes, Point, Rail};
+use super::exact::is_exactly_developable;
+use super::{ConePatch, CylinderPatch, Planes, Point, Rail, RailCurve, SweptEdge};
 use crate::basis::Shape;
 use crate::coordinate::Coordinate;
 use crate::developable::{
     Bounds, Branch, Certificate, ConnectingPatch, EnclosedCertificate, EnvelopingPatch, Gap,
-    HermiteCone, Reason, Regularity, TangentPatch, certify, connect, enclose, oblique_image,
+    HermiteCone, Reason, Regularity, TangentPatch, certify, connect, enclose, enclose_by_models,
     prove_regular,
 };
 use crate::error::Result;
 use crate::model::Model;
-use crate::pattern::{FlatPattern, PatternResult, unroll};
+use crate::pattern::{FlatPattern, PatternResult, Unrolling};
 use crate::planes::Plane;
 use crate::scalars::{Over, exact_ball};
-use crate::surface::{Part, Partials, Principal, Rails, RuledSurface, Surface, partials_between};
+use crate::surface::{
+    EndKinds, Part, Partials, Principal, RailKind, Rails, RuledSurface, Surface, partials_between,
+};
 use torse_algebra::{Ball, Jet};
 
 /// What part of each ruling of an envelope belongs to a sheet.
@@ -65,6 +68,8 @@ pub struct Connected {
     pub reason: Option<Reason>,
     /// All branches.
     pub branches: Vec<Branch>,
+    /// The sheets of all branches, in their order.
+    pub sheets: Vec<Sheet>,
     /// What the chosen branch leaves of the rails, with the twist of the best ruling there.
     pub gaps: Vec<Gap>,
 }
@@ -77,6 +82,8 @@ pub struct Connected {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet<S = f64> {
     construction: Construction<S>,
+    /// Whether `det(P', Q', Q - P)` is proved to be zero on the exact control data, though not by the construction.
+    exact: bool,
 }
 
 /// How a sheet is made: the patch of the generic layer that it is.
@@ -84,6 +91,10 @@ pub struct Sheet<S = f64> {
 pub enum Construction<S = f64> {
     /// Rulings that join points of equal parameter.
     Ruled(Box<RuledSurface<Rail<S>, Rail<S>>>),
+    /// Straight lines in one direction.
+    Cylinder(Box<CylinderPatch<S>>),
+    /// Straight lines through one point.
+    Cone(Box<ConePatch<S>>),
     /// The envelope of a family of planes.
     Envelope(Box<EnvelopingPatch<Shape<S>, S>>),
     /// The tangents of an edge of regression.
@@ -92,6 +103,15 @@ pub enum Construction<S = f64> {
     Connecting(Box<ConnectingPatch<Rail<S>, Rail<S>>>),
     /// The rulings of another sheet in a parameter interval.
     Part(Box<Part<Sheet<S>, S>>),
+}
+
+impl<S> From<Construction<S>> for Sheet<S> {
+    fn from(construction: Construction<S>) -> Self {
+        Self {
+            construction,
+            exact: false,
+        }
+    }
 }
 
 impl<S> Sheet<S> {
@@ -104,11 +124,46 @@ impl<S> Sheet<S> {
 
 impl Sheet {
     /// The ruled surface whose rulings join points of equal parameter; developable or not, [`Sheet::certify`]
-    /// tells.
+    /// tells. A rail that is a point makes it a cone.
     #[must_use]
     pub fn ruled(first: Rail, second: Rail) -> Self {
+        let point = |rail: &Rail| {
+            let point = rail.end_kinds() == RailKind::Point;
+            point.then(|| rail.point(0.0).ok()).flatten()
+        };
+        let (whole, none) = (SweptEdge::Share(1.0), SweptEdge::Share(0.0));
+        let cone = match (point(&first), point(&second)) {
+            (Some(apex), None) => ConePatch::new(&second, apex, [none, whole]).ok(),
+            (None, Some(apex)) => ConePatch::new(&first, apex, [whole, none]).ok(),
+            _ => None,
+        };
+        if let Some(cone) = cone {
+            return Construction::Cone(Box::new(cone)).into();
+        }
+        let exact = is_exactly_developable(&first, &second);
         let construction = Construction::Ruled(Box::new(RuledSurface::new(first, second)));
-        Self { construction }
+        Self {
+            construction,
+            exact,
+        }
+    }
+
+    /// The part of a cylinder over a curve between two edges: see [`CylinderPatch`].
+    ///
+    /// # Errors
+    /// As [`CylinderPatch::new`].
+    pub fn cylinder(curve: &Rail, direction: Point, edges: [SweptEdge; 2]) -> Result<Self> {
+        let patch = CylinderPatch::new(curve, direction, edges)?;
+        Ok(Construction::Cylinder(Box::new(patch)).into())
+    }
+
+    /// The part of the cone over a curve between two edges: see [`ConePatch`].
+    ///
+    /// # Errors
+    /// As [`ConePatch::new`].
+    pub fn swept_cone(curve: &Rail, apex: Point, edges: [SweptEdge; 2]) -> Result<Self> {
+        let patch = ConePatch::new(curve, apex, edges)?;
+        Ok(Construction::Cone(Box::new(patch)).into())
     }
 
     /// The developables that touch two free rails, and the best of them: see [`connect`].
@@ -118,9 +173,13 @@ impl Sheet {
     pub fn between(first: &Rail, second: &Rail) -> Result<Connected> {
         let found = connect(first, second)?;
         Ok(Connected {
-            sheet: found.chosen().map(|patch| Self {
-                construction: Construction::Connecting(Box::new(patch)),
-            }),
+            sheet: found
+                .chosen()
+                .map(|patch| Construction::Connecting(Box::new(patch)).into()),
+            sheets: (0..found.branches().len())
+                .filter_map(|index| found.patch(index))
+                .map(|patch| Construction::Connecting(Box::new(patch)).into())
+                .collect(),
             reason: found.choice().map(|(_, reason)| reason),
             branches: found.branches().to_vec(),
             gaps: found.gaps().to_vec(),
@@ -133,8 +192,7 @@ impl Sheet {
     /// As [`EnvelopingPatch::new`].
     pub fn envelope(planes: &Planes, cut: Cut) -> Result<Self> {
         let patch = EnvelopingPatch::new(planes.family().clone(), cut.0)?;
-        let construction = Construction::Envelope(Box::new(patch));
-        Ok(Self { construction })
+        Ok(Construction::Envelope(Box::new(patch)).into())
     }
 
     /// The tangents of the edge of regression of a family of planes, from `from` to `to` times its derivative.
@@ -143,29 +201,42 @@ impl Sheet {
     /// As [`TangentPatch::new`].
     pub fn tangent(planes: &Planes, from: f64, to: f64) -> Result<Self> {
         let patch = TangentPatch::new(planes.family().clone(), [from, to])?;
-        let construction = Construction::Tangent(Box::new(patch));
-        Ok(Self { construction })
+        Ok(Construction::Tangent(Box::new(patch)).into())
     }
 
-    /// A Hermite cone between parallel planes.
+    /// A Hermite cone between parallel planes, from its curve `p` to its curve `q`: the cone over `q` with the summit as
+    /// its apex, of which `p` is the image in the ratio of the cone.
     ///
     /// # Errors
-    /// As [`HermiteCone::patch`].
+    /// As [`ConePatch::new`].
     pub fn cone(cone: &HermiteCone<f64>) -> Result<Self> {
-        let patch = cone.patch()?;
-        Ok(Self::ruled(
-            patch.first().clone().into(),
-            patch.second().clone().into(),
-        ))
+        let edges = [SweptEdge::Share(1.0 / cone.ratio), SweptEdge::Share(1.0)];
+        Self::swept_cone(&Rail::hermite(&cone.q)?, cone.summit, edges)
     }
 
     /// The part of a Hermite cone between its curve `q` and an oblique plane.
     ///
     /// # Errors
-    /// As [`oblique_image`].
+    /// As [`ConePatch::new`].
     pub fn cone_cut(cone: &HermiteCone<f64>, plane: Plane<f64>) -> Result<Self> {
-        let image = oblique_image(cone, &plane)?;
-        Ok(Self::ruled(Rail::hermite(&cone.q)?, image.into()))
+        let edges = [SweptEdge::Share(1.0), SweptEdge::Cut(plane)];
+        Self::swept_cone(&Rail::hermite(&cone.q)?, cone.summit, edges)
+    }
+
+    /// Of a cone that reaches its apex the half that is farther from it: on a ruling from an apex the normal grows with the
+    /// distance, so it vanishes on that half or nowhere but at the apex. `None` of any other sheet.
+    #[must_use]
+    pub fn away_from_apex(&self) -> Option<Self> {
+        match &self.construction {
+            Construction::Cone(patch) if patch.end_kinds().apexes().contains(&true) => {
+                Some(Construction::Cone(Box::new(patch.away_from_apex())).into())
+            }
+            Construction::Part(part) => {
+                let [from, to] = *part.range();
+                part.whole().away_from_apex()?.part(from, to).ok()
+            }
+            _ => None,
+        }
     }
 
     /// The rulings from `from` to `to`, with a parameter of their own in [0, 1].
@@ -183,8 +254,7 @@ impl Sheet {
     /// ```
     pub fn part(&self, from: f64, to: f64) -> Result<Self> {
         let part = Part::new(self.clone(), from, to)?;
-        let construction = Construction::Part(Box::new(part));
-        Ok(Self { construction })
+        Ok(Construction::Part(Box::new(part)).into())
     }
 
     /// The ends of the ruling at `u`.
@@ -236,6 +306,16 @@ impl Sheet {
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn enclose(&self, budget: Budget) -> Result<EnclosedCertificate> {
+        if let Some((near, _)) = self.near_origin() {
+            return near.enclose(budget);
+        }
+        let models = self.over(&|x| Model::exact(*x))?;
+        // They are cheap: closer than asked for.
+        let found = enclose_by_models(&models, 0.05 * budget.accuracy, budget.cells);
+        if found.is_regular().is_some() {
+            return Ok(found);
+        }
+        // What f64 does not tell from zero more bits may.
         let (sheet, bits) = self.enclosed(budget)?;
         Ok(enclose(&sheet, bits, budget.accuracy, budget.cells))
     }
@@ -256,7 +336,82 @@ impl Sheet {
     /// # Errors
     /// As [`unroll`].
     pub fn unroll(&self, rulings: usize, tolerance: f64) -> PatternResult<FlatPattern> {
-        unroll(self, rulings, tolerance)
+        self.unrolled(&Unrolling::within(tolerance).rulings(rulings))
+    }
+
+    /// The flat pattern that is asked for, wherever in space the sheet lies.
+    ///
+    /// # Errors
+    /// As [`Unrolling::of`].
+    pub fn unrolled(&self, unrolling: &Unrolling) -> PatternResult<FlatPattern> {
+        match self.near_origin() {
+            None => unrolling.of(self),
+            Some((near, origin)) => Ok(unrolling.of(&near)?.moved_in_space(origin)),
+        }
+    }
+
+    /// The same sheet moved to the origin, and the point that came to lie there: `None` where it lies near the origin, as
+    /// its size goes, and where it cannot be moved without rounding. Nothing that is asked of a sheet depends on where it
+    /// lies, but far from the origin f64 has few digits left for it.
+    ///
+    /// ```
+    /// use torse_geometry::prelude::*;
+    /// let arc = |z: f64| Rail::bezier(&[[3e9, 5e9, z], [3e9 + 2.0, 5e9, z], [3e9 + 2.0, 5e9 + 2.0, z]]);
+    /// let (near, origin) = Sheet::ruled(arc(0.0)?, arc(4.0)?).near_origin().ok_or("it is far away")?;
+    /// assert_eq!((origin, near.ruling(0.0)?[0]), ([3e9, 5e9, 0.0], [0.0; 3]));
+    /// assert!(near.near_origin().is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn near_origin(&self) -> Option<(Self, Point)> {
+        let rails: Vec<&Rail> = match &self.construction {
+            Construction::Ruled(patch) => vec![patch.first(), patch.second()],
+            Construction::Cylinder(patch) => vec![patch.curve()],
+            Construction::Cone(patch) => vec![patch.curve()],
+            Construction::Connecting(patch) => {
+                let (first, second) = patch.curves();
+                vec![first, second]
+            }
+            Construction::Part(part) => {
+                let (near, origin) = part.whole().near_origin()?;
+                let [from, to] = *part.range();
+                return Some((near.part(from, to).ok()?, origin));
+            }
+            Construction::Envelope(_) | Construction::Tangent(_) => return None,
+        };
+        let apex = match &self.construction {
+            Construction::Cone(patch) => Some(patch.apex()),
+            _ => None,
+        };
+        let origin = origin_of(&rails, apex)?;
+        let moved = |rail: &Rail| rail.moved_to(origin);
+        let construction = match &self.construction {
+            Construction::Ruled(patch) => {
+                let patch = RuledSurface::new(moved(patch.first())?, moved(patch.second())?);
+                Construction::Ruled(Box::new(patch))
+            }
+            Construction::Cylinder(patch) => {
+                Construction::Cylinder(Box::new(patch.moved(moved(patch.curve())?)))
+            }
+            Construction::Cone(patch) => {
+                let apex = crate::vector::sub(&patch.apex(), &origin);
+                Construction::Cone(Box::new(patch.moved(moved(patch.curve())?, apex)))
+            }
+            Construction::Connecting(patch) => {
+                let (first, second) = patch.curves();
+                let patch = patch.over_curves(moved(first)?, moved(second)?);
+                Construction::Connecting(Box::new(patch))
+            }
+            _ => return None,
+        };
+        let exact = self.exact;
+        Some((
+            Self {
+                construction,
+                exact,
+            },
+            origin,
+        ))
     }
 
     /// The sheet over balls, with bits that fit its size.
@@ -271,6 +426,38 @@ impl Sheet {
     }
 }
 
+/// A point from which all control points and the apex differ by numbers that f64 holds; `None` where zero does as well.
+fn origin_of(rails: &[&Rail], apex: Option<Point>) -> Option<Point> {
+    let mut points: Vec<Point> = apex.into_iter().collect();
+    for rail in rails {
+        let RailCurve::Plain(curve) = rail.curve() else {
+            return None;
+        };
+        points.extend(curve.points());
+    }
+    let first = points.first().copied()?;
+    let origin: Point = std::array::from_fn(|axis| {
+        let at = first[axis];
+        // The difference of numbers of one sign within a factor of two is exact (Sterbenz).
+        let near = |c: f64| c == at || (0.5 <= c / at && c / at <= 2.0);
+        let spread = points
+            .iter()
+            .map(|p| (p[axis] - at).abs())
+            .fold(0.0, f64::max);
+        let far = at.abs() > 8.0 * spread;
+        if far && points.iter().all(|p| near(p[axis])) {
+            at
+        } else {
+            0.0
+        }
+    });
+    let spread = points.iter().flat_map(|p| crate::vector::sub(p, &first));
+    let spread = spread.fold(0.0_f64, |m, c| m.max(c.abs()));
+    // Where the place is not larger than the patch nothing is gained.
+    let far = origin.iter().any(|c| c.abs() > 8.0 * spread);
+    far.then_some(origin)
+}
+
 /// A connecting patch has rails over these scalars alone, hence no sheet has them over all.
 macro_rules! rails_over {
     ($($scalar:ty),*) => {$(
@@ -278,6 +465,8 @@ macro_rules! rails_over {
             fn rail_jets(&self, x: &$scalar, order: usize) -> Result<[[Jet<$scalar>; 3]; 2]> {
                 match &self.construction {
                     Construction::Ruled(patch) => patch.rail_jets(x, order),
+                    Construction::Cylinder(patch) => patch.rail_jets(x, order),
+                    Construction::Cone(patch) => patch.rail_jets(x, order),
                     Construction::Envelope(patch) => patch.rail_jets(x, order),
                     Construction::Tangent(patch) => patch.rail_jets(x, order),
                     Construction::Connecting(patch) => patch.rail_jets(x, order),
@@ -288,6 +477,8 @@ macro_rules! rails_over {
             fn ruling_ends(&self, x: &$scalar) -> Result<[[$scalar; 3]; 2]> {
                 match &self.construction {
                     Construction::Ruled(patch) => patch.ruling_ends(x),
+                    Construction::Cylinder(patch) => patch.ruling_ends(x),
+                    Construction::Cone(patch) => patch.ruling_ends(x),
                     Construction::Envelope(patch) => patch.ruling_ends(x),
                     Construction::Tangent(patch) => patch.ruling_ends(x),
                     Construction::Connecting(patch) => patch.ruling_ends(x),
@@ -298,6 +489,8 @@ macro_rules! rails_over {
             fn ends_and_slopes(&self, x: &$scalar) -> Result<[[[$scalar; 3]; 2]; 2]> {
                 match &self.construction {
                     Construction::Ruled(patch) => patch.ends_and_slopes(x),
+                    Construction::Cylinder(patch) => patch.ends_and_slopes(x),
+                    Construction::Cone(patch) => patch.ends_and_slopes(x),
                     Construction::Envelope(patch) => patch.ends_and_slopes(x),
                     Construction::Tangent(patch) => patch.ends_and_slopes(x),
                     Construction::Connecting(patch) => patch.ends_and_slopes(x),
@@ -307,9 +500,23 @@ macro_rules! rails_over {
 
             fn is_developable_by_construction(&self) -> bool {
                 match &self.construction {
-                    Construction::Ruled(_) => false,
+                    Construction::Ruled(_) => self.exact,
                     Construction::Part(part) => part.is_developable_by_construction(),
                     _ => true,
+                }
+            }
+
+            fn end_kinds(&self) -> EndKinds {
+                match &self.construction {
+                    Construction::Ruled(patch) => ruled_kinds(patch.first(), patch.second()),
+                    Construction::Cylinder(patch) => patch.end_kinds(),
+                    Construction::Cone(patch) => patch.end_kinds(),
+                    Construction::Part(part) => part.end_kinds(),
+                    Construction::Connecting(patch) => {
+                        let (first, second) = patch.curves();
+                        EndKinds::of_ordinary([first.end_kinds(), second.end_kinds()])
+                    }
+                    Construction::Envelope(_) | Construction::Tangent(_) => EndKinds::default(),
                 }
             }
         }
@@ -317,6 +524,16 @@ macro_rules! rails_over {
 }
 
 rails_over!(f64, Ball, Model);
+
+/// The kinds of the ends of a patch between two rails.
+fn ruled_kinds<S: Coordinate + PartialEq>(first: &Rail<S>, second: &Rail<S>) -> EndKinds {
+    let [p, q] = [first, second].map(Rail::end_points);
+    let kinds = [first.end_kinds(), second.end_kinds()];
+    EndKinds::of(
+        kinds,
+        [0, 1].map(|end| p[end].is_some() && p[end] == q[end]),
+    )
+}
 
 impl Surface<f64> for Sheet {
     fn partials(&self, u: &f64, v: &f64, order: usize) -> Result<Partials<f64>> {
@@ -330,6 +547,8 @@ impl<S: Coordinate, T: Coordinate> Over<S, T> for Sheet<S> {
     fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Sheet<T>> {
         let construction = match &self.construction {
             Construction::Ruled(patch) => Construction::Ruled(Box::new(patch.over(convert)?)),
+            Construction::Cylinder(patch) => Construction::Cylinder(Box::new(patch.over(convert)?)),
+            Construction::Cone(patch) => Construction::Cone(Box::new(patch.over(convert)?)),
             Construction::Envelope(patch) => Construction::Envelope(Box::new(patch.over(convert)?)),
             Construction::Tangent(patch) => Construction::Tangent(Box::new(patch.over(convert)?)),
             Construction::Connecting(patch) => {
@@ -337,6 +556,10 @@ impl<S: Coordinate, T: Coordinate> Over<S, T> for Sheet<S> {
             }
             Construction::Part(part) => Construction::Part(Box::new(part.over(convert)?)),
         };
-        Ok(Sheet { construction })
+        let exact = self.exact;
+        Ok(Sheet {
+            construction,
+            exact,
+        })
     }
 }

@@ -2,6 +2,7 @@
 //! gbt-surfaces Sect. 3 as constructors.
 
 mod engineering;
+mod kinds;
 mod part;
 mod partials;
 mod principal;
@@ -9,6 +10,7 @@ mod rotation;
 mod ruled;
 mod tensor;
 
+pub use kinds::{EndKinds, RailEnd, RailKind, RulingEnd};
 pub use part::Part;
 pub use partials::{Forms, Partials};
 pub use principal::Principal;

@@ -1,7 +1,7 @@
 //! A part of a ruled patch: the rulings of a parameter interval.
 
-use super::{Partials, Rails, Surface, partials_between};
-use crate::coordinate::{Coordinate, check_finite};
+use super::{EndKinds, Partials, Rails, Surface, partials_between};
+use crate::coordinate::{Coordinate, check_finite, is_zero};
 use crate::error::{GeometryError, Result};
 use crate::vector::scale;
 use torse_algebra::Jet;
@@ -94,6 +94,12 @@ impl<S: Coordinate, P: Rails<S>> Rails<S> for Part<P, S> {
 
     fn is_developable_by_construction(&self) -> bool {
         self.whole.is_developable_by_construction()
+    }
+
+    fn end_kinds(&self) -> EndKinds {
+        let [from, to] = &self.range;
+        let kept = [is_zero(from), is_zero(&(to.clone() - to.one()))];
+        self.whole.end_kinds().part(kept)
     }
 }
 

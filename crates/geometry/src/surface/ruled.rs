@@ -1,6 +1,6 @@
 //! Ruled surfaces between two rails.
 
-use super::{Partials, Surface, TensorSurface};
+use super::{EndKinds, Partials, Surface, TensorSurface};
 use crate::basis::{Basis, Bernstein};
 use crate::coordinate::Coordinate;
 use crate::curve::{Curve, SpaceCurve, derivatives_of, first_two};
@@ -39,6 +39,12 @@ pub trait Rails<S: Coordinate>: Sync {
     /// `det(P', Q', Q - P)` vanishes identically. Other developables have to be measured, or proved.
     fn is_developable_by_construction(&self) -> bool {
         false
+    }
+
+    /// What is special about the rails and about the first and the last ruling, as far as the control data tell: nothing,
+    /// where a patch does not say.
+    fn end_kinds(&self) -> EndKinds {
+        EndKinds::default()
     }
 }
 

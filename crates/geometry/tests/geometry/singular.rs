@@ -1,6 +1,6 @@
 //! Singular patches are never called regular, and every answer is a number or an error.
 
-use crate::support::{Rail, osculating_planes, rail};
+use crate::support::{Rail, osculating_planes, rail, unroll};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -9,7 +9,6 @@ use torse_algebra::{Ball, SturmSequence};
 use torse_geometry::developable::{
     Certificate, EnclosedCertificate, Regularity, Singularity, certify, enclose, prove_regular,
 };
-use torse_geometry::pattern::unroll;
 use torse_geometry::{
     Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Gbt, GeometryError, Over, PlaneFamily,
     Rails, RuledSurface, TangentPatch, exact, exact_ball, join,

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 use torse_algebra::{Jet, Scalar};
+use torse_geometry::pattern::{FlatPattern, PatternResult, Unrolling};
 use torse_geometry::surface::Rails;
 use torse_geometry::{Bernstein, Curve, GeometryError, PlaneFamily, RuledSurface, TangentPatch};
 
@@ -19,6 +20,17 @@ pub fn saddle() -> RuledSurface<Rail, Rail> {
         rail(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]),
         rail(&[[0.0, 1.0, 0.0], [1.0, 1.0, 1.0]]),
     )
+}
+
+/// The pattern of a patch that is known at parameters alone: its bounds are measured.
+pub fn unroll(
+    patch: &(impl Rails<f64> + ?Sized),
+    rulings: usize,
+    tolerance: f64,
+) -> PatternResult<FlatPattern> {
+    Unrolling::within(tolerance)
+        .rulings(rulings)
+        .measured(patch)
 }
 
 /// A patch between two rails given by formulas of the parameter.

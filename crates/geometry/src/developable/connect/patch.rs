@@ -38,6 +38,11 @@ impl<P, Q> ConnectingPatch<P, Q> {
         (&self.first, &self.second)
     }
 
+    /// The same branch of curves that have been moved together.
+    pub(crate) fn over_curves(&self, first: P, second: Q) -> Self {
+        Self::new(first, second, self.branch.clone())
+    }
+
     /// The branch.
     #[must_use]
     pub fn branch(&self) -> &Branch {

@@ -1,8 +1,8 @@
 //! Points, curves and bends go to the sheet and back into space.
 
-use crate::support::{cone, cubic, helix};
+use crate::support::{cone, cubic, helix, unroll};
 use torse_geometry::pattern::{
-    FlatPattern, PatternError, Place, Placement, Segment, deviation, fold, unroll,
+    FlatPattern, PatternError, Place, Placement, Segment, deviation, fold,
 };
 use torse_geometry::surface::Rails;
 use torse_geometry::vector::{norm, sub};

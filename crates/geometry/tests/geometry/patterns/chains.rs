@@ -1,9 +1,9 @@
 //! Several patches in one pattern.
 
-use crate::support::helix;
+use crate::support::{helix, unroll};
 use torse_algebra::Jet;
 use torse_geometry::curve::ellipse_arc;
-use torse_geometry::pattern::{PatternError, Place, unroll};
+use torse_geometry::pattern::{PatternError, Place};
 use torse_geometry::surface::Rails;
 use torse_geometry::vector::{norm, sub};
 use torse_geometry::{Bernstein, Curve, GeometryError, RuledSurface};

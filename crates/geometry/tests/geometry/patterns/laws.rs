@@ -1,10 +1,10 @@
 //! What holds of any pattern.
 
 use super::closed_forms::{flat_cone, true_error};
-use crate::support::{Formula, cone, helix};
+use crate::support::{Formula, cone, helix, unroll};
 use proptest::prelude::*;
 use torse_algebra::{Jet, Scalar};
-use torse_geometry::pattern::{Unrolling, unroll};
+use torse_geometry::pattern::Unrolling;
 use torse_geometry::vector::{norm, sub};
 use torse_geometry::{Bernstein, Curve, RuledSurface};
 

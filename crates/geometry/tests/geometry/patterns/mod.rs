@@ -5,3 +5,4 @@ mod chains;
 mod closed_forms;
 mod laws;
 mod refused;
+mod strips;

@@ -1,0 +1,212 @@
+//! Kinds of ends: apexes, tips, rails that stand still; and parts that lie far from the origin.
+
+use torse_designs::eval::{At, eval};
+use torse_designs::inspect::{Known, inspect};
+use torse_designs::unroll::{Demand, unroll};
+use torse_designs::{Design, read};
+
+fn design(text: &str) -> Design {
+    read("x.toml", text).unwrap_or_else(|e| panic!("{e:?}"))
+}
+
+/// The pattern of the only piece, or of the one of this name.
+fn area(text: &str, only: Option<&str>) -> (f64, Vec<[f64; 2]>) {
+    let demand = Demand {
+        only: only.map(str::to_owned),
+        ..Demand::default()
+    };
+    let pieces = unroll(&design(text), &demand).unwrap_or_else(|e| panic!("{e}"));
+    let flat = &pieces[0].flat;
+    assert!(flat.errors().outline <= 0.011, "{:?}", flat.errors());
+    let lengths = (0..flat.pieces()).filter_map(|k| flat.rail_lengths(k));
+    (flat.area(), lengths.collect())
+}
+
+/// Half of the bow of a hull: a cone over a long curve with its apex beside it.
+const FAN: &str = r#"
+[design]
+unit = "m"
+[curves]
+sheer = { bezier = [[0.000000, 0.030000, 0.980000], [0.721306, 0.412239, 0.853930], [1.502345, 0.703615, 0.749532], [2.360928, 0.785548, 0.714084], [3.185804, 0.740305, 0.748121], [4.000000, 0.610000, 0.825000]] }
+[patches.bow]
+cone = "sheer"
+apex = [0.08, 0.05, 0.5]
+part = [0, 0.2]
+"#;
+
+#[test]
+fn a_fan_is_cut_whose_outline_meets_its_apex_once() {
+    let (area, _) = area(FAN, None);
+    // Half the integral of |p x p'|, by mpmath.
+    assert!((area - 190_623.874).abs() < 1e-3, "{area}");
+    let report = inspect(&design(FAN)).unwrap();
+    assert_eq!(report.patches[0].developable, Known::ByConstruction);
+    let edges = unroll(&design(FAN), &Demand::default()).unwrap();
+    let [from, to] = [0.0, 1.0].map(|x| {
+        let place = |v| torse_geometry::pattern::Place { piece: 0, x, v };
+        let [a, b] = [0.0, 1.0].map(|v| edges[0].flat.flatten(place(v)).unwrap());
+        (a[0] - b[0]).hypot(a[1] - b[1])
+    });
+    assert!(
+        (from - 487.031_826_5).abs() < 1e-6 && (to - 823.513_260_3).abs() < 1e-6,
+        "{from} {to}"
+    );
+}
+
+#[test]
+fn an_apex_has_no_normal_and_no_curvature() {
+    let text = r#"
+[curves.rim]
+arc = { centre = [0, 0, 0], from = [30.1, 0, 0], to = [0, 30.1, 0] }
+[patches.tip]
+cone = "rim"
+apex = [0.1, 0.2, 55.3]
+part = [0, 0.5]
+"#;
+    let at = [0.25, 0.5, 0.75].map(|u| [u, 1.0]);
+    for row in eval(&design(text), None, &At::Places(at.to_vec())).unwrap() {
+        assert_eq!(
+            (row.point, row.normal, row.curvatures),
+            ([0.1, 0.2, 55.3], None, None)
+        );
+    }
+}
+
+/// A panel between two curves with fans from the corners of the one over the rest of the other.
+const PANEL: &str = r#"
+[curves]
+lower = { bezier = [[0, 0, 0], [800, -250, 60], [1900, -320, 90], [3000, -150, 40]] }
+upper = { bezier = [[0, 120, 620], [900, -280, 560], [2000, -420, 590], [3000, -260, 700]] }
+[patches.plate]
+connect = ["lower", "upper"]
+[patches.bow]
+cone = "upper"
+apex = [0, 0, 0]
+part = [0, 0.16153591508932078]
+[patches.stern]
+cone = "upper"
+apex = [3000, -150, 40]
+part = [0.9510948599767973, 1]
+[chains.panel]
+patches = ["bow", "plate", "stern"]
+continuity = "G1"
+[sheet]
+thickness = 4
+least-radius = 20
+"#;
+
+#[test]
+fn fans_join_their_panel_smoothly_and_the_radius_is_asked_for_away_from_the_apex() {
+    let report = inspect(&design(PANEL)).unwrap();
+    for joint in &report.joints {
+        assert!(joint.kink < 1e-6 && joint.geometric >= Some(1), "{joint:?}");
+    }
+    assert!(report.missed.is_empty(), "{:?}", report.missed);
+    let reach = |name: &str| {
+        let patch = report
+            .patches
+            .iter()
+            .find(|patch| patch.name == name)
+            .unwrap();
+        let note = patch
+            .notes
+            .iter()
+            .find(|note| note.contains("of the apex"))
+            .unwrap();
+        let words: Vec<&str> = note.split(' ').collect();
+        let at = words.iter().position(|word| *word == "mm").unwrap();
+        words[at - 1].parse::<f64>().unwrap()
+    };
+    // Inside radii below 80 mm, by numpy.
+    assert!((reach("bow") - 16.9).abs() < 0.2 && (reach("stern") - 11.4).abs() < 0.2);
+}
+
+#[test]
+fn panels_that_end_in_a_point_are_cut() {
+    let gore = r#"
+[planes]
+l = ["1/4", 1, 0, 0]
+r = ["1/4", -1, 0, 0]
+[curves]
+prof = { bezier = [[0, 0, 0], [60, 0, 50], [140, 0, 60], [200, 0, 20]] }
+[patches.tip]
+cylinder = "prof"
+direction = [0, 1, 0]
+between = ["l", "r"]
+"#;
+    for (text, exact, off) in [(gore, 10_593.0, 0.5)] {
+        let (found, _) = area(text, None);
+        assert!((found - exact).abs() < off, "{found}");
+        let report = inspect(&design(text)).unwrap();
+        let patch = &report.patches[0];
+        assert!(report.missed.is_empty(), "{:?}", report.missed);
+        assert_eq!(
+            (patch.developable, patch.regular),
+            (Known::ByConstruction, Known::Measured)
+        );
+        assert!((patch.area.unwrap() - found).abs() < 1e-6 * found);
+        assert!(
+            patch
+                .notes
+                .iter()
+                .any(|note| note.contains("meet in a point")),
+            "{:?}",
+            patch.notes
+        );
+    }
+}
+
+#[test]
+fn a_rail_that_stands_still_at_its_end_is_no_hindrance() {
+    let text = r#"
+[curves]
+a = { bezier = [[0, 0, 0], [0, 0, 0], [60, 40, 0], [100, 0, 0]] }
+b = { bezier = [[0, 0, 0], [0, 0, 0], [0, 0, 0], [80, 50, 20]] }
+c = { bezier = [[0, 0, 70], [0, 0, 70], [0, 0, 70], [80, 50, 90]] }
+[patches]
+wall = { cylinder = "a", direction = [0, 0, 70] }
+flat = { ruled = ["b", "c"] }
+"#;
+    let (wall, lengths) = area(text, Some("wall"));
+    assert!((wall - 7_577.468_1).abs() < 1e-3, "{wall}");
+    assert!((lengths[0][0] - 108.249_544).abs() < 1e-5, "{lengths:?}");
+    // A parallelogram: 70 times the distance of the lines.
+    let (flat, _) = area(text, Some("flat"));
+    assert!((flat - 70.0 * 80.0_f64.hypot(50.0)).abs() < 1e-6, "{flat}");
+    let report = inspect(&design(text)).unwrap();
+    assert_eq!(report.patches[1].developable, Known::Proved);
+    // Its radius falls to nothing where it stands still: a demanded one is missed.
+    let thick = format!("{text}\n[sheet]\nthickness = 1\nleast-radius = 2\n");
+    let report = inspect(&design(&thick)).unwrap();
+    assert!(
+        report
+            .missed
+            .iter()
+            .any(|reason| reason.starts_with("wall: the inside radius")),
+        "{:?}",
+        report.missed
+    );
+}
+
+#[test]
+fn a_part_is_the_same_far_from_the_origin() {
+    let text = r#"
+[curves]
+a = { bezier = [["3500000020", "5400000000", "312000"], ["10500000160/3", "16200000032/3", "312000"], ["10500000260/3", "5400000048", "312012"], ["3500000120", "5400000112", "312096"]] }
+b = { bezier = [["3500000120", "5400000000", "312000"], ["10500000460/3", "5400000064", "312000"], ["10500000560/3", "16200000464/3", "312072"], ["3500000220", "5400000272", "312276"]] }
+[patches.t]
+ruled = ["a", "b"]
+"#;
+    let report = inspect(&design(text)).unwrap();
+    let patch = &report.patches[0];
+    assert!(report.missed.is_empty(), "{:?}", report.missed);
+    assert_eq!(patch.regular, Known::Proved);
+    assert!((patch.area.unwrap() - 19_256.962_93).abs() < 1e-2);
+    let clearance = patch.clearance.unwrap();
+    assert!(
+        clearance.low.unwrap() > 15.0 && clearance.high.unwrap() < 21.0,
+        "{clearance:?}"
+    );
+    let (found, _) = area(text, None);
+    assert!((found - 19_256.962_93).abs() < 1e-2, "{found}");
+}

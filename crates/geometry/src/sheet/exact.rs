@@ -1,0 +1,202 @@
+//! Whether a ruled patch is exactly developable, decided on the exact numbers of its control points.
+
+use super::{Point, Rail, RailCurve};
+use crate::basis::Shape;
+use crate::curve::{Curve, EllipticHelix};
+use crate::scalars::exact;
+use crate::vector::{cross, det, sub};
+use torse_algebra::{Integer, Rational};
+
+/// Control points `w p` with their weights `w`, exactly.
+type Homogeneous = Vec<[Rational; 4]>;
+
+/// Whether `det(P', Q', Q - P)` is the zero function: the differences of the control points are parallel with one ratio
+/// (cylinders and cones), all control points lie in one plane, or (of polynomials, weighted or not) the determinant
+/// vanishes at one parameter more than its degree.
+pub(super) fn is_exactly_developable(first: &Rail, second: &Rail) -> bool {
+    if are_similar(first, second) {
+        return true;
+    }
+    let (Some(p), Some(q)) = (homogeneous(first), homogeneous(second)) else {
+        return false;
+    };
+    are_coplanar(&p, &q) || vanishes(first, second, &p, &q)
+}
+
+/// The control points; an arc of an ellipse has none.
+fn homogeneous(rail: &Rail) -> Option<Homogeneous> {
+    let lifted = |p: &Point, w: f64| {
+        let [x, y, z] = p.map(exact);
+        [x, y, z, exact(w)]
+    };
+    Some(match rail.curve() {
+        RailCurve::Plain(curve) => curve.points().iter().map(|p| lifted(p, 1.0)).collect(),
+        RailCurve::Weighted(curve) => curve.homogeneous().map(|(p, w)| lifted(p, *w)).collect(),
+        RailCurve::Elliptic(_) => return None,
+    })
+}
+
+/// Whether `Q' = k P'` with a constant `k`: in one basis, without weights, or of arcs with the same angles.
+fn are_similar(first: &Rail, second: &Rail) -> bool {
+    match (first.curve(), second.curve()) {
+        (RailCurve::Plain(p), RailCurve::Plain(q)) => {
+            p.basis() == q.basis()
+                && p.degree() == q.degree()
+                && are_proportional(&steps(p.points()), &steps(q.points()))
+        }
+        // Sine, cosine and one are independent, and what they go with is all that moves.
+        (RailCurve::Elliptic(p), RailCurve::Elliptic(q)) => {
+            let moving = |arc: &EllipticHelix| -> Vec<Rational> {
+                let [cosine, sine] = arc.axes();
+                let vectors = [cosine, sine, arc.rise()];
+                vectors.into_iter().flatten().map(|c| exact(*c)).collect()
+            };
+            p.range() == q.range() && are_proportional(&moving(p), &moving(q))
+        }
+        _ => false,
+    }
+}
+
+/// The differences of neighbouring points.
+fn steps(points: &[Point]) -> Vec<Rational> {
+    let points: Vec<[Rational; 3]> = points.iter().map(|p| p.map(exact)).collect();
+    let pairs = points.iter().zip(points.iter().skip(1));
+    pairs.flat_map(|(a, b)| sub(b, a)).collect()
+}
+
+/// Whether the second list is a multiple of the first, which is not zero.
+fn are_proportional(p: &[Rational], q: &[Rational]) -> bool {
+    let zero = Rational::from_integer(Integer::ZERO);
+    let Some(index) = p.iter().position(|c| *c != zero) else {
+        return false;
+    };
+    let (Some(a), Some(b)) = (p.get(index), q.get(index)) else {
+        return false;
+    };
+    p.iter()
+        .zip(q)
+        .all(|(x, y)| x.clone() * b.clone() == y.clone() * a.clone())
+}
+
+fn are_coplanar(p: &Homogeneous, q: &Homogeneous) -> bool {
+    let zero = Rational::from_integer(Integer::ZERO);
+    let points: Vec<[Rational; 3]> = p
+        .iter()
+        .chain(q)
+        .map(|[x, y, z, w]| [x, y, z].map(|c| c.clone() / w.clone()))
+        .collect();
+    let Some(origin) = points.first() else {
+        return false;
+    };
+    let arms: Vec<[Rational; 3]> = points.iter().map(|point| sub(point, origin)).collect();
+    let nonzero = |v: &[Rational; 3]| v.iter().any(|c| *c != zero);
+    let Some(first) = arms.iter().find(|arm| nonzero(arm)) else {
+        return true;
+    };
+    let Some(second) = arms.iter().find(|arm| nonzero(&cross(first, arm))) else {
+        return true;
+    };
+    arms.iter().all(|arm| det(first, second, arm) == zero)
+}
+
+/// Whether `det(A, A', B, B')` vanishes, with the homogeneous polynomials `A, B` of the rails: a polynomial of a degree of
+/// at most `2 m + 2 n - 4`.
+fn vanishes(first: &Rail, second: &Rail, p: &Homogeneous, q: &Homogeneous) -> bool {
+    let shape = |rail: &Rail| match rail.curve() {
+        RailCurve::Plain(curve) => Some(*curve.basis()),
+        RailCurve::Weighted(curve) => Some(*curve.basis()),
+        RailCurve::Elliptic(_) => None,
+    };
+    let polynomial = Some(Shape::Bernstein);
+    if [shape(first), shape(second)] != [polynomial; 2] || p.len() < 2 || q.len() < 2 {
+        return false;
+    }
+    let curve = |points: &Homogeneous| Curve::new(Shape::Bernstein, points.clone());
+    let (Ok(a), Ok(b)) = (curve(p), curve(q)) else {
+        return false;
+    };
+    let count = (2 * (a.degree() + b.degree())).saturating_sub(4);
+    (0..=count).all(|k| {
+        let x = Rational::new(Integer::from(2 * k + 1), Integer::from(2 * count + 3));
+        let jets = (a.derivatives(&x, 1), b.derivatives(&x, 1));
+        let (Ok(a), Ok(b)) = jets else { return false };
+        match (a.as_slice(), b.as_slice()) {
+            ([a0, a1], [b0, b1]) => {
+                plucker(a0, a1, b0, b1) == Rational::from_integer(Integer::ZERO)
+            }
+            _ => false,
+        }
+    })
+}
+
+/// The determinant of four vectors by Laplace's expansion along two of them.
+fn plucker(a: &[Rational; 4], b: &[Rational; 4], c: &[Rational; 4], d: &[Rational; 4]) -> Rational {
+    let minor = |x: &[Rational; 4], y: &[Rational; 4], i: usize, j: usize| {
+        x[i].clone() * y[j].clone() - x[j].clone() * y[i].clone()
+    };
+    let pairs = [
+        ([0, 1], [2, 3], false),
+        ([0, 2], [1, 3], true),
+        ([0, 3], [1, 2], false),
+        ([1, 2], [0, 3], false),
+        ([1, 3], [0, 2], true),
+        ([2, 3], [0, 1], false),
+    ];
+    let mut sum = Rational::from_integer(Integer::ZERO);
+    for ([i, j], [k, l], odd) in pairs {
+        let term = minor(a, b, i, j) * minor(c, d, k, l);
+        sum = if odd { sum - term } else { sum + term };
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_exactly_developable_is_told_from_what_is_nearly() {
+        let arch = |z: f64, k: f64| {
+            Rail::bezier(&[[0.0, 0.0, z], [k, 2.0 * k, z], [4.0 * k, 0.0, z]]).unwrap()
+        };
+        assert!(is_exactly_developable(&arch(0.0, 1.0), &arch(3.0, 1.0)));
+        assert!(is_exactly_developable(&arch(0.0, 1.0), &arch(3.0, 0.5)));
+        // The ratio 0.3 is rounded.
+        assert!(!is_exactly_developable(&arch(0.0, 1.0), &arch(3.0, 0.3)));
+        let line = |a: Point, b: Point| Rail::bezier(&[a, b]).unwrap();
+        let plank = |z: f64| line([0.0, 200.0, 0.0], [5000.0, 200.0, z]);
+        let edge = line([0.0; 3], [5000.0, 0.0, 0.0]);
+        assert!(is_exactly_developable(&edge, &plank(0.0)));
+        assert!(!is_exactly_developable(&edge, &plank(1e-9)));
+    }
+
+    #[test]
+    fn tangents_of_a_cubic_are_developable_with_weights_and_without() {
+        // Two curves on the tangent surface of (t, t^2, t^3): c + c'/3 and c - c'/3 are polynomials of degree three.
+        let at = |k: f64| {
+            Rail::bezier(&[
+                [k, 0.0, 0.0],
+                [1.0 / 3.0 + k, 2.0 * k / 3.0, 0.0],
+                [2.0 / 3.0 + k, (1.0 + 4.0 * k) / 3.0, k],
+                [1.0 + k, 1.0 + 2.0 * k, 1.0 + 3.0 * k],
+            ])
+        };
+        // Of thirds that are rounded it is not exact: scaled by 3 all numbers are integers.
+        let scaled = |k: f64| {
+            let rail = at(k).unwrap();
+            let RailCurve::Plain(curve) = rail.curve() else {
+                panic!()
+            };
+            let points: Vec<Point> = curve
+                .points()
+                .iter()
+                .map(|p| p.map(|c| (3.0 * c).round()))
+                .collect();
+            (points.clone(), Rail::bezier(&points).unwrap())
+        };
+        let ((low, first), (_, second)) = (scaled(1.0), scaled(2.0));
+        assert!(is_exactly_developable(&first, &second));
+        let weighted = Rail::weighted(Shape::Bernstein, &low, &[1.0, 2.0, 1.0, 1.0]).unwrap();
+        assert!(!is_exactly_developable(&weighted, &second));
+    }
+}
