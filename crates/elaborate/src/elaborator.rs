@@ -20,6 +20,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_core::{Family, Node, Points, Set, Statement, Term, Variable, stack};
+use torse_numbers::planted::{Planted, planted};
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Declarations, Definition, SymbolKind};
 use torse_syntax::fault::{Fault, Problem};
@@ -277,7 +278,7 @@ impl<'a> Elaborator<'a> {
                     let right = self.term_in(right, scope)?;
                     let link = Statement::Compare {
                         relation: *relation,
-                        left,
+                        left: left.clone(),
                         right: right.clone(),
                     };
                     chain = Some(match chain {
@@ -286,7 +287,9 @@ impl<'a> Elaborator<'a> {
                             Statement::Join(Connective::And, Box::new(before), Box::new(link))
                         }
                     });
-                    left = right;
+                    if !planted(Planted::ChainFromFirst) {
+                        left = right;
+                    }
                 }
                 chain
                     .map(Meaning::Statement)
@@ -339,7 +342,11 @@ impl<'a> Elaborator<'a> {
             return term(Node::Variable(variable.clone()));
         }
         if let Some(definition) = self.declarations.definition(name) {
-            return self.definition(name, definition, place, &scope.outside());
+            let outside = match planted(Planted::DefinitionOutsideScope) {
+                true => Scope::default(),
+                false => scope.outside(),
+            };
+            return self.definition(name, definition, place, &outside);
         }
         match self.declarations.symbol(name) {
             Some(SymbolKind::Real(_) | SymbolKind::Integer { .. }) => {
@@ -374,6 +381,11 @@ impl<'a> Elaborator<'a> {
             && let Some(parameter) = function.parameters.first().cloned()
         {
             let order = i64::try_from(name.len() - base.len()).unwrap_or(i64::MAX);
+            let order = if planted(Planted::PrimesOnce) {
+                1
+            } else {
+                order
+            };
             let order = self.made(Node::Number(rational::integer(order)), place);
             let derivative =
                 Meaning::Function(self.differentiated(&function, &parameter, order, place));

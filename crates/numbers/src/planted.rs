@@ -56,6 +56,30 @@ pub enum Planted {
     LastFactorForgotten,
     /// The checker of proofs reads a difference as a sum.
     DifferenceReadAsSum,
+    /// Of several derivatives around a smooth function the highest order counts, not the sum.
+    OrdersByMaximum,
+    /// A property of a basis does not see what `at` puts in.
+    PropertyOutsideScope,
+    /// The body of a definition does not see what is moved.
+    DefinitionOutsideScope,
+    /// The body of a definition sees the index of a sum.
+    IndexCaptured,
+    /// A left-out argument of a basis is not moved.
+    LeftOutNotMoved,
+    /// Whether the variable of a derivative occurs in a root is not asked of the seeds of a basis.
+    SeedOverlooked,
+    /// The denial of `p and q` is `not p and not q`.
+    DenialOfBoth,
+    /// The second link of a chain compares with the first side.
+    ChainFromFirst,
+    /// `F''` is differentiated once.
+    PrimesOnce,
+    /// An integral goes from its upper to its lower end.
+    EndsExchanged,
+    /// A function is differentiated by its first parameter, whichever is named.
+    FirstParameter,
+    /// A witness may lie on an open end of its set.
+    OpenEndIncluded,
 }
 
 #[cfg(debug_assertions)]

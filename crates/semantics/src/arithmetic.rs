@@ -131,6 +131,12 @@ pub trait Arithmetic {
         None
     }
 
+    /// Shares of the way between the ends of an integral, and how much the integrand counts there, where such a sum stands for
+    /// the integral: none but where two readings of one text are compared.
+    fn stands_for_integral(&self) -> Option<[(Rational, Rational); 2]> {
+        None
+    }
+
     /// Whether it makes no difference to what is told of numbers if this one is added.
     fn is_negligible(&self, a: &Self::Number) -> bool {
         self.is_zero(a) == Some(true)

@@ -34,6 +34,18 @@ impl<A: Arithmetic> Evaluator<'_, A> {
     ) -> Outcome<A> {
         let (low, high) = (self.number(low, scope)?, self.number(high, scope)?);
         let length = high.minus(&low, self.arithmetic)?;
+        if let Some(shares) = self.arithmetic.stands_for_integral() {
+            let a = self.arithmetic;
+            return shares
+                .iter()
+                .try_fold(self.integer_value(0), |sum, (share, weight)| {
+                    let way = length.times(&Series::rational(share, a), a)?;
+                    let place = Value::Number(low.plus(&way, a)?);
+                    let value = self.term(body, &scope.with(variable, place))?;
+                    let weight = Series::rational(weight, a).times(&length, a)?;
+                    sum.plus(&value.each(&|x| x.times(&weight, a))?, a)
+                });
+        }
         // The body at `a + (b - a) (t + e)`, up to `e^order`.
         let level = scope.level + 1;
         let expanded = |t: A::Number, order: u16| {

@@ -8,6 +8,7 @@
 //! search, [`mutants`] are slips made on purpose, witnesses take the place of numbers that there are, [`recheck`] does both again.
 #![warn(missing_docs)]
 
+pub mod agreement;
 pub mod audit;
 mod concluded;
 mod condition;

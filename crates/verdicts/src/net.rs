@@ -17,6 +17,7 @@
 //!
 //! **Corrections** are proofs, with conditions of their own, and judged like proofs.
 
+use crate::agreement::{Agreement, agreement};
 use crate::meant::Meant;
 use crate::outcome::{BEYOND, Net, Outcome, Sides};
 use crate::{condition, provenance, replay};
@@ -164,6 +165,16 @@ pub fn judged(
     verdict(outcome, &*meant.needed(outcome)?, effort)
 }
 
+/// The verdicts that are judged.
+const DECIDED: [Verdict; 6] = [
+    Verdict::Holds,
+    Verdict::Conditional,
+    Verdict::Definition,
+    Verdict::False,
+    Verdict::Misprint,
+    Verdict::Vacuous,
+];
+
 /// The same of what a verdict is about.
 fn verdict(
     outcome: &Outcome,
@@ -178,6 +189,11 @@ fn verdict(
         effort,
         excepted: outcome.grounds.iter().flat_map(|g| g.excepted()).collect(),
     };
+    if DECIDED.contains(&outcome.verdict)
+        && let Err(objection) = case.agrees()
+    {
+        return Some(Err(objection));
+    }
     match outcome.verdict {
         Verdict::Holds | Verdict::Conditional | Verdict::Definition => {
             Some(case.proof(&outcome.conditions))
@@ -200,6 +216,14 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
+    /// Fails where the core terms are not what the text says.
+    fn agrees(&self) -> Result<(), Objection> {
+        match agreement(self.claim, self.statement, self.core) {
+            Agreement::Differs(found) => Err(found.into()),
+            Agreement::Same | Agreement::NotCompared(_) => Ok(()),
+        }
+    }
+
     /// The statement at points of the domain, and why these do not count.
     fn tally(&self, conditions: &[core::Statement]) -> (Tally, Option<String>) {
         let Effort { points, budget, .. } = *self.effort;
@@ -388,7 +412,8 @@ impl Case<'_> {
             ..*self
         };
         let found = case
-            .proof(&correction.conditions)
+            .agrees()
+            .and_then(|()| case.proof(&correction.conditions))
             .map_err(|found| found.about("the correction is wrong"))?;
         if !found.netted {
             net.netted = false;

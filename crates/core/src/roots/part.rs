@@ -4,6 +4,7 @@ use crate::{Node, Term};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::sync::Arc;
+use torse_numbers::planted::{Planted, planted};
 
 /// The longest key.
 const MAX_KEY: usize = 60_000;
@@ -20,7 +21,9 @@ pub(super) fn mentions(term: &Term, number: u32) -> bool {
             return true;
         }
         pending.extend(term.parts());
-        if let Node::Basis { family, .. } = &*term.node {
+        if let Node::Basis { family, .. } = &*term.node
+            && !planted(Planted::SeedOverlooked)
+        {
             pending.extend(family.formulas());
         }
     }

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use torse_core::{
     BuiltIn, Degrees, Family, FamilyProperty, Node, Printed, Statement, Term, Variable,
 };
+use torse_numbers::planted::{Planted, planted};
 use torse_numbers::{Rational, rational};
 use torse_syntax::derivation::declarations::Basis;
 use torse_syntax::fault::{Fault, Problem};
@@ -57,6 +58,9 @@ impl Elaborator<'_> {
             return self.family(basis, name.place);
         };
         quantified(declared, name.place, scope)?;
+        if planted(Planted::PropertyOutsideScope) {
+            return self.family_of(basis, declared, &Scope::default());
+        }
         let family = self.family_of(basis, declared, &scope.outside())?;
         let fixed: Vec<(&Variable, &Variable)> = family
             .variables
@@ -132,7 +136,10 @@ impl Elaborator<'_> {
                     return Err(wrong(index.place, "a formula", "the name of an index"));
                 };
                 let variable = self.fresh(name);
-                let inside = scope.with_local(name, &variable, Local::Index);
+                let mut inside = scope.with_local(name, &variable, Local::Index);
+                if planted(Planted::IndexCaptured) {
+                    inside = inside.with_global(name, &variable);
+                }
                 let (low, high) = (self.term_in(low, scope)?, self.term_in(high, scope)?);
                 let (index, term) = (variable, self.term_in(term, &inside)?);
                 let node = match name_of_fold {
@@ -156,6 +163,10 @@ impl Elaborator<'_> {
             ("integral", [body, variable, low, high]) => {
                 let (low, high) = (self.term_in(low, scope)?, self.term_in(high, scope)?);
                 let bound = self.bound(variable, scope, Use::Derivative)?;
+                let (low, high) = match planted(Planted::EndsExchanged) {
+                    true => (high, low),
+                    false => (low, high),
+                };
                 let node = Node::Integral {
                     low,
                     high,
@@ -292,6 +303,7 @@ impl Elaborator<'_> {
         if let Meaning::Function(function) = self.open(inner, scope)? {
             let parameter = match rest.first().map(|e| (&e.node, e.place)) {
                 None => function.parameters.first(),
+                Some(_) if planted(Planted::FirstParameter) => function.parameters.first(),
                 Some((formula::Node::Name(name), _)) => {
                     function.parameters.iter().find(|p| p.name() == name)
                 }

@@ -4,6 +4,7 @@ use super::binders::{Local, Scope};
 use super::{Elaborator, Meaning, Outcome, counted, wrong};
 use std::sync::Arc;
 use torse_core::{Family, Node, Points, Statement, Variable};
+use torse_numbers::planted::{Planted, planted};
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Basis, SymbolKind};
 use torse_syntax::fault::{Fault, Problem};
@@ -134,7 +135,11 @@ impl Elaborator<'_> {
                     },
                 ));
             }
-            match self.named(left_out, place, &scope.outside())? {
+            let outside = match planted(Planted::LeftOutNotMoved) {
+                true => Scope::default(),
+                false => scope.outside(),
+            };
+            match self.named(left_out, place, &outside)? {
                 Meaning::Term(term) => all.push(term),
                 other => return Err(wrong(place, other.kind(), "a number")),
             }

@@ -4,17 +4,17 @@ use dashu_int::ops::Gcd;
 use torse_numbers::{Integer, Rational};
 
 /// The prime: the largest below 2^61 that is 1 modulo [`ORDER`].
-pub(super) const PRIME: u64 = 2_305_842_961_527_705_601;
+pub(crate) const PRIME: u64 = 2_305_842_961_527_705_601;
 /// The order of [`ROOT`]: 2^12 3^3 5^2 7^2 11 13. The sine and cosine of `u pi/v` are residues if v divides half of it.
-pub(super) const ORDER: u64 = 19_372_953_600;
+pub(crate) const ORDER: u64 = 19_372_953_600;
 /// A number of exactly this order, `23^((PRIME - 1)/ORDER)`.
-pub(super) const ROOT: u64 = 520_556_968_199_573_244;
+pub(crate) const ROOT: u64 = 520_556_968_199_573_244;
 
 /// What two to the 61 is modulo the prime: below 2^36.
 const REST: u64 = (1 << 61) - PRIME;
 
 /// The sum of two residues.
-pub(super) fn sum(a: u64, b: u64) -> u64 {
+pub(crate) fn sum(a: u64, b: u64) -> u64 {
     once_less(a + b)
 }
 
@@ -23,7 +23,7 @@ fn once_less(n: u64) -> u64 {
     if n >= PRIME { n - PRIME } else { n }
 }
 
-pub(super) fn negative(a: u64) -> u64 {
+pub(crate) fn negative(a: u64) -> u64 {
     once_less(PRIME - a)
 }
 
@@ -33,7 +33,7 @@ pub(super) fn negative(a: u64) -> u64 {
     clippy::cast_possible_truncation,
     reason = "what is left is below 2^62"
 )]
-pub(super) fn product(a: u64, b: u64) -> u64 {
+pub(crate) fn product(a: u64, b: u64) -> u64 {
     const LOW: u128 = (1 << 61) - 1;
     let folded = |n: u128| (n >> 61) * u128::from(REST) + (n & LOW);
     let n = folded(folded(folded(u128::from(a) * u128::from(b)))) as u64;
@@ -41,7 +41,7 @@ pub(super) fn product(a: u64, b: u64) -> u64 {
 }
 
 /// `a^exponent`, by squaring.
-pub(super) fn power(a: u64, mut exponent: u64) -> u64 {
+pub(crate) fn power(a: u64, mut exponent: u64) -> u64 {
     let (mut power, mut square) = (1, a);
     while exponent > 0 {
         if exponent % 2 == 1 {
@@ -54,7 +54,7 @@ pub(super) fn power(a: u64, mut exponent: u64) -> u64 {
 }
 
 /// `1/a`, by Euclid's algorithm; `None` for 0.
-pub(super) fn inverse(a: u64) -> Option<u64> {
+pub(crate) fn inverse(a: u64) -> Option<u64> {
     let signed = |n: u64| i64::try_from(n).ok();
     let (mut rest, mut next) = (signed(PRIME)?, signed(a)?);
     let (mut before, mut factor) = (0_i64, 1_i64);
@@ -69,7 +69,7 @@ pub(super) fn inverse(a: u64) -> Option<u64> {
 }
 
 /// The residue of a machine integer.
-pub(super) fn integer(n: i64) -> u64 {
+pub(crate) fn integer(n: i64) -> u64 {
     let size = n.unsigned_abs() % PRIME;
     if n < 0 { negative(size) } else { size }
 }
@@ -84,7 +84,7 @@ fn whole(n: &Integer) -> u64 {
 }
 
 /// The residue of a rational number; `None` if the prime divides its denominator.
-pub(super) fn residue(q: &Rational) -> Option<u64> {
+pub(crate) fn residue(q: &Rational) -> Option<u64> {
     let numerator = whole(q.numer());
     if q.is_integer() {
         return Some(numerator);
@@ -96,7 +96,7 @@ pub(super) fn residue(q: &Rational) -> Option<u64> {
 ///
 /// For `2 bound^2` below the prime there is one at most: of u/v and w/z with the same residue, uz - vw is a multiple of
 /// the prime, and too small for one. It is a convergent of Euclid's algorithm (Wang 1981).
-pub(super) fn simple(a: u64, bound: u64) -> Option<(i64, i64)> {
+pub(crate) fn simple(a: u64, bound: u64) -> Option<(i64, i64)> {
     let signed = |n: u64| i64::try_from(n).ok();
     let (mut rest, mut next) = (signed(PRIME)?, signed(a)?);
     let (mut before, mut factor) = (0_i64, 1_i64);

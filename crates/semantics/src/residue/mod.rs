@@ -16,7 +16,7 @@
 //! no residue. Whoever finds a statement false modulo p looks again with exact numbers.
 
 pub(crate) mod domain;
-mod field;
+pub(crate) mod field;
 pub(crate) mod judge;
 mod point;
 

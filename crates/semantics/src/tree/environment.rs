@@ -93,6 +93,11 @@ impl<'a, N> Environment<'a, N> {
         }
     }
 
+    /// Whether nothing is bound.
+    pub fn is_outermost(&self) -> bool {
+        self.local.is_empty() && self.moved.is_empty()
+    }
+
     /// What the body of a definition sees.
     pub fn outside(&self) -> Self {
         Self {

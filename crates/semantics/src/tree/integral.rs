@@ -34,6 +34,17 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         body: &dyn Fn(Number<A>) -> Outcome<A>,
     ) -> Outcome<A> {
         let a = self.arithmetic;
+        if let Some(shares) = a.stands_for_integral() {
+            let length = high.minus(low, a)?;
+            return shares
+                .iter()
+                .try_fold(self.integer_value(0), |sum, (share, weight)| {
+                    let way = length.times(&Series::rational(share, a), a)?;
+                    let value = body(low.plus(&way, a)?)?;
+                    let weight = Series::rational(weight, a).times(&length, a)?;
+                    sum.plus(&value.each(&|x| x.times(&weight, a))?, a)
+                });
+        }
         let what = "an integral, in this arithmetic";
         if a.between(&integer(0), &integer(1)).is_none() {
             return Err(Unknown::NotCovered { what }.into());

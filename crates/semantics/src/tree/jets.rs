@@ -6,13 +6,27 @@ use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::formula::{Expr, parse};
 
 /// The derivatives of smooth functions that a point names.
-#[derive(Debug, Default, Clone)]
+#[derive(Debug, Clone)]
 pub(crate) struct Jets {
     /// By function: the text of each place, its tree, and the orders that are named there.
     pub(super) places: BTreeMap<String, Vec<(String, Expr, BTreeSet<usize>)>>,
+    /// How many coefficients are drawn beyond those that the point names.
+    pub(super) drawn: usize,
 }
 
+/// How many coefficients are drawn beyond those that a point names, and where it names none.
+const DRAWN: usize = 6;
+const ALL_DRAWN: usize = 24;
+
 impl Jets {
+    /// None: all of a function is drawn.
+    pub const fn none() -> Self {
+        Self {
+            places: BTreeMap::new(),
+            drawn: ALL_DRAWN,
+        }
+    }
+
     /// Those among names: `f''(u)`.
     pub fn new<'n>(declarations: &Declarations, names: impl IntoIterator<Item = &'n str>) -> Self {
         let mut places: BTreeMap<String, Vec<(String, Expr, BTreeSet<usize>)>> = BTreeMap::new();
@@ -39,7 +53,10 @@ impl Jets {
                 None => all.push((text.to_owned(), tree, BTreeSet::from([order]))),
             }
         }
-        Self { places }
+        Self {
+            places,
+            drawn: DRAWN,
+        }
     }
 }
 

@@ -17,7 +17,7 @@ use crate::value::Value;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 use torse_syntax::derivation::declarations::{Bound, Declarations, Interval, SymbolKind};
-use torse_syntax::derivation::{Claim, Written};
+use torse_syntax::derivation::{Claim, Sought, Written};
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
 /// A claim with a statement, to be judged at points, from their trees alone.
@@ -167,6 +167,26 @@ impl<'a> Reading<'a> {
             }
             _ => None,
         }
+    }
+
+    /// The statement.
+    pub(super) const fn tree(&self) -> &'a Expr {
+        self.statement
+    }
+
+    pub(super) fn declarations(&self) -> &'a Declarations {
+        &self.claim.declarations
+    }
+
+    /// The unknowns of the given equations.
+    pub(super) fn unknowns(&self) -> impl Iterator<Item = &'a Expr> {
+        self.claim.unknowns.iter().map(|unknown| &unknown.expr)
+    }
+
+    /// What is sought, with what the ends of its set say that are formulas.
+    pub(super) fn sought(&self) -> impl Iterator<Item = (&'a Sought, &[Written])> {
+        let ends = self.sought.iter().map(Vec::as_slice);
+        self.claim.sought.iter().zip(ends)
     }
 
     /// The parts of the statement that are joined by `and`; all of it where something is sought.
@@ -331,7 +351,7 @@ impl<'a> Reading<'a> {
     }
 
     /// Whether nothing that is sought is reached.
-    fn is_free(&self, tree: &Expr) -> bool {
+    pub(super) fn is_free(&self, tree: &Expr) -> bool {
         let names = super::memory::reached(&self.claim.declarations, [tree]);
         let mut sought = self.claim.sought.iter();
         !sought.any(|sought| names.contains(sought.name.as_str()))

@@ -5,6 +5,7 @@
 //! - `basis`, `property`: basis families; `smooth`: arbitrary smooth functions, `jets`: what is given of them
 //! - `integral`, `coefficients`
 //! - `statement`: what is true at a point; `judge`: a claim at a point
+//! - `outline`, `compared`: trees against what an elaborator makes of them
 //! - `second`: trees against core terms; `slips`: whether points see anything
 //! - `memory`, `remembered`: what need not be evaluated twice
 //!
@@ -14,6 +15,7 @@
 mod basis;
 mod closure;
 mod coefficients;
+mod compared;
 mod environment;
 mod evaluate;
 mod functions;
@@ -21,6 +23,7 @@ mod integral;
 mod jets;
 mod judge;
 mod memory;
+mod outline;
 mod property;
 mod remembered;
 pub(crate) mod second;
@@ -28,5 +31,7 @@ mod slips;
 mod smooth;
 mod statement;
 
+pub use compared::{Assignment, Compared, TreeOutline};
 pub use judge::{Reading, Values};
+pub use outline::{BASIS_AT, BASIS_DEGREES, Outline, Piece, printed_number, word};
 pub use second::objection_at;

@@ -19,8 +19,6 @@ use std::sync::Arc;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
-/// How many coefficients beyond those that a point names are drawn.
-const DRAWN: usize = 6;
 /// The most coefficients of a function.
 const MAX_COEFFICIENTS: usize = 40;
 
@@ -95,7 +93,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             Series::rational(&drawn(&stream, "center"), a)
         });
         let named_nodes = nodes.len();
-        nodes.extend((0..DRAWN).map(|_| last.clone()));
+        nodes.extend((0..self.jets.drawn).map(|_| last.clone()));
         let mut coefficients = vec![];
         for coordinate in coordinates {
             let mut derivatives: Vec<Vec<Series<A::Number>>> = vec![];
@@ -110,7 +108,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             let nodes = nodes.get(..named_nodes).unwrap_or_default();
             let mut all = divided_differences(nodes, &derivatives, a)?;
             let stream = Stream::new(&format!("{name} {coordinate:?}"), 0);
-            for k in 0..DRAWN {
+            for k in 0..self.jets.drawn {
                 all.push(Series::rational(&drawn(&stream, &k.to_string()), a));
             }
             coefficients.push(all);

@@ -1,0 +1,160 @@
+//! Numbers that tell two readings of one text apart: residues modulo a prime, with functions that scramble.
+//!
+//! Two readings of one text mean the same term if they have the same value at random numbers. That needs no equation to be
+//! satisfied and no root to exist: where both readings say "the root of this", any function will do in its place that both
+//! use. So the root, the sine with the cosine, and the exponential are fixed functions here that look random; what their series
+//! are follows from the value by the usual rules, and an integral is a fixed combination of two values of the integrand.
+
+use crate::arithmetic::Arithmetic;
+use crate::domain::newton::expanded;
+use crate::expansion::Expanded;
+use crate::gap::{Gap, Undefined, Work};
+use crate::name::Name;
+use crate::residue::field;
+use torse_core::Term;
+use torse_numbers::Rational;
+use torse_numbers::rational::{self, ratio};
+
+/// Integers are read back from residues up to this size.
+const LARGEST_INTEGER: u64 = 1 << 20;
+
+/// A residue modulo the prime.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Class(u64);
+
+impl Class {
+    /// Any residue: a function of the text and the number, and of nothing else.
+    pub(crate) fn drawn(text: &str, number: u64) -> Self {
+        let start = text.bytes().fold(number ^ SALTS[4], |hash, byte| {
+            mixed(hash ^ u64::from(byte))
+        });
+        Self(start % field::PRIME)
+    }
+
+    /// Whether it is the residue of zero.
+    #[must_use]
+    pub const fn is_zero(self) -> bool {
+        self.0 == 0
+    }
+
+    /// The residue of an integer.
+    pub(crate) fn integer(n: i64) -> Self {
+        Self(field::integer(n))
+    }
+}
+
+/// The arithmetic of scrambled residues.
+#[derive(Debug, Clone, Copy)]
+pub struct Scrambled<'a> {
+    /// The budget.
+    pub work: &'a Work,
+}
+
+/// What makes the functions different.
+const SALTS: [u64; 5] = [
+    0x9e37_79b9_7f4a_7c15,
+    0xc2b2_ae3d_27d4_eb4f,
+    0x1656_67b1_9e37_79f9,
+    0x27d4_eb2f_1656_67c5,
+    0x8525_0000_1234_5677,
+];
+
+/// The finisher of `SplitMix64`.
+fn mixed(mut x: u64) -> u64 {
+    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ (x >> 31)
+}
+
+fn scrambled(x: Class, salt: u64) -> Class {
+    Class(mixed(x.0.wrapping_add(salt)) % field::PRIME)
+}
+
+impl Arithmetic for Scrambled<'_> {
+    type Number = Class;
+
+    fn work(&self) -> &Work {
+        self.work
+    }
+
+    /// Where the prime divides the denominator, any residue.
+    fn rational(&self, value: &Rational) -> Class {
+        Class(field::residue(value).unwrap_or(SALTS[4] % field::PRIME))
+    }
+
+    fn integer(&self, n: i64) -> Class {
+        Class(field::integer(n))
+    }
+
+    fn pi(&self) -> Class {
+        Class(1_415_926_535_897_932_384)
+    }
+
+    fn plus(&self, a: &Class, b: &Class) -> Result<Class, Gap> {
+        self.work.spend(1)?;
+        Ok(Class(field::sum(a.0, b.0)))
+    }
+
+    fn negated(&self, a: &Class) -> Class {
+        Class(field::negative(a.0))
+    }
+
+    fn times(&self, a: &Class, b: &Class) -> Result<Class, Gap> {
+        self.work.spend(1)?;
+        Ok(Class(field::product(a.0, b.0)))
+    }
+
+    fn over(&self, a: &Class, b: &Class) -> Result<Class, Gap> {
+        self.work.spend(2)?;
+        let inverse = field::inverse(b.0).ok_or(Undefined::ZeroDivisor)?;
+        Ok(Class(field::product(a.0, inverse)))
+    }
+
+    fn square_root(&self, a: &Class) -> Result<Class, Gap> {
+        self.work.spend(1)?;
+        Ok(scrambled(*a, SALTS[0]))
+    }
+
+    fn sine_cosine(&self, a: &Class) -> Result<(Class, Class), Gap> {
+        self.work.spend(1)?;
+        Ok((scrambled(*a, SALTS[1]), scrambled(*a, SALTS[2])))
+    }
+
+    fn exponential(&self, a: &Class) -> Result<Class, Gap> {
+        self.work.spend(1)?;
+        Ok(scrambled(*a, SALTS[3]))
+    }
+
+    fn is_zero(&self, a: &Class) -> Option<bool> {
+        Some(a.0 == 0)
+    }
+
+    fn as_rational(&self, a: &Class) -> Option<Rational> {
+        let integer = |n: u64| Some(rational::integer(i64::try_from(n).ok()?));
+        match (a.0, field::negative(a.0)) {
+            (n, _) if n <= LARGEST_INTEGER => integer(n),
+            (_, n) if n <= LARGEST_INTEGER => Some(-integer(n)?),
+            _ => None,
+        }
+    }
+
+    fn bit_length(&self, _: &Class) -> Option<u64> {
+        None
+    }
+
+    fn stands_for_integral(&self) -> Option<[(Rational, Rational); 2]> {
+        Some([
+            (ratio(2, 7)?, ratio(3, 5)?),
+            (ratio(11, 13)?, ratio(17, 19)?),
+        ])
+    }
+
+    fn first_order(
+        &self,
+        terms: &[(&Term, Option<&Term>)],
+        value: &dyn Fn(&Name) -> Option<Class>,
+        moves: &dyn Fn(&Name) -> bool,
+    ) -> Result<Expanded<Class>, Gap> {
+        expanded(terms, *self, value, moves)
+    }
+}

@@ -1,0 +1,249 @@
+//! A statement as a list of words and values, to be compared with what else was made of its text.
+//!
+//! Connectives and relations come first, their sides after them, so that no brackets are needed. A denial is carried to the
+//! comparisons; of a property of a basis the functions are listed, of printed decimals what is printed. Names of statements and
+//! `at` are opened. The sides are values: two texts with one outline say the same at this point, whatever is true there.
+
+use super::environment::Environment;
+use super::evaluate::Evaluator;
+use crate::arithmetic::Arithmetic;
+use crate::gap::Gap;
+use crate::series::Series;
+use crate::value::Value;
+use torse_numbers::Rational;
+use torse_syntax::derivation::declarations::{Basis, Bound};
+use torse_syntax::formula::{Connective, Expr, Node, Relation};
+
+/// A word of a statement, or the value of a formula in it.
+#[derive(Debug, Clone)]
+pub enum Piece<T, N> {
+    /// What joins or compares, or names a property.
+    Word(String),
+    /// A side, with the formula where it stands under no binder.
+    Value(Option<T>, Result<Value<N>, Gap>),
+}
+
+/// Words and values.
+pub type Outline<T, N> = Vec<Piece<T, N>>;
+
+/// The word of a connective.
+#[must_use]
+pub fn word(connective: Connective) -> String {
+    connective.word().to_owned()
+}
+
+/// Where the functions of a basis are looked at, and how many degrees of them.
+pub const BASIS_AT: (i64, i64) = (355, 113);
+/// The degrees of a basis that are looked at from that of the seeds on.
+pub const BASIS_DEGREES: i64 = 3;
+
+type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
+type Pieces<'a, A> = Outline<&'a Expr, <A as Arithmetic>::Number>;
+
+/// The statement that a connective makes of two where it is denied: the connective, and whether each side is denied.
+const fn denied(connective: Connective) -> (Connective, bool) {
+    match connective {
+        Connective::And => (Connective::Or, true),
+        Connective::Or => (Connective::And, true),
+        Connective::Implies => (Connective::And, false),
+    }
+}
+
+impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
+    /// Adds the pieces of a statement, or of its denial.
+    pub(super) fn outline(
+        &self,
+        tree: &'a Expr,
+        is_denied: bool,
+        place: &Place<'a, A>,
+        all: &mut Pieces<'a, A>,
+    ) {
+        let Ok(_deeper) = self.deeper() else {
+            return all.push(Piece::Word("too deep".to_owned()));
+        };
+        match &tree.node {
+            Node::Join(..) => {
+                // Long chains are walked without recursion.
+                let (mut left, mut left_denied) = (tree, is_denied);
+                let mut rights = vec![];
+                while let Node::Join(connective, a, b) = &left.node {
+                    let (connective, first) = match left_denied {
+                        true => denied(*connective),
+                        false => (*connective, false),
+                    };
+                    all.push(Piece::Word(word(connective)));
+                    rights.push((b, left_denied));
+                    (left, left_denied) = (a, first);
+                }
+                self.outline(left, left_denied, place, all);
+                for (right, right_denied) in rights.into_iter().rev() {
+                    self.outline(right, right_denied, place, all);
+                }
+            }
+            Node::Not(inner) => self.outline(inner, !is_denied, place, all),
+            Node::Compare(first, rest) => {
+                let joined = match is_denied {
+                    true => Connective::Or,
+                    false => Connective::And,
+                };
+                all.extend(rest.iter().skip(1).map(|_| Piece::Word(word(joined))));
+                let mut left = &**first;
+                for (relation, right) in rest {
+                    let relation = match is_denied {
+                        true => relation.opposite(),
+                        false => *relation,
+                    };
+                    all.push(Piece::Word(relation.sign().to_owned()));
+                    all.push(self.piece(left, place));
+                    all.push(self.piece(right, place));
+                    left = right;
+                }
+            }
+            Node::Name(name) => match self.declarations.definition(name) {
+                Some(definition) if place.local(name).is_none() => {
+                    let body = &definition.body.expr;
+                    self.outline(body, is_denied, &place.outside(), all);
+                }
+                _ => all.push(Piece::Word(format!("a name, {name}"))),
+            },
+            Node::Call(head, arguments) => match &head.node {
+                Node::Name(name) => self.outline_of_call(name, arguments, is_denied, place, all),
+                _ => all.push(Piece::Word("a value".to_owned())),
+            },
+            _ => all.push(Piece::Word("a value".to_owned())),
+        }
+    }
+
+    fn outline_of_call(
+        &self,
+        name: &'a str,
+        arguments: &'a [Expr],
+        is_denied: bool,
+        place: &Place<'a, A>,
+        all: &mut Pieces<'a, A>,
+    ) {
+        match (name, arguments) {
+            ("at", [inner, name, point]) => match self.put(name, point, place) {
+                Ok(inside) => self.outline(inner, is_denied, &inside, all),
+                Err(gap) => all.push(Piece::Value(None, Err(gap))),
+            },
+            ("fails", [inner]) => {
+                all.push(Piece::Word("fails".to_owned()));
+                self.outline(inner, false, place, all);
+            }
+            ("agrees", [value, printed]) => {
+                all.push(Piece::Word(format!("agrees {}", digits(printed))));
+                all.push(self.piece(value, place));
+            }
+            (property, [family, degrees @ ..]) => {
+                if let Node::Name(name) = &family.node
+                    && let Some(basis) = self.declarations.basis(name)
+                {
+                    let found = match basis.is_list {
+                        true => self.outline_of_list(name, basis, place, all),
+                        false => {
+                            self.outline_of_property(property, name, (basis, degrees), place, all)
+                        }
+                    };
+                    if let Err(gap) = found {
+                        all.push(Piece::Value(None, Err(gap)));
+                    }
+                } else {
+                    all.push(Piece::Word(format!("{property} of something")));
+                }
+            }
+            _ => all.push(Piece::Word(name.to_owned())),
+        }
+    }
+
+    /// All functions of a list are zero or more.
+    fn outline_of_list(
+        &self,
+        name: &'a str,
+        basis: &'a Basis,
+        place: &Place<'a, A>,
+        all: &mut Pieces<'a, A>,
+    ) -> Result<(), Gap> {
+        let arguments = self.left_out(basis, 0, place)?;
+        let row = self.row(name, basis, i64::from(basis.degree), arguments, place)?;
+        let ands = row.iter().skip(1);
+        all.extend(ands.map(|_| Piece::Word(word(Connective::And))));
+        for function in row.iter() {
+            all.push(Piece::Word(Relation::AtLeast.sign().to_owned()));
+            all.push(Piece::Value(None, Ok(Value::Number(function.clone()))));
+            all.push(Piece::Value(None, Ok(self.integer_value(0))));
+        }
+        Ok(())
+    }
+
+    /// A property, and the functions that it is about at one value of their variable.
+    fn outline_of_property(
+        &self,
+        property: &str,
+        name: &'a str,
+        (basis, degrees): (&'a Basis, &'a [Expr]),
+        place: &Place<'a, A>,
+        all: &mut Pieces<'a, A>,
+    ) -> Result<(), Gap> {
+        let degrees = degrees
+            .iter()
+            .map(|degree| self.integer(degree, "a degree", place));
+        let degrees = degrees.collect::<Result<Vec<i64>, _>>()?;
+        all.push(Piece::Word(format!(
+            "{property} {degrees:?} from {}",
+            basis.degree
+        )));
+        let (u, v) = BASIS_AT;
+        let variable = Series::rational(&Rational::new(u.into(), v.into()), self.arithmetic);
+        let mut arguments = vec![Value::Number(variable)];
+        arguments.extend(self.left_out(basis, 1, place)?);
+        let least = i64::from(basis.degree);
+        for degree in least..least + BASIS_DEGREES {
+            let row = self.row(name, basis, degree, arguments.clone(), place);
+            all.push(Piece::Value(
+                None,
+                row.map(|row| Value::vector(row.to_vec())),
+            ));
+        }
+        Ok(())
+    }
+
+    fn piece(&self, tree: &'a Expr, place: &Place<'a, A>) -> Piece<&'a Expr, A::Number> {
+        let is_outermost = place.is_outermost();
+        Piece::Value(is_outermost.then_some(tree), self.value(tree, place))
+    }
+
+    /// The number that an end of an interval is.
+    pub(super) fn end(&self, bound: &Bound) -> Result<Value<A::Number>, Gap> {
+        let a = self.arithmetic;
+        let turns = Series::Number(a.pi()).times(&Series::rational(&bound.value.turns, a), a)?;
+        let rational = Series::rational(&bound.value.rational, a);
+        Ok(Value::Number(rational.plus(&turns, a)?))
+    }
+}
+
+/// The printed numbers of `agrees`, as they are compared.
+fn digits(printed: &Expr) -> String {
+    let items = match &printed.node {
+        Node::List(items) => items.as_slice(),
+        _ => std::slice::from_ref(printed),
+    };
+    let one = |item: &Expr| {
+        let (number, is_negative) = match &item.node {
+            Node::Negative(inner) => (&inner.node, true),
+            number => (number, false),
+        };
+        match number {
+            Node::Number { value, decimals } => printed_number(value, *decimals, is_negative),
+            _ => "a formula".to_owned(),
+        }
+    };
+    items.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// A printed number as a word: its size, its digits after the point, and whether a minus sign stands before it.
+#[must_use]
+pub fn printed_number(size: &Rational, decimals: Option<u32>, is_negative: bool) -> String {
+    let sign = if is_negative { "-" } else { "" };
+    format!("{sign}{size} to {decimals:?}")
+}
