@@ -9,7 +9,7 @@ use crate::{guard, selection, terminal};
 use clap::Args;
 use comfy_table::ColumnConstraint;
 use torse_prove::evidence::Witness;
-use torse_report::{counted, difference, rests, words};
+use torse_report::{counted, difference, point, rests, words};
 use torse_syntax::derivation::Paper;
 use torse_syntax::notation::Formula;
 use torse_syntax::words::Verdict;
@@ -132,7 +132,7 @@ impl Explain {
             Some(change) => {
                 let [printed, reads] = difference(&change.printed, &change.reads);
                 note.add("printed", &printed);
-                note.add("to be read", &reads);
+                note.add("should read", &reads);
                 if change.printed != outcome.printed {
                     note.add("in", &outcome.printed);
                 }
@@ -273,10 +273,8 @@ fn add_witness(note: &mut Note, outcome: &Outcome) {
         note.option("proved", torse_report::failure_in_full(outcome));
         return;
     }
-    let values = witness
-        .at
-        .iter()
-        .map(|(name, value)| format!("{} = {value}", name.trim_end_matches("[]")));
+    let values =
+        point(witness).map(|(name, value)| format!("{} = {value}", name.trim_end_matches("[]")));
     let point: Vec<String> = values.collect();
     if !point.is_empty() {
         note.add("fails at", &point.join(", "));

@@ -17,6 +17,11 @@ pub(crate) const PARTS: [&str; 3] = [
     "Please compare with the printed page",
 ];
 
+/// Whether what goes to authors has no sender.
+fn is_draft(report: &Report, envelope: &Envelope) -> bool {
+    report.letter.salutation.is_some() && envelope.sender.is_none()
+}
+
 /// The verification as an entry of a bibliography.
 fn bibliography(report: &Report) -> String {
     format!(
@@ -57,15 +62,17 @@ pub fn erratum_markdown(report: &Report, envelope: &Envelope) -> String {
 
 fn markdown(out: &mut String, report: &Report, envelope: &Envelope) -> fmt::Result {
     write!(out, "# Corrections to “{}”\n\n", escaped(&report.title))?;
-    if envelope.sender.is_none() {
+    if is_draft(report, envelope) {
         write!(out, "**{DRAFT}.**\n\n")?;
     }
-    write!(
-        out,
-        "To: {}\n\nPaper: *{}*\n\n",
-        escaped(&report.authors),
-        escaped(&report.venue)
-    )?;
+    if report.letter.salutation.is_some() {
+        write!(
+            out,
+            "To: {}\n\nPaper: *{}*\n\n",
+            escaped(&report.authors),
+            escaped(&report.venue)
+        )?;
+    }
     if let Some(sender) = &envelope.sender {
         write!(out, "From: {}\n\n", escaped(sender))?;
     }
@@ -73,12 +80,10 @@ fn markdown(out: &mut String, report: &Report, envelope: &Envelope) -> fmt::Resu
         write!(out, "Date: {}\n\n", escaped(date))?;
     }
     let letter = &report.letter;
-    write!(
-        out,
-        "{}\n\n{}\n",
-        escaped(&letter.salutation),
-        escaped(&letter.opening)
-    )?;
+    if let Some(salutation) = &letter.salutation {
+        write!(out, "{}\n\n", escaped(salutation))?;
+    }
+    writeln!(out, "{}", escaped(&letter.opening))?;
     for (name, items) in parts(report) {
         if items.is_empty() {
             continue;
@@ -116,7 +121,7 @@ fn markdown_item(out: &mut String, number: usize, item: &Item) -> fmt::Result {
             Markdown(&change.printed)
         )?;
         if let Some(reads) = &change.reads {
-            write!(out, "\nTo be read:\n\n> {}\n", Markdown(reads))?;
+            write!(out, "\nShould read:\n\n> {}\n", Markdown(reads))?;
         }
         for (label, view) in formulas(change) {
             write!(out, "\n{label}:\n\n")?;
@@ -144,7 +149,9 @@ fn formulas(change: &ItemChange) -> Vec<(&'static str, &FormulaView)> {
         return vec![];
     };
     let printed = repair.printed.iter().map(|view| ("That is", view));
-    printed.chain([("To be read", &repair.statement)]).collect()
+    printed
+        .chain([("Should read", &repair.statement)])
+        .collect()
 }
 
 /// A sentence as Markdown.
@@ -155,6 +162,7 @@ impl fmt::Display for Markdown<'_> {
         for span in self.0 {
             match span {
                 Span::Words(text) => out.write_str(&escaped(text))?,
+                Span::Strong(text) => write!(out, "**{}**", escaped(text))?,
                 Span::Code(text) => write!(out, "`{}`", text.replace('`', ""))?,
                 Span::Math(math) => write!(out, "$`{}`$", math.latex)?,
             }
@@ -181,17 +189,23 @@ const PREAMBLE: &str = "\\documentclass[11pt,a4paper]{article}\n\\usepackage[utf
 
 fn latex(out: &mut String, report: &Report, envelope: &Envelope) -> fmt::Result {
     out.push_str(PREAMBLE);
-    let head = match envelope.sender {
-        Some(_) => "",
-        None => DRAFT,
+    let head = match is_draft(report, envelope) {
+        true => DRAFT,
+        false => "",
     };
     write!(
         out,
-        "\\pagestyle{{myheadings}}\n\\markright{{{head}}}\n\n\\begin{{document}}\n{{\\Large\\bfseries Corrections to ``{}''\\par}}\n\nTo: {}\n\nPaper: \\textit{{{}}}\n\n",
+        "\\pagestyle{{myheadings}}\n\\markright{{{head}}}\n\n\\begin{{document}}\n{{\\Large\\bfseries Corrections to ``{}''\\par}}\n\n",
         latex_words(&report.title),
-        latex_words(&report.authors),
-        latex_words(&report.venue),
     )?;
+    if report.letter.salutation.is_some() {
+        write!(
+            out,
+            "To: {}\n\nPaper: \\textit{{{}}}\n\n",
+            latex_words(&report.authors),
+            latex_words(&report.venue),
+        )?;
+    }
     if let Some(sender) = &envelope.sender {
         write!(out, "From: {}\n\n", latex_words(sender))?;
     }
@@ -199,12 +213,11 @@ fn latex(out: &mut String, report: &Report, envelope: &Envelope) -> fmt::Result 
         write!(out, "Date: {}\n\n", latex_words(date))?;
     }
     let letter = &report.letter;
-    write!(
-        out,
-        "\\bigskip\n{}\n\n{}\n",
-        latex_words(&letter.salutation),
-        latex_words(&letter.opening)
-    )?;
+    out.push_str("\\bigskip\n");
+    if let Some(salutation) = &letter.salutation {
+        write!(out, "{}\n\n", latex_words(salutation))?;
+    }
+    writeln!(out, "{}", latex_words(&letter.opening))?;
     for (name, items) in parts(report) {
         if items.is_empty() {
             continue;
@@ -255,7 +268,7 @@ fn latex_item(out: &mut String, item: &Item) -> fmt::Result {
         if let Some(reads) = &change.reads {
             writeln!(
                 out,
-                "To be read:\n\\begin{{quote}}{}\\end{{quote}}",
+                "Should read:\n\\begin{{quote}}{}\\end{{quote}}",
                 Latex(reads)
             )?;
         }
@@ -276,11 +289,16 @@ fn latex_item(out: &mut String, item: &Item) -> fmt::Result {
 /// A formula in lines that are broken where its pieces are.
 fn latex_display(out: &mut String, label: &str, view: &FormulaView) -> fmt::Result {
     match &view.math {
-        Some(math) => writeln!(
-            out,
-            "{label}:\n\\begin{{multline*}}\n{}\n\\end{{multline*}}",
-            lines(math)
-        ),
+        Some(math) => {
+            let lines = lines(math);
+            match lines.contains("\\\\\n") {
+                true => writeln!(
+                    out,
+                    "{label}:\n\\begin{{multline*}}\n{lines}\n\\end{{multline*}}"
+                ),
+                false => writeln!(out, "{label}:\n\\[\n{lines}\n\\]"),
+            }
+        }
         None => writeln!(out, "{label}: \\texttt{{{}}}\n", latex_words(&view.text)),
     }
 }
@@ -311,6 +329,7 @@ impl fmt::Display for Latex<'_> {
         for span in self.0 {
             match span {
                 Span::Words(text) => out.write_str(&latex_words(text))?,
+                Span::Strong(text) => write!(out, "\\textbf{{{}}}", latex_words(text))?,
                 Span::Code(text) => write!(out, "\\texttt{{{}}}", latex_words(text))?,
                 Span::Math(math) => write!(out, "${}$", math.latex)?,
             }

@@ -40,8 +40,8 @@ impl Envelope {
 /// What a letter says.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Letter {
-    /// How the authors are addressed.
-    pub salutation: String,
+    /// How the authors are addressed; none of a worked example, which has no authors to write to.
+    pub salutation: Option<String>,
     /// What the letter is about, and how the statements were decided.
     pub opening: String,
     /// What is false and how it is to be corrected, what most rests on first.
@@ -128,8 +128,11 @@ pub(crate) fn of(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Letter {
         take(Part::Question),
     );
     Letter {
-        salutation: salutation(&visible(&paper.authors)),
-        opening: opening(corrections.len(), conditions.len(), questions.len()),
+        salutation: (!is_example(&paper.authors)).then(|| salutation(&visible(&paper.authors))),
+        opening: match is_example(&paper.authors) {
+            true => example(corrections.len()),
+            false => opening(corrections.len(), conditions.len(), questions.len()),
+        },
         closing: closing(paper, corrections.len(), accepted),
         corrections,
         conditions,
@@ -220,14 +223,18 @@ fn untold(claim: &Outcome) -> Item {
     let names = Names::of(claim);
     let formula =
         (claim.correction.as_ref()).map(|repair| correction(claim.parsed.as_ref(), repair, &names));
-    let says = match (&claim.finding, &claim.correction, &claim.note) {
-        (Some(finding), ..) => sentence::finished(finding),
-        (None, Some(repair), _) => sentence::finished(&repair.edits.join("; ")),
-        (None, None, Some(note)) => note.clone(),
-        (None, None, None) => sentence::failure_in_full(claim)
-            .map(|text| sentence::finished(&text))
-            .unwrap_or_default(),
+    let told = match (&claim.finding, &claim.correction, &claim.note) {
+        (Some(finding), ..) => Some(sentence::finished(finding)),
+        (None, Some(repair), _) => Some(sentence::finished(&repair.edits.join("; "))),
+        (None, None, Some(note)) => Some(note.clone()),
+        (None, None, None) => None,
     };
+    // Where nothing else is known it is the counterexample that says what is wrong, and it is told once.
+    let why = told.is_some().then(|| counterexample(claim)).flatten();
+    let says = told.unwrap_or_else(|| {
+        let failure = sentence::failure_in_full(claim);
+        failure.map_or_else(String::new, |text| sentence::finished(&text))
+    });
     Item {
         heading: place(claim),
         says: spans(&visible(&says), &names),
@@ -237,7 +244,7 @@ fn untold(claim: &Outcome) -> Item {
             reads: None,
             formula,
         }],
-        why: counterexample(claim),
+        why,
         also: vec![],
     }
 }
@@ -282,19 +289,33 @@ fn salutation(authors: &str) -> String {
     }
 }
 
+/// Whether a folder is a worked example of ours, and no paper.
+pub(crate) fn is_example(authors: &str) -> bool {
+    authors == "torse"
+}
+
+fn example(corrections: usize) -> String {
+    format!(
+        "This is no paper but a worked example: {} in it {} wrong on purpose, and here is what torse found of {}. What changes is framed; changed words are bold.",
+        plural(corrections, "statement"),
+        if corrections == 1 { "is" } else { "are" },
+        if corrections == 1 { "it" } else { "them" },
+    )
+}
+
 fn opening(corrections: usize, conditions: usize, questions: usize) -> String {
     let mut text = "Every statement of your paper was written down as a formula and decided by exact computation, with the program torse. ".to_owned();
     text.push_str(&match corrections {
         0 => "None was found to be false.".to_owned(),
-        1 => "One place needs a correction. What changes in it is framed, words are bold.".to_owned(),
+        1 => "One place needs a correction. What changes in it is framed; changed words are bold.".to_owned(),
         _ => format!(
-            "{corrections} places need a correction; what most rests on comes first. What changes is framed, words are bold."
+            "{corrections} places need a correction; what most rests on comes first. What changes is framed; changed words are bold."
         ),
     });
     if conditions > 0 {
         text.push_str(&match conditions {
-            1 => " Behind them follows a condition that the text should state.".to_owned(),
-            _ => format!(" Behind them follow {conditions} conditions that the text should state."),
+            1 => " A condition that the text should state follows.".to_owned(),
+            _ => format!(" {conditions} conditions that the text should state follow."),
         });
     }
     match questions {
@@ -324,8 +345,9 @@ fn closing(paper: &PaperOutcome, corrections: usize, accepted: &BTreeSet<String>
             "Each counterexample is exact: its numbers are computed, none is rounded.".to_owned();
         if proved > 0 {
             text.push_str(&format!(
-                " Of the {} concerned, the refutations of {proved} were also accepted by the proof assistant Rocq; the proofs come with torse, in the folder proofs.",
-                plural(refuted.len(), "statement")
+                " Of {}, {proved} {} also accepted by the proof assistant Rocq; the proofs come with torse, in the folder proofs.",
+                plural(refuted.len(), "refutation"),
+                if proved == 1 { "was" } else { "were" },
             ));
         }
         list.push(text);

@@ -56,7 +56,7 @@ pub use letter::{Envelope, Item, ItemChange, Letter};
 pub use manuscript::Manuscript;
 pub use math::{Mathematics, Piece, Prose, Span, in_words, plain};
 pub use rests::{Rests, rests};
-pub use sentence::failure_in_full;
+pub use sentence::{failure_in_full, point};
 pub use source::Source;
 pub use tally::{Remarks, Row, Tally};
 pub use text::counted;

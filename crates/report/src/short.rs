@@ -161,7 +161,7 @@ fn point(
     let (label, formula) = match (&claim.correction, &claim.parsed) {
         (Some(repair), parsed) => {
             let view = correction(parsed.as_ref(), repair, &names);
-            ("to be read", Some(view.statement))
+            ("should read", Some(view.statement))
         }
         (None, Some(parsed)) => ("as printed", Some(formula(parsed, &names))),
         (None, None) => ("", None),

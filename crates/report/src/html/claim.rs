@@ -196,7 +196,7 @@ pub(super) fn correction(out: &mut String, repair: &CorrectionView) -> fmt::Resu
         formula(out, printed)?;
         out.push_str("</div>");
     }
-    out.push_str("<div><span class=\"side\">to be read</span>");
+    out.push_str("<div><span class=\"side\">should read</span>");
     formula(out, &repair.statement)?;
     let others = match repair.unique {
         true => "No other repair as small was found.",

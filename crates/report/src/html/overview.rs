@@ -139,7 +139,7 @@ fn corrections(out: &mut String, list: &[Corrected]) -> fmt::Result {
         out.push_str("<p>No statement was found false as printed.</p></section>\n");
         return Ok(());
     }
-    out.push_str("<p>What is false as printed, and what is to be read instead; what most rests on comes first. What changes is framed.</p>\n<ol>");
+    out.push_str("<p>What is false as printed, and what it should say; what most rests on comes first. What changes is framed.</p>\n<ol>");
     for one in list {
         let finding = &one.finding;
         writeln!(
@@ -161,7 +161,7 @@ fn corrections(out: &mut String, list: &[Corrected]) -> fmt::Result {
         match (&one.reworded, &one.correction) {
             (Some(reworded), _) => {
                 quote(out, &reworded.printed)?;
-                out.push_str("<p class=\"meta\">to be read</p>");
+                out.push_str("<p class=\"meta\">should read</p>");
                 quote(out, &reworded.reads)?;
             }
             (None, Some(repair)) => {

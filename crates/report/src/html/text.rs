@@ -35,6 +35,7 @@ impl fmt::Display for Sentence<'_> {
         for span in self.0 {
             match span {
                 Span::Words(text) => Text(text).fmt(out)?,
+                Span::Strong(text) => write!(out, "<strong>{}</strong>", Text(text))?,
                 Span::Code(text) => Code(text).fmt(out)?,
                 Span::Math(math) => out.write_str(&math.mathml.concat())?,
             }

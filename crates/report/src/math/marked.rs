@@ -7,7 +7,7 @@
 
 use super::letters::is_function;
 use super::markup;
-use super::node::{Face, Mark, Node};
+use super::node::{Mark, Node};
 use super::prose::{Stretch, stretches};
 use super::{Mathematics, Names, Prose, Span};
 use crate::difference::common;
@@ -56,16 +56,16 @@ impl Atom {
     }
 
     fn marked(&self, mark: Mark) -> Self {
-        let node = match &self.inner {
+        let inner = match &self.inner {
             Stretch::Words(word) if word.chars().any(char::is_alphanumeric) => {
-                Node::Letter(word.clone(), Face::Bold)
+                Stretch::Strong(word.clone())
             }
             // A comma in bold is not seen to be so.
-            Stretch::Words(_) | Stretch::Code(_) => return self.clone(),
-            Stretch::Math(node) => whole(mark, node),
+            Stretch::Words(_) | Stretch::Strong(_) | Stretch::Code(_) => return self.clone(),
+            Stretch::Math(node) => Stretch::Math(whole(mark, node)),
         };
         Atom {
-            inner: Stretch::Math(node),
+            inner,
             behind: self.behind.clone(),
         }
     }
@@ -190,6 +190,10 @@ fn prose(atoms: &[Atom]) -> Prose {
     for atom in atoms {
         let (words, span) = match &atom.inner {
             Stretch::Words(word) => (word.as_str(), None),
+            Stretch::Strong(word) => {
+                strong(&mut list, word);
+                ("", None)
+            }
             Stretch::Code(code) => ("", Some(Span::Code(code.clone()))),
             Stretch::Math(node) => ("", Some(Span::Math(Mathematics::inline(node)))),
         };
@@ -204,6 +208,19 @@ fn prose(atoms: &[Atom]) -> Prose {
     list
 }
 
+/// Adds a marked word; words that follow one another are marked together.
+fn strong(list: &mut Prose, word: &str) {
+    if let [.., Span::Strong(last), Span::Words(blank)] = list.as_mut_slice()
+        && blank.trim().is_empty()
+    {
+        last.push_str(blank);
+        last.push_str(word);
+        list.pop();
+        return;
+    }
+    list.push(Span::Strong(word.to_owned()));
+}
+
 /// Larger formulas are never marked as a whole.
 const SMALL: usize = 60;
 
@@ -214,8 +231,30 @@ struct Pair {
     marked: usize,
 }
 
+/// A frame does not go on in the next line: wider formulas are framed term by term.
+const WIDE: usize = 24;
+
 fn whole(mark: Mark, node: &Node) -> Node {
-    Node::Marked(mark, Box::new(node.clone()))
+    let framed = |node: Node| Node::Marked(mark, Box::new(node));
+    let Node::Row(nodes) = node else {
+        return framed(node.clone());
+    };
+    if size(node) <= WIDE {
+        return framed(node.clone());
+    }
+    let (mut terms, mut term) = (vec![], vec![]);
+    for node in nodes {
+        if matches!(node, Node::Sign('=' | '+' | '−')) && !term.is_empty() {
+            terms.push(framed(Node::row(term.drain(..))));
+            terms.push(framed(node.clone()));
+        } else {
+            term.push(node.clone());
+        }
+    }
+    if !term.is_empty() {
+        terms.push(framed(Node::row(term)));
+    }
+    Node::row(terms)
 }
 
 fn replaced(old: &Node, new: &Node) -> Pair {
@@ -444,6 +483,7 @@ mod tests {
         compared(printed, reads, &Names::default()).map(|spans| {
             let part = |span: &Span| match span {
                 Span::Words(text) | Span::Code(text) => text.clone(),
+                Span::Strong(text) => format!("**{text}**"),
                 Span::Math(math) => math.latex.clone(),
             };
             spans.iter().map(part).collect()
@@ -473,16 +513,23 @@ mod tests {
     }
 
     #[test]
+    fn a_wide_formula_is_framed_term_by_term() {
+        let [_, new] = shown(
+            "the conditions are those",
+            "the conditions are Q_{1,2} = ρ Q_{k,1} + ρ γ (Q_{k,1} − Q_{k−1,1}) + s Q_{k,1} + t Q_{k,2}",
+        );
+        assert!(new.matches("boxed").count() > 5, "{new}");
+        assert!(new.contains("\\mathbin{\\boxed{+}}"), "{new}");
+    }
+
+    #[test]
     fn words_are_marked_one_by_one() {
         let [old, new] = shown(
             "the starting generator J(0) grows",
             "the ending generator J(1) grows",
         );
-        assert!(
-            old.starts_with("the \\mathbf{starting} generator "),
-            "{old}"
-        );
-        assert!(new.starts_with("the \\mathbf{ending} generator "), "{new}");
+        assert!(old.starts_with("the **starting** generator "), "{old}");
+        assert!(new.starts_with("the **ending** generator "), "{new}");
         assert!(new.ends_with(" grows"));
     }
 

@@ -66,6 +66,8 @@ pub struct Piece {
 pub enum Span {
     /// Words.
     Words(String),
+    /// Words that a correction changes.
+    Strong(String),
     /// A command or a name of a file, as it is typed.
     Code(String),
     /// A formula.

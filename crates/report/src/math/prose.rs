@@ -13,6 +13,7 @@ use super::{Mathematics, Names, Span, markup, read};
 pub(crate) fn spans(text: &str, names: &Names) -> Vec<Span> {
     let span = |stretch: Stretch| match stretch {
         Stretch::Words(text) => Span::Words(text),
+        Stretch::Strong(text) => Span::Strong(text),
         Stretch::Code(text) => Span::Code(text),
         Stretch::Math(node) => Span::Math(Mathematics::inline(&node)),
     };
@@ -24,6 +25,8 @@ pub(crate) fn spans(text: &str, names: &Names) -> Vec<Span> {
 pub(super) enum Stretch {
     /// Words.
     Words(String),
+    /// Words that a correction changes.
+    Strong(String),
     /// A command or a name of a file, as it is typed.
     Code(String),
     /// A formula.
@@ -51,7 +54,7 @@ pub(super) fn stretches(text: &str, names: &Names) -> Vec<Stretch> {
 #[must_use]
 pub fn in_words(spans: &[Span]) -> String {
     let part = |span: &Span| match span {
-        Span::Words(text) | Span::Code(text) => text.clone(),
+        Span::Words(text) | Span::Strong(text) | Span::Code(text) => text.clone(),
         Span::Math(math) => math.text.clone(),
     };
     spans.iter().map(part).collect()
@@ -114,7 +117,8 @@ struct Token<'a> {
 }
 
 fn between_words(text: &str, names: &Names, list: &mut List) {
-    let tokens = tokens(text, names);
+    let text = with_powers(text);
+    let tokens = tokens(&text, names);
     let mut position = 0;
     while let Some(token) = tokens.get(position) {
         match run(&tokens, position) {
@@ -126,11 +130,18 @@ fn between_words(text: &str, names: &Names, list: &mut List) {
                     .map(|token| match token.kind {
                         Kind::Open if token.text == "<" => "⟨",
                         Kind::Close if token.text == ">" => "⟩",
+                        Kind::Operator if token.text == "." => "·",
                         _ => token.text,
                     })
                     .collect();
                 list.math(&formula(&stretch, names));
                 position = end;
+            }
+            None if is_item(tokens.get(position..position + 3).unwrap_or_default()) => {
+                for token in tokens.iter().skip(position).take(3) {
+                    list.words(token.text);
+                }
+                position += 3;
             }
             None => {
                 // A number alone is no formula, its sign is a minus all the same.
@@ -144,6 +155,40 @@ fn between_words(text: &str, names: &Names, list: &mut List) {
                 position += 1;
             }
         }
+    }
+}
+
+/// With `^2` for a raised two behind a letter, a function or a bracket; units such as mm² stay as they are.
+fn with_powers(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        let digit = match c {
+            '²' => Some('2'),
+            '³' => Some('3'),
+            _ => None,
+        };
+        let start = out.trim_end_matches(char::is_alphabetic).len();
+        let word = out.get(start..).unwrap_or_default();
+        let raised = word.chars().count() == 1
+            || is_function(word)
+            || (word.is_empty() && out.ends_with([')', ']', '|', '\'']));
+        match digit {
+            Some(digit) if raised => out.extend(['^', digit]),
+            _ => out.push(c),
+        }
+    }
+    out
+}
+
+/// The letter of a list, `(a)`, which is no formula.
+fn is_item(tokens: &[Token<'_>]) -> bool {
+    match tokens {
+        [open, letter, close] => {
+            (open.text, close.text) == ("(", ")")
+                && letter.kind == Kind::Letter
+                && letter.text.chars().all(|c| c.is_ascii_lowercase())
+        }
+        _ => false,
     }
 }
 
@@ -249,16 +294,7 @@ fn run(tokens: &[Token<'_>], start: usize) -> Option<usize> {
                 .any(|t| matches!(t.kind, Kind::Letter | Kind::Sure));
             let lone = tokens.get(start..position).unwrap_or_default();
             let article = lone.len() == 1 && lone.iter().all(|t| matches!(t.text, "a" | "A" | "I"));
-            // The letter of a list, `(a)`, is no formula.
-            let item = match lone {
-                [open, letter, close] => {
-                    (open.text, close.text) == ("(", ")")
-                        && letter.kind == Kind::Letter
-                        && letter.text.chars().all(|c| c.is_ascii_lowercase())
-                }
-                _ => false,
-            };
-            if item {
+            if is_item(lone) {
                 continue;
             }
             let mathematics =
@@ -311,11 +347,44 @@ fn tokens<'a>(text: &'a str, names: &Names) -> Vec<Token<'a>> {
         } else if length == 1 && first == '>' && angle {
             (kind, angle) = (Kind::Close, false);
         }
+        let mut length = length;
+        if first.is_ascii_digit() && is_of_a_figure(&tokens) {
+            let end = rest.find(|c: char| !c.is_ascii_alphanumeric());
+            (length, kind) = (end.unwrap_or(rest.len()), Kind::Word);
+        } else if first == '.' && is_between_blanks(rest, &tokens) {
+            kind = Kind::Operator;
+        }
         let (taken, after) = rest.split_at_checked(length).unwrap_or((rest, ""));
         tokens.push(Token { kind, text: taken });
         rest = after;
     }
     tokens
+}
+
+/// Whether a number comes next that is one of a figure: `Fig. 5a`, `Figure (5b)`.
+fn is_of_a_figure(tokens: &[Token<'_>]) -> bool {
+    let words = tokens.iter().rev();
+    let mut words = words.filter(|token| token.kind != Kind::Blank && token.kind != Kind::Open);
+    let last = match words.next() {
+        Some(token) if token.text == "." => words.next(),
+        other => other,
+    };
+    last.is_some_and(|token| matches!(token.text, "Fig" | "Figs" | "Figure" | "Figures"))
+}
+
+/// Whether a dot between blanks stands behind an operand: prints write a scalar product so.
+fn is_between_blanks(rest: &str, tokens: &[Token<'_>]) -> bool {
+    let blank = |token: &Token<'_>| token.kind == Kind::Blank;
+    let operand = |token: &Token<'_>| {
+        matches!(
+            token.kind,
+            Kind::Letter | Kind::Sure | Kind::Number | Kind::Close
+        )
+    };
+    match tokens {
+        [.., before, last] => rest.starts_with(". ") && blank(last) && operand(before),
+        _ => false,
+    }
 }
 
 /// The length of the next token in bytes, and what it is; `bar` is what a bar is here, the first or the second of two.
@@ -566,6 +635,14 @@ mod tests {
             (
                 "4(a + b) − 2Q_{1,2} of sec-3.1 and T~^Z_rot",
                 "⟨4(a + b) − 2Q₁,₂⟩ of sec-3.1 and ⟨T̃ᵣₒₜᶻ⟩",
+            ),
+            (
+                "Proposition 3.8 (b) and Fig. 5a, Figure (5b), Figs. 9–10",
+                "Proposition 3.8 (b) and Fig. 5a, Figure (5b), Figs. 9–10",
+            ),
+            (
+                "the product φ . φ is sin²(x) + y² of 4 mm²",
+                "the product ⟨φ · φ⟩ is ⟨sin²(x) + y²⟩ of 4 mm²",
             ),
             (
                 "we don't say 'one' or \"two\"",

@@ -243,10 +243,22 @@ pub(crate) fn latex_words(text: &str) -> String {
                 ));
             }
             '−' | '≤' | '≥' | '≠' | '≈' | '·' | '⋅' | '×' | '→' | '∈' | '∞' | '∑' | '∂' | '…'
-            | '±' | '∥' => {
+            | '±' | '∥' | '∫' | '∀' | '⇒' | '∧' | '⟨' | '⟩' => {
                 escaped.push_str(&format!("\\ensuremath{{{}}}", latex_sign(c)));
             }
-            _ => escaped.push(c),
+            // Signs above the letter before.
+            '\u{302}' | '\u{303}' => {
+                let base = escaped.pop().map(String::from).unwrap_or_default();
+                let sign = if c == '\u{302}' { '^' } else { '~' };
+                escaped.push_str(&format!("\\{sign}{{{base}}}"));
+            }
+            // What the fonts of LaTeX have under its own sign.
+            '\n' | '\u{20}'..='\u{7e}' | '\u{a1}'..='\u{17f}' | '–' | '—' | '‘' | '„' | '‚' =>
+            {
+                escaped.push(c);
+            }
+            '\u{a0}' => escaped.push('~'),
+            _ => escaped.push_str(&format!("[U+{:04X}]", u32::from(c))),
         }
     }
     escaped
@@ -286,6 +298,8 @@ fn latex_sign(sign: char) -> String {
         '∈' => "\\in",
         '∞' => "\\infty",
         '∑' => "\\sum",
+        '∫' => "\\int",
+        '∀' => "\\forall",
         '∂' => "\\partial",
         '…' => "\\ldots",
         '±' => "\\pm",
