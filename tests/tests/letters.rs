@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::sync::LazyLock;
 use torse_report::model::Report;
 use torse_report::{Envelope, erratum_latex, erratum_markdown, findings_in_words};
@@ -25,30 +26,13 @@ static PAPERS: LazyLock<Vec<PaperOutcome>> = LazyLock::new(|| {
     decided.collect()
 });
 
-/// What no reader is to meet: names and sentences of the engine, and slips of grammar.
-const PATTERNS: [&str; 16] = [
-    "printed_",
-    "printed(z",
-    "{printed}",
-    "what it denies",
-    "cannot be widened",
-    "says nothing against",
-    "0 is 0",
-    "1/2*sqrt",
-    "entry 1, ",
-    "1 decimals",
-    " 1 terms",
-    " 1 statements",
-    " 1 conditions",
-    "1 of 8 need ",
-    "1 places",
-    "no correction is proved",
-];
+/// What no reader is to meet: names and sentences of the engine, and slips of grammar. The command's tests read it, too.
+const PATTERNS: &str = include_str!("../support/patterns.txt");
 
 /// What a text has of that, with what stands around it.
 fn found(text: &str, whose: &str) -> Vec<String> {
     let mut list = vec![];
-    for pattern in PATTERNS {
+    for pattern in PATTERNS.lines() {
         for (at, _) in text.match_indices(pattern) {
             let from = text.floor_char_boundary(at.saturating_sub(60));
             let to = text.ceil_char_boundary((at + 60).min(text.len()));
@@ -65,13 +49,74 @@ fn no_letter_and_no_finding_has_a_sentence_of_the_engine() {
         let report = Report::new(paper, &[]);
         let letter = erratum_markdown(&report, &Envelope::default());
         all.extend(found(&letter, &format!("{}-erratum.md", paper.slug)));
-        let tex = erratum_latex(&report, &Envelope::default());
-        assert!(tex.contains("\\begin{document}"));
+        // What pages and documents are made of.
+        let whole = serde_json::to_string(&report).unwrap();
+        all.extend(found(&whole, &format!("the report of {}", paper.slug)));
         for (id, text) in findings_in_words(&paper.claims) {
             all.extend(found(&text, &id));
         }
     }
     assert!(all.is_empty(), "{}", all.join("\n"));
+}
+
+#[test]
+fn only_authors_are_addressed() {
+    for paper in PAPERS.iter() {
+        let report = Report::new(paper, &[]);
+        let letter = erratum_markdown(&report, &Envelope::default());
+        let example = paper.authors == "torse";
+        for words in ["Dear ", "To: ", "Draft"] {
+            assert_eq!(letter.contains(words), !example, "{}: {words}", paper.slug);
+        }
+        // Every item says in a sentence what is wrong.
+        let items = letter.split("\n### ").skip(1);
+        for item in items {
+            let says = item.lines().nth(2).unwrap_or_default();
+            assert!(says.len() > 20, "{}: {item}", paper.slug);
+        }
+    }
+}
+
+#[test]
+fn latex_sets_every_letter_without_a_warning() {
+    if Command::new("pdflatex").arg("--version").output().is_err() {
+        println!(
+            "notice: pdflatex is not installed (texlive-latex-recommended), no letter was set"
+        );
+        return;
+    }
+    let signed = Envelope {
+        sender: Some("A. Reader".to_owned()),
+        date: Some("1 May 2026".to_owned()),
+    };
+    for (paper, outcome) in LOADED.iter().zip(PAPERS.iter()) {
+        let restored = restore(STANDARD_WORK, paper, outcome).expect("every formula makes sense");
+        let outcome = PaperOutcome {
+            restored,
+            ..outcome.clone()
+        };
+        let report = Report::new(&outcome, &[]);
+        for envelope in [Envelope::default(), signed.clone()] {
+            let folder = tempfile::tempdir().unwrap();
+            let file = folder.path().join("letter.tex");
+            std::fs::write(&file, erratum_latex(&report, &envelope)).unwrap();
+            let mut pdflatex = Command::new("pdflatex");
+            pdflatex.args(["-interaction=nonstopmode", "-halt-on-error", "letter.tex"]);
+            let ran = pdflatex.current_dir(folder.path()).output().unwrap();
+            let log = std::fs::read(folder.path().join("letter.log")).unwrap();
+            let log = String::from_utf8_lossy(&log);
+            let wrong = |line: &&str| {
+                let signs = ["Warning", "Overfull", "Underfull", "! "];
+                signs.iter().any(|sign| line.contains(sign))
+            };
+            let wrong: Vec<&str> = log.lines().filter(wrong).collect();
+            assert!(
+                ran.status.success() && wrong.is_empty(),
+                "{}: {wrong:?}",
+                paper.head.id
+            );
+        }
+    }
 }
 
 #[test]

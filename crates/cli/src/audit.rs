@@ -168,7 +168,7 @@ fn text(found: &[Audited<'_>]) -> String {
     let answered: usize = classes.values().map(Vec::len).sum();
     let stale: usize = found.iter().map(|audited| audited.stale.len()).sum();
     text.push_str(&format!(
-        "{} claims, {open} open flags, {answered} answered in {} classes, {stale} answers to no flag\n",
+        "claims: {}; flags: {open} open, {answered} answered in {} classes; answers to no flag: {stale}\n",
         found.len(),
         classes.len()
     ));

@@ -82,7 +82,7 @@ fn counts(papers: &[PaperOutcome]) -> String {
         many => {
             let proved = tally.remarks.proved;
             format!(
-                "Besides, {}, of which {proved} hold.\n",
+                "Besides, {}, of which {proved} hold, if need be under the conditions that are told.\n",
                 counted(many, "remark of ours")
             )
         }

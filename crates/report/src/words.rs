@@ -426,6 +426,7 @@ pub const fn flag(of: Flag) -> &'static str {
         Flag::UnstatedRelation => "unstated-relation",
         Flag::UnneededHypothesis => "unneeded-hypothesis",
         Flag::QuoteSaysOtherwise => "quote-says-otherwise",
+        Flag::GarbledExcuse => "garbled-excuse",
     }
 }
 

@@ -104,4 +104,6 @@ pub enum Flag {
     UnneededHypothesis,
     /// The quotation of a hypothesis does not say it.
     QuoteSaysOtherwise,
+    /// What is excused by the copy is a sign, a relation or the number of an equation, which no copy confuses.
+    GarbledExcuse,
 }

@@ -28,7 +28,7 @@ fn a_statement_that_is_its_print_has_no_flag_and_the_exit_code_is_0() {
     );
     let ran = audit(&claims, &[]);
     assert_eq!(ran.code, Some(0), "{}{}", ran.out, ran.err);
-    assert!(ran.out.contains("1 claims, 0 open flags"), "{}", ran.out);
+    assert!(ran.out.contains("claims: 1; flags: 0 open"), "{}", ran.out);
 }
 
 #[test]

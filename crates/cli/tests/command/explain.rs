@@ -1,6 +1,7 @@
 //! `torse explain`.
 
-use crate::support::{claim, mini, on};
+use crate::support::{claim, mini, on, torse_in};
+use std::path::Path;
 
 #[test]
 fn a_refuted_claim_is_explained_with_both_sides_at_a_point() {
@@ -186,4 +187,46 @@ readings = [
         &read["readings"][1]["verdict"],
     ];
     assert_eq!(verdicts, ["false", "holds"]);
+}
+
+#[test]
+fn explanations_of_the_papers_have_no_sentence_and_no_symbol_of_the_engine() {
+    const PATTERNS: &str = include_str!("../../../../tests/support/patterns.txt");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    for id in [
+        "gbt-developable/thm-4.c",
+        "gbt-developable/thm-2.b",
+        "gbt-surfaces/eq-6.Q13",
+        "hermite-developable/eq-3.3.g",
+        "trigonometric/helix.principal.slip",
+    ] {
+        let ran = torse_in(&root, &["explain", id]);
+        assert_eq!(ran.code, Some(0), "{id}: {}", ran.err);
+        for pattern in PATTERNS.lines() {
+            assert!(
+                !ran.out.contains(pattern),
+                "{id} has {pattern:?}:\n{}",
+                ran.out
+            );
+        }
+        let point = ran
+            .out
+            .lines()
+            .find(|line| line.trim_start().starts_with("fails at"));
+        assert!(
+            !point.is_some_and(|line| line.contains('√')),
+            "{id}: {point:?}"
+        );
+        // The answer comes first.
+        assert!(
+            ran.out
+                .lines()
+                .nth(2)
+                .unwrap()
+                .trim_start()
+                .starts_with("verdict"),
+            "{id}:\n{}",
+            ran.out
+        );
+    }
 }

@@ -7,6 +7,7 @@
 
 mod conclusion;
 mod formulas;
+mod garbled;
 mod hypotheses;
 mod instance;
 mod occurrences;
@@ -136,6 +137,7 @@ fn signs_of<'a>(
     let mut signs = vec![];
     let mut add = |found: Vec<Sign>| signs.extend(found);
     add(unstated::relation(&subject));
+    add(garbled::excuse(&subject));
     if claim.statement.is_none() {
         return signs;
     }
