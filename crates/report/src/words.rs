@@ -237,7 +237,7 @@ pub const fn verdict(of: Verdict) -> Term {
         Verdict::Undecided => (
             "undecided",
             "undecided",
-            "Neither proved nor refuted; what was tried is stated. This says nothing against the statement.",
+            "Neither proved nor refuted; what was tried is stated. The statement may be true.",
         ),
         Verdict::Vacuous => (
             "vacuous",

@@ -592,7 +592,7 @@ mod tests {
     /// The sentence with its formulas in angle brackets.
     fn shown(text: &str) -> String {
         let part = |span: &Span| match span {
-            Span::Words(text) => text.clone(),
+            Span::Words(text) | Span::Strong(text) => text.clone(),
             Span::Code(text) => format!("`{text}`"),
             Span::Math(math) => format!("⟨{}⟩", math.text),
         };

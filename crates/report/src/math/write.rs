@@ -243,7 +243,7 @@ pub(crate) fn latex_words(text: &str) -> String {
                 ));
             }
             '−' | '≤' | '≥' | '≠' | '≈' | '·' | '⋅' | '×' | '→' | '∈' | '∞' | '∑' | '∂' | '…'
-            | '±' | '∥' | '∫' | '∀' | '⇒' | '∧' | '⟨' | '⟩' => {
+            | '±' | '∥' | '∏' | '∫' | '∀' | '⇒' | '∧' | '⟨' | '⟩' => {
                 escaped.push_str(&format!("\\ensuremath{{{}}}", latex_sign(c)));
             }
             // Signs above the letter before.
@@ -298,6 +298,7 @@ fn latex_sign(sign: char) -> String {
         '∈' => "\\in",
         '∞' => "\\infty",
         '∑' => "\\sum",
+        '∏' => "\\prod",
         '∫' => "\\int",
         '∀' => "\\forall",
         '∂' => "\\partial",
