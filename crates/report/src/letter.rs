@@ -72,7 +72,7 @@ pub struct Item {
 /// Words of the paper, and what is to be read instead.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ItemChange {
-    /// Where they stand, if there is more than one place.
+    /// Where they stand, if there is more than one place; none where that is the place of the change before.
     pub at: Option<Prose>,
     /// The words.
     pub printed: Prose,
@@ -172,13 +172,17 @@ fn told(fault: &PaperFault, shows: &[&Outcome]) -> Item {
         names.extend(Names::of(claim));
     }
     let several = fault.changes.len() > 1;
+    let mut before = None;
     let mut changes: Vec<ItemChange> = (fault.changes.iter())
         .filter_map(|change| {
             let claim = find(&change.claim)?;
             let [printed, reads] =
                 compared(&visible(&change.printed), &visible(&change.reads), &names);
+            // A place is told once for all changes that follow one another there.
+            let at = Some(place(claim)).filter(|at| several && before.as_ref() != Some(at));
+            before = at.clone().or(before.take());
             Some(ItemChange {
-                at: several.then(|| place(claim)),
+                at,
                 printed,
                 reads: Some(reads),
                 formula: None,

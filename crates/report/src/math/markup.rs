@@ -227,7 +227,7 @@ impl<'a> Reader<'a> {
         match letters {
             "sum" => Node::Sign('∑'),
             "infinity" => Node::Sign('∞'),
-            "and" | "or" | "not" | "for" | "with" | "in" | "det" | "span" => {
+            "and" | "or" | "not" | "for" | "with" | "in" | "span" => {
                 Node::row([Node::Gap, Node::word(letters), Node::Gap])
             }
             // x1 is typed for x_1.
@@ -237,7 +237,9 @@ impl<'a> Reader<'a> {
                 let digits = self.take(|c| c.is_ascii_digit());
                 by_rule(&format!("{letters}{digits}"))
             }
-            _ if greek_letter(letters).is_some() || is_function(letters) => by_rule(letters),
+            _ if greek_letter(letters).is_some() || is_function(letters) || letters == "det" => {
+                by_rule(letters)
+            }
             _ if letters.len() <= 2 => {
                 Node::row(letters.chars().map(|c| Node::italic(&c.to_string())))
             }

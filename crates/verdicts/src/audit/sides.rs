@@ -5,15 +5,15 @@ use crate::conjunction::conjuncts;
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::formula::{Expr, Node, Relation};
 use torse_syntax::notation;
-use torse_syntax::words::Flag;
+use torse_syntax::words::{Flag, Kind};
 
 /// How deep names are opened.
 const DEPTH: usize = 8;
 
-/// Equations with equal sides, names that stand for formulas opened. A definition is compared with its use, too, and not
-/// with itself.
+/// Equations with equal sides, names that stand for formulas opened; of a definition that is what is wanted.
 pub(super) fn equal(subject: &Subject<'_>) -> Vec<Sign> {
-    let statement = subject.claim.statement.as_ref();
+    let definition = subject.claim.entry.kind == Kind::Definition;
+    let statement = subject.claim.statement.as_ref().filter(|_| !definition);
     let mut signs = vec![];
     for part in statement.iter().flat_map(|w| conjuncts(&w.expr)) {
         let Node::Compare(first, rest) = &part.node else {
