@@ -59,7 +59,7 @@ fn words_of(value: &serde_json::Value, words: &mut Vec<String>) {
         Value::String(text) => words.push(text.clone()),
         Value::Array(list) => list.iter().for_each(|value| words_of(value, words)),
         Value::Object(map) => match (map.contains_key("typst"), map.get("math")) {
-            (true, _) => words_of(&map["text"], words),
+            (true, _) => words_of(&map["alt"], words),
             // A formula on lines of its own stands in the notation of the files where it has no mathematics.
             (false, Some(math)) if !math.is_null() => words_of(math, words),
             _ => map.values().for_each(|value| words_of(value, words)),
