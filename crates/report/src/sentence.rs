@@ -334,7 +334,6 @@ fn opposite(statement: &Expr) -> Option<Expr> {
 }
 
 /// The values of a point that readers need: the engine's symbols for roots follow from those of the others.
-#[must_use]
 pub fn point(witness: &Witness) -> impl Iterator<Item = &(String, String)> {
     let is_root = |name: &str| {
         let heads = ["sqrt(", "norm(", "abs(", "√"];
