@@ -4,7 +4,12 @@
 //! Each row has the exact number, an enclosure, the double, and the units in the last place between them; where the paper prints
 //! the number, how far the print is from it. Those of the examples are a snapshot, and all of them the page `derivations/NUMBERS.md`.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests"
+)]
 
 mod ends;
 mod exact;

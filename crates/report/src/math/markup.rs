@@ -14,7 +14,7 @@ pub(super) fn dollars(text: &str) -> Option<Node> {
 /// Mathematics as boxes.
 pub(super) fn boxes(text: &str) -> Node {
     // Prints write a scalar product with a dot between blanks.
-    let text = text.replace(" . ", " · ");
+    let text = text.replace(" . ", " ⋅ ");
     let mut reader = Reader {
         rest: &text,
         depth: 0,

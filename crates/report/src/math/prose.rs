@@ -130,7 +130,8 @@ fn between_words(text: &str, names: &Names, list: &mut List) {
                     .map(|token| match token.kind {
                         Kind::Open if token.text == "<" => "⟨",
                         Kind::Close if token.text == ">" => "⟩",
-                        Kind::Operator if token.text == "." => "·",
+                        // A scalar product, which the files write in another way.
+                        Kind::Operator if token.text == "." => "⋅",
                         _ => token.text,
                     })
                     .collect();
@@ -642,7 +643,7 @@ mod tests {
             ),
             (
                 "the product φ . φ is sin²(x) + y² of 4 mm²",
-                "the product ⟨φ · φ⟩ is ⟨sin²(x) + y²⟩ of 4 mm²",
+                "the product ⟨φ ⋅ φ⟩ is ⟨sin²(x) + y²⟩ of 4 mm²",
             ),
             (
                 "we don't say 'one' or \"two\"",
