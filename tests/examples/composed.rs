@@ -33,10 +33,10 @@ fn main() -> ExitCode {
                 "truth": format!("{:?}", made.claim.truth),
                 "answer": answer.word(),
                 "said": said,
-                "verdict": found.map(|o| o.verdict),
-                "conditions": found.map_or(vec![], |o| texts(&o.conditions)),
-                "correction": found.and_then(|o| o.correction.as_ref()).map(|c| c.statement.text.clone()),
-                "contradiction": found.and_then(|o| o.contradiction.clone()),
+                "verdict": found.map(|o| o.verdict()),
+                "conditions": found.map_or(vec![], |o| texts(o.conditions())),
+                "correction": found.and_then(|o| o.correction()).map(|c| c.statement.text.clone()),
+                "contradiction": found.and_then(|o| o.contradiction().clone()),
             });
             println!("{line}");
         }

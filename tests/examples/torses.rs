@@ -217,7 +217,7 @@ fn piece(
     share: [f64; 2],
     edge: impl Fn(f64) -> Option<[f64; 3]>,
 ) -> Fallible<Value> {
-    let flat = Unrolling::within(1e-7).rulings(RULINGS).of(part).ok();
+    let flat = Unrolling::within(1e-7).rulings(RULINGS).measured(part).ok();
     let mut rulings = vec![];
     for number in 0..RULINGS {
         #[allow(clippy::cast_precision_loss)]

@@ -20,25 +20,30 @@ fn outcome(id: &str) -> Outcome {
 
 #[test]
 fn the_third_plane_of_example_5_2_rounds_to_the_printed_decimals() {
-    let steps = outcome("gbt-developable/ex-5.2.Q22").steps;
+    let steps = outcome("gbt-developable/ex-5.2.Q22").steps();
     insta::assert_json_snapshot!(steps);
 }
 
 #[test]
 fn the_determinant_of_the_cubic_system_is_the_fourth_power_of_k() {
     let found = outcome("hermite-developable/eq-3.5.det");
-    assert_eq!(found.parsed.unwrap().text, "det(A35) == k^4");
-    insta::assert_json_snapshot!((found.verdict, found.evidence));
+    assert_eq!(found.parsed().unwrap().text, "det(A35) == k^4");
+    insta::assert_json_snapshot!((found.verdict(), found.evidence()));
 }
 
 #[test]
 fn the_missing_factor_of_the_beta_condition_is_found() {
-    let found = outcome("gbt-developable/thm-4.c").correction.unwrap();
-    insta::assert_json_snapshot!((found.edits, found.unique));
+    let found = outcome("gbt-developable/thm-4.c");
+    let found = found.correction().unwrap();
+    insta::assert_json_snapshot!((&found.edits, found.unique));
 }
 
 #[test]
 fn the_spurious_exclusion_of_the_quartic_system_is_refuted_by_its_determinant() {
     let found = outcome("hermite-developable/eq-3.6.det");
-    insta::assert_json_snapshot!((found.verdict, found.derived.map(|d| d.text), found.witness));
+    insta::assert_json_snapshot!((
+        found.verdict(),
+        found.derived().map(|d| &d.text),
+        found.witness()
+    ));
 }

@@ -73,10 +73,10 @@ fn the_proofs_of_true_statements_do_not_prove_what_the_engine_refutes() {
             let Ok(outcome) = decide_claim(slug, claim) else {
                 continue;
             };
-            let Some(evidence) = kind(outcome.evidence) else {
+            let Some(evidence) = kind(outcome.evidence()) else {
                 continue;
             };
-            if outcome.verdict != Verdict::Holds {
+            if outcome.verdict() != Verdict::Holds {
                 continue;
             }
             for (place, (claim, _)) in refuted(claim, MOST).enumerate() {

@@ -148,10 +148,16 @@ fn latex_sets_every_letter_without_a_warning() {
 fn every_fault_shows_in_claims_that_do_not_hold_and_no_refuted_claim_of_the_papers_is_left_to_itself()
  {
     for paper in PAPERS.iter() {
-        let find = |id: &String| paper.claims.iter().find(|claim| claim.id == *id).unwrap();
+        let find = |id: &String| {
+            paper
+                .claims
+                .iter()
+                .find(|outcome| outcome.claim.id == *id)
+                .unwrap()
+        };
         for fault in &paper.faults {
             for id in &fault.shows {
-                let verdict = find(id).verdict;
+                let verdict = find(id).verdict();
                 let faulty = [
                     Verdict::False,
                     Verdict::Misprint,
@@ -168,18 +174,18 @@ fn every_fault_shows_in_claims_that_do_not_hold_and_no_refuted_claim_of_the_pape
         if paper.faults.is_empty() {
             continue;
         }
-        let refuted = paper.claims.iter().filter(|claim| {
-            matches!(claim.verdict, Verdict::False | Verdict::Misprint)
-                && claim.kind != torse_syntax::words::Kind::Remark
+        let refuted = paper.claims.iter().filter(|outcome| {
+            matches!(outcome.verdict(), Verdict::False | Verdict::Misprint)
+                && outcome.claim.kind != torse_syntax::words::Kind::Remark
         });
         let untold: Vec<&str> = refuted
-            .filter(|claim| {
+            .filter(|outcome| {
                 !paper
                     .faults
                     .iter()
-                    .any(|fault| fault.shows.contains(&claim.id))
+                    .any(|fault| fault.shows.contains(&outcome.claim.id))
             })
-            .map(|claim| claim.id.as_str())
+            .map(|outcome| outcome.claim.id.as_str())
             .collect();
         assert!(untold.is_empty(), "{untold:?}");
     }
@@ -207,7 +213,7 @@ fn with_all_corrections_in_force_every_claim_that_has_one_is_true_and_a_letter_n
     let mut others = vec![];
     for outcome in RESTORED.iter() {
         let changes = || outcome.faults.iter().flat_map(|fault| &fault.changes);
-        let find = |id: &str| outcome.claims.iter().find(|of| of.id == id).unwrap();
+        let find = |id: &str| outcome.claims.iter().find(|of| of.claim.id == id).unwrap();
         let letter = erratum_latex(&Report::new(outcome, &[]), &Envelope::default());
         let checked = letter.split_once("How this was checked").unwrap().1;
         for claim in outcome.restored.clone() {
@@ -218,14 +224,14 @@ fn with_all_corrections_in_force_every_claim_that_has_one_is_true_and_a_letter_n
             // What the letter offers for a claim, in words or as a formula, is true.
             let of = find(&claim.claim);
             let offered =
-                of.correction.is_some() || changes().any(|change| change.claim == claim.claim);
+                of.correction().is_some() || changes().any(|change| change.claim == claim.claim);
             assert!(!offered, "{}: {:?}", claim.claim, claim.verdict);
             let says = match claim.verdict {
                 Verdict::Depends => "still depend",
                 _ => "not repaired, and cannot stay as printed",
             };
             assert!(
-                checked.contains(says) && checked.contains(&of.at),
+                checked.contains(says) && checked.contains(&of.claim.at),
                 "{}: {checked}",
                 claim.claim
             );

@@ -10,6 +10,8 @@ use torse_tests::random::judge::{
     Judgement, contradiction, judge, outcome, outcomes, run, seconded, semantics,
 };
 use torse_tests::random::variants::Variant;
+use torse_verdicts::finding::Finding;
+use torse_verdicts::statement::Contradiction;
 
 const SEED: u64 = 1;
 
@@ -94,7 +96,7 @@ fn some(count: u64) -> impl Iterator<Item = Claim> {
 
 /// The verdict, with `misprint` as the `false` that it is; corrections depend on the order of the sides.
 fn verdict(claim: &Claim) -> Option<Verdict> {
-    outcome(claim).ok().map(|found| refuted(found.verdict))
+    outcome(claim).ok().map(|found| refuted(found.verdict()))
 }
 
 fn refuted(verdict: Verdict) -> Verdict {
@@ -152,7 +154,7 @@ fn claims_in_another_order_change_no_verdict() {
         .collect();
     let verdicts = |claims: &[&Claim]| -> Vec<Option<Verdict>> {
         let found = outcomes(claims).expect("all claims make sense");
-        let verdict = |o: Result<_, String>| o.ok().map(|o: torse_verdicts::Outcome| o.verdict);
+        let verdict = |o: Result<_, String>| o.ok().map(|o: torse_verdicts::Outcome| o.verdict());
         found.into_iter().map(verdict).collect()
     };
     let forwards: Vec<&Claim> = claims.iter().collect();
@@ -176,7 +178,10 @@ fn a_wrong_answer_and_a_wrong_construction_are_seen() {
     assert!(matches!(judge(&claim, &answer), Judgement::Wrong(_)));
     assert!(!seconded(&claim, &points));
     let mut torn = answer.expect("it is decided");
-    torn.contradiction = Some("x".to_owned());
+    torn.finding = Finding::Contradicted(Contradiction {
+        claimed: torn.verdict(),
+        found: "x".to_owned(),
+    });
     assert!(matches!(judge(&claim, &Ok(torn)), Judgement::Wrong(_)));
 }
 

@@ -56,7 +56,9 @@ fn every_verdict_is_the_expected_one() {
         .map(|c| {
             format!(
                 "{}: expected {:?}, computed {:?}",
-                c.id, c.expect, c.verdict
+                c.claim.id,
+                c.claim.expect,
+                c.verdict()
             )
         })
         .collect();
@@ -69,8 +71,8 @@ fn the_papers_are_pinned_by_the_snapshot_and_expect_nothing() {
     let papers = PAPERS
         .iter()
         .filter(|paper| !ours.contains(&paper.slug.as_str()));
-    for claim in papers.flat_map(|paper| &paper.claims) {
-        assert_eq!(claim.expect, None, "{}", claim.id);
+    for outcome in papers.flat_map(|paper| &paper.claims) {
+        assert_eq!(outcome.claim.expect, None, "{}", outcome.claim.id);
     }
 }
 
@@ -98,11 +100,11 @@ fn at_most_eight_per_cent_of_the_statements_stay_open() {
     let statements: Vec<_> = PAPERS
         .iter()
         .flat_map(|p| &p.claims)
-        .filter(|c| c.kind != Kind::Figure)
+        .filter(|c| c.claim.kind != Kind::Figure)
         .collect();
     let open = statements
         .iter()
-        .filter(|c| matches!(c.verdict, Verdict::Undecided | Verdict::OutOfScope))
+        .filter(|c| matches!(c.verdict(), Verdict::Undecided | Verdict::OutOfScope))
         .count();
     assert!(
         open * 100 <= statements.len() * 8,
@@ -113,11 +115,11 @@ fn at_most_eight_per_cent_of_the_statements_stay_open() {
 
 #[test]
 fn what_holds_rests_on_a_proof_and_what_is_refuted_shows_a_witness() {
-    for claim in PAPERS.iter().flat_map(|p| &p.claims) {
-        match claim.verdict {
+    for outcome in PAPERS.iter().flat_map(|p| &p.claims) {
+        match outcome.verdict() {
             Verdict::Holds | Verdict::Conditional => assert!(
                 matches!(
-                    claim.evidence,
+                    outcome.evidence(),
                     Some(
                         Evidence::Identity
                             | Evidence::Induction
@@ -127,18 +129,22 @@ fn what_holds_rests_on_a_proof_and_what_is_refuted_shows_a_witness() {
                     )
                 ),
                 "{}",
-                claim.id
+                outcome.claim.id
             ),
             Verdict::Misprint => {
                 assert!(
-                    claim.witness.is_some() && claim.correction.is_some(),
+                    outcome.witness().is_some() && outcome.correction().is_some(),
                     "{}",
-                    claim.id
+                    outcome.claim.id
                 );
             }
-            Verdict::False => assert!(claim.witness.is_some(), "{}", claim.id),
+            Verdict::False => assert!(outcome.witness().is_some(), "{}", outcome.claim.id),
             Verdict::Undecided | Verdict::OutOfScope | Verdict::Underspecified => {
-                assert!(!claim.steps.is_empty(), "{} says no reason", claim.id);
+                assert!(
+                    !outcome.steps().is_empty(),
+                    "{} says no reason",
+                    outcome.claim.id
+                );
             }
             _ => {}
         }
@@ -183,19 +189,23 @@ fn shown(condition: &str) -> String {
 #[test]
 fn the_verdicts_evidence_and_conditions_are_these() {
     let mut lines = BTreeMap::new();
-    for claim in PAPERS.iter().flat_map(|p| &p.claims) {
+    for outcome in PAPERS.iter().flat_map(|p| &p.claims) {
         let word = |text: String| text.to_lowercase();
-        let evidence = claim
-            .evidence
+        let evidence = outcome
+            .evidence()
             .map_or_else(|| "-".to_owned(), |e| word(format!("{e:?}")));
-        let conditions: Vec<String> = claim.conditions.iter().map(|c| shown(&c.text)).collect();
+        let conditions: Vec<String> = outcome
+            .conditions()
+            .iter()
+            .map(|c| shown(&c.text))
+            .collect();
         let conditions = match conditions.is_empty() {
             true => String::new(),
             false => format!(" where {}", conditions.join(" and ")),
         };
-        let verdict = word(format!("{:?}", claim.verdict));
+        let verdict = word(format!("{:?}", outcome.verdict()));
         lines.insert(
-            claim.id.clone(),
+            outcome.claim.id.clone(),
             format!("{verdict} ({evidence}){conditions}"),
         );
     }
@@ -210,21 +220,25 @@ fn every_decided_statement_is_netted_or_says_why_not() {
     };
     let (mut count, mut netted) = (0, 0);
     let mut lines = BTreeMap::new();
-    for claim in PAPERS.iter().flat_map(|p| &p.claims) {
-        let Some(net) = &claim.net else {
-            assert!(!decided(claim.verdict), "{} has no net", claim.id);
+    for outcome in PAPERS.iter().flat_map(|p| &p.claims) {
+        let Some(net) = outcome.net() else {
+            assert!(
+                !decided(outcome.verdict()),
+                "{} has no net",
+                outcome.claim.id
+            );
             continue;
         };
         count += 1;
         match &net.why {
             None => {
-                assert!(net.netted, "{}", claim.id);
+                assert!(net.netted, "{}", outcome.claim.id);
                 netted += 1;
             }
             Some(why) => {
-                assert!(!net.netted, "{}", claim.id);
+                assert!(!net.netted, "{}", outcome.claim.id);
                 let points = format!("{} of {} points", net.decided, net.tried);
-                lines.insert(claim.id.clone(), format!("{why} ({points})"));
+                lines.insert(outcome.claim.id.clone(), format!("{why} ({points})"));
             }
         }
     }
@@ -234,15 +248,18 @@ fn every_decided_statement_is_netted_or_says_why_not() {
 
 #[test]
 fn no_condition_of_the_papers_was_seen_to_be_superfluous() {
-    for claim in PAPERS.iter().flat_map(|p| &p.claims) {
-        let correction = claim.net.iter().filter_map(|net| net.correction.as_deref());
-        for sides in claim
-            .net
-            .iter()
+    for outcome in PAPERS.iter().flat_map(|p| &p.claims) {
+        let correction = outcome
+            .net()
+            .into_iter()
+            .filter_map(|net| net.correction.as_deref());
+        for sides in outcome
+            .net()
+            .into_iter()
             .chain(correction)
             .flat_map(|net| &net.conditions)
         {
-            assert!(!sides.is_suspicious(), "{}: {sides:?}", claim.id);
+            assert!(!sides.is_suspicious(), "{}: {sides:?}", outcome.claim.id);
         }
     }
 }
@@ -266,12 +283,12 @@ fn status_table() -> String {
     let papers = ["gbt-developable", "gbt-surfaces", "hermite-developable"];
     let count = |slug: &str, verdict: Verdict| {
         let paper = PAPERS.iter().find(|p| p.slug == slug).unwrap();
-        let claims = paper.claims.iter().filter(|c| c.kind != Kind::Remark);
-        claims.filter(|c| c.verdict == verdict).count()
+        let claims = paper.claims.iter().filter(|c| c.claim.kind != Kind::Remark);
+        claims.filter(|c| c.verdict() == verdict).count()
     };
     let remarks = |slug: &str| {
         let paper = PAPERS.iter().find(|p| p.slug == slug).unwrap();
-        let remarks = paper.claims.iter().filter(|c| c.kind == Kind::Remark);
+        let remarks = paper.claims.iter().filter(|c| c.claim.kind == Kind::Remark);
         remarks.count()
     };
     let mut lines = vec![
@@ -310,8 +327,8 @@ fn the_verdicts_that_changed_are_listed_as_they_are_now() {
     let page = std::fs::read_to_string(root().join("derivations/CHANGES.md")).unwrap();
     let verdict = |id: &str| {
         let mut claims = PAPERS.iter().flat_map(|paper| &paper.claims);
-        let claim = claims.find(|claim| claim.id == id);
-        claim.map(|claim| serde_json::to_value(claim.verdict).unwrap())
+        let claim = claims.find(|outcome| outcome.claim.id == id);
+        claim.map(|claim| serde_json::to_value(claim.verdict()).unwrap())
     };
     // The first table is against the inventories, the others are against the verdicts before a policy.
     let (mut rows, mut tables) = (0, 0);

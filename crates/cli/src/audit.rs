@@ -91,7 +91,7 @@ impl Audit {
 fn pairs<'a>(papers: &'a [Paper], run: &'a Run) -> Vec<(&'a Claim, &'a Outcome)> {
     let outcomes: BTreeMap<&str, &Outcome> = run
         .outcomes()
-        .map(|outcome| (outcome.id.as_str(), outcome))
+        .map(|outcome| (outcome.claim.id.as_str(), outcome))
         .collect();
     let claims = papers.iter().flat_map(|paper| &paper.claims);
     claims

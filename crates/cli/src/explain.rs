@@ -13,8 +13,10 @@ use torse_report::{counted, difference, point, rests, words};
 use torse_syntax::derivation::Paper;
 use torse_syntax::notation::Formula;
 use torse_syntax::words::Verdict;
+use torse_verdicts::claim_record::Role;
 use torse_verdicts::consequences::{consequences, resting, users};
-use torse_verdicts::outcome::{Correction, Outcome, PaperFault, PaperOutcome, Role};
+use torse_verdicts::correction::Correction;
+use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
 
 /// Explain one claim: what is printed, how it was understood, what is true, and why.
 ///
@@ -64,7 +66,7 @@ impl Explain {
             for outcome in &paper.claims {
                 let resting = Resting::on(outcome, &papers, self.budget, &mut mistakes);
                 guard::finished();
-                let kernel = kernel.contains(&outcome.id);
+                let kernel = kernel.contains(&outcome.claim.id);
                 terminal::print(&self.note(paper, outcome, resting, kernel))?;
             }
         }
@@ -80,23 +82,23 @@ impl Explain {
     ) -> String {
         let mut note = Note::default();
         note.add("verdict", &verdict(outcome));
-        let each = outcome.readings.iter().map(|reading| {
-            let verdict = words::verdict(reading.outcome.verdict).label;
+        let each = outcome.readings().iter().map(|reading| {
+            let verdict = words::verdict(reading.outcome.verdict()).label;
             format!("{} if read as {}", verdict, reading.name)
         });
         note.list("namely", each);
         note.option("found", found(paper, outcome));
         self.difference(&mut note, paper, outcome);
-        note.list("on condition", self.formulas(&outcome.conditions));
+        note.list("on condition", self.formulas(outcome.conditions()));
         self.readings(&mut note, outcome);
         note.list("true form", true_forms(paper, outcome).into_iter());
         note.gap();
         add_witness(&mut note, outcome);
         let part = derived_part(outcome);
         let derived = |formula| Some(self.formula(formula)? + &part);
-        note.option("left - right", derived(outcome.difference.as_ref()));
-        note.option("derived", derived(outcome.derived.as_ref()));
-        if let Some(data) = &outcome.data {
+        note.option("left - right", derived(outcome.difference()));
+        note.option("derived", derived(outcome.derived()));
+        if let Some(data) = outcome.data() {
             note.gap();
             note.list("right if", data.in_words().into_iter());
         }
@@ -104,15 +106,15 @@ impl Explain {
         note.list(resting.label, resting.rows.into_iter());
         note.gap();
         note.add("paper", &format!("{}, {}", paper.title, paper.venue));
-        note.add("where", &outcome.at);
-        note.option("our reading", outcome.reading.as_deref());
-        let assumed = outcome.assumed.iter();
+        note.add("where", &outcome.claim.at);
+        note.option("our reading", outcome.claim.reading.as_deref());
+        let assumed = outcome.claim.assumed.iter();
         let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
         note.list("assuming", assumed.map(|h| self.cut(&h.formula.text)));
         self.rests(&mut note, outcome);
-        note.option("copy at hand", outcome.garbled.as_deref());
-        note.option("note", outcome.note.as_deref());
-        note.list("uses", outcome.uses.iter().cloned());
+        note.option("copy at hand", outcome.claim.garbled.as_deref());
+        note.option("note", outcome.claim.note.as_deref());
+        note.list("uses", outcome.claim.uses.iter().cloned());
         note.gap();
         note.option(
             "evidence",
@@ -120,26 +122,30 @@ impl Explain {
         );
         note.option("replayed", replayed(outcome));
         note.option("kernel", kernel.then_some(ACCEPTED));
-        note.list("steps", counted(&outcome.steps).into_iter());
-        format!("{}\n\n{}", terminal::heading(&outcome.id), note.text())
+        note.list("steps", counted(&outcome.steps()).into_iter());
+        format!(
+            "{}\n\n{}",
+            terminal::heading(&outcome.claim.id),
+            note.text()
+        )
     }
 
     /// What is printed and what is to be read, or how the print was understood, what differs marked.
     fn difference(&self, note: &mut Note, paper: &PaperOutcome, outcome: &Outcome) {
         note.gap();
         let mut changes = paper.faults.iter().flat_map(|fault| &fault.changes);
-        match changes.find(|change| change.claim == outcome.id) {
+        match changes.find(|change| change.claim == outcome.claim.id) {
             Some(change) => {
                 let [printed, reads] = difference(&change.printed, &change.reads);
                 note.add("printed", &printed);
                 note.add("should read", &reads);
-                if change.printed != outcome.printed {
-                    note.add("in", &outcome.printed);
+                if change.printed != outcome.claim.printed {
+                    note.add("in", &outcome.claim.printed);
                 }
             }
-            None => note.add("printed", &outcome.printed),
+            None => note.add("printed", &outcome.claim.printed),
         }
-        match (&outcome.parsed, &outcome.correction) {
+        match (outcome.parsed(), outcome.correction()) {
             (Some(parsed), Some(correction)) => {
                 let [understood, corrected] = difference(
                     &parsed.text.replace("[]", ""),
@@ -149,7 +155,7 @@ impl Explain {
                 note.add("corrected", &self.cut(&corrected));
                 note.list("by", edits(correction));
             }
-            (parsed, _) => note.option("understood", self.formula(parsed.as_ref())),
+            (parsed, _) => note.option("understood", self.formula(parsed)),
         }
     }
 
@@ -161,18 +167,18 @@ impl Explain {
 
     /// Each reading like a small note.
     fn readings(&self, note: &mut Note, outcome: &Outcome) {
-        for reading in &outcome.readings {
+        for reading in outcome.readings() {
             let of = &reading.outcome;
             note.gap();
             note.add("read as", &format!("{}: {}", reading.name, reading.says));
             note.add("verdict", &verdict(of));
-            note.option("understood", self.formula(of.parsed.as_ref()));
-            let assumed = of.assumed.iter();
+            note.option("understood", self.formula(of.parsed()));
+            let assumed = of.claim.assumed.iter();
             let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
             note.list("assuming", assumed.map(|h| self.cut(&h.formula.text)));
             self.rests(note, of);
-            note.list("on condition", self.formulas(&of.conditions));
-            note.list("steps", counted(&of.steps).into_iter());
+            note.list("on condition", self.formulas(of.conditions()));
+            note.list("steps", counted(&of.steps()).into_iter());
             add_witness(note, of);
         }
     }
@@ -202,8 +208,12 @@ impl Explain {
 
 /// The one sentence that matters: the fault of which the authors are told, what the file found, or where the statement fails.
 fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
-    let told = outcome.finding.as_deref().map(torse_report::plain);
-    let shows = |fault: &&PaperFault| fault.shows.contains(&outcome.id);
+    let told = outcome
+        .claim
+        .author_note
+        .as_deref()
+        .map(torse_report::plain);
+    let shows = |fault: &&PaperFault| fault.shows.contains(&outcome.claim.id);
     let fault = paper
         .faults
         .iter()
@@ -211,9 +221,10 @@ fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
         .filter(|fault| !fault.says.is_empty());
     told.or_else(|| fault.map(|fault| torse_report::plain(&fault.says)))
         .or_else(|| {
-            let refuted = matches!(outcome.verdict, Verdict::False | Verdict::Misprint);
+            let refuted = matches!(outcome.verdict(), Verdict::False | Verdict::Misprint);
             let fails = || {
                 outcome
+                    .claim
                     .note
                     .clone()
                     .or_else(|| torse_report::failure_in_full(outcome))
@@ -225,19 +236,19 @@ fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
 
 /// The remarks that state what is true instead.
 fn true_forms(paper: &PaperOutcome, outcome: &Outcome) -> Vec<String> {
-    let shows = |fault: &&PaperFault| fault.shows.contains(&outcome.id);
+    let shows = |fault: &&PaperFault| fault.shows.contains(&outcome.claim.id);
     let changes = paper
         .faults
         .iter()
         .filter(shows)
         .flat_map(|fault| &fault.changes);
-    let own = changes.filter(|change| change.claim == outcome.id);
+    let own = changes.filter(|change| change.claim == outcome.claim.id);
     own.filter_map(|change| change.remark.clone()).collect()
 }
 
 /// What the checker of proofs found.
 fn replayed(outcome: &Outcome) -> Option<String> {
-    let replay = outcome.replay.as_ref()?;
+    let replay = outcome.replay()?;
     let correction = replay.correction.as_ref();
     let correction = correction.map(|own| match &own.why {
         None => "; the proof of the correction too".to_owned(),
@@ -253,10 +264,10 @@ fn replayed(outcome: &Outcome) -> Option<String> {
 }
 
 fn verdict(outcome: &Outcome) -> String {
-    let found = terminal::verdict(outcome.verdict);
+    let found = terminal::verdict(outcome.verdict());
     let meaning = words::verdict_on(outcome).meaning;
-    match outcome.expect {
-        Some(expected) if expected != outcome.verdict => {
+    match outcome.claim.expect {
+        Some(expected) if expected != outcome.verdict() => {
             let expected = words::verdict(expected).label;
             format!("{found} (the derivation file expects {expected}). {meaning}")
         }
@@ -266,7 +277,7 @@ fn verdict(outcome: &Outcome) -> String {
 
 /// The point at which a statement fails, with its sides there; of one that is refuted by a proof, what is proved.
 fn add_witness(note: &mut Note, outcome: &Outcome) {
-    let Some(witness) = &outcome.witness else {
+    let Some(witness) = outcome.witness() else {
         return;
     };
     if words::denied(outcome) {
@@ -294,9 +305,12 @@ fn add_witness(note: &mut Note, outcome: &Outcome) {
 
 /// Of what the derived formulas of a refutation are a part: one entry, or one instance of small degrees.
 fn derived_part(outcome: &Outcome) -> String {
-    let steps = || outcome.steps.iter();
-    let instance = steps().find_map(|step| step.strip_prefix("the instance "));
-    let entry = steps()
+    let steps = outcome.steps();
+    let instance = steps
+        .iter()
+        .find_map(|step| step.strip_prefix("the instance "));
+    let entry = steps
+        .iter()
         .find_map(|step| step.strip_prefix("entr"))
         .and_then(|step| step.split_once(' '))
         .map(|(_, list)| {
@@ -314,7 +328,7 @@ fn derived_part(outcome: &Outcome) -> String {
 
 /// The points of any dimension of which a witness has a coordinate.
 fn of_one_coordinate<'o>(outcome: &'o Outcome, witness: &Witness) -> Vec<&'o str> {
-    let symbols = outcome.table.symbols.iter();
+    let symbols = outcome.claim.table.symbols.iter();
     let of_any = symbols.filter(|symbol| symbol.set.ends_with("of any dimension"));
     let names = of_any.map(|symbol| symbol.name.as_str());
     let told = |name: &str| {
@@ -354,8 +368,8 @@ impl Resting {
             .map(|claim| (claim.entry.id.get_ref().as_str(), claim.uses.clone()))
             .collect();
         let users = users(uses.iter().map(|(id, uses)| (*id, uses.as_slice())));
-        if !matches!(outcome.verdict, Verdict::False | Verdict::Misprint) {
-            let direct = users.get(outcome.id.as_str());
+        if !matches!(outcome.verdict(), Verdict::False | Verdict::Misprint) {
+            let direct = users.get(outcome.claim.id.as_str());
             return Self {
                 label: "used by",
                 rows: direct
@@ -365,11 +379,11 @@ impl Resting {
                     .collect(),
             };
         }
-        let ids = resting(&outcome.id, &users);
+        let ids = resting(&outcome.claim.id, &users);
         let ids: Vec<&str> = ids.into_iter().map(|(id, _)| id).collect();
         let run = Run::of(&selection::only(papers, &ids), budget, mistakes);
         let all: Vec<&Outcome> = std::iter::once(outcome).chain(run.outcomes()).collect();
-        let rows = consequences(&outcome.id, &all)
+        let rows = consequences(&outcome.claim.id, &all)
             .into_iter()
             .map(|consequence| {
                 let fate = words::consequence(&consequence);

@@ -34,9 +34,13 @@ pub fn write(folder: &Path, papers: &[PaperOutcome]) -> Result<(), Failure> {
     let made = papers.iter().map(|paper| {
         let mut claims = vec![];
         for outcome in &paper.claims {
-            claims.extend(claim(&outcome.id, None, outcome));
-            for reading in &outcome.readings {
-                claims.extend(claim(&outcome.id, Some(&reading.name), &reading.outcome));
+            claims.extend(claim(&outcome.claim.id, None, outcome));
+            for reading in outcome.readings() {
+                claims.extend(claim(
+                    &outcome.claim.id,
+                    Some(&reading.name),
+                    &reading.outcome,
+                ));
             }
         }
         let mut text = serde_json::to_string_pretty(&Paper {
@@ -56,16 +60,13 @@ pub fn write(folder: &Path, papers: &[PaperOutcome]) -> Result<(), Failure> {
 }
 
 fn claim<'a>(id: &'a str, reading: Option<&'a str>, outcome: &'a Outcome) -> Option<Claim<'a>> {
-    let grounds = outcome.grounds.as_ref()?;
+    let grounds = outcome.finding.grounds()?;
     Some(Claim {
         id,
         reading,
-        states: outcome.parsed.as_ref().map(|formula| formula.text.as_str()),
-        verdict: words::verdict(outcome.verdict).key,
-        replayed: outcome
-            .replay
-            .as_ref()
-            .is_some_and(|replay| replay.replayed),
+        states: outcome.parsed().map(|formula| formula.text.as_str()),
+        verdict: words::verdict(outcome.verdict()).key,
+        replayed: outcome.replay().is_some_and(|replay| replay.replayed),
         rests_on: grounds.plain(),
     })
 }

@@ -409,7 +409,8 @@ fn json(value: &impl serde::Serialize) -> String {
 
 /// The findings of all claims and readings that have outcomes, paper by paper.
 pub fn findings<'c>(papers: &'c [Paper], run: &Run) -> Vec<(String, Vec<Finding<'c>>)> {
-    let outcomes: BTreeMap<&str, &Outcome> = run.outcomes().map(|o| (o.id.as_str(), o)).collect();
+    let outcomes: BTreeMap<&str, &Outcome> =
+        run.outcomes().map(|o| (o.claim.id.as_str(), o)).collect();
     let of = |paper: &'c Paper| {
         let mut found = vec![];
         for claim in &paper.claims {
@@ -418,7 +419,7 @@ pub fn findings<'c>(papers: &'c [Paper], run: &Run) -> Vec<(String, Vec<Finding<
                 continue;
             };
             found.push(finding(id.clone(), claim, outcome));
-            for (reading, outcome) in claim.readings.iter().zip(&outcome.readings) {
+            for (reading, outcome) in claim.readings.iter().zip(outcome.readings()) {
                 let id = format!("{id}.{}", reading.name);
                 found.push(finding(id, &reading.claim, &outcome.outcome));
             }
@@ -435,12 +436,12 @@ fn finding<'c>(id: String, claim: &'c Claim, outcome: &Outcome) -> Finding<'c> {
             .map(|formula| formula.text.clone())
             .collect()
     };
-    let correction = outcome.correction.as_ref();
+    let correction = outcome.correction();
     Finding {
         id,
         claim,
-        verdict: outcome.verdict,
-        evidence: outcome.evidence.map(|found| match found {
+        verdict: outcome.verdict(),
+        evidence: outcome.evidence().map(|found| match found {
             evidence::Evidence::Identity => Evidence::Identity,
             evidence::Evidence::Induction => Evidence::Induction,
             evidence::Evidence::Inequality => Evidence::Inequality,
@@ -448,13 +449,12 @@ fn finding<'c>(id: String, claim: &'c Claim, outcome: &Outcome) -> Finding<'c> {
             evidence::Evidence::Witness => Evidence::Witness,
             evidence::Evidence::CheckedRange | evidence::Evidence::Sampled => Evidence::Instances,
         }),
-        conditions: texts(&outcome.conditions),
+        conditions: texts(outcome.conditions()),
         correction: correction.map(|c| (c.statement.text.clone(), texts(&c.conditions))),
         witness: outcome
-            .witness
-            .as_ref()
+            .witness()
             .map_or_else(Vec::new, |witness| witness.at.clone()),
-        solved: outcome.grounds.as_deref().map_or_else(Vec::new, solved),
+        solved: outcome.finding.grounds().map_or_else(Vec::new, solved),
     }
 }
 

@@ -9,7 +9,8 @@ use clap::Args;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use torse_syntax::derivation::{Claim, Paper};
-use torse_verdicts::outcome::{Net, Outcome, PaperOutcome};
+use torse_verdicts::judged::Net;
+use torse_verdicts::outcome::{Outcome, PaperOutcome};
 use torse_verdicts::recheck::{self, Recheck};
 
 /// Decide claims, replay their proofs, and judge every verdict again, thoroughly.
@@ -60,7 +61,7 @@ impl Replay {
             }
         }
         let [netted, contradicted, decided, nothing] = counts;
-        let replayed = run.outcomes().filter_map(|outcome| outcome.replay.as_ref());
+        let replayed = run.outcomes().filter_map(|outcome| outcome.replay());
         let (mut accepted, mut beyond) = (0_usize, 0_usize);
         for replay in replayed {
             match replay.is_whole() {
@@ -91,15 +92,15 @@ impl Replay {
 fn again(papers: &[Paper], decided: &[PaperOutcome]) -> Vec<(String, Recheck)> {
     let claims = papers.iter().flat_map(|paper| &paper.claims);
     let outcomes = decided.iter().flat_map(|paper| &paper.claims);
-    let outcomes: BTreeMap<&str, &Outcome> = outcomes.map(|o| (o.id.as_str(), o)).collect();
+    let outcomes: BTreeMap<&str, &Outcome> = outcomes.map(|o| (o.claim.id.as_str(), o)).collect();
     let pairs: Vec<(&Claim, &Outcome)> = claims
         .filter_map(|claim| Some((claim, *outcomes.get(claim.entry.id.get_ref().as_str())?)))
         .collect();
     let progress = Progress::new("judging again", pairs.len());
     let judged = pairs.par_iter().map(|(claim, outcome)| {
-        let result = guard::named(&outcome.id, || recheck::claim(claim, outcome));
+        let result = guard::named(&outcome.claim.id, || recheck::claim(claim, outcome));
         progress.step();
-        (outcome.id.clone(), result)
+        (outcome.claim.id.clone(), result)
     });
     let judged = judged.collect();
     progress.finish();

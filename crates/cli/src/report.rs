@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use torse_report::model::Report as Model;
 use torse_report::{
-    Envelope, FigureImage, Manuscript, Source, gallery, html_page, landing_page,
+    Envelope, FigureImage, Manuscript, Source, gallery, html_page, landing_page, verdict_lines,
     verdicts_json_with_kernel,
 };
 use torse_syntax::derivation::schema::is_plain;
@@ -22,9 +22,9 @@ use torse_verdicts::outcome::PaperOutcome;
 
 /// Decide all claims, draw the figures, and write everything into a folder.
 ///
-/// The folder gets `verdicts.json` and `summary.pdf` over all papers, `PAPER.pdf`, `PAPER.html` and a letter of corrections
+/// The folder gets `verdicts.json`, `verdicts.csv` (a line for each claim) and `summary.pdf` over all papers, `PAPER.pdf`, `PAPER.html` and a letter of corrections
 /// (`PAPER-erratum.tex`, `.pdf`, `.md`) for each paper, `index.html`, which leads to them, the figures as PNG and SVG
-/// (developables as STEP besides) under `figures/`, and `README.md`, which shows them all. Naming papers leaves out the
+/// (developables as STEP besides) under `figures/`, and `gallery.md`, which shows them all. Naming papers leaves out the
 /// reports and figures of the others, and the pages of all; verdicts and summary are always of all. Nothing is written
 /// while a derivation file is wrong. All claims are decided anew; figures and PDFs that did not change are not drawn and
 /// set again. The same input gives the same bytes.
@@ -173,8 +173,12 @@ impl Report {
             let text = verdicts_json_with_kernel(run.outcomes(), accepted)?;
             Ok(Made::Bytes(text.into_bytes()))
         }));
+        documents.push(Document::new("verdicts.csv", || {
+            let text = verdict_lines(run.outcomes(), accepted)?;
+            Ok(Made::Bytes(text.into_bytes()))
+        }));
         if self.papers.is_empty() {
-            documents.push(Document::new("README.md", || {
+            documents.push(Document::new("gallery.md", || {
                 Ok(Made::Bytes(gallery(shown)?.into_bytes()))
             }));
             documents.push(Document::new("index.html", || {

@@ -75,7 +75,7 @@ impl Run {
             for decision in decided.by_ref().take(paper.claims.len()) {
                 match decision {
                     Ok((outcome, time)) => {
-                        run.timings.push((outcome.id.clone(), time));
+                        run.timings.push((outcome.claim.id.clone(), time));
                         outcomes.push(outcome);
                     }
                     Err(error) => mistakes.add(error),

@@ -34,11 +34,15 @@ fn verdicts(paper: &PaperOutcome, findings: &BTreeMap<String, String>) -> String
         "finding, or where it stands",
     ]);
     for outcome in &paper.claims {
-        let name = outcome.id.split_once('/').map_or("", |(_, name)| name);
-        let told = findings.get(&outcome.id).unwrap_or(&outcome.at);
+        let name = outcome
+            .claim
+            .id
+            .split_once('/')
+            .map_or("", |(_, name)| name);
+        let told = findings.get(&outcome.claim.id).unwrap_or(&outcome.claim.at);
         let mut row = Row::from([
             name,
-            &terminal::verdict(outcome.verdict),
+            &terminal::verdict(outcome.verdict()),
             evidence(outcome),
             told,
         ]);
@@ -53,7 +57,9 @@ fn verdicts(paper: &PaperOutcome, findings: &BTreeMap<String, String>) -> String
 }
 
 fn evidence(outcome: &Outcome) -> &'static str {
-    outcome.evidence.map_or("", |of| words::evidence(of).label)
+    outcome
+        .evidence()
+        .map_or("", |of| words::evidence(of).label)
 }
 
 fn counts(papers: &[PaperOutcome]) -> String {
@@ -96,12 +102,13 @@ fn in_full<'a>(
 ) -> String {
     let mut text = String::new();
     for outcome in outcomes {
-        if let Some(finding) = findings.get(&outcome.id) {
-            let id = terminal::heading(&outcome.id);
-            text += &terminal::paragraph(0, &format!("{id}  {}", outcome.at));
+        if let Some(finding) = findings.get(&outcome.claim.id) {
+            let id = terminal::heading(&outcome.claim.id);
+            text += &terminal::paragraph(0, &format!("{id}  {}", outcome.claim.at));
             text += &terminal::paragraph(4, finding);
             // What an undecided claim failed at is the first of its steps.
-            if let (Verdict::Undecided, Some(reason)) = (outcome.verdict, outcome.steps.first()) {
+            if let (Verdict::Undecided, Some(reason)) = (outcome.verdict(), outcome.steps().first())
+            {
                 text += &terminal::paragraph(4, &format!("Reason: {reason}."));
             }
         }
@@ -118,11 +125,11 @@ pub fn unexpected<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
     let differing: Vec<String> = outcomes
         .filter(|outcome| !outcome.as_expected())
         .filter_map(|outcome| {
-            let expected = words::verdict(outcome.expect?).label;
-            let verdict = terminal::verdict(outcome.verdict);
+            let expected = words::verdict(outcome.claim.expect?).label;
+            let verdict = terminal::verdict(outcome.verdict());
             Some(format!(
                 "  {}: {verdict}, expected {expected}\n",
-                outcome.id
+                outcome.claim.id
             ))
         })
         .collect();

@@ -47,22 +47,23 @@ pub struct Reworded {
 }
 
 /// What the files tell of a claim's fault.
-pub(crate) fn reworded(claim: &Outcome, faults: &[PaperFault]) -> Option<Reworded> {
+pub(crate) fn reworded(outcome: &Outcome, faults: &[PaperFault]) -> Option<Reworded> {
     let mut changes = faults.iter().flat_map(|fault| &fault.changes);
-    let change = changes.find(|change| change.claim == claim.id)?;
-    let names = Names::of(claim);
+    let change = changes.find(|change| change.claim == outcome.claim.id)?;
+    let names = Names::of(outcome);
     let [printed, reads] = compared(&visible(&change.printed), &visible(&change.reads), &names);
     Some(Reworded { printed, reads })
 }
 
 /// Whether a claim of the paper is false as printed.
-pub(crate) fn is_refuted(claim: &Outcome) -> bool {
-    matches!(claim.verdict, Verdict::False | Verdict::Misprint) && claim.kind != Kind::Remark
+pub(crate) fn is_refuted(outcome: &Outcome) -> bool {
+    matches!(outcome.verdict(), Verdict::False | Verdict::Misprint)
+        && outcome.claim.kind != Kind::Remark
 }
 
 /// How many statements rest on a claim, and how many of them fall.
-pub(crate) fn weight(claim: &Outcome, all: &[&Outcome]) -> (usize, usize) {
-    let resting = consequences(&claim.id, all);
+pub(crate) fn weight(outcome: &Outcome, all: &[&Outcome]) -> (usize, usize) {
+    let resting = consequences(&outcome.claim.id, all);
     let falling = resting.iter().filter(|of| of.fate == Fate::Falls).count();
     (resting.len(), falling)
 }
@@ -75,7 +76,7 @@ pub(crate) fn ranked(claims: &[Outcome]) -> Vec<(usize, (usize, usize))> {
     let mut list: Vec<_> = refuted
         .map(|(position, claim)| {
             let weight = weight(claim, &all);
-            (position, weight, rank(claim), claim.garbled.is_some())
+            (position, weight, rank(claim), claim.claim.garbled.is_some())
         })
         .collect();
     list.sort_by_key(|(position, weight, rank, garbled)| {
@@ -87,10 +88,11 @@ pub(crate) fn ranked(claims: &[Outcome]) -> Vec<(usize, (usize, usize))> {
 }
 
 /// Of statements on which as much rests, theorems and formulas come before remarks.
-fn rank(claim: &Outcome) -> usize {
+fn rank(outcome: &Outcome) -> usize {
     let named = ["Theorem", "Proposition", "Algorithm"];
-    let named = named.iter().any(|word| claim.at.contains(word)) && !claim.at.contains("proof of");
-    match claim.kind {
+    let named = named.iter().any(|word| outcome.claim.at.contains(word))
+        && !outcome.claim.at.contains("proof of");
+    match outcome.claim.kind {
         _ if named => 0,
         Kind::Construction | Kind::Property | Kind::Identity | Kind::Inequality => 1,
         Kind::Value | Kind::Definition => 2,
@@ -109,24 +111,23 @@ pub(crate) fn of(
         let claim = claims.get(position)?;
         let names = Names::of(claim);
         let prose = |text: &str| spans(&visible(text), &names);
-        let parsed = claim.parsed.as_ref();
+        let parsed = claim.parsed();
         Some(Corrected {
             finding: findings::about(claim, anchors.get(position)?),
             reworded: reworded(claim, &paper.faults),
-            correction: (claim.correction.as_ref())
-                .map(|repair| correction(parsed, repair, &names)),
-            stated: match claim.correction {
+            correction: (claim.correction()).map(|repair| correction(parsed, repair, &names)),
+            stated: match claim.correction() {
                 Some(_) => None,
                 None => parsed.map(|of| formula(of, &names)),
             },
             // Without a finding and a correction the sentence says where it fails.
-            why: (claim.finding.is_some() || claim.correction.is_some())
+            why: (claim.claim.author_note.is_some() || claim.correction().is_some())
                 .then(|| sentence::failure(claim))
                 .flatten()
                 .map(|text| prose(&text)),
             why_in_full: sentence::failure_in_full(claim).map(|text| prose(&text)),
-            garbled: claim.garbled.as_deref().map(prose),
-            level: words::level(claim, accepted.contains(&claim.id)),
+            garbled: claim.claim.garbled.as_deref().map(prose),
+            level: words::level(claim, accepted.contains(&claim.claim.id)),
             resting,
             falling,
         })

@@ -18,6 +18,9 @@ pub enum ReportError {
     /// The data of the report could not be written as JSON.
     #[error("the data of the report cannot be written as JSON")]
     Json(#[from] serde_json::Error),
+    /// The table of the verdicts could not be written.
+    #[error("the table of the verdicts cannot be written")]
+    Table(#[from] csv::Error),
     /// A page was asked for that the document does not have.
     #[error("page {page} was asked for, the document has {pages} (counted from 0)")]
     NoSuchPage {

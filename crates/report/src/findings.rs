@@ -47,7 +47,7 @@ pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
     let mut findings = Vec::new();
     for verdict in TOLD {
         for (claim, anchor) in claims.iter().zip(anchors) {
-            if claim.verdict == verdict {
+            if claim.verdict() == verdict {
                 findings.push(about(claim, anchor));
             }
         }
@@ -58,31 +58,33 @@ pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
 /// What was found about `claims`, by their ids, in letters and signs: for outputs without formulas.
 #[must_use]
 pub fn findings_in_words(claims: &[Outcome]) -> BTreeMap<String, String> {
-    let told = claims.iter().filter(|claim| TOLD.contains(&claim.verdict));
-    let found = told.map(|claim| {
-        let told = in_full(claim, &Names::of(claim));
-        (visible(&claim.id), in_words(&told))
+    let told = claims
+        .iter()
+        .filter(|claim| TOLD.contains(&claim.verdict()));
+    let found = told.map(|outcome| {
+        let told = in_full(outcome, &Names::of(outcome));
+        (visible(&outcome.claim.id), in_words(&told))
     });
     found.collect()
 }
 
-fn in_full(claim: &Outcome, names: &Names) -> Prose {
-    spans(&visible(&sentence::of(claim)), names)
+fn in_full(outcome: &Outcome, names: &Names) -> Prose {
+    spans(&visible(&sentence::of(outcome)), names)
 }
 
 /// The finding about a claim.
-pub(crate) fn about(claim: &Outcome, anchor: &str) -> Finding {
-    let names = Names::of(claim);
+pub(crate) fn about(outcome: &Outcome, anchor: &str) -> Finding {
+    let names = Names::of(outcome);
     Finding {
-        id: visible(&claim.id),
-        name: visible(name(&claim.id)),
+        id: visible(&outcome.claim.id),
+        name: visible(name(&outcome.claim.id)),
         anchor: anchor.to_owned(),
-        at: visible(&plain(&claim.at)),
-        verdict: words::verdict(claim.verdict),
+        at: visible(&plain(&outcome.claim.at)),
+        verdict: words::verdict(outcome.verdict()),
         printed: spans(
-            &visible(&beginning(&claim.printed, LONGEST_QUOTATION)),
+            &visible(&beginning(&outcome.claim.printed, LONGEST_QUOTATION)),
             &names,
         ),
-        text: in_full(claim, &names),
+        text: in_full(outcome, &names),
     }
 }

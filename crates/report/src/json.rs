@@ -10,7 +10,9 @@ use serde::{Serialize, Serializer, ser::SerializeMap};
 use std::collections::BTreeSet;
 use torse_prove::evidence::Witness;
 use torse_syntax::notation::Formula;
-use torse_verdicts::outcome::{Net, Outcome, Replay, Role, SaidBy};
+use torse_verdicts::claim_record::{Role, SaidBy};
+use torse_verdicts::judged::{Net, Replay};
+use torse_verdicts::outcome::Outcome;
 
 /// The verdicts of `outcomes` as pretty-printed JSON, ending in a newline.
 ///
@@ -60,7 +62,7 @@ pub fn verdicts_json_with_kernel<'a>(
 ) -> Result<String, ReportError> {
     let outcomes: Vec<&Outcome> = outcomes.into_iter().collect();
     let entry = |outcome: &'a Outcome| Entry {
-        kernel: accepted.contains(&outcome.id).then_some("accepted"),
+        kernel: accepted.contains(&outcome.claim.id).then_some("accepted"),
         ..Entry::from(outcome)
     };
     let tally = Tally::new(outcomes.iter().copied());
@@ -186,29 +188,29 @@ impl<'a> From<&'a Outcome> for Entry<'a> {
             let texts: Vec<&str> = conditions.iter().map(text).collect();
             (!texts.is_empty()).then(|| texts.join(" and "))
         };
-        let correction = outcome.correction.as_ref();
-        let table = &outcome.table;
+        let correction = outcome.correction();
+        let table = &outcome.claim.table;
         Entry {
-            id: &outcome.id,
-            kind: words::kind(outcome.kind).key,
-            verdict: words::verdict(outcome.verdict).key,
-            evidence: outcome.evidence.map(|of| words::evidence(of).key),
+            id: &outcome.claim.id,
+            kind: words::kind(outcome.claim.kind).key,
+            verdict: words::verdict(outcome.verdict()).key,
+            evidence: outcome.evidence().map(|of| words::evidence(of).key),
             kernel: None,
-            part_of: outcome.part_of.as_deref(),
-            printed: &outcome.printed,
-            reading: outcome.reading.as_deref(),
-            garbled: outcome.garbled.as_deref(),
-            finding: outcome.finding.as_deref(),
-            parsed: outcome.parsed.as_ref().map(text),
+            part_of: outcome.claim.part_of.as_deref(),
+            printed: &outcome.claim.printed,
+            reading: outcome.claim.reading.as_deref(),
+            garbled: outcome.claim.garbled.as_deref(),
+            finding: outcome.claim.author_note.as_deref(),
+            parsed: outcome.parsed().map(text),
             corrected: correction.map(|repair| text(&repair.statement)),
             corrected_condition: correction.and_then(|repair| joined(&repair.conditions)),
-            condition: joined(&outcome.conditions),
-            witness: outcome.witness.as_ref().map(WitnessEntry::from),
-            note: outcome.note.as_deref(),
-            net: outcome.net.as_ref(),
-            replay: outcome.replay.as_ref(),
-            contradiction: outcome.contradiction.as_deref(),
-            hypotheses: (outcome.assumed.iter().map(|h| HypothesisEntry {
+            condition: joined(outcome.conditions()),
+            witness: outcome.witness().map(WitnessEntry::from),
+            note: outcome.claim.note.as_deref(),
+            net: outcome.net(),
+            replay: outcome.replay(),
+            contradiction: outcome.contradiction(),
+            hypotheses: (outcome.claim.assumed.iter().map(|h| HypothesisEntry {
                 role: h.role,
                 formula: text(&h.formula),
                 from: &h.from,
@@ -237,7 +239,7 @@ impl<'a> From<&'a Outcome> for Entry<'a> {
             }))
             .collect(),
             unknowns: table.unknowns.iter().map(text).collect(),
-            readings: (outcome.readings.iter().map(|r| ReadingEntry {
+            readings: (outcome.readings().iter().map(|r| ReadingEntry {
                 name: &r.name,
                 says: &r.says,
                 claim: Entry::from(&r.outcome),

@@ -88,9 +88,9 @@ pub(crate) fn of(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Letter {
     let ranks: BTreeMap<&str, usize> = ranked(claims)
         .into_iter()
         .enumerate()
-        .filter_map(|(rank, (position, _))| Some((claims.get(position)?.id.as_str(), rank)))
+        .filter_map(|(rank, (position, _))| Some((claims.get(position)?.claim.id.as_str(), rank)))
         .collect();
-    let find = |id: &String| claims.iter().find(|claim| claim.id == *id);
+    let find = |id: &String| claims.iter().find(|outcome| outcome.claim.id == *id);
     let mut placed: Vec<(Part, usize, Item)> = vec![];
     for fault in &paper.faults {
         let shows: Vec<&Outcome> = fault.shows.iter().filter_map(find).collect();
@@ -99,7 +99,7 @@ pub(crate) fn of(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Letter {
         };
         let rank = shows
             .iter()
-            .filter_map(|claim| ranks.get(claim.id.as_str()));
+            .filter_map(|outcome| ranks.get(outcome.claim.id.as_str()));
         let rank = rank.min().copied().unwrap_or(usize::MAX);
         placed.push((part, rank, told(fault, &shows)));
     }
@@ -109,13 +109,16 @@ pub(crate) fn of(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Letter {
             .iter()
             .any(|fault| fault.shows.iter().any(|of| of == id))
     };
-    for claim in claims
+    for outcome in claims
         .iter()
-        .filter(|claim| is_refuted(claim) && !is_told(&claim.id))
+        .filter(|outcome| is_refuted(outcome) && !is_told(&outcome.claim.id))
     {
-        let rank = ranks.get(claim.id.as_str()).copied().unwrap_or(usize::MAX);
-        let part = part(&[claim]).unwrap_or(Part::Correction);
-        placed.push((part, rank, untold(claim)));
+        let rank = ranks
+            .get(outcome.claim.id.as_str())
+            .copied()
+            .unwrap_or(usize::MAX);
+        let part = part(&[outcome]).unwrap_or(Part::Correction);
+        placed.push((part, rank, untold(outcome)));
     }
     placed.sort_by_key(|(part, rank, _)| (*part, *rank));
     let take = |wanted: Part| -> Vec<Item> {
@@ -152,18 +155,20 @@ enum Part {
 fn part(shows: &[&Outcome]) -> Option<Part> {
     let mut refuted = shows.iter().filter(|claim| is_refuted(claim)).peekable();
     if refuted.peek().is_some() {
-        return Some(match refuted.all(|claim| claim.garbled.is_some()) {
-            true => Part::Question,
-            false => Part::Correction,
-        });
+        return Some(
+            match refuted.all(|outcome| outcome.claim.garbled.is_some()) {
+                true => Part::Question,
+                false => Part::Correction,
+            },
+        );
     }
     let limited =
-        |claim: &&Outcome| matches!(claim.verdict, Verdict::Conditional | Verdict::Depends);
+        |claim: &&Outcome| matches!(claim.verdict(), Verdict::Conditional | Verdict::Depends);
     shows.iter().any(limited).then_some(Part::Condition)
 }
 
 fn told(fault: &PaperFault, shows: &[&Outcome]) -> Item {
-    let find = |id: &str| shows.iter().find(|claim| claim.id == id);
+    let find = |id: &str| shows.iter().find(|outcome| outcome.claim.id == id);
     let mut names = shows
         .first()
         .map(|claim| Names::of(claim))
@@ -191,14 +196,19 @@ fn told(fault: &PaperFault, shows: &[&Outcome]) -> Item {
         .collect();
     // Of a sentence for which no other is offered, the words.
     if changes.is_empty() {
-        changes.extend(shows.first().map(|claim| ItemChange {
+        changes.extend(shows.first().map(|outcome| ItemChange {
             at: None,
-            printed: spans(&visible(&claim.printed), &names),
+            printed: spans(&visible(&outcome.claim.printed), &names),
             reads: None,
             formula: None,
         }));
     }
-    let changed = |claim: &&&Outcome| fault.changes.iter().any(|change| change.claim == claim.id);
+    let changed = |claim: &&&Outcome| {
+        fault
+            .changes
+            .iter()
+            .any(|change| change.claim == claim.claim.id)
+    };
     let mut also: Vec<Prose> = vec![];
     for claim in shows
         .iter()
@@ -223,28 +233,31 @@ fn told(fault: &PaperFault, shows: &[&Outcome]) -> Item {
 }
 
 /// The item of a refuted statement of which no fault is told.
-fn untold(claim: &Outcome) -> Item {
-    let names = Names::of(claim);
-    let formula =
-        (claim.correction.as_ref()).map(|repair| correction(claim.parsed.as_ref(), repair, &names));
-    let told = match (&claim.finding, &claim.correction, &claim.note) {
+fn untold(outcome: &Outcome) -> Item {
+    let names = Names::of(outcome);
+    let formula = (outcome.correction()).map(|repair| correction(outcome.parsed(), repair, &names));
+    let told = match (
+        &outcome.claim.author_note,
+        outcome.correction(),
+        &outcome.claim.note,
+    ) {
         (Some(finding), ..) => Some(sentence::finished(finding)),
         (None, Some(repair), _) => Some(sentence::finished(&repair.edits.join("; "))),
         (None, None, Some(note)) => Some(note.clone()),
         (None, None, None) => None,
     };
     // Where nothing else is known it is the counterexample that says what is wrong, and it is told once.
-    let why = told.is_some().then(|| counterexample(claim)).flatten();
+    let why = told.is_some().then(|| counterexample(outcome)).flatten();
     let says = told.unwrap_or_else(|| {
-        let failure = sentence::failure_in_full(claim);
+        let failure = sentence::failure_in_full(outcome);
         failure.map_or_else(String::new, |text| sentence::finished(&text))
     });
     Item {
-        heading: place(claim),
+        heading: place(outcome),
         says: spans(&visible(&says), &names),
         changes: vec![ItemChange {
             at: None,
-            printed: spans(&visible(&claim.printed), &names),
+            printed: spans(&visible(&outcome.claim.printed), &names),
             reads: None,
             formula,
         }],
@@ -253,8 +266,8 @@ fn untold(claim: &Outcome) -> Item {
     }
 }
 
-fn place(claim: &Outcome) -> Prose {
-    spans(&visible(&claim.at), &Names::default())
+fn place(outcome: &Outcome) -> Prose {
+    spans(&visible(&outcome.claim.at), &Names::default())
 }
 
 /// A counterexample of more characters is left to the report.
@@ -262,19 +275,19 @@ const LONGEST_COUNTEREXAMPLE: usize = 400;
 
 /// Where a formula of the paper fails; none where that cannot be told in names that the paper has. The formulas of sentences
 /// are ours, and what they come to at a point tells an author nothing.
-fn counterexample(claim: &Outcome) -> Option<Prose> {
-    let witness = claim.witness.as_ref()?;
-    let names = Names::of(claim);
-    let stated = claim.parsed.as_ref()?;
+fn counterexample(outcome: &Outcome) -> Option<Prose> {
+    let witness = outcome.witness()?;
+    let names = Names::of(outcome);
+    let stated = outcome.parsed()?;
     let of_the_paper = names.are_of_the_paper(&stated.text)
         && sentence::point(witness).all(|(name, _)| names.are_of_the_paper(name));
     let plain_value = |text: &str| !text.starts_with('[');
-    let told = is_refuted(claim)
-        && repair::is_sought(claim.kind)
+    let told = is_refuted(outcome)
+        && repair::is_sought(outcome.claim.kind)
         && of_the_paper
         && plain_value(&witness.left)
         && plain_value(&witness.right);
-    let why = told.then(|| sentence::counterexample(claim)).flatten()?;
+    let why = told.then(|| sentence::counterexample(outcome)).flatten()?;
     if why.chars().count() > LONGEST_COUNTEREXAMPLE {
         return None;
     }
@@ -343,7 +356,7 @@ fn closing(paper: &PaperOutcome, corrections: usize, accepted: &BTreeSet<String>
             .collect();
         let proved = refuted
             .iter()
-            .filter(|claim| accepted.contains(&claim.id))
+            .filter(|outcome| accepted.contains(&outcome.claim.id))
             .count();
         let mut text =
             "Each counterexample is exact: its numbers are computed, none is rounded.".to_owned();
@@ -427,10 +440,15 @@ fn restored(paper: &PaperOutcome) -> Option<String> {
 
 /// Where the paper has these claims, each place once.
 fn places(paper: &PaperOutcome, of: &[&Restored]) -> String {
-    let find = |of: &&Restored| paper.claims.iter().find(|claim| claim.id == of.claim);
+    let find = |of: &&Restored| {
+        paper
+            .claims
+            .iter()
+            .find(|outcome| outcome.claim.id == of.claim)
+    };
     let mut places: Vec<String> = vec![];
-    for claim in of.iter().filter_map(find) {
-        let place = visible(&plain(&claim.at));
+    for outcome in of.iter().filter_map(find) {
+        let place = visible(&plain(&outcome.claim.at));
         if !places.contains(&place) {
             places.push(place);
         }

@@ -1,7 +1,8 @@
 //! What a statement rests on, line by line, for every output: whose its hypotheses are, the declared sets, the definitions.
 
 use serde::Serialize;
-use torse_verdicts::outcome::{Assumed, Outcome, Role, SaidBy};
+use torse_verdicts::claim_record::{Assumed, Role, SaidBy};
+use torse_verdicts::outcome::Outcome;
 use torse_verdicts::table::Declared;
 
 /// Lines under one label.
@@ -16,8 +17,8 @@ pub struct Rests {
 /// All that the statement rests on, in groups; empty groups are left out.
 #[must_use]
 pub fn rests(outcome: &Outcome) -> Vec<Rests> {
-    let table = &outcome.table;
-    let by_role = |role: Role| outcome.assumed.iter().filter(move |h| h.role == role);
+    let table = &outcome.claim.table;
+    let by_role = |role: Role| outcome.claim.assumed.iter().filter(move |h| h.role == role);
     let texts = |role| by_role(role).map(|h| h.formula.text.clone()).collect();
     let unknowns = table.unknowns.iter().map(|u| u.text.clone());
     let definitions = table.definitions.iter();
@@ -51,7 +52,7 @@ pub fn rests(outcome: &Outcome) -> Vec<Rests> {
         ),
         (
             "said by",
-            (outcome.assumed.iter())
+            (outcome.claim.assumed.iter())
                 .filter(|hypothesis| concerns(hypothesis, &table.symbols))
                 .filter_map(|h| said_by(h, &str::to_owned))
                 .collect(),

@@ -10,7 +10,9 @@ use torse_prove::evidence::Witness;
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 use torse_syntax::notation::{Formula, text};
 use torse_syntax::words::Verdict;
-use torse_verdicts::outcome::{Correction, Net, Outcome, Sides};
+use torse_verdicts::correction::Correction;
+use torse_verdicts::judged::{Net, Sides};
+use torse_verdicts::outcome::Outcome;
 
 /// Exact values of more characters than this are told by their decimals.
 const LONGEST_EXACT_VALUE: usize = 24;
@@ -22,34 +24,34 @@ const LONGEST_SIDE: usize = 48;
 const LONGEST_LIST: usize = 110;
 
 /// The sentence about a claim, with a full stop.
-pub(crate) fn of(claim: &Outcome) -> String {
-    let told = claim.finding.as_deref().map(sentence);
-    match claim.verdict {
-        Verdict::Misprint | Verdict::False if claim.correction.is_some() => {
-            let repair = claim.correction.as_ref().map(repaired).unwrap_or_default();
+pub(crate) fn of(outcome: &Outcome) -> String {
+    let told = outcome.claim.author_note.as_deref().map(sentence);
+    match outcome.verdict() {
+        Verdict::Misprint | Verdict::False if outcome.correction().is_some() => {
+            let repair = outcome.correction().map(repaired).unwrap_or_default();
             let told = told.unwrap_or_else(|| "False as printed.".to_owned());
             format!("{told}{repair}")
         }
         Verdict::Misprint | Verdict::False => told
-            .or_else(|| failure(claim).map(|text| sentence(&text)))
+            .or_else(|| failure(outcome).map(|text| sentence(&text)))
             .unwrap_or_else(|| "False as printed.".to_owned()),
         Verdict::Conditional => {
             let told = told.map_or_else(String::new, |told| format!(" In words: {told}"));
-            let only = match claim.net.as_ref().is_some_and(needs_all) {
+            let only = match outcome.net().is_some_and(needs_all) {
                 true => "only ",
                 false => "",
             };
-            match conjunction(&claim.conditions) {
+            match conjunction(outcome.conditions()) {
                 Some(conditions) => format!("True {only}if {conditions}.{told}"),
                 None => {
-                    format!("True {only}under a condition, which is stated with the claim.{told}")
+                    format!("True {only}under a condition, which is stated with the outcome.{told}")
                 }
             }
         }
         Verdict::Depends => {
             let told = told.map_or_else(String::new, |told| format!(" In words: {told}"));
-            let each = claim.readings.iter().map(|reading| {
-                let verdict = words::verdict(reading.outcome.verdict).label;
+            let each = outcome.readings().iter().map(|reading| {
+                let verdict = words::verdict(reading.outcome.verdict()).label;
                 let says = reading.says.trim_end_matches('.');
                 format!("{verdict} if read so: {says}")
             });
@@ -57,7 +59,7 @@ pub(crate) fn of(claim: &Outcome) -> String {
             format!("{}.{told}", capital(&each.join("; ")))
         }
         Verdict::Vacuous => "No point satisfies the assumptions.".to_owned(),
-        _ => match &claim.note {
+        _ => match &outcome.claim.note {
             Some(note) => format!("Not decided. {note}"),
             None => "Not decided.".to_owned(),
         },
@@ -76,11 +78,11 @@ pub(crate) fn finished(text: &str) -> String {
 }
 
 /// The exact point at which a formula fails, with both sides and their difference.
-pub(crate) fn counterexample(claim: &Outcome) -> Option<String> {
-    claim.witness.as_ref()?;
-    match denied(claim) {
+pub(crate) fn counterexample(outcome: &Outcome) -> Option<String> {
+    outcome.witness()?;
+    match denied(outcome) {
         Some(_) => None,
-        None => failure_in_full(claim),
+        None => failure_in_full(outcome),
     }
 }
 
@@ -120,23 +122,23 @@ fn repaired(repair: &Correction) -> String {
 
 /// Where a refuted statement fails and by how much; none where nothing is known of it. A point of many symbols is left to
 /// the claim's own section.
-pub(crate) fn failure(claim: &Outcome) -> Option<String> {
-    failure_with(claim, LONGEST_LIST)
+pub(crate) fn failure(outcome: &Outcome) -> Option<String> {
+    failure_with(outcome, LONGEST_LIST)
 }
 
 /// The same with the whole point, however many symbols there are.
 #[must_use]
-pub fn failure_in_full(claim: &Outcome) -> Option<String> {
-    failure_with(claim, usize::MAX)
+pub fn failure_in_full(outcome: &Outcome) -> Option<String> {
+    failure_with(outcome, usize::MAX)
 }
 
-fn failure_with(claim: &Outcome, longest_point: usize) -> Option<String> {
-    if let Some(denied) = denied(claim) {
+fn failure_with(outcome: &Outcome, longest_point: usize) -> Option<String> {
+    if let Some(denied) = denied(outcome) {
         return Some(denied);
     }
-    let witness = claim.witness.as_ref()?;
+    let witness = outcome.witness()?;
     let place = place(witness, longest_point);
-    let statement = failing(claim).and_then(|text| expression(&text));
+    let statement = failing(outcome).and_then(|text| expression(&text));
     let relation = statement
         .as_ref()
         .and_then(|statement| match &statement.node {
@@ -153,14 +155,14 @@ fn failure_with(claim: &Outcome, longest_point: usize) -> Option<String> {
 }
 
 /// The statement that fails: of a conjunction the part of which the steps say so.
-fn failing(claim: &Outcome) -> Option<String> {
+fn failing(outcome: &Outcome) -> Option<String> {
     let part = |step: &String| {
         let rest = step.strip_prefix("the part `")?;
         let (part, after) = rest.split_once('`')?;
         after.starts_with(" fails").then(|| part.to_owned())
     };
-    let part = claim.steps.iter().find_map(part);
-    part.or_else(|| claim.parsed.as_ref().map(|formula| formula.text.clone()))
+    let part = outcome.steps().iter().find_map(part);
+    part.or_else(|| outcome.parsed().map(|formula| formula.text.clone()))
 }
 
 /// The relation that fails, with the values of both sides.
@@ -292,17 +294,17 @@ fn significant(number: f64) -> String {
 }
 
 /// Of a claim that something is not so, refuted by proving that it is so everywhere: just that.
-pub(crate) fn denied(claim: &Outcome) -> Option<String> {
+pub(crate) fn denied(outcome: &Outcome) -> Option<String> {
     const INSTANCE: &str = "the instance ";
-    let steps = || claim.steps.iter();
-    if !words::denied(claim) {
+    if !words::denied(outcome) {
         return None;
     }
-    let place = match steps().find_map(|step| step.strip_prefix(INSTANCE)) {
+    let steps = outcome.steps();
+    let place = match steps.iter().find_map(|step| step.strip_prefix(INSTANCE)) {
         Some(values) => format!("at {values} "),
         None => String::new(),
     };
-    let statement = claim.parsed.as_ref().and_then(|of| expression(&of.text))?;
+    let statement = outcome.parsed().and_then(|of| expression(&of.text))?;
     let so = opposite(&statement).map(|so| text(&so));
     Some(match so {
         Some(so) if so.chars().count() <= LONGEST_LIST => format!("{place}`{so}` everywhere"),

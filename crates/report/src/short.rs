@@ -45,14 +45,16 @@ pub struct Point {
 
 /// The report of `claims` in a minute; `anchors` holds their identifiers for links, by position.
 pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Short {
-    let uses = claims.iter().map(|of| (of.id.as_str(), of.uses.as_slice()));
+    let uses = claims
+        .iter()
+        .map(|of| (of.claim.id.as_str(), of.claim.uses.as_slice()));
     let users = users(uses);
     let refuted: Vec<&Outcome> = claims.iter().filter(|of| is_refuted(of)).collect();
     // What rests on another refuted statement is told with that one, and what is told in the same words once.
     let followers: BTreeSet<&str> = refuted
         .iter()
-        .filter(|of| of.garbled.is_none())
-        .flat_map(|of| resting(&of.id, &users))
+        .filter(|of| of.claim.garbled.is_none())
+        .flat_map(|of| resting(&of.claim.id, &users))
         .map(|(id, _)| id)
         .collect();
     let mut told = BTreeSet::new();
@@ -75,19 +77,19 @@ pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Short {
         // A slip in a proof says nothing against what is proved.
         let in_proof = claims
             .get(*position)
-            .is_some_and(|claim| claim.at.contains("proof of"));
+            .is_some_and(|outcome| outcome.claim.at.contains("proof of"));
         (in_proof, std::cmp::Reverse(resting + more))
     });
     for (position, (resting, falling)) in ranked {
         let (Some(claim), Some(anchor)) = (claims.get(position), anchors.get(position)) else {
             continue;
         };
-        let told_already = match &claim.finding {
+        let told_already = match &claim.claim.author_note {
             Some(finding) => !told.insert(finding.clone()),
             None => false,
         };
-        let follows = followers.contains(claim.id.as_str());
-        let new = !told_already && !follows && claim.garbled.is_none();
+        let follows = followers.contains(claim.claim.id.as_str());
+        let new = !told_already && !follows && claim.claim.garbled.is_none();
         // One point for one theorem or example.
         if points.len() < MOST && new && groups.remove(&group(claim)).is_some() {
             let more = siblings_of.get(&group(claim)).copied().unwrap_or(0);
@@ -107,17 +109,17 @@ pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Short {
 }
 
 /// The theorem or example that a statement is of, or the place of one that is of none.
-fn group(claim: &Outcome) -> String {
-    title(claim).unwrap_or_else(|| claim.at.clone())
+fn group(outcome: &Outcome) -> String {
+    title(outcome).unwrap_or_else(|| outcome.claim.at.clone())
 }
 
 /// The theorems and examples with a false statement that rests on a claim.
-fn fallen(claim: &Outcome, claims: &[Outcome]) -> Vec<String> {
+fn fallen(outcome: &Outcome, claims: &[Outcome]) -> Vec<String> {
     let all: Vec<&Outcome> = claims.iter().collect();
-    let own = title(claim);
+    let own = title(outcome);
     let mut names: Vec<String> = Vec::new();
-    for of in consequences(&claim.id, &all) {
-        let fallen = claims.iter().find(|claim| claim.id == of.id);
+    for of in consequences(&outcome.claim.id, &all) {
+        let fallen = claims.iter().find(|outcome| outcome.claim.id == of.id);
         let name = fallen.filter(|_| of.fate == Fate::Falls).and_then(title);
         if let Some(name) = name
             && Some(&name) != own.as_ref()
@@ -130,19 +132,19 @@ fn fallen(claim: &Outcome, claims: &[Outcome]) -> Vec<String> {
 }
 
 /// Of a claim of which its file tells no finding, a theorem that rests on it and is false too, with what was found of it.
-fn theorem_on(claim: &Outcome, claims: &[Outcome]) -> Option<(String, Prose)> {
-    if claim.finding.is_some() {
+fn theorem_on(outcome: &Outcome, claims: &[Outcome]) -> Option<(String, Prose)> {
+    if outcome.claim.author_note.is_some() {
         return None;
     }
     let all: Vec<&Outcome> = claims.iter().collect();
-    let fallen = consequences(&claim.id, &all).into_iter();
+    let fallen = consequences(&outcome.claim.id, &all).into_iter();
     let mut fallen = fallen
         .filter(|of| of.fate == Fate::Falls)
-        .filter_map(|of| claims.iter().find(|claim| claim.id == of.id))
-        .filter(|claim| claim.finding.is_some());
-    fallen.find_map(|claim| {
-        let name = title(claim).filter(|name| !name.starts_with("Example"))?;
-        Some((visible(&name), findings::about(claim, "").text))
+        .filter_map(|of| claims.iter().find(|outcome| outcome.claim.id == of.id))
+        .filter(|outcome| outcome.claim.author_note.is_some());
+    fallen.find_map(|outcome| {
+        let name = title(outcome).filter(|name| !name.starts_with("Example"))?;
+        Some((visible(&name), findings::about(outcome, "").text))
     })
 }
 
@@ -151,23 +153,23 @@ const LONGEST_TRUE: usize = 320;
 const LONGEST_PRINTED: usize = 130;
 
 fn point(
-    claim: &Outcome,
+    outcome: &Outcome,
     anchor: &str,
     weight: (usize, usize, usize),
     claims: &[Outcome],
 ) -> Point {
     let (resting, falling, more) = weight;
-    let names = Names::of(claim);
-    let (label, formula) = match (&claim.correction, &claim.parsed) {
+    let names = Names::of(outcome);
+    let (label, formula) = match (outcome.correction(), outcome.parsed()) {
         (Some(repair), parsed) => {
-            let view = correction(parsed.as_ref(), repair, &names);
+            let view = correction(parsed, repair, &names);
             ("should read", Some(view.statement))
         }
         (None, Some(parsed)) => ("as printed", Some(formula(parsed, &names))),
         (None, None) => ("", None),
     };
     let statements = |count| words::plural(count, "statement");
-    let places = fallen(claim, claims);
+    let places = fallen(outcome, claims);
     let places = match places.is_empty() {
         true => String::new(),
         false => format!(" ({})", places.join(", ")),
@@ -192,21 +194,21 @@ fn point(
         0 => None,
         1 => Some(format!(
             "One more statement of {} is false.",
-            visible(&group(claim))
+            visible(&group(outcome))
         )),
         _ => Some(format!(
             "{more} more statements of {} are false.",
-            visible(&group(claim))
+            visible(&group(outcome))
         )),
     };
     let consequence: Vec<String> = (consequence.into_iter().chain(others)).collect();
     Point {
-        finding: findings::about(claim, anchor),
-        resting: theorem_on(claim, claims),
+        finding: findings::about(outcome, anchor),
+        resting: theorem_on(outcome, claims),
         label,
         formula: formula.filter(|view| {
             let letters = view.math.as_ref().map(|math| math.text.chars().count());
-            let longest = match claim.correction {
+            let longest = match outcome.correction() {
                 Some(_) => LONGEST_TRUE,
                 None => LONGEST_PRINTED,
             };

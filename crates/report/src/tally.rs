@@ -47,9 +47,10 @@ impl Tally {
     pub fn new<'a>(claims: impl IntoIterator<Item = &'a Outcome>) -> Self {
         let (remarks, claims): (Vec<&Outcome>, Vec<&Outcome>) = claims
             .into_iter()
-            .partition(|claim| claim.kind == Kind::Remark);
+            .partition(|outcome| outcome.claim.kind == Kind::Remark);
         let proved = remarks.iter();
-        let proved = proved.filter(|r| matches!(r.verdict, Verdict::Holds | Verdict::Conditional));
+        let proved =
+            proved.filter(|r| matches!(r.verdict(), Verdict::Holds | Verdict::Conditional));
         let remarks = Remarks {
             total: remarks.len(),
             proved: proved.count(),
@@ -58,16 +59,18 @@ impl Tally {
             |keep: &dyn Fn(&Outcome) -> bool| claims.iter().filter(|claim| keep(claim)).count();
         let occurring: Vec<_> = EVIDENCE
             .into_iter()
-            .filter(|of| claims.iter().any(|claim| claim.evidence == Some(*of)))
+            .filter(|of| claims.iter().any(|claim| claim.evidence() == Some(*of)))
             .collect();
         let rows = VERDICTS.into_iter().map(|verdict| Row {
             verdict: words::verdict(verdict),
-            count: count(&|claim| claim.verdict == verdict),
+            count: count(&|claim| claim.verdict() == verdict),
             by_evidence: occurring
                 .iter()
-                .map(|of| count(&|claim| claim.verdict == verdict && claim.evidence == Some(*of)))
+                .map(|of| {
+                    count(&|claim| claim.verdict() == verdict && claim.evidence() == Some(*of))
+                })
                 .collect(),
-            without: count(&|claim| claim.verdict == verdict && claim.evidence.is_none()),
+            without: count(&|claim| claim.verdict() == verdict && claim.evidence().is_none()),
         });
         Tally {
             total: claims.len(),

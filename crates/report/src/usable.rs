@@ -82,7 +82,7 @@ pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Vec<Construction> {
 }
 
 /// The name under which a claim is made.
-pub(crate) fn title(claim: &Outcome) -> Option<String> {
+pub(crate) fn title(outcome: &Outcome) -> Option<String> {
     const WORDS: [&str; 5] = [
         "Theorem",
         "Proposition",
@@ -90,12 +90,14 @@ pub(crate) fn title(claim: &Outcome) -> Option<String> {
         "Definition",
         "Example",
     ];
-    if claim.at.contains("proof of") || claim.at.contains("before") || claim.at.contains("after D")
+    if outcome.claim.at.contains("proof of")
+        || outcome.claim.at.contains("before")
+        || outcome.claim.at.contains("after D")
     {
         return None;
     }
     for word in WORDS {
-        if let Some((_, after)) = claim.at.split_once(word) {
+        if let Some((_, after)) = outcome.claim.at.split_once(word) {
             let after = after.trim_start();
             let number: String = after
                 .chars()
@@ -107,11 +109,15 @@ pub(crate) fn title(claim: &Outcome) -> Option<String> {
             }
         }
     }
-    let (section, rest) = claim.at.split_once(", ").unwrap_or((&claim.at, ""));
+    let (section, rest) = outcome
+        .claim
+        .at
+        .split_once(", ")
+        .unwrap_or((&outcome.claim.at, ""));
     if rest.starts_with("example") {
         return Some(format!("Example of {section}"));
     }
-    if claim.kind != Kind::Construction {
+    if outcome.claim.kind != Kind::Construction {
         return None;
     }
     let equation = rest
@@ -125,22 +131,22 @@ pub(crate) fn title(claim: &Outcome) -> Option<String> {
 
 fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<Construction> {
     let statements = || {
-        let ours = |(claim, _): &&(&Outcome, &String)| claim.kind != Kind::Remark;
+        let ours = |(claim, _): &&(&Outcome, &String)| claim.claim.kind != Kind::Remark;
         group.iter().filter(ours)
     };
     let (_, first) = statements().next()?;
     // A remark of ours with a proof may be the true form of what is false.
-    let true_form = |claim: &Outcome| {
-        let whole = claim.part_of.as_ref().unwrap_or(&claim.id);
-        claim.correction.is_some()
-            || claim.data.is_some()
+    let true_form = |outcome: &Outcome| {
+        let whole = outcome.claim.part_of.as_ref().unwrap_or(&outcome.claim.id);
+        outcome.correction().is_some()
+            || outcome.data().is_some()
             || group.iter().any(|(other, _)| {
-                other.kind == Kind::Remark
-                    && other.id.starts_with(whole.as_str())
-                    && matches!(other.verdict, Verdict::Holds | Verdict::Conditional)
+                other.claim.kind == Kind::Remark
+                    && other.claim.id.starts_with(whole.as_str())
+                    && matches!(other.verdict(), Verdict::Holds | Verdict::Conditional)
             })
     };
-    let answer_of = |claim: &Outcome| match claim.verdict {
+    let answer_of = |claim: &Outcome| match claim.verdict() {
         Verdict::Holds | Verdict::Definition | Verdict::Reproduced => Some(Answer::AsPrinted),
         Verdict::Conditional => Some(Answer::UnderCondition),
         Verdict::Depends => Some(Answer::InOneReading),
@@ -155,7 +161,7 @@ fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<Construc
     // Definitions that only are well formed are nothing to use.
     if answers
         .iter()
-        .all(|(_, claim, _)| claim.verdict == Verdict::Definition)
+        .all(|(_, claim, _)| claim.verdict() == Verdict::Definition)
     {
         return None;
     }
@@ -170,7 +176,7 @@ fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<Construc
         anchor: (*first).clone(),
         because: because
             .map(|(_, claim, anchor)| Because {
-                name: visible(name(&claim.id)),
+                name: visible(name(&claim.claim.id)),
                 anchor: (*anchor).clone(),
             })
             .collect(),

@@ -6,8 +6,9 @@
 use serde::Serialize;
 use torse_prove::evidence::Evidence;
 use torse_syntax::words::{Flag, Kind, Verdict};
+use torse_verdicts::claim_record::SaidBy;
 use torse_verdicts::consequences::{Consequence, Fate};
-use torse_verdicts::outcome::{Outcome, SaidBy};
+use torse_verdicts::outcome::Outcome;
 use torse_verdicts::repair;
 
 /// A key with its label and its meaning in one sentence.
@@ -100,10 +101,10 @@ pub fn distant_survivors(count: usize) -> String {
 /// false, whether its true form was found.
 #[must_use]
 pub fn verdict_on(outcome: &Outcome) -> Term {
-    let term = verdict(outcome.verdict);
+    let term = verdict(outcome.verdict());
     let printed = |from: &SaidBy| matches!(from, SaidBy::Printed { .. });
-    let assumes = outcome.assumed.iter().any(|h| printed(&h.from));
-    match (outcome.verdict, outcome.kind == Kind::Remark) {
+    let assumes = outcome.claim.assumed.iter().any(|h| printed(&h.from));
+    match (outcome.verdict(), outcome.claim.kind == Kind::Remark) {
         (Verdict::Holds, true) => Term {
             meaning: "True. A statement of ours, which the paper does not make.",
             ..term
@@ -120,20 +121,20 @@ pub fn verdict_on(outcome: &Outcome) -> Term {
             meaning: "False as printed: the opposite is proved, everywhere.",
             ..term
         },
-        (Verdict::False, _) if outcome.correction.is_some() => Term {
+        (Verdict::False, _) if outcome.correction().is_some() => Term {
             meaning: "False as printed, with an exact counterexample; no small edit repairs it. What is true instead was derived anew and is proved.",
             ..term
         },
-        (Verdict::False, _) if outcome.data.is_some() => Term {
+        (Verdict::False, _) if outcome.data().is_some() => Term {
             meaning: "False as printed, with exact values; for other data, which are given, the printed value is right.",
             ..term
         },
         // Of a sentence the formula is ours, and no edit of it was sought.
-        (Verdict::False, _) if !repair::is_sought(outcome.kind) => Term {
+        (Verdict::False, _) if !repair::is_sought(outcome.claim.kind) => Term {
             meaning: "False as printed, with an exact counterexample.",
             ..term
         },
-        (Verdict::Definition, _) if outcome.evidence.is_some() => Term {
+        (Verdict::Definition, _) if outcome.evidence().is_some() => Term {
             meaning: "A definition; that it agrees with what the paper says of it elsewhere is proved.",
             ..term
         },
@@ -144,7 +145,8 @@ pub fn verdict_on(outcome: &Outcome) -> Term {
 /// Whether a statement is refuted by a proof of what it denies, and not by a point.
 #[must_use]
 pub fn denied(outcome: &Outcome) -> bool {
-    outcome.verdict == Verdict::False && outcome.evidence.is_some_and(|of| of != Evidence::Witness)
+    outcome.verdict() == Verdict::False
+        && outcome.evidence().is_some_and(|of| of != Evidence::Witness)
 }
 
 /// Formulas of more characters than this that nobody printed are counted, not written.
@@ -280,8 +282,8 @@ pub const fn verdict(of: Verdict) -> Term {
 /// The words for what the verdict on a claim rests on: of a point, what it shows.
 #[must_use]
 pub fn evidence_on(outcome: &Outcome) -> Option<Term> {
-    let term = evidence(outcome.evidence?);
-    let meaning = match (outcome.evidence, outcome.verdict) {
+    let term = evidence(outcome.evidence()?);
+    let meaning = match (outcome.evidence(), outcome.verdict()) {
         (Some(Evidence::Identity), Verdict::False) => {
             "What the statement denies was brought to the normal form of an exact algebra, and is true at every point of the domain."
         }
@@ -346,11 +348,11 @@ pub const fn evidence(of: Evidence) -> Term {
 /// How a verdict was checked: the strongest level that it has; none where nothing was decided.
 #[must_use]
 pub fn level(outcome: &Outcome, accepted: bool) -> Option<Term> {
-    let netted = outcome.net.as_ref().is_some_and(|net| net.netted);
+    let netted = outcome.net().is_some_and(|net| net.netted);
     match (accepted, netted) {
         (true, _) => Some(KERNEL),
         (false, true) => Some(NETTED),
-        (false, false) => outcome.evidence.map(|_| DECIDED),
+        (false, false) => outcome.evidence().map(|_| DECIDED),
     }
 }
 

@@ -581,7 +581,7 @@ fn a_finding_is_words_with_formulas_in_braces() {
         &[finding("$x^{2}$ is {x^2 : 3}, {x}{x : degrees}")],
     );
     assert_eq!(told, Vec::<String>::new());
-    let finding_of = |loaded: &Loaded| loaded.papers[0].claims[0].finding.clone().unwrap();
+    let finding_of = |loaded: &Loaded| loaded.papers[0].claims[0].author_note.clone().unwrap();
     let pieces = finding_of(&loaded)
         .pieces
         .into_iter()

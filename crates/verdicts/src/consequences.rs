@@ -104,25 +104,29 @@ pub fn resting<'a>(
 /// What rests on the claim `id` among these outcomes, and what becomes of it.
 #[must_use]
 pub fn consequences(id: &str, outcomes: &[&Outcome]) -> Vec<Consequence> {
-    let users = users(outcomes.iter().map(|o| (o.id.as_str(), o.uses.as_slice())));
+    let users = users(
+        outcomes
+            .iter()
+            .map(|o| (o.claim.id.as_str(), o.claim.uses.as_slice())),
+    );
     let by_id: BTreeMap<&str, &Outcome> = outcomes
         .iter()
-        .map(|outcome| (outcome.id.as_str(), *outcome))
+        .map(|outcome| (outcome.claim.id.as_str(), *outcome))
         .collect();
     resting(id, &users)
         .into_iter()
         .filter_map(|(user, through)| {
             let outcome = by_id.get(user)?;
-            let fate = Fate::of(outcome.verdict);
+            let fate = Fate::of(outcome.verdict());
             let conditions = match fate {
-                Fate::SurvivesIf => outcome.conditions.clone(),
+                Fate::SurvivesIf => outcome.conditions().to_vec(),
                 _ => vec![],
             };
             Some(Consequence {
                 id: user.to_owned(),
                 through: through.into_iter().map(str::to_owned).collect(),
                 fate,
-                verdict: outcome.verdict,
+                verdict: outcome.verdict(),
                 conditions,
             })
         })

@@ -1,6 +1,6 @@
 //! What the authors of a paper are told: the faults of its files, with their numbers filled in.
 
-use crate::finding;
+use crate::author_note;
 use crate::outcome::{FaultChange, Outcome, PaperFault};
 use torse_syntax::derivation::{Corrigendum, DerivationError, Paper, Rewording};
 
@@ -24,9 +24,13 @@ pub fn faults(
             .claims
             .iter()
             .find(|claim| Some(claim.entry.id.get_ref()) == first);
-        let outcome = outcomes.iter().find(|outcome| Some(&outcome.id) == first);
+        let outcome = outcomes
+            .iter()
+            .find(|outcome| Some(&outcome.claim.id) == first);
         match (claim, outcome) {
-            (Some(claim), Some(outcome)) => finding::filled_in(claim, outcome, &of.says),
+            (Some(claim), Some(outcome)) => {
+                author_note::filled_in(claim, outcome.witness(), &of.says)
+            }
             // Its numbers are those of a claim that this run does not have.
             _ => Ok(of.says.without_holes().unwrap_or_default()),
         }

@@ -1,247 +1,448 @@
-//! The sentence in which a file tells what was found, with its holes filled: numbers are computed, never typed.
+//! What the engine found of a claim: one value, made once, of which nothing is taken back.
 //!
-//! A hole is evaluated exactly, at the witness of the verdict where there is one. What is shown of it is a certified
-//! enclosure rounded to the digits asked for: both of its ends round to the same text.
+//! Verdict and evidence are two axes and never merged: the verdict says what is true of the printed statement, the evidence
+//! says what the answer rests on. Both follow from the [`Finding`], which has one constructor a kind, and each holds what
+//! that kind has: a proof its conditions and its certificate, a refutation its counterexample, a contradiction nothing of
+//! what it contradicts. What the prover says becomes a finding only together with what its judges found ([`Judged`]).
+//!
+//! A sentence with several readings has an outcome for each ([`Readings`]): where all have the same verdict it is that of
+//! the sentence; where they differ it is `depends`, which accuses nobody.
 
-use crate::outcome::Outcome;
-use torse_algebra::Ball;
-use torse_algebra::rational::{integer, to_f64};
-use torse_algebra::{Fraction, Rational};
-use torse_prove::case::solve_given;
-use torse_prove::decide::order::enclosure;
-use torse_prove::evaluate::Evaluator;
-use torse_prove::evaluate::quantity::Quantity;
-use torse_prove::evaluate::value::Value;
-use torse_syntax::derivation::{Claim, DerivationError, Finding, Form, Piece, Written};
-use torse_syntax::formula::parse;
+use crate::claim_record::ClaimRecord;
+use crate::correction::{Correction, DataCorrection};
+use crate::grounds::Grounds;
+use crate::judged::{Judged, Net, Replay, Sides};
+use crate::statement::{
+    Contradiction, EmptyDomain, FigureFinding, ProvedStatement, RefutedStatement,
+    UndecidedStatement,
+};
+use serde::Serialize;
+use torse_prove::evidence::{Evidence, Witness};
+use torse_syntax::notation::Formula;
+use torse_syntax::words::{Kind, Verdict};
 
-/// Digits that count, where the file asks for none.
-const DIGITS: usize = 4;
-
-/// How precisely numbers are enclosed, tried in turn.
-const BITS: [usize; 3] = [96, 256, 1024];
-
-/// Fractions with a greater denominator are shown as decimals.
-const SIMPLE: i64 = 100;
-
-/// The finding of a claim in words; none if its file has none.
-///
-/// # Errors
-///
-/// A hole that is no number where the finding is told, at its place in the file.
-pub fn told(claim: &Claim, outcome: &Outcome) -> Result<Option<String>, Box<DerivationError>> {
-    match &claim.finding {
-        Some(finding) => filled_in(claim, outcome, finding).map(Some),
-        None => Ok(None),
-    }
+/// A claim, and what was found of it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Outcome {
+    /// The claim as its file has it.
+    pub claim: ClaimRecord,
+    /// What was found.
+    pub finding: Finding,
 }
 
-/// A sentence about a claim with its holes filled.
-///
-/// # Errors
-///
-/// A hole that is no number where the claim fails, at its place in the file.
-pub fn filled_in(
-    claim: &Claim,
-    outcome: &Outcome,
-    finding: &Finding,
-) -> Result<String, Box<DerivationError>> {
-    let mut evaluator = Evaluator::new(&claim.declarations);
-    for (name, value) in outcome.witness.iter().flat_map(|witness| &witness.at) {
-        if let Some(value) = exact(claim, value) {
-            evaluator.fix(name.clone(), value);
+impl Outcome {
+    /// What is true of the statement.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        self.finding.verdict(self.claim.kind)
+    }
+
+    /// Whether the computed verdict is the expected one (true where none is stated).
+    #[must_use]
+    pub fn as_expected(&self) -> bool {
+        let expect = self.claim.expect;
+        expect.is_none_or(|expected| expected == self.verdict())
+    }
+
+    /// What the verdict rests on; none for definitions and figures.
+    #[must_use]
+    pub fn evidence(&self) -> Option<Evidence> {
+        self.finding.evidence()
+    }
+
+    /// The statement as the engine understood it; of a sentence whose readings agree that of the first.
+    #[must_use]
+    pub fn parsed(&self) -> Option<&Formula> {
+        let first = self.finding.agreed().and_then(Self::parsed);
+        first.or(self.claim.parsed.as_ref())
+    }
+
+    /// The extra conditions of a `conditional` verdict, and divisors that must not vanish.
+    #[must_use]
+    pub fn conditions(&self) -> &[Formula] {
+        self.finding.conditions()
+    }
+
+    /// The readings of a sentence that has more than one.
+    #[must_use]
+    pub fn readings(&self) -> &[ReadingOutcome] {
+        match &self.finding {
+            Finding::Readings(readings) => readings.all(),
+            _ => &[],
         }
     }
-    // Given equations determine their unknowns; where they do not, a hole that has some is refused.
-    let given: Vec<Written> = claim.given.iter().map(|h| h.formula.clone()).collect();
-    if let Ok(solution) = solve_given(&given, &claim.unknowns, &evaluator) {
-        evaluator.determine(solution);
+
+    /// What is known of a refuted statement; of a sentence whose readings agree that of the first.
+    #[must_use]
+    pub fn refuted(&self) -> Option<&RefutedStatement> {
+        self.finding.refuted()
     }
-    let mut text = String::new();
-    for piece in &finding.pieces {
-        match piece {
-            Piece::Words(words) => text.push_str(words),
-            Piece::Hole(formula, form) => text.push_str(&filled(&evaluator, formula, *form)?),
+
+    /// A counterexample.
+    #[must_use]
+    pub fn witness(&self) -> Option<&Witness> {
+        self.refuted()?.witness.as_ref()
+    }
+
+    /// A proved correction.
+    #[must_use]
+    pub fn correction(&self) -> Option<&Correction> {
+        self.refuted()?.correction()
+    }
+
+    /// A change of the data that explains a refuted value.
+    #[must_use]
+    pub fn data(&self) -> Option<&DataCorrection> {
+        self.refuted()?.data.as_ref()
+    }
+
+    /// The derived right side in the paper's own shape.
+    #[must_use]
+    pub fn derived(&self) -> Option<&Formula> {
+        self.refuted()?.derived.as_ref()
+    }
+
+    /// Left side minus right side in normal form.
+    #[must_use]
+    pub fn difference(&self) -> Option<&Formula> {
+        self.refuted()?.difference.as_ref()
+    }
+
+    /// What the net found; none where nothing was decided.
+    #[must_use]
+    pub fn net(&self) -> Option<&Net> {
+        self.finding.net()
+    }
+
+    /// What the checker of proofs found; none where there is no proof.
+    #[must_use]
+    pub fn replay(&self) -> Option<&Replay> {
+        self.finding.replay()
+    }
+
+    /// What contradicts the verdict that the prover would have given: the claim is undecided then.
+    #[must_use]
+    pub fn contradiction(&self) -> Option<&str> {
+        self.finding.contradiction()
+    }
+
+    /// The steps of the decision, in words, in order.
+    #[must_use]
+    pub fn steps(&self) -> Vec<String> {
+        self.finding.steps()
+    }
+}
+
+/// One reading of a sentence, decided.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct ReadingOutcome {
+    /// A word for it.
+    pub name: String,
+    /// The sentence as it is read here, in words.
+    pub says: String,
+    /// What is true of it.
+    pub outcome: Outcome,
+}
+
+/// What was found of a claim.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Finding {
+    /// It introduces notation: there is nothing to decide.
+    Definition,
+    /// It is a figure, drawn from the data of the paper or from what stands in for them.
+    Figure(FigureFinding),
+    /// The paper does not print what would be needed, which is this.
+    Underspecified(String),
+    /// It is none of the statements that are decided here, for this reason.
+    OutOfScope(String),
+    /// Nothing is decided.
+    Undecided(UndecidedStatement),
+    /// The prover decided it, and one of the judges finds the opposite.
+    Contradicted(Contradiction),
+    /// It is proved.
+    Proved(Box<Judged<ProvedStatement>>),
+    /// It is refuted.
+    Refuted(Box<Judged<RefutedStatement>>),
+    /// No point satisfies its hypotheses.
+    Vacuous(Box<Judged<EmptyDomain>>),
+    /// The sentence has more than one reading.
+    Readings(Readings),
+}
+
+impl Finding {
+    /// A finding that nothing is decided, for this reason.
+    pub fn undecided(why: impl Into<String>) -> Self {
+        Self::Undecided(UndecidedStatement::because(why))
+    }
+
+    /// What is true of a claim of this kind.
+    #[must_use]
+    pub fn verdict(&self, kind: Kind) -> Verdict {
+        match self {
+            Self::Definition => Verdict::Definition,
+            Self::Figure(figure) => figure.verdict,
+            Self::Underspecified(_) => Verdict::Underspecified,
+            Self::OutOfScope(_) => Verdict::OutOfScope,
+            Self::Undecided(_) | Self::Contradicted(_) => Verdict::Undecided,
+            Self::Proved(proved) => proved.statement.verdict(kind),
+            Self::Refuted(refuted) => refuted.statement.verdict(),
+            Self::Vacuous(_) => Verdict::Vacuous,
+            Self::Readings(readings) => readings.verdict(),
         }
     }
-    Ok(text)
-}
 
-/// The number that a witness writes.
-fn exact(claim: &Claim, text: &str) -> Option<Fraction> {
-    let expr = parse(text).ok()?;
-    match Evaluator::new(&claim.declarations).evaluate(&expr).ok()? {
-        Value::Scalar(quantity) => quantity.as_fraction().cloned(),
-        _ => None,
-    }
-}
-
-fn filled(
-    evaluator: &Evaluator<'_>,
-    formula: &Written,
-    form: Form,
-) -> Result<String, Box<DerivationError>> {
-    let value = evaluator.evaluate(&formula.expr);
-    let value = value.map_err(|fault| Box::new(fault.into_error(&formula.origin)))?;
-    let number = match &value {
-        Value::Scalar(quantity) => quantity.as_fraction().and_then(|f| shown(f, form)),
-        Value::Matrix(rows) if form == Form::Degrees => angle(rows),
-        _ => None,
-    };
-    number.ok_or_else(|| {
-        let message = match form {
-            Form::Degrees => "this is no cosine of an angle where the finding is told",
-            _ => "this is no number where the finding is told",
-        };
-        let error = DerivationError::at(&formula.origin, formula.expr.place, message.to_owned());
-        Box::new(error.with_help("a hole may use the symbols that the witness of the verdict has, and `at(..., symbol, value)` for others"))
-    })
-}
-
-/// A number as it is asked for; none if it has free symbols, or is no cosine.
-fn shown(value: &Fraction, form: Form) -> Option<String> {
-    match form {
-        Form::Plain => match value.as_rational() {
-            Some(q) if *q.denom() <= SIMPLE.into() => Some(q.to_string()),
-            _ => rounded(value, DIGITS, &|ball| Some(ball)),
-        },
-        Form::Digits(digits) => rounded(value, usize::from(digits), &|ball| Some(ball)),
-        Form::Percent => {
-            let hundred = value.clone() * Fraction::from(integer(100));
-            Some(rounded(&hundred, DIGITS, &|ball| Some(ball))? + " %")
+    /// What the verdict rests on; none for definitions and figures.
+    #[must_use]
+    pub fn evidence(&self) -> Option<Evidence> {
+        match self {
+            Self::Proved(proved) => Some(proved.statement.evidence),
+            Self::Refuted(refuted) => Some(refuted.statement.evidence),
+            Self::Undecided(undecided) => undecided.evidence,
+            Self::Readings(readings) => readings.evidence(),
+            _ => None,
         }
-        Form::Degrees => Some(rounded(value, DIGITS, &degrees)? + " degrees"),
+    }
+
+    /// The conditions under which the statement is true.
+    #[must_use]
+    pub fn conditions(&self) -> &[Formula] {
+        match self {
+            Self::Proved(proved) => &proved.statement.conditions,
+            Self::Readings(readings) => readings.conditions(),
+            _ => &[],
+        }
+    }
+
+    /// Of each hypothesis of the claim whether the proof needs it; nothing where none was tried.
+    #[must_use]
+    pub fn needed(&self) -> &[Option<bool>] {
+        match self {
+            Self::Proved(proved) => &proved.statement.needed,
+            _ => &[],
+        }
+    }
+
+    /// What is known of a refuted statement; of a sentence whose readings agree that of the first.
+    #[must_use]
+    pub fn refuted(&self) -> Option<&RefutedStatement> {
+        match self {
+            Self::Refuted(refuted) => Some(&refuted.statement),
+            _ => self.agreed()?.refuted(),
+        }
+    }
+
+    /// What the net found; none where nothing was decided.
+    #[must_use]
+    pub fn net(&self) -> Option<&Net> {
+        match self {
+            Self::Proved(proved) => Some(&proved.net),
+            Self::Refuted(refuted) => Some(&refuted.net),
+            Self::Vacuous(vacuous) => Some(&vacuous.net),
+            Self::Readings(readings) => readings.net(),
+            _ => None,
+        }
+    }
+
+    /// What the checker of proofs found; none where there is no proof.
+    #[must_use]
+    pub fn replay(&self) -> Option<&Replay> {
+        match self {
+            Self::Proved(proved) => proved.replay.as_ref(),
+            Self::Refuted(refuted) => refuted.replay.as_ref(),
+            Self::Readings(readings) => readings.replay(),
+            _ => None,
+        }
+    }
+
+    /// What the verdict rests on, as data; readings have their own.
+    #[must_use]
+    pub fn grounds(&self) -> Option<&Grounds> {
+        match self {
+            Self::Proved(proved) => Some(&proved.statement.grounds),
+            Self::Refuted(refuted) => refuted.statement.grounds.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// What contradicts the verdict that the prover would have given, of a sentence in one of its readings.
+    #[must_use]
+    pub fn contradiction(&self) -> Option<&str> {
+        match self {
+            Self::Contradicted(contradiction) => Some(&contradiction.found),
+            Self::Readings(readings) => readings.contradiction(),
+            _ => None,
+        }
+    }
+
+    /// The first reading of a sentence all of whose readings have one verdict.
+    #[must_use]
+    pub fn agreed(&self) -> Option<&Outcome> {
+        match self {
+            Self::Readings(readings) => readings.agreed(),
+            _ => None,
+        }
+    }
+
+    /// The steps of the decision, in words, in order.
+    #[must_use]
+    pub fn steps(&self) -> Vec<String> {
+        match self {
+            Self::Definition => vec![],
+            Self::Figure(figure) => figure.steps.clone(),
+            Self::Underspecified(why) | Self::OutOfScope(why) => vec![why.clone()],
+            Self::Undecided(undecided) => undecided.steps.clone(),
+            Self::Contradicted(Contradiction { claimed, found }) => vec![
+                format!("internal contradiction: the proof says {claimed:?}, but {found}"),
+                "please report this claim".to_owned(),
+            ],
+            Self::Proved(proved) => judged_steps(&proved.statement.steps, &proved.net),
+            Self::Refuted(refuted) => judged_steps(&refuted.statement.steps, &refuted.net),
+            Self::Vacuous(vacuous) => vacuous.statement.steps.clone(),
+            Self::Readings(readings) => readings.steps(),
+        }
     }
 }
 
-/// The angle between two vectors, the rows of a matrix.
-fn angle(rows: &[Vec<Quantity>]) -> Option<String> {
-    let [first, second] = rows else {
-        return None;
-    };
-    let product = |a: &[Quantity], b: &[Quantity]| -> Option<Fraction> {
-        let zero = Fraction::from(integer(0));
-        let mut pairs = a.iter().zip(b);
-        pairs.try_fold(zero, |sum, (x, y)| {
-            Some(sum + x.as_fraction()?.clone() * y.as_fraction()?.clone())
-        })
-    };
-    let (along, a, b) = (
-        product(first, second)?,
-        product(first, first)?,
-        product(second, second)?,
-    );
-    let square = (along.clone() * along.clone()).over(&(a * b)).ok()?;
-    // The root is taken of an enclosure: an exact one need not be found.
-    let obtuse = enclosure(&along, BITS[0])?.midpoint() < integer(0);
-    let text = rounded(&square, DIGITS, &|ball| {
-        let cosine = ball.sqrt().ok()?;
-        degrees(if obtuse { -cosine } else { cosine })
+/// The steps of a decision, and which of its conditions were not seen to be needed.
+fn judged_steps(steps: &[String], net: &Net) -> Vec<String> {
+    let correction = net.correction.iter().flat_map(|net| &net.conditions);
+    let sides = net.conditions.iter().chain(correction);
+    let suspicious = sides.filter(|sides| sides.is_suspicious());
+    let told = suspicious.map(|sides: &Sides| {
+        format!(
+            "the condition `{}` was not seen to be needed: the statement is true at {} points at which it fails",
+            sides.condition, sides.holding
+        )
     });
-    Some(text? + " degrees")
+    steps.iter().cloned().chain(told).collect()
 }
 
-/// What is made of an enclosure, rounded to so many digits that count.
-fn rounded(value: &Fraction, digits: usize, of: &dyn Fn(Ball) -> Option<Ball>) -> Option<String> {
-    BITS.into_iter().find_map(|bits| {
-        let ball = of(enclosure(value, bits)?)?;
-        let (lower, upper) = (ball.lower(), ball.upper());
-        let text = significant(&lower, digits)?;
-        (significant(&upper, digits).as_ref() == Some(&text)).then_some(text)
-    })
+/// The readings of a sentence, each decided.
+///
+/// What is said of the sentence follows from all of them. Where they agree it rests on the weakest evidence, under the
+/// conditions of all; where they do not, or where one is contradicted, nothing of one of them is said of the sentence.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(transparent)]
+pub struct Readings {
+    all: Vec<ReadingOutcome>,
+    /// The conditions of all, each once, if they agree.
+    #[serde(skip)]
+    conditions: Vec<Formula>,
 }
 
-/// The angle in degrees of a cosine: bounds are guessed, and kept if the cosines of both enclose the number.
-fn degrees(cosine: Ball) -> Option<Ball> {
-    let bits = cosine.bits();
-    let cosine_of = |angle: &Rational| {
-        let part = Ball::from_rational(&(angle.clone() / integer(180)), bits);
-        (part * Ball::pi(bits)).sin_cos().1
-    };
-    let (mut low, mut high) = (integer(0), integer(180));
-    // Forty halvings leave less than 10^-9 of a degree.
-    for _ in 0..40 {
-        let middle = (low.clone() + &high) / integer(2);
-        let at = cosine_of(&middle);
-        if at.lower() > cosine.upper() {
-            low = middle;
-        } else if at.upper() < cosine.lower() {
-            high = middle;
-        } else {
-            break;
+impl Readings {
+    /// Those of a sentence.
+    #[must_use]
+    pub fn new(all: Vec<ReadingOutcome>) -> Self {
+        let mut readings = Self {
+            all,
+            conditions: vec![],
+        };
+        if readings.agreed().is_some() {
+            let mut conditions: Vec<Formula> = vec![];
+            for condition in readings.outcomes().flat_map(Outcome::conditions) {
+                if !conditions.contains(condition) {
+                    conditions.push(condition.clone());
+                }
+            }
+            readings.conditions = conditions;
         }
+        readings
     }
-    let one = integer(1);
-    let is_cosine = cosine.lower() >= -one.clone() && cosine.upper() <= one;
-    is_cosine.then(|| Ball::from_bounds(&low, &high, bits))
-}
 
-/// A number rounded to digits that count; none for one of absurd size.
-fn significant(q: &Rational, digits: usize) -> Option<String> {
-    if *q == integer(0) {
-        return Some("0".to_owned());
+    /// The readings, in the order of the file.
+    #[must_use]
+    pub fn all(&self) -> &[ReadingOutcome] {
+        &self.all
     }
-    let size = if *q < integer(0) {
-        -q.clone()
-    } else {
-        q.clone()
-    };
-    let mut exponent = libm::log10(to_f64(&size)).floor();
-    if !exponent.is_finite() || exponent.abs() > 300.0 {
-        return None;
-    }
-    let ten = |power: i32| integer(10).pow(power);
-    // The logarithm may be one off at powers of ten.
-    exponent = exponent.clamp(-300.0, 300.0);
-    #[expect(clippy::cast_possible_truncation, reason = "between -300 and 300")]
-    let mut exponent = exponent as i32;
-    while size >= ten(exponent + 1) {
-        exponent += 1;
-    }
-    while size < ten(exponent) {
-        exponent -= 1;
-    }
-    let places = i32::try_from(digits).ok()?.max(1) - 1 - exponent;
-    let shifted = (size * ten(places)).round();
-    let (shifted, places) = match usize::try_from(places) {
-        Ok(places) => (shifted, places),
-        Err(_) => (shifted * ten(-places), 0),
-    };
-    let all = format!(
-        "{:0>width$}",
-        shifted.to_integer().to_string(),
-        width = places + 1
-    );
-    let (whole, fraction) = all.split_at(all.len() - places);
-    let sign = if *q < integer(0) { "-" } else { "" };
-    let point = if places > 0 { "." } else { "" };
-    Some(format!("{sign}{whole}{point}{fraction}"))
-}
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use torse_algebra::rational::ratio;
+    fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
+        self.all.iter().map(|reading| &reading.outcome)
+    }
 
-    #[test]
-    fn digits_that_count_are_rounded() {
-        for (q, digits, text) in [
-            (ratio(1, 3), 4, "0.3333"),
-            (ratio(2, 3), 2, "0.67"),
-            (ratio(-12345, 1), 3, "-12300"),
-            (ratio(9996, 1000), 3, "10.00"),
-            (ratio(1, 1000), 2, "0.0010"),
-            (ratio(0, 1), 2, "0"),
-        ] {
-            assert_eq!(significant(&q.unwrap(), digits).unwrap(), text);
+    /// The first reading, if all have its verdict and none is contradicted.
+    #[must_use]
+    pub fn agreed(&self) -> Option<&Outcome> {
+        let first = &self.all.first()?.outcome;
+        let verdict = first.verdict();
+        let agree = self.outcomes().all(|other| other.verdict() == verdict);
+        (agree && self.contradiction().is_none()).then_some(first)
+    }
+
+    /// What is true of the sentence.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        match (self.contradiction(), self.agreed()) {
+            (Some(_), _) => Verdict::Undecided,
+            (None, Some(first)) => first.verdict(),
+            (None, None) => Verdict::Depends,
         }
     }
 
-    #[test]
-    fn angles_come_from_their_cosines() {
-        let half = Fraction::from(ratio(1, 3).unwrap());
-        assert_eq!(shown(&half, Form::Degrees).unwrap(), "70.53 degrees");
-        let beyond = Fraction::from(ratio(4, 3).unwrap());
-        assert_eq!(shown(&beyond, Form::Degrees), None);
+    /// The weakest evidence, if they agree.
+    #[must_use]
+    pub fn evidence(&self) -> Option<Evidence> {
+        self.agreed()?;
+        self.outcomes().map(Outcome::evidence).max().flatten()
+    }
+
+    /// The conditions of all, each once, if they agree.
+    #[must_use]
+    pub fn conditions(&self) -> &[Formula] {
+        &self.conditions
+    }
+
+    /// The net of fewest points, if they agree and all have one.
+    #[must_use]
+    pub fn net(&self) -> Option<&Net> {
+        self.agreed()?;
+        let nets: Option<Vec<&Net>> = self.outcomes().map(Outcome::net).collect();
+        nets?
+            .into_iter()
+            .min_by_key(|net| (net.netted, net.decided))
+    }
+
+    /// The replay that went least far, if they agree and all have one.
+    #[must_use]
+    pub fn replay(&self) -> Option<&Replay> {
+        self.agreed()?;
+        let replays: Option<Vec<&Replay>> = self.outcomes().map(Outcome::replay).collect();
+        replays?
+            .into_iter()
+            .min_by_key(|replay| (replay.is_whole(), replay.replayed))
+    }
+
+    /// What contradicts one of them.
+    #[must_use]
+    pub fn contradiction(&self) -> Option<&str> {
+        self.outcomes().find_map(Outcome::contradiction)
+    }
+
+    /// What each of them comes to, in words.
+    #[must_use]
+    pub fn steps(&self) -> Vec<String> {
+        let lines = self.all.iter().map(|reading| {
+            let verdict = word(reading.outcome.verdict());
+            format!("read as “{}” ({}): {verdict}", reading.name, reading.says)
+        });
+        lines.collect()
+    }
+}
+
+fn word(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Holds => "it holds",
+        Verdict::Conditional => "it holds under a condition",
+        Verdict::Misprint => "it is a misprint",
+        Verdict::False => "it is false",
+        Verdict::Undecided => "it is undecided",
+        Verdict::Vacuous => "no point satisfies its assumptions",
+        Verdict::Definition => "it is a definition",
+        Verdict::Depends
+        | Verdict::Underspecified
+        | Verdict::OutOfScope
+        | Verdict::Reproduced
+        | Verdict::Partial => "it is not decided",
     }
 }

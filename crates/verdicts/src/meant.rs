@@ -1,7 +1,6 @@
 //! What a verdict is about: its table, its net and the checker look at the same claim, which is brought to core terms once
 //! for all of them.
 
-use crate::outcome::Outcome;
 use crate::provenance;
 use std::borrow::Cow;
 use torse_core as core;
@@ -26,9 +25,9 @@ impl<'c> Meant<'c> {
         Self::of(Cow::Borrowed(claim), statement)
     }
 
-    /// The same without the hypotheses that the proof of the verdict was found not to need.
-    pub fn needed(&self, outcome: &Outcome) -> Option<Cow<'_, Self>> {
-        let unneeded = provenance::unneeded(&self.claim, outcome);
+    /// The claim with only the hypotheses that the proof uses; nothing where it makes no sense without the others.
+    pub fn without_unneeded(&self, needed: &[Option<bool>]) -> Option<Cow<'_, Self>> {
+        let unneeded = provenance::unneeded(&self.claim, needed);
         if unneeded.is_empty() {
             return Some(Cow::Borrowed(self));
         }

@@ -18,8 +18,11 @@
 //! **Corrections** are proofs, with conditions of their own, and judged like proofs.
 
 use crate::agreement::{Agreement, agreement};
+use crate::finding::Finding;
+use crate::judged::{BEYOND, Judged, Net, Replay, Sides};
 use crate::meant::Meant;
-use crate::outcome::{BEYOND, Net, Outcome, Sides};
+use crate::outcome::Outcome;
+use crate::statement::{Contradiction, EmptyDomain, ProvedStatement, RefutedStatement};
 use crate::{condition, provenance, replay};
 use torse_algebra::work;
 use torse_core as core;
@@ -59,12 +62,65 @@ pub const ALWAYS: Effort = Effort {
     seed: "",
 };
 
-/// Judges the verdict of a claim that has a statement, and has its proof gone through by the checker. What contradicts it
-/// makes the claim undecided.
-pub(crate) fn secure(outcome: &mut Outcome, meant: &Meant<'_>, budget: u64) {
-    if let Some(meant) = meant.needed(outcome) {
-        cast(outcome, &meant);
-        replay(outcome, &meant, budget);
+/// Judges a proof at points, and has it gone through by the checker.
+pub(crate) fn proved(statement: ProvedStatement, meant: &Meant<'_>) -> Finding {
+    let Some(own) = meant.without_unneeded(&statement.needed) else {
+        return Finding::undecided(
+            "without the hypotheses that the proof does not need the statement makes no sense",
+        );
+    };
+    let verdict = statement.verdict(meant.claim.entry.kind);
+    let net = Case::new(&own, &ALWAYS, statement.grounds.excepted()).proof(&statement.conditions);
+    let replay = |statement: &ProvedStatement| replay::proof(statement, &own).map(Some);
+    finding(verdict, statement, net, replay, |judged| {
+        Finding::Proved(Box::new(judged))
+    })
+}
+
+/// Judges a refutation at its counterexample and its correction like a proof, and has the checker go through both, with so
+/// much work to prove the correction again.
+pub(crate) fn refuted(statement: RefutedStatement, meant: &Meant<'_>, budget: u64) -> Finding {
+    let verdict = statement.verdict();
+    let net = Case::new(meant, &ALWAYS, vec![]).refutation(&statement);
+    let replay =
+        |statement: &RefutedStatement| replay::refutation(statement, meant, budget).map(Some);
+    finding(verdict, statement, net, replay, |judged| {
+        Finding::Refuted(Box::new(judged))
+    })
+}
+
+/// Judges that a domain has no points.
+pub(crate) fn vacuous(statement: EmptyDomain, meant: &Meant<'_>) -> Finding {
+    let net = Case::new(meant, &ALWAYS, vec![]).nowhere();
+    finding(
+        Verdict::Vacuous,
+        statement,
+        net,
+        |_| Ok(None),
+        |judged| Finding::Vacuous(Box::new(judged)),
+    )
+}
+
+/// What the prover says is a finding if neither judge finds anything against it; the checker is not asked where the net did.
+fn finding<T>(
+    claimed: Verdict,
+    statement: T,
+    net: Result<Net, Objection>,
+    replay: impl FnOnce(&T) -> Result<Option<Replay>, String>,
+    wrap: impl FnOnce(Judged<T>) -> Finding,
+) -> Finding {
+    let contradicted = |found| Finding::Contradicted(Contradiction { claimed, found });
+    match net {
+        Err(Objection::Contradiction(found)) => contradicted(found),
+        Err(Objection::Unseen(why)) => Finding::undecided(why),
+        Ok(net) => match replay(&statement) {
+            Err(found) => contradicted(found),
+            Ok(replay) => wrap(Judged {
+                statement,
+                net,
+                replay,
+            }),
+        },
     }
 }
 
@@ -93,67 +149,6 @@ impl From<String> for Objection {
     }
 }
 
-/// Judges the verdict. An objection makes it undecided.
-fn cast(outcome: &mut Outcome, meant: &Meant<'_>) {
-    match verdict(outcome, meant, &ALWAYS) {
-        None => {}
-        Some(Ok(net)) => {
-            let correction = net.correction.iter().flat_map(|net| &net.conditions);
-            let sides = net.conditions.iter().chain(correction);
-            let suspicious = sides.filter(|sides| sides.is_suspicious());
-            outcome.steps.extend(suspicious.map(|sides| {
-                format!(
-                    "the condition `{}` was not seen to be needed: the statement is true at {} points at which it fails",
-                    sides.condition, sides.holding
-                )
-            }));
-            outcome.net = Some(net);
-        }
-        Some(Err(Objection::Contradiction(found))) => contradicted(outcome, found),
-        Some(Err(Objection::Unseen(why))) => {
-            withdrawn(outcome);
-            outcome.steps = vec![why];
-        }
-    }
-}
-
-/// Has the proof of a verdict gone through by the checker of proofs. One that it rejects makes the claim undecided.
-fn replay(outcome: &mut Outcome, meant: &Meant<'_>, budget: u64) {
-    if outcome.contradiction.is_some() {
-        return;
-    }
-    match replay::replayed(outcome, meant, budget) {
-        None => {}
-        Some(Ok(replay)) => outcome.replay = Some(replay),
-        Some(Err(found)) => contradicted(outcome, found),
-    }
-}
-
-/// What the prover calls settled and the semantics, or the checker of proofs, does not.
-fn contradicted(outcome: &mut Outcome, found: String) {
-    let verdict = outcome.verdict;
-    withdrawn(outcome);
-    outcome.steps = vec![
-        format!("internal contradiction: the proof says {verdict:?}, but {found}"),
-        "please report this claim".to_owned(),
-    ];
-    outcome.contradiction = Some(found);
-}
-
-/// The claim is undecided: nothing of what was found is shown.
-fn withdrawn(outcome: &mut Outcome) {
-    outcome.verdict = Verdict::Undecided;
-    outcome.evidence = None;
-    outcome.correction = None;
-    outcome.data = None;
-    outcome.witness = None;
-    outcome.difference = None;
-    outcome.derived = None;
-    outcome.grounds = None;
-    outcome.replay = None;
-    outcome.conditions.clear();
-}
-
 /// Judges a verdict with this effort: what was found, or why it is not to be shown. `None` where nothing was decided.
 pub fn judged(
     outcome: &Outcome,
@@ -162,44 +157,17 @@ pub fn judged(
     effort: &Effort,
 ) -> Option<Result<Net, Objection>> {
     let meant = Meant::new(claim, statement)?;
-    verdict(outcome, &*meant.needed(outcome)?, effort)
-}
-
-/// The verdicts that are judged.
-const DECIDED: [Verdict; 6] = [
-    Verdict::Holds,
-    Verdict::Conditional,
-    Verdict::Definition,
-    Verdict::False,
-    Verdict::Misprint,
-    Verdict::Vacuous,
-];
-
-/// The same of what a verdict is about.
-fn verdict(
-    outcome: &Outcome,
-    meant: &Meant<'_>,
-    effort: &Effort,
-) -> Option<Result<Net, Objection>> {
-    let case = Case {
-        claim: &meant.claim,
-        statement: meant.statement,
-        core: &meant.core,
-        seed: format!("{}{}", effort.seed, outcome.id),
-        effort,
-        excepted: outcome.grounds.iter().flat_map(|g| g.excepted()).collect(),
-    };
-    if DECIDED.contains(&outcome.verdict)
-        && let Err(objection) = case.agrees()
-    {
-        return Some(Err(objection));
-    }
-    match outcome.verdict {
-        Verdict::Holds | Verdict::Conditional | Verdict::Definition => {
-            Some(case.proof(&outcome.conditions))
+    match &outcome.finding {
+        Finding::Proved(judged) => {
+            let proved = &judged.statement;
+            let own = meant.without_unneeded(&proved.needed)?;
+            let case = Case::new(&own, effort, proved.grounds.excepted());
+            Some(case.proof(&proved.conditions))
         }
-        Verdict::False | Verdict::Misprint => Some(case.refutation(outcome)),
-        Verdict::Vacuous => Some(case.nowhere()),
+        Finding::Refuted(judged) => {
+            Some(Case::new(&meant, effort, vec![]).refutation(&judged.statement))
+        }
+        Finding::Vacuous(_) => Some(Case::new(&meant, effort, vec![]).nowhere()),
         _ => None,
     }
 }
@@ -215,7 +183,22 @@ struct Case<'a> {
     excepted: Vec<(Formula, prove::Witness)>,
 }
 
-impl Case<'_> {
+impl<'a> Case<'a> {
+    fn new(
+        meant: &'a Meant<'_>,
+        effort: &'a Effort,
+        excepted: Vec<(Formula, prove::Witness)>,
+    ) -> Self {
+        Self {
+            claim: &meant.claim,
+            statement: meant.statement,
+            core: &meant.core,
+            seed: format!("{}{}", effort.seed, meant.claim.entry.id.get_ref()),
+            effort,
+            excepted,
+        }
+    }
+
     /// Fails where the core terms are not what the text says.
     fn agrees(&self) -> Result<(), Objection> {
         match agreement(self.claim, self.statement, self.core) {
@@ -250,6 +233,7 @@ impl Case<'_> {
 
     /// A proof under conditions, at points of the domain.
     fn proof(&self, conditions: &[Formula]) -> Result<Net, Objection> {
+        self.agrees()?;
         let read: Option<Vec<core::Statement>> = conditions.iter().map(|c| self.read(c)).collect();
         let Some(read) = read else {
             return Ok(Net::uncovered("a condition that cannot be read back"));
@@ -390,9 +374,10 @@ impl Case<'_> {
     }
 
     /// A refutation at its witness, and its correction at points of the domain.
-    fn refutation(&self, outcome: &Outcome) -> Result<Net, Objection> {
-        let mut net = self.witness(outcome)?;
-        let Some(correction) = &outcome.correction else {
+    fn refutation(&self, refuted: &RefutedStatement) -> Result<Net, Objection> {
+        self.agrees()?;
+        let mut net = self.witness(refuted)?;
+        let Some(correction) = refuted.correction() else {
             return Ok(net);
         };
         let statement = condition::written(&correction.statement, &self.seed);
@@ -412,8 +397,7 @@ impl Case<'_> {
             ..*self
         };
         let found = case
-            .agrees()
-            .and_then(|()| case.proof(&correction.conditions))
+            .proof(&correction.conditions)
             .map_err(|found| found.about("the correction is wrong"))?;
         if !found.netted {
             net.netted = false;
@@ -426,11 +410,11 @@ impl Case<'_> {
         Ok(net)
     }
 
-    fn witness(&self, outcome: &Outcome) -> Result<Net, Objection> {
+    fn witness(&self, refuted: &RefutedStatement) -> Result<Net, Objection> {
         if let core::Statement::Not(denied) = &self.core.statement {
             return self.denial(denied);
         }
-        let Some(witness) = &outcome.witness else {
+        let Some(witness) = &refuted.witness else {
             return self.elsewhere("it names no point");
         };
         let numbers = witness
@@ -500,8 +484,9 @@ impl Case<'_> {
         }
     }
 
-    /// A domain that is said to be empty.
+    /// A domain that is statement to be empty.
     fn nowhere(&self) -> Result<Net, Objection> {
+        self.agrees()?;
         let (tally, _) = self.tally(&[]);
         match tally.found {
             0 => Ok(Net {

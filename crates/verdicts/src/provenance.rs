@@ -8,7 +8,7 @@
 //!
 //! A dropped range leaves the one that it narrows, or the whole line.
 
-use crate::outcome::{Assumed, Outcome, Role, SaidBy};
+use crate::claim_record::{Assumed, Role, SaidBy};
 use std::sync::Arc;
 use torse_algebra::Polynomial;
 use torse_algebra::work::Allowance;
@@ -57,11 +57,16 @@ fn placed(
     numbered.map(move |(i, hypothesis)| (slot(i), hypothesis))
 }
 
-/// The hypotheses of a claim, in the order of [`slots`].
+/// The hypotheses of a claim, in the order of [`slots`], with what is known of whether each is needed.
 #[must_use]
-pub fn assumed(claim: &Claim) -> Vec<Assumed> {
-    let all = hypotheses(claim).into_iter();
-    all.map(|(_, hypothesis)| hypothesis).collect()
+pub fn assumed(claim: &Claim, needed: &[Option<bool>]) -> Vec<Assumed> {
+    let needed = needed.iter().copied().chain(std::iter::repeat(None));
+    let all = hypotheses(claim).into_iter().zip(needed);
+    all.map(|((_, hypothesis), needed)| Assumed {
+        needed,
+        ..hypothesis
+    })
+    .collect()
 }
 
 /// The hypotheses with their places.
@@ -237,20 +242,31 @@ fn can_be_dropped(claim: &Claim, slot: &Slot) -> bool {
     }
 }
 
-/// Writes into the outcome what was found of the hypotheses that are ours.
-pub fn record(outcome: &mut Outcome, claim: &Claim, needed: &[(Slot, bool)]) {
-    for (slot, hypothesis) in slots(claim).iter().zip(&mut outcome.assumed) {
-        let tried = needed.iter().find(|(tried, _)| tried == slot);
-        hypothesis.needed = tried.map(|(_, needed)| *needed);
-    }
+/// Of each hypothesis, in the order of [`assumed`], whether it is needed; nothing of those that were not tried.
+#[must_use]
+pub fn by_hypothesis(claim: &Claim, needed: &[(Slot, bool)]) -> Vec<Option<bool>> {
+    let tried = |slot: &Slot| needed.iter().find(|(tried, _)| tried == slot);
+    let slots = slots(claim);
+    slots
+        .iter()
+        .map(|slot| tried(slot).map(|(_, needed)| *needed))
+        .collect()
 }
 
-/// The hypotheses that a verdict was found not to need.
+/// The hypotheses that were found not to be needed, by what is known of each.
 #[must_use]
-pub fn unneeded(claim: &Claim, outcome: &Outcome) -> Vec<Slot> {
-    let slots = slots(claim).into_iter().zip(&outcome.assumed);
-    let unneeded = slots.filter(|(_, hypothesis)| hypothesis.needed == Some(false));
+pub fn unneeded(claim: &Claim, needed: &[Option<bool>]) -> Vec<Slot> {
+    let slots = slots(claim).into_iter().zip(needed);
+    let unneeded = slots.filter(|(_, needed)| **needed == Some(false));
     unneeded.map(|(slot, _)| slot).collect()
+}
+
+/// Whether some hypothesis is ours.
+#[must_use]
+pub fn has_ours(claim: &Claim) -> bool {
+    assumed(claim, &[])
+        .iter()
+        .any(|hypothesis| matches!(hypothesis.from, SaidBy::Ours { .. }))
 }
 
 /// The hypotheses that are needed, as conditions.

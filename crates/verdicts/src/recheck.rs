@@ -8,8 +8,9 @@
 //! That proves no statement again, but an error of the prover would have to be made here once more, in other words, to
 //! pass.
 
+use crate::judged::Net;
 use crate::net::{self, Effort, Objection};
-use crate::outcome::{Net, Outcome};
+use crate::outcome::Outcome;
 use crate::sought;
 use torse_core::stack;
 use torse_syntax::derivation::Claim;
@@ -45,9 +46,9 @@ pub enum Recheck {
 /// Judges the verdict of a claim again.
 #[must_use]
 pub fn claim(claim: &Claim, outcome: &Outcome) -> Recheck {
-    if let Some(found) = &outcome.contradiction {
+    if let Some(found) = outcome.contradiction() {
         return Recheck::Contradicted {
-            found: found.clone(),
+            found: found.to_owned(),
         };
     }
     let Some(statement) = &claim.statement else {

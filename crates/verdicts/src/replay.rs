@@ -6,49 +6,51 @@
 
 use crate::condition;
 use crate::grounds::Grounds;
+use crate::judged::Replay;
 use crate::meant::Meant;
-use crate::outcome::{Outcome, Replay};
-use std::sync::Arc;
+use crate::statement::{ProvedStatement, RefutedStatement};
 use torse_algebra::work;
 use torse_checker::{Unchecked, Work};
 use torse_core as core;
-use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 use torse_syntax::derivation::Origin;
-use torse_syntax::words::Verdict;
 
-/// Replays what a verdict rests on, and the proof of its correction, for which so much work may be spent to find it again.
-/// Nothing where there is no proof.
+/// Replays a proof.
 ///
 /// # Errors
 /// What the checker finds wrong.
-pub(crate) fn replayed(
-    outcome: &Outcome,
+pub(crate) fn proof(proved: &ProvedStatement, meant: &Meant<'_>) -> Result<Replay, String> {
+    checked(&meant.core, &meant.statement.origin, &proved.grounds)
+}
+
+/// Replays a refutation, and the proof of its correction, for which so much work may be spent to find it again.
+///
+/// # Errors
+/// What the checker finds wrong.
+pub(crate) fn refutation(
+    refuted: &RefutedStatement,
     meant: &Meant<'_>,
     budget: u64,
-) -> Option<Result<Replay, String>> {
-    let grounds = outcome.grounds.as_ref()?;
-    let claim = &meant.claim;
-    let mut replay = match checked(&meant.core, &meant.statement.origin, grounds) {
-        Ok(replay) => replay,
-        Err(wrong) => return Some(Err(wrong)),
+) -> Result<Replay, String> {
+    let Some(grounds) = &refuted.grounds else {
+        return Ok(Replay::beyond("that there is no other number"));
     };
-    let refuted = matches!(outcome.verdict, Verdict::False | Verdict::Misprint);
-    if let Some(correction) = outcome.correction.as_ref().filter(|_| refuted) {
+    let mut replay = checked(&meant.core, &meant.statement.origin, grounds)?;
+    if let Some(correction) = refuted.correction() {
+        let claim = &meant.claim;
         let own = || {
-            let written = condition::written(&correction.statement, &outcome.id)?;
+            let written = condition::written(&correction.statement, claim.entry.id.get_ref())?;
             let decided = work::within(budget, || decide_statement(claim, &written));
             let grounds = Grounds::of(&decided.ok()?.ok()?)?;
             let core = torse_elaborate::elaborate(claim, &written).ok()?;
             Some(checked(&core, &written.origin, &grounds))
         };
         let none = || Ok(Replay::beyond("the correction was not proved again"));
-        match own().unwrap_or_else(none) {
-            Ok(own) => replay.correction = Some(Box::new(own)),
-            Err(wrong) => return Some(Err(format!("the correction: {wrong}"))),
-        }
+        let own = own().unwrap_or_else(none);
+        let own = own.map_err(|wrong| format!("the correction: {wrong}"))?;
+        replay.correction = Some(Box::new(own));
     }
-    Some(Ok(replay))
+    Ok(replay)
 }
 
 /// What the checker says.
@@ -65,9 +67,4 @@ fn checked(core: &core::Claim, origin: &Origin, grounds: &Grounds) -> Result<Rep
         Err(Unchecked::Beyond(why)) => Ok(Replay::beyond(&why.to_string())),
         Err(wrong @ Unchecked::Wrong(_)) => Err(wrong.to_string()),
     }
-}
-
-/// Keeps what a decision rests on.
-pub fn keep(outcome: &mut Outcome, decision: &Decision) {
-    outcome.grounds = Grounds::of(decision).map(Arc::new);
 }

@@ -24,7 +24,7 @@ pub fn restore(
     paper: &Paper,
     outcome: &PaperOutcome,
 ) -> Result<Vec<Restored>, Box<DerivationError>> {
-    let found = |id: &str| outcome.claims.iter().find(|claim| claim.id == id);
+    let found = |id: &str| outcome.claims.iter().find(|other| other.claim.id == id);
     let told = paper.corrigenda.iter().flat_map(|of| &of.corrected);
     let mut corrected: Vec<Claim> = told
         .map(|of| {
@@ -38,16 +38,16 @@ pub fn restore(
     let is_told = |id: &String| paper.corrigenda.iter().any(|of| of.shows.contains(id));
     corrected.extend(paper.claims.iter().filter_map(|claim| {
         let id = claim.entry.id.get_ref();
-        let outcome = found(id).filter(|of| of.verdict == Verdict::Misprint)?;
-        (!is_told(id) && outcome.kind != Kind::Remark).then(|| repaired(claim, outcome))
+        let outcome = found(id).filter(|of| of.verdict() == Verdict::Misprint)?;
+        (!is_told(id) && outcome.claim.kind != Kind::Remark).then(|| repaired(claim, outcome))
     }));
     let decide = |claim: &Claim| -> Result<Restored, Box<DerivationError>> {
         let outcome = decide_claim_within(budget, &paper.head.id, claim)?;
         Ok(Restored {
-            claim: outcome.id,
-            verdict: outcome.verdict,
-            evidence: outcome.evidence,
-            conditions: outcome.conditions,
+            verdict: outcome.verdict(),
+            evidence: outcome.evidence(),
+            conditions: outcome.conditions().to_vec(),
+            claim: outcome.claim.id,
         })
     };
     corrected.par_iter().map(decide).collect()
@@ -56,13 +56,13 @@ pub fn restore(
 /// The claim with the correction that was found of it, under the conditions of that.
 fn repaired(claim: &Claim, outcome: &Outcome) -> Claim {
     let mut repaired = claim.clone();
-    repaired.finding = None;
+    repaired.author_note = None;
     let written = |formula: &Formula, origin: &Origin| {
         let expr = parse(&formula.text).ok()?.placeless();
         let origin = origin.clone();
         Some(Written { expr, origin })
     };
-    let Some(correction) = &outcome.correction else {
+    let Some(correction) = outcome.correction() else {
         return repaired;
     };
     let origin = &claim.origin;

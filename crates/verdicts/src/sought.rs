@@ -4,9 +4,10 @@
 //! fails refutes nothing, for another one may do: `false` is such a claim only if there is a point of its domain at which the statement
 //! is false of every number of the declared intervals, which is a claim of its own, about that point, and proved.
 
-use crate::concluded::{conclude, rest_on};
+use crate::conclusion::{Conclusion, conclude};
+use crate::finding::Finding;
 use crate::meant::Meant;
-use crate::outcome::{Outcome, Replay};
+use crate::statement::{EmptyDomain, ProvedStatement, RefutedStatement, UndecidedStatement};
 use crate::{condition, net, provenance};
 use std::sync::Arc;
 use torse_algebra::work::{self, Spent};
@@ -18,68 +19,74 @@ use torse_syntax::derivation::{Claim, DerivationError, Hypothesis, Provenance, W
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Connective, Expr, Node};
 use torse_syntax::notation::{self, Formula};
-use torse_syntax::words::Verdict;
 
-/// Decides a claim that seeks numbers, nets and replays its verdict.
+/// Decides a claim that says that there are numbers, and judges what is found.
 ///
 /// # Errors
 /// A [`DerivationError`] when a formula of the claim does not make sense.
 pub(crate) fn decided(
-    outcome: &mut Outcome,
     claim: &Claim,
     statement: &Written,
     budget: u64,
-) -> Result<(), Box<DerivationError>> {
+) -> Result<Finding, Box<DerivationError>> {
     let found = work::within(budget / 5, || sought::witnessed(claim, statement));
-    let Some(found) = known(outcome, statement, found)? else {
-        return Ok(());
+    let found = match known(statement, found)? {
+        Ok(found) => found,
+        Err(limit) => return Ok(Finding::undecided(limit)),
     };
     let (own, steps) = match &found {
         Some(found) => (&found.claim, found.steps.clone()),
         None => (claim, vec![]),
     };
     let decision = work::within(budget, || decide_statement(own, statement));
-    let Some(decision) = known(outcome, statement, decision)? else {
-        return Ok(());
+    let decision = match known(statement, decision)? {
+        Ok(decision) => decision,
+        Err(limit) => return Ok(Finding::undecided(limit)),
     };
     if let Decision::Proven(proof) = &decision
         && says_nothing_somewhere(proof)
     {
-        outcome.steps = vec!["the witness has no value at some of the integers".to_owned()];
-        return Ok(());
+        let why = "the witness has no value at some of the integers";
+        return Ok(Finding::undecided(why));
     }
+    let Some(meant) = Meant::new(own, statement) else {
+        let why = "the statement with its witness cannot be read again to be judged";
+        return Ok(Finding::undecided(why));
+    };
     let weighed = provenance::weigh(own, statement, decision, budget / 5);
-    conclude(outcome, weighed.decision, statement);
-    provenance::record(outcome, own, &weighed.needed);
-    rest_on(outcome, provenance::conditions(own, &weighed.needed));
-    if outcome.verdict == Verdict::False {
-        without_witness(outcome, claim, statement, budget / 5);
-        if outcome.verdict != Verdict::False {
-            return Ok(());
+    Ok(match conclude(own, statement, weighed) {
+        Conclusion::Proved(proved) => {
+            let steps = [steps, proved.steps].concat();
+            net::proved(ProvedStatement { steps, ..proved }, &meant)
         }
-    } else {
-        outcome.steps.splice(0..0, steps);
-    }
-    if let Some(meant) = Meant::new(own, statement) {
-        net::secure(outcome, &meant, budget / 5);
-    }
-    Ok(())
+        Conclusion::Refuted(refuted) => {
+            match without_witness(refuted, claim, statement, budget / 5) {
+                Ok(refuted) => net::refuted(refuted, &meant, budget / 5),
+                Err(why) => Finding::undecided(why),
+            }
+        }
+        Conclusion::Vacuous(empty) => {
+            let steps = [steps, empty.steps].concat();
+            net::vacuous(EmptyDomain { steps }, &meant)
+        }
+        Conclusion::Undecided(open) => Finding::Undecided(UndecidedStatement {
+            steps: [steps, open.steps].concat(),
+            ..open
+        }),
+    })
 }
 
-/// What was found; where a limit ended the work that is told, and nothing is known.
+/// What was found, or the limit that ended the work.
 fn known<T>(
-    outcome: &mut Outcome,
     statement: &Written,
     found: Result<Result<T, Fault>, Spent>,
-) -> Result<Option<T>, Box<DerivationError>> {
-    let limit = match found {
-        Ok(Ok(found)) => return Ok(Some(found)),
-        Ok(Err(fault)) if fault.is_limit() => fault.problem.to_string(),
-        Ok(Err(fault)) => return Err(Box::new(fault.into_error(&statement.origin))),
-        Err(spent) => spent.to_string(),
-    };
-    outcome.steps = vec![limit];
-    Ok(None)
+) -> Result<Result<T, String>, Box<DerivationError>> {
+    match found {
+        Ok(Ok(found)) => Ok(Ok(found)),
+        Ok(Err(fault)) if fault.is_limit() => Ok(Err(fault.problem.to_string())),
+        Ok(Err(fault)) => Err(Box::new(fault.into_error(&statement.origin))),
+        Err(spent) => Ok(Err(spent.to_string())),
+    }
 }
 
 /// The claim with witnesses for all that it seeks, as its verdict was found with; the claim itself if it gives them all.
@@ -108,9 +115,17 @@ fn says_nothing_somewhere<P>(proof: &Proof<P>) -> bool {
     }
 }
 
-/// A witness fails at a point: the claim is false if nothing else will do there, and not decided otherwise.
-fn without_witness(outcome: &mut Outcome, claim: &Claim, statement: &Written, budget: u64) {
-    let at = outcome.witness.iter().flat_map(|witness| &witness.at);
+/// A witness fails at a point: the claim is refuted if nothing else will do there.
+///
+/// # Errors
+/// That another one might do, in words.
+fn without_witness(
+    refuted: RefutedStatement,
+    claim: &Claim,
+    statement: &Written,
+    budget: u64,
+) -> Result<RefutedStatement, String> {
+    let at = refuted.witness.iter().flat_map(|witness| &witness.at);
     let at: Vec<(String, String)> = at.cloned().collect();
     let point: Vec<String> = at
         .iter()
@@ -120,10 +135,8 @@ fn without_witness(outcome: &mut Outcome, claim: &Claim, statement: &Written, bu
         true => "everywhere".to_owned(),
         false => format!("at {}", point.join(", ")),
     };
-    let denied = negated(&statement.expr).map(|expr| Written {
-        expr,
-        origin: statement.origin.clone(),
-    });
+    let unknown =
+        || format!("the witness fails {point}; that no other one will do there is not shown");
     let mut there = claim.clone();
     there.sought.clear();
     for (name, value) in &at {
@@ -131,48 +144,45 @@ fn without_witness(outcome: &mut Outcome, claim: &Claim, statement: &Written, bu
             text: format!("{name} == {value}"),
             ..Formula::default()
         };
-        let Some(formula) = condition::written(&formula, &outcome.id) else {
-            return unknown(outcome, &point);
-        };
+        let id = claim.entry.id.get_ref();
+        let formula = condition::written(&formula, id).ok_or_else(unknown)?;
         there.assumptions.push(Hypothesis {
             formula,
             provenance: Provenance::Stated,
         });
     }
-    let decision = denied.as_ref().map(|denied| {
-        let decided = work::within(budget, || decide_statement(&there, denied));
-        (denied, decided)
-    });
-    match decision {
-        Some((denied, Ok(Ok(Decision::Proven(proof))))) if proof.conditions().is_empty() => {
-            let names: Vec<&str> = claim.sought.iter().map(|s| s.name.as_str()).collect();
-            let denied = notation::text(&denied.expr);
-            outcome.steps.push(format!(
-                "there is no {} {point}: `{denied}` holds there for all",
-                names.join(", ")
-            ));
-            // What is kept is about the witness alone.
-            outcome.grounds = None;
-            outcome.difference = None;
-            outcome.derived = None;
-            outcome.replay = Some(Replay::beyond("that there is no other number"));
-        }
-        _ => unknown(outcome, &point),
+    let denied = Written {
+        expr: negated(&statement.expr).ok_or_else(unknown)?,
+        origin: statement.origin.clone(),
+    };
+    let decided = work::within(budget, || decide_statement(&there, &denied));
+    let is_proved = |decision: &Decision| match decision {
+        Decision::Proven(proof) => proof.conditions().is_empty(),
+        _ => false,
+    };
+    if !decided
+        .ok()
+        .and_then(Result::ok)
+        .as_ref()
+        .is_some_and(is_proved)
+    {
+        return Err(unknown());
     }
-}
-
-/// Nothing is decided: one witness fails.
-fn unknown(outcome: &mut Outcome, point: &str) {
-    outcome.verdict = Verdict::Undecided;
-    outcome.evidence = None;
-    outcome.witness = None;
-    outcome.grounds = None;
-    outcome.difference = None;
-    outcome.derived = None;
-    outcome.conditions.clear();
-    outcome.steps = vec![format!(
-        "the witness fails {point}; that no other one will do there is not shown"
-    )];
+    let names: Vec<&str> = claim.sought.iter().map(|s| s.name.as_str()).collect();
+    let denied = notation::text(&denied.expr);
+    let mut steps = refuted.steps;
+    steps.push(format!(
+        "there is no {} {point}: `{denied}` holds there for all",
+        names.join(", ")
+    ));
+    // The sides and the refutation as data are about the one witness that was tried.
+    Ok(RefutedStatement {
+        steps,
+        difference: None,
+        derived: None,
+        grounds: None,
+        ..refuted
+    })
 }
 
 /// The denial of a statement at a point, as far as it is made of comparisons of numbers.

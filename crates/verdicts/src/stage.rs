@@ -3,20 +3,25 @@
 //! Verdicts are what a reader waits for, and the search for corrections takes longer than many of them; so a run decides
 //! all claims first and goes through the refuted ones after that. A claim is told in full when it is through both.
 
-use crate::concluded::{
-    conclude, correct, correction_rests_on, drawn, panicked, rest_on, undecided,
-};
+use crate::claim_record::ClaimRecord;
+use crate::conclusion::{Conclusion, conclude, correct, drawn};
+use crate::finding::Finding;
+use crate::finding::Readings;
 use crate::meant::Meant;
 use crate::outcome::{Outcome, ReadingOutcome};
-use crate::{conjunction, finding, net, provenance, readings, sought};
+use crate::statement::RefutedStatement;
+use crate::table::{self, Table};
+use crate::{author_note, conjunction, net, provenance, sought};
+use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use torse_algebra::work;
 use torse_core::stack;
 use torse_elaborate::Elaborator;
 use torse_prove::decide::Decision;
 use torse_prove::with_prepared;
-use torse_syntax::derivation::{Claim, DerivationError, Finding};
+use torse_syntax::derivation::{AuthorNote, Claim, DerivationError, Written};
 use torse_syntax::fault::Problem;
+use torse_syntax::notation;
 use torse_syntax::words::{Kind, Verdict};
 
 /// A claim whose verdict is decided.
@@ -25,17 +30,17 @@ pub struct Stage<'c> {
     paper: String,
     claim: &'c Claim,
     budget: u64,
-    outcome: Outcome,
-    left: Left<'c>,
+    table: Table,
+    remaining: Remaining<'c>,
 }
 
 /// What is left to do.
 #[derive(Debug)]
-enum Left<'c> {
+enum Remaining<'c> {
     /// Nothing.
-    Nothing,
+    Nothing(Finding),
     /// The search for a correction of what is refuted, and its net; and what is known of the parts of a conjunction.
-    Correction(Box<Meant<'c>>, Vec<String>),
+    Correction(Box<Meant<'c>>, RefutedStatement, Vec<String>),
     /// What is left of each reading of a sentence, by name and words.
     Readings(Vec<(String, String, Stage<'c>)>),
 }
@@ -51,40 +56,39 @@ impl<'c> Stage<'c> {
         paper: &str,
         claim: &'c Claim,
     ) -> Result<Self, Box<DerivationError>> {
-        stack::deep(|| Self::decided(budget, paper, claim))
-    }
-
-    fn decided(budget: u64, paper: &str, claim: &'c Claim) -> Result<Self, Box<DerivationError>> {
-        let meant = Meant::own(claim);
-        let outcome = undecided(paper, claim, meant.as_ref());
-        // What the closure could leave half done are values of its own and memory of formulas already evaluated.
-        let found = catch_unwind(AssertUnwindSafe(|| {
-            decided(outcome.clone(), claim, meant, budget)
-        }));
-        let (outcome, left) = match found {
-            Ok(found) => found?,
-            Err(panic) => (panicked(outcome, &*panic), Left::Nothing),
-        };
-        Ok(Self {
-            paper: paper.to_owned(),
-            claim,
-            budget,
-            outcome,
-            left,
+        stack::deep(|| {
+            let meant = Meant::own(claim);
+            let table = meant
+                .as_ref()
+                .map(|meant| table::of(&meant.claim, meant.statement, &meant.core))
+                .unwrap_or_default();
+            // What a panic leaves half done are values of the closure's own, and memory of formulas already evaluated.
+            let decided = catch_unwind(AssertUnwindSafe(|| decided(paper, claim, meant, budget)));
+            let remaining = match decided {
+                Ok(decided) => decided?,
+                Err(panic) => Remaining::Nothing(panicked(&*panic)),
+            };
+            Ok(Self {
+                paper: paper.to_owned(),
+                claim,
+                budget,
+                table,
+                remaining,
+            })
         })
     }
 
-    /// Whether a correction is still to be sought.
+    /// Whether a correction is still to be searched.
     #[must_use]
     pub fn seeks_correction(&self) -> bool {
-        match &self.left {
-            Left::Nothing => false,
-            Left::Correction(..) => true,
-            Left::Readings(all) => all.iter().any(|(_, _, stage)| stage.seeks_correction()),
+        match &self.remaining {
+            Remaining::Nothing(_) => false,
+            Remaining::Correction(..) => true,
+            Remaining::Readings(all) => all.iter().any(|(_, _, stage)| stage.seeks_correction()),
         }
     }
 
-    /// Seeks a correction of what is refuted, and tells what was found.
+    /// Searches a correction of what is refuted, and makes the outcome.
     ///
     /// # Errors
     /// A [`DerivationError`] when a formula of the finding does not make sense.
@@ -93,143 +97,202 @@ impl<'c> Stage<'c> {
     }
 
     fn completed(self) -> Result<Outcome, Box<DerivationError>> {
-        let (claim, budget, paper) = (self.claim, self.budget, self.paper);
-        let told = catch_unwind(AssertUnwindSafe(|| {
-            let mut outcome = self.outcome;
-            match self.left {
-                Left::Nothing => {}
-                Left::Correction(meant, parts) => {
-                    let statement = meant.statement;
-                    let parts = conjunction::part_by_part(claim, statement, parts, budget / 50);
-                    outcome.steps.extend(parts);
-                    corrected(&mut outcome, claim, &meant, budget);
-                }
-                Left::Readings(all) => {
-                    let mut found = vec![];
-                    for (name, says, stage) in all {
-                        let outcome = stage.complete()?;
-                        found.push(ReadingOutcome {
-                            name,
-                            says,
-                            outcome,
-                        });
-                    }
-                    readings::conclude(&mut outcome, found);
-                }
-            }
-            // What is not decided has no finding to tell.
-            if outcome.verdict != Verdict::Undecided {
-                let told = work::within(budget / 20, || finding::told(claim, &outcome));
-                outcome.finding = told.unwrap_or(Ok(None))?;
-            }
-            Ok(outcome)
+        let (claim, budget, paper) = (self.claim, self.budget, &self.paper);
+        let found = catch_unwind(AssertUnwindSafe(|| {
+            let finding = self.remaining.finding(claim, budget)?;
+            let told = told(claim, &finding, budget)?;
+            Ok::<_, Box<DerivationError>>((finding, told))
         }));
-        told.unwrap_or_else(|panic| {
-            let outcome = undecided(&paper, claim, Meant::own(claim).as_ref());
-            Ok(panicked(outcome, &*panic))
+        let (finding, told) = match found {
+            Ok(found) => found?,
+            Err(panic) => (panicked(&*panic), None),
+        };
+        Ok(Outcome {
+            claim: record(paper, claim, self.table, finding.needed(), told),
+            finding,
         })
     }
 }
 
-/// Seeks what a refuted claim should have said, and nets both.
-fn corrected(outcome: &mut Outcome, claim: &Claim, meant: &Meant<'_>, budget: u64) {
-    // A correction that is not found within the budget is none; the verdict stands.
-    let _ = work::within(budget / 5, || correct(outcome, claim, meant.statement));
-    correction_rests_on(outcome, claim, budget / 5);
-    net::secure(outcome, meant, budget / 5);
+impl Remaining<'_> {
+    /// Does what is left.
+    fn finding(self, claim: &Claim, budget: u64) -> Result<Finding, Box<DerivationError>> {
+        match self {
+            Self::Nothing(finding) => Ok(finding),
+            Self::Correction(meant, refuted, parts) => {
+                let statement = meant.statement;
+                let parts = conjunction::part_by_part(claim, statement, parts, budget / 50);
+                let correcting = correct(claim, statement, budget / 5);
+                let refuted = RefutedStatement {
+                    repair: correcting.repair,
+                    data: correcting.data,
+                    steps: [refuted.steps, parts].concat(),
+                    ..refuted
+                };
+                Ok(net::refuted(refuted, &meant, budget / 5))
+            }
+            Self::Readings(all) => {
+                let complete = |(name, says, stage): (String, String, Stage<'_>)| -> Result<_, Box<DerivationError>> {
+                    let outcome = stage.complete()?;
+                    Ok(ReadingOutcome {
+                        name,
+                        says,
+                        outcome,
+                    })
+                };
+                let all: Result<Vec<_>, _> = all.into_iter().map(complete).collect();
+                Ok(Finding::Readings(Readings::new(all?)))
+            }
+        }
+    }
 }
 
-/// The verdict of a claim, netted unless it is refuted, and what is left to do.
+/// What the file tells of a finding, with its numbers; what is not decided has nothing to tell.
+fn told(
+    claim: &Claim,
+    finding: &Finding,
+    budget: u64,
+) -> Result<Option<String>, Box<DerivationError>> {
+    if finding.verdict(claim.entry.kind) == Verdict::Undecided {
+        return Ok(None);
+    }
+    let witness = finding
+        .refuted()
+        .and_then(|refuted| refuted.witness.as_ref());
+    work::within(budget / 20, || author_note::told(claim, witness)).unwrap_or(Ok(None))
+}
+
+/// What the file says of a claim, and what its statement rests on.
+fn record(
+    paper: &str,
+    claim: &Claim,
+    table: Table,
+    needed: &[Option<bool>],
+    author_note: Option<String>,
+) -> ClaimRecord {
+    let entry = &claim.entry;
+    ClaimRecord {
+        id: entry.id.get_ref().clone(),
+        paper: paper.to_owned(),
+        at: entry.at.clone(),
+        kind: entry.kind,
+        printed: entry.printed.clone(),
+        part_of: claim.whole().cloned(),
+        reading: entry.reading.clone(),
+        garbled: entry.garbled.as_ref().map(|text| text.get_ref().clone()),
+        parsed: claim.statement.as_ref().map(|s| notation::formula(&s.expr)),
+        assumed: provenance::assumed(claim, needed),
+        table,
+        author_note,
+        note: entry.note.clone(),
+        uses: claim.uses.clone(),
+        expect: entry.expect,
+    }
+}
+
+/// What is found of a claim whose decision panicked.
+fn panicked(panic: &(dyn Any + Send)) -> Finding {
+    let text = panic.downcast_ref::<&str>().copied();
+    let text = text.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
+    let message = text.unwrap_or("no message");
+    Finding::undecided(format!("the engine failed on this claim: {message}"))
+}
+
+/// What is found of a claim, judged unless it is refuted, and what is left to do.
 fn decided<'c>(
-    mut outcome: Outcome,
+    paper: &str,
     claim: &'c Claim,
     meant: Option<Meant<'c>>,
     budget: u64,
-) -> Result<(Outcome, Left<'c>), Box<DerivationError>> {
-    let entry = &claim.entry;
-    check_finding(claim)?;
-    if let Some(figure) = &claim.figure {
-        outcome.steps.extend(entry.underspecified.clone());
-        drawn(&mut outcome, figure);
-        return Ok((outcome, Left::Nothing));
-    }
-    if let Some(missing) = &entry.underspecified {
-        outcome.verdict = Verdict::Underspecified;
-        outcome.steps.push(missing.clone());
-        return Ok((outcome, Left::Nothing));
-    }
-    if let Some(reason) = &entry.out_of_scope {
-        outcome.verdict = Verdict::OutOfScope;
-        outcome.steps.push(reason.clone());
-        return Ok((outcome, Left::Nothing));
+) -> Result<Remaining<'c>, Box<DerivationError>> {
+    check_author_note(claim)?;
+    if let Some(finding) = undisputed(claim) {
+        return Ok(Remaining::Nothing(finding));
     }
     if !claim.readings.is_empty() {
-        let readings = read(&outcome, claim, budget)?;
-        return Ok((outcome, Left::Readings(readings)));
+        return Ok(Remaining::Readings(read(paper, claim, budget)?));
     }
     let Some(statement) = &claim.statement else {
-        if entry.kind == Kind::Figure {
-            outcome
-                .steps
-                .push("all data are printed; deciding a figure means drawing it".to_owned());
-            return Ok((outcome, Left::Nothing));
-        }
-        outcome.verdict = Verdict::Definition;
-        return Ok((outcome, Left::Nothing));
+        return Ok(Remaining::Nothing(Finding::Definition));
     };
     if !claim.sought.is_empty() {
-        sought::decided(&mut outcome, claim, statement, budget)?;
-        return Ok((outcome, Left::Nothing));
+        return sought::decided(claim, statement, budget).map(Remaining::Nothing);
     }
+    stated(claim, statement, meant, budget)
+}
+
+/// What is found of a claim without that anything is decided.
+fn undisputed(claim: &Claim) -> Option<Finding> {
+    let entry = &claim.entry;
+    if let Some(figure) = &claim.figure {
+        return Some(Finding::Figure(drawn(claim, figure)));
+    }
+    if let Some(missing) = &entry.underspecified {
+        return Some(Finding::Underspecified(missing.clone()));
+    }
+    if let Some(reason) = &entry.out_of_scope {
+        return Some(Finding::OutOfScope(reason.clone()));
+    }
+    let is_bare = claim.statement.is_none() && claim.readings.is_empty();
+    (is_bare && entry.kind == Kind::Figure)
+        .then(|| Finding::undecided("all data are printed; deciding a figure means drawing it"))
+}
+
+/// Decides a statement.
+fn stated<'c>(
+    claim: &'c Claim,
+    statement: &'c Written,
+    meant: Option<Meant<'c>>,
+    budget: u64,
+) -> Result<Remaining<'c>, Box<DerivationError>> {
+    let undecided = |why: String| Ok(Remaining::Nothing(Finding::undecided(why)));
     let mut parts = vec![];
     let decided = work::within(budget, || {
         let mut tell = |part: &Decision| parts.push(conjunction::word(part));
         with_prepared(claim, statement, |prepared| prepared.decide(&mut tell))
     });
-    match decided {
+    let decision = match decided {
+        Ok(Ok(decision)) => decision,
         // What the formulas mean is not reached here: the author is not to blame.
         Ok(Err(fault)) if matches!(*fault.problem, Problem::Limit { .. }) => {
-            outcome.steps = vec![fault.problem.to_string()];
+            return undecided(fault.problem.to_string());
         }
-        Ok(decision) => {
-            let decision =
-                decision.map_err(|fault| Box::new(fault.into_error(&statement.origin)))?;
-            let weighed = provenance::weigh(claim, statement, decision, budget / 5);
-            conclude(&mut outcome, weighed.decision, statement);
-            provenance::record(&mut outcome, claim, &weighed.needed);
-            rest_on(&mut outcome, provenance::conditions(claim, &weighed.needed));
-            if outcome.verdict == Verdict::False {
-                let left = |meant| Left::Correction(Box::new(meant), parts);
-                return Ok((outcome, meant.map_or(Left::Nothing, left)));
-            }
-        }
-        Err(out) => outcome.steps = vec![out.to_string()],
-    }
-    if let Some(meant) = &meant {
-        net::secure(&mut outcome, meant, budget / 5);
-    }
-    Ok((outcome, Left::Nothing))
+        Ok(Err(fault)) => return Err(Box::new(fault.into_error(&statement.origin))),
+        Err(spent) => return undecided(spent.to_string()),
+    };
+    let Some(meant) = meant else {
+        return undecided(
+            "the statement was decided, and cannot be read again to be judged".into(),
+        );
+    };
+    let weighed = provenance::weigh(claim, statement, decision, budget / 5);
+    Ok(match conclude(claim, statement, weighed) {
+        Conclusion::Proved(proved) => Remaining::Nothing(net::proved(proved, &meant)),
+        Conclusion::Refuted(refuted) => Remaining::Correction(Box::new(meant), refuted, parts),
+        Conclusion::Vacuous(empty) => Remaining::Nothing(net::vacuous(empty, &meant)),
+        Conclusion::Undecided(open) => Remaining::Nothing(Finding::Undecided(open)),
+    })
 }
 
 /// Decides the readings of a sentence, each as a claim.
 fn read<'c>(
-    outcome: &Outcome,
+    paper: &str,
     claim: &'c Claim,
     budget: u64,
 ) -> Result<Vec<(String, String, Stage<'c>)>, Box<DerivationError>> {
     let readings = claim.readings.iter();
     readings
         .map(|reading| {
-            let stage = Stage::verdict(budget, &outcome.paper, &reading.claim)?;
+            let stage = Stage::verdict(budget, paper, &reading.claim)?;
             Ok((reading.name.clone(), reading.says.clone(), stage))
         })
         .collect()
 }
 
-/// The formulas of a finding make sense where the claim is.
-fn check_finding(claim: &Claim) -> Result<(), Box<DerivationError>> {
+/// The formulas of a sentence of the file make sense where the claim is.
+fn check_author_note(claim: &Claim) -> Result<(), Box<DerivationError>> {
     let elaborator = Elaborator::new(&claim.declarations);
-    for hole in claim.finding.iter().flat_map(Finding::holes) {
+    for hole in claim.author_note.iter().flat_map(AuthorNote::holes) {
         let term = elaborator.term(&hole.expr);
         term.map_err(|fault| Box::new(fault.into_error(&hole.origin)))?;
     }
@@ -270,12 +333,11 @@ mod tests {
             .map(|claim| Stage::verdict(1_000_000, "p", claim).unwrap());
         let (right, slip) = (stages.next().unwrap(), stages.next().unwrap());
         assert!(!right.seeks_correction());
-        assert_eq!(right.complete().unwrap().verdict, Verdict::Holds);
+        assert_eq!(right.complete().unwrap().verdict(), Verdict::Holds);
         assert!(slip.seeks_correction());
-        assert_eq!(slip.outcome.verdict, Verdict::False);
-        let told = slip.complete().unwrap();
-        assert_eq!(told.verdict, Verdict::Misprint);
-        assert!(told.correction.is_some() && told.net.is_some());
+        let found = slip.complete().unwrap();
+        assert_eq!(found.verdict(), Verdict::Misprint);
+        assert!(found.correction().is_some() && found.net().is_some());
     }
 
     #[test]
@@ -286,11 +348,11 @@ mod tests {
             Box::new("why") as Box<dyn Any + Send>,
             Box::new("why".to_owned()),
         ] {
-            let outcome = panicked(undecided("p", claim, None), &*panic);
-            assert_eq!(outcome.verdict, Verdict::Undecided);
-            assert_eq!(outcome.steps, ["the engine failed on this claim: why"]);
+            let finding = panicked(&*panic);
+            assert_eq!(finding.verdict(claim.entry.kind), Verdict::Undecided);
+            assert_eq!(finding.steps(), ["the engine failed on this claim: why"]);
         }
         let stage = Stage::verdict(1_000_000, "p", claim).unwrap();
-        assert_eq!(stage.complete().unwrap().verdict, Verdict::Holds);
+        assert_eq!(stage.complete().unwrap().verdict(), Verdict::Holds);
     }
 }

@@ -63,13 +63,13 @@ pub fn answer(made: &Composed) -> (Answer, String) {
         Err(message) if message == "panic" => return (Answer::Panic, message),
         Err(message) => return (Answer::Refused, message),
     };
-    if let Some(contradiction) = &found.contradiction {
-        return (Answer::Contradiction, contradiction.clone());
+    if let Some(contradiction) = found.contradiction() {
+        return (Answer::Contradiction, contradiction.to_owned());
     }
-    let conditions: Vec<&str> = found.conditions.iter().map(|c| c.text.as_str()).collect();
-    let witness = found.witness.as_ref().map(|w| &w.at);
-    let said = format!("{:?} {conditions:?} {witness:?}", found.verdict);
-    let answer = match (&made.claim.truth, found.verdict) {
+    let conditions: Vec<&str> = found.conditions().iter().map(|c| c.text.as_str()).collect();
+    let witness = found.witness().map(|w| &w.at);
+    let said = format!("{:?} {conditions:?} {witness:?}", found.verdict());
+    let answer = match (&made.claim.truth, found.verdict()) {
         // Two errors of the engine are errors of reading: it says what it does not decide.
         (_, Verdict::Undecided) => Answer::Open,
         (Truth::Fails(_), Verdict::False | Verdict::Misprint)

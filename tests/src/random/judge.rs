@@ -130,24 +130,28 @@ pub fn judge(claim: &Claim, answer: &Result<Outcome, String>) -> Judgement {
         Ok(outcome) => outcome,
         Err(message) => return Judgement::Wrong(format!("error: {message}")),
     };
-    if let Some(found) = &outcome.contradiction {
+    if let Some(found) = outcome.contradiction() {
         return Judgement::Wrong(format!("internal contradiction: {found}"));
     }
     let wrong = || {
-        let witness = outcome.witness.as_ref().map(|w| &w.at);
-        let correction = outcome.correction.as_ref().map(|c| &c.statement.text);
-        let conditions: Vec<&str> = outcome.conditions.iter().map(|c| c.text.as_str()).collect();
+        let witness = outcome.witness().map(|w| &w.at);
+        let correction = outcome.correction().map(|c| &c.statement.text);
+        let conditions: Vec<&str> = outcome
+            .conditions()
+            .iter()
+            .map(|c| c.text.as_str())
+            .collect();
         Judgement::Wrong(format!(
             "{:?}, witness {witness:?}, correction {correction:?}, conditions {conditions:?}",
-            outcome.verdict
+            outcome.verdict()
         ))
     };
-    if let (Some(wanted), Some(correction)) = (&claim.wanted, &outcome.correction)
+    if let (Some(wanted), Some(correction)) = (&claim.wanted, outcome.correction())
         && wanted.agrees(&correction.statement.text) == Some(false)
     {
         return wrong();
     }
-    match (&claim.truth, outcome.verdict) {
+    match (&claim.truth, outcome.verdict()) {
         (_, Verdict::Undecided)
         | (Truth::Holds, Verdict::Conditional)
         // True of no point: not seen.

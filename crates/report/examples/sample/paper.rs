@@ -1,11 +1,22 @@
 //! A made-up paper with every verdict, long formulas, and strings that try to be markup.
 
+use std::sync::Arc;
+use torse_certificate::Proof;
 use torse_plot::{Ambient, Interactive, InteractiveError, Part, Shape, Slider, palette};
 use torse_prove::evidence::{Evidence, Witness};
 use torse_report::{FigureImage, Image};
 use torse_syntax::notation::Formula;
 use torse_syntax::words::{Kind, Verdict};
-use torse_verdicts::outcome::{Assumed, Correction, Outcome, PaperOutcome, Role, SaidBy};
+use torse_verdicts::claim_record::{Assumed, ClaimRecord, Role, SaidBy};
+use torse_verdicts::correction::Correction;
+use torse_verdicts::finding::Finding;
+use torse_verdicts::finding::Readings;
+use torse_verdicts::grounds::Grounds;
+use torse_verdicts::judged::{Judged, Net};
+use torse_verdicts::outcome::{Outcome, PaperOutcome};
+use torse_verdicts::statement::{
+    EmptyDomain, FigureFinding, ProvedStatement, RefutedStatement, Repair, UndecidedStatement,
+};
 use torse_verdicts::table::Table;
 
 /// A string of everything that is markup somewhere.
@@ -31,37 +42,150 @@ fn assumed(text: &str, typst: &str) -> Assumed {
     }
 }
 
-fn outcome(name: &str, at: &str, kind: Kind, verdict: Verdict, printed: &str) -> Outcome {
-    Outcome {
-        id: format!("sample/{name}"),
-        paper: "sample".to_owned(),
-        at: at.to_owned(),
+/// A claim of the sample as it is listed below.
+struct Sample {
+    name: &'static str,
+    at: &'static str,
+    kind: Kind,
+    verdict: Verdict,
+    printed: &'static str,
+    evidence: Option<Evidence>,
+    reading: Option<String>,
+    parsed: Option<Formula>,
+    assumed: Vec<Assumed>,
+    conditions: Vec<Formula>,
+    correction: Option<Correction>,
+    derived: Option<Formula>,
+    difference: Option<Formula>,
+    witness: Option<Witness>,
+    steps: Vec<String>,
+    note: Option<String>,
+    uses: Vec<String>,
+    expect: Option<Verdict>,
+}
+
+fn entry(
+    name: &'static str,
+    at: &'static str,
+    kind: Kind,
+    verdict: Verdict,
+    printed: &'static str,
+) -> Sample {
+    Sample {
+        name,
+        at,
         kind,
         verdict,
+        printed,
         evidence: None,
-        printed: printed.to_owned(),
-        part_of: None,
         reading: None,
-        garbled: None,
         parsed: None,
         assumed: Vec::new(),
-        table: Table::default(),
-        readings: Vec::new(),
+        conditions: Vec::new(),
         correction: None,
-        data: None,
         derived: None,
         difference: None,
-        conditions: Vec::new(),
         witness: None,
-        net: None,
-        replay: None,
-        grounds: None,
-        contradiction: None,
         steps: Vec::new(),
-        finding: None,
         note: None,
         uses: Vec::new(),
         expect: None,
+    }
+}
+
+/// What its judges found of something: little.
+fn judged<T>(statement: T) -> Box<Judged<T>> {
+    Box::new(Judged {
+        statement,
+        net: Net::uncovered("a sample"),
+        replay: None,
+    })
+}
+
+/// A proof of nothing.
+pub fn proved(evidence: Evidence, conditions: Vec<Formula>, steps: Vec<String>) -> Finding {
+    Finding::Proved(judged(ProvedStatement {
+        evidence,
+        conditions,
+        needed: vec![],
+        grounds: Arc::new(Grounds::Proof {
+            conditions: vec![],
+            of: Proof::Parts(vec![]),
+        }),
+        steps,
+    }))
+}
+
+/// A refutation at this point.
+#[allow(dead_code, reason = "for tests")]
+pub fn refuted(witness: Option<Witness>) -> Finding {
+    Finding::Refuted(judged(without_repair(None, witness)))
+}
+
+fn without_repair(evidence: Option<Evidence>, witness: Option<Witness>) -> RefutedStatement {
+    RefutedStatement {
+        evidence: evidence.unwrap_or(Evidence::Witness),
+        witness,
+        difference: None,
+        derived: None,
+        grounds: None,
+        repair: None,
+        data: None,
+        steps: vec![],
+    }
+}
+
+impl Sample {
+    fn finding(&mut self) -> Finding {
+        let steps = std::mem::take(&mut self.steps);
+        let evidence = self.evidence;
+        match self.verdict {
+            Verdict::Definition => Finding::Definition,
+            Verdict::Reproduced | Verdict::Partial => Finding::Figure(FigureFinding {
+                verdict: self.verdict,
+                steps,
+            }),
+            Verdict::Underspecified => Finding::Underspecified(String::new()),
+            Verdict::OutOfScope => Finding::OutOfScope(String::new()),
+            Verdict::Vacuous => Finding::Vacuous(judged(EmptyDomain { steps })),
+            Verdict::Undecided => Finding::Undecided(UndecidedStatement { steps, evidence }),
+            Verdict::Depends => Finding::Readings(Readings::new(vec![])),
+            Verdict::Holds | Verdict::Conditional => proved(
+                evidence.unwrap_or(Evidence::Identity),
+                std::mem::take(&mut self.conditions),
+                steps,
+            ),
+            Verdict::False | Verdict::Misprint => Finding::Refuted(judged(RefutedStatement {
+                difference: self.difference.take(),
+                derived: self.derived.take(),
+                repair: self.correction.take().map(Repair::Misprint),
+                steps,
+                ..without_repair(evidence, self.witness.take())
+            })),
+        }
+    }
+
+    fn outcome(mut self) -> Outcome {
+        Outcome {
+            finding: self.finding(),
+            claim: ClaimRecord {
+                id: format!("sample/{}", self.name),
+                paper: "sample".to_owned(),
+                at: self.at.to_owned(),
+                kind: self.kind,
+                printed: self.printed.to_owned(),
+                part_of: None,
+                reading: self.reading,
+                garbled: None,
+                parsed: self.parsed,
+                assumed: self.assumed,
+                table: Table::default(),
+                author_note: None,
+                note: self.note,
+                uses: self.uses,
+                expect: self.expect,
+            },
+        }
     }
 }
 
@@ -86,19 +210,23 @@ pub fn sample() -> PaperOutcome {
         title: "Shape-adjustable sample surfaces with blended trigonometric Bézier patches and their continuity".to_owned(),
         authors: "A. Ångström, B. Øst & C. Müller".to_owned(),
         venue: "Journal of Invented Results 12 (2021) 459".to_owned(),
-        claims: [basis(), conditions(), values(), rest()].concat(),
+        claims: [basis(), conditions(), values(), rest()]
+            .into_iter()
+            .flatten()
+            .map(Sample::outcome)
+            .collect(),
         faults: vec![],
         restored: vec![],
     }
 }
 
-fn basis() -> Vec<Outcome> {
-    let definition = Outcome {
+fn basis() -> Vec<Sample> {
+    let definition = Sample {
         parsed: Some(formula(
             "g[0,2](x) == (1 - s)*(1 - mu*s)",
             "g_(0,2)(x) = (1 - sin(pi/2 x)) (1 - mu sin(pi/2 x))",
         )),
-        ..outcome(
+        ..entry(
             "def-1.g0",
             "Sect. 2.1, Definition 1",
             Kind::Definition,
@@ -106,7 +234,7 @@ fn basis() -> Vec<Outcome> {
             "g_{0,2}(x) = (1 − sin(π/2 x)) (1 − μ sin(π/2 x))",
         )
     };
-    let holds = Outcome {
+    let holds = Sample {
         evidence: Some(Evidence::Induction),
         parsed: Some(formula(
             "sum(i, 0, k, f[i,k](x)) == 1",
@@ -121,7 +249,7 @@ fn basis() -> Vec<Outcome> {
             "The difference of both sides has the normal form 0.".to_owned(),
         ],
         uses: vec!["sample/def-1.g0".to_owned()],
-        ..outcome(
+        ..entry(
             "thm-2.b",
             "Sect. 2.1, Theorem 2 (b)",
             Kind::Identity,
@@ -129,7 +257,7 @@ fn basis() -> Vec<Outcome> {
             "Σ_{i=0}^{k} f_{i,k}(x) = 1",
         )
     };
-    let misprint = Outcome {
+    let misprint = Sample {
         evidence: Some(Evidence::Identity),
         reading: Some(
             "The copy prints “fl” for f and drops the prime; read as a second derivative."
@@ -187,7 +315,7 @@ fn basis() -> Vec<Outcome> {
             "sample/thm-2.b".to_owned(),
             "other/eq-9".to_owned(),
         ],
-        ..outcome(
+        ..entry(
             "eq-3.7",
             "Sect. 2.2, eq. (3.7), second line",
             Kind::Identity,
@@ -198,10 +326,10 @@ fn basis() -> Vec<Outcome> {
     vec![definition, holds, misprint]
 }
 
-fn conditions() -> Vec<Outcome> {
+fn conditions() -> Vec<Sample> {
     let wide = format!("frac({}, {})", long_sum(14), long_sum(13));
     let hopeless = format!("sqrt({})", long_sum(60));
-    let wrong = Outcome {
+    let wrong = Sample {
         evidence: Some(Evidence::Witness),
         parsed: Some(formula(
             "det(H) == 0",
@@ -217,7 +345,7 @@ fn conditions() -> Vec<Outcome> {
             right_decimal: "0".to_owned(),
         }),
         uses: vec!["sample/eq-3.7".to_owned()],
-        ..outcome(
+        ..entry(
             "thm-4.det",
             "Sect. 3.2, Theorem 4",
             Kind::Identity,
@@ -225,7 +353,7 @@ fn conditions() -> Vec<Outcome> {
             "det H = 0 for every n",
         )
     };
-    let conditional = Outcome {
+    let conditional = Sample {
         evidence: Some(Evidence::Identity),
         parsed: Some(formula(
             "Q1 == Q[m] + ...",
@@ -235,7 +363,7 @@ fn conditions() -> Vec<Outcome> {
             formula("alpha_1 != 0", "alpha_1 != 0"),
             formula("mu + nu + 2 != 0", "mu + nu + 2 != 0"),
         ],
-        ..outcome(
+        ..entry(
             "eq-5.third",
             "Sect. 3.3, eq. (5), third line",
             Kind::Construction,
@@ -243,12 +371,12 @@ fn conditions() -> Vec<Outcome> {
             "Q¹_1 = Q_m + (1/α₁)(Q_m − Q_{m−1})",
         )
     };
-    let hostile = Outcome {
+    let hostile = Sample {
         parsed: Some(formula(HOSTILE, BROKEN)),
         reading: Some(HOSTILE.to_owned()),
         note: Some(HOSTILE.to_owned()),
         steps: vec![HOSTILE.to_owned()],
-        ..outcome(
+        ..entry(
             "hostile <&\">#$@",
             "Sect. 3.4 <b>",
             Kind::Property,
@@ -259,14 +387,14 @@ fn conditions() -> Vec<Outcome> {
     vec![wrong, conditional, hostile]
 }
 
-fn values() -> Vec<Outcome> {
-    let enclosed = Outcome {
+fn values() -> Vec<Sample> {
+    let enclosed = Sample {
         evidence: Some(Evidence::Enclosure),
         parsed: Some(formula("kappa(1/2) == 0.7320", "kappa(1/2) approx 0.7320")),
         steps: vec![
             "The printed digits are those of the exact value, rounded to nearest.".to_owned(),
         ],
-        ..outcome(
+        ..entry(
             "ex-5.2.kappa",
             "Sect. 5.2, Example 2",
             Kind::Value,
@@ -274,14 +402,14 @@ fn values() -> Vec<Outcome> {
             "κ(1/2) ≈ 0.7320",
         )
     };
-    let inequality = Outcome {
+    let inequality = Sample {
         evidence: Some(Evidence::Inequality),
         parsed: Some(formula(
             "f[i,k](x) >= 0",
             "f_(i,k)(x) >= 0 quad \"for all\" quad x in [0,1], thin mu, nu in [-1,1]",
         )),
         expect: Some(Verdict::Conditional),
-        ..outcome(
+        ..entry(
             "thm-2.a",
             "Sect. 5.2, Theorem 2 (a)",
             Kind::Inequality,
@@ -289,12 +417,12 @@ fn values() -> Vec<Outcome> {
             "f_{i,k}(x) ≥ 0 for x ∈ [0, 1]",
         )
     };
-    let range = Outcome {
+    let range = Sample {
         evidence: Some(Evidence::CheckedRange),
         note: Some(
             "Checked for every degree k ≤ 12; no proof for all degrees was found.".to_owned(),
         ),
-        ..outcome(
+        ..entry(
             "thm-3.tp",
             "Sect. 5.3, Theorem 3",
             Kind::Property,
@@ -305,8 +433,8 @@ fn values() -> Vec<Outcome> {
     vec![enclosed, inequality, range]
 }
 
-fn rest() -> Vec<Outcome> {
-    let of = |name, at, kind, verdict, printed| outcome(name, at, kind, verdict, printed);
+fn rest() -> Vec<Sample> {
+    let of = |name, at, kind, verdict, printed| entry(name, at, kind, verdict, printed);
     vec![
         of(
             "tab-1.r2",

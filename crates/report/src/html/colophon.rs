@@ -33,7 +33,7 @@ pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
         "<dt>reproduce</dt><dd>{}</dd>\n\
          <dt>beside this page</dt><dd><a href=\"{slug}.pdf\">the report as PDF</a>, the corrections as a letter \
          (<a href=\"{slug}-erratum.pdf\">PDF</a>, <a href=\"{slug}-erratum.tex\">TeX</a>, <a href=\"{slug}-erratum.md\">Markdown</a>), \
-         <a href=\"verdicts.json\">verdicts for programs</a>, <a href=\"README.md\">all figures</a></dd>\n</dl>",
+         <a href=\"verdicts.json\">verdicts for programs</a>, <a href=\"gallery.md\">all figures</a></dd>\n</dl>",
         Code(&format!("torse verify {}", report.slug))
     )
 }

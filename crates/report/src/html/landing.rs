@@ -48,7 +48,7 @@ fn write(out: &mut String, reports: &[Report]) -> fmt::Result {
         card(out, report)?;
     }
     out.push_str(
-        "</main>\n<footer><p><a href=\"summary.pdf\">Summary of all papers</a> · <a href=\"README.md\">all figures</a> · \
+        "</main>\n<footer><p><a href=\"summary.pdf\">Summary of all papers</a> · <a href=\"gallery.md\">all figures</a> · \
          <a href=\"verdicts.json\">verdicts for programs</a></p></footer>\n</body>\n</html>\n",
     );
     Ok(())

@@ -24,9 +24,9 @@ impl Names {
     /// The names of a claim and of its readings.
     pub(crate) fn of(outcome: &Outcome) -> Self {
         let mut names = Names::default();
-        names.add(&outcome.table);
-        for reading in &outcome.readings {
-            names.add(&reading.outcome.table);
+        names.add(&outcome.claim.table);
+        for reading in outcome.readings() {
+            names.add(&reading.outcome.claim.table);
         }
         names
     }

@@ -18,8 +18,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use torse_prove::Witness;
 use torse_syntax::notation::Formula;
 use torse_syntax::words::{Kind, Verdict};
+use torse_verdicts::claim_record::Role;
 use torse_verdicts::consequences::consequences;
-use torse_verdicts::outcome::{ReadingOutcome, Role};
+use torse_verdicts::outcome::ReadingOutcome;
 use torse_verdicts::table::Defined;
 use torse_verdicts::{DataCorrection, Outcome, PaperOutcome};
 
@@ -132,8 +133,8 @@ impl<'a> Builder<'a> {
         let mut by_id = BTreeMap::new();
         let mut anchors: Vec<String> = Vec::new();
         for (position, claim) in paper.claims.iter().enumerate() {
-            by_id.entry(claim.id.as_str()).or_insert(position);
-            let mut name = format!("claim-{}", anchor(name(&claim.id)));
+            by_id.entry(claim.claim.id.as_str()).or_insert(position);
+            let mut name = format!("claim-{}", anchor(name(&claim.claim.id)));
             while anchors.contains(&name) {
                 name.push_str(&format!("-{}", position + 1));
             }
@@ -151,63 +152,68 @@ impl<'a> Builder<'a> {
         let names = Names::of(outcome);
         let prose = |text: &str| spans(&visible(text), &names);
         let option = |text: Option<&str>| text.map(prose);
-        let (here, elsewhere) = self.figures_of(position, &outcome.id);
-        let refuted = matches!(outcome.verdict, Verdict::False | Verdict::Misprint);
+        let (here, elsewhere) = self.figures_of(position, &outcome.claim.id);
+        let refuted = matches!(outcome.verdict(), Verdict::False | Verdict::Misprint);
         let (consequences, distant_survivors) = match refuted {
-            true => self.consequences(&outcome.id),
+            true => self.consequences(&outcome.claim.id),
             false => (Vec::new(), None),
         };
         ClaimView {
-            id: visible(&outcome.id),
-            name: visible(name(&outcome.id)),
+            id: visible(&outcome.claim.id),
+            name: visible(name(&outcome.claim.id)),
             anchor: self.anchors.get(position).cloned().unwrap_or_default(),
-            at: visible(&plain(&outcome.at)),
-            kind: words::kind(outcome.kind),
+            at: visible(&plain(&outcome.claim.at)),
+            kind: words::kind(outcome.claim.kind),
             verdict: words::verdict_on(outcome),
             evidence: words::evidence_on(outcome),
-            level: words::level(outcome, accepted.contains(&outcome.id)),
+            level: words::level(outcome, accepted.contains(&outcome.claim.id)),
             expected: outcome
+                .claim
                 .expect
-                .filter(|of| *of != outcome.verdict)
+                .filter(|of| *of != outcome.verdict())
                 .map(words::verdict),
-            printed: prose(&outcome.printed),
-            reading: option(outcome.reading.as_deref()),
-            parsed: outcome.parsed.as_ref().map(|of| formula(of, &names)),
+            printed: prose(&outcome.claim.printed),
+            reading: option(outcome.claim.reading.as_deref()),
+            parsed: outcome.parsed().map(|of| formula(of, &names)),
             assumed: assumed(outcome, &names),
-            finding: option(outcome.finding.as_deref()),
-            garbled: option(outcome.garbled.as_deref()),
+            finding: option(outcome.claim.author_note.as_deref()),
+            garbled: option(outcome.claim.garbled.as_deref()),
             rests: views(outcome, &names),
-            readings: outcome.readings.iter().map(reading).collect(),
-            conditions: conditions(&outcome.conditions, &names),
+            readings: outcome.readings().iter().map(reading).collect(),
+            conditions: conditions(outcome.conditions(), &names),
             correction: outcome
-                .correction
-                .as_ref()
-                .map(|repair| correction(outcome.parsed.as_ref(), repair, &names)),
-            data: (outcome.data.iter())
+                .correction()
+                .map(|repair| correction(outcome.parsed(), repair, &names)),
+            data: (outcome.data().into_iter())
                 .flat_map(DataCorrection::in_words)
                 .map(|line| prose(&line))
                 .collect(),
-            derived: outcome.derived.as_ref().map(|of| derived(of, &names)),
-            difference: (outcome.difference.as_ref())
-                .filter(|difference| outcome.derived.as_ref() != Some(difference))
+            derived: outcome.derived().map(|of| derived(of, &names)),
+            difference: (outcome.difference())
+                .filter(|difference| outcome.derived() != Some(difference))
                 .map(|of| derived(of, &names)),
-            witness: outcome.witness.as_ref().map(|of| witness(of, &names)),
+            witness: outcome.witness().map(|of| witness(of, &names)),
             denied: sentence::denied(outcome).map(|text| prose(&text)),
-            steps: counted(&outcome.steps)
+            steps: counted(&outcome.steps())
                 .iter()
                 .map(|step| prose(step.strip_suffix('.').unwrap_or(step)))
                 .collect(),
-            note: option(outcome.note.as_deref()),
-            uses: outcome.uses.iter().map(|id| self.reference(id)).collect(),
+            note: option(outcome.claim.note.as_deref()),
+            uses: outcome
+                .claim
+                .uses
+                .iter()
+                .map(|id| self.reference(id))
+                .collect(),
             used_by: match refuted {
                 true => Vec::new(),
-                false => self.used_by(&outcome.id),
+                false => self.used_by(&outcome.claim.id),
             },
             consequences,
             distant_survivors,
             figures: here,
             see_figures: elsewhere,
-            command: format!("torse explain {}", visible(&outcome.id)),
+            command: format!("torse explain {}", visible(&outcome.claim.id)),
         }
     }
 
@@ -227,8 +233,10 @@ impl<'a> Builder<'a> {
 
     fn used_by(&self, id: &str) -> Vec<Reference> {
         let claims = self.paper.claims.iter();
-        let users = claims.filter(|claim| claim.uses.iter().any(|used| used == id));
-        users.map(|claim| self.reference(&claim.id)).collect()
+        let users = claims.filter(|outcome| outcome.claim.uses.iter().any(|used| used == id));
+        users
+            .map(|outcome| self.reference(&outcome.claim.id))
+            .collect()
     }
 
     /// What rests on a claim: all that does so directly, and of the rest what does not survive; then the
@@ -273,8 +281,8 @@ impl<'a> Builder<'a> {
             let claim = self.shown_at(position);
             let claim = claim.and_then(|claim| self.paper.claims.get(claim));
             let printed = claim
-                .filter(|claim| claim.kind == Kind::Figure)
-                .and_then(|claim| figure_number(&claim.at))
+                .filter(|outcome| outcome.claim.kind == Kind::Figure)
+                .and_then(|outcome| figure_number(&outcome.claim.at))
                 .filter(|number| taken.insert(number.clone()));
             let number = printed.unwrap_or_else(|| {
                 own += 1;
@@ -298,22 +306,22 @@ fn conditions(conditions: &[Formula], names: &Names) -> Vec<FormulaView> {
 }
 
 fn assumed(outcome: &Outcome, names: &Names) -> Vec<FormulaView> {
-    let assumed = outcome.assumed.iter();
+    let assumed = outcome.claim.assumed.iter();
     let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
     assumed.map(|h| formula(&h.formula, names)).collect()
 }
 
 /// What a statement rests on, in small print. Definitions that it shares with others are in the notation of the report.
 fn views(outcome: &Outcome, names: &Names) -> Vec<RestsView> {
-    let table = &outcome.table;
+    let table = &outcome.claim.table;
     let prose = |text: &str| spans(&visible(text), names);
     let quoted = |formula: &Formula| prose(&format!("`{}`", formula.text));
-    let given = outcome.assumed.iter();
+    let given = outcome.claim.assumed.iter();
     let given = given.filter(|hypothesis| hypothesis.role == Role::Given);
     let sets = table.symbols.iter();
     let sets = sets.filter(|symbol| symbol.set.contains(" in "));
     let own = table.definitions.iter().filter(|definition| definition.own);
-    let said = outcome.assumed.iter();
+    let said = outcome.claim.assumed.iter();
     let said = said.filter(|hypothesis| concerns(hypothesis, &table.symbols));
     let groups = [
         ("given", given.map(|h| quoted(&h.formula)).collect()),
@@ -345,9 +353,9 @@ fn defined(of: &Defined, names: &Names) -> Prose {
 fn notation(claims: &[Outcome]) -> Vec<Prose> {
     let mut seen = BTreeSet::new();
     let mut list = Vec::new();
-    for claim in claims {
-        let names = Names::of(claim);
-        let table = &claim.table;
+    for outcome in claims {
+        let names = Names::of(outcome);
+        let table = &outcome.claim.table;
         for of in table.definitions.iter().filter(|of| !of.own) {
             if seen.insert((of.head.text.clone(), of.body.text.clone())) {
                 list.push(defined(of, &names));
@@ -386,9 +394,9 @@ fn reading(reading: &ReadingOutcome) -> ReadingView {
         says: spans(&visible(&reading.says), &names),
         verdict: words::verdict_on(of),
         evidence: words::evidence_on(of),
-        parsed: of.parsed.as_ref().map(|parsed| formula(parsed, &names)),
+        parsed: of.parsed().map(|parsed| formula(parsed, &names)),
         assumed: assumed(of, &names),
-        conditions: conditions(&of.conditions, &names),
+        conditions: conditions(of.conditions(), &names),
         fails_at: sentence::failure(of).map(|text| spans(&visible(&text), &names)),
         rests: views(of, &names),
     }

@@ -2,8 +2,9 @@
 
 use crate::paper;
 use crate::support::short;
+use torse_prove::evidence::Evidence;
 use torse_report::{in_words, model::Report};
-use torse_syntax::words::{Kind, Verdict};
+use torse_syntax::words::Kind;
 
 #[test]
 fn a_claim_knows_what_rests_on_it_and_where_its_figures_are() {
@@ -39,7 +40,12 @@ fn counts_add_up_on_both_axes() {
             row.count
         );
     }
-    assert!(sample.claims.iter().any(|claim| claim.kind == Kind::Figure));
+    assert!(
+        sample
+            .claims
+            .iter()
+            .any(|outcome| outcome.claim.kind == Kind::Figure)
+    );
     assert_eq!(Report::new(&sample, &[]).unexpected, 1);
 }
 
@@ -49,7 +55,7 @@ fn claims_whose_ids_differ_in_signs_only_keep_anchors_apart() {
     let names = ["sample/a.b", "sample/a-b", "sample/a_b"];
     sample.claims.truncate(names.len());
     for (claim, name) in sample.claims.iter_mut().zip(names) {
-        claim.id = name.to_owned();
+        claim.claim.id = name.to_owned();
     }
     let report = Report::new(&sample, &[]);
     let mut anchors: Vec<&str> = report.claims().map(|claim| claim.anchor.as_str()).collect();
@@ -64,9 +70,9 @@ fn what_rests_on_a_refuted_claim_is_listed_with_its_fate() {
     let first = sample
         .claims
         .iter_mut()
-        .find(|claim| claim.id == "sample/def-1.g0")
+        .find(|outcome| outcome.claim.id == "sample/def-1.g0")
         .unwrap();
-    first.verdict = Verdict::False;
+    first.finding = paper::refuted(None);
     let report = Report::new(&sample, &[]);
     let claim = report
         .claims()
@@ -93,15 +99,15 @@ fn what_rests_on_a_refuted_claim_is_listed_with_its_fate() {
 #[test]
 fn distant_survivors_of_a_refuted_claim_are_counted_and_not_listed() {
     let mut sample = paper::sample();
-    for claim in &mut sample.claims {
-        claim.uses = match claim.id.as_str() {
+    for outcome in &mut sample.claims {
+        outcome.claim.uses = match outcome.claim.id.as_str() {
             "sample/thm-2.b" => vec!["sample/def-1.g0".to_owned()],
             "sample/eq-3.7" => vec!["sample/thm-2.b".to_owned()],
             _ => Vec::new(),
         };
-        claim.verdict = match claim.id.as_str() {
-            "sample/def-1.g0" => Verdict::False,
-            _ => Verdict::Holds,
+        outcome.finding = match outcome.claim.id.as_str() {
+            "sample/def-1.g0" => paper::refuted(None),
+            _ => paper::proved(Evidence::Identity, vec![], vec![]),
         };
     }
     let report = Report::new(&sample, &[]);

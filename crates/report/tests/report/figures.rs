@@ -30,9 +30,9 @@ fn figures_say_what_was_assumed_and_what_replaced_in_page_and_gallery() {
 fn a_figure_of_the_paper_has_its_number_and_a_picture_of_ours_another() {
     let numbers = |at: &str| -> Vec<String> {
         let mut sample = paper::sample();
-        for claim in &mut sample.claims {
-            if claim.id == "sample/fig-1" {
-                claim.at = at.to_owned();
+        for outcome in &mut sample.claims {
+            if outcome.claim.id == "sample/fig-1" {
+                outcome.claim.at = at.to_owned();
             }
         }
         let report = Report::new(&sample, &paper::figures());

@@ -4,7 +4,6 @@ use crate::paper;
 use crate::support::{HTML, short};
 use torse_prove::evidence::Witness;
 use torse_report::{in_words, model::Report, usable::Answer};
-use torse_syntax::words::Verdict;
 
 #[test]
 fn findings_tell_the_refuted_first_and_leave_out_what_holds() {
@@ -38,9 +37,8 @@ fn findings_quote_the_beginning_of_what_is_printed_and_leave_long_points_to_the_
     let mut sample = short();
     sample.claims.truncate(1);
     let claim = &mut sample.claims[0];
-    claim.verdict = Verdict::False;
-    claim.printed = "word ".repeat(100);
-    claim.witness = Some(Witness {
+    claim.claim.printed = "word ".repeat(100);
+    claim.finding = paper::refuted(Some(Witness {
         at: (0..40)
             .map(|n| (format!("b[{n}]"), "0".to_owned()))
             .collect(),
@@ -48,7 +46,7 @@ fn findings_quote_the_beginning_of_what_is_printed_and_leave_long_points_to_the_
         right: "2".to_owned(),
         left_decimal: "1".to_owned(),
         right_decimal: "2".to_owned(),
-    });
+    }));
     let finding = Report::new(&sample, &[]).findings.remove(0);
     assert_eq!(
         in_words(&finding.text),

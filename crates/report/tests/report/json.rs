@@ -34,7 +34,15 @@ fn the_json_of_a_claim_has_its_fields_in_order_and_null_where_there_is_nothing()
         "right_decimal": "0"
       },
       "note": null,
-      "net": null,
+      "net": {
+        "netted": false,
+        "tried": 0,
+        "decided": 0,
+        "instances": 0,
+        "why": "a sample",
+        "conditions": [],
+        "correction": null
+      },
       "replay": null,
       "contradiction": null,
       "hypotheses": [],
@@ -60,7 +68,15 @@ fn the_json_of_a_claim_has_its_fields_in_order_and_null_where_there_is_nothing()
       "condition": "alpha_1 != 0 and mu + nu + 2 != 0",
       "witness": null,
       "note": null,
-      "net": null,
+      "net": {
+        "netted": false,
+        "tried": 0,
+        "decided": 0,
+        "instances": 0,
+        "why": "a sample",
+        "conditions": [],
+        "correction": null
+      },
       "replay": null,
       "contradiction": null,
       "hypotheses": [],
@@ -100,7 +116,7 @@ fn the_json_keeps_the_order_of_the_file_and_of_the_witness_and_any_string() {
     let expected: Vec<&str> = sample
         .claims
         .iter()
-        .map(|claim| claim.id.as_str())
+        .map(|outcome| outcome.claim.id.as_str())
         .collect();
     assert_eq!(ids, expected);
     assert_eq!(claims[5]["printed"], paper::HOSTILE);

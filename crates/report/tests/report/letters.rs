@@ -21,9 +21,9 @@ fn a_letter_leaves_no_refuted_statement_out_and_asks_about_slips_of_the_copy() {
     assert!(whole.contains("2 places need a correction"), "{whole}");
     assert!(whole.contains("Theorem 4") && whole.contains("eq. (3.7)"));
     assert!(whole.contains("@misc{torse-sample"));
-    for claim in &mut sample.claims {
-        if claim.id == "sample/eq-3.7" {
-            claim.garbled = Some("f for g".to_owned());
+    for outcome in &mut sample.claims {
+        if outcome.claim.id == "sample/eq-3.7" {
+            outcome.claim.garbled = Some("f for g".to_owned());
         }
     }
     let report = Report::new(&sample, &[]);
@@ -42,7 +42,7 @@ fn a_letter_leaves_no_refuted_statement_out_and_asks_about_slips_of_the_copy() {
     );
     sample
         .claims
-        .retain(|claim| claim.verdict == Verdict::Holds);
+        .retain(|claim| claim.verdict() == Verdict::Holds);
     let report = Report::new(&sample, &[]);
     let none = erratum_markdown(&report, &draft());
     assert!(none.contains("None was found to be false"));
@@ -99,11 +99,11 @@ fn a_fault_is_one_item_with_the_words_of_the_paper_and_what_changes_framed() {
 fn hostile_strings_do_not_act_in_a_letter() {
     let mut sample = paper::sample();
     sample.title = paper::HOSTILE.to_owned();
-    for claim in &mut sample.claims {
-        claim.verdict = Verdict::False;
-        claim.at = paper::HOSTILE.to_owned();
-        claim.printed = paper::HOSTILE.to_owned();
-        claim.finding = Some(paper::HOSTILE.to_owned());
+    for outcome in &mut sample.claims {
+        outcome.finding = paper::refuted(None);
+        outcome.claim.at = paper::HOSTILE.to_owned();
+        outcome.claim.printed = paper::HOSTILE.to_owned();
+        outcome.claim.author_note = Some(paper::HOSTILE.to_owned());
     }
     let hostile = Envelope {
         sender: Some(paper::HOSTILE.to_owned()),

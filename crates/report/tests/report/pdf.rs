@@ -23,7 +23,7 @@ fn formulas_that_cannot_be_set_and_hostile_strings_do_not_keep_a_report_from_bei
     let mut sample = short();
     sample
         .claims
-        .retain(|claim| claim.printed == paper::HOSTILE);
+        .retain(|outcome| outcome.claim.printed == paper::HOSTILE);
     assert_eq!(sample.claims.len(), 1);
     sample.title = paper::HOSTILE.to_owned();
     sample.slug = paper::HOSTILE.to_owned();

@@ -57,8 +57,8 @@ pub fn summary(papers: &[PaperOutcome]) -> Result<Typeset, ReportError> {
 /// The sample without the claims that take long to lay out.
 pub fn short() -> PaperOutcome {
     let mut sample = paper::sample();
-    sample
-        .claims
-        .retain(|claim| claim.id != "sample/thm-4.det" && claim.id != "sample/eq-3.7");
+    sample.claims.retain(|outcome| {
+        outcome.claim.id != "sample/thm-4.det" && outcome.claim.id != "sample/eq-3.7"
+    });
     sample
 }

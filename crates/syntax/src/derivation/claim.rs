@@ -1,10 +1,10 @@
 //! A claim of a file: its formulas parsed, its fields checked against each other.
 
+use super::author_note::{AuthorNote, author_note};
 use super::declarations::Declarations;
 use super::definitions::add_definitions;
 use super::error::{DerivationError, LoadError};
 use super::figure::{Figure, figure};
-use super::finding::{Finding, finding};
 use super::folder;
 use super::provenance::{Hypothesis, Provenance, Quote, provenance};
 use super::schema::hypothesis::HypothesisEntry;
@@ -43,7 +43,7 @@ pub struct Claim {
     /// What the sentence may mean; none if it has one meaning, the statement.
     pub readings: Vec<Reading>,
     /// What was found, in a sentence with holes for numbers.
-    pub finding: Option<Finding>,
+    pub author_note: Option<AuthorNote>,
     /// Why signs that the statement is not the print are none.
     pub answers: Vec<Answer>,
     /// The ids of the claims that it rests on; of a sentence in parts all of them.
@@ -102,7 +102,7 @@ impl Claim {
     pub(super) fn rests_on_wrong(&self) -> bool {
         let hypotheses = self.given.iter().chain(&self.assumptions);
         let formulas = hypotheses.map(|h| &h.formula).chain(&self.unknowns);
-        let holes = self.finding.iter().flat_map(Finding::holes);
+        let holes = self.author_note.iter().flat_map(AuthorNote::holes);
         let witnesses = self.sought.iter().filter_map(|s| s.witness.as_ref());
         let formulas = formulas
             .chain(&self.statement)
@@ -169,11 +169,11 @@ pub(super) fn claim(
         origin: Origin::range(source, answer.flag.span().start, answer.flag.span().end),
     };
     let answers = entry.answers.iter().map(answer).collect();
-    let told = entry.finding.as_ref().map(|text| finding(source, text));
+    let told = entry.finding.as_ref().map(|text| author_note(source, text));
     let mut claim = formulas(source, shared, entry, errors);
     claim.readings = readings;
     claim.answers = answers;
-    claim.finding = told.and_then(|told| errors.keep(told));
+    claim.author_note = told.and_then(|told| errors.keep(told));
     claim.figure = claim.entry.figure.clone().map(|drawn| {
         let id = claim.entry.id.get_ref().clone();
         let (origin, claims) = (claim.origin.clone(), vec![id.clone()]);
@@ -215,7 +215,7 @@ fn formulas(
         unknowns,
         statement,
         readings: vec![],
-        finding: None,
+        author_note: None,
         answers: vec![],
         uses: vec![],
         figure: None,

@@ -3,11 +3,11 @@
 //! The corrected definitions of all corrigenda are in force together: what is claimed of the corrected text is claimed of
 //! it as a whole.
 
+use super::author_note::{AuthorNote, author_note};
 use super::claim::Claim;
 use super::declarations::Declarations;
 use super::definitions::add_definitions;
 use super::error::{DerivationError, LoadError};
-use super::finding::{Finding, finding};
 use super::provenance::{Hypothesis, Provenance, Quote};
 use super::schema::corrigendum::{ChangeEntry, CorrigendumEntry};
 use super::source::{Origin, Source, whole};
@@ -26,7 +26,7 @@ pub struct Corrigendum {
     /// Where the paper has it, if that is not the place of the first claim.
     pub at: Option<String>,
     /// What is wrong, in one sentence with holes for numbers, which are those of the first claim.
-    pub says: Finding,
+    pub says: AuthorNote,
     /// The ids of the claims in which it shows.
     pub shows: Vec<String>,
     /// What is to be read instead.
@@ -71,7 +71,7 @@ pub(super) fn corrigenda(
         add_definitions(&mut Declarations::default(), source, &entry.define, errors);
     }
     let made = |(source, entry): &(Arc<Source>, CorrigendumEntry)| {
-        let says = errors.keep(finding(source, &entry.says));
+        let says = errors.keep(author_note(source, &entry.says));
         let mut wrong = |text: &Spanned<String>, message: String, help: &str| {
             let origin = Origin::of(source, text);
             let error = DerivationError::at(&origin, whole(text), message).with_help(help);
@@ -157,7 +157,7 @@ pub(super) fn corrigenda(
         Corrigendum {
             id: entry.id.get_ref().clone(),
             at: entry.at.clone(),
-            says: says.unwrap_or(Finding { pieces: vec![] }),
+            says: says.unwrap_or(AuthorNote { pieces: vec![] }),
             shows: entry.shows.iter().map(|id| id.get_ref().clone()).collect(),
             changes,
             corrected,
@@ -177,7 +177,7 @@ fn correct(
 ) -> CorrectedClaim {
     let mut corrected = remark.unwrap_or(claim).clone();
     corrected.entry.id = claim.entry.id.clone();
-    corrected.finding = None;
+    corrected.author_note = None;
     let mut declarations = (*corrected.declarations).clone();
     for (source, entry) in entries {
         add_definitions(

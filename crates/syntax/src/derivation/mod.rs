@@ -3,13 +3,13 @@
 //! A folder of derivations holds one folder a paper. Its `paper.toml` names the paper, declares symbols,
 //! basis families and definitions, and lists the files with claims, in order.
 
+mod author_note;
 mod claim;
 mod corrigendum;
 pub mod declarations;
 mod definitions;
 mod error;
 mod figure;
-mod finding;
 mod folder;
 mod interval;
 mod load;
@@ -23,11 +23,11 @@ mod source;
 mod table;
 mod written;
 
+pub use author_note::{AuthorNote, Form, Piece};
 pub use claim::{Answer, Claim, Reading};
 pub use corrigendum::{CorrectedClaim, Corrigendum, Rewording};
 pub use error::{DerivationError, LoadError, LookAlike};
 pub use figure::Figure;
-pub use finding::{Finding, Form, Piece};
 pub use folder::MAX_BYTES;
 pub use load::{Loaded, load, load_all, paper};
 pub use look_alikes::name_taken_for;

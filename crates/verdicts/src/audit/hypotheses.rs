@@ -5,7 +5,7 @@ use torse_syntax::words::Flag;
 
 /// Those that were tried, and are not needed.
 pub(super) fn unneeded(subject: &Subject<'_>) -> Vec<Sign> {
-    let assumed = subject.outcome.assumed.iter();
+    let assumed = subject.outcome.claim.assumed.iter();
     let unneeded = assumed.filter(|hypothesis| hypothesis.needed == Some(false));
     let unneeded = unneeded.map(|h| format!("`{}`", h.formula.text)).collect();
     listed(Flag::UnneededHypothesis, "proved without", unneeded)

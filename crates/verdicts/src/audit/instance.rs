@@ -48,7 +48,10 @@ pub(super) fn degree(subject: &Subject<'_>) -> Vec<Sign> {
 
 /// Whether the statement is refuted, which one instance does.
 fn refuted(subject: &Subject<'_>) -> bool {
-    matches!(subject.outcome.verdict, Verdict::False | Verdict::Misprint)
+    matches!(
+        subject.outcome.verdict(),
+        Verdict::False | Verdict::Misprint
+    )
 }
 
 /// Whether this is a name for an integer.

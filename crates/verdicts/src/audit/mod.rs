@@ -103,7 +103,7 @@ fn signs<'a>(
         true => signs_of(claim, claim, outcome, setting, of_all_parts),
         false => vec![],
     };
-    for (reading, found) in claim.readings.iter().zip(&outcome.readings) {
+    for (reading, found) in claim.readings.iter().zip(outcome.readings()) {
         for sign in signs_of(&reading.claim, claim, &found.outcome, setting, of_all_parts) {
             let seen = format!("read as `{}`: {}", reading.name, sign.seen);
             signs.push(Sign { seen, ..sign });

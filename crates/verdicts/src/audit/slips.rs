@@ -15,7 +15,7 @@ const WORK: u64 = 20_000_000;
 /// A proved equation of which no changed form is refuted.
 pub(super) fn none_is_noticed(subject: &Subject<'_>) -> Vec<Sign> {
     let proved = matches!(
-        subject.outcome.verdict,
+        subject.outcome.verdict(),
         Verdict::Holds | Verdict::Conditional
     );
     let statement = subject.claim.statement.as_ref();

@@ -12,7 +12,7 @@ use super::subject::Subject;
 use super::target::other_side;
 use super::terms::{Atoms, Powers, Terms, product};
 use crate::condition::nonzero;
-use crate::outcome::Correction;
+use crate::correction::Correction;
 use num_traits::Zero;
 use std::collections::BTreeMap;
 use torse_algebra::Fraction;

@@ -9,7 +9,7 @@
 
 use super::rates::{Rate, rates};
 use super::slips::{Cost, few_digits, slips};
-use crate::outcome::{DataChange, DataCorrection};
+use crate::correction::{DataChange, DataCorrection};
 use crate::repair::edit::placed;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};

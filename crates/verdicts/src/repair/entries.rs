@@ -9,7 +9,7 @@ use super::ansatz::single;
 use super::data::with;
 use super::edit::placed;
 use super::residue::{of_fraction, power};
-use crate::outcome::{DataChange, DataCorrection};
+use crate::correction::{DataChange, DataCorrection};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_algebra::mersenne::{minus, times};

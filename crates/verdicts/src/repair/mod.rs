@@ -27,7 +27,7 @@ mod terms;
 pub mod throughout;
 
 use crate::condition::nonzero;
-use crate::outcome::Correction;
+use crate::correction::Correction;
 use alphabet::Alphabet;
 use edit::{Edit, placed};
 use std::cmp::Reverse;

@@ -66,14 +66,14 @@ fn the_checker_sees_mistakes_of_the_prover() {
 fn a_mistake_of_the_checker_contradicts_the_prover() {
     let claim = claim("states = '(a - b)*(a + b) == a^2 - b^2'");
     let clean = decide_claim("proofs", &claim).unwrap();
-    assert_eq!(clean.verdict, Verdict::Holds);
-    assert!(clean.replay.unwrap().replayed);
+    assert_eq!(clean.verdict(), Verdict::Holds);
+    assert!(clean.replay().unwrap().replayed);
     let faulty = with(Planted::DifferenceReadAsSum, || {
         decide_claim("proofs", &claim)
     })
     .unwrap();
-    assert_eq!(faulty.verdict, Verdict::Undecided);
-    assert!(faulty.contradiction.unwrap().contains("multiplied out"));
+    assert_eq!(faulty.verdict(), Verdict::Undecided);
+    assert!(faulty.contradiction().unwrap().contains("multiplied out"));
 }
 
 #[test]
@@ -88,7 +88,7 @@ fn what_an_equation_does_not_say_of_a_symbol_is_no_hypothesis() {
     }
     for lines in [lines.to_owned(), lines.replace("x != z", "r == (x - z)*b")] {
         let outcome = decide_claim("proofs", &claim(&lines)).unwrap();
-        assert_eq!(outcome.contradiction, None, "{lines}");
-        assert_ne!(outcome.verdict, Verdict::Holds, "{lines}");
+        assert_eq!(outcome.contradiction(), None, "{lines}");
+        assert_ne!(outcome.verdict(), Verdict::Holds, "{lines}");
     }
 }

@@ -8,7 +8,7 @@
     reason = "helpers of tests"
 )]
 
-#[path = "../common/mod.rs"]
+#[path = "../verdicts/common/mod.rs"]
 mod common;
 
 mod damaged;

@@ -1,0 +1,54 @@
+//! The verdicts as a table, one line a claim: what is kept of a run, so that two runs can be compared by eye.
+//!
+//! The full finding is in [`crate::verdicts_json`]; this table has the words of it that a change would show in.
+
+use crate::{ReportError, words};
+use std::collections::BTreeSet;
+use torse_verdicts::outcome::Outcome;
+
+/// The columns of the table.
+const COLUMNS: [&str; 6] = ["id", "verdict", "evidence", "replayed", "netted", "kernel"];
+
+/// The verdicts as comma-separated values with a header: `id`, `verdict` and `evidence` as in [`crate::verdicts_json`], then
+/// whether the checker of proofs followed the whole proof, whether the points of the net are enough, and whether the kernel
+/// of the proof assistant accepted a proof of the claim, which is so for the ids in `accepted`. What does not apply is empty.
+///
+/// # Errors
+///
+/// [`ReportError::Table`] when the writer fails, which memory gives it no reason to.
+///
+/// ```
+/// use std::collections::BTreeSet;
+///
+/// let none: [torse_verdicts::outcome::Outcome; 0] = [];
+/// let table = torse_report::verdict_lines(&none, &BTreeSet::new())?;
+/// assert_eq!(table, "id,verdict,evidence,replayed,netted,kernel\n");
+/// # Ok::<(), torse_report::ReportError>(())
+/// ```
+pub fn verdict_lines<'a>(
+    outcomes: impl IntoIterator<Item = &'a Outcome>,
+    accepted: &BTreeSet<String>,
+) -> Result<String, ReportError> {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_record(COLUMNS)?;
+    let answer = |answer: Option<bool>| match answer {
+        Some(true) => "yes",
+        Some(false) => "no",
+        None => "",
+    };
+    for outcome in outcomes {
+        let id = &outcome.claim.id;
+        table.write_record([
+            id.as_str(),
+            words::verdict(outcome.verdict()).key,
+            outcome.evidence().map_or("", |of| words::evidence(of).key),
+            answer(outcome.replay().map(|replay| replay.is_whole())),
+            answer(outcome.net().map(|net| net.netted)),
+            if accepted.contains(id) { "yes" } else { "" },
+        ])?;
+    }
+    let bytes = table
+        .into_inner()
+        .map_err(|error| csv::Error::from(error.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}

@@ -1,0 +1,180 @@
+//! From what the prover decided to what is to be judged: a decision as data, and what a refuted statement should have said.
+
+use crate::condition::{self, nonzero};
+use crate::correction::{Correction, DataCorrection};
+use crate::grounds::Grounds;
+use crate::provenance::Weighed;
+use crate::repair::subject::Subject;
+use crate::statement::{
+    EmptyDomain, FigureFinding, ProvedStatement, RefutedStatement, Repair, UndecidedStatement,
+};
+use crate::{provenance, repair};
+use std::sync::Arc;
+use torse_algebra::{Fraction, work};
+use torse_prove::decide::{Decision, Refutation};
+use torse_prove::evidence::Evidence;
+use torse_prove::{decide_statement, formula};
+use torse_syntax::derivation::{Claim, Figure, Written};
+use torse_syntax::notation::{self, Formula};
+use torse_syntax::words::Kind;
+
+/// Formulas with more terms than this are not shown.
+const MAX_SHOWN_TERMS: usize = 120;
+
+/// What the prover says of a statement, before anybody else looked at it.
+#[derive(Debug)]
+pub(crate) enum Conclusion {
+    Proved(ProvedStatement),
+    Refuted(RefutedStatement),
+    Vacuous(EmptyDomain),
+    Undecided(UndecidedStatement),
+}
+
+/// What a decision says of the statement of a claim; needed hypotheses of ours are conditions of a proof.
+pub(crate) fn conclude(claim: &Claim, statement: &Written, weighed: Weighed) -> Conclusion {
+    let Weighed { decision, needed } = weighed;
+    let steps = decision.steps();
+    let divisors = decision.conditions().unwrap_or_default();
+    match decision {
+        Decision::Proven(proof) => {
+            let ours = provenance::conditions(claim, &needed);
+            Conclusion::Proved(ProvedStatement {
+                evidence: proof.evidence(),
+                conditions: divisors.iter().map(nonzero).chain(ours).collect(),
+                needed: provenance::by_hypothesis(claim, &needed),
+                grounds: Arc::new(Grounds::Proof {
+                    conditions: divisors,
+                    of: proof,
+                }),
+                steps,
+            })
+        }
+        Decision::Refuted(refutation) => {
+            Conclusion::Refuted(refuted(*refutation, statement, steps))
+        }
+        Decision::Vacuous(_) => Conclusion::Vacuous(EmptyDomain { steps }),
+        Decision::Open { tried, .. } => Conclusion::Undecided(UndecidedStatement {
+            steps,
+            evidence: (!tried.is_empty()).then_some(Evidence::CheckedRange),
+        }),
+    }
+}
+
+/// A refutation, with the sides of the first comparison that fails.
+fn refuted(refutation: Refutation, statement: &Written, steps: Vec<String>) -> RefutedStatement {
+    let witness = Some(refutation.witness());
+    let sides = refutation.sides.as_ref();
+    let differing =
+        sides.and_then(|(left, right)| left.iter().zip(right).find(|(left, right)| left != right));
+    let difference = differing.and_then(|(left, right)| readable(&(left.clone() - right.clone())));
+    // The derived side is the one that is not printed.
+    let derived = differing.and_then(|(left, right)| {
+        let is_left = Subject::is_left(&statement.expr);
+        readable(if is_left { right } else { left })
+    });
+    RefutedStatement {
+        evidence: refutation.refuted.evidence(),
+        witness,
+        difference,
+        derived,
+        grounds: Some(Arc::new(Grounds::Refutation(refutation.refuted))),
+        repair: None,
+        data: None,
+        steps,
+    }
+}
+
+/// The formula, unless it is too long for anyone to read.
+fn readable(value: &Fraction) -> Option<Formula> {
+    (value.numerator().len() <= MAX_SHOWN_TERMS)
+        .then(|| notation::formula(&formula::expression(value)))
+}
+
+/// What had to be assumed or replaced makes the verdict of a figure.
+pub(crate) fn drawn(claim: &Claim, figure: &Figure) -> FigureFinding {
+    let entry = &figure.entry;
+    let listed = |what: &str, list: &[String]| -> Vec<String> {
+        list.iter().map(|item| format!("{what}: {item}")).collect()
+    };
+    let missing = claim.entry.underspecified.iter().cloned();
+    let replaced = listed("our own in place of what is not printed", &entry.stand_in);
+    let assumed = listed("assumed", &entry.assumes);
+    FigureFinding {
+        verdict: figure.verdict(),
+        steps: missing.chain(replaced).chain(assumed).collect(),
+    }
+}
+
+/// What the paper meant, as far as that is found with so much work.
+#[derive(Debug, Default)]
+pub(crate) struct Correcting {
+    pub repair: Option<Repair>,
+    pub data: Option<DataCorrection>,
+}
+
+/// Searches for what the paper meant. A search that ends at a limit found nothing; what was found before stands.
+pub(crate) fn correct(claim: &Claim, statement: &Written, budget: u64) -> Correcting {
+    let mut found = Correcting::default();
+    let _ = work::within(budget, || search(claim, statement, &mut found));
+    found.repair = found.repair.map(|repair| match repair {
+        Repair::Misprint(own) => Repair::Misprint(under_ours(own, claim, budget)),
+        Repair::Derived(own) => Repair::Derived(under_ours(own, claim, budget)),
+    });
+    found
+}
+
+/// The searches in turn.
+///
+/// # Errors
+/// The limit that ended a search.
+fn search(
+    claim: &Claim,
+    statement: &Written,
+    correcting: &mut Correcting,
+) -> Result<(), work::Spent> {
+    // What a search that is over came to is nothing.
+    fn found<T>(found: T) -> Result<T, work::Spent> {
+        work::check().map(|()| found)
+    }
+    let kind = claim.entry.kind;
+    if repair::is_sought(kind) {
+        let slip = found(repair::search(claim, statement))?;
+        if slip.is_some() {
+            correcting.repair = slip.map(Repair::Misprint);
+            return Ok(());
+        }
+        // Derived anew is no slip of printing: the statement is false.
+        let derived = found(repair::ansatz::search(claim, statement))?;
+        correcting.repair = derived.map(Repair::Derived);
+        correcting.data = found(repair::entries::search(claim, statement))?;
+    }
+    if kind == Kind::Value && correcting.repair.is_none() && correcting.data.is_none() {
+        correcting.data = found(repair::data::search(claim, statement))?;
+    }
+    Ok(())
+}
+
+/// A correction under the hypotheses of ours that its proof needs.
+fn under_ours(correction: Correction, claim: &Claim, budget: u64) -> Correction {
+    if !provenance::has_ours(claim) {
+        return correction;
+    }
+    let id = claim.entry.id.get_ref();
+    let Some(statement) = condition::written(&correction.statement, id) else {
+        return correction;
+    };
+    let decided = work::within(budget, || decide_statement(claim, &statement));
+    let Ok(Ok(decision)) = decided else {
+        return correction;
+    };
+    let weighed = provenance::weigh(claim, &statement, decision, budget);
+    let conditions = match weighed.decision.conditions() {
+        Some(divisors) => divisors.iter().map(nonzero).collect(),
+        None => correction.conditions,
+    };
+    let ours = provenance::conditions(claim, &weighed.needed);
+    Correction {
+        conditions: conditions.into_iter().chain(ours).collect(),
+        ..correction
+    }
+}
