@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use torse_designs::eval::{At, csv, eval};
 use torse_designs::export::{ENDINGS, PATTERNS, bytes, ending};
 use torse_designs::fold::fold_back;
-use torse_designs::inspect::{inspect, table};
+use torse_designs::inspect::{inspect, inspect_quickly, table};
 use torse_designs::listing::{FileListing, list};
 use torse_designs::unroll::{Demand, Flattening, Summary, drawing, unroll};
 use torse_designs::{Design, DesignError, draw, load, load_from};
@@ -35,6 +35,9 @@ pub struct Inspect {
     /// The unit of a file of another program that states none: mm, cm, m, in, ft, ..
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     unit: Option<LengthUnit>,
+    /// Measure only, without bounds and proofs
+    #[arg(long)]
+    quick: bool,
     /// How the answer is shown
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -260,7 +263,12 @@ impl Inspect {
             })?;
             return Ok(Exit::AsExpected);
         }
-        let report = inspect(&design(&self.design)?)?;
+        let design = design(&self.design)?;
+        let report = if self.quick {
+            inspect_quickly(&design)?
+        } else {
+            inspect(&design)?
+        };
         print(&match self.format {
             Format::Text => table(&report),
             Format::Json => json(&report)?,

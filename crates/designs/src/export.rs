@@ -2,12 +2,13 @@
 
 use crate::design::{Design, Piece, Tensor};
 use crate::error::DesignError;
+use crate::holes::{SpaceHole, holes};
 use crate::inspect::joint_of;
 use crate::unroll::{Demand, drawing, unroll};
 use std::path::Path;
 use torse_exchange::{
-    ExchangeError, Mesh, Model, approximate_tensor, convert, dxf, glb, iges, obj, ply, step, stl,
-    svg, three_mf,
+    ExchangeError, Mesh, Model, Opening, approximate_tensor, convert, dxf, glb, iges, obj, ply,
+    step, stl, svg, three_mf,
 };
 use torse_geometry::Surface;
 use torse_geometry::prelude::GeometryError;
@@ -92,7 +93,8 @@ pub fn bytes(design: &Design, ending: &str, demand: &Demand) -> Result<Vec<u8>, 
 pub fn model(design: &Design) -> Result<Model, DesignError> {
     let limits = &design.tolerances;
     let mut model = Model::new(&design.name, limits.gap)?;
-    for patch in &design.patches {
+    let holes = holes(design)?;
+    for (index, patch) in design.patches.iter().enumerate() {
         let converted = convert(&patch.sheet, limits.surface)?;
         let certificate = patch.sheet.certify(64).map_err(ExchangeError::from)?;
         let developable = certificate.is_developable_within(limits.twist.to_radians());
@@ -101,7 +103,18 @@ pub fn model(design: &Design) -> Result<Model, DesignError> {
         } else {
             converted
         };
+        let several = converted.patches.len() > 1;
         model.add(&patch.name, converted)?;
+        for hole in holes.iter().filter(|hole| hole.patch == index) {
+            if several || hole.is_clipped() {
+                return Err(DesignError::Mark {
+                    patch: patch.name.clone(),
+                    reason: "a hole over a joint of faces has no form in CAD files: export a mesh"
+                        .to_owned(),
+                });
+            }
+            model.open(&hole.around(&patch.sheet)?)?;
+        }
     }
     for surface in &design.surfaces {
         for part in &surface.parts {
@@ -119,8 +132,9 @@ pub fn model(design: &Design) -> Result<Model, DesignError> {
 pub fn mesh(design: &Design) -> Result<Mesh, DesignError> {
     let limits = &design.tolerances;
     let mut whole = Mesh::default();
+    let holes = holes(design)?;
     for piece in design.pieces() {
-        let sheet = surface(design, &piece)?;
+        let sheet = surface(design, &piece, &holes)?;
         let part = match design.metal {
             Some(metal) => sheet.thickened(metal.sheet.thickness())?,
             None => sheet,
@@ -182,7 +196,7 @@ fn steps(surface: &Tensor, within: f64) -> Result<[usize; 2], GeometryError> {
     }
 }
 
-fn surface(design: &Design, piece: &Piece) -> Result<Mesh, DesignError> {
+fn surface(design: &Design, piece: &Piece, holes: &[SpaceHole]) -> Result<Mesh, DesignError> {
     let mut surface = Mesh::default();
     let patches: Vec<_> = piece
         .patches
@@ -191,7 +205,7 @@ fn surface(design: &Design, piece: &Piece) -> Result<Mesh, DesignError> {
         .collect();
     let mut over = false;
     let mut before = None;
-    for patch in &patches {
+    for (patch, index) in patches.iter().zip(&piece.patches) {
         if let Some(before) = before {
             let turned =
                 joint_of(before, patch).map_err(|reason: GeometryError| DesignError::Patch {
@@ -200,7 +214,23 @@ fn surface(design: &Design, piece: &Piece) -> Result<Mesh, DesignError> {
                 })?;
             over = over != turned;
         }
-        let mesh = Mesh::ruled(&patch.sheet, design.tolerances.surface)?;
+        let within = design.tolerances.surface;
+        let own: Vec<&SpaceHole> = holes.iter().filter(|hole| hole.patch == *index).collect();
+        let mesh = if own.is_empty() {
+            Mesh::ruled(&patch.sheet, within)?
+        } else {
+            let across: Vec<_> = own.iter().map(|hole| |x: f64| hole.across(x)).collect();
+            let openings: Vec<Opening<'_>> = own
+                .iter()
+                .zip(&across)
+                .map(|(hole, across)| Opening {
+                    range: hole.range,
+                    rulings: hole.rulings(within),
+                    across,
+                })
+                .collect();
+            Mesh::ruled_with_openings(&patch.sheet, within, &openings)?
+        };
         surface.append(&if over { flipped(&mesh)? } else { mesh })?;
         before = Some(*patch);
     }

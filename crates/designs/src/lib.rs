@@ -44,6 +44,7 @@ pub mod eval;
 pub mod export;
 mod file;
 pub mod fold;
+mod holes;
 pub mod inspect;
 pub mod listing;
 pub mod movable;

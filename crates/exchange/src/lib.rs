@@ -50,7 +50,7 @@ pub use cad::{
 pub use drawing::{Drawing, Layer, Path, Text, Vertex};
 pub use error::{ExchangeError, Result};
 pub use formats::{dxf, glb, iges, obj, ply, step, stl, svg, three_mf};
-pub use mesh::{MOST_VERTICES, Mesh};
+pub use mesh::{MOST_VERTICES, Mesh, Opening};
 pub use read::{
     CurveShape, FileKind, FilePlace, Imported, ImportedCurve, ImportedFace, ImportedMesh,
     LengthUnit, MAX_FILE_BYTES, MAX_IMPORTED_CURVES, ReadError, ReadResult, SplineSurface,

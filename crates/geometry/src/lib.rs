@@ -105,7 +105,7 @@
 //! | eqs. (14) to (16), Proposition 3.2, Algorithm 2, Example 3.2 | [`TensorSurface::bilinear`] |
 //! | eqs. (17) to (19), Propositions 3.3, 3.4, Algorithm 3, Example 3.3 | [`RuledSurface`], [`RuledSurface::tensor`] |
 //! | eqs. (20) to (25), Theorem 4, Algorithm 4, Example 3.4 | [`TensorSurface::swung`] |
-//! | eqs. (27) to (31), Theorem 5, Algorithm 5, Example 3.5 | [`TensorSurface::swept`] |
+//! | eqs. (27) to (31), Theorem 5, Algorithm 5, Example 3.5 | [`TensorSurface::swept`]; eq. (28) with its matrix [`TensorSurface::swept_by`] |
 //! | Theorem 6, eqs. (33), (34), Algorithm 6 | [`RotationSurface::half_turn`]; as tensor products [`TensorSurface::quarter_turns`] |
 //! | Proposition 3.8, corrected; Example 3.6 | [`RotationSurface::turned`], [`surface::rotation_parameter`] |
 //!

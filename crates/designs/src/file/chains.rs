@@ -105,7 +105,7 @@ pub fn chains(
             chains.push(Chain {
                 name: group.name.clone(),
                 patches: group.patches.clone(),
-                continuity: None,
+                continuity: group.continuity,
                 closed: group.closed,
                 layout: Layout::Attached,
             });

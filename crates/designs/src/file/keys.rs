@@ -107,6 +107,7 @@ pub const PATCH: &[&str] = &[
     "free",
     "shape",
     "branch",
+    "panel",
     "part",
     "marks",
 ];
@@ -121,6 +122,8 @@ pub const HERMITE: &[&str] = &[
     "p-middle-tangent",
     "q-ends",
     "q-tangents",
+    "tension",
+    "as-printed",
 ];
 /// A mark.
 pub const MARK: &[&str] = &["line", "hole", "text", "at", "radius", "height", "angle"];
@@ -129,7 +132,8 @@ pub const CHAIN: &[&str] = &["patches", "continuity", "closed", "layout"];
 
 /// `[surfaces.NAME]`.
 pub const SURFACE: &[&str] = &[
-    "net", "swung", "swept", "rotation", "shape-u", "shape-v", "factor",
+    "net", "bilinear", "swung", "swept", "rotation", "shape-u", "shape-v", "factor", "degrees",
+    "interior", "matrices",
 ];
 
 /// All of them by the names of their definitions in the schema.

@@ -1,17 +1,19 @@
 //! Patches.
 
-use super::pieces::{Cells, distributed};
+use super::pieces::{Cells, distributed, is_closed};
 use super::planes::{continued, pair, plane};
 use super::points::{list, point};
 use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
 use super::shapes::shape;
 use super::{Parts, keys, named};
-use crate::design::{Ends, Mark, Patch};
+use crate::design::{Ends, Mark, Patch, Smoothness};
 use std::ops::Range;
-use torse_geometry::developable::{Branch, HermiteCone, QuarticData, QuinticData};
+use torse_geometry::developable::{
+    Branch, HermiteCone, QuarticData, QuinticData, oblique_image_as_printed,
+};
 use torse_geometry::prelude::{
-    Connected, Construction, Cut, GeometryError, PiecewiseRail, Place, Planes, Point, Rail, Reason,
-    Sheet, SweptEdge,
+    Connected, Construction, Cut, GeometryError, Panel, PanelKind, PanelPiece, Panels,
+    PiecewiseRail, Place, Planes, Point, Rail, Reason, Sheet, SweptEdge,
 };
 
 /// The ways to make a patch.
@@ -33,6 +35,8 @@ pub struct Made {
     patches: Vec<Patch>,
     /// Whether the last piece ends where the first begins.
     closed: bool,
+    /// What is demanded where they meet.
+    continuity: Option<Smoothness>,
     cut: Option<Cutting>,
 }
 
@@ -44,6 +48,8 @@ pub struct Group {
     pub patches: Vec<usize>,
     /// Whether the last meets the first.
     pub closed: bool,
+    /// What is demanded where they meet.
+    pub continuity: Option<Smoothness>,
 }
 
 /// What part of the rulings of a family a patch takes.
@@ -87,6 +93,7 @@ pub fn patches(
                 name,
                 patches: (first..patches.len()).collect(),
                 closed: made.closed,
+                continuity: made.continuity,
             });
         }
     }
@@ -182,14 +189,39 @@ fn patch(
     let raws = match kind {
         "ruled" | "connect" => {
             let pair = rails(reader, value, &parts.curves)?;
-            let branch = if kind == "connect" {
-                match entries.take("branch") {
-                    None => None,
-                    Some(value) => Some(branch(reader, value)?),
+            let (mut branch, mut panel) = (None, None);
+            if kind == "connect" {
+                if let Some(value) = entries.take("branch") {
+                    branch = Some(number(reader, value)?);
                 }
-            } else {
-                None
-            };
+                if let Some(value) = entries.take("panel") {
+                    panel = Some(number(reader, value)?);
+                }
+                if let (Some(_), Some((_, place))) = (&branch, &panel) {
+                    reader.complain(place, "`branch` and `panel` exclude each other", "");
+                    return None;
+                }
+                let usual = branch.is_none() && accepted(reader, &place, is_whole(&pair))?;
+                if panel.is_some() || usual {
+                    let number = panel.map(|(number, _)| number).unwrap_or(1);
+                    let found = accepted(reader, &place, Sheet::panels(&pair[0], &pair[1]))?;
+                    let panels = paneled(reader, &place, &found)?;
+                    let whole = match panels.get(number - 1) {
+                        Some(panel) => panel,
+                        None => {
+                            let message = format!("there is no panel {number} between the curves");
+                            let help = format!("`panel` is from 1 to {}", panels.len());
+                            reader.complain(&place, message, &help);
+                            return None;
+                        }
+                    };
+                    if part != [0.0, 1.0] {
+                        reader.complain(&place, "a whole panel has no `part`", "");
+                        return None;
+                    }
+                    return assembled(reader, (name, &span), whole, panels, (number, marks?));
+                }
+            }
             let (found, pairs) = accepted(reader, &place, Cells::between(&pair, part))?;
             cells = found;
             let mut raws = Vec::with_capacity(pairs.len());
@@ -250,6 +282,7 @@ fn patch(
     Some(Made {
         patches,
         closed: several && cells.closed,
+        continuity: None,
         cut,
     })
 }
@@ -285,8 +318,127 @@ fn trimmed(
     })
 }
 
-/// The number of a developable, and where it is asked for.
-fn branch(reader: &mut Reader, value: Value<'_>) -> Option<(usize, Range<usize>)> {
+/// Whether both curves are closed, or one of them has several pieces: then a whole panel is meant.
+fn is_whole(pair: &[PiecewiseRail; 2]) -> Result<bool, GeometryError> {
+    if pair.iter().any(|curve| curve.count() > 1) {
+        return Ok(true);
+    }
+    Ok(is_closed(&pair[0])? && is_closed(&pair[1])?)
+}
+
+/// The panels that were found, or why there are none.
+fn paneled<'p>(
+    reader: &mut Reader,
+    place: &Range<usize>,
+    found: &'p Panels,
+) -> Option<&'p [Panel]> {
+    let listed = |ranges: &[[[f64; 2]; 2]]| -> String {
+        let each = ranges.iter().map(|[[s0, s1], [t0, t1]]| {
+            format!("curve 1 from {s0} to {s1} with curve 2 from {t0} to {t1}")
+        });
+        each.collect::<Vec<_>>().join("; ")
+    };
+    match found {
+        Panels::Found(panels) => return Some(panels),
+        Panels::None { ways } => {
+            let help = if ways.is_empty() {
+                "no ruling touches both: bend the curves, or use `ruled`".to_owned()
+            } else {
+                format!("the developables between them: {}", listed(ways))
+            };
+            let message = "there is no whole panel between the curves: proved";
+            reader.complain(place, message, &help);
+        }
+        Panels::Undecided { cells } => {
+            let ranges: Vec<[[f64; 2]; 2]> = cells.iter().map(|c| [c.s, c.t]).take(8).collect();
+            let help = format!(
+                "{} cells of the parameters are undecided: {}",
+                cells.len(),
+                listed(&ranges)
+            );
+            reader.complain(place, "no whole panel was found between the curves", &help);
+        }
+    }
+    None
+}
+
+/// The patches of a panel.
+fn assembled(
+    reader: &mut Reader,
+    (name, span): (&str, &Range<usize>),
+    panel: &Panel,
+    all: &[Panel],
+    (number, marks): (usize, Vec<Mark>),
+) -> Option<Made> {
+    let cells = Cells::of_panel(panel);
+    let marks = distributed(marks, &cells);
+    let several = panel.pieces.len() > 1;
+    let mut patches = Vec::with_capacity(panel.pieces.len());
+    for (index, (piece, marks)) in panel.pieces.iter().zip(marks).enumerate() {
+        let name = if several {
+            format!("{name}.{}", index + 1)
+        } else {
+            name.to_owned()
+        };
+        let mut notes = Vec::new();
+        if index == 0 {
+            notes.push(summary(panel, number, all.len()));
+        }
+        notes.push(extent(piece));
+        let raw = Raw::connecting(piece.sheet.clone(), notes);
+        patches.push(trimmed(
+            reader,
+            span,
+            (name, "connect"),
+            raw,
+            ([0.0, 1.0], marks),
+        )?);
+    }
+    Some(Made {
+        patches,
+        closed: several && panel.closed,
+        continuity: (panel.folds == 0).then_some(Smoothness::G1),
+        cut: None,
+    })
+}
+
+/// What is said of a panel as a whole.
+fn summary(panel: &Panel, number: usize, count: usize) -> String {
+    let mut text = match count {
+        1 => "a whole panel, the only one found".to_owned(),
+        _ => format!("the whole panel {number} of {count}, the best first: `panel` takes another"),
+    };
+    text.push_str(&format!(
+        "; {:.1} % of the curves in fans",
+        100.0 * panel.fans
+    ));
+    if panel.folds > 0 {
+        text.push_str(&format!(", {} folds", panel.folds));
+    }
+    if panel.turned {
+        text.push_str("; curve 2 runs against curve 1: it is passed from its end to its start");
+    }
+    text
+}
+
+/// What part of the curves a piece of a panel takes.
+fn extent(piece: &PanelPiece) -> String {
+    let [[s0, s1], [t0, t1]] = piece.ranges;
+    match piece.kind {
+        PanelKind::Arc => {
+            format!("touches curve 1 from {s0} to {s1} and curve 2 from {t0} to {t1}")
+        }
+        PanelKind::Fan(1) => {
+            format!("a fan from the point of curve 1 at {s0} over curve 2 from {t0} to {t1}")
+        }
+        PanelKind::Fan(_) => {
+            format!("a fan from the point of curve 2 at {t0} over curve 1 from {s0} to {s1}")
+        }
+    }
+}
+
+/// The number of a developable or a panel, and where it is asked for.
+fn number(reader: &mut Reader, value: Value<'_>) -> Option<(usize, Range<usize>)> {
     let place = value.span();
     let whole = |n: f64| n >= 1.0 && n.fract() == 0.0 && n <= 1e6;
     let number = reader.number_in(value, Dimension::None, "{1, 2, ..}", whole)?;
@@ -363,6 +515,11 @@ fn connected(
         ),
     });
     notes.extend(others(&found));
+    if !found.gaps.is_empty() {
+        notes.push(
+            "`panel = 1` goes on over the rest with fans, where there is a whole panel".to_owned(),
+        );
+    }
     for gap in &found.gaps {
         notes.push(format!(
             "curve {} from {} to {} is left over: there the best ruling twists by up to {:.3} degrees",
@@ -505,6 +662,10 @@ fn hermite(
             [3.0, 4.0, 5.0].contains(&d)
         })
     })?;
+    let tension = data.take("tension");
+    let printed = data
+        .take("as-printed")
+        .map_or(Some(false), |value| reader.truth(value))?;
     let mut missing = |reader: &mut Reader, key: &str| {
         let value = data.take(key);
         if value.is_none() {
@@ -519,12 +680,22 @@ fn hermite(
         let points = list(reader, value?, &parts.points, [2, 2])?;
         points.try_into().ok()
     };
+    let tension = match tension {
+        Some(value) => reader.numbers(value, [Dimension::None; 2])?,
+        None => [1.0; 2],
+    };
+    let tensed = |tangents: [Point; 2]| {
+        let [k1, k2] = tension;
+        let [first, last] = tangents;
+        [first.map(|c| k1 * c), last.map(|c| k2 * c)]
+    };
     let cone = if degree == 3.0 {
         let value = missing(reader, "summit");
         let summit = one(reader, value);
         let q = missing(reader, "q").and_then(|v| list(reader, v, &parts.points, [4, 4]));
-        let q: [Point; 4] = q?.try_into().ok()?;
-        HermiteCone::cubic(summit?, ratio?, q)
+        let [from, to, first, last]: [Point; 4] = q?.try_into().ok()?;
+        let [first, last] = tensed([first, last]);
+        HermiteCone::cubic(summit?, ratio?, [from, to, first, last])
     } else {
         let value = missing(reader, "p-start");
         let p_start = one(reader, value);
@@ -544,7 +715,7 @@ fn hermite(
             p_start: p_start?,
             p_middle: p_middle?,
             q_ends: q_ends?,
-            q_tangents: q_tangents?,
+            q_tangents: tensed(q_tangents?),
         };
         match tangent {
             None => HermiteCone::quartic(ratio?, quartic),
@@ -559,6 +730,16 @@ fn hermite(
     };
     let cone = accepted(reader, &span, cone)?;
     let q = accepted(reader, &span, Rail::hermite(&cone.q))?;
+    if printed {
+        let Some(value) = entries.take("between") else {
+            reader.complain(&span, "`as-printed` needs a plane `between`", "");
+            return None;
+        };
+        let cut = plane(reader, value, &parts.planes)?;
+        let data = accepted(reader, &span, oblique_image_as_printed(&cone, &cut))?;
+        let edge = accepted(reader, &span, Rail::hermite(&data))?;
+        return Some(Raw::between(edge, q));
+    }
     // From the curve p, the image of q in the ratio of the cone, or from the image of q in an oblique plane.
     let other = match entries.take("between") {
         Some(value) => SweptEdge::Cut(plane(reader, value, &parts.planes)?),

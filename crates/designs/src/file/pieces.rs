@@ -2,7 +2,7 @@
 
 use crate::design::Mark;
 use torse_geometry::Coordinate;
-use torse_geometry::prelude::{GeometryError, PiecewiseRail, Rail};
+use torse_geometry::prelude::{GeometryError, Panel, PiecewiseRail, Rail};
 use torse_geometry::vector::{norm, sub};
 
 type Result<T> = std::result::Result<T, GeometryError>;
@@ -27,6 +27,32 @@ impl Cells {
         closed: false,
         trimmed: false,
     };
+
+    /// The pieces of a panel: the parameter of the whole goes with the sum of those of both curves.
+    pub fn of_panel(panel: &Panel) -> Self {
+        let length = |piece: &torse_geometry::prelude::PanelPiece| -> f64 {
+            piece
+                .ranges
+                .iter()
+                .map(|[from, to]| (to - from).abs())
+                .sum()
+        };
+        let whole: f64 = panel.pieces.iter().map(length).sum();
+        let mut at = 0.0;
+        let mut breaks = vec![0.0];
+        for piece in &panel.pieces {
+            at += length(piece);
+            breaks.push(at / whole);
+        }
+        if let Some(last) = breaks.last_mut() {
+            *last = 1.0;
+        }
+        Self {
+            breaks,
+            closed: panel.closed,
+            trimmed: true,
+        }
+    }
 
     /// The pieces of a curve, cut to a part where there are several.
     pub fn of(curve: &PiecewiseRail, part: [f64; 2]) -> Result<(Self, Vec<Rail>)> {
@@ -69,7 +95,7 @@ fn within(curve: &PiecewiseRail, [from, to]: [f64; 2]) -> Result<PiecewiseRail> 
     curve.part(&torse_geometry::exact(from), &torse_geometry::exact(to))
 }
 
-fn is_closed(curve: &PiecewiseRail) -> Result<bool> {
+pub fn is_closed(curve: &PiecewiseRail) -> Result<bool> {
     let (start, end) = (curve.point(0.0)?, curve.point(1.0)?);
     let size = start.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
     Ok(norm(&sub(&end, &start)) <= SAME * size)

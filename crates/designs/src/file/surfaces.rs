@@ -7,12 +7,12 @@ use super::shapes::shape_of;
 use super::{MOST_CONTROLS, Parts, keys, named};
 use crate::design::{FreeSurface, Tensor};
 use torse_geometry::basis::Shape;
-use torse_geometry::prelude::{GeometryError, PiecewiseRail, Place, Rail};
+use torse_geometry::prelude::{GeometryError, PiecewiseRail, Place, Point, Rail};
 use torse_geometry::sheet::RailCurve;
 use torse_geometry::{Curve, TensorSurface};
 
 /// The ways to make a surface.
-const KINDS: [&str; 4] = ["net", "swung", "swept", "rotation"];
+const KINDS: [&str; 5] = ["net", "bilinear", "swung", "swept", "rotation"];
 
 type SpaceCurve = Curve<Shape<f64>, f64, 3>;
 type PlaneCurve = Curve<Shape<f64>, f64, 2>;
@@ -39,7 +39,7 @@ fn surface(
     let mut given = KINDS.iter().filter(|kind| entries.has(kind));
     let (Some(kind), None) = (given.next().copied(), given.next()) else {
         let help = format!("one of `{}`", KINDS.join("`, `"));
-        reader.complain(&span, format!("{what} is made in one of four ways"), &help);
+        reader.complain(&span, format!("{what} is made in one of five ways"), &help);
         return None;
     };
     let value = entries.take(kind)?;
@@ -58,6 +58,25 @@ fn surface(
             let net = rows.into_iter().collect::<Option<Vec<_>>>()?;
             TensorSurface::new(u?, v?, net).map(|surface| vec![surface])
         }
+        "bilinear" => {
+            let corners = list(reader, value, &parts.points, [4, 4]);
+            let [u, v] = ["shape-u", "shape-v"].map(|key| match entries.take(key) {
+                Some(value) => shape_of(reader, value),
+                None => Some(Shape::Bernstein),
+            });
+            let degrees = match entries.take("degrees") {
+                Some(value) => degrees(reader, value),
+                None => Some((3, 3)),
+            };
+            let interior = match entries.take("interior") {
+                Some(value) => list(reader, value, &parts.points, [0, MOST_CONTROLS]),
+                None => Some(Vec::new()),
+            };
+            let [a, b, c, d]: [Point; 4] = corners?.try_into().ok()?;
+            let corners = [[a, b], [c, d]];
+            TensorSurface::bilinear(u?, v?, degrees?, &corners, &interior?)
+                .map(|surface| vec![surface])
+        }
         "rotation" => {
             let profile = single(reader, value, &parts.curves)?;
             turned(&profile)
@@ -75,10 +94,18 @@ fn surface(
                 }
                 None => 1.0,
             };
-            let made = if kind == "swung" {
-                swung(&first, &second, factor)
-            } else {
-                swept(&first, &second)
+            let matrices = match entries.take("matrices") {
+                Some(value) if kind == "swept" => Some(matrices(reader, value)?),
+                Some(value) => {
+                    reader.complain(&value.span(), "only what is swept has `matrices`", "");
+                    return None;
+                }
+                None => None,
+            };
+            let made = match (kind, matrices) {
+                ("swung", _) => swung(&first, &second, factor),
+                (_, None) => swept(&first, &second),
+                (_, Some(matrices)) => swept_by(&first, &second, &matrices),
             };
             made.map(|surface| vec![surface])
         }
@@ -94,6 +121,39 @@ fn surface(
         kind,
         parts: accepted(reader, &place, made)?,
     })
+}
+
+/// The degrees of a net in both directions.
+fn degrees(reader: &mut Reader, value: Value<'_>) -> Option<(usize, usize)> {
+    let place = value.span();
+    let both = reader.numbers(value, [Dimension::None; 2])?;
+    let whole = |d: &f64| *d >= 1.0 && d.fract() == 0.0 && *d <= 24.0;
+    if !both.iter().all(whole) {
+        let message = format!("{both:?} are no degrees");
+        reader.complain(&place, message, "two whole numbers from 1 to 24");
+        return None;
+    }
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let [m, n] = both.map(|d| d as usize);
+    Some((m, n))
+}
+
+type Matrix = [[f64; 3]; 3];
+
+/// Matrices by their rows.
+fn matrices(reader: &mut Reader, value: Value<'_>) -> Option<Vec<Matrix>> {
+    let items = reader.list(value, "matrices", [1, MOST_CONTROLS])?;
+    let matrix = |reader: &mut Reader, item: Value<'_>| -> Option<Matrix> {
+        let rows = reader.list(item, "rows of a matrix", [3, 3])?;
+        let rows: Vec<_> = rows
+            .into_iter()
+            .map(|row| reader.numbers(row, [Dimension::None; 3]))
+            .collect();
+        let rows = rows.into_iter().collect::<Option<Vec<_>>>()?;
+        rows.try_into().ok()
+    };
+    let all: Vec<_> = items.into_iter().map(|item| matrix(reader, item)).collect();
+    all.into_iter().collect()
 }
 
 fn curves(
@@ -136,6 +196,14 @@ fn swung(profile: &Rail, trajectory: &Rail, factor: f64) -> Result<Tensor, Geome
 
 fn swept(section: &Rail, trajectory: &Rail) -> Result<Tensor, GeometryError> {
     TensorSurface::swept(plain(section)?, plain(trajectory)?)
+}
+
+fn swept_by(
+    section: &Rail,
+    trajectory: &Rail,
+    matrices: &[Matrix],
+) -> Result<Tensor, GeometryError> {
+    TensorSurface::swept_by(plain(section)?, plain(trajectory)?, matrices)
 }
 
 /// A profile `[x, z]` turned about the z axis: a tensor product for each quarter.

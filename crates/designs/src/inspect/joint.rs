@@ -108,7 +108,12 @@ impl End {
         let rails = sheet.ends_and_slopes(&x)?;
         let points = rails.map(|[point, _]| point);
         let ruling = sub(&points[1], &points[0]);
-        let normal = |[_, slope]: [Point; 2]| torse_geometry::vector::unit(&cross(&slope, &ruling));
+        let speeds = rails.map(|[_, slope]| norm(&slope));
+        // What an edge that stands still does is rounding.
+        let normal = |[_, slope]: [Point; 2]| {
+            let moves = norm(&slope) > super::STILL * speeds[0].max(speeds[1]);
+            moves.then(|| torse_geometry::vector::unit(&cross(&slope, &ruling)))?
+        };
         Ok(Self {
             last,
             points,

@@ -14,12 +14,12 @@ pub(crate) use text::columns;
 pub use text::table;
 pub(crate) use text::{at_most, number, wrapped};
 
-use crate::design::{Design, Patch};
+use crate::design::{Chain, Design, Patch};
 use crate::error::DesignError;
 use serde::Serialize;
 use torse_geometry::Rails;
 use torse_geometry::developable::{Certificate, EnclosedCertificate, Singularity};
-use torse_geometry::prelude::{Budget, Construction, GeometryError, Sheet};
+use torse_geometry::prelude::{Budget, Construction, GeometryError, SelfIntersection, Sheet};
 use torse_geometry::surface::RulingEnd;
 use torse_geometry::vector::{norm, sub};
 
@@ -133,8 +133,43 @@ pub struct PatchReport {
     pub inside_radius: Option<f64>,
     /// The area; `null` where it has none: the patch runs off to infinity.
     pub area: Option<f64>,
+    /// Whether it passes through itself in space.
+    pub space: Space,
     /// What else is worth knowing.
     pub notes: Vec<String>,
+}
+
+/// Whether a patch passes through itself in space.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Space {
+    /// It is proved that it does not.
+    Free,
+    /// These two places `[u, v]` are one point.
+    Meets {
+        /// The places.
+        places: [[f64; 2]; 2],
+        /// Whether that is proved.
+        proved: bool,
+    },
+    /// Rulings of these two ranges of `u` may meet.
+    Undecided {
+        /// The ranges.
+        ranges: [[f64; 2]; 2],
+    },
+    /// It was not asked: the patch is singular, or it is measured only.
+    Unknown,
+}
+
+impl Space {
+    fn of(sheet: &Sheet) -> Self {
+        match sheet.self_intersection() {
+            Ok(SelfIntersection::Free) => Self::Free,
+            Ok(SelfIntersection::Found { places, proved, .. }) => Self::Meets { places, proved },
+            Ok(SelfIntersection::Undecided { ranges }) => Self::Undecided { ranges },
+            Err(_) => Self::Unknown,
+        }
+    }
 }
 
 /// Measures a design.
@@ -169,9 +204,36 @@ pub fn inspect(design: &Design) -> Result<Report, DesignError> {
 /// # Errors
 /// As [`inspect`].
 pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignError> {
+    inspected(design, Some(budget))
+}
+
+/// As [`inspect`], without bounds and proofs: everything is measured on some rulings, and says so. Whether a patch passes
+/// through itself is not asked.
+///
+/// # Errors
+/// As [`inspect`].
+///
+/// ```
+/// use torse_designs::inspect::{Known, inspect_quickly};
+/// let design = torse_designs::read("tube.toml", r#"
+///     [curves.rim]
+///     arc = { centre = [0, 0, 0], from = [20, 0, 0], to = [0, 20, 0] }
+///     [patches.tube]
+///     cylinder = "rim"
+///     direction = [0, 0, 30]
+/// "#)?;
+/// let report = inspect_quickly(&design)?;
+/// assert_eq!(report.patches[0].regular, Known::Measured);
+/// # Ok::<(), torse_designs::DesignError>(())
+/// ```
+pub fn inspect_quickly(design: &Design) -> Result<Report, DesignError> {
+    inspected(design, None)
+}
+
+fn inspected(design: &Design, budget: Option<Budget>) -> Result<Report, DesignError> {
     let mut missed = Vec::new();
     let mut patches = Vec::new();
-    for patch in &design.patches {
+    for (index, patch) in design.patches.iter().enumerate() {
         let report = measured(design, patch, budget).map_err(|reason| DesignError::Patch {
             patch: patch.name.clone(),
             reason,
@@ -181,7 +243,11 @@ pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignE
             patch: patch.name.clone(),
             reason,
         };
-        missed.extend(left_open(design, patch).map_err(failed)?);
+        // Of several patches in a row the joints tell.
+        let in_row = |chain: &Chain| chain.patches.len() > 1 && chain.patches.contains(&index);
+        if !design.chains.iter().any(in_row) {
+            missed.extend(left_open(design, patch).map_err(failed)?);
+        }
         patches.push(report);
     }
     let joints = joints(design, &mut missed)?;
@@ -207,6 +273,9 @@ pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignE
 /// Of a patch that begins or ends in a special ruling, this share of the parameter is left out of what is judged.
 const END: f64 = 1.0 / 4096.0;
 
+/// An edge whose speed is this share of that of the other one stands still.
+pub(super) const STILL: f64 = 1e-9;
+
 /// The sheet whose regularity is that of a patch without its apex and without the rulings at its ends that have no normal
 /// by their kind; and what is left out of it, in words.
 fn judged(sheet: &Sheet) -> Result<(Sheet, Vec<String>), GeometryError> {
@@ -222,18 +291,41 @@ fn judged(sheet: &Sheet) -> Result<(Sheet, Vec<String>), GeometryError> {
             )),
         }
     }
-    let cut = |ruling: RulingEnd| {
-        if ruling == RulingEnd::Ordinary {
-            0.0
-        } else {
-            END
+    let mut cut = rulings.map(|ruling| ruling != RulingEnd::Ordinary);
+    for (end, u) in [0.0, 1.0].into_iter().enumerate() {
+        if let Some(edge) = pivot(sheet, u)? {
+            cut[end] = true;
+            left_out.push(format!(
+                "edge {edge} stands still at u = {u}: the edge of regression touches it there, and the radius falls to nothing"
+            ));
         }
-    };
-    let [from, to] = [cut(rulings[0]), 1.0 - cut(rulings[1])];
+    }
+    let share = |cut: bool| if cut { END } else { 0.0 };
+    let [from, to] = [share(cut[0]), 1.0 - share(cut[1])];
     if [from, to] != [0.0, 1.0] {
         judged = judged.part(from, to)?;
     }
     Ok((judged, left_out))
+}
+
+/// Of a developable between two curves the edge, 1 or 2, that has no speed at its first or last ruling: that of a curve that
+/// begins without curvature.
+fn pivot(sheet: &Sheet, u: f64) -> Result<Option<usize>, GeometryError> {
+    let whole = match sheet.construction() {
+        Construction::Part(part) => part.whole(),
+        _ => sheet,
+    };
+    if !matches!(whole.construction(), Construction::Connecting(_)) {
+        return Ok(None);
+    }
+    let [first, second] = sheet.ends_and_slopes(&u)?.map(|[_, slope]| norm(&slope));
+    Ok(if first <= STILL * second {
+        Some(1)
+    } else if second <= STILL * first {
+        Some(2)
+    } else {
+        None
+    })
 }
 
 /// Whether it is not the construction that makes a sheet developable.
@@ -245,7 +337,11 @@ fn is_ruled(sheet: &Sheet) -> bool {
     }
 }
 
-fn measured(design: &Design, patch: &Patch, budget: Budget) -> Result<PatchReport, GeometryError> {
+fn measured(
+    design: &Design,
+    patch: &Patch,
+    budget: Option<Budget>,
+) -> Result<PatchReport, GeometryError> {
     let mut notes = patch.notes.clone();
     // Nothing depends on where in space it lies.
     let near = patch.sheet.near_origin().map(|(near, _)| near);
@@ -266,9 +362,10 @@ fn measured(design: &Design, patch: &Patch, budget: Budget) -> Result<PatchRepor
     } else {
         own.inspect(RULINGS)?
     };
-    let proved: Option<EnclosedCertificate> = match sheet.enclose(budget) {
-        Ok(proved) => Some(proved),
-        Err(error) => {
+    let proved: Option<EnclosedCertificate> = match budget.map(|budget| sheet.enclose(budget)) {
+        None => None,
+        Some(Ok(proved)) => Some(proved),
+        Some(Err(error)) => {
             notes.push(format!("no bounds: {error}"));
             None
         }
@@ -335,6 +432,13 @@ fn measured(design: &Design, patch: &Patch, budget: Budget) -> Result<PatchRepor
         }
         _ => None,
     };
+    let space = budget.map_or(Space::Unknown, |_| Space::of(own));
+    if let Space::Undecided { ranges: [a, b] } = &space {
+        notes.push(format!(
+            "it is not decided whether rulings from u = {} to {} meet those from {} to {} in space",
+            a[0], a[1], b[0], b[1]
+        ));
+    }
     let report = PatchReport {
         name: patch.name.clone(),
         kind: patch.kind,
@@ -354,6 +458,7 @@ fn measured(design: &Design, patch: &Patch, budget: Budget) -> Result<PatchRepor
         inside_radius,
         area: Some(whole.area),
         apexes,
+        space,
         notes,
     };
     let numbers = [
@@ -436,6 +541,7 @@ fn singular(
         radius: None,
         inside_radius: None,
         area: None,
+        space: Space::Unknown,
         notes: patch.notes.clone(),
     })
 }
@@ -483,6 +589,20 @@ fn judge(design: &Design, report: &PatchReport, missed: &mut Vec<String>) {
     }
     if let Some(singularity) = &report.singularity {
         missed.push(format!("{name} is not regular: {singularity}"));
+    }
+    if let Space::Meets {
+        places: [a, b],
+        proved,
+    } = &report.space
+    {
+        missed.push(format!(
+            "{name} passes through itself in space: u = {:.7}, v = {:.7} and u = {:.7}, v = {:.7} are one point{}",
+            a[0],
+            a[1],
+            b[0],
+            b[1],
+            if *proved { ", proved" } else { "" }
+        ));
     }
     if limits.clearance > 0.0
         && let Some(bounds) = report.clearance

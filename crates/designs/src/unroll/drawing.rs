@@ -15,7 +15,8 @@ const REACH: f64 = 0.25;
 /// Draws the pieces: what is cut, bent and marked, each with its name, and notes of how exact it is.
 ///
 /// # Errors
-/// [`DesignError::Mark`] for a hole or a circle that leaves the sheet, [`DesignError::Exchange`].
+/// [`DesignError::Mark`] for a hole, a circle or lettering that leaves the sheet and for holes that overlap,
+/// [`DesignError::Exchange`].
 pub fn drawing(design: &Design, pieces: &[FlatPiece]) -> Result<Drawing, DesignError> {
     let mut drawing = Drawing::default();
     drawing.note(&format!("{}: {}", design.name, design.title))?;
@@ -32,9 +33,10 @@ pub fn drawing(design: &Design, pieces: &[FlatPiece]) -> Result<Drawing, DesignE
         drawing.note(&format!("piece {}", piece.name))?;
         drawing.add_pattern(flat, REACH * size)?;
         let before = (drawing.paths().len(), drawing.texts().len());
+        let mut holes = Vec::new();
         for index in &piece.patches {
             if let Some(patch) = design.patches.get(*index) {
-                marks(&mut drawing, design, patch, flat)?;
+                marks(&mut drawing, design, patch, flat, &mut holes)?;
             }
         }
         name(&mut drawing, before, &piece.name, flat, size)?;
@@ -84,6 +86,7 @@ fn marks(
     design: &Design,
     patch: &Patch,
     flat: &FlatPattern,
+    holes: &mut Vec<([f64; 2], f64)>,
 ) -> Result<(), DesignError> {
     if patch.marks.is_empty() {
         return Ok(());
@@ -124,22 +127,79 @@ fn marks(
                 drawing.polyline(Layer::Marks, &points)?;
             }
             Mark::Hole(place, radius) => {
-                drawing.circle(Layer::Outline, centre("hole", *place, *radius)?, *radius)?;
+                let at = centre("hole", *place, *radius)?;
+                let apart = |(other, own): &([f64; 2], f64)| {
+                    libm::hypot(other[0] - at[0], other[1] - at[1]) - own - radius
+                };
+                let nearest = holes.iter().map(apart).fold(f64::INFINITY, f64::min);
+                if nearest <= 0.0 {
+                    let [u, v] = place;
+                    return Err(failed(format!(
+                        "the hole of radius {radius} mm at [{u}, {v}] overlaps another by {:.4} mm",
+                        -nearest
+                    )));
+                }
+                holes.push((at, *radius));
+                drawing.circle(Layer::Outline, at, *radius)?;
             }
             Mark::Circle(place, radius) => {
                 drawing.circle(Layer::Marks, centre("circle", *place, *radius)?, *radius)?;
             }
             Mark::Text(place, content, height, angle) => {
                 let (from, to) = (flatten([place[0], 0.0])?, flatten([place[0], 1.0])?);
-                drawing.text(Text {
-                    layer: Layer::Marks,
+                let line = Line {
                     at: flatten(*place)?,
                     height: *height,
                     angle: libm::atan2(to[1] - from[1], to[0] - from[0]) + angle,
+                };
+                let frame = lettering::frame(&line, content.chars().count());
+                let beside = beside(flat, &frame);
+                if beside > design.tolerances.outline {
+                    let [u, v] = place;
+                    return Err(failed(format!(
+                        "the text {content:?} at [{u}, {v}] leaves the sheet by {beside:.4} mm"
+                    )));
+                }
+                drawing.text(Text {
+                    layer: Layer::Marks,
+                    at: line.at,
+                    height: line.height,
+                    angle: line.angle,
                     content: content.clone(),
                 })?;
             }
         }
     }
     Ok(())
+}
+
+/// Points on each side of a frame, and of each segment of an outline, that are looked at.
+const FRAME_POINTS: u32 = 16;
+
+/// How far a closed frame reaches beyond the outline of a pattern, as its points show.
+fn beside(flat: &FlatPattern, frame: &[[f64; 2]]) -> f64 {
+    let share = |k: u32| f64::from(k) / f64::from(FRAME_POINTS);
+    let outline: Vec<[f64; 2]> = flat
+        .outline()
+        .segments()
+        .iter()
+        .flat_map(|segment| (0..FRAME_POINTS).map(|k| segment.point(share(k))))
+        .collect();
+    let sides = frame.windows(2).flat_map(|side| {
+        let (a, b) = (side[0], side[1]);
+        (0..FRAME_POINTS).map(move |k| [0, 1].map(|i| a[i] + share(k) * (b[i] - a[i])))
+    });
+    sides
+        .filter(|point| !is_within(&outline, *point))
+        .map(|point| flat.outline().distance(point))
+        .fold(0.0, f64::max)
+}
+
+/// Whether a point is within a closed polygon: a ray from it crosses that an odd number of times.
+fn is_within(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let next = polygon.iter().cycle().skip(1);
+    let crossed = polygon.iter().zip(next).filter(|(a, b)| {
+        (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+    });
+    crossed.count() % 2 == 1
 }

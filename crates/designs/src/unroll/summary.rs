@@ -1,9 +1,10 @@
 //! What a pattern promises, in numbers.
 
 use super::FlatPiece;
-use crate::design::Design;
+use crate::design::{Design, Mark};
 use crate::inspect::{at_most, number, wrapped};
 use serde::Serialize;
+use std::f64::consts::PI;
 use torse_geometry::pattern::{Evidence, Flattening, bends};
 
 /// The patterns of a design in numbers; lengths in millimetres, angles in degrees.
@@ -24,9 +25,9 @@ pub struct PieceSummary {
     pub patches: Vec<String>,
     /// Width and height of the box around it.
     pub size: [f64; 2],
-    /// The area inside the outline.
+    /// The area inside the outline, without the holes.
     pub area: f64,
-    /// The length of the cut.
+    /// The length of the cut, around the holes too.
     pub cut: f64,
     /// How many lines and arcs the outline has.
     pub segments: usize,
@@ -176,12 +177,23 @@ fn summary(design: &Design, FlatPiece { piece, flat }: &FlatPiece) -> PieceSumma
             (rows.collect(), None)
         }
     };
+    let patches = piece.patches.iter();
+    let radii: Vec<f64> = patches
+        .filter_map(|index| design.patches.get(*index))
+        .flat_map(|patch| &patch.marks)
+        .filter_map(|mark| match mark {
+            Mark::Hole(_, radius) => Some(*radius),
+            _ => None,
+        })
+        .collect();
+    let open: f64 = radii.iter().map(|radius| PI * radius * radius).sum();
+    let around: f64 = radii.iter().map(|radius| 2.0 * PI * radius).sum();
     PieceSummary {
         name: piece.name.clone(),
         patches: piece.patches.iter().filter_map(name).collect(),
         size: [high[0] - low[0], high[1] - low[1]],
-        area: flat.area(),
-        cut: flat.outline().length(),
+        area: flat.area() - open,
+        cut: flat.outline().length() + around,
         segments: flat.outline().segments().len(),
         outline_error: errors.outline + errors.ambiguity,
         ambiguity: errors.ambiguity,

@@ -1,6 +1,7 @@
 //! Developables between free curves: drawn either way, one of several, closed.
 
 use torse_designs::inspect::inspect;
+use torse_designs::unroll::{Demand, unroll};
 use torse_designs::{Design, read};
 
 fn design(text: &str) -> Design {
@@ -16,9 +17,27 @@ b = { bezier = [[70, 12, 105], [70, 183.42857142857142, 139.28571428571428], [-3
 connect = ["a", "b"]
 "#;
 
+/// The sum of the areas of all patches.
+fn area(report: &torse_designs::inspect::Report) -> f64 {
+    report.patches.iter().filter_map(|patch| patch.area).sum()
+}
+
 #[test]
-fn two_closed_curves_whose_developable_does_not_close_are_told() {
-    let report = inspect(&design(REDUCER)).unwrap();
+fn a_tube_between_two_closed_curves_closes_and_is_cut() {
+    let design = design(REDUCER);
+    let report = inspect(&design).unwrap();
+    assert!(report.missed.is_empty(), "{:?}", report.missed);
+    // By an independent solution of 1500 rulings.
+    assert!((area(&report) - 39_018.3).abs() < 0.1, "{}", area(&report));
+    assert_eq!(report.joints.len(), report.patches.len());
+    let pieces = unroll(&design, &Demand::default()).unwrap();
+    assert_eq!(pieces.len(), 1);
+    assert!((pieces[0].flat.area() - area(&report)).abs() < 1e-3);
+}
+
+#[test]
+fn one_developable_of_a_tube_is_told_not_to_close() {
+    let report = inspect(&design(&format!("{REDUCER}branch = 1\n"))).unwrap();
     assert!(
         report
             .missed
@@ -27,6 +46,73 @@ fn two_closed_curves_whose_developable_does_not_close_are_told() {
         "{:?}",
         report.missed
     );
+}
+
+#[test]
+fn a_plate_goes_on_with_fans_where_that_is_asked() {
+    let plate = |more: &str| {
+        format!(
+            "[curves]
+             lower = {{ bezier = [[0, 0, 0], [800, -250, 60], [1900, -320, 90], [3000, -150, 40]] }}
+             upper = {{ bezier = [[0, 120, 620], [900, -280, 560], [2000, -420, 590], [3000, -260, 700]] }}
+             [patches.plate]
+             connect = [\"lower\", \"upper\"]
+             {more}
+             [sheet]
+             thickness = 4
+             least-radius = 20"
+        )
+    };
+    let report = inspect(&design(&plate("panel = 1"))).unwrap();
+    assert!(report.missed.is_empty(), "{:?}", report.missed);
+    assert_eq!(report.patches.len(), 3);
+    assert!(
+        (area(&report) - 1_748_165.0).abs() < 1.0,
+        "{}",
+        area(&report)
+    );
+    for joint in &report.joints {
+        assert!(joint.kink < 1e-6 && joint.geometric >= Some(1), "{joint:?}");
+    }
+    // The parameters can be typed back.
+    assert!(
+        report.patches[0]
+            .notes
+            .iter()
+            .any(|note| note.contains("from 0 to 0.16153591508932")),
+        "{:?}",
+        report.patches[0].notes
+    );
+    let pieces = unroll(&design(&plate("panel = 1")), &Demand::default()).unwrap();
+    assert!((pieces[0].flat.area() - 1_748_165.0).abs() < 1.0);
+    // Without being asked it is the part that touches both curves, and the note says how to go on.
+    let part = inspect(&design(&plate(""))).unwrap();
+    assert_eq!(part.patches.len(), 1);
+    assert!(
+        part.patches[0]
+            .notes
+            .iter()
+            .any(|note| note.contains("`panel = 1`"))
+    );
+    assert!(read("x.toml", &plate("panel = 99")).is_err());
+    assert!(read("x.toml", &plate("panel = 1\nbranch = 1")).is_err());
+}
+
+#[test]
+fn curves_of_several_pieces_have_one_panel() {
+    let text = r#"
+[curves]
+chine = { through = [[0, 0, 0], [400, 180, -40], [900, 260, -30], [1500, 200, 20]] }
+sheer = { through = [[0, 40, 300], [400, 260, 260], [900, 330, 250], [1500, 260, 280]] }
+[patches.side]
+connect = ["chine", "sheer"]
+"#;
+    let report = inspect(&design(text)).unwrap();
+    assert!(report.missed.is_empty(), "{:?}", report.missed);
+    for joint in &report.joints {
+        assert!(joint.kink < 1e-4 && joint.gap < 1e-6, "{joint:?}");
+    }
+    assert!(unroll(&design(text), &Demand::default()).is_ok());
 }
 
 #[test]

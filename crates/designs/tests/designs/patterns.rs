@@ -1,8 +1,9 @@
 //! Patterns against closed forms, joints against what was asked for, refusals.
 
 use std::f64::consts::PI;
+use torse_designs::export::{bytes, mesh};
 use torse_designs::inspect::{Known, inspect};
-use torse_designs::unroll::{Demand, drawing, unroll};
+use torse_designs::unroll::{Demand, Summary, drawing, unroll};
 use torse_designs::{Design, DesignError, read};
 use torse_exchange::Layer;
 use torse_geometry::pattern::PatternError;
@@ -297,4 +298,111 @@ fn lines_may_touch_an_edge_of_regression_and_circles_may_not_cross_it() {
             patch == "tangents" && reason.contains(what) && reason.contains("leaves the sheet")
         );
     }
+}
+
+/// A quarter of a cone with these marks.
+fn marked(marks: &str) -> Design {
+    let text = format!(
+        "[curves.rim]
+         arc = {{ centre = [0, 0, 0], from = [60, 0, 0], to = [0, 60, 0] }}
+         [patches.cone]
+         cone = \"rim\"
+         apex = [0, 0, 168]
+         range = [1, 0.5]
+         marks = [{marks}]"
+    );
+    read("x.toml", &text).unwrap_or_else(|e| panic!("{e:?}"))
+}
+
+#[test]
+fn holes_that_overlap_and_lettering_beside_the_sheet_are_refused() {
+    let drawn = |marks: &str| {
+        let design = marked(marks);
+        bytes(&design, "dxf", &Demand::default()).map_err(|e| e.to_string())
+    };
+    let hole = "{ at = [0.5, 0.5], radius = 8 }";
+    assert!(drawn(hole).is_ok());
+    assert!(drawn(&format!("{hole}, {{ at = [0.75, 0.5], radius = 2 }}")).is_ok());
+    let overlap = drawn(&format!("{hole}, {{ at = [0.52, 0.5], radius = 8 }}")).unwrap_err();
+    assert!(overlap.contains("overlaps another"), "{overlap}");
+    let beside = drawn("{ at = [1, 1], text = \"off the part\", height = 10 }").unwrap_err();
+    assert!(beside.contains("leaves the sheet"), "{beside}");
+    assert!(drawn("{ at = [0.5, 0.2], text = \"on it\", height = 6 }").is_ok());
+}
+
+#[test]
+fn a_band_that_passes_through_itself_is_told_with_both_parameters() {
+    let text = r#"
+[curves.loop]
+bezier = [[0, 0, 0], [140, 0, 90], [-40, 0, 90], [100, 0, 0]]
+[patches.band]
+cylinder = "loop"
+direction = [0, 30, 0]
+[sheet]
+thickness = 1
+"#;
+    let design = read("x.toml", text).unwrap_or_else(|e| panic!("{e:?}"));
+    let report = inspect(&design).unwrap();
+    let reason = report
+        .missed
+        .iter()
+        .find(|reason| reason.contains("passes through itself"))
+        .unwrap_or_else(|| panic!("{:?}", report.missed));
+    assert!(
+        reason.contains("0.1938138") && reason.contains("0.8061862") && reason.contains("proved"),
+        "{reason}"
+    );
+}
+
+#[test]
+fn a_hole_is_open_in_space_as_on_the_pattern() {
+    let text = r#"
+[curves.prof]
+bezier = [[0, 0, 0], [30, 0, 45], [55, 0, -40], [90, 0, 12]]
+[patches.wall]
+cylinder = "prof"
+direction = [0, 45, 0]
+marks = [{ at = [0.5, 0.5], radius = 6 }]
+"#;
+    let flat = read("x.toml", text).unwrap_or_else(|e| panic!("{e:?}"));
+    // By mpmath: the profile times 45, less the circle.
+    let exact = 4_688.012_398;
+    let summary = Summary::of(&flat, &unroll(&flat, &Demand::default()).unwrap());
+    let piece = &summary.pieces[0];
+    assert!((piece.area - exact).abs() < 1e-3, "{}", piece.area);
+    assert!((piece.cut - (303.38 + 37.70)).abs() < 0.01, "{}", piece.cut);
+    let surface = mesh(&flat).unwrap();
+    assert!((surface.area() - exact).abs() < 0.5, "{}", surface.area());
+    let thick = format!("{text}[sheet]\nthickness = 1.2\n");
+    let design = read("x.toml", &thick).unwrap_or_else(|e| panic!("{e:?}"));
+    let solid = mesh(&design).unwrap();
+    assert!(solid.is_watertight());
+    assert!(
+        (solid.volume() - 1.2 * exact).abs() < 1.0,
+        "{}",
+        solid.volume()
+    );
+    let step = bytes(&design, "step", &Demand::default()).unwrap();
+    let step = String::from_utf8(step).unwrap();
+    assert_eq!(step.matches("=FACE_BOUND(").count(), 1);
+    // Marked near the joint of two patches, it is open in both.
+    let halves = r#"
+[curves.a]
+bezier = [[0, 0, 0], [50, 0, 0]]
+[curves.b]
+bezier = [[50, 0, 0], [100, 0, 0]]
+[patches.one]
+cylinder = "a"
+direction = [0, 40, 0]
+marks = [{ at = [0.96, 0.5], radius = 6 }]
+[patches.two]
+cylinder = "b"
+direction = [0, 40, 0]
+[chains.plate]
+patches = ["one", "two"]
+"#;
+    let design = read("x.toml", halves).unwrap_or_else(|e| panic!("{e:?}"));
+    let open = mesh(&design).unwrap().area();
+    assert!((open - (4_000.0 - 36.0 * PI)).abs() < 0.5, "{open}");
+    assert!(bytes(&design, "step", &Demand::default()).is_err());
 }

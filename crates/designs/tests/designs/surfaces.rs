@@ -120,6 +120,83 @@ fn wrong_surfaces_are_refused_with_their_place() {
     assert_eq!(wrong("surfaces.a = { rotation = \"wav\" }").len(), 1);
     assert_eq!(
         wrong("surfaces.a = {}"),
-        ["[surfaces.a] is made in one of four ways"]
+        ["[surfaces.a] is made in one of five ways"]
     );
+}
+
+fn plain(text: &str) -> Design {
+    read("x.toml", text).unwrap_or_else(|e| panic!("{e:?}"))
+}
+
+#[test]
+fn what_the_papers_construct_can_be_written() {
+    // gbt-surfaces Example 3.5 with a matrix of eq. (28) for each control point, and Example 3.2 with Q31 corrected.
+    let design = plain(
+        r#"
+[curves]
+section = { gbt = [[2, 0, 2], [1, 0, 3], [5, 0, 4], [6, 0, 3]], shape = [0.5, 0.5] }
+trajectory = { gbt = [[4, 0, 0], [0, 1, 0], [0, 2, 0], [4, 3, 0]], shape = [0.5, 0.5] }
+[surfaces.swept]
+swept = ["section", "trajectory"]
+matrices = [
+    [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+    [[0.5, 0, 0], [0, 0.5, 0], [0, 0, 0.5]],
+    [[0, 0, 0], [0, 0, 0], [0, 0, 0]],
+    [[-0.5, 0, 0], [0, -0.5, 0], [0, 0, -0.5]],
+]
+[surfaces.net]
+bilinear = [[0, 0, 0], [0, 3, 0], [3, 0, 0], [3, 3, 0]]
+interior = [[1, 1, 3], [1, 2, 3], [2, 1, 3], [2, 2, 3]]
+shape-u = [0.5, 0.5]
+shape-v = [0.5, 0.5]
+"#,
+    );
+    let point = |surface: usize, u: f64, v: f64| {
+        torse_geometry::Surface::point(&design.surfaces[surface].parts[0], &u, &v).unwrap()
+    };
+    let near = |a: [f64; 3], b: [f64; 3]| {
+        assert!((0..3).all(|k| (a[k] - b[k]).abs() < 1e-12), "{a:?} {b:?}");
+    };
+    near(point(0, 1.0, 0.0), [10.0, 0.0, 3.0]);
+    near(point(0, 1.0, 1.0), [1.0, 3.0, -1.5]);
+    let row: Vec<[f64; 3]> = design.surfaces[1].parts[0].rows().nth(3).unwrap().to_vec();
+    near(row[1], [3.0, 1.0, 0.0]);
+    near(row[2], [3.0, 2.0, 0.0]);
+}
+
+#[test]
+fn tensions_and_the_oblique_edge_as_printed_are_inputs() {
+    // hermite-developable Sect. 3.1 with the tensions 3/2 and 3/4.
+    let cone = |data: &str, more: &str| {
+        plain(&format!(
+            "[patches.cone]
+             hermite = {{ degree = 3, ratio = 2, summit = [170, 0, 45], {data} }}
+             {more}"
+        ))
+    };
+    let q = "q = [[-20, 60, 45], [-20, -50, 45], [0, -30, 60], [0, -50, -60]]";
+    let tensed = cone(&format!("{q}, tension = [1.5, 0.75]"), "");
+    let written = cone(
+        "q = [[-20, 60, 45], [-20, -50, 45], [0, -45, 90], [0, -37.5, -45]]",
+        "",
+    );
+    for u in [0.0, 0.3, 1.0] {
+        let [a, b] = [&tensed, &written].map(|d| d.patches[0].sheet.ruling(u).unwrap());
+        assert_eq!(a, b);
+    }
+    // The polynomial edge of Sect. 4 leaves the cone: what is between it and q is not developable.
+    let plane = "between = [20, -3, 0, -580]";
+    let exact = inspect(&cone(q, plane)).unwrap();
+    let printed = inspect(&cone(&format!("{q}, as-printed = true"), plane)).unwrap();
+    assert!(exact.patches[0].developable.holds() && exact.patches[0].twist_measured[0] < 1e-6);
+    assert!(
+        printed.patches[0].twist_measured[0] > 0.01,
+        "{:?}",
+        printed.patches[0]
+    );
+    let mistake = read(
+        "x.toml",
+        "[patches.cone]\nhermite = { ratio = 2, summit = [170, 0, 45], q = [[-20, 60, 45], [-20, -50, 45], [0, -30, 60], [0, -50, -60]], as-printed = true }",
+    );
+    assert!(mistake.is_err());
 }

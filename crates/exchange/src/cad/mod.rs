@@ -11,6 +11,7 @@ mod sheet;
 
 pub use approximate::{ConvexBasis, approximate, approximate_tensor};
 pub use exact::{BernsteinForm, ExactForm, HomogeneousRail, PolynomialBasis, convert};
+pub(crate) use model::Face;
 pub use model::Model;
 pub(crate) use patch::BsplineCurve;
 pub use patch::{BsplinePatch, Knots};

@@ -1,7 +1,7 @@
 //! Named patches with shared vertices and edges.
 
 use super::Converted;
-use super::patch::{BsplineCurve, BsplinePatch};
+use super::patch::{BsplineCurve, BsplinePatch, Knots};
 use crate::drawing::check_text;
 use crate::error::{ExchangeError, Result};
 use torse_geometry::vector::{norm, sub};
@@ -45,6 +45,8 @@ pub(crate) struct Face {
     pub(crate) patch: BsplinePatch,
     /// The edges around, each with whether it is run forwards.
     pub(crate) boundary: Vec<(usize, bool)>,
+    /// The edges around openings, run so that the face is on their left.
+    pub(crate) openings: Vec<Vec<(usize, bool)>>,
 }
 
 /// A boundary curve between two vertices.
@@ -111,9 +113,51 @@ impl Model {
                 name,
                 patch,
                 boundary,
+                openings: Vec::new(),
             });
         }
         self.error = self.error.max(surface.error);
+        Ok(())
+    }
+
+    /// Cuts an opening into the face that was added last: a closed curve through these points at equal steps of its parameter,
+    /// eight at least, run so that the face is on its left. It is as smooth as cubics with the tangents of five points are.
+    ///
+    /// # Errors
+    /// [`ExchangeError::Empty`] without a face or with too few points.
+    pub fn open(&mut self, points: &[[f64; 3]]) -> Result<()> {
+        let count = points.len();
+        if count < 8 || self.faces.is_empty() {
+            return Err(ExchangeError::Empty { what: "opening" });
+        }
+        let at = |k: usize| points.get(k % count).copied().unwrap_or_default();
+        // The derivative by five points, for a step of one.
+        let tangent = |k: usize| -> [f64; 3] {
+            let (near, far) = (
+                sub(&at(k + 1), &at(k + count - 1)),
+                sub(&at(k + 2), &at(k + count - 2)),
+            );
+            std::array::from_fn(|i| (8.0 * near[i] - far[i]) / 12.0)
+        };
+        let third = |k: usize, sign: f64| -> [f64; 3] {
+            let (point, slope) = (at(k), tangent(k));
+            std::array::from_fn(|i| point[i] + sign * slope[i] / 3.0)
+        };
+        let half = count / 2;
+        let mut edges = Vec::new();
+        for (from, to) in [(0, half), (half, count)] {
+            let mut control = vec![at(from)];
+            for k in from..to {
+                control.extend([third(k, 1.0), third(k + 1, -1.0), at(k + 1)]);
+            }
+            #[allow(clippy::cast_precision_loss)]
+            let breaks = (0..=to - from).map(|k| k as f64 / (to - from) as f64);
+            let knots = Knots::clamped(3, breaks.collect(), 3);
+            edges.push(self.edge(BsplineCurve::new(3, knots, control, None)));
+        }
+        if let Some(face) = self.faces.last_mut() {
+            face.openings.push(edges);
+        }
         Ok(())
     }
 

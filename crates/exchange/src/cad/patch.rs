@@ -188,7 +188,12 @@ pub(crate) struct BsplineCurve {
 
 impl BsplineCurve {
     /// The curve; a straight segment needs no weights, which would only move its parameter.
-    fn new(degree: usize, knots: Knots, points: Vec<[f64; 3]>, weights: Option<Vec<f64>>) -> Self {
+    pub(super) fn new(
+        degree: usize,
+        knots: Knots,
+        points: Vec<[f64; 3]>,
+        weights: Option<Vec<f64>>,
+    ) -> Self {
         let first = weights.iter().flatten().next().copied();
         let moving = |w: &Vec<f64>| degree > 1 && w.iter().any(|x| Some(*x) != first);
         Self {

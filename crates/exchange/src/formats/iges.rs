@@ -1,13 +1,13 @@
 //! IGES 5.3: ruled surfaces (entity 118) between B-spline curves (126), other patches as B-spline surfaces
 //! (128).
 
-use crate::cad::{BsplineCurve, BsplinePatch, Knots, Model};
+use crate::cad::{BsplineCurve, BsplinePatch, Face, Knots, Model};
 use crate::error::{ExchangeError, Result};
 use std::fmt::Write;
 
 /// The model as IGES in millimetres. A patch of degree one in `v` is a ruled surface, entity 118 in form 1 (rulings
 /// join equal parameters), with the flag DEVFLG set when the patch is declared developable; a patch with an apex for
-/// a rail, and any other, is a B-spline surface, entity 128. IGES as written here has no topology: neighbours touch,
+/// a rail, and any other, is a B-spline surface, entity 128; with openings it is trimmed, entity 144. IGES as written here has no topology: neighbours touch,
 /// but share no edges.
 ///
 /// # Errors
@@ -31,6 +31,10 @@ pub fn iges(model: &Model) -> Result<String> {
         );
         // No associativities, one property: the name.
         let tail = format!("0,1,{named}");
+        if !face.openings.is_empty() {
+            trimmed(&mut file, model, face, &label, &tail);
+            continue;
+        }
         let apex = |rail: &BsplineCurve| rail.is_point(model.sewing());
         if patch.degrees()[1] != 1 || apex(&first) || apex(&second) {
             file.entity(
@@ -54,6 +58,40 @@ pub fn iges(model: &Model) -> Result<String> {
         );
     }
     file.finish(model)
+}
+
+/// A B-spline surface within its own border and without its openings: entity 144, with an entity 142 for each opening that
+/// has a curve in space alone.
+fn trimmed(file: &mut Sections, model: &Model, face: &Face, label: &str, tail: &str) {
+    let base = file.entity(128, 0, DEPENDENT, label, &surface(&face.patch));
+    let list = |pointers: &[usize]| -> String {
+        pointers
+            .iter()
+            .map(|pointer| format!(",{pointer}"))
+            .collect()
+    };
+    let mut inner = Vec::with_capacity(face.openings.len());
+    for opening in &face.openings {
+        let mut parts = Vec::with_capacity(opening.len());
+        for (index, forwards) in opening {
+            let Some(edge) = model.edges().get(*index) else {
+                continue;
+            };
+            let own = if *forwards {
+                curve(&edge.curve)
+            } else {
+                curve(&edge.curve.reversed())
+            };
+            parts.push(file.entity(126, 0, DEPENDENT, label, &own));
+        }
+        let (count, parts) = (parts.len(), list(&parts));
+        let around = file.entity(102, 0, DEPENDENT, label, &format!("102,{count}{parts}"));
+        let on = format!("142,0,{base},0,{around},2");
+        inner.push(file.entity(142, 0, DEPENDENT, label, &on));
+    }
+    let (count, inner) = (inner.len(), list(&inner));
+    let data = format!("144,{base},0,{count},0{inner},{tail}");
+    file.entity(144, 0, INDEPENDENT, label, &data);
 }
 
 /// Status of an entity of its own, and of one that is drawn only through another.

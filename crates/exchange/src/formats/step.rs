@@ -71,19 +71,25 @@ fn shell(file: &mut Entities, model: &Model) -> usize {
         .collect();
     let mut faces = Vec::with_capacity(model.faces().len());
     for face in model.faces() {
-        let sides: Vec<usize> = face
-            .boundary
-            .iter()
-            .map(|&(index, forwards)| {
-                let (edge, sense) = (edges.get(index).copied().unwrap_or(0), logical(forwards));
-                file.add(format!("ORIENTED_EDGE('',*,*,#{edge},{sense})"))
-            })
-            .collect();
+        let around = |file: &mut Entities, sides: &[(usize, bool)]| {
+            let sides: Vec<usize> = sides
+                .iter()
+                .map(|&(index, forwards)| {
+                    let (edge, sense) = (edges.get(index).copied().unwrap_or(0), logical(forwards));
+                    file.add(format!("ORIENTED_EDGE('',*,*,#{edge},{sense})"))
+                })
+                .collect();
+            file.add(format!("EDGE_LOOP('',{})", references(&sides)))
+        };
+        let boundary = around(file, &face.boundary);
+        let mut bounds = vec![file.add(format!("FACE_OUTER_BOUND('',#{boundary},.T.)"))];
+        for opening in &face.openings {
+            let opening = around(file, opening);
+            bounds.push(file.add(format!("FACE_BOUND('',#{opening},.T.)")));
+        }
         let surface = surface(file, &face.patch);
-        let boundary = file.add(format!("EDGE_LOOP('',{})", references(&sides)));
-        let bound = file.add(format!("FACE_OUTER_BOUND('',#{boundary},.T.)"));
-        let name = quoted(&face.name);
-        faces.push(file.add(format!("ADVANCED_FACE({name},(#{bound}),#{surface},.T.)")));
+        let (name, bounds) = (quoted(&face.name), references(&bounds));
+        faces.push(file.add(format!("ADVANCED_FACE({name},{bounds},#{surface},.T.)")));
     }
     file.add(format!("OPEN_SHELL('',{})", references(&faces)))
 }

@@ -119,7 +119,7 @@ fn grid_triangles(u_cells: usize, v_cells: usize) -> Vec<[u32; 3]> {
 }
 
 /// Parameters of rulings between which two triangles follow the patch within the tolerance.
-fn ruling_parameters(patch: &impl Rails<f64>, tolerance: f64) -> Result<Vec<f64>> {
+pub(super) fn ruling_parameters(patch: &impl Rails<f64>, tolerance: f64) -> Result<Vec<f64>> {
     if !(tolerance.is_finite() && tolerance > 0.0) {
         return Err(ExchangeError::OutOfRange {
             name: "tolerance",

@@ -1,7 +1,10 @@
 //! Triangle meshes of surfaces, without triangles of no area and with a unit normal at every vertex.
 
 mod grid;
+mod openings;
 mod solid;
+
+pub use openings::Opening;
 
 use crate::error::{ExchangeError, Result};
 use std::collections::HashMap;

@@ -6,6 +6,7 @@ mod enclosure;
 mod extent;
 mod forms;
 mod hermite;
+mod itself;
 mod linear;
 mod measures;
 mod oblique;
@@ -18,10 +19,13 @@ pub use connect::{
     BestRuling, Branch, BranchEnd, ConnectingPatch, Connections, Gap, NODE_RADIUS, ParameterBox,
     Reason, connect,
 };
+pub(crate) use connect::{Landscape, Node, Step, StepKind, Way, all_branches, may_exist, ways};
 pub use enclosure::{Enclosed, EnclosedCertificate, enclose, enclose_by_models};
 pub(crate) use extent::Extent;
 pub use forms::RulingForms;
 pub use hermite::{HermiteCone, QuarticData, QuinticData, cone_system};
+pub use itself::SelfIntersection;
+pub(crate) use itself::self_intersection;
 pub use linear::solve;
 pub use oblique::{oblique_image, oblique_image_as_printed};
 pub(crate) use patch::unit_plane;

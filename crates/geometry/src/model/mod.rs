@@ -182,6 +182,17 @@ impl Model {
         low.max(-high).max(0.0)
     }
 
+    /// The values of the linear part at both ends, and how far any function may be from the line between them.
+    pub(crate) fn chord(&self) -> ([f64; 2], f64) {
+        let [middle, slope] = [self.coefficients[0], self.coefficients[1]];
+        let rest = self.active().iter().skip(2).map(|c| c.abs()).sum::<f64>();
+        let rounded = 2.0 * f64::EPSILON * (middle.abs() + slope.abs());
+        (
+            [middle - slope, middle + slope],
+            up(up(rest) + self.radius + rounded),
+        )
+    }
+
     /// The values of the polynomial at the nodes.
     pub(crate) fn at_nodes(&self) -> Row {
         if self.degree == 0 {

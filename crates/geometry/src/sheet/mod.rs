@@ -12,7 +12,7 @@
 //! |---|---|
 //! | a space curve | [`Rail::bezier`], [`Rail::gbt`], [`Rail::hermite`], [`Rail::weighted`] |
 //! | its box, its point nearest to another, its parts | [`Rail::bounding_box`], [`Rail::nearest`], [`Rail::split`] |
-//! | a developable between two free curves | [`Sheet::between`] |
+//! | a developable between two free curves | [`Sheet::between`]; with fans from end to end [`Sheet::panels`] |
 //! | the envelope of planes | [`Planes`], [`Sheet::envelope`], [`Sheet::tangent`] |
 //! | a Hermite patch between two planes | [`Sheet::cone`] |
 //! | the next piece of a chain | [`Joint`], [`Planes::next`], [`Rail::next`] |
@@ -95,6 +95,7 @@
 mod exact;
 mod inspect;
 mod nearest;
+mod panel;
 mod piecewise;
 mod planes;
 mod rail;
@@ -103,10 +104,12 @@ mod swept;
 
 pub use crate::basis::Shape;
 pub use crate::developable::{
-    Certificate, EnclosedCertificate, Gap, Reason, Regularity as Proof, Singularity, Worst,
+    Certificate, EnclosedCertificate, Gap, Reason, Regularity as Proof, SelfIntersection,
+    Singularity, Worst,
 };
 pub use inspect::{Inspection, Seam};
 pub use nearest::Nearest;
+pub use panel::{MAX_PANEL_SQUARES, Panel, PanelKind, PanelPiece, Panels};
 pub use piecewise::PiecewiseRail;
 pub use planes::{Joint, Planes};
 pub use rail::{Rail, RailCurve};

@@ -6,8 +6,8 @@ use crate::basis::Shape;
 use crate::coordinate::Coordinate;
 use crate::developable::{
     Bounds, Branch, Certificate, ConnectingPatch, EnclosedCertificate, EnvelopingPatch, Gap,
-    HermiteCone, Reason, Regularity, TangentPatch, certify, connect, enclose, enclose_by_models,
-    prove_regular,
+    HermiteCone, Reason, Regularity, SelfIntersection, TangentPatch, certify, connect, enclose,
+    enclose_by_models, prove_regular, self_intersection,
 };
 use crate::error::Result;
 use crate::model::Model;
@@ -328,6 +328,26 @@ impl Sheet {
         let (sheet, bits) = self.enclosed(budget)?;
         // One evaluation of first derivatives each, where an enclosure takes two of order six.
         Ok(prove_regular(&sheet, bits, budget.cells.saturating_mul(16)))
+    }
+
+    /// Whether the sheet passes through itself in space.
+    ///
+    /// # Errors
+    /// Where the control data have no models.
+    ///
+    /// ```
+    /// use torse_geometry::prelude::*;
+    /// let arc = |z: f64| Rail::ellipse_arc([0.0, 0.0, z], [2.0, 0.0, z], [0.0, 2.0, z]);
+    /// let sheet = Sheet::ruled(arc(0.0)?, arc(3.0)?);
+    /// assert_eq!(sheet.self_intersection()?, SelfIntersection::Free);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn self_intersection(&self) -> Result<SelfIntersection> {
+        if let Some((near, origin)) = self.near_origin() {
+            return Ok(near.self_intersection()?.moved(origin));
+        }
+        let models = self.over(&|x| Model::exact(*x))?;
+        Ok(self_intersection(self, &models))
     }
 
     /// The flat pattern of the sheet: the outline within `tolerance` (a length), with `rulings` rulings. More can be

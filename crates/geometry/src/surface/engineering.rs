@@ -179,6 +179,63 @@ impl<S: Coordinate, U: Basis<S>, V: Basis<S>> TensorSurface<U, V, S> {
         Self::product(section, trajectory, add)
     }
 
+    /// The swept surface of gbt-surfaces eq. (28), `T(u, v) = trajectory(v) + S(v) section(u)`, where the matrix `S(v)` scales
+    /// and turns the section. With a matrix for each control point of the trajectory, `S(v) = sum_l g[l](v) S[l]` in its
+    /// basis, that is a tensor product: its net is `Q[l] + S[l] P[k]`. One matrix is the same everywhere, the identity gives
+    /// [`TensorSurface::swept`].
+    ///
+    /// # Errors
+    /// [`GeometryError::LengthMismatch`] unless there is one matrix or one for each control point of the trajectory,
+    /// [`GeometryError::NotFinite`].
+    ///
+    /// ```
+    /// use torse_geometry::{Curve, Gbt, Surface, TensorSurface};
+    /// // The curves of gbt-surfaces Example 3.5; the section shrinks to a half and turns over.
+    /// let section = vec![[2.0, 0.0, 2.0], [1.0, 0.0, 3.0], [5.0, 0.0, 4.0], [6.0, 0.0, 3.0]];
+    /// let trajectory = vec![[4.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 2.0, 0.0], [4.0, 3.0, 0.0]];
+    /// let section = Curve::new(Gbt::new(0.5, 0.5)?, section)?;
+    /// let trajectory = Curve::new(Gbt::new(0.5, 0.5)?, trajectory)?;
+    /// let scaled = |s: f64| [[s, 0.0, 0.0], [0.0, s, 0.0], [0.0, 0.0, s]];
+    /// let matrices = [1.0, 0.5, 0.0, -0.5].map(scaled);
+    /// let surface = TensorSurface::swept_by(&section, &trajectory, &matrices)?;
+    /// // (4, 3, 0) - (6, 0, 3)/2.
+    /// assert_eq!(surface.point(&1.0, &1.0)?, [1.0, 3.0, -1.5]);
+    /// // One matrix is a constant one; the printed case (29) is that of the identity.
+    /// let plain = TensorSurface::swept_by(&section, &trajectory, &[scaled(1.0)])?;
+    /// assert_eq!(plain, TensorSurface::swept(&section, &trajectory)?);
+    /// assert!(TensorSurface::swept_by(&section, &trajectory, &matrices[..2]).is_err());
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn swept_by(
+        section: &Curve<U, S, 3>,
+        trajectory: &Curve<V, S, 3>,
+        matrices: &[[[S; 3]; 3]],
+    ) -> Result<Self> {
+        let count = trajectory.points().len();
+        if matrices.len() != 1 && matrices.len() != count {
+            return Err(GeometryError::LengthMismatch {
+                what: "matrices of a swept surface",
+                index: 1,
+                expected: count,
+                given: matrices.len(),
+            });
+        }
+        check_finite(
+            "matrix of a swept surface",
+            matrices.iter().flatten().flatten(),
+        )?;
+        let row = |p: &[S; 3]| -> Vec<[S; 3]> {
+            let turned = matrices
+                .iter()
+                .cycle()
+                .map(|matrix| matrix.each_ref().map(|row| crate::vector::dot(row, p)));
+            let points = trajectory.points().iter();
+            points.zip(turned).map(|(q, s)| add(q, &s)).collect()
+        };
+        let net = section.points().iter().map(row).collect();
+        Self::new(section.basis().clone(), trajectory.basis().clone(), net)
+    }
+
     fn product<const D: usize>(
         first: &Curve<U, S, D>,
         second: &Curve<V, S, D>,

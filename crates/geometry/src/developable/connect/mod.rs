@@ -22,10 +22,12 @@ mod equation;
 mod patch;
 mod survey;
 mod trace;
+mod ways;
 
 pub use patch::ConnectingPatch;
 pub use survey::ParameterBox;
 pub use trace::{Branch, BranchEnd, NODE_RADIUS};
+pub(crate) use ways::{Landscape, Node, Step, StepKind, Way, may_exist, ways};
 
 use super::certificate::certify;
 use crate::coordinate::Coordinate;
@@ -133,6 +135,115 @@ impl<P: Clone, Q: Clone> Connections<P, Q> {
     }
 }
 
+impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Connections<P, Q> {
+    /// The place on a branch where the parameter of this curve (0, 1) has a value between those of two nodes: by bisection,
+    /// as `F` changes its sign once between the nodes.
+    pub(crate) fn on_branch(&self, branch: usize, curve: usize, value: f64) -> Option<Node> {
+        let nodes = self.branches.get(branch)?.nodes();
+        let after = nodes.partition_point(|node| node[curve] < value);
+        let after = after.clamp(1, nodes.len().checked_sub(1)?);
+        let (low, high) = (nodes.get(after - 1)?, nodes.get(after)?);
+        let other = 1 - curve;
+        let place = |x: f64| if curve == 0 { [value, x] } else { [x, value] };
+        let at = |x: f64| -> Option<f64> {
+            let [s, t] = place(x);
+            let equation = Equation::at((&self.curves.0, &self.curves.1), &s, &t);
+            equation.map(|equation| equation.value).ok()
+        };
+        let (mut from, mut to) = (
+            (low[other] - NODE_RADIUS).max(0.0),
+            (high[other] + NODE_RADIUS).min(1.0),
+        );
+        let (start, end) = (at(from)?, at(to)?);
+        if (start < 0.0) == (end < 0.0) {
+            // At a node but for rounding.
+            let node = if (value - low[curve]).abs() <= (value - high[curve]).abs() {
+                low
+            } else {
+                high
+            };
+            let close = (node[curve] - value).abs() <= NODE_RADIUS;
+            return close.then_some(*node);
+        }
+        for _ in 0..64 {
+            let middle = 0.5 * (from + to);
+            if (at(middle)? < 0.0) == (start < 0.0) {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        Some(place(0.5 * (from + to)))
+    }
+
+    /// The solutions with the parameter of this curve (0, 1) at its start (0) or end (1), at which the tangent planes at both
+    /// ends have the patch on the same side: as many as samples show.
+    pub(crate) fn on_border(&self, curve: usize, border: usize) -> Vec<Node> {
+        const SAMPLES: u32 = 128;
+        let place = |x: f64| {
+            let border = count(border);
+            if curve == 0 { [border, x] } else { [x, border] }
+        };
+        let at = |x: f64| -> Option<[f64; 2]> {
+            let [s, t] = place(x);
+            let (one, two) = (
+                Contact::of(&self.curves.0, &s).ok()?,
+                Contact::of(&self.curves.1, &t).ok()?,
+            );
+            let size = norm(&one.first) * norm(&two.first) * norm(&sub(&two.point, &one.point));
+            Some([Equation::of(&one, &two).value, size])
+        };
+        let mut found = Vec::new();
+        let mut before: Option<(f64, f64)> = None;
+        for k in 0..=SAMPLES {
+            let x = f64::from(k) / f64::from(SAMPLES);
+            let Some([value, size]) = at(x) else {
+                before = None;
+                continue;
+            };
+            if value.abs() <= 1e-14 * size {
+                found.push(place(x));
+                before = None;
+                continue;
+            }
+            if let Some((from, last)) = before
+                && (last < 0.0) != (value < 0.0)
+            {
+                let (mut a, mut b) = (from, x);
+                for _ in 0..60 {
+                    let middle = 0.5 * (a + b);
+                    match at(middle) {
+                        Some([value, _]) if (value < 0.0) == (last < 0.0) => a = middle,
+                        _ => b = middle,
+                    }
+                }
+                found.push(place(0.5 * (a + b)));
+            }
+            before = Some((x, value));
+        }
+        found.retain(|node| self.one_side(node));
+        found
+    }
+
+    /// Whether the tangent planes at both ends of each ruling of a branch have the patch on the same side, at its nodes.
+    pub(crate) fn is_regular(&self, branch: usize) -> bool {
+        let nodes = self.branches.get(branch).map(Branch::nodes);
+        nodes.is_some_and(|nodes| nodes.iter().all(|node| self.one_side(node)))
+    }
+
+    fn one_side(&self, [s, t]: &Node) -> bool {
+        let ends = (
+            Contact::of(&self.curves.0, s),
+            Contact::of(&self.curves.1, t),
+        );
+        let (Ok(one), Ok(two)) = ends else {
+            return false;
+        };
+        let ruling = sub(&two.point, &one.point);
+        dot(&cross(&one.first, &ruling), &cross(&two.first, &ruling)) > 0.0
+    }
+}
+
 /// Bits after the point, for curves of the size of one.
 const BITS: usize = 96;
 /// Rulings on which the patches of competing branches are measured.
@@ -161,6 +272,19 @@ const RULINGS: usize = 33;
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 pub fn connect<P, Q>(first: &P, second: &Q) -> Result<Connections<P, Q>>
+where
+    P: SpaceCurve<f64> + Over<f64, Ball, Object: SpaceCurve<Ball>> + Clone,
+    Q: SpaceCurve<f64> + Over<f64, Ball, Object: SpaceCurve<Ball>> + Clone,
+{
+    let mut found = all_branches(first, second)?;
+    found.choice = choose(&found);
+    let ranges = found.chosen().map(|patch| patch.branch().ranges());
+    found.gaps = gaps((first, second), ranges)?;
+    Ok(found)
+}
+
+/// What [`connect`] finds before it chooses.
+pub(crate) fn all_branches<P, Q>(first: &P, second: &Q) -> Result<Connections<P, Q>>
 where
     P: SpaceCurve<f64> + Over<f64, Ball, Object: SpaceCurve<Ball>> + Clone,
     Q: SpaceCurve<f64> + Over<f64, Ball, Object: SpaceCurve<Ball>> + Clone,
@@ -207,18 +331,14 @@ where
             .partial_cmp(&b.nodes)
             .unwrap_or(std::cmp::Ordering::Equal)
     });
-    let mut found = Connections {
+    Ok(Connections {
         curves: (first.clone(), second.clone()),
         branches,
         choice: None,
         gaps: Vec::new(),
         falling,
         open,
-    };
-    found.choice = choose(&found);
-    let ranges = found.chosen().map(|patch| patch.branch().ranges());
-    found.gaps = gaps(rails, ranges)?;
-    Ok(found)
+    })
 }
 
 /// Bits for balls of the size of these curves; refuses curves for which the equation says nothing.

@@ -1,7 +1,7 @@
 //! The patch along a branch, as rails with a common parameter.
 
 use super::equation::{Equation, Expansion};
-use super::trace::{Branch, NODE_RADIUS, solution};
+use super::trace::{Branch, NODE_RADIUS, solution_on_link};
 use crate::chebyshev::{NODES, nodes};
 use crate::coordinate::Coordinate;
 use crate::curve::SpaceCurve;
@@ -150,7 +150,8 @@ impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Rails<f64> for ConnectingPatch<P, Q
         let [[u0, w0], [u1, w1]] = self.around(u);
         let guess = w0 + (w1 - w0) * (u - u0) / (u1 - u0);
         let rails = (&self.first, &self.second);
-        let w = solution(rails, u, guess, 2.0 * (u1 - u0) + 1e-6).ok_or_else(|| turns(&u))?;
+        let w =
+            solution_on_link(rails, u, guess, 2.0 * (u1 - u0) + 1e-6).ok_or_else(|| turns(&u))?;
         self.series(&u, w, order)
     }
 

@@ -11,6 +11,7 @@
 use super::equation::Equation;
 use super::survey::{ParameterBox, corners, rises};
 use crate::curve::SpaceCurve;
+use std::cmp::Ordering;
 use torse_algebra::Ball;
 
 /// How a branch ends.
@@ -31,8 +32,8 @@ pub struct Branch {
 }
 
 impl Branch {
-    /// Pairs `[s, t]` on the branch, rising in both. It is proved (with balls) that there is one strictly rising
-    /// branch through all of them: it crosses the antidiagonal of each within [`NODE_RADIUS`], and between two
+    /// Pairs `[s, t]` on the branch, rising in both. It is proved (with balls) that there is one branch through all of them,
+    /// which rises, or which is flatter than [`NODE_RADIUS`] at the end of a curve: it crosses the antidiagonal of each within [`NODE_RADIUS`], and between two
     /// of them it runs in their bounding box, widened by that much, which holds no other solution.
     #[must_use]
     pub fn nodes(&self) -> &[[f64; 2]] {
@@ -86,6 +87,11 @@ impl Branch {
 /// Half the width in `s` and `t` within which a node of a [`Branch`] is proved.
 pub const NODE_RADIUS: f64 = 1e-9;
 
+/// How near the border a branch that ends there may have been left.
+const NEAR_BORDER: f64 = 1e-3;
+/// Halvings of an interval on which a branch is proved to be a graph.
+const GRAPH_DEPTH: u32 = 24;
+
 /// Steps in `u`, which runs from 0 to 2.
 const STEP: f64 = 1.0 / 64.0;
 /// The smallest step.
@@ -121,6 +127,32 @@ pub(super) fn solution<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
         }
     }
     (last < 1e-12).then_some(w)
+}
+
+/// [`solution`] near a proved link, where the branch may be as flat as rounding: whether it rises is not asked.
+pub(super) fn solution_on_link<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
+    rails: (&P, &Q),
+    u: f64,
+    guess: f64,
+    room: f64,
+) -> Option<f64> {
+    let found = solution(rails, u, guess, room);
+    if found.is_some() {
+        return found;
+    }
+    let mut w = guess;
+    for _ in 0..NEWTON {
+        let equation = Equation::at(rails, &(0.5 * (u - w)), &(0.5 * (u + w))).ok()?;
+        let step = equation.value / (0.5 * (equation.by_t - equation.by_s));
+        w -= step;
+        if !step.is_finite() || (w - guess).abs() > room {
+            return None;
+        }
+        if step.abs() <= 4.0 * f64::EPSILON {
+            return Some(w);
+        }
+    }
+    None
 }
 
 /// The curves, for following and for proving what was followed.
@@ -171,8 +203,8 @@ where
         let Some(w) = solution(self.rails, u, from[1] - from[0], 0.1) else {
             return Vec::new();
         };
-        let (mut nodes, start) = follow(self.rails, [u, w], -1.0);
-        let (after, end) = follow(self.rails, [u, w], 1.0);
+        let (mut nodes, mut start) = follow(self.rails, [u, w], -1.0);
+        let (after, mut end) = follow(self.rails, [u, w], 1.0);
         nodes.reverse();
         nodes.push([u, w]);
         nodes.extend(after);
@@ -180,7 +212,56 @@ where
         let nodes = nodes
             .into_iter()
             .map(|[u, w]| [0.5 * (u - w), 0.5 * (u + w)].map(|x| x.clamp(0.0, 1.0)));
-        self.proved(nodes.collect(), [start, end])
+        let mut nodes: Vec<[f64; 2]> = nodes.collect();
+        if start == BranchEnd::Turns
+            && let Some(node) = nodes.first().and_then(|last| self.on_border(*last, 0.0))
+        {
+            nodes.insert(0, node);
+            start = BranchEnd::Border;
+        }
+        if end == BranchEnd::Turns
+            && let Some(node) = nodes.last().and_then(|last| self.on_border(*last, 1.0))
+        {
+            nodes.push(node);
+            end = BranchEnd::Border;
+        }
+        self.proved(nodes, [start, end])
+    }
+
+    /// The solution on the border beside a node where a branch was followed no farther, because it meets the border at a right
+    /// angle: at the end of a curve without curvature, such as a natural spline.
+    fn on_border(&self, node: [f64; 2], border: f64) -> Option<[f64; 2]> {
+        let curve = if (node[0] - border).abs() <= (node[1] - border).abs() {
+            0
+        } else {
+            1
+        };
+        if (node[curve] - border).abs() > NEAR_BORDER {
+            return None;
+        }
+        let other = 1 - curve;
+        let mut at = node;
+        at[curve] = border;
+        for _ in 0..NEWTON {
+            let equation = Equation::at(self.rails, &at[0], &at[1]).ok()?;
+            let slopes = [equation.by_s, equation.by_t];
+            // The tangent of the branch runs along the other curve's parameter hardly at all.
+            let step = equation.value / slopes[other];
+            if !step.is_finite() || slopes[curve].abs() > 0.1 * slopes[other].abs() {
+                return None;
+            }
+            at[other] -= step;
+            if step.abs() <= 4.0 * f64::EPSILON {
+                break;
+            }
+        }
+        let ahead = if border == 0.0 {
+            node[other] - at[other]
+        } else {
+            at[other] - node[other]
+        };
+        let inside = (0.0..=1.0).contains(&at[other]);
+        (inside && (-NODE_RADIUS..NEAR_BORDER).contains(&ahead)).then_some(at)
     }
 
     /// The pieces of what was followed that are proved, with nodes added where boxes are too large for it.
@@ -239,7 +320,60 @@ where
             s: joined(lower.s, upper.s),
             t: joined(lower.t, upper.t),
         };
-        rises(self.balls.0, self.balls.1, &cell, self.bits)
+        rises(self.balls.0, self.balls.1, &cell, self.bits) || self.is_graph(&cell)
+    }
+
+    /// Whether the solutions in a box are proved to be one graph over one of both parameters, that leaves it at the ends of
+    /// that parameter only: the derivative by the other one has a sign, and so has `F` on both sides. Where the branch is as
+    /// flat as rounding it need not rise.
+    fn is_graph(&self, cell: &ParameterBox) -> bool {
+        let curve = if cell.s[1] - cell.s[0] >= cell.t[1] - cell.t[0] {
+            0
+        } else {
+            1
+        };
+        let over = |[from, to]: [f64; 2]| {
+            Ball::from_bounds(&crate::exact(from), &crate::exact(to), self.bits)
+        };
+        let sides = [cell.s, cell.t];
+        let place = |along: &Ball, across: &Ball| {
+            if curve == 0 {
+                Equation::at(self.balls, along, across).ok()
+            } else {
+                Equation::at(self.balls, across, along).ok()
+            }
+        };
+        let Some(whole) = place(&over(sides[curve]), &over(sides[1 - curve])) else {
+            return false;
+        };
+        let across = if curve == 0 { whole.by_t } else { whole.by_s };
+        if across.sign().is_none_or(Ordering::is_eq) {
+            return false;
+        }
+        let sign = |at: f64| -> Option<Ordering> {
+            let at = crate::exact_ball(at, self.bits);
+            let mut found: Option<Ordering> = None;
+            let mut open = vec![(sides[curve], 0)];
+            while let Some(([from, to], depth)) = open.pop() {
+                let middle = 0.5 * (from + to);
+                let range = over([from, to]);
+                let (here, there) = (
+                    place(&crate::exact_ball(middle, self.bits), &at)?,
+                    place(&range, &at)?,
+                );
+                let slope = if curve == 0 { there.by_s } else { there.by_t };
+                let value = here.value + slope * (range - crate::exact_ball(middle, self.bits));
+                match value.sign().filter(|sign| sign.is_ne()) {
+                    Some(sign) if found.is_none_or(|known| known == sign) => found = Some(sign),
+                    Some(_) => return None,
+                    None if depth >= GRAPH_DEPTH => return None,
+                    None => open.extend([([from, middle], depth + 1), ([middle, to], depth + 1)]),
+                }
+            }
+            found
+        };
+        let [low, high] = sides[1 - curve];
+        matches!((sign(low), sign(high)), (Some(a), Some(b)) if a != b)
     }
 }
 

@@ -1,0 +1,545 @@
+//! Whole panels between two rails: developable pieces from the start of both to the end of both.
+
+use super::{PiecewiseRail, Point, Rail, Sheet, SweptEdge};
+use crate::developable::{
+    Connections, Landscape, Node, ParameterBox, Step, StepKind, Way, all_branches, may_exist, ways,
+};
+use crate::error::{GeometryError, Place, Result};
+use crate::vector::{cross, dot, norm, sub, unit};
+
+/// The most squares, pairs of pieces of both rails, that are surveyed.
+pub const MAX_PANEL_SQUARES: usize = 1024;
+
+/// What [`Sheet::panels`] found.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Panels {
+    /// Whole panels, the best first: fewest folds, then least share of the rails in fans, then fewest pieces.
+    Found(Vec<Panel>),
+    /// There is none: even if everything that was not decided were passable, the ends of the rails are not reached. The
+    /// ranges of all developables between the rails, as `[[s0, s1], [t0, t1]]`.
+    None {
+        /// Where each of them begins and ends.
+        ways: Vec<[[f64; 2]; 2]>,
+    },
+    /// None was found, but these cells of both parameters were not decided.
+    Undecided {
+        /// The cells, on the parameters of the rails.
+        cells: Vec<ParameterBox>,
+    },
+}
+
+/// A row of developable pieces from the start of both rails to the end of both.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// The pieces in order, each smoothly joined to the next where there are no folds.
+    pub pieces: Vec<PanelPiece>,
+    /// Whether the second rail is passed from its end to its start. Parameters of the pieces are those of the rail as it
+    /// was given, so that they fall then.
+    pub turned: bool,
+    /// Whether the last piece ends where the first begins.
+    pub closed: bool,
+    /// The corners of a rail inside of fans.
+    pub folds: usize,
+    /// The share of both rails that is met by fans.
+    pub fans: f64,
+}
+
+/// A piece of a panel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PanelPiece {
+    /// What it is.
+    pub kind: PanelKind,
+    /// The parameters of the first and the second rail where it begins and where it ends.
+    pub ranges: [[f64; 2]; 2],
+    /// The surface.
+    pub sheet: Sheet,
+}
+
+/// What a piece of a panel is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PanelKind {
+    /// A developable that touches both rails.
+    Arc,
+    /// A cone from a point of this rail, 1 or 2, over a part of the other.
+    Fan(usize),
+}
+
+/// A panel with a larger share of the rails in fans is compared with those of the second rail run the other way.
+const MOST_FANS: f64 = 0.3;
+/// Two neighbouring pieces of a rail make a corner if their tangents differ by more, in radians.
+const SMOOTH: f64 = 1e-6;
+/// Two points that count as one, as a share of the size of the rails.
+const SAME_POINT: f64 = 1e-12;
+/// Rulings of a fan at which its normal is looked at.
+const FAN_SAMPLES: u32 = 32;
+
+/// The pieces of a rail.
+struct Pieces {
+    rails: Vec<Rail>,
+    breaks: Vec<f64>,
+    closed: bool,
+    /// Whether there is a corner at the start of each piece and, last, at the end.
+    corners: Vec<bool>,
+}
+
+impl Pieces {
+    fn of(curve: &PiecewiseRail) -> Result<Self> {
+        let rails = curve.rails()?;
+        let breaks = curve
+            .breaks()
+            .iter()
+            .map(crate::Coordinate::approximate)
+            .collect();
+        let ends = |rail: &Rail| -> Result<[(Point, Option<Point>); 2]> {
+            let end = |x: f64| -> Result<_> { Ok((rail.point(x)?, unit(&rail.derivative(x)?))) };
+            Ok([end(0.0)?, end(1.0)?])
+        };
+        let ends: Vec<_> = rails.iter().map(ends).collect::<Result<_>>()?;
+        let missing = GeometryError::TooFew {
+            what: "pieces of a curve",
+            needed: 1,
+            given: 0,
+        };
+        let (Some(first), Some(last)) = (ends.first(), ends.last()) else {
+            return Err(missing);
+        };
+        let size = ends
+            .iter()
+            .flatten()
+            .flat_map(|(point, _)| point.iter())
+            .fold(0.0_f64, |m, c| m.max(c.abs()));
+        let closed = norm(&sub(&first[0].0, &last[1].0)) <= SAME_POINT * size;
+        let bent = |before: &Option<Point>, after: &Option<Point>| match (before, after) {
+            (Some(a), Some(b)) => libm::atan2(norm(&cross(a, b)), dot(a, b)) > SMOOTH,
+            _ => false,
+        };
+        let seam = closed && bent(&last[1].1, &first[0].1);
+        let inner = ends
+            .windows(2)
+            .map(|pair| bent(&pair[0][1].1, &pair[1][0].1));
+        let corners = std::iter::once(seam)
+            .chain(inner)
+            .chain(std::iter::once(seam))
+            .collect();
+        Ok(Self {
+            rails,
+            breaks,
+            closed,
+            corners,
+        })
+    }
+
+    fn count(&self) -> usize {
+        self.rails.len()
+    }
+
+    /// The piece over an interval of parameters that count pieces, and its own parameters.
+    fn on(&self, [from, to]: [f64; 2]) -> Option<(&Rail, [f64; 2])> {
+        #[allow(clippy::cast_precision_loss)]
+        let turn = self.count() as f64;
+        let middle = 0.5 * (from + to);
+        let turns = if self.closed {
+            (middle / turn).floor()
+        } else {
+            0.0
+        };
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let index = (middle - turns * turn).floor() as usize;
+        let index = index.min(self.count().checked_sub(1)?);
+        #[allow(clippy::cast_precision_loss)]
+        let start = turns * turn + index as f64;
+        let rail = self.rails.get(index)?;
+        Some((rail, [from, to].map(|x| (x - start).clamp(0.0, 1.0))))
+    }
+
+    /// The parameter of the whole rail: of a closed one that is passed over its end, one turn more.
+    fn whole(&self, at: f64) -> f64 {
+        #[allow(clippy::cast_precision_loss)]
+        let turn = self.count() as f64;
+        let turns = (at / turn).floor();
+        let rest = at - turns * turn;
+        // The end of the last piece is 1 and not one turn.
+        if rest == 0.0 {
+            return turns;
+        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let index = rest.floor() as usize;
+        let share = rest.fract();
+        let at = |k: usize| self.breaks.get(k).copied().unwrap_or(1.0);
+        turns + at(index) + share * (at(index + 1) - at(index))
+    }
+
+    /// Whether there is a corner at this whole number of pieces.
+    fn is_corner(&self, at: usize) -> bool {
+        let count = self.count();
+        let inside = if at == count { count } else { at % count };
+        self.corners.get(inside).copied().unwrap_or(false)
+    }
+}
+
+/// The rails and all developables between their pieces.
+struct PanelRails {
+    rails: [Pieces; 2],
+    /// For each square, row by row: the square and what was found in it.
+    squares: Vec<([usize; 2], Connections<Rail, Rail>)>,
+    /// The regular branches: square and number.
+    regular: Vec<(usize, usize)>,
+    /// Their nodes, and behind them single rulings in which two fans meet.
+    arcs: Vec<Vec<Node>>,
+}
+
+/// Where a cell or branch of a square lies.
+#[allow(clippy::cast_precision_loss)]
+fn corner(square: [usize; 2]) -> Node {
+    square.map(|k| k as f64)
+}
+
+impl PanelRails {
+    fn of(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<Self> {
+        let rails = [Pieces::of(first)?, Pieces::of(second)?];
+        let count = rails[0].count().saturating_mul(rails[1].count());
+        if count > MAX_PANEL_SQUARES {
+            #[allow(clippy::cast_precision_loss)]
+            return Err(GeometryError::OutOfRange {
+                name: "pairs of pieces of two rails",
+                value: count as f64,
+                range: "1, 2, .. 1024",
+            });
+        }
+        let mut squares = Vec::with_capacity(count);
+        for (i, one) in rails[0].rails.iter().enumerate() {
+            for (j, two) in rails[1].rails.iter().enumerate() {
+                squares.push(([i, j], all_branches(one, two)?));
+            }
+        }
+        let mut regular = Vec::new();
+        let mut arcs: Vec<Vec<Node>> = Vec::new();
+        let mut corners = Vec::new();
+        for (index, (square, found)) in squares.iter().enumerate() {
+            let [i, j] = corner(*square);
+            for (number, branch) in found.branches().iter().enumerate() {
+                if found.is_regular(number) {
+                    regular.push((index, number));
+                    arcs.push(branch.nodes().iter().map(|[s, t]| [s + i, t + j]).collect());
+                }
+            }
+            // At a corner of a rail its tangent has two directions: two fans meet smoothly where it has one.
+            for (curve, border) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                if !rails[curve].is_corner(square[curve] + border) {
+                    let places = found.on_border(curve, border);
+                    corners.extend(places.into_iter().map(|[s, t]| [s + i, t + j]));
+                }
+            }
+        }
+        // On arcs, fans meet the arc.
+        let known = |place: &Node| {
+            arcs.iter()
+                .flat_map(|nodes| [nodes.first(), nodes.last()])
+                .flatten()
+                .any(|node| (0..2).all(|k| (node[k] - place[k]).abs() <= 1e-8))
+        };
+        corners.retain(|place| !known(place));
+        corners.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+        corners.dedup_by(|a, b| (0..2).all(|k| (a[k] - b[k]).abs() <= 1e-8));
+        arcs.extend(corners.into_iter().map(|place| vec![place]));
+        Ok(Self {
+            rails,
+            squares,
+            regular,
+            arcs,
+        })
+    }
+
+    /// The boxes that hold all solutions.
+    fn elements(&self) -> Vec<ParameterBox> {
+        let mut all = Vec::new();
+        for (square, found) in &self.squares {
+            let [i, j] = corner(*square);
+            let placed = |cell: &ParameterBox| ParameterBox {
+                s: cell.s.map(|s| s + i),
+                t: cell.t.map(|t| t + j),
+            };
+            all.extend(found.undecided().iter().map(placed));
+            all.extend(found.falling().iter().map(placed));
+            // Link by link: the box of a whole branch would promise too much.
+            for link in found.branches().iter().flat_map(|b| b.nodes().windows(2)) {
+                if let [from, to] = link {
+                    all.push(placed(&ParameterBox {
+                        s: [from[0], to[0]],
+                        t: [from[1], to[1]],
+                    }));
+                }
+            }
+        }
+        all
+    }
+
+    fn piece(&self, step: &Step) -> Result<Vec<PanelPiece>> {
+        let none = || GeometryError::NoValue {
+            what: "piece of a panel",
+            at: Place::Whole,
+        };
+        let ranges = |from: Node, to: Node| {
+            [0, 1].map(|i| [from, to].map(|node| self.rails[i].whole(node[i])))
+        };
+        match step.kind {
+            StepKind::Arc(arc) => {
+                let (square, branch) = *self.regular.get(arc).ok_or_else(none)?;
+                let (at, found) = self.squares.get(square).ok_or_else(none)?;
+                let patch = found.patch(branch).ok_or_else(none)?;
+                let nodes = patch.branch().nodes();
+                let sum = |node: Option<&Node>| node.map(|[s, t]| s + t).ok_or_else(none);
+                let (first, last) = (sum(nodes.first())?, sum(nodes.last())?);
+                // Of a closed rail the step may be turns away from the square.
+                let start = self.arcs.get(arc).and_then(|nodes| nodes.first());
+                let start = *start.ok_or_else(none)?;
+                let [i, j] = corner(*at);
+                let turns = [0, 1].map(|k| {
+                    #[allow(clippy::cast_precision_loss)]
+                    let turn = self.rails[k].count() as f64;
+                    ((step.from[k] - start[k]) / turn + 1e-6).floor() * turn
+                });
+                let shift = i + j + turns[0] + turns[1];
+                let share = |node: Node| {
+                    let x = (node[0] + node[1] - shift - first) / (last - first);
+                    let x = x.clamp(0.0, 1.0);
+                    // An end is an end.
+                    if x < 1e-9 {
+                        0.0
+                    } else if x > 1.0 - 1e-9 {
+                        1.0
+                    } else {
+                        x
+                    }
+                };
+                let (from, to) = (share(step.from), share(step.to));
+                if to - from <= 1e-9 {
+                    return Ok(Vec::new());
+                }
+                let whole = Sheet::from(super::Construction::Connecting(Box::new(patch)));
+                let sheet = if [from, to] == [0.0, 1.0] {
+                    whole
+                } else {
+                    whole.part(from, to)?
+                };
+                Ok(vec![PanelPiece {
+                    kind: PanelKind::Arc,
+                    ranges: ranges(step.from, step.to),
+                    sheet,
+                }])
+            }
+            StepKind::Fan(still) => {
+                let apex = self.apex(still, step.from).ok_or_else(none)??;
+                let moving = 1 - still;
+                let mut pieces = Vec::new();
+                for [from, to] in intervals(step.from[moving], step.to[moving]) {
+                    let (rail, range) = self.rails[moving].on([from, to]).ok_or_else(none)?;
+                    let (whole, nothing) = (SweptEdge::Share(1.0), SweptEdge::Share(0.0));
+                    let edges = if still == 0 {
+                        [nothing, whole]
+                    } else {
+                        [whole, nothing]
+                    };
+                    let cone = Sheet::swept_cone(rail, apex, edges)?;
+                    let sheet = if range == [0.0, 1.0] {
+                        cone
+                    } else {
+                        cone.part(range[0], range[1])?
+                    };
+                    let place = |at: f64| {
+                        let mut node = step.from;
+                        node[moving] = at;
+                        node
+                    };
+                    pieces.push(PanelPiece {
+                        kind: PanelKind::Fan(still + 1),
+                        ranges: ranges(place(from), place(to)),
+                        sheet,
+                    });
+                }
+                Ok(pieces)
+            }
+        }
+    }
+
+    /// The point of a rail in which a fan meets.
+    fn apex(&self, rail: usize, at: Node) -> Option<Result<Point>> {
+        // At a break both pieces have it.
+        let (piece, [x, _]) = self.rails[rail].on([at[rail]; 2])?;
+        Some(piece.point(x))
+    }
+
+    fn panel(&self, way: &Way, turned: bool) -> Result<Panel> {
+        let mut pieces = Vec::new();
+        for step in &way.steps {
+            pieces.extend(self.piece(step)?);
+        }
+        if turned {
+            for piece in &mut pieces {
+                piece.ranges[1] = piece.ranges[1].map(|t| 1.0 - t);
+            }
+        }
+        #[allow(clippy::cast_precision_loss)]
+        let all = (self.rails[0].count() + self.rails[1].count()) as f64;
+        Ok(Panel {
+            pieces,
+            turned,
+            closed: self.is_closed(),
+            folds: way.folds,
+            fans: way.fans / all,
+        })
+    }
+}
+
+/// The parts of an interval between whole numbers.
+fn intervals(from: f64, to: f64) -> Vec<[f64; 2]> {
+    const SLIVER: f64 = 1e-9;
+    let mut list = Vec::new();
+    let mut start = from;
+    let mut next = from.floor() + 1.0;
+    while next < to - SLIVER {
+        if next - start > SLIVER {
+            list.push([start, next]);
+        }
+        start = next;
+        next += 1.0;
+    }
+    if to - start > SLIVER {
+        list.push([start, to]);
+    }
+    list
+}
+
+impl Landscape for PanelRails {
+    fn size(&self) -> [usize; 2] {
+        self.rails.each_ref().map(Pieces::count)
+    }
+
+    fn is_closed(&self) -> bool {
+        self.rails.iter().all(|rail| rail.closed)
+    }
+
+    fn arcs(&self) -> &[Vec<Node>] {
+        &self.arcs
+    }
+
+    fn on_arc(&self, arc: usize, rail: usize, value: f64) -> Option<Node> {
+        let (square, branch) = *self.regular.get(arc)?;
+        let (at, found) = self.squares.get(square)?;
+        let offset = corner(*at);
+        let place = found.on_branch(branch, rail, value - offset[rail])?;
+        Some([place[0] + offset[0], place[1] + offset[1]])
+    }
+
+    fn folds(&self, still: usize, from: Node, to: Node) -> Option<usize> {
+        let moving = 1 - still;
+        let apex = self.apex(still, from)?.ok()?;
+        let mut last: Option<Point> = None;
+        let mut folds = 0;
+        let (low, high) = (from[moving], to[moving]);
+        for [start, end] in intervals(low, high) {
+            let (rail, [x0, x1]) = self.rails[moving].on([start, end])?;
+            for k in 0..=FAN_SAMPLES {
+                let x = x0 + (x1 - x0) * f64::from(k) / f64::from(FAN_SAMPLES);
+                let ruling = sub(&rail.point(x).ok()?, &apex);
+                let slope = rail.derivative(x).ok()?;
+                let normal = cross(&slope, &ruling);
+                let size = norm(&slope) * norm(&ruling);
+                // A rail that stands still at its end, and the tip of a fan on its own rail.
+                if size == 0.0 && (k == 0 || k == FAN_SAMPLES) {
+                    continue;
+                }
+                if norm(&normal) <= 1e-9 * size {
+                    return None;
+                }
+                // Through an edge of regression the normal turns over.
+                if k > 0 && last.is_some_and(|last| dot(&last, &normal) <= 0.0) {
+                    return None;
+                }
+                last = Some(normal);
+            }
+        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let range = (low - 1e-9).ceil() as usize..=(high + 1e-9).floor() as usize;
+        let count = self.rails[moving].count();
+        let inner = |at: &usize| self.is_closed() || (0 < *at && *at < count);
+        folds += range
+            .filter(inner)
+            .filter(|at| self.rails[moving].is_corner(*at))
+            .count();
+        Some(folds)
+    }
+}
+
+impl Sheet {
+    /// The whole panels between two rails: rows of developable pieces from the start of both to the end of both, with fans
+    /// where no developable touches both. If there is none, or a better one, the second rail is passed the other way. Between closed rails
+    /// the panels are closed.
+    ///
+    /// What is not found is not always proved to be missing: [`Panels::None`] is, [`Panels::Undecided`] is not.
+    ///
+    /// # Errors
+    /// [`GeometryError::OutOfRange`] beyond [`MAX_PANEL_SQUARES`] pairs of pieces, and as
+    /// [`connect`](crate::developable::connect).
+    ///
+    /// ```
+    /// use torse_geometry::prelude::*;
+    /// let chine = Rail::bezier(&[[0.0, 0.0, 0.0], [2.0, 3.0, 0.0], [6.0, 0.0, 0.0]])?;
+    /// let deck = Rail::bezier(&[[0.5, 0.0, 2.0], [3.0, 2.0, 3.0], [6.0, -1.0, 2.0]])?;
+    /// let Panels::Found(panels) = Sheet::panels(&chine.into(), &deck.into())? else { return Ok(()) };
+    /// let pieces = &panels[0].pieces;
+    /// assert_eq!(pieces.last().map(|piece| [piece.ranges[0][1], piece.ranges[1][1]]), Some([1.0, 1.0]));
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn panels(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<Panels> {
+        let along = PanelRails::of(first, second)?;
+        let own = ways(&along);
+        // The other direction is asked where this one has none, or one that is fans for the most part.
+        let good = |way: &Way| {
+            #[allow(clippy::cast_precision_loss)]
+            let all = along.size().iter().sum::<usize>() as f64;
+            way.folds == 0 && way.fans < MOST_FANS * all
+        };
+        let all = |landscape: &PanelRails, ways: &[Way], turned: bool| {
+            let panels = ways.iter().map(|way| landscape.panel(way, turned));
+            panels.collect::<Result<_>>().map(Panels::Found)
+        };
+        if own.first().is_some_and(good) {
+            return all(&along, &own, false);
+        }
+        let against = PanelRails::of(first, &second.reversed()?)?;
+        let other = ways(&against);
+        match (own.first(), other.first()) {
+            (Some(way), Some(turned)) if turned.cost() < way.cost() => {
+                return all(&against, &other, true);
+            }
+            (None, Some(_)) => return all(&against, &other, true),
+            (Some(_), _) => return all(&along, &own, false),
+            (None, None) => {}
+        }
+        let possible = |landscape: &PanelRails| {
+            landscape.is_closed() || may_exist(landscape.size(), &landscape.elements())
+        };
+        if !possible(&along) && !possible(&against) {
+            let ranges = |nodes: &Vec<Node>| {
+                let (first, last) = (nodes.first()?, nodes.last()?);
+                (nodes.len() > 1).then_some(())?;
+                Some([0, 1].map(|i| [first, last].map(|node| along.rails[i].whole(node[i]))))
+            };
+            return Ok(Panels::None {
+                ways: along.arcs.iter().filter_map(ranges).collect(),
+            });
+        }
+        let cells = along.squares.iter().flat_map(|(square, found)| {
+            let [i, j] = corner(*square);
+            let rails = &along.rails;
+            found.undecided().iter().map(move |cell| ParameterBox {
+                s: cell.s.map(|s| rails[0].whole(s + i)),
+                t: cell.t.map(|t| rails[1].whole(t + j)),
+            })
+        });
+        Ok(Panels::Undecided {
+            cells: cells.collect(),
+        })
+    }
+}
