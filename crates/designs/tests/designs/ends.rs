@@ -134,35 +134,24 @@ cylinder = "prof"
 direction = [0, 1, 0]
 between = ["l", "r"]
 "#;
-    // The head of a sail.
-    let head = r#"
-[curves]
-luff = { bezier = [[0, 0, 0], [0, 40, 900], [20, 10, 1700], [0, 0, 2400]] }
-[patches.head]
-cylinder = "luff"
-direction = [1, 0, 0]
-between = [[1, 0, 0, 0], ["24/25", 0, "7/25", "672"]]
-"#;
-    for (text, exact, off) in [(gore, 10_593.0, 0.5), (head, 840_209.0, 0.5)] {
-        let (found, _) = area(text, None);
-        assert!((found - exact).abs() < off, "{found}");
-        let report = inspect(&design(text)).unwrap();
-        let patch = &report.patches[0];
-        assert!(report.missed.is_empty(), "{:?}", report.missed);
-        assert_eq!(
-            (patch.developable, patch.regular),
-            (Known::ByConstruction, Known::Measured)
-        );
-        assert!((patch.area.unwrap() - found).abs() < 1e-6 * found);
-        assert!(
-            patch
-                .notes
-                .iter()
-                .any(|note| note.contains("meet in a point")),
-            "{:?}",
-            patch.notes
-        );
-    }
+    let (found, _) = area(gore, None);
+    assert!((found - 10_593.0).abs() < 0.5, "{found}");
+    let report = inspect(&design(gore)).unwrap();
+    let patch = &report.patches[0];
+    assert!(report.missed.is_empty(), "{:?}", report.missed);
+    assert_eq!(
+        (patch.developable, patch.regular),
+        (Known::ByConstruction, Known::Measured)
+    );
+    assert!((patch.area.unwrap() - found).abs() < 1e-6 * found);
+    assert!(
+        patch
+            .notes
+            .iter()
+            .any(|note| note.contains("meet in a point")),
+        "{:?}",
+        patch.notes
+    );
 }
 
 #[test]

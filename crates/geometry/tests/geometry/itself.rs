@@ -21,7 +21,7 @@ fn a_band_over_a_loop_is_found_and_one_over_an_arch_is_free() {
         proved,
     } = crossing.self_intersection().unwrap()
     else {
-        panic!("{:?}", crossing.self_intersection().unwrap())
+        unreachable!("{:?}", crossing.self_intersection().unwrap())
     };
     let mut at = [places[0][0], places[1][0]];
     at.sort_by(f64::total_cmp);

@@ -6,13 +6,16 @@ use torse_geometry::vector::{norm, sub};
 
 const WRITTEN: &str = include_str!("../../strips/strips.csv");
 
+/// The ends of the rulings at the quarters, and the lengths of both edges.
+type Developed = ([[[f64; 2]; 2]; 4], [f64; 2]);
+
 /// A strip with its developments.
 struct Strip {
     rails: [Vec<[f64; 3]>; 2],
     /// The largest twist in degrees.
     twist: f64,
     /// For each name the ends of the rulings at the quarters, and the lengths of both edges.
-    developments: Vec<([[[f64; 2]; 2]; 4], [f64; 2])>,
+    developments: Vec<Developed>,
 }
 
 fn strips() -> Vec<Strip> {
@@ -44,8 +47,8 @@ fn strips() -> Vec<Strip> {
 /// The largest distance of the rulings of one development from those of another that is moved so that both have the ruling
 /// in the middle (1/2) in common.
 fn apart(one: &[[[f64; 2]; 2]; 4], other: &[[[f64; 2]; 2]; 4]) -> f64 {
-    let angle = |r: &[[f64; 2]; 2]| (r[1][1] - r[0][1]).atan2(r[1][0] - r[0][0]);
-    let (s, c) = (angle(&one[1]) - angle(&other[1])).sin_cos();
+    let angle = |r: &[[f64; 2]; 2]| libm::atan2(r[1][1] - r[0][1], r[1][0] - r[0][0]);
+    let (s, c) = libm::sincos(angle(&one[1]) - angle(&other[1]));
     let moved = |p: &[f64; 2]| {
         let [x, y] = sub(p, &other[1][0]);
         [one[1][0][0] + c * x - s * y, one[1][0][1] + s * x + c * y]
@@ -102,11 +105,11 @@ fn no_bound_is_below_the_error_of_the_named_development_nor_the_ambiguity_below_
                 );
             }
             // The strain: that of the angle, rounded upwards.
-            let sine = strip.twist.to_radians().sin();
+            let sine = libm::sin(strip.twist.to_radians());
             let least = match flattening {
-                Flattening::Edges => 1.0 / (0.5 * strip.twist.to_radians()).cos() - 1.0,
+                Flattening::Edges => 1.0 / libm::cos(0.5 * strip.twist.to_radians()) - 1.0,
                 Flattening::Between => 0.0,
-                _ => 1.0 - strip.twist.to_radians().cos(),
+                _ => 1.0 - libm::cos(strip.twist.to_radians()),
             };
             let strain = flat.strain();
             assert!(
@@ -129,7 +132,7 @@ fn no_bound_is_below_the_error_of_the_named_development_nor_the_ambiguity_below_
                 let own = flat.rail_lengths(0).unwrap()[side];
                 assert!((own - lengths[side]).abs() <= 1e-11 * size);
             }
-            let decade = (strip.twist.log10() + 10.0).floor();
+            let decade = (libm::log10(strip.twist) + 10.0).floor();
             decades[decade as usize] += 1;
         }
     }
@@ -157,7 +160,7 @@ fn a_long_plank_is_cut_with_edges_of_the_right_length_and_says_how_far_it_is_fro
         errors.outline + errors.ambiguity >= 9.26e-3 && errors.ambiguity < 0.1,
         "{errors:?}"
     );
-    let sides = [5000.0, 5000.005_931_247, 200.0, 199.998_281_2];
+    let sides = [5000.0, 5_000.005_931_247, 200.0, 199.998_281_2];
     let cut = flat.outline().length();
     assert!(
         (cut - sides.iter().sum::<f64>()).abs() < 2e-6 + errors.length,
