@@ -123,6 +123,9 @@ pub enum Failure {
         /// What is wrong.
         reason: String,
     },
+    /// Standard input cannot be read, or is no text.
+    #[error("standard input cannot be read")]
+    Input(#[source] std::io::Error),
     /// The folder of derivations could not be loaded.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -276,7 +279,8 @@ impl Failure {
             | Failure::Report(_)
             | Failure::Figure { .. }
             | Failure::Step { .. }
-            | Failure::Print(_) => Exit::Output,
+            | Failure::Print(_)
+            | Failure::Input(_) => Exit::Output,
         }
     }
 }

@@ -206,6 +206,45 @@ impl Explain {
     }
 }
 
+/// A claim that has nothing printed: what is true of it, where it fails, what would be right, and what that rests on.
+pub fn short_note(outcome: &Outcome) -> String {
+    let mut note = Note::default();
+    note.add("verdict", &terminal::verdict(outcome.verdict()));
+    let texts = |formulas: &[Formula]| -> Vec<String> {
+        formulas
+            .iter()
+            .map(|formula| formula.text.clone())
+            .collect()
+    };
+    match (outcome.parsed(), outcome.correction()) {
+        (Some(parsed), Some(correction)) => {
+            let [stated, corrected] = difference(&parsed.text, &correction.statement.text);
+            note.add("stated", &stated);
+            note.add("corrected", &corrected);
+            note.list("by", edits(correction));
+        }
+        (parsed, _) => note.option("stated", parsed.map(|formula| formula.text.clone())),
+    }
+    note.list("on condition", texts(outcome.conditions()).into_iter());
+    note.gap();
+    add_witness(&mut note, outcome);
+    note.gap();
+    let assumed = outcome.claim.assumed.iter();
+    let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
+    note.list("assuming", assumed.map(|h| h.formula.text.clone()));
+    for group in rests(outcome) {
+        note.list(group.label, group.lines.into_iter());
+    }
+    note.gap();
+    note.option(
+        "evidence",
+        words::evidence_on(outcome).map(|of| of.label.to_owned()),
+    );
+    note.option("replayed", replayed(outcome));
+    note.list("steps", counted(&outcome.steps()).into_iter());
+    note.text()
+}
+
 /// The one sentence that matters: the fault of which the authors are told, what the file found, or where the statement fails.
 fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
     let told = outcome

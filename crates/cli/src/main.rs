@@ -5,6 +5,7 @@
 
 mod against;
 mod audit;
+mod decide;
 mod derivations;
 mod derive;
 mod design;
@@ -54,6 +55,7 @@ Examples:
   torse verify                           all claims of all papers
   torse verify gbt-developable/thm-4     the claims of one theorem
   torse verify my-paper --watch          again after every change of its files
+  torse decide \"(a + b)^2 == a^2 + b^2\"  one statement, without any folder
   torse explain gbt-developable/thm-4.c  why a formula is wrong, and what is right
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse erratum gbt-surfaces             the corrections, ready to be sent
@@ -72,6 +74,7 @@ Examples:
   torse verify                           all claims of all papers
   torse verify gbt-developable/thm-4     the claims of one theorem
   torse verify --format json             the same for programs, byte-identical on every run
+  torse decide \"(a + b)^2 == a^2 + b^2\"  one statement, without any folder
   torse explain gbt-developable/thm-4.c  why a formula is wrong, and what is right
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse erratum gbt-surfaces             the corrections, ready to be sent
@@ -102,6 +105,7 @@ Colours and progress are for terminals only; NO_COLOR=1 turns colours off there 
 #[derive(Subcommand)]
 enum Command {
     Verify(verify::Verify),
+    Decide(decide::Decide),
     Explain(explain::Explain),
     Report(report::Report),
     Erratum(erratum::Erratum),
@@ -122,6 +126,7 @@ impl Command {
     fn run(&self) -> Result<Exit, Failure> {
         match self {
             Command::Verify(command) => command.run(),
+            Command::Decide(command) => command.run(),
             Command::Explain(command) => command.run(),
             Command::Report(command) => command.run(),
             Command::Erratum(command) => command.run(),

@@ -20,6 +20,13 @@ pub struct Budget {
     units: u64,
 }
 
+impl Budget {
+    /// The most work on a claim.
+    pub fn units(self) -> u64 {
+        self.units
+    }
+}
+
 /// The outcomes of a run, and how long each claim took.
 pub struct Run {
     /// The papers with their decided claims, in file order.

@@ -85,6 +85,17 @@ pub fn verdicts_json_with_kernel<'a>(
     Ok(text)
 }
 
+/// One claim as [`verdicts_json`] has it, on a line of its own with a newline.
+///
+/// # Errors
+///
+/// As [`verdicts_json`].
+pub fn finding_json(outcome: &Outcome) -> Result<String, ReportError> {
+    let mut text = serde_json::to_string(&Entry::from(outcome))?;
+    text.push('\n');
+    Ok(text)
+}
+
 #[derive(Serialize)]
 struct List<'a> {
     claims: Vec<Entry<'a>>,

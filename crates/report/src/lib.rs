@@ -52,7 +52,7 @@ pub use figure::{FigureImage, Image};
 pub use findings::{Finding, findings_in_words};
 pub use gallery::gallery;
 pub use html::{html_page, landing_page};
-pub use json::{verdicts_json, verdicts_json_with_kernel};
+pub use json::{finding_json, verdicts_json, verdicts_json_with_kernel};
 pub use letter::{Envelope, Item, ItemChange, Letter};
 pub use manuscript::Manuscript;
 pub use math::{Mathematics, Piece, Prose, Span, in_words, plain};

@@ -5,6 +5,7 @@
 
 mod audit;
 mod data;
+mod decide;
 mod derive;
 mod design;
 mod erratum;

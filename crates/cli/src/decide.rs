@@ -1,0 +1,153 @@
+//! `torse decide`: one statement from the command line, or many from standard input.
+
+use crate::exit::{Exit, Failure};
+use crate::explain::short_note;
+use crate::run::Budget;
+use crate::{guard, terminal};
+use clap::{Args, ValueEnum};
+use serde::Deserialize;
+use std::io::BufRead;
+use torse_report::finding_json;
+use torse_syntax::derivation::{DerivationError, LoadError, question};
+use torse_syntax::words::Verdict;
+use torse_verdicts::engine::decide_claim_within;
+use torse_verdicts::outcome::Outcome;
+
+/// Decide one statement: is it true, where is it false, what would be right?
+///
+/// Names that are not declared are real numbers. `--where` declares others, defines functions and adds hypotheses, separated
+/// by semicolons: `x in [0, 1]`, `n in 0..`, `p: vector 3`, `f: function 1`, `H(t) := t^2`, `a > 0`.
+///
+/// With `-` in place of the statement each line of standard input is one: a statement, or an object of JSON with `states` and
+/// `where`; each gives a line of JSON, that of `verify --format json`, or an `error`. The exit code is 0 for a true
+/// statement, 1 for a false one, 3 for one that is not decided, 4 for one that makes no sense; of many the gravest.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Decide {
+    /// The statement, or - for statements from standard input
+    #[arg(value_name = "STATEMENT")]
+    statement: String,
+    /// Declarations, definitions and hypotheses
+    #[arg(long = "where", value_name = "SETTING", default_value = "")]
+    setting: String,
+    /// For people or for programs
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    format: Form,
+    #[command(flatten)]
+    budget: Budget,
+}
+
+/// How an answer is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Form {
+    /// A note for people.
+    Text,
+    /// A line of JSON.
+    Json,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  torse decide \"sin(x)^2 + cos(x)^2 == 1\"
+  torse decide \"(a + b)^2 == a^2 + b^2\"
+  torse decide \"sum(i, 0, n, binom(n, i)*x^i*(1 - x)^(n - i)) == 1\" --where \"n in 0..\"
+  torse decide \"x^2 > 0\" --where \"x != 0\"
+  torse decide - < statements.txt";
+
+/// A statement of a line of standard input.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Question {
+    states: String,
+    #[serde(default, rename = "where")]
+    setting: String,
+}
+
+/// Why there is no answer.
+enum Unasked {
+    /// The statement or its setting cannot be read.
+    Load(LoadError),
+    /// It makes no sense.
+    Sense(Box<DerivationError>),
+}
+
+impl Decide {
+    /// Decides and prints.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        if self.statement == "-" {
+            return self.lines();
+        }
+        let outcome = match self.decided(&self.statement, &self.setting) {
+            Ok(outcome) => outcome,
+            Err(Unasked::Load(error)) => return Err(error.into()),
+            Err(Unasked::Sense(error)) => return Err(error.into()),
+        };
+        guard::finished();
+        terminal::print(&match self.format {
+            Form::Text => short_note(&outcome),
+            Form::Json => finding_json(&outcome)?,
+        })?;
+        Ok(exit(&outcome))
+    }
+
+    /// Decides every line of standard input.
+    fn lines(&self) -> Result<Exit, Failure> {
+        let mut gravest = Exit::AsExpected;
+        for line in std::io::stdin().lock().lines() {
+            let line = line.map_err(Failure::Input)?;
+            if line.trim().is_empty() {
+                continue;
+            }
+            let (text, exit) = self.line(&line)?;
+            terminal::print(&text)?;
+            gravest = gravest.max(exit);
+        }
+        Ok(gravest)
+    }
+
+    fn line(&self, line: &str) -> Result<(String, Exit), Failure> {
+        let question = match line.trim_start().starts_with('{') {
+            true => serde_json::from_str(line).map_err(|error| error.to_string()),
+            false => Ok(Question {
+                states: line.trim().to_owned(),
+                setting: self.setting.clone(),
+            }),
+        };
+        let decided = question.and_then(|question| {
+            let decided = self.decided(&question.states, &question.setting);
+            decided.map_err(|unasked| match unasked {
+                Unasked::Load(error) => error.to_string(),
+                Unasked::Sense(error) => error.to_string(),
+            })
+        });
+        Ok(match decided {
+            Ok(outcome) => (finding_json(&outcome)?, exit(&outcome)),
+            Err(error) => {
+                let error = serde_json::json!({ "line": line, "error": error });
+                (format!("{error}\n"), Exit::BadData)
+            }
+        })
+    }
+
+    fn decided(&self, states: &str, setting: &str) -> Result<Outcome, Unasked> {
+        let paper = question(states, setting).map_err(Unasked::Load)?;
+        let decide = |claim| decide_claim_within(self.budget.units(), &paper.head.id, claim);
+        let mut outcomes = paper.claims.iter().map(decide);
+        match outcomes.next() {
+            Some(outcome) => outcome.map_err(Unasked::Sense),
+            None => Err(Unasked::Load(LoadError::Empty {
+                path: "the statement".to_owned(),
+            })),
+        }
+    }
+}
+
+/// The exit code of an answer.
+fn exit(outcome: &Outcome) -> Exit {
+    match outcome.verdict() {
+        _ if outcome.contradiction().is_some() => Exit::Contradiction,
+        Verdict::False | Verdict::Misprint => Exit::Differs,
+        Verdict::Undecided | Verdict::Vacuous => Exit::Undecided,
+        _ => Exit::AsExpected,
+    }
+}
