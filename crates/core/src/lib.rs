@@ -12,11 +12,11 @@
 mod claim;
 pub mod degree;
 mod roots;
-pub mod stack;
 mod visited;
 mod walk;
 
 pub use claim::{Claim, Hypothesis, Source};
+pub use torse_numbers::stack;
 pub use visited::Visited;
 
 use std::sync::Arc;

@@ -11,6 +11,7 @@ pub mod ball;
 pub mod planted;
 pub mod rational;
 pub mod scalar;
+pub mod stack;
 pub mod work;
 
 pub use affine::Affine;

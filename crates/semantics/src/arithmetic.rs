@@ -4,11 +4,8 @@
 //! enclosed where they cannot ([`Reals`](crate::Reals)), and on quotients of polynomials
 //! ([`Polynomials`](crate::Polynomials)), which turn a statement at fixed small degrees into an identity.
 
-use crate::expansion::Expanded;
-use crate::gap::{Gap, Unknown, Work};
-use crate::name::Name;
+use crate::gap::{Gap, Work};
 use std::fmt::Debug;
-use torse_core::Term;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
@@ -98,20 +95,6 @@ pub trait Arithmetic {
 
     /// A bound of the size of the number as a power of two, if it has a size.
     fn bit_length(&self, a: &Self::Number) -> Option<u64>;
-
-    /// Terms, or the differences of two, at these values and to first order in the numbers that `moves` chooses.
-    ///
-    /// # Errors
-    /// [`Gap::Undefined`] where a term is, [`Gap::Unknown`] where it is not known, and for arithmetics without derivatives.
-    fn first_order(
-        &self,
-        _terms: &[(&Term, Option<&Term>)],
-        _value: &dyn Fn(&Name) -> Option<Self::Number>,
-        _moves: &dyn Fn(&Name) -> bool,
-    ) -> Result<Expanded<Self::Number>, Gap> {
-        let what = "rates along the solutions of equations, inside of others";
-        Err(Unknown::NotCovered { what }.into())
-    }
 
     /// How a compares with b; where numbers satisfy their equations only nearly, those that differ by little count as open.
     ///

@@ -1,9 +1,7 @@
 //! Why a term has no value at a point, or none that is known.
 
-use crate::known::Known;
 use std::cell::Cell;
 use std::fmt;
-use std::rc::Rc;
 
 /// Why there is no value.
 ///
@@ -129,7 +127,8 @@ impl From<Unknown> for Gap {
 
 impl Gap {
     /// Operands whose shapes do not fit.
-    pub(crate) fn shape(what: &'static str) -> Self {
+    #[must_use]
+    pub fn shape(what: &'static str) -> Self {
         Unknown::Shape { what }.into()
     }
 }
@@ -146,8 +145,6 @@ impl Gap {
 #[derive(Debug)]
 pub struct Work {
     left: Cell<u64>,
-    /// What was found out of terms while the work was done.
-    known: Rc<Known>,
 }
 
 impl Work {
@@ -156,21 +153,7 @@ impl Work {
     pub fn new(operations: u64) -> Self {
         Self {
             left: Cell::new(operations),
-            known: Rc::default(),
         }
-    }
-
-    /// A budget of so many operations apart from this one, for work on the same terms.
-    pub(crate) fn apart(&self, operations: u64) -> Self {
-        Self {
-            left: Cell::new(operations),
-            known: Rc::clone(&self.known),
-        }
-    }
-
-    /// What was found out of terms.
-    pub(crate) fn known(&self) -> &Known {
-        &self.known
     }
 
     /// Takes so many operations.

@@ -4,14 +4,12 @@
 //! the chain. Numbers that nothing changes have no rates and cost what they cost in the arithmetic that is extended.
 
 use crate::arithmetic::Arithmetic;
-use crate::expansion::{Expanded, Slope};
-use crate::gap::{Gap, Unknown, Work};
+use crate::gap::{Gap, Work};
 use crate::name::Name;
 use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
-use torse_core::Term;
 use torse_numbers::Rational;
 
 type Outcome<A> = Result<Gradient<<A as Arithmetic>::Number>, Gap>;
@@ -381,37 +379,5 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
 
     fn bit_length(&self, a: &Self::Number) -> Option<u64> {
         self.base.bit_length(&a.value)
-    }
-
-    /// Only where the terms name nothing that changes: their rates are constant then.
-    fn first_order(
-        &self,
-        terms: &[(&Term, Option<&Term>)],
-        value: &dyn Fn(&Name) -> Option<Self::Number>,
-        moves: &dyn Fn(&Name) -> bool,
-    ) -> Result<Expanded<Self::Number>, Gap> {
-        let changes = Cell::new(false);
-        let plain = |name: &Name| {
-            let value = value(name)?;
-            changes.set(changes.get() || value.change.is_some());
-            Some(value.value)
-        };
-        let found = self.base.first_order(terms, &plain, moves)?;
-        if changes.get() {
-            let what = "rates that change themselves";
-            return Err(Unknown::NotCovered { what }.into());
-        }
-        let constant = |slope: Slope<A::Number>| Slope {
-            value: Gradient::constant(slope.value),
-            rates: (slope.rates.into_iter())
-                .map(|(name, rate)| (name, Gradient::constant(rate)))
-                .collect(),
-            curved: slope.curved,
-        };
-        Ok(Expanded {
-            gaps: found.gaps.into_iter().map(constant).collect(),
-            discrete: found.discrete,
-            multiplied: found.multiplied,
-        })
     }
 }

@@ -5,18 +5,17 @@
 //! integers; a claim with other equations is left to the points of its domain.
 
 use crate::arithmetic::Arithmetic;
-use crate::domain::constraints::constraints;
-use crate::evaluate::Evaluator;
+use crate::domain::Domain;
 use crate::gap::{Gap, Undefined, Unknown, Work};
 use crate::name::Name;
 use crate::polynomial::{Polynomials, Quotient};
-use crate::series::Series;
+use crate::tree::{Reading, Values};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
-use torse_core::{Claim, Set, Statement};
 use torse_numbers::rational::integer;
-use torse_syntax::formula::{Connective, Relation};
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
 /// How many values of an integer without an upper bound are taken.
 const SPAN: i64 = 3;
@@ -67,11 +66,11 @@ impl From<Gap> for Identity {
 /// The smallest instances of a claim: all values of short ranges, the least ones of unbounded integers, in different
 /// combinations. One empty instance for a claim without integers.
 #[must_use]
-pub fn instances(claim: &Claim) -> Vec<Instance> {
-    let mut pending: Vec<(&Arc<str>, &Set)> = claim
-        .symbols
-        .iter()
-        .filter(|(_, set)| matches!(set, Set::Integer { .. }))
+pub fn instances(reading: &Reading<'_>) -> Vec<Instance> {
+    let mut pending: Vec<(Arc<str>, &SymbolKind)> = reading
+        .names()
+        .filter_map(|name| Some((Arc::from(name), reading.declarations().symbol(name)?)))
+        .filter(|(_, set)| matches!(set, SymbolKind::Integer { .. }))
         .collect();
     let mut all = vec![Instance::default()];
     // Integers whose bounds name others come after those.
@@ -91,7 +90,7 @@ pub fn instances(claim: &Claim) -> Vec<Instance> {
             .flat_map(|instance| {
                 values(set, instance).map(|value| {
                     let mut more = instance.clone();
-                    more.0.insert(Arc::clone(name), value);
+                    more.0.insert(Arc::clone(&name), value);
                     more
                 })
             })
@@ -105,16 +104,16 @@ pub fn instances(claim: &Claim) -> Vec<Instance> {
     all
 }
 
-fn bounds(set: &Set) -> impl Iterator<Item = &torse_numbers::Affine> {
+fn bounds(set: &SymbolKind) -> impl Iterator<Item = &torse_numbers::Affine> {
     let (least, most) = match set {
-        Set::Integer { least, most } => (least.as_ref(), most.as_ref()),
+        SymbolKind::Integer { least, most } => (least.as_ref(), most.as_ref()),
         _ => (None, None),
     };
     least.into_iter().chain(most)
 }
 
-fn values(set: &Set, instance: &Instance) -> std::ops::RangeInclusive<i64> {
-    let Set::Integer { least, most } = set else {
+fn values(set: &SymbolKind, instance: &Instance) -> std::ops::RangeInclusive<i64> {
+    let SymbolKind::Integer { least, most } = set else {
         return 0..=0;
     };
     let form = |form: &torse_numbers::Affine| {
@@ -136,33 +135,40 @@ fn values(set: &Set, instance: &Instance) -> std::ops::RangeInclusive<i64> {
 ///
 /// Only equations are identities: other statements are [`Identity::Open`].
 #[must_use]
-pub fn identity(
-    claim: &Claim,
-    statement: &Statement,
-    instance: &Instance,
-    work: &Work,
-) -> Identity {
+pub fn identity(reading: &Reading<'_>, instance: &Instance, work: &Work) -> Identity {
     let polynomials = Polynomials { work };
     let values = |name: &Name| {
-        let declared = claim.symbols.get(name.declared())?;
+        let declared = reading.declarations().symbol(name.declared())?;
         Some(match (name, declared) {
-            (Name::Symbol(symbol), Set::Integer { .. }) => {
+            (Name::Symbol(symbol), SymbolKind::Integer { .. }) => {
                 polynomials.rational(&integer(*instance.0.get(symbol)?))
             }
             _ => Quotient::variable(name.clone()),
         })
     };
-    let at = Evaluator::new(&polynomials, &values);
-    decide(claim, statement, &at).unwrap_or_else(Identity::from)
+    let gaps = |left: &Expr, right: &Expr| {
+        let values = Values {
+            number: &values,
+            near: false,
+            fails: &|_| false,
+        };
+        reading.differences(&[(left, right)], &polynomials, values)
+    };
+    decide(reading, &polynomials, &gaps).unwrap_or_else(Identity::from)
 }
 
-type At<'a, 'b> = Evaluator<'a, Polynomials<'b>>;
+/// The differences of two sides.
+type Gaps<'g> = dyn Fn(&Expr, &Expr) -> Result<Vec<Quotient>, Gap> + 'g;
 
-fn decide(claim: &Claim, statement: &Statement, at: &At<'_, '_>) -> Result<Identity, Gap> {
-    for (relation, left, right) in constraints(claim) {
-        for gap in gaps(left, right, at)? {
+fn decide(
+    reading: &Reading<'_>,
+    polynomials: &Polynomials<'_>,
+    gaps: &Gaps<'_>,
+) -> Result<Identity, Gap> {
+    for (relation, left, right) in &Domain::new(reading).constraints {
+        for gap in gaps(left, right)? {
             // An open condition on symbols leaves a function that is not zero somewhere different from zero.
-            let Some(gap) = at.arithmetic.as_rational(&gap) else {
+            let Some(gap) = polynomials.as_rational(&gap) else {
                 if matches!(relation, Relation::Equal) {
                     let what = "an equation between symbols among the hypotheses";
                     return Err(Unknown::NotCovered { what }.into());
@@ -183,18 +189,27 @@ fn decide(claim: &Claim, statement: &Statement, at: &At<'_, '_>) -> Result<Ident
             }
         }
     }
-    let mut pending = vec![statement];
+    let mut pending = vec![reading.tree()];
     let mut differs = None;
-    while let Some(statement) = pending.pop() {
-        match statement {
-            Statement::Join(Connective::And, a, b) => pending.extend([&**b, &**a]),
-            Statement::Compare {
-                relation: Relation::Equal,
-                left,
-                right,
-            } => {
-                let terms = gaps(left, right, at)?.iter().map(Quotient::terms).max();
-                differs = differs.max(terms.filter(|t| *t > 0));
+    while let Some(tree) = pending.pop() {
+        let definition = match &tree.node {
+            Node::Name(name) => reading.declarations().definition(name),
+            _ => None,
+        };
+        match (&tree.node, definition) {
+            (_, Some(definition)) => pending.push(&definition.body.expr),
+            (Node::Join(Connective::And, a, b), _) => pending.extend([&**b, &**a]),
+            (Node::Compare(first, rest), _)
+                if rest
+                    .iter()
+                    .all(|(relation, _)| *relation == Relation::Equal) =>
+            {
+                let mut left = &**first;
+                for (_, right) in rest {
+                    let terms = gaps(left, right)?.iter().map(Quotient::terms).max();
+                    differs = differs.max(terms.filter(|t| *t > 0));
+                    left = right;
+                }
             }
             _ => {
                 let what = "a statement that is no equation";
@@ -203,20 +218,4 @@ fn decide(claim: &Claim, statement: &Statement, at: &At<'_, '_>) -> Result<Ident
         }
     }
     Ok(differs.map_or(Identity::Holds, |terms| Identity::Differs { terms }))
-}
-
-fn gaps(
-    left: &torse_core::Term,
-    right: &torse_core::Term,
-    at: &At<'_, '_>,
-) -> Result<Vec<Quotient>, Gap> {
-    let a = at.arithmetic;
-    let pairs = at.value(left)?.pairs(&at.value(right)?, a)?;
-    let gap = |(x, y): (Series<Quotient>, Series<Quotient>)| {
-        let gap = x.minus(&y, a)?;
-        gap.as_number()
-            .cloned()
-            .ok_or_else(|| Gap::shape("an infinitesimal to a comparison"))
-    };
-    pairs.into_iter().map(gap).collect()
 }

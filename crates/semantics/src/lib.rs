@@ -1,23 +1,24 @@
-//! What core terms mean, written to be read.
+//! What statements mean, written to be read, from the trees of their texts.
 //!
 //! `derivations/SEMANTICS.md` states the meaning of each construct in mathematics; this crate executes it. Nothing is
-//! shared with the prover but the core terms and the numbers: a mistake there has to be made here once more, in other
-//! words, to pass.
+//! shared with the elaborator and the prover but the trees, the declarations and the numbers: a mistake there has to be made here
+//! once more, in other words, to pass.
 //!
-//! - [`Evaluator`]: the value of a term, with one rule for each construct, over any [`Arithmetic`]: [`Reals`] (exact
-//!   where they can be, enclosed beyond) or [`Polynomials`] (identities). Derivatives are carried out on truncated
-//!   power series ([`Series`]).
-//! - [`judge`]: what a statement is at a [`Point`]: a [`Judgement`], which is never guessed.
+//! - [`tree`]: the value of a tree, with one rule for each construct, over any [`Arithmetic`]: [`Reals`] (exact
+//!   where they can be, enclosed beyond), residues modulo a prime, [`Polynomials`] (identities). Derivatives are carried out on
+//!   truncated power series ([`Series`]).
 //! - [`tally`]: a statement at points of its domain, drawn from a seeded stream: the net under a proof.
 //! - [`check_witness`]: whether a printed counterexample is one: the net under a refutation.
 //! - [`beyond`]: a statement at points of its domain where a condition fails: the net under a condition.
 //! - [`identity`] at [`instances`]: equations at fixed small integers, decided exactly.
+//! - [`tree::Compared`]: trees at random residues, to be compared with what an elaborator makes of them.
 //!
 //! All work is bounded by a budget of operations, so answers are the same on every machine.
 //!
 //! ```
 //! use std::sync::Arc;
 //! use torse_syntax::derivation::{paper, Source};
+//! use torse_semantics::tree::Reading;
 //! use torse_semantics::{Witness, check_witness, tally};
 //!
 //! let files = |name: &str| Ok(Arc::new(Source {
@@ -44,39 +45,34 @@
 //!     }.to_owned(),
 //! }));
 //! let paper = paper(files)?;
-//! let written = &paper.claims[0];
-//! let claim = torse_elaborate::elaborate(written, written.statement.as_ref().unwrap()).expect("it can be read");
+//! let claim = &paper.claims[0];
+//! let statement = &claim.statement.as_ref().unwrap().expr;
 //!
-//! let found = tally(&claim, &claim.statement, &[], "p/square", 20, 1_000_000);
+//! let reading = Reading::new(claim, statement, ["x"]);
+//! let found = tally(&reading, &[], "p/square", 20, 1_000_000);
 //! let point = found.failing.expect("it is false at the ends");
 //! assert!(["x = 0", "x = 1"].contains(&point.to_string().as_str()));
-//! let witness = check_witness(&claim, &claim.statement, [("x", "2")]);
+//! let witness = check_witness(claim, statement, [("x", "2")]);
 //! assert!(matches!(witness, Witness::Outside(_)));
 //! # Ok::<(), torse_syntax::derivation::LoadError>(())
 //! ```
 #![warn(missing_docs)]
 
 mod arithmetic;
-mod coefficients;
+mod branches;
 mod domain;
-mod evaluate;
 mod expansion;
-mod family;
-mod functions;
 mod gap;
 mod gradient;
 mod instance;
-mod integral;
 mod judge;
 mod judgement;
-mod known;
-mod linear;
+pub mod linear;
 mod name;
 mod net;
 mod polynomial;
 mod real;
 mod residue;
-mod scope;
 mod scrambled;
 mod series;
 mod survey;
@@ -86,16 +82,14 @@ mod witness;
 
 pub use arithmetic::{Arithmetic, Comparison};
 pub use domain::point::{Outside, Point};
-pub use evaluate::Evaluator;
-pub use expansion::{Expanded, Slope};
 pub use gap::{Gap, Undefined, Unknown, Work};
 pub use instance::{Identity, Instance, identity, instances};
 pub use judgement::Judgement;
 pub use name::Name;
-pub use net::{Beyond, Tally, beyond, check, judge, tally, tally_twice};
+pub use net::{Beyond, Tally, beyond, tally};
 pub use polynomial::{Polynomials, Quotient};
 pub use real::{Real, Reals, Turned};
 pub use scrambled::{Class, Scrambled};
 pub use series::Series;
-pub use value::Value;
-pub use witness::{Unreadable, Witness, check_witness, read};
+pub use value::{Value, dot, transposed};
+pub use witness::{Unreadable, Witness, check, check_witness, read};

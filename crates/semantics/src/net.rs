@@ -3,22 +3,21 @@
 //! A proof that a point of the domain contradicts is wrong, and so is a refutation whose witness lies outside of the
 //! domain or satisfies the statement. Neither needs to know how the verdict was found.
 
-use crate::domain::point::{Outside, Point, check_hypotheses, check_sets};
-use crate::gap::{Unknown, Work};
-use crate::judge::Judge;
+use crate::branches::branches;
+use crate::domain::Domain;
+use crate::domain::point::Point;
+use crate::gap::Unknown;
 use crate::judgement::Judgement;
-use crate::name::Name;
-use crate::real::Real;
-use crate::residue::judge::has_equation;
-use crate::survey::{COSTLY, Ground, HOPELESS, Seen, Survey};
+use crate::survey::{COSTLY, Ground, HOPELESS, Judged, Seen, Survey};
 use crate::tree::Reading;
-use std::collections::BTreeMap;
-use std::sync::Arc;
-use torse_core::{Claim, Hypothesis, Source, Statement};
-use torse_syntax::derivation::{Origin, Source as Text};
+use torse_syntax::derivation::declarations::Declarations;
+use torse_syntax::formula::{Expr, Node, Relation};
 
-/// The work of one judgement of a point that the caller names.
-const POINT_WORK: u64 = 2_000_000;
+/// How deep definitions of statements are opened.
+const MAX_OPENED: u32 = 16;
+/// The points that are judged on one thin part of a domain, and the work that finding them may take.
+const STARTS: u64 = 4;
+const BRANCH_WORK: u64 = 10_000;
 
 /// What was found at points of the domain of a claim.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -46,8 +45,10 @@ pub struct Tally {
     pub single: bool,
     /// Whether the budget was spent.
     pub exhausted: bool,
-    /// Where the trees say something else than the core terms: both cannot be what the text says.
-    pub objection: Option<String>,
+    /// The thin parts of the domain that the text shows, and those of them on which the statement was decided at a point.
+    pub branches: u64,
+    /// See [`Tally::branches`].
+    pub visited: u64,
 }
 
 impl Tally {
@@ -65,119 +66,115 @@ impl Tally {
     }
 }
 
-/// Judges a statement about the domain of a claim at a point.
-///
-/// The point is not asked whether it belongs to the domain: see [`check`].
-#[must_use]
-pub fn judge(claim: &Claim, statement: &Statement, point: &Point) -> Judgement {
-    let work = Work::new(POINT_WORK);
-    let denied = BTreeMap::new();
-    let judge = Judge {
-        claim,
-        values: &|name: &Name| point.values.get(name).cloned(),
-        near: point.near,
-        denied: &denied,
-        work: &work,
-    };
-    judge.judge(statement)
-}
-
-/// Whether a point belongs to the domain of a claim, and what the statement is there.
-///
-/// # Errors
-/// [`Outside`]: a number is not in its declared set, or a hypothesis is not true.
-pub fn check(claim: &Claim, statement: &Statement, point: &Point) -> Result<Judgement, Outside> {
-    let work = Work::new(POINT_WORK);
-    let denied = BTreeMap::new();
-    let judge = Judge {
-        claim,
-        values: &|name: &Name| point.values.get(name).cloned(),
-        near: point.near,
-        denied: &denied,
-        work: &work,
-    };
-    check_sets(claim, &point.values)?;
-    check_hypotheses(&judge, |_| false)?;
-    Ok(judge.judge(statement))
-}
-
-/// Judges `statement` at points of the domain of the claim until it is decided at `wanted` of them, found to be false
+/// Judges the statement of a claim at points of its domain until it is decided at `wanted` of them, found to be false
 /// at one, or the budget (in operations on numbers) is spent. Only points at which all `conditions` are true count.
 ///
 /// The points are a function of the claim and the seed.
 #[must_use]
 pub fn tally(
-    claim: &Claim,
-    statement: &Statement,
-    conditions: &[Statement],
-    seed: &str,
-    wanted: u64,
-    budget: u64,
-) -> Tally {
-    let survey = Survey::new(claim, seed, wanted, budget);
-    counted(survey, None, statement, conditions, wanted)
-}
-
-/// The same, where every point is judged by the trees of the claim and the statement as well: see [`Tally::objection`].
-#[must_use]
-pub fn tally_twice(
     reading: &Reading<'_>,
-    claim: &Claim,
-    conditions: &[Statement],
+    conditions: &[&Expr],
     seed: &str,
     wanted: u64,
     budget: u64,
 ) -> Tally {
-    let survey = Survey::new(claim, seed, wanted, budget);
-    counted(survey, Some(reading), &claim.statement, conditions, wanted)
+    let domain = Domain::new(reading);
+    let survey = Survey::new(&domain, seed, wanted, budget);
+    let judged = Judged {
+        statement: None,
+        conditions: conditions.to_vec(),
+        failing: survey.settled(reading.tree()),
+    };
+    let mut tally = generic(&survey, &judged, wanted);
+    if tally.failing.is_none() && tally.holding > 0 && !tally.single && tally.costly == 0 {
+        visit(&mut tally, &domain, &judged, seed);
+    }
+    tally
 }
 
-fn counted<'a>(
-    survey: Survey<'a>,
-    reading: Option<&'a Reading<'a>>,
-    statement: &Statement,
-    conditions: &[Statement],
-    wanted: u64,
-) -> Tally {
-    let denied = survey.settled(statement);
-    let survey = survey.read_by(reading);
-    if has_equation(statement) {
+/// The statement at points drawn from the whole domain: modulo a prime first, where that may tell something.
+fn generic<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> Tally {
+    let reading = survey.reading();
+    if has_equation(reading.declarations(), reading.tree(), MAX_OPENED) {
         // What they find false, and what they cannot tell, is for exact numbers, but where those would cost too much too.
-        let tally = walked(
-            &survey.by_residues(),
-            statement,
-            conditions,
-            &denied,
-            wanted,
-        );
+        let tally = walked(&survey.by_residues(), judged, wanted);
         let enough = tally.holding >= wanted || (tally.single && tally.holding > 0);
         let costly = tally.exhausted || tally.costly >= COSTLY;
-        if tally.objection.is_some() {
-            return tally;
-        }
         if tally.failing.is_none() && tally.open == tally.costly && (enough || costly) {
             return tally;
         }
     }
-    walked(&survey, statement, conditions, &denied, wanted)
+    walked(survey, judged, wanted)
+}
+
+/// Judges the statement on the thin parts of its domain, each until it is decided at one point.
+fn visit(tally: &mut Tally, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str) {
+    let reading = domain.reading;
+    for branch in branches(reading) {
+        let (inside, alone) = (
+            Domain::where_true(reading, &branch),
+            Domain::alone(reading, &branch),
+        );
+        let survey = Survey::new(&inside, seed, STARTS, BRANCH_WORK).beyond(&alone);
+        let (mut seen, mut decided) = (0, None);
+        survey.walk(&judged.anew(), &mut |found| {
+            seen += 1;
+            if let Seen::Judged {
+                judgement,
+                draft,
+                near,
+                ..
+            } = found
+            {
+                decided = judgement.decided();
+                if decided == Some(false) {
+                    let values = draft.values();
+                    tally.failing = Some(Point { values, near });
+                }
+            }
+            decided.is_none() && seen < STARTS
+        });
+        tally.branches += 1;
+        tally.visited += u64::from(decided.is_some());
+        if tally.failing.is_some() {
+            return;
+        }
+    }
+}
+
+/// Whether some part of a statement is an equation, or says what numbers are: other statements gain nothing by residues.
+fn has_equation(declarations: &Declarations, tree: &Expr, depth: u32) -> bool {
+    let within = |tree: &Expr| has_equation(declarations, tree, depth);
+    match &tree.node {
+        Node::Join(_, a, b) => within(a) || within(b),
+        Node::Not(inner) => within(inner),
+        Node::Compare(_, rest) => rest
+            .iter()
+            .any(|(relation, _)| *relation == Relation::Equal),
+        Node::Name(name) => match (declarations.definition(name), depth.checked_sub(1)) {
+            (Some(definition), Some(depth)) => {
+                has_equation(declarations, &definition.body.expr, depth)
+            }
+            _ => false,
+        },
+        Node::Call(head, arguments) => match (&head.node, arguments.as_slice()) {
+            (Node::Name(name), _) if name == "agrees" => true,
+            (Node::Name(name), [inner, ..]) if name == "at" || name == "fails" => within(inner),
+            _ => false,
+        },
+        _ => false,
+    }
 }
 
 /// Walks until the statement is decided at `wanted` points, or false at one.
-fn walked(
-    survey: &Survey<'_>,
-    statement: &Statement,
-    conditions: &[Statement],
-    denied: &BTreeMap<usize, ()>,
-    wanted: u64,
-) -> Tally {
+fn walked<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> Tally {
     let mut tally = Tally::default();
-    tally.attempts = survey.walk(statement, conditions, denied, &mut |seen| {
+    tally.attempts = survey.walk(judged, &mut |seen| {
         tally.count(seen);
         let hopeless = tally.holding == 0 && tally.found >= HOPELESS;
         let unseen = matches!(survey.ground, Ground::Residues) && tally.open > tally.costly;
         let enough = tally.single || tally.decided() >= wanted;
-        let contradicted = tally.failing.is_some() || tally.objection.is_some();
-        !(enough || hopeless || unseen || contradicted)
+        !(enough || hopeless || unseen || tally.failing.is_some())
     });
     tally.exhausted = survey.work.left() == 0;
     tally
@@ -211,34 +208,33 @@ impl Beyond {
     }
 }
 
-/// Judges `statement` at points of the domain of the claim at which `condition` fails, until it is false at one, judged
+/// Judges the statement at points of the domain of the claim at which `condition` fails, until it is false at one, judged
 /// at `wanted` of them, or the budget is spent. `None` if the condition is no comparison.
 ///
 /// Points that satisfy `condition`'s denial only nearly lie on the other side: they do not count.
 #[must_use]
 pub fn beyond(
-    claim: &Claim,
-    statement: &Statement,
-    condition: &Statement,
+    reading: &Reading<'_>,
+    condition: &Expr,
     seed: &str,
     wanted: u64,
     budget: u64,
 ) -> Option<Beyond> {
     let denial = denied(condition)?;
-    let mut changed = claim.clone();
-    changed.hypotheses.push(denial.clone());
+    let changed = Domain::where_true(reading, &denial);
     // Points at which the condition fails are rare, so it is made to fail before anything else is solved.
-    let alone = Claim {
-        hypotheses: vec![denial],
-        unknowns: vec![],
-        ..claim.clone()
-    };
+    let alone = Domain::alone(reading, &denial);
     let survey = Survey::new(&changed, seed, wanted, budget).beyond(&alone);
     // Whether something is denied is a matter of the whole domain.
-    let settled = Survey::new(claim, seed, wanted, budget).settled(statement);
+    let whole = Domain::new(reading);
+    let judged = Judged {
+        statement: None,
+        conditions: vec![],
+        failing: Survey::new(&whole, seed, wanted, budget).settled(reading.tree()),
+    };
     let mut beyond = Beyond::default();
     let mut undefined_at = None;
-    beyond.attempts = survey.walk(statement, &[], &settled, &mut |seen| {
+    beyond.attempts = survey.walk(&judged, &mut |seen| {
         let Seen::Judged {
             judgement,
             draft,
@@ -278,14 +274,12 @@ impl Tally {
             judgement,
             draft,
             near,
-            objection,
             ..
         } = seen
         else {
             self.excepted += 1;
             return;
         };
-        self.objection = objection;
         self.found += 1;
         self.single = draft.is_determined();
         match judgement {
@@ -306,30 +300,16 @@ impl Tally {
     }
 }
 
-/// The denial of a comparison as a hypothesis: where a condition fails. `None` for other statements.
-fn denied(condition: &Statement) -> Option<Hypothesis> {
-    let Statement::Compare {
-        relation,
-        left,
-        right,
-    } = condition
-    else {
+/// The denial of a comparison: where a condition fails. `None` for other statements.
+fn denied(condition: &Expr) -> Option<Expr> {
+    let Node::Compare(left, rest) = &condition.node else {
         return None;
     };
-    let nowhere = Arc::new(Text {
-        name: "condition".to_owned(),
-        text: String::new(),
-    });
-    Some(Hypothesis {
-        statement: Statement::Compare {
-            relation: relation.opposite(),
-            left: left.clone(),
-            right: right.clone(),
-        },
-        source: Source::Assume,
-        origin: Origin::range(&nowhere, 0, 0),
+    let [(relation, right)] = rest.as_slice() else {
+        return None;
+    };
+    Some(Expr {
+        node: Node::Compare(left.clone(), vec![(relation.opposite(), right.clone())]),
+        place: condition.place,
     })
 }
-
-/// A number of a point, from its name.
-pub(crate) type Numbers = BTreeMap<Name, Real>;

@@ -3,17 +3,13 @@
 //! So a polynomial at a rational point is decided exactly, and `sin(pi/2*x)` at 0 or 1 as well, and `exp(x)` at 0.
 
 use crate::arithmetic::{Arithmetic, Comparison};
-use crate::domain::newton::expanded;
-use crate::expansion::Expanded;
 use crate::gap::{Gap, Undefined, Unknown, Work};
-use crate::name::Name;
 use dashu_int::ops::{BitTest, SquareRoot};
 use num_traits::{One, Signed, Zero};
 use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::fmt;
 use std::sync::Arc;
-use torse_core::Term;
 use torse_numbers::rational::{integer, ratio};
 use torse_numbers::{Ball, Integer, Rational, Scalar};
 
@@ -447,14 +443,5 @@ impl Arithmetic for Reals<'_> {
             }
         };
         u64::try_from(bits).ok()
-    }
-
-    fn first_order(
-        &self,
-        terms: &[(&Term, Option<&Term>)],
-        value: &dyn Fn(&Name) -> Option<Real>,
-        moves: &dyn Fn(&Name) -> bool,
-    ) -> Result<Expanded<Real>, Gap> {
-        expanded(terms, *self, value, moves)
     }
 }

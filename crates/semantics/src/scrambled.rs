@@ -6,12 +6,8 @@
 //! are follows from the value by the usual rules, and an integral is a fixed combination of two values of the integrand.
 
 use crate::arithmetic::Arithmetic;
-use crate::domain::newton::expanded;
-use crate::expansion::Expanded;
 use crate::gap::{Gap, Undefined, Work};
-use crate::name::Name;
 use crate::residue::field;
-use torse_core::Term;
 use torse_numbers::Rational;
 use torse_numbers::rational::{self, ratio};
 
@@ -147,14 +143,5 @@ impl Arithmetic for Scrambled<'_> {
             (ratio(2, 7)?, ratio(3, 5)?),
             (ratio(11, 13)?, ratio(17, 19)?),
         ])
-    }
-
-    fn first_order(
-        &self,
-        terms: &[(&Term, Option<&Term>)],
-        value: &dyn Fn(&Name) -> Option<Class>,
-        moves: &dyn Fn(&Name) -> bool,
-    ) -> Result<Expanded<Class>, Gap> {
-        expanded(terms, *self, value, moves)
     }
 }

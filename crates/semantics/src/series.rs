@@ -26,9 +26,6 @@ pub enum Series<N> {
 
 type Outcome<N> = Result<Series<N>, Gap>;
 
-/// A sine and a cosine.
-pub(crate) type Turned<N> = (Series<N>, Series<N>);
-
 impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
     /// The rational number q.
     pub fn rational<A: Arithmetic<Number = N>>(q: &Rational, a: &A) -> Self {

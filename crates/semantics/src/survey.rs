@@ -1,20 +1,19 @@
 //! A walk through points of a domain, with bounded work: exact numbers, or residues modulo a prime.
 
+use crate::domain::Domain;
 use crate::domain::constraints::is_equations;
 use crate::domain::draft::Draft;
-use crate::domain::narrow::Narrowed;
 use crate::domain::point::{check_sets, completed};
 use crate::domain::stream::Stream;
 use crate::gap::{Undefined, Work};
-use crate::judge::{Judge, address};
+use crate::judge::Judge;
 use crate::judgement::Judgement;
 use crate::name::Name;
-use crate::residue;
+use crate::residue::Residues;
 use crate::residue::domain::{Drawn, drawn};
 use crate::tree::Reading;
-use crate::tree::second::{self, Second};
-use std::collections::BTreeMap;
-use torse_core::{Claim, Statement};
+use std::collections::BTreeSet;
+use torse_syntax::formula::{Connective, Expr, Node};
 
 /// Attempts for each wanted point, and at least.
 const ATTEMPTS_PER_POINT: u64 = 12;
@@ -28,6 +27,10 @@ pub(crate) const COSTLY: u64 = 3;
 /// Every how many-th point lies at the edges of the declared sets: where a statement holds, and where a condition fails.
 const EDGES: u64 = 6;
 const EDGES_BEYOND: u64 = 2;
+/// The work that the statement and its conditions may take at one point, besides what it takes to find the point.
+const STATEMENT_WORK: u64 = 1_000_000;
+/// How deep definitions of statements are opened.
+const MAX_OPENED: u32 = 16;
 
 /// What a drawn point turned out to be.
 pub(crate) enum Seen<'s, 'a> {
@@ -40,28 +43,45 @@ pub(crate) enum Seen<'s, 'a> {
         near: bool,
         /// Whether the hypotheses that are satisfied first are so exactly.
         exactly_first: bool,
-        /// What the trees say otherwise.
-        objection: Option<String>,
     },
 }
 
-/// What a statement is at a point, and what the trees say otherwise.
-type Judged = (Judgement, Option<String>);
+/// What is judged at the points of a walk.
+pub(crate) struct Judged<'a> {
+    /// A statement, or nothing for that of the claim.
+    pub statement: Option<&'a Expr>,
+    /// What has to be true besides.
+    pub conditions: Vec<&'a Expr>,
+    /// The parts p of `fails(p)` for which a point is known, by their addresses.
+    pub failing: BTreeSet<usize>,
+}
 
-/// What both readings make of a point together.
-fn weighed(judgement: Judgement, second: Option<Second>) -> Judged {
-    match second {
-        None => (judgement, None),
-        Some(Second::Objection(objection)) => (judgement, Some(objection)),
-        Some(Second::Fails) => (Judgement::False, None),
-        Some(Second::Open) => (Judgement::Undecided, None),
+impl<'a> Judged<'a> {
+    fn of(statement: &'a Expr, failing: &BTreeSet<usize>) -> Self {
+        Self {
+            statement: Some(statement),
+            conditions: vec![],
+            failing: failing.clone(),
+        }
+    }
+
+    /// The same, to be judged on another domain of the same claim.
+    pub fn anew(&self) -> Self {
+        Self {
+            statement: self.statement,
+            conditions: self.conditions.clone(),
+            failing: self.failing.clone(),
+        }
+    }
+
+    fn fails(&self, tree: &Expr) -> bool {
+        self.failing.contains(&std::ptr::from_ref(tree).addr())
     }
 }
 
 /// A walk through points of a domain, with bounded work.
 pub(crate) struct Survey<'a> {
-    claim: &'a Claim,
-    narrowed: Narrowed,
+    domain: &'a Domain<'a>,
     seed: &'a str,
     attempts: u64,
     /// The work of one point.
@@ -70,12 +90,10 @@ pub(crate) struct Survey<'a> {
     pub work: Work,
     /// Every how many-th point lies at the edges of the declared sets.
     edges: u64,
-    /// A claim with some of the hypotheses: they are satisfied first.
-    first: Option<&'a Claim>,
+    /// Hypotheses that are satisfied first.
+    first: Option<&'a Domain<'a>>,
     /// What points consist of.
     pub ground: Ground,
-    /// The trees of the claim and the statement, if every point is judged by them as well.
-    reading: Option<&'a Reading<'a>>,
 }
 
 /// The numbers that points consist of.
@@ -89,10 +107,9 @@ pub(crate) enum Ground {
 
 impl<'a> Survey<'a> {
     /// The walk through the whole domain that this text seeds, until this budget is spent.
-    pub fn new(claim: &'a Claim, seed: &'a str, wanted: u64, budget: u64) -> Self {
+    pub fn new(domain: &'a Domain<'a>, seed: &'a str, wanted: u64, budget: u64) -> Self {
         Self {
-            claim,
-            narrowed: Narrowed::new(claim),
+            domain,
             seed,
             attempts: LEAST_ATTEMPTS.max(ATTEMPTS_PER_POINT * wanted),
             share: (budget / wanted.max(1)).saturating_mul(2),
@@ -100,17 +117,16 @@ impl<'a> Survey<'a> {
             edges: EDGES,
             first: None,
             ground: Ground::Reals,
-            reading: None,
         }
     }
 
-    /// The same walk where the trees judge every point as well.
-    pub fn read_by(self, reading: Option<&'a Reading<'a>>) -> Self {
-        Self { reading, ..self }
+    /// The trees of the claim.
+    pub const fn reading(&self) -> &'a Reading<'a> {
+        self.domain.reading
     }
 
     /// The same walk where the hypotheses of `first` are satisfied before all others, often at the edges of the declared sets.
-    pub fn beyond(self, first: &'a Claim) -> Self {
+    pub fn beyond(self, first: &'a Domain<'a>) -> Self {
         Self {
             edges: EDGES_BEYOND,
             first: Some(first),
@@ -121,21 +137,14 @@ impl<'a> Survey<'a> {
     /// The same walk modulo a prime, with a budget of its own.
     pub fn by_residues(&self) -> Self {
         Self {
-            narrowed: self.narrowed.clone(),
-            work: self.work.apart(self.work.left()),
+            work: Work::new(self.work.left()),
             ground: Ground::Residues,
             ..*self
         }
     }
 
-    /// Judges the statement at one point after the other as long as `each` says so; returns how many were drawn.
-    pub fn walk(
-        &self,
-        statement: &Statement,
-        conditions: &[Statement],
-        denied: &BTreeMap<usize, ()>,
-        each: &mut dyn FnMut(Seen<'_, '_>) -> bool,
-    ) -> u64 {
+    /// Judges a statement at one point after the other as long as `each` says so; returns how many were drawn.
+    pub fn walk(&self, judged: &Judged<'a>, each: &mut dyn FnMut(Seen<'_, '_>) -> bool) -> u64 {
         let (mut costly, mut nowhere) = (0, true);
         for attempt in 0..self.attempts {
             let available = self.share.min(self.work.left());
@@ -144,8 +153,8 @@ impl<'a> Survey<'a> {
             if available == 0 || hopeless {
                 return attempt;
             }
-            let own = self.work.apart(available);
-            let go_on = self.one(statement, conditions, denied, attempt, &own, each);
+            let own = Work::new(available);
+            let go_on = self.one(judged, attempt, &own, each);
             let _ = self.work.spend(available - own.left());
             costly += u64::from(own.left() == 0);
             nowhere &= go_on.is_none();
@@ -156,12 +165,10 @@ impl<'a> Survey<'a> {
         self.attempts
     }
 
-    /// Judges the statement at the point of this attempt: whether to go on; `None` if it is no point of the domain.
+    /// Judges a statement at the point of this attempt: whether to go on; `None` if it is no point of the domain.
     fn one(
         &self,
-        statement: &Statement,
-        conditions: &[Statement],
-        denied: &BTreeMap<usize, ()>,
+        judged: &Judged<'a>,
         attempt: u64,
         work: &Work,
         each: &mut dyn FnMut(Seen<'_, '_>) -> bool,
@@ -174,27 +181,23 @@ impl<'a> Survey<'a> {
             n if n == self.edges / 2 && self.edges > EDGES_BEYOND => stream.with_coincidences(),
             _ => stream,
         };
-        let draft = Draft::new(self.claim, &self.narrowed, stream);
+        let draft = Draft::new(self.domain, stream);
         if let Some(first) = self.first {
             let near = completed(first, &draft, work)?;
-            if let Some(why) = undefined_hypothesis(self.claim, &draft, work) {
+            if let Some(why) = undefined_hypothesis(self.domain, &draft, work) {
                 return Some(each(Seen::Judged {
                     judgement: Judgement::Undefined(why),
                     draft: &draft,
                     near,
                     exactly_first: !near,
-                    objection: None,
                 }));
             }
         }
-        let (judged, near) = match self.ground {
-            Ground::Reals => self.exactly(statement, conditions, denied, &draft, work)?,
-            Ground::Residues => (
-                self.modulo_prime(statement, conditions, denied, &draft, work)?,
-                false,
-            ),
+        let (judgement, near) = match self.ground {
+            Ground::Reals => self.exactly(judged, &draft, work)?,
+            Ground::Residues => (self.modulo_prime(judged, &draft, work)?, false),
         };
-        let Some((judgement, objection)) = judged else {
+        let Some(judgement) = judgement else {
             return Some(each(Seen::Excepted));
         };
         // What was solved for since may have moved them.
@@ -210,7 +213,6 @@ impl<'a> Survey<'a> {
             draft: &draft,
             near,
             exactly_first,
-            objection,
         }))
     }
 
@@ -218,89 +220,79 @@ impl<'a> Survey<'a> {
     /// point satisfies its equations only nearly; `None` if it is no point of the domain.
     fn exactly(
         &self,
-        statement: &Statement,
-        conditions: &[Statement],
-        denied: &BTreeMap<usize, ()>,
+        judged: &Judged<'a>,
         draft: &Draft<'_>,
         work: &Work,
-    ) -> Option<(Option<Judged>, bool)> {
-        let near = completed(self.claim, draft, work)?;
+    ) -> Option<(Option<Judgement>, bool)> {
+        let near = completed(self.domain, draft, work)?;
+        let own = Work::new(STATEMENT_WORK);
+        let reading = self.domain.reading;
         let judge = Judge {
-            claim: self.claim,
+            reading,
             values: &|name| draft.value(name),
             near,
-            denied,
-            work,
+            fails: &|tree| judged.fails(tree),
+            work: &own,
         };
-        let excepted = conditions.iter().any(|c| judge.judge(c) != Judgement::True);
-        let judged = || {
-            let judgement = judge.judge(statement);
-            let number = |name: &Name| draft.value(name);
-            let objection = self
-                .reading
-                .and_then(|reading| second::objection(reading, &judgement, &number, near, work));
-            weighed(judgement, objection)
+        let grounds = judge.evaluators();
+        let at = grounds.along(&judge, reading.given(), None);
+        let mut conditions = judged.conditions.iter();
+        if conditions.any(|condition| at.truth(condition) != Judgement::True) {
+            return Some((None, near));
+        }
+        let judgement = match judged.statement {
+            None => at.statement(),
+            Some(tree) => at.truth(tree),
         };
-        Some(((!excepted).then(judged), near))
+        Some((Some(judgement), near))
     }
 
     /// The same modulo a prime.
     fn modulo_prime(
         &self,
-        statement: &Statement,
-        conditions: &[Statement],
-        denied: &BTreeMap<usize, ()>,
-        draft: &Draft<'_>,
+        judged: &Judged<'a>,
+        draft: &Draft<'a>,
         work: &Work,
-    ) -> Option<Option<Judged>> {
-        let unknown = |why| Some(Some((Judgement::Unknown(why), None)));
-        let point = match drawn(self.claim, draft, work) {
+    ) -> Option<Option<Judgement>> {
+        let point = match drawn(self.domain, draft, work) {
             Drawn::Inside(point) => point,
             Drawn::Outside => return None,
-            Drawn::Unknown(why) => return unknown(why),
+            Drawn::Unknown(why) => return Some(Some(Judgement::Unknown(why))),
         };
-        let judge = residue::judge::Judge {
-            claim: self.claim,
-            point: &point,
-            denied,
-            work,
+        let own = Work::new(STATEMENT_WORK);
+        let reading = self.domain.reading;
+        let judge = Judge {
+            reading,
+            values: &|name| point.number(name),
+            near: false,
+            fails: &|tree| judged.fails(tree),
+            work: &own,
         };
-        for condition in conditions {
-            match judge.judge(condition) {
+        let (residues, residue) = (Residues { work: &own }, |name: &Name| point.residue(name));
+        let grounds = judge.evaluators();
+        let at = grounds.along(&judge, reading.given(), Some((&residues, &residue)));
+        for condition in &judged.conditions {
+            match at.truth(condition) {
                 Judgement::True => {}
                 open @ (Judgement::Undecided | Judgement::Unknown(_)) => {
-                    return Some(Some((open, None)));
+                    return Some(Some(open));
                 }
                 Judgement::False | Judgement::Undefined(_) => return Some(None),
             }
         }
-        let judgement = judge.judge(statement);
-        let objection = self
-            .reading
-            .and_then(|reading| second::objection_modulo_prime(reading, &judgement, &point, work));
-        Some(Some(weighed(judgement, objection)))
+        Some(Some(match judged.statement {
+            None => at.statement(),
+            Some(tree) => at.truth(tree),
+        }))
     }
 
-    /// Finds, for each `not p` of a statement, a point of the domain at which p is false: `not p` is true then.
-    pub fn settled(&self, statement: &Statement) -> BTreeMap<usize, ()> {
-        let mut denied = BTreeMap::new();
-        let mut pending = vec![statement];
-        let mut inner = vec![];
-        while let Some(statement) = pending.pop() {
-            match statement {
-                Statement::Join(_, a, b) => pending.extend([&**a, &**b]),
-                Statement::Not(p) => {
-                    inner.push(&**p);
-                    pending.push(p);
-                }
-                _ => {}
-            }
-        }
-        // The innermost denials first.
-        for p in inner.into_iter().rev() {
+    /// Finds, for each `fails(p)` of a statement, a point of the domain at which p is false: `fails(p)` is true then.
+    pub fn settled(&self, statement: &'a Expr) -> BTreeSet<usize> {
+        let mut failing = BTreeSet::new();
+        for p in self.denied(statement) {
             let fails = |survey: &Self| {
                 let (mut found, mut judged) = (false, 0);
-                survey.walk(p, &[], &denied, &mut |seen| {
+                survey.walk(&Judged::of(p, &failing), &mut |seen| {
                     if let Seen::Judged { judgement, .. } = seen {
                         found = judgement == Judgement::False;
                         judged += 1;
@@ -310,7 +302,35 @@ impl<'a> Survey<'a> {
                 found
             };
             if fails(&self.by_residues()) || fails(self) {
-                denied.insert(address(p), ());
+                failing.insert(std::ptr::from_ref(p).addr());
+            }
+        }
+        failing
+    }
+
+    /// What is said to fail somewhere.
+    fn denied(&self, statement: &'a Expr) -> Vec<&'a Expr> {
+        let mut pending = vec![(statement, MAX_OPENED)];
+        let mut denied = vec![];
+        while let Some((tree, depth)) = pending.pop() {
+            match &tree.node {
+                Node::Join(Connective::And, a, b) => {
+                    pending.extend([(&**b, depth), (&**a, depth)]);
+                }
+                Node::Name(name) => {
+                    let definition = self.domain.reading.declarations().definition(name);
+                    if let (Some(definition), Some(depth)) = (definition, depth.checked_sub(1)) {
+                        pending.push((&definition.body.expr, depth));
+                    }
+                }
+                Node::Call(head, arguments) => {
+                    if let (Node::Name(name), [inner]) = (&head.node, arguments.as_slice())
+                        && name == "fails"
+                    {
+                        denied.push(inner);
+                    }
+                }
+                _ => {}
             }
         }
         denied
@@ -318,24 +338,26 @@ impl<'a> Survey<'a> {
 }
 
 /// Why a hypothesis is undefined at numbers that satisfy all others, but for equations that might be solved.
-fn undefined_hypothesis(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Undefined> {
-    let denied = BTreeMap::new();
+fn undefined_hypothesis(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Option<Undefined> {
     let judge = Judge {
-        claim,
+        reading: domain.reading,
         values: &|name| draft.value(name),
         near: false,
-        denied: &denied,
+        fails: &|_| false,
         work,
     };
+    let declarations = domain.reading.declarations();
     let mut undefined = None;
-    for hypothesis in &claim.hypotheses {
-        match judge.hypothesis(&hypothesis.statement) {
+    let grounds = judge.evaluators();
+    let at = grounds.each(&judge);
+    for tree in &domain.hypotheses {
+        match at.truth(tree) {
             Judgement::True => {}
             Judgement::Undefined(why) => undefined = Some(why),
-            _ if is_equations(&hypothesis.statement) => {}
+            _ if is_equations(declarations, tree) => {}
             _ => return None,
         }
     }
-    draft.look(|values| check_sets(claim, values)).ok()?;
+    draft.look(|values| check_sets(declarations, values)).ok()?;
     undefined
 }

@@ -1,20 +1,23 @@
 //! Points as text: counterexamples that the engine prints.
 
-use crate::domain::point::{Outside, Point};
-use crate::evaluate::Evaluator;
-use crate::family;
+use crate::domain::Domain;
+use crate::domain::point::{Outside, Point, check_hypotheses, check_sets};
 use crate::gap::Work;
+use crate::judge::Judge;
 use crate::judgement::Judgement;
 use crate::name::Name;
-use crate::net::{Numbers, check};
 use crate::real::{Real, Reals};
+use crate::residue::{Residue, Residues};
+use crate::tree::{Reading, Values};
+use std::collections::BTreeMap;
 use std::sync::Arc;
-use torse_core::{Claim, FamilyProperty, Set, Statement};
-use torse_elaborate::Elaborator;
-use torse_syntax::derivation::declarations::Declarations;
+use torse_syntax::derivation::Claim;
+use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 use torse_syntax::formula::{Connective, Expr, Node, parse};
 use torse_syntax::notation;
 
+/// The work of one judgement.
+const POINT_WORK: u64 = 2_000_000;
 /// The precision of numbers that are not exact, in bits.
 const BITS: usize = 1280;
 /// The work that may be spent on the functions of one degree.
@@ -45,17 +48,17 @@ pub fn read<'t>(
     claim: &Claim,
     numbers: impl IntoIterator<Item = (&'t str, &'t str)>,
 ) -> Result<Point, Unreadable> {
-    let mut values = Numbers::new();
+    let mut values = BTreeMap::new();
     for (name, value) in numbers.into_iter().filter(|(name, _)| !is_root(name)) {
         let unknown_name = || Unreadable::Name {
             name: name.to_owned(),
         };
-        let number = number(value).ok_or_else(|| Unreadable::Value {
+        let number = number(claim, value).ok_or_else(|| Unreadable::Value {
             value: value.to_owned(),
         })?;
         let name = parse(name)
             .ok()
-            .and_then(|expr| name_of(claim, &expr))
+            .and_then(|expr| name_of(&claim.declarations, &expr))
             .ok_or_else(unknown_name)?;
         values.insert(name, number);
     }
@@ -71,22 +74,28 @@ fn is_root(name: &str) -> bool {
     heads.iter().any(|head| name.starts_with(head))
 }
 
-/// The value of a closed formula.
-fn number(text: &str) -> Option<Real> {
-    let declarations = Declarations::default();
-    let term = Elaborator::new(&declarations)
-        .term(&parse(text).ok()?)
-        .ok()?;
+/// The value of a formula without symbols.
+fn number(claim: &Claim, text: &str) -> Option<Real> {
+    let tree = parse(text).ok()?;
+    let nothing = Claim {
+        declarations: Arc::new(Declarations::default()),
+        ..claim.clone()
+    };
     let work = Work::new(10_000);
     let reals = Reals {
         bits: BITS,
         work: &work,
     };
-    let at = Evaluator::new(&reals, &|_| None);
-    at.value(&term).ok()?.number().ok()?.as_number().cloned()
+    let values = Values {
+        number: &|_: &Name| None,
+        near: false,
+        fails: &|_| false,
+    };
+    let value = Reading::new(&nothing, &tree, []).value_of(&tree, &reals, values);
+    value.ok()?.number().ok()?.as_number().cloned()
 }
 
-fn name_of(claim: &Claim, expr: &Expr) -> Option<Name> {
+fn name_of(declarations: &Declarations, expr: &Expr) -> Option<Name> {
     let (mut head, mut indices) = (expr, vec![]);
     while let Node::Index(inner, own) = &head.node {
         indices.splice(0..0, own.iter());
@@ -99,16 +108,20 @@ fn name_of(claim: &Claim, expr: &Expr) -> Option<Name> {
         _ => return None,
     };
     let indices: Vec<i64> = indices.into_iter().map(integer).collect::<Option<_>>()?;
-    let declared = claim.symbols.get(name.as_str())?;
+    let declared = declarations.symbol(&name)?;
     let name: Arc<str> = Arc::from(name.as_str());
     let coordinate = |c: &i64, dimension: &Option<u8>| {
         let c = u8::try_from(*c).ok()?;
         dimension.filter(|d| (1..=*d).contains(&c)).map(|_| c)
     };
     match (declared, indices.as_slice()) {
-        (Set::Real(_) | Set::Integer { .. } | Set::Vector(None), []) => Some(Name::Symbol(name)),
-        (Set::Vector(dimension), [c]) => Some(Name::Coordinate(name, coordinate(c, dimension)?)),
-        (Set::Family { dimension, ranges }, all) => {
+        (SymbolKind::Real(_) | SymbolKind::Integer { .. } | SymbolKind::Vector(None), []) => {
+            Some(Name::Symbol(name))
+        }
+        (SymbolKind::Vector(dimension), [c]) => {
+            Some(Name::Coordinate(name, coordinate(c, dimension)?))
+        }
+        (SymbolKind::Family { dimension, ranges }, all) => {
             let scalar = matches!(dimension, None | Some(1));
             let count = match (ranges.len(), scalar) {
                 (0, true) => all.len(),
@@ -154,47 +167,83 @@ pub enum Witness {
 
 /// Checks a counterexample to a statement about the domain of a claim.
 ///
-/// Every number that the hypotheses and the statement ask for has to be named; bounds of integers as well. `degree`, where no
-/// symbol has this name, is the degree at which the functions of a basis are said to be dependent.
+/// Every number that the hypotheses and the statement ask for has to be named; bounds of integers as well. Of smooth functions
+/// derivatives are named: any function with these will do. `degree`, where no symbol has this name, is the degree at which the
+/// functions of a basis are said to be dependent.
 #[must_use]
 pub fn check_witness<'t>(
     claim: &Claim,
-    statement: &Statement,
+    statement: &Expr,
     numbers: impl IntoIterator<Item = (&'t str, &'t str)>,
 ) -> Witness {
-    let is_degree = |name: &str| name == "degree" && !claim.symbols.contains_key(name);
+    let is_degree = |name: &str| name == "degree" && claim.declarations.symbol(name).is_none();
     let (degrees, numbers): (Vec<_>, Vec<_>) =
         numbers.into_iter().partition(|(name, _)| is_degree(name));
     let point = match read(claim, numbers) {
         Ok(point) => point,
         Err(why) => return Witness::Unreadable(why),
     };
+    let names: Vec<&str> = point.values.keys().map(|name| &**name.declared()).collect();
+    let reading = Reading::new(claim, statement, names);
     let degree = degrees.first().map(|(_, value)| *value);
     let dependent = || {
         degree
             .and_then(|degree| degree.parse().ok())
-            .is_some_and(|degree| is_dependent(statement, degree, &point))
+            .is_some_and(|degree| is_dependent(&reading, statement, degree, &point))
     };
-    match check(claim, statement, &point) {
+    match check(&reading, &point) {
         Ok(Judgement::False) => Witness::Refutes,
-        Ok(Judgement::Undecided | Judgement::Unknown(_)) if dependent() => Witness::Refutes,
+        Ok(_) if dependent() => Witness::Refutes,
         Ok(other) => Witness::Stands(other),
         Err(outside) => Witness::Outside(outside),
     }
 }
 
+/// Whether a point belongs to the domain of a claim, and what the statement is there.
+///
+/// # Errors
+/// [`Outside`]: a number is not in its declared set, or a hypothesis is not true.
+pub fn check(reading: &Reading<'_>, point: &Point) -> Result<Judgement, Outside> {
+    let work = Work::new(POINT_WORK);
+    let number = |name: &Name| {
+        let named = point.values.get(name).cloned();
+        named.or_else(|| reading.free(name))
+    };
+    let judge = Judge {
+        reading,
+        values: &number,
+        near: point.near,
+        fails: &|_| false,
+        work: &work,
+    };
+    check_sets(reading.declarations(), &point.values)?;
+    check_hypotheses(&judge, &Domain::new(reading), |_| false)?;
+    let grounds = judge.evaluators();
+    Ok(grounds.along(&judge, reading.given(), None).statement())
+}
+
 /// Whether a statement says that the functions of a basis are independent, by itself or beside others, and those of this
 /// degree are not.
-fn is_dependent(statement: &Statement, degree: i64, point: &Point) -> bool {
-    match statement {
-        Statement::Family(FamilyProperty::Independent, family) => {
-            let work = Work::new(DEPENDENCE_WORK);
-            let value = |name: &Name| point.values.get(name).cloned();
-            family::dependent(family, degree, &value, &work).unwrap_or(false)
+fn is_dependent(reading: &Reading<'_>, statement: &Expr, degree: i64, point: &Point) -> bool {
+    match &statement.node {
+        Node::Join(Connective::And, a, b) => {
+            is_dependent(reading, a, degree, point) || is_dependent(reading, b, degree, point)
         }
-        Statement::Join(Connective::And, a, b) => {
-            is_dependent(a, degree, point) || is_dependent(b, degree, point)
-        }
+        Node::Call(head, arguments) => match (&head.node, arguments.as_slice()) {
+            (Node::Name(name), [family]) if name == "independent" => {
+                let work = Work::new(DEPENDENCE_WORK);
+                let residues = Residues { work: &work };
+                let number = |name: &Name| point.values.get(name).map(Residue::from);
+                let values = Values {
+                    number: &number,
+                    near: false,
+                    fails: &|_| false,
+                };
+                let at = reading.at(&residues, values);
+                at.are_dependent(family, degree).unwrap_or(false)
+            }
+            _ => false,
+        },
         _ => false,
     }
 }

@@ -11,6 +11,10 @@
 //!
 //! An assignment counts if both readings have a value. Where none of the first ten does, the formula is not compared.
 
+mod functions;
+mod terms;
+
+use self::terms::Terms;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -20,7 +24,7 @@ use torse_semantics::tree::{
     Assignment, BASIS_AT, BASIS_DEGREES, Compared, Outline, Piece, Reading, TreeOutline,
     printed_number, word,
 };
-use torse_semantics::{Class, Evaluator, Gap, Name, Scrambled, Series, Value, Work};
+use torse_semantics::{Class, Gap, Name, Scrambled, Series, Value, Work};
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{self, Expr, Place};
 use torse_syntax::notation;
@@ -127,7 +131,7 @@ impl Case<'_> {
         let assignment = Assignment::new(&self.claim.declarations, attempt);
         let number = |name: &Name| assignment.number(name);
         let trees = Compared::new(self.reading, &arithmetic, &number);
-        let terms = Terms {
+        let numbers = Numbers {
             core: self.core,
             made: self.made,
             trees: &trees,
@@ -135,10 +139,10 @@ impl Case<'_> {
             arithmetic: &arithmetic,
             known: RefCell::default(),
         };
-        let values = |name: &Name| terms.number(name);
+        let values = |name: &Name| numbers.number(name);
         let (plain, along) = (
-            Evaluator::new(&arithmetic, &values),
-            Evaluator::new(&arithmetic, &values).of(Some(self.core)),
+            Terms::new(&arithmetic, &values, None),
+            Terms::new(&arithmetic, &values, Some(self.core)),
         );
         let mut open = None;
         let mut note = |found: Option<String>| {
@@ -218,7 +222,7 @@ impl Case<'_> {
 }
 
 /// What core terms ask for.
-struct Terms<'a, 's> {
+struct Numbers<'a, 's> {
     core: &'s core::Claim,
     made: &'s BTreeMap<Arc<str>, Option<Expr>>,
     trees: &'a Compared<'s, 'a>,
@@ -227,7 +231,7 @@ struct Terms<'a, 's> {
     known: RefCell<BTreeMap<Arc<str>, Option<Value<Class>>>>,
 }
 
-impl Terms<'_, '_> {
+impl Numbers<'_, '_> {
     fn number(&self, name: &Name) -> Option<Class> {
         let declared = name.declared();
         let Some(text) = self.made.get(declared) else {
@@ -262,7 +266,7 @@ impl Terms<'_, '_> {
             .filter_map(core::Hypothesis::root);
         if let Some((_, radicand)) = roots.find(|(own, _)| *own == name) {
             let values = |name: &Name| self.number(name);
-            let radicand = Evaluator::new(self.arithmetic, &values).value(radicand);
+            let radicand = Terms::new(self.arithmetic, &values, None).value(radicand);
             let root = radicand.ok()?.number().ok()?.square_root(self.arithmetic);
             return root.ok().map(Value::Number);
         }
@@ -276,7 +280,7 @@ impl Terms<'_, '_> {
 #[derive(Clone, Copy)]
 struct Both<'a, 's, 'e> {
     trees: &'a Compared<'s, 'e>,
-    evaluator: &'a Evaluator<'a, Scrambled<'e>>,
+    evaluator: &'a Terms<'a>,
     claim: &'s Claim,
 }
 
@@ -389,7 +393,7 @@ fn are_same(text: &Value<Class>, own: &Value<Class>) -> bool {
 }
 
 /// The outline of a core statement.
-fn outline<'c>(statement: &'c Statement, at: &Evaluator<'_, Scrambled<'_>>) -> CoreOutline<'c> {
+fn outline<'c>(statement: &'c Statement, at: &Terms<'_>) -> CoreOutline<'c> {
     let mut all = vec![];
     let mut pending = vec![statement];
     while let Some(statement) = pending.pop() {

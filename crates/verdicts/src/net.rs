@@ -1,6 +1,6 @@
 //! The net under every verdict.
 //!
-//! Before a verdict is shown, `torse_semantics` judges the claim from its core terms, by other means than the prover: a
+//! Before a verdict is shown, `torse_semantics` judges the claim from the trees of its text, by other means than the prover: a
 //! proof at points of the domain, a refutation at its witness, which is put into every declared set, every hypothesis
 //! and the statement. What contradicts the verdict is shown in its place: it is no verdict.
 //!
@@ -27,13 +27,13 @@ use crate::{condition, provenance, replay};
 use torse_algebra::work;
 use torse_core as core;
 use torse_prove::{self as prove, a_point_of};
-use torse_semantics::tree::{Reading, objection_at};
+use torse_semantics::tree::Reading;
 use torse_semantics::{
     Identity, Judgement, Outside, Tally, Witness, Work, beyond, check_witness, identity, instances,
-    read, tally_twice,
+    tally,
 };
 use torse_syntax::derivation::{Claim, Written};
-use torse_syntax::formula::Node;
+use torse_syntax::formula::{Expr, Node};
 use torse_syntax::notation::Formula;
 use torse_syntax::words::Verdict;
 
@@ -207,41 +207,38 @@ impl<'a> Case<'a> {
         }
     }
 
-    /// The statement at points of the domain, and why these do not count.
-    fn tally(&self, conditions: &[core::Statement]) -> (Tally, Option<String>) {
+    /// The statement at points of the domain, and whether these see nothing.
+    fn tally(&self, conditions: &[Written]) -> (Tally, Option<String>) {
         let Effort { points, budget, .. } = *self.effort;
-        let (seed, reading) = (&self.seed, self.reading());
-        let tally = tally_twice(&reading, self.core, conditions, seed, points, budget);
-        let why = match (tally.holding, reading.holding()) {
-            (1.., 0) => {
-                let why = reading.why_open().unwrap_or_default();
-                Some(format!(
-                    "read anew it is decided at none of its points: {why}"
-                ))
-            }
-            _ if reading.is_blind() => Some("its points do not see a slip in it".to_owned()),
-            _ => None,
-        };
-        (tally, why)
+        let conditions: Vec<&Expr> = conditions.iter().map(|written| &written.expr).collect();
+        let reading = self.reading();
+        let tally = tally(&reading, &conditions, &self.seed, points, budget);
+        let blind = "its points do not see a slip in it".to_owned();
+        (tally, reading.is_blind().then_some(blind))
     }
 
     /// The trees of the claim and the statement: what the text says, whatever the core terms made of it.
     fn reading(&self) -> Reading<'_> {
-        let names = self.core.symbols.keys().map(|name| &**name);
-        Reading::new(self.claim, &self.statement.expr, names)
+        reading(self.claim, self.statement, self.core)
+    }
+
+    /// Whether a point refutes the statement.
+    fn check<'t>(&self, numbers: impl IntoIterator<Item = (&'t str, &'t str)>) -> Witness {
+        check_witness(self.claim, &self.statement.expr, numbers)
     }
 
     /// A proof under conditions, at points of the domain.
     fn proof(&self, conditions: &[Formula]) -> Result<Net, Objection> {
+<<<<<<< HEAD
         self.agrees()?;
         let read: Option<Vec<core::Statement>> = conditions.iter().map(|c| self.read(c)).collect();
+=======
+        let read: Option<Vec<Written>> = conditions.iter().map(|c| self.read(c)).collect();
+>>>>>>> cefacbbf (The semantics reads trees alone: points and thin parts of domains are listed from the text, core walkers are gone)
         let Some(read) = read else {
             return Ok(Net::uncovered("a condition that cannot be read back"));
         };
         let (tally, useless) = self.tally(&read);
-        if let Some(objection) = tally.objection {
-            return Err(objection.into());
-        }
         if let Some(point) = tally.failing {
             return Err(format!("it is false at {point}").into());
         }
@@ -292,7 +289,7 @@ impl<'a> Case<'a> {
         };
         let numbers = known.at.iter();
         let numbers = numbers.map(|(name, value)| (name.as_str(), value.as_str()));
-        match check_witness(self.core, &self.core.statement, numbers) {
+        match self.check(numbers) {
             Witness::Stands(Judgement::Undefined(_))
             | Witness::Outside(_)
             | Witness::Unreadable(_) => Err(nowhere()),
@@ -305,21 +302,19 @@ impl<'a> Case<'a> {
 
     /// The statement where a condition fails. A condition that is a hypothesis fails nowhere on the domain; it is looked
     /// at without it.
-    fn sides(&self, formula: &Formula, condition: &core::Statement) -> Sides {
+    fn sides(&self, formula: &Formula, condition: &Written) -> Sides {
         let slot = provenance::slot_of(self.claim, formula);
         let wider = slot.and_then(|slot| {
             let wider = provenance::without(self.claim, &[slot]);
-            torse_elaborate::elaborate(&wider, self.statement).ok()
+            let core = torse_elaborate::elaborate(&wider, self.statement).ok()?;
+            Some((wider, core))
         });
-        let (core, effort) = (wider.as_ref().unwrap_or(self.core), self.effort);
-        let found = beyond(
-            core,
-            &core.statement,
-            condition,
-            &self.seed,
-            BEYOND,
-            effort.beyond,
-        );
+        let reading = match &wider {
+            Some((claim, core)) => reading(claim, self.statement, core),
+            None => self.reading(),
+        };
+        let budget = self.effort.beyond;
+        let found = beyond(&reading, &condition.expr, &self.seed, BEYOND, budget);
         let mut found = found.unwrap_or_default();
         let mut needed_at = found.needed_at.map(|point| point.to_string());
         let mut excepted = self.excepted.iter();
@@ -328,7 +323,7 @@ impl<'a> Case<'a> {
         {
             let numbers = known.at.iter();
             let numbers = numbers.map(|(name, value)| (name.as_str(), value.as_str()));
-            if check_witness(self.core, &self.core.statement, numbers) == Witness::Refutes {
+            if self.check(numbers) == Witness::Refutes {
                 let point = known
                     .at
                     .iter()
@@ -348,14 +343,15 @@ impl<'a> Case<'a> {
     }
 
     /// How many small instances are identities.
-    fn instances(&self, conditions: &[core::Statement]) -> Result<u64, String> {
+    fn instances(&self, conditions: &[Written]) -> Result<u64, String> {
         let work = Work::new(self.effort.polynomials);
         let mut confirmed = 0;
         if work.left() == 0 {
             return Ok(confirmed);
         }
-        for instance in instances(self.core) {
-            match identity(self.core, &self.core.statement, &instance, &work) {
+        let reading = self.reading();
+        for instance in instances(&reading) {
+            match identity(&reading, &instance, &work) {
                 Identity::Holds => confirmed += 1,
                 // An identity may fail where a condition on integers fails.
                 Identity::Differs { terms } if conditions.is_empty() => {
@@ -421,14 +417,8 @@ impl<'a> Case<'a> {
             .at
             .iter()
             .map(|(name, value)| (name.as_str(), value.as_str()));
-        match check_witness(self.core, &self.core.statement, numbers.clone()) {
-            Witness::Refutes => {
-                let point = read(self.core, numbers).ok();
-                match point.and_then(|point| objection_at(&self.reading(), &point)) {
-                    Some(objection) => Err(format!("at its witness {objection}").into()),
-                    None => Ok(Net::refuted(1)),
-                }
-            }
+        match self.check(numbers) {
+            Witness::Refutes => Ok(Net::refuted(1)),
             Witness::Outside(Outside::Hypothesis {
                 judgement: judgement @ (Judgement::Undecided | Judgement::Unknown(_)),
                 ..
@@ -473,9 +463,6 @@ impl<'a> Case<'a> {
     /// point at which the statement is false. Without one nothing but the prover says that it is.
     fn elsewhere(&self, why: &str) -> Result<Net, Objection> {
         let (tally, _) = self.tally(&[]);
-        if let Some(objection) = tally.objection {
-            return Err(objection.into());
-        }
         match tally.failing {
             Some(_) => Ok(Net::refuted(tally.attempts)),
             None => Err(Objection::Unseen(format!(
@@ -500,11 +487,17 @@ impl<'a> Case<'a> {
     }
 
     /// A formula of the outcome, read back as a statement about the same domain.
-    fn read(&self, formula: &Formula) -> Option<core::Statement> {
+    fn read(&self, formula: &Formula) -> Option<Written> {
         let written = condition::written(formula, &self.seed)?;
-        let core = torse_elaborate::elaborate(self.claim, &written).ok()?;
-        Some(core.statement)
+        torse_elaborate::elaborate(self.claim, &written).ok()?;
+        Some(written)
     }
+}
+
+/// The trees of a claim and a statement about its domain, of whose core claim this is.
+fn reading<'c>(claim: &'c Claim, statement: &'c Written, core: &core::Claim) -> Reading<'c> {
+    let names = core.symbols.keys().map(|name| &**name);
+    Reading::new(claim, &statement.expr, names)
 }
 
 /// Why a statement was not decided at more points.

@@ -7,6 +7,7 @@ use super::Kind;
 use super::claim::{Claim, Truth};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
+use torse_semantics::tree::Reading;
 use torse_semantics::{Tally as Points, tally};
 use torse_syntax::derivation::{self, LoadError, Paper, Source, paper};
 use torse_syntax::words::Verdict;
@@ -91,7 +92,9 @@ pub fn semantics(claim: &Claim) -> Result<Points, String> {
     let core =
         torse_elaborate::elaborate(written, statement).map_err(|fault| format!("{fault:?}"))?;
     let seed = format!("second judge {}", claim.id());
-    Ok(tally(&core, &core.statement, &[], &seed, POINTS, BUDGET))
+    let names = core.symbols.keys().map(|name| &**name);
+    let reading = Reading::new(written, &statement.expr, names);
+    Ok(tally(&reading, &[], &seed, POINTS, BUDGET))
 }
 
 /// What contradicts the construction of a claim, if anything.

@@ -1,52 +1,73 @@
 //! The comparisons among the hypotheses of a claim.
 
-use torse_core::{Claim, Statement, Term};
-use torse_syntax::formula::{Connective, Relation};
+use torse_syntax::derivation::declarations::Declarations;
+use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
-/// The comparisons that every point of the domain satisfies: those of conjunctions of hypotheses.
-pub(crate) fn constraints(claim: &Claim) -> Vec<(Relation, &Term, &Term)> {
-    let mut pending: Vec<&Statement> = claim
-        .hypotheses
-        .iter()
-        .rev()
-        .map(|h| &h.statement)
-        .collect();
+/// How deep definitions of statements are opened.
+const MAX_OPENED: u32 = 16;
+
+/// A comparison that every point of the domain satisfies.
+pub(crate) type Constraint<'a> = (Relation, &'a Expr, &'a Expr);
+
+/// The comparisons that are true wherever all hypotheses are: those of conjunctions, and of denials of alternatives.
+pub(crate) fn constraints<'a>(
+    declarations: &'a Declarations,
+    hypotheses: &[&'a Expr],
+) -> Vec<Constraint<'a>> {
     let mut all = vec![];
-    while let Some(statement) = pending.pop() {
-        match statement {
-            Statement::Join(Connective::And, a, b) => pending.extend([&**b, &**a]),
-            Statement::Compare {
-                relation,
-                left,
-                right,
-            } => all.push((*relation, left, right)),
-            _ => {}
-        }
+    for tree in hypotheses {
+        collect(declarations, tree, false, MAX_OPENED, &mut all);
     }
     all
 }
 
-/// Whether a hypothesis is a conjunction of equations, all of which [`solve`] looks at.
-pub(crate) fn is_equations(statement: &Statement) -> bool {
-    let mut pending = vec![statement];
-    while let Some(statement) = pending.pop() {
-        match statement {
-            Statement::Join(Connective::And, a, b) => pending.extend([&**a, &**b]),
-            Statement::Compare {
-                relation: Relation::Equal,
-                ..
-            } => {}
-            _ => return false,
-        }
-    }
-    true
+/// Whether a hypothesis is a conjunction of equations, all of which are solved.
+pub(crate) fn is_equations(declarations: &Declarations, tree: &Expr) -> bool {
+    let mut all = vec![];
+    let complete = collect(declarations, tree, false, MAX_OPENED, &mut all);
+    complete
+        && all
+            .iter()
+            .all(|(relation, ..)| *relation == Relation::Equal)
 }
 
-/// The equations among them.
-pub(crate) fn equations(claim: &Claim) -> Vec<(&Term, Option<&Term>)> {
-    constraints(claim)
-        .into_iter()
-        .filter(|(relation, ..)| *relation == Relation::Equal)
-        .map(|(_, left, right)| (left, Some(right)))
-        .collect()
+/// Adds the comparisons that a statement, or its denial, consists of: whether it says nothing else.
+fn collect<'a>(
+    declarations: &'a Declarations,
+    tree: &'a Expr,
+    is_denied: bool,
+    depth: u32,
+    all: &mut Vec<Constraint<'a>>,
+) -> bool {
+    match &tree.node {
+        Node::Join(connective, a, b) => {
+            let first_denied = match (connective, is_denied) {
+                (Connective::And, false) | (Connective::Implies, true) => false,
+                (Connective::Or, true) => true,
+                _ => return false,
+            };
+            let first = collect(declarations, a, first_denied, depth, all);
+            collect(declarations, b, is_denied, depth, all) && first
+        }
+        Node::Not(inner) => collect(declarations, inner, !is_denied, depth, all),
+        Node::Compare(first, rest) if !is_denied || rest.len() == 1 => {
+            let mut left = &**first;
+            for (relation, right) in rest {
+                let relation = match is_denied {
+                    true => relation.opposite(),
+                    false => *relation,
+                };
+                all.push((relation, left, right));
+                left = right;
+            }
+            true
+        }
+        Node::Name(name) => match (declarations.definition(name), depth.checked_sub(1)) {
+            (Some(definition), Some(depth)) => {
+                collect(declarations, &definition.body.expr, is_denied, depth, all)
+            }
+            _ => false,
+        },
+        _ => false,
+    }
 }

@@ -1,15 +1,14 @@
 //! A point in the making: every number is drawn from its declared set when it is asked for first.
 
-use super::narrow::Narrowed;
-use super::set;
 use super::stream::Stream;
+use super::{Domain, set};
 use crate::name::Name;
 use crate::real::Real;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
-use torse_core::{Claim, Set};
 use torse_numbers::Affine;
 use torse_numbers::rational::integer;
+use torse_syntax::derivation::declarations::SymbolKind;
 
 /// How deep bounds of integers may name other integers.
 const MAX_DEPTH: usize = 16;
@@ -18,8 +17,7 @@ const MAX_NAMES: usize = 4000;
 
 /// A point in the making.
 pub(crate) struct Draft<'a> {
-    claim: &'a Claim,
-    narrowed: &'a Narrowed,
+    domain: &'a Domain<'a>,
     stream: Stream,
     values: RefCell<BTreeMap<Name, Real>>,
     rounded: RefCell<BTreeSet<Name>>,
@@ -30,10 +28,9 @@ pub(crate) struct Draft<'a> {
 
 impl<'a> Draft<'a> {
     /// The empty draft of these choices; symbols are drawn from the narrowed sets.
-    pub fn new(claim: &'a Claim, narrowed: &'a Narrowed, stream: Stream) -> Self {
+    pub fn new(domain: &'a Domain<'a>, stream: Stream) -> Self {
         Self {
-            claim,
-            narrowed,
+            domain,
             stream,
             values: RefCell::default(),
             rounded: RefCell::default(),
@@ -60,10 +57,10 @@ impl<'a> Draft<'a> {
             return None;
         }
         let label = self.stream.label(name);
-        let declared = self.claim.symbols.get(name.declared())?;
-        let set = self.narrowed.sets.get(name.declared());
+        let declared = self.domain.set(name)?;
+        let set = self.domain.narrowed.sets.get(name.declared());
         let drawn = match (name, set.unwrap_or(declared)) {
-            (Name::Symbol(_), Set::Real(interval)) => {
+            (Name::Symbol(_), SymbolKind::Real(interval)) => {
                 let drawn = set::in_interval(interval, &self.stream, &label);
                 if set::contains(interval, &drawn) != Some(true) {
                     // The ends are exchanged, or one point is left and does not belong to the interval.
@@ -72,7 +69,7 @@ impl<'a> Draft<'a> {
                 }
                 drawn
             }
-            (Name::Symbol(_), Set::Integer { least, most }) => {
+            (Name::Symbol(_), SymbolKind::Integer { least, most }) => {
                 let bound = |form: &Option<Affine>| match form {
                     None => Some(None),
                     Some(form) => self.form(form, depth).map(Some),
@@ -130,7 +127,7 @@ impl<'a> Draft<'a> {
     pub fn is_determined(&self) -> bool {
         let determined = self.determined.borrow();
         let pinned = |name: &Name| match name {
-            Name::Symbol(symbol) => self.narrowed.pinned.contains(symbol),
+            Name::Symbol(symbol) => self.domain.narrowed.pinned.contains(symbol),
             Name::Coordinate(..) | Name::Member(..) => false,
         };
         self.values

@@ -3,18 +3,17 @@
 //!
 //! This finds points sooner and excludes none: whether all hypotheses are true is asked of every point all the same.
 
-use super::constraints::constraints;
-use crate::evaluate::Evaluator;
+use super::constraints::Constraint;
 use crate::gap::Work;
 use crate::name::Name;
 use crate::real::Reals;
+use crate::tree::{Reading, Values};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use torse_core::{Claim, Node, Set, Term};
 use torse_numbers::rational::floor_quotient;
 use torse_numbers::{Affine, Rational};
-use torse_syntax::derivation::declarations::Bound;
-use torse_syntax::formula::Relation;
+use torse_syntax::derivation::declarations::{Bound, SymbolKind};
+use torse_syntax::formula::{Expr, Node, Relation};
 
 /// The operations that the number of one hypothesis may take, and their precision where they are not exact.
 const MAX_WORK: u64 = 100;
@@ -24,30 +23,37 @@ const BITS: usize = 64;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Narrowed {
     /// Those of symbols that are compared.
-    pub sets: BTreeMap<Arc<str>, Set>,
+    pub sets: BTreeMap<Arc<str>, SymbolKind>,
     /// The symbols that a hypothesis says are equal to a number.
     pub pinned: BTreeSet<Arc<str>>,
 }
 
 impl Narrowed {
     /// What the hypotheses of a claim say of single symbols.
-    pub fn new(claim: &Claim) -> Self {
+    pub fn new(reading: &Reading<'_>, constraints: &[Constraint<'_>]) -> Self {
         let mut all = Self::default();
-        for (relation, left, right) in constraints(claim) {
-            let (name, relation, number) = match (&*left.node, &*right.node) {
-                (Node::Symbol(name), _) => (name, relation, number(right)),
-                (_, Node::Symbol(name)) => (name, relation.mirrored(), number(left)),
-                _ => continue,
+        let declarations = reading.declarations();
+        let declared = |tree: &Expr| match &tree.node {
+            Node::Name(name) if declarations.definition(name).is_none() => {
+                let set = declarations.symbol(name)?;
+                Some((Arc::from(name.as_str()), set.clone()))
+            }
+            _ => None,
+        };
+        for (relation, left, right) in constraints {
+            let found = match (declared(left), declared(right)) {
+                (Some(symbol), _) => number(reading, right).map(|n| (symbol, *relation, n)),
+                (None, Some(symbol)) => {
+                    number(reading, left).map(|n| (symbol, relation.mirrored(), n))
+                }
+                (None, None) => None,
             };
-            let (Some(declared), Some(number)) = (claim.symbols.get(name), number) else {
+            let Some(((name, declared), relation, number)) = found else {
                 continue;
             };
-            let set = all
-                .sets
-                .entry(Arc::clone(name))
-                .or_insert_with(|| declared.clone());
+            let set = all.sets.entry(Arc::clone(&name)).or_insert(declared);
             if relation != Relation::Different && narrow(set, relation, &number) {
-                all.pinned.insert(Arc::clone(name));
+                all.pinned.insert(name);
             }
         }
         all
@@ -55,7 +61,7 @@ impl Narrowed {
 }
 
 /// Narrows a set to the numbers with this relation to a number: whether it is the only one that is left.
-fn narrow(set: &mut Set, relation: Relation, number: &Rational) -> bool {
+fn narrow(set: &mut SymbolKind, relation: Relation, number: &Rational) -> bool {
     let (below, above, closed) = match relation {
         Relation::Less => (true, false, false),
         Relation::AtMost => (true, false, true),
@@ -65,7 +71,7 @@ fn narrow(set: &mut Set, relation: Relation, number: &Rational) -> bool {
         Relation::Different => return false,
     };
     match set {
-        Set::Real(interval) => {
+        SymbolKind::Real(interval) => {
             let bound = || Bound {
                 value: number.clone().into(),
                 closed,
@@ -77,7 +83,7 @@ fn narrow(set: &mut Set, relation: Relation, number: &Rational) -> bool {
                 narrow_end(&mut interval.lower, bound(), |own, new| own < new);
             }
         }
-        Set::Integer { least, most } => {
+        SymbolKind::Integer { least, most } => {
             // The last integer that is at most the number, and the first that is at least so large.
             let (numer, denom) = (number.numer(), number.denom());
             let last = i64::try_from(&floor_quotient(numer, denom));
@@ -96,7 +102,7 @@ fn narrow(set: &mut Set, relation: Relation, number: &Rational) -> bool {
                 _ => narrow_bound(least, first.saturating_add(open), i64::max),
             }
         }
-        Set::Vector(_) | Set::Family { .. } => return false,
+        SymbolKind::Vector(_) | SymbolKind::Family { .. } => return false,
     }
     relation == Relation::Equal
 }
@@ -126,14 +132,18 @@ fn narrow_bound(bound: &mut Option<Affine>, new: i64, inner: fn(i64, i64) -> i64
     *bound = Some(Affine::number(inside));
 }
 
-/// The rational number that a term without symbols is.
-fn number(term: &Term) -> Option<Rational> {
+/// The rational number that a formula without symbols is.
+fn number(reading: &Reading<'_>, tree: &Expr) -> Option<Rational> {
     let work = Work::new(MAX_WORK);
     let reals = Reals {
         bits: BITS,
         work: &work,
     };
-    let nameless = |_: &Name| None;
-    let value = Evaluator::new(&reals, &nameless).value(term).ok()?;
+    let values = Values {
+        number: &|_: &Name| None,
+        near: false,
+        fails: &|_| false,
+    };
+    let value = reading.value_of(tree, &reals, values).ok()?;
     value.number().ok()?.as_number()?.as_rational().cloned()
 }

@@ -1,28 +1,34 @@
 //! Equations to first order, and the changes that make them hold: one step of Newton's method for systems with more
 //! unknowns than equations, over any arithmetic.
 
+use super::Domain;
 use super::stream::Stream;
 use crate::arithmetic::Arithmetic;
-use crate::evaluate::Evaluator;
 use crate::expansion::{Expanded, Slope};
 use crate::gap::Gap;
 use crate::gradient::{Gradient, Gradients};
 use crate::name::Name;
+use crate::tree::{Reading, Values};
 use num_traits::Zero;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
-use torse_core::{Claim, Set, Term};
 use torse_numbers::Rational;
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::formula::Expr;
 
 /// The most numbers that are candidates for a change.
 const MAX_CANDIDATES: usize = 160;
 
-/// Expands terms, or the differences of two, at these values by the numbers that `moves` chooses.
+/// An equation, by its sides.
+pub(crate) type Equation<'a> = (&'a Expr, &'a Expr);
+
+/// Expands the differences of the sides of equations at these values by the numbers that `moves` chooses.
 ///
 /// # Errors
-/// Where a term has no value, or none that is known.
+/// Where a side has no value, or none that is known.
 pub(crate) fn expanded<A: Arithmetic>(
-    terms: &[(&Term, Option<&Term>)],
+    reading: &Reading<'_>,
+    equations: &[Equation<'_>],
     base: A,
     value: &dyn Fn(&Name) -> Option<A::Number>,
     moves: &dyn Fn(&Name) -> bool,
@@ -46,7 +52,7 @@ pub(crate) fn expanded<A: Arithmetic>(
         rates: gradients.rates(gap),
         curved: gradients.curved(gap),
     };
-    let gaps = differences(terms, &gradients, &values)?;
+    let gaps = differences(reading, equations, &gradients, &values)?;
     Ok(Expanded {
         gaps: gaps.iter().map(slope).collect(),
         discrete: gradients.discrete(),
@@ -54,29 +60,22 @@ pub(crate) fn expanded<A: Arithmetic>(
     })
 }
 
-/// The values of terms, or of the differences of two: what [`expanded`] finds where nothing moves, for less.
+/// The differences of the sides: what [`expanded`] finds where nothing moves, for less.
 ///
 /// # Errors
-/// Where a term has no value, or none that is known.
+/// Where a side has no value, or none that is known.
 pub(crate) fn differences<A: Arithmetic>(
-    terms: &[(&Term, Option<&Term>)],
+    reading: &Reading<'_>,
+    equations: &[Equation<'_>],
     a: &A,
     value: &dyn Fn(&Name) -> Option<A::Number>,
 ) -> Result<Vec<A::Number>, Gap> {
-    let at = Evaluator::new(a, value);
-    let mut gaps = vec![];
-    for (left, right) in terms {
-        let left = at.value(left)?;
-        match right {
-            None => gaps.extend(left.numbers().iter().filter_map(|x| x.as_number()).cloned()),
-            Some(right) => {
-                for (x, y) in left.pairs(&at.value(right)?, a)? {
-                    gaps.extend(x.minus(&y, a)?.as_number().cloned());
-                }
-            }
-        }
-    }
-    Ok(gaps)
+    let values = Values {
+        number: value,
+        near: false,
+        fails: &|_| false,
+    };
+    reading.differences(equations, a, values)
 }
 
 /// A number that may be changed, with the first derivatives of all gaps by it.
@@ -91,20 +90,20 @@ struct Column<N> {
 /// What the numbers that occur have to be changed by, so that all gaps become zero; `None` if that cannot be. A gap that
 /// nothing changes has to hold already.
 pub(crate) fn changes<A: Arithmetic>(
-    claim: &Claim,
+    domain: &Domain<'_>,
     expanded: &Expanded<A::Number>,
     stream: &Stream,
     unknowns: &BTreeSet<Name>,
     a: &A,
     holds: &dyn Fn(&A::Number) -> bool,
 ) -> Option<BTreeMap<Name, A::Number>> {
-    let columns = columns(claim, expanded, stream, unknowns, a);
+    let columns = columns(domain, expanded, stream, unknowns, a);
     eliminated(&columns, &expanded.gaps, a, holds)
 }
 
 /// The numbers that the gaps change with, best candidates for a change first.
 fn columns<A: Arithmetic>(
-    claim: &Claim,
+    domain: &Domain<'_>,
     expanded: &Expanded<A::Number>,
     stream: &Stream,
     unknowns: &BTreeSet<Name>,
@@ -124,12 +123,12 @@ fn columns<A: Arithmetic>(
         if !rates.iter().any(|rate| a.is_zero(rate) == Some(false)) {
             continue;
         }
-        let set = claim.symbols.get(name.declared());
+        let set = domain.set(name);
         let rank = (
             !unknowns.contains(name),
             expanded.gaps.iter().any(|gap| gap.curved.contains(name)),
-            matches!(set, Some(Set::Integer { .. })),
-            matches!(set, Some(Set::Real(i)) if i.lower.is_some() || i.upper.is_some()),
+            matches!(set, Some(SymbolKind::Integer { .. })),
+            matches!(set, Some(SymbolKind::Real(i)) if i.lower.is_some() || i.upper.is_some()),
             stream.below(&format!("{name} rank"), 1000),
         );
         columns.push(Column {

@@ -2,9 +2,9 @@
 
 use super::constraints::is_equations;
 use super::draft::Draft;
-use super::set;
 use super::solve::{Solved, solve};
 use super::sort::sorted;
+use super::{Domain, set};
 use crate::gap::Work;
 use crate::judge::Judge;
 use crate::judgement::Judgement;
@@ -12,8 +12,9 @@ use crate::name::Name;
 use crate::real::Real;
 use std::collections::BTreeMap;
 use std::fmt;
-use torse_core::{Claim, Set, Statement};
 use torse_numbers::Affine;
+use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
+use torse_syntax::formula::Expr;
 
 /// A point: a number for each symbol, coordinate and member that a statement asks for.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -56,15 +57,18 @@ pub enum Outside {
 }
 
 /// Whether every number lies in its declared set; the name of the first that does not, or is not known to.
-pub(crate) fn check_sets(claim: &Claim, values: &BTreeMap<Name, Real>) -> Result<(), Outside> {
+pub(crate) fn check_sets(
+    declarations: &Declarations,
+    values: &BTreeMap<Name, Real>,
+) -> Result<(), Outside> {
     for (name, value) in values {
-        let inside = match claim.symbols.get(name.declared()) {
+        let inside = match declarations.symbol(name.declared()) {
             None => false,
-            Some(Set::Real(interval)) => set::contains(interval, value) == Some(true),
-            Some(Set::Integer { least, most }) => {
+            Some(SymbolKind::Real(interval)) => set::contains(interval, value) == Some(true),
+            Some(SymbolKind::Integer { least, most }) => {
                 is_in_range(value, least.as_ref(), most.as_ref(), values)
             }
-            Some(Set::Vector(_) | Set::Family { .. }) => true,
+            Some(SymbolKind::Vector(_) | SymbolKind::Family { .. }) => true,
         };
         if !inside {
             return Err(Outside::Set {
@@ -102,13 +106,18 @@ fn whole(value: &Real) -> Option<i64> {
 }
 
 /// Whether every hypothesis is true; those that are `known` to be are not judged.
-pub(crate) fn check_hypotheses(
-    judge: &Judge<'_>,
-    known: impl Fn(&Statement) -> bool,
+pub(crate) fn check_hypotheses<'a>(
+    judge: &Judge<'_, 'a>,
+    domain: &Domain<'a>,
+    known: impl Fn(&Expr) -> bool,
 ) -> Result<(), Outside> {
-    let hypotheses = judge.claim.hypotheses.iter().enumerate();
-    for (number, hypothesis) in hypotheses.filter(|(_, h)| !known(&h.statement)) {
-        let judgement = judge.hypothesis(&hypothesis.statement);
+    let at = judge.evaluators();
+    let at = at.each(judge);
+    for (number, tree) in domain.hypotheses.iter().enumerate() {
+        if known(tree) {
+            continue;
+        }
+        let judgement = at.truth(tree);
         if judgement != Judgement::True {
             return Err(Outside::Hypothesis { number, judgement });
         }
@@ -118,21 +127,21 @@ pub(crate) fn check_hypotheses(
 
 /// Changes a draft until it is a point of the domain, to be completed by what a statement asks for: whether it satisfies
 /// its equations only nearly; `None` if it cannot be one.
-pub(crate) fn completed(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<bool> {
-    sorted(claim, draft, work);
-    let solved = solve(claim, draft, work)?;
+pub(crate) fn completed(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Option<bool> {
+    sorted(domain, draft, work);
+    let solved = solve(domain, draft, work)?;
     let near = solved == Solved::Nearly;
-    let denied = BTreeMap::new();
+    let declarations = domain.reading.declarations();
     let judge = Judge {
-        claim,
+        reading: domain.reading,
         values: &|name| draft.value(name),
         near,
-        denied: &denied,
+        fails: &|_| false,
         work,
     };
     // The sets first: they cost nothing.
-    draft.look(|values| check_sets(claim, values)).ok()?;
-    check_hypotheses(&judge, |h| !near && is_equations(h)).ok()?;
-    draft.look(|values| check_sets(claim, values)).ok()?;
+    draft.look(|values| check_sets(declarations, values)).ok()?;
+    check_hypotheses(&judge, domain, |h| !near && is_equations(declarations, h)).ok()?;
+    draft.look(|values| check_sets(declarations, values)).ok()?;
     (!draft.empty.get()).then_some(near)
 }

@@ -5,7 +5,6 @@ use crate::arithmetic::Arithmetic;
 use crate::gap::Work;
 use crate::real::{Real, Reals};
 use std::cmp::Ordering;
-use torse_core::Set;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 use torse_syntax::derivation::declarations::{Bound, Interval};
@@ -31,14 +30,11 @@ fn value(bound: &Bound) -> Real {
 }
 
 /// The number at this share of the way through an interval; infinite ends are replaced by near ones.
-pub(crate) fn between(set: Option<&Set>, share: &Rational) -> Real {
-    let (lower, upper) = match set {
-        Some(Set::Real(interval)) => (
-            interval.lower.as_ref().map(value),
-            interval.upper.as_ref().map(value),
-        ),
-        _ => (None, None),
-    };
+fn between(interval: &Interval, share: &Rational) -> Real {
+    let (lower, upper) = (
+        interval.lower.as_ref().map(value),
+        interval.upper.as_ref().map(value),
+    );
     let far = |n: i64| Real::from(integer(n));
     let (lower, upper) = match (lower, upper) {
         (Some(lower), Some(upper)) => (lower, upper),
@@ -104,7 +100,7 @@ pub(crate) fn in_interval(interval: &Interval, stream: &Stream, label: &str) -> 
     let part = 1 + stream.below(label, parts - 1);
     let share = Rational::new(part.into(), parts.into());
     match (&interval.lower, &interval.upper) {
-        (Some(_), Some(_)) => between(Some(&Set::Real(Box::new(interval.clone()))), &share),
+        (Some(_), Some(_)) => between(interval, &share),
         (Some(lower), None) => {
             let far = 1 + stream.below(&format!("{label} far"), 6);
             moved(&value(lower), &Real::from(integer(far)), &share)

@@ -5,20 +5,17 @@
 //! at once, with exact numbers, if the equations are linear in the chosen numbers, and after a few rounds if one can be
 //! solved after the other. Else the numbers are rounded to many digits and the point satisfies the equations nearly.
 
-use super::constraints::equations;
+use super::Domain;
 use super::draft::Draft;
-use super::newton::{changes, differences, expanded};
+use super::newton::{Equation, changes, differences, expanded};
 use crate::arithmetic::Arithmetic;
-use crate::evaluate::Evaluator;
 use crate::gap::Work;
 use crate::name::Name;
 use crate::real::{Real, Reals, length};
-use crate::scope::Scope;
 use dashu_int::ops::BitTest;
 use num_traits::Signed;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
-use torse_core::{Claim, Term};
 use torse_numbers::rational::floor_quotient;
 use torse_numbers::{Integer, Rational};
 
@@ -50,12 +47,13 @@ pub(crate) enum Solved {
 }
 
 /// Changes the draft until the equations hold; `None` if that does not succeed.
-pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Solved> {
-    let equations = equations(claim);
+pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Option<Solved> {
+    let equations = domain.equations();
+    let reading = domain.reading;
     if equations.is_empty() {
         return Some(Solved::Exactly);
     }
-    let unknowns = unknowns(claim, draft, work)?;
+    let unknowns = unknowns(domain, draft, work);
     // Sums and products of long fractions cost many times what balls cost.
     let value = |name: &Name| {
         let value = draft.value(name)?;
@@ -65,9 +63,16 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         })
     };
     let expanded = |moves: &dyn Fn(&Name) -> bool| {
-        expanded(&equations, Reals { bits: BITS, work }, &value, moves).ok()
+        expanded(
+            reading,
+            &equations,
+            Reals { bits: BITS, work },
+            &value,
+            moves,
+        )
+        .ok()
     };
-    let values = || differences(&equations, &Reals { bits: BITS, work }, &value).ok();
+    let values = || differences(reading, &equations, &Reals { bits: BITS, work }, &value).ok();
     let mut rounded = false;
     let (mut places, mut lapses) = (0, 0);
     // What one step determined, where all equations are linear.
@@ -76,7 +81,7 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         let found = |gaps: &[&Real]| {
             solved(gaps, rounded).map(|solved| match solved {
                 Solved::Exactly => solved,
-                Solved::Nearly => snapped(&equations, draft, work).unwrap_or(solved),
+                Solved::Nearly => snapped(domain, &equations, draft, work).unwrap_or(solved),
             })
         };
         // The values alone cost a fraction of the rates, which are not needed where the equations hold. Numbers that
@@ -111,7 +116,7 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
         let reals = Reals { bits: BITS, work };
         let changes = |expanded| {
             let stream = draft.stream();
-            changes(claim, expanded, stream, &unknowns, &reals, &is_near)
+            changes(domain, expanded, stream, &unknowns, &reals, &is_near)
         };
         let (used, changes) = match changes(&some) {
             Some(changes) => (some, changes),
@@ -145,16 +150,12 @@ pub(crate) fn solve(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<Sol
 }
 
 /// The numbers that the unknowns of the claim consist of.
-pub(crate) fn unknowns(claim: &Claim, draft: &Draft<'_>, work: &Work) -> Option<BTreeSet<Name>> {
+pub(crate) fn unknowns(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> BTreeSet<Name> {
     let reals = Reals { bits: BITS, work };
     let values = |name: &Name| draft.value(name);
-    let at = Evaluator::new(&reals, &values);
-    let names = claim
-        .unknowns
-        .iter()
-        .map(|unknown| at.names(unknown, &Scope::outermost()));
-    let names: Vec<Vec<Name>> = names.collect::<Result<_, _>>().ok()?;
-    Some(names.into_iter().flatten().collect())
+    let names = domain.unknowns.iter();
+    let names = names.filter_map(|tree| domain.reading.names_in(tree, &reals, &values).ok());
+    names.flatten().collect()
 }
 
 /// How the equations hold, if they do.
@@ -172,7 +173,12 @@ fn solved(gaps: &[&Real], rounded: bool) -> Option<Solved> {
 }
 
 /// Rounded numbers that are nearly simple rational ones are made so, if all equations hold exactly then.
-fn snapped(equations: &[(&Term, Option<&Term>)], draft: &Draft<'_>, work: &Work) -> Option<Solved> {
+fn snapped(
+    domain: &Domain<'_>,
+    equations: &[Equation<'_>],
+    draft: &Draft<'_>,
+    work: &Work,
+) -> Option<Solved> {
     let before = draft.values();
     for name in draft.rounded() {
         if let Some(simple) = before
@@ -184,7 +190,12 @@ fn snapped(equations: &[(&Term, Option<&Term>)], draft: &Draft<'_>, work: &Work)
         }
     }
     let value = |name: &Name| draft.value(name);
-    let found = differences(equations, &Reals { bits: BITS, work }, &value);
+    let found = differences(
+        domain.reading,
+        equations,
+        &Reals { bits: BITS, work },
+        &value,
+    );
     let exact = found.is_ok_and(|gaps| {
         let mut gaps = gaps.iter();
         gaps.all(|gap| gap.sign() == Some(Ordering::Equal))

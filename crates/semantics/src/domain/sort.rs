@@ -3,18 +3,17 @@
 //! Numbers that stand in the wrong order are exchanged, and equal ones that have to differ are moved apart, until all
 //! comparisons between two numbers hold. Whether the point lies in the domain is asked of it afterwards, like of all others.
 
-use super::constraints::constraints;
+use super::Domain;
+use super::constraints::Constraint;
 use super::draft::Draft;
 use crate::arithmetic::Arithmetic;
-use crate::evaluate::Evaluator;
 use crate::gap::Work;
 use crate::name::Name;
 use crate::real::{Real, Reals};
-use crate::scope::Scope;
 use std::cmp::Ordering;
-use torse_core::{Claim, Node, Set, Term};
 use torse_numbers::rational::ratio;
-use torse_syntax::formula::Relation;
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::formula::{Expr, Node, Relation};
 
 /// How often all comparisons are gone through.
 const ROUNDS: usize = 24;
@@ -22,23 +21,30 @@ const ROUNDS: usize = 24;
 const BITS: usize = 128;
 
 /// Sorts the numbers of a draft that the hypotheses of a claim order.
-pub(crate) fn sorted(claim: &Claim, draft: &Draft<'_>, work: &Work) {
+pub(crate) fn sorted(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) {
     let reals = Reals { bits: BITS, work };
     let chain: Vec<(Name, Name, bool)> = {
         let values = |name: &Name| draft.value(name);
-        let at = Evaluator::new(&reals, &values);
-        let name = |term: &Term| {
+        let declarations = domain.reading.declarations();
+        let name = |tree: &Expr| {
             // What an index is worth is asked of names alone: formulas are not ordered by exchanging numbers.
-            let is_name = matches!(&*term.node, Node::Symbol(_) | Node::Member(..));
-            let names = is_name.then(|| at.names(term, &Scope::outermost()).ok());
-            let [name] = <[Name; 1]>::try_from(names??).ok()?;
-            let is_real = match claim.symbols.get(name.declared())? {
-                Set::Real(_) | Set::Family { .. } => true,
-                Set::Vector(_) | Set::Integer { .. } => false,
+            let head = match &tree.node {
+                Node::Index(head, _) => &head.node,
+                node => node,
             };
-            is_real.then_some(name)
+            let Node::Name(head) = head else {
+                return None;
+            };
+            let set = declarations.symbol(head)?;
+            let is_real = matches!(set, SymbolKind::Real(_) | SymbolKind::Family { .. });
+            if declarations.definition(head).is_some() || !is_real {
+                return None;
+            }
+            let names = domain.reading.names_in(tree, &reals, &values).ok()?;
+            let [name] = <[Name; 1]>::try_from(names).ok()?;
+            Some(name)
         };
-        let link = |(relation, left, right): (Relation, &Term, &Term)| {
+        let link = |(relation, left, right): &Constraint<'_>| {
             let (low, high, strict) = match relation {
                 Relation::Less => (left, right, true),
                 Relation::AtMost => (left, right, false),
@@ -48,7 +54,7 @@ pub(crate) fn sorted(claim: &Claim, draft: &Draft<'_>, work: &Work) {
             };
             Some((name(low)?, name(high)?, strict))
         };
-        constraints(claim).into_iter().filter_map(link).collect()
+        domain.constraints.iter().filter_map(link).collect()
     };
     for _ in 0..ROUNDS {
         let mut changed = false;

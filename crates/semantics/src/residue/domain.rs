@@ -1,15 +1,15 @@
 //! Points of a domain modulo the prime.
 
-use super::judge::Judge;
+use super::Residues;
 use super::point::Point;
+use crate::domain::Domain;
 use crate::domain::constraints::is_equations;
 use crate::domain::draft::Draft;
 use crate::domain::point::check_sets;
 use crate::domain::sort::sorted;
 use crate::gap::{Unknown, Work};
+use crate::judge::Judge;
 use crate::judgement::Judgement;
-use std::collections::BTreeMap;
-use torse_core::Claim;
 
 /// What came of drawing a point.
 pub(crate) enum Drawn<'d, 'a> {
@@ -22,7 +22,11 @@ pub(crate) enum Drawn<'d, 'a> {
 }
 
 /// Completes a draft to a point of the domain.
-pub(crate) fn drawn<'d, 'a>(claim: &Claim, draft: &'d Draft<'a>, work: &Work) -> Drawn<'d, 'a> {
+pub(crate) fn drawn<'d, 'a>(
+    domain: &Domain<'a>,
+    draft: &'d Draft<'a>,
+    work: &Work,
+) -> Drawn<'d, 'a> {
     let not_covered = || {
         let what = "equations that residues do not solve";
         Drawn::Unknown(match work.left() {
@@ -30,31 +34,41 @@ pub(crate) fn drawn<'d, 'a>(claim: &Claim, draft: &'d Draft<'a>, work: &Work) ->
             _ => Unknown::NotCovered { what },
         })
     };
-    sorted(claim, draft, work);
+    sorted(domain, draft, work);
     let point = Point::new(draft);
-    if point.solve(claim, work).is_none() || !point.is_free(claim) {
+    if point.solve(domain, work).is_none() || !point.is_free(domain) {
         return not_covered();
     }
     // The sets first: they cost nothing.
-    let outside = || draft.look(|values| check_sets(claim, values)).is_err();
+    let declarations = domain.reading.declarations();
+    let outside = || {
+        draft
+            .look(|values| check_sets(declarations, values))
+            .is_err()
+    };
     if outside() {
         return Drawn::Outside;
     }
     let judge = Judge {
-        claim,
-        point: &point,
-        denied: &BTreeMap::new(),
+        reading: domain.reading,
+        values: &|name| point.number(name),
+        near: false,
+        fails: &|_| false,
         work,
     };
-    let hypotheses = claim.hypotheses.iter().map(|h| &h.statement);
-    for hypothesis in hypotheses.filter(|h| !is_equations(h)) {
-        match judge.hypothesis(hypothesis) {
+    let (residues, residue) = (Residues { work }, |name: &_| point.residue(name));
+    let grounds = judge.evaluators();
+    let at = grounds.along(&judge, None, Some((&residues, &residue)));
+    let found = domain.hypotheses.iter();
+    for tree in found.filter(|tree| !is_equations(declarations, tree)) {
+        match at.truth(tree) {
             Judgement::True => {}
             Judgement::False | Judgement::Undefined(_) => return Drawn::Outside,
             Judgement::Undecided => return not_covered(),
             Judgement::Unknown(why) => return Drawn::Unknown(why),
         }
     }
+    drop(at);
     if outside() || draft.empty.get() {
         return Drawn::Outside;
     }

@@ -17,19 +17,12 @@
 
 pub(crate) mod domain;
 pub(crate) mod field;
-pub(crate) mod judge;
 mod point;
 
-pub(crate) use point::Point;
-
 use crate::arithmetic::Arithmetic;
-use crate::domain::newton::expanded;
-use crate::expansion::Expanded;
 use crate::gap::{Gap, Undefined, Unknown, Work};
-use crate::name::Name;
 use crate::real::Real;
 use field::{ORDER, PRIME, ROOT};
-use torse_core::Term;
 use torse_numbers::Rational;
 use torse_numbers::rational::ratio;
 
@@ -197,15 +190,6 @@ impl Arithmetic for Residues<'_> {
     /// Residues do not grow.
     fn bit_length(&self, _: &Residue) -> Option<u64> {
         None
-    }
-
-    fn first_order(
-        &self,
-        terms: &[(&Term, Option<&Term>)],
-        value: &dyn Fn(&Name) -> Option<Residue>,
-        moves: &dyn Fn(&Name) -> bool,
-    ) -> Result<Expanded<Residue>, Gap> {
-        expanded(terms, *self, value, moves)
     }
 }
 

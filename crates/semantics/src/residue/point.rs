@@ -1,7 +1,7 @@
 //! Points modulo the prime: numbers drawn as they always are, and residues for those that equations determine.
 
 use super::{Residue, Residues};
-use crate::domain::constraints::equations;
+use crate::domain::Domain;
 use crate::domain::draft::Draft;
 use crate::domain::newton::{changes, differences, expanded};
 use crate::domain::solve::unknowns;
@@ -10,7 +10,7 @@ use crate::name::Name;
 use crate::real::Real;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use torse_core::{Claim, Set};
+use torse_syntax::derivation::declarations::SymbolKind;
 
 /// Rounds until equations hold that can be solved one after the other.
 const ROUNDS: usize = 5;
@@ -53,20 +53,22 @@ impl<'d, 'a> Point<'d, 'a> {
     }
 
     /// Solves the equations of the domain: whether they hold now; `None` if that is not known.
-    pub fn solve(&self, claim: &Claim, work: &Work) -> Option<()> {
-        let equations = equations(claim);
+    pub fn solve(&self, domain: &Domain<'_>, work: &Work) -> Option<()> {
+        let equations = domain.equations();
         if equations.is_empty() {
             return Some(());
         }
         let a = Residues { work };
-        let unknowns = unknowns(claim, self.draft, work)?;
+        let reading = domain.reading;
+        let unknowns = unknowns(domain, self.draft, work);
         let value = |name: &Name| self.residue(name);
-        let expanded = |moves: &dyn Fn(&Name) -> bool| expanded(&equations, a, &value, moves).ok();
+        let expanded =
+            |moves: &dyn Fn(&Name) -> bool| expanded(reading, &equations, a, &value, moves).ok();
         let holds = |gap: &Residue| *gap == Residue::Class(0);
         for round in 0..ROUNDS {
             // The values alone cost a fraction of the rates; numbers that were drawn by chance do not satisfy equations.
             if round > 0 {
-                let values = differences(&equations, &a, &value).ok()?;
+                let values = differences(reading, &equations, &a, &value).ok()?;
                 if values.iter().all(&holds) {
                     return Some(());
                 }
@@ -77,7 +79,7 @@ impl<'d, 'a> Point<'d, 'a> {
             }
             let changes = |expanded| {
                 let stream = self.draft.stream();
-                changes(claim, expanded, stream, &unknowns, &a, &holds)
+                changes(domain, expanded, stream, &unknowns, &a, &holds)
             };
             let (used, changes) = match changes(&some) {
                 Some(changes) => (some, changes),
@@ -108,14 +110,14 @@ impl<'d, 'a> Point<'d, 'a> {
     }
 
     /// Whether the numbers that were solved for may be any numbers: what a bounded one is worth is not seen.
-    pub fn is_free(&self, claim: &Claim) -> bool {
+    pub fn is_free(&self, domain: &Domain<'_>) -> bool {
         let solved = self.solved.borrow();
-        solved
-            .keys()
-            .all(|name| match claim.symbols.get(name.declared()) {
-                Some(Set::Real(interval)) => interval.lower.is_none() && interval.upper.is_none(),
-                Some(Set::Vector(_) | Set::Family { .. }) => true,
-                Some(Set::Integer { .. }) | None => false,
-            })
+        solved.keys().all(|name| match domain.set(name) {
+            Some(SymbolKind::Real(interval)) => {
+                interval.lower.is_none() && interval.upper.is_none()
+            }
+            Some(SymbolKind::Vector(_) | SymbolKind::Family { .. }) => true,
+            Some(SymbolKind::Integer { .. }) | None => false,
+        })
     }
 }

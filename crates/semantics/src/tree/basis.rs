@@ -9,8 +9,8 @@ use crate::series::Series;
 use crate::value::Value;
 use std::rc::Rc;
 use std::sync::Arc;
-use torse_core::stack;
 use torse_numbers::Affine;
+use torse_numbers::stack;
 use torse_syntax::derivation::declarations::Basis;
 use torse_syntax::formula::Expr;
 

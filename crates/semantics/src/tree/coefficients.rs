@@ -183,7 +183,11 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// The numbers of the point that a list of symbols, coordinates and members consists of.
-    fn moving_parts(&self, tree: &'a Expr, place: &Place<'a, A>) -> Result<Vec<Moving<'a>>, Gap> {
+    pub(super) fn moving_parts(
+        &self,
+        tree: &'a Expr,
+        place: &Place<'a, A>,
+    ) -> Result<Vec<Moving<'a>>, Gap> {
         let none = || Gap::shape("a formula where a symbol is needed");
         match &tree.node {
             Node::List(items) => {

@@ -16,7 +16,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
-use torse_core::stack;
+use torse_numbers::stack;
 use torse_syntax::derivation::declarations::{Declarations, Definition, SymbolKind};
 use torse_syntax::formula::{Expr, Node, Operator};
 
@@ -71,7 +71,7 @@ pub(super) enum Meaning<N> {
 }
 
 /// What the values of a point are asked from, and what the evaluator is told of the claim.
-pub(super) struct Point<'e, N> {
+pub(crate) struct Point<'e, N> {
     /// The numbers.
     pub values: &'e dyn Fn(&Name) -> Option<N>,
     /// Whether they satisfy the equations of the domain only nearly.
@@ -86,7 +86,7 @@ pub(super) type Known<N> = Option<Rc<Smooth<N>>>;
 pub(super) type Divisors<N> = Vec<(usize, N)>;
 
 /// Evaluates trees at one point.
-pub(super) struct Evaluator<'a, 'e, A: Arithmetic> {
+pub(crate) struct Evaluator<'a, 'e, A: Arithmetic> {
     pub declarations: &'a Declarations,
     pub arithmetic: &'e A,
     pub point: Point<'e, A::Number>,
@@ -94,8 +94,8 @@ pub(super) struct Evaluator<'a, 'e, A: Arithmetic> {
     pub jets: &'a Jets,
     /// The given equations and their unknowns, where `coefficients` is read with these put in.
     pub given: RefCell<Option<Given<'a>>>,
-    pub memory: Memory<'a, A::Number>,
-    pub smooth: RefCell<BTreeMap<&'a str, Known<A::Number>>>,
+    pub(super) memory: Memory<'a, A::Number>,
+    pub(super) smooth: RefCell<BTreeMap<&'a str, Known<A::Number>>>,
     symbols: RefCell<BTreeMap<&'a str, Series<A::Number>>>,
     /// The divisors that are met while an integral looks for them.
     pub divisors: RefCell<Option<Divisors<A::Number>>>,
@@ -108,7 +108,7 @@ pub(super) struct Evaluator<'a, 'e, A: Arithmetic> {
 
 /// The given equations of a claim, and their unknowns.
 #[derive(Clone)]
-pub(super) struct Given<'a> {
+pub(crate) struct Given<'a> {
     pub equations: Vec<&'a Expr>,
     pub unknowns: Vec<&'a Expr>,
 }
@@ -158,7 +158,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
     }
 
     /// The same where `coefficients` is read with the unknowns of given equations put in.
-    pub fn along(self, given: Option<Given<'a>>) -> Self {
+    pub(crate) fn along(self, given: Option<Given<'a>>) -> Self {
         Self {
             given: RefCell::new(given),
             ..self

@@ -60,6 +60,14 @@ impl Jets {
     }
 }
 
+impl Jets {
+    /// Whether a place is a formula in this symbol.
+    pub fn are_at(&self, symbol: &str) -> bool {
+        let mut places = self.places.values().flatten();
+        places.any(|(_, tree, _)| tree.names().contains(&symbol))
+    }
+}
+
 /// A polynomial in Newton's form, one for each coordinate: the sum of `c_k (t - z_0) ... (t - z_(k-1))`.
 #[derive(Debug)]
 pub(super) struct Smooth<N> {

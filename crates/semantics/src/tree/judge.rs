@@ -14,8 +14,9 @@ use crate::name::Name;
 use crate::real::Real;
 use crate::series::Series;
 use crate::value::Value;
-use std::cell::{Cell, RefCell};
+use std::cell::Cell;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use torse_syntax::derivation::declarations::{Bound, Declarations, Interval, SymbolKind};
 use torse_syntax::derivation::{Claim, Sought, Written};
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
@@ -34,10 +35,10 @@ pub struct Reading<'a> {
     leaves: Vec<&'a Expr>,
     /// Whether a slip was seen at a point.
     seen: Cell<bool>,
-    /// The points at which the trees say that the statement is true.
-    holding: Cell<u64>,
-    /// Why the trees were not decided at a point.
-    open: RefCell<Option<String>>,
+    /// Whether the statement was true at a point.
+    held: Cell<bool>,
+    /// What the ends of declared sets say that are formulas.
+    ends: Vec<Written>,
 }
 
 /// The numbers of a point.
@@ -50,59 +51,6 @@ pub struct Values<'e, N> {
     pub fails: &'e dyn Fn(&Expr) -> bool,
 }
 
-/// How deep definitions of statements are opened in search of properties.
-const MAX_OPENED: u32 = 16;
-
-/// Where a statement names properties of bases, which are looked at in samples.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Properties {
-    /// Nowhere.
-    None,
-    /// As the statement, a part of `and` or `or`, or the end of `implies`: where one fails, the statement is false or as good.
-    Concluded,
-    /// As a premise, or where something is denied.
-    Premised,
-}
-
-impl Properties {
-    fn of(declarations: &Declarations, tree: &Expr, depth: u32) -> Self {
-        let below = |tree: &Expr| match depth.checked_sub(1) {
-            Some(depth) => Self::of(declarations, tree, depth),
-            None => Self::Premised,
-        };
-        let denied = |tree: &Expr| match below(tree) {
-            Self::None => Self::None,
-            _ => Self::Premised,
-        };
-        match &tree.node {
-            Node::Join(Connective::Implies, premise, conclusion) => {
-                denied(premise).max(below(conclusion))
-            }
-            Node::Join(_, a, b) => below(a).max(below(b)),
-            Node::Not(inner) => denied(inner),
-            Node::Name(name) => match declarations.definition(name) {
-                Some(definition) => below(&definition.body.expr),
-                None => Self::None,
-            },
-            Node::Call(head, arguments) => match &head.node {
-                Node::Name(name) if is_property(name) => Self::Concluded,
-                Node::Name(name) if name == "at" => arguments.first().map_or(Self::None, below),
-                Node::Name(name) if name == "fails" => arguments.first().map_or(Self::None, denied),
-                Node::Name(name) => match declarations.definition(name) {
-                    Some(definition) => below(&definition.body.expr),
-                    None => Self::None,
-                },
-                _ => Self::None,
-            },
-            _ => Self::None,
-        }
-    }
-}
-
-fn is_property(name: &str) -> bool {
-    ["nonnegative", "independent", "variation_diminishing"].contains(&name)
-}
-
 impl<N> Clone for Values<'_, N> {
     fn clone(&self) -> Self {
         *self
@@ -111,7 +59,8 @@ impl<N> Clone for Values<'_, N> {
 
 impl<N> Copy for Values<'_, N> {}
 
-type At<'a, 'e, A> = Evaluator<'a, 'e, A>;
+/// An evaluator at a point.
+pub(crate) type At<'a, 'e, A> = Evaluator<'a, 'e, A>;
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 
 impl<'a> Reading<'a> {
@@ -131,16 +80,16 @@ impl<'a> Reading<'a> {
             claim,
             statement,
             jets: Jets::new(&claim.declarations, names.iter().map(String::as_str)),
-            names,
             sought: claim.sought.iter().map(|s| ends(&s.name)).collect(),
             leaves: leaves(statement),
             seen: Cell::new(false),
-            holding: Cell::new(0),
-            open: RefCell::default(),
+            held: Cell::new(false),
+            ends: names.iter().flat_map(|name| ends(name)).collect(),
+            names,
         }
     }
 
-    pub(super) fn at<'s, 'e, A: Arithmetic>(
+    pub(crate) fn at<'s, 'e, A: Arithmetic>(
         &'s self,
         arithmetic: &'e A,
         values: Values<'e, A::Number>,
@@ -153,11 +102,11 @@ impl<'a> Reading<'a> {
         Evaluator::new(&self.claim.declarations, &self.jets, arithmetic, point).remembering()
     }
 
-    /// A number of a declared symbol that the points are not about, such as the place of a function of which they name
-    /// derivatives: any of its set.
-    pub(super) fn free(&self, name: &Name) -> Option<Real> {
+    /// A number of a declared symbol that a point gives no value but as the place of a function, of which it names derivatives:
+    /// any of its set.
+    pub(crate) fn free(&self, name: &Name) -> Option<Real> {
         let symbol = &**name.declared();
-        if self.names.contains(symbol) {
+        if self.names.contains(symbol) || !self.jets.are_at(symbol) {
             return None;
         }
         match self.claim.declarations.symbol(symbol)? {
@@ -170,16 +119,16 @@ impl<'a> Reading<'a> {
     }
 
     /// The statement.
-    pub(super) const fn tree(&self) -> &'a Expr {
+    pub(crate) const fn tree(&self) -> &'a Expr {
         self.statement
     }
 
-    pub(super) fn declarations(&self) -> &'a Declarations {
+    pub(crate) fn declarations(&self) -> &'a Declarations {
         &self.claim.declarations
     }
 
     /// The unknowns of the given equations.
-    pub(super) fn unknowns(&self) -> impl Iterator<Item = &'a Expr> {
+    pub(crate) fn unknowns(&self) -> impl Iterator<Item = &'a Expr> {
         self.claim.unknowns.iter().map(|unknown| &unknown.expr)
     }
 
@@ -189,27 +138,79 @@ impl<'a> Reading<'a> {
         self.claim.sought.iter().zip(ends)
     }
 
-    /// The parts of the statement that are joined by `and`; all of it where something is sought.
-    pub(super) fn conjuncts(&self) -> Vec<&Expr> {
-        let mut parts = vec![];
-        let mut pending = vec![self.statement];
-        while let Some(tree) = pending.pop() {
-            match &tree.node {
-                Node::Join(Connective::And, a, b) => pending.extend([&**b, &**a]),
-                _ => parts.push(tree),
-            }
-        }
-        parts
-    }
-
-    pub(super) fn seeks(&self) -> bool {
+    pub(crate) fn seeks(&self) -> bool {
         !self.claim.sought.is_empty()
     }
 
-    /// The hypotheses.
-    pub(super) fn assumptions(&self) -> impl Iterator<Item = &Expr> {
+    /// The hypotheses as they are written: `assume`, then `given`.
+    pub(super) fn assumptions(&self) -> impl Iterator<Item = &'a Expr> {
         let all = self.claim.assumptions.iter().chain(&self.claim.given);
         all.map(|hypothesis| &hypothesis.formula.expr)
+    }
+
+    /// All hypotheses: those that are written, and what the ends of declared sets say that are formulas.
+    pub(crate) fn hypotheses(&self) -> impl Iterator<Item = &Expr> {
+        self.assumptions()
+            .chain(self.ends.iter().map(|end| &end.expr))
+    }
+
+    /// The names of the numbers that points are about.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.names.iter().map(String::as_str)
+    }
+
+    /// The value of a formula where nothing is bound.
+    pub(crate) fn value_of<A: Arithmetic>(
+        &self,
+        tree: &Expr,
+        arithmetic: &A,
+        values: Values<'_, A::Number>,
+    ) -> Result<Value<A::Number>, Gap> {
+        self.at(arithmetic, values)
+            .value(tree, &Environment::outermost())
+    }
+
+    /// The differences of the sides of equations, entry by entry.
+    pub(crate) fn differences<A: Arithmetic>(
+        &self,
+        equations: &[(&Expr, &Expr)],
+        a: &A,
+        values: Values<'_, A::Number>,
+    ) -> Result<Vec<A::Number>, Gap> {
+        let (at, outermost) = (self.at(a, values), Environment::outermost());
+        let mut gaps = vec![];
+        for (left, right) in equations {
+            let (left, right) = (at.value(left, &outermost)?, at.value(right, &outermost)?);
+            for (x, y) in left.pairs(&right, a)? {
+                gaps.extend(x.minus(&y, a)?.as_number().cloned());
+            }
+        }
+        Ok(gaps)
+    }
+
+    /// The numbers that a list of symbols, coordinates and members consists of.
+    pub(crate) fn names_in<A: Arithmetic>(
+        &self,
+        tree: &Expr,
+        arithmetic: &A,
+        number: &dyn Fn(&Name) -> Option<A::Number>,
+    ) -> Result<Vec<Name>, Gap> {
+        let values = Values {
+            number,
+            near: false,
+            fails: &|_| false,
+        };
+        let at = self.at(arithmetic, values);
+        let parts = at.moving_parts(tree, &Environment::outermost())?;
+        let name = |(symbol, part): (&str, Part)| {
+            let symbol = Arc::from(symbol);
+            match part {
+                Part::Whole => Name::Symbol(symbol),
+                Part::Coordinate(c) => Name::Coordinate(symbol, c),
+                Part::Member(indices, c) => Name::Member(symbol, indices, c),
+            }
+        };
+        Ok(parts.into_iter().map(name).collect())
     }
 
     /// What the statement is at a point.
@@ -240,7 +241,7 @@ impl<'a> Reading<'a> {
     }
 
     /// What the statement is, read by an evaluator that knows the given equations.
-    pub(super) fn judged<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) -> Judgement {
+    pub(crate) fn judged<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) -> Judgement {
         let outermost = Environment::outermost();
         if self.claim.sought.is_empty() {
             return at.truth(self.statement, &outermost);
@@ -252,55 +253,20 @@ impl<'a> Reading<'a> {
     #[must_use]
     pub fn is_blind(&self) -> bool {
         let looked = !self.leaves.is_empty() && self.claim.sought.is_empty();
-        looked && self.holding.get() > 0 && !self.seen.get()
-    }
-
-    /// The points at which the trees say that the statement is true.
-    #[must_use]
-    pub fn holding(&self) -> u64 {
-        self.holding.get()
-    }
-
-    /// Why the trees were not decided at one of the points.
-    #[must_use]
-    pub fn why_open(&self) -> Option<String> {
-        self.open.borrow().clone()
-    }
-
-    pub(super) fn note_open(&self, judgement: &Judgement) {
-        let mut open = self.open.borrow_mut();
-        open.get_or_insert_with(|| judgement.to_string());
+        looked && self.held.get() && !self.seen.get()
     }
 
     /// Notes a point at which the statement is true, and looks whether a slip in it changes a value there.
-    pub(super) fn look<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) {
-        self.holding.set(self.holding.get() + 1);
+    pub(crate) fn look<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) {
+        self.held.set(true);
         if !self.seen.get() && self.claim.sought.is_empty() {
             let seen = at.sees_a_slip(self.statement, &self.leaves);
             self.seen.set(seen);
         }
     }
 
-    /// Where the statement names properties of bases.
-    pub(super) fn properties(&self) -> Properties {
-        Properties::of(&self.claim.declarations, self.statement, MAX_OPENED)
-    }
-
-    /// What each hypothesis is at a point, in the order `assume`, `given`.
-    #[must_use]
-    pub fn hypotheses<A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        values: Values<'_, A::Number>,
-    ) -> Vec<Judgement> {
-        let at = self.at(arithmetic, values);
-        let outermost = Environment::outermost();
-        let all = self.assumptions();
-        all.map(|tree| at.truth(tree, &outermost)).collect()
-    }
-
     /// The given equations and their unknowns, if there are any.
-    pub(super) fn given(&self) -> Option<Given<'_>> {
+    pub(crate) fn given(&self) -> Option<Given<'_>> {
         if self.claim.unknowns.is_empty() {
             return None;
         }

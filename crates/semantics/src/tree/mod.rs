@@ -6,7 +6,7 @@
 //! - `integral`, `coefficients`
 //! - `statement`: what is true at a point; `judge`: a claim at a point
 //! - `outline`, `compared`: trees against what an elaborator makes of them
-//! - `second`: trees against core terms; `slips`: whether points see anything
+//! - `slips`: whether points see anything
 //! - `memory`, `remembered`: what need not be evaluated twice
 //!
 //! The trees are those of the parser, with the declarations of the file. No other reading of the text is looked at: what the
@@ -26,12 +26,13 @@ mod memory;
 mod outline;
 mod property;
 mod remembered;
-pub(crate) mod second;
 mod slips;
 mod smooth;
 mod statement;
 
 pub use compared::{Assignment, Compared, TreeOutline};
+pub(crate) use evaluate::Given;
+pub(crate) use judge::At;
 pub use judge::{Reading, Values};
 pub use outline::{BASIS_AT, BASIS_DEGREES, Outline, Piece, printed_number, word};
-pub use second::objection_at;
+pub(crate) use statement::joined;

@@ -24,8 +24,12 @@ const DEGREES: i64 = 3;
 /// The values of the variable between its ends, in shares of the way.
 const BETWEEN: i64 = 11;
 /// The polygons that are tried, and at how many values of the variable.
-const POLYGONS: u64 = 6;
+const POLYGONS: u64 = 60;
 const ALONG: i64 = 24;
+/// How often functions have to look dependent to be so.
+const TRIALS: u64 = 3;
+/// Into how many parts the unit is divided for their arguments: 2^7 times 3^2 and 7, so that angles have residues.
+const ARGUMENT_PARTS: i64 = 8_064;
 /// What stands for an infinite end.
 const FAR: i64 = 4;
 
@@ -197,6 +201,42 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             }
         }
         Ok(all)
+    }
+
+    /// Whether the functions of one degree are dependent at the shape parameters of a point: the determinant of their values at
+    /// as many arguments as there are functions is zero, each time that arguments are drawn. Of independent functions that
+    /// happens by an accident alone, whose chance is about the degree of the functions divided by the number of arguments that
+    /// may be drawn, each time.
+    pub(crate) fn are_dependent(&self, family: &'a Expr, degree: i64) -> Result<bool, Gap> {
+        let Node::Name(name) = &family.node else {
+            return Err(Gap::shape("a formula where the name of a basis is needed"));
+        };
+        let basis = self.declarations.basis(name);
+        let basis = &**basis.ok_or_else(|| Gap::shape("a name that is no basis"))?;
+        let place = Environment::outermost();
+        let shaped = Shaped {
+            name,
+            basis,
+            parameters: self.left_out(basis, 1, &place)?,
+            place: &place,
+        };
+        for trial in 0..TRIALS {
+            let stream = Stream::new(name, trial);
+            let mut rows = vec![];
+            for row in 0..=degree {
+                // The sine and cosine of a quarter turn times the argument have residues.
+                let whole = ARGUMENT_PARTS;
+                let share = 1 + stream.below(&format!("argument {row}"), whole - 1);
+                let share = Rational::new(share.into(), whole.unsigned_abs().into());
+                let variable = Series::rational(&share, self.arithmetic);
+                rows.push(self.functions_at(&shaped, degree, variable)?);
+            }
+            let determinant = linear::determinant(&rows, self.arithmetic)?;
+            if determinant.is_zero(self.arithmetic) != Some(true) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     fn is_diminishing(&self, shaped: &Shaped<'a, '_, A>, degree: i64) -> Result<Option<bool>, Gap> {

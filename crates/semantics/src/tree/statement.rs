@@ -33,7 +33,7 @@ fn either(a: Option<bool>, b: Option<bool>) -> Option<bool> {
 }
 
 /// What two statements make together.
-pub(super) fn joined(connective: Connective, a: Judgement, b: Judgement) -> Judgement {
+pub(crate) fn joined(connective: Connective, a: Judgement, b: Judgement) -> Judgement {
     a.joined(b, |a, b| match connective {
         Connective::And => both(a, b),
         Connective::Or => either(a, b),
@@ -49,6 +49,11 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             Ok(Meaning::Value(_)) => Gap::shape("a number where a statement is needed").into(),
             Err(gap) => gap.into(),
         }
+    }
+
+    /// The same where nothing is bound.
+    pub(crate) fn truth_of(&self, tree: &'a Expr) -> Judgement {
+        self.truth(tree, &Environment::outermost())
     }
 
     /// A comparison, a denial, or statements that are joined.

@@ -6,14 +6,10 @@ use torse_semantics::{Identity, Work, identity, instances};
 fn found(fields: &str, states: &str) -> Vec<(String, Identity)> {
     let claim = claim(fields, states);
     let work = Work::new(500_000);
-    instances(&claim)
+    let reading = claim.reading();
+    instances(&reading)
         .iter()
-        .map(|at| {
-            (
-                at.to_string(),
-                identity(&claim, &claim.statement, at, &work),
-            )
-        })
+        .map(|at| (at.to_string(), identity(&reading, at, &work)))
         .collect()
 }
 
@@ -39,7 +35,10 @@ fn one_differs(fields: &str, states: &str) {
 #[test]
 fn instances_are_small_and_respect_bounds_that_name_integers() {
     let claim = claim("", "i + m == 0");
-    let names: Vec<String> = instances(&claim).iter().map(ToString::to_string).collect();
+    let names: Vec<String> = instances(&claim.reading())
+        .iter()
+        .map(ToString::to_string)
+        .collect();
     assert_eq!(names.first().map(String::as_str), Some("i = 0, m = 1"));
     assert!(
         names.contains(&"i = 3, m = 3".to_owned()) && !names.contains(&"i = 2, m = 1".to_owned())

@@ -1,8 +1,8 @@
 //! Laws that hold for all formulas.
 
-use crate::support::{claim, holds};
+use crate::support::{at as at_point, claim, holds, says};
 use proptest::prelude::*;
-use torse_semantics::{Judgement, judge, read};
+use torse_semantics::Judgement;
 
 /// Formulas in `a` and `b` that are defined everywhere.
 fn formula() -> impl Strategy<Value = String> {
@@ -60,13 +60,7 @@ fn point() -> impl Strategy<Value = (String, String)> {
 }
 
 fn judged(states: &str, (a, b): &(String, String)) -> Judgement {
-    let claim = claim("", states);
-    let read = read(&claim, [("a", a.as_str()), ("b", b.as_str())])
-        .or_else(|_| read(&claim, [("a", a.as_str())]))
-        .or_else(|_| read(&claim, [("b", b.as_str())]))
-        .or_else(|_| read(&claim, []))
-        .expect("a point");
-    judge(&claim, &claim.statement, &read)
+    says(states, &[("a", a), ("b", b)])
 }
 
 proptest! {
@@ -128,7 +122,7 @@ proptest! {
         let states = format!("{law} and 0*a*b*y == 0");
         let (claim, y) = (claim("let = { 'F(t)' = 'y*t + 2' }", &states), "7/5");
         let point = [("a", at.0.as_str()), ("b", at.1.as_str()), ("y", y)];
-        let judgement = judge(&claim, &claim.statement, &read(&claim, point).unwrap());
+        let judgement = at_point(&claim, &point);
         let allowed = matches!(judgement, Judgement::True | Judgement::Undefined(_));
         prop_assert!(allowed, "{law} is {judgement}");
     }

@@ -1,4 +1,4 @@
-//! What core terms mean, tested from texts.
+//! What statements mean, tested from texts.
 #![allow(clippy::expect_used, clippy::panic, reason = "helpers of tests")]
 
 mod domain;

@@ -1,7 +1,7 @@
 //! The net: statements that are true stand, statements that are false are caught.
 
 use crate::support::{claim, is_caught, is_empty, is_never_denied, netted, stands};
-use torse_semantics::{Beyond, Judgement, Outside, Witness, beyond, check_witness};
+use torse_semantics::{Beyond, Judgement, Outside, Witness};
 
 #[test]
 fn multiples_of_assumptions_below_one() {
@@ -99,16 +99,7 @@ fn replaced_symbols_keep_their_ranges() {
 
 /// The statement where the condition fails.
 fn where_fails(fields: &str, states: &str, condition: &str) -> Beyond {
-    let (claim, condition) = (claim(fields, states), claim(fields, condition));
-    beyond(
-        &claim,
-        &claim.statement,
-        &condition.statement,
-        "t/c",
-        10,
-        4_000_000,
-    )
-    .expect("a comparison")
+    claim(fields, states).beyond(&claim(fields, condition))
 }
 
 #[test]
@@ -191,8 +182,8 @@ fn some_points_lie_at_the_edges() {
 #[test]
 fn a_condition_excepts_points() {
     let c = claim("", "y > 0");
-    let condition = claim("", "y > 0").statement;
-    let tally = torse_semantics::tally(&c, &c.statement, &[condition], "t/c", 20, 4_000_000);
+    let conditions = [c.statement()];
+    let tally = torse_semantics::tally(&c.reading(), &conditions, "t/c", 20, 4_000_000);
     assert!(tally.excepted > 0 && tally.holding == 20, "{tally:?}");
 }
 
@@ -211,7 +202,7 @@ fn properties_of_bases() {
 #[test]
 fn witnesses_are_checked_in_every_set_and_hypothesis() {
     let c = claim("assume = ['x == y^2']", "y <= 1");
-    let check = |point: &[(&str, &str)]| check_witness(&c, &c.statement, point.iter().copied());
+    let check = |point: &[(&str, &str)]| c.check(point);
     assert_eq!(
         check(&[("x", "4"), ("y", "2")]),
         Witness::Outside(Outside::Set {
@@ -232,25 +223,21 @@ fn witnesses_are_checked_in_every_set_and_hypothesis() {
     ));
     let c = claim("", "sin(pi*m) == 0");
     assert!(matches!(
-        check_witness(&c, &c.statement, [("m", "3/2")]),
+        c.check(&[("m", "3/2")]),
         Witness::Outside(Outside::Set { .. })
     ));
     let c = claim("", "y/y == 1 and y == 1");
     assert!(matches!(
-        check_witness(&c, &c.statement, [("y", "0")]),
+        c.check(&[("y", "0")]),
         Witness::Stands(Judgement::Undefined(_))
     ));
     let c = claim("", "P[0] == P[m]");
     assert_eq!(
-        check_witness(
-            &c,
-            &c.statement,
-            [("m", "2"), ("P[0]", "1"), ("P[2]", "1/3")]
-        ),
+        c.check(&[("m", "2"), ("P[0]", "1"), ("P[2]", "1/3")]),
         Witness::Refutes
     );
     assert!(matches!(
-        check_witness(&c, &c.statement, [("m", "2"), ("P[0]", "1")]),
+        c.check(&[("m", "2"), ("P[0]", "1")]),
         Witness::Stands(Judgement::Unknown(_))
     ));
 }
@@ -307,4 +294,19 @@ fn a_point_that_equations_determine_is_judged_once() {
     );
     let circle = netted(&claim("assume = ['r^2 == 1']", "r == 1"));
     assert!(!circle.single, "{circle:?}");
+}
+
+#[test]
+fn an_equation_is_visited_where_it_does_not_move_with_a_symbol() {
+    let product = "assume = ['y*(a^2 - 2) == 0']";
+    is_caught(product, "y == 0");
+    stands(product, "y == 0 or a^2 == 2");
+    is_caught("", "y*(a^2 - 2) == 0 and b*(c^2 + 1) == y implies b == 0");
+    is_caught("", "y^2 - y*a == 2*y - 2*a implies y == a");
+    is_caught("", "(a - b^3)^2 > 0");
+    let visited = netted(&claim(product, "y == 0 or a^2 == 2"));
+    assert!(
+        visited.visited > 0 && visited.visited <= visited.branches,
+        "{visited:?}"
+    );
 }

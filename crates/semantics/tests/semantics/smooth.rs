@@ -1,7 +1,7 @@
 //! A smooth function is worth what any function with its derivatives at the place is worth: here of a polynomial.
 
-use crate::support::claim;
-use torse_semantics::{Judgement, Witness, check_witness, judge, read};
+use crate::support::{at, claim};
+use torse_semantics::{Judgement, Witness};
 
 /// A polynomial and its derivatives at 2, at 5 and at 29, by hand.
 const BODY: &str = "x^4 - 2*x^3 + 3*x - 1";
@@ -19,11 +19,9 @@ fn judged(states: &str, place: &str, derivatives: &[i64]) -> Judgement {
         .enumerate()
         .map(|(n, value)| (format!("h{}({place})", "'".repeat(n)), value.to_string()))
         .chain([("y".to_owned(), "2".to_owned())])
-        .filter(|(name, _)| claim.symbols.contains_key(name.as_str()))
         .collect();
     let numbers = names.iter().map(|(n, v)| (n.as_str(), v.as_str()));
-    let point = read(&claim, numbers).expect("a point");
-    judge(&claim, &claim.statement, &point)
+    at(&claim, &numbers.collect::<Vec<_>>())
 }
 
 /// The formulas in a function F, and the place at which they look at it where y = 2, with its derivatives there.
@@ -91,7 +89,7 @@ fn counterexamples_name_values_and_derivatives() {
             ("k(y)", "1"),
             ("k'(y)", slope),
         ];
-        check_witness(&c, &c.statement, point)
+        c.check(&point)
     };
     assert_eq!(check("1"), Witness::Refutes);
     assert_eq!(check("0"), Witness::Stands(Judgement::True));

@@ -4,11 +4,11 @@
 mod claims;
 
 use claims::paper_of;
-use torse_core as core;
 use torse_semantics::tree::{Reading, Values};
-use torse_semantics::{Judgement, Name, Point, Reals, Tally, Work, judge, read, tally};
+use torse_semantics::{Beyond, Judgement, Name, Point, Reals, Tally, Witness, Work, tally};
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::derivation::{self, Paper};
+use torse_syntax::formula::Expr;
 
 /// Symbols and bases that every claim of the tests may use.
 const SHARED: &str = r#"
@@ -78,16 +78,60 @@ pub fn paper(fields: &str, states: &str) -> Paper {
     paper_of("t", SHARED, &[&lines]).unwrap_or_else(|error| panic!("{error:?} in {lines}"))
 }
 
-fn core_of(claim: &derivation::Claim) -> core::Claim {
-    let statement = claim.statement.as_ref().expect("a statement");
-    let core = torse_elaborate::elaborate(claim, statement);
-    core.unwrap_or_else(|fault| panic!("{}", fault.problem))
+/// A claim, with the names of the declared symbols that occur in its text.
+pub struct Claim {
+    paper: Paper,
+    names: Vec<String>,
+}
+
+impl Claim {
+    /// The claim as it was read.
+    pub fn own(&self) -> &derivation::Claim {
+        self.paper.claims.first().expect("one claim")
+    }
+
+    pub fn statement(&self) -> &Expr {
+        &self.own().statement.as_ref().expect("a statement").expr
+    }
+
+    pub fn reading(&self) -> Reading<'_> {
+        let names = self.names.iter().map(String::as_str);
+        Reading::new(self.own(), self.statement(), names)
+    }
+
+    /// A point of the claim.
+    pub fn point(&self, numbers: &[(&str, &str)]) -> Point {
+        let point = torse_semantics::read(self.own(), numbers.iter().copied());
+        point.expect("a point of the claim")
+    }
+
+    /// What a point is that is said to refute the statement.
+    pub fn check(&self, numbers: &[(&str, &str)]) -> Witness {
+        torse_semantics::check_witness(self.own(), self.statement(), numbers.iter().copied())
+    }
+
+    /// The statement where a condition fails.
+    pub fn beyond(&self, condition: &Self) -> Beyond {
+        let (reading, condition) = (self.reading(), condition.statement());
+        torse_semantics::beyond(&reading, condition, "t/c", 10, 4_000_000).expect("a comparison")
+    }
 }
 
 /// A claim with these further fields (TOML) and this statement.
-pub fn claim(fields: &str, states: &str) -> core::Claim {
+pub fn claim(fields: &str, states: &str) -> Claim {
     let paper = paper(fields, states);
-    core_of(paper.claims.first().expect("one claim"))
+    let text = format!("{fields} {states}");
+    let words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
+    let mut names: Vec<String> = words.map(str::to_owned).collect();
+    if names
+        .iter()
+        .any(|name| ["i", "P", "Q"].contains(&name.as_str()))
+    {
+        names.push("m".to_owned());
+    }
+    let declarations = &paper.claims.first().expect("one claim").declarations;
+    names.retain(|name| declarations.symbol(name).is_some());
+    Claim { paper, names }
 }
 
 /// What the tree of the statement is at a point: with a memory, and without, which is the same.
@@ -118,38 +162,14 @@ pub fn tree_at(claim: &derivation::Claim, point: &Point) -> Judgement {
     last
 }
 
-/// The judgement at a point; names that do not occur in the claim are left out.
-pub fn at(claim: &core::Claim, point: &[(&str, &str)]) -> Judgement {
-    let occurs = |name: &str| {
-        claim
-            .symbols
-            .contains_key(name.split('[').next().unwrap_or(name))
-    };
-    let numbers = point.iter().copied().filter(|(name, _)| occurs(name));
-    let point = read(claim, numbers).expect("a point of the claim");
-    judge(claim, &claim.statement, &point)
+/// The judgement at a point.
+pub fn at(claim: &Claim, point: &[(&str, &str)]) -> Judgement {
+    tree_at(claim.own(), &claim.point(point))
 }
 
-/// The judgement of a statement at a point, without hypotheses: by its tree and by its core terms.
+/// The judgement of a statement at a point, without hypotheses.
 pub fn says(states: &str, point: &[(&str, &str)]) -> Judgement {
-    let paper = paper("", states);
-    let written = paper.claims.first().expect("one claim");
-    let claim = core_of(written);
-    let found = at(&claim, point);
-    let occurs = |name: &str| {
-        claim
-            .symbols
-            .contains_key(name.split('[').next().unwrap_or(name))
-    };
-    let numbers = point.iter().copied().filter(|(name, _)| occurs(name));
-    let by_tree = tree_at(
-        written,
-        &read(&claim, numbers).expect("a point of the claim"),
-    );
-    let kind = std::mem::discriminant::<Judgement>;
-    let agree = kind(&by_tree) == kind(&found) || matches!(found, Judgement::Unknown(_));
-    assert!(agree, "{states} at {point:?}: {by_tree}, {found}");
-    found
+    at(&claim("", states), point)
 }
 
 /// Whether a statement is true at a point.
@@ -183,8 +203,8 @@ pub fn is_undefined(states: &str, point: &[(&str, &str)]) {
 }
 
 /// Points of the domain of a claim.
-pub fn netted(claim: &core::Claim) -> Tally {
-    tally(claim, &claim.statement, &[], "t/c", 20, 4_000_000)
+pub fn netted(claim: &Claim) -> Tally {
+    tally(&claim.reading(), &[], "t/c", 20, 4_000_000)
 }
 
 /// A claim that a point of its domain contradicts.
@@ -217,7 +237,7 @@ pub fn is_empty(fields: &str, states: &str) {
     assert_eq!(tally.found, 0, "{states} with {fields}: {tally:?}");
 }
 
-/// What the tree of a statement is at a point, where no core terms are looked at.
+/// What a statement is at a point, under further fields.
 pub fn in_shared(fields: &str, states: &str, point: &[(&str, &str)]) -> Judgement {
     let paper = paper(fields, states);
     let claim = paper.claims.first().expect("one claim");

@@ -18,7 +18,7 @@ const ENOUGH: usize = 128 << 20;
 /// On a platform whose stacks cannot be exchanged, such as WebAssembly, it is done on the stack that there is.
 ///
 /// ```
-/// use torse_core::stack;
+/// use torse_numbers::stack;
 /// fn depth(n: u64) -> u64 {
 ///     let frame = std::hint::black_box([n; 256]);
 ///     if n == 0 { 0 } else { 1 + depth(frame[0] - 1) }

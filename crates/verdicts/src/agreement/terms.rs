@@ -1,0 +1,550 @@
+//! The value of a core term at random residues: one rule for each construct, as `derivations/SEMANTICS.md` states it.
+//!
+//! Variables of binders have their values in a [`Scope`]; declared symbols get theirs from the point. All parts are evaluated
+//! before the whole, so that a term with an undefined part is undefined. What is opened, and depends on no binder, is evaluated
+//! once, and so is a basis at the same arguments.
+
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+use std::rc::Rc;
+use std::sync::Arc;
+use torse_algebra::rational::integer;
+use torse_algebra::{Affine, Rational};
+use torse_core::{Claim, Family, Node, Points, Term, Variable, stack};
+use torse_semantics::{Arithmetic, Class, Gap, Name, Scrambled, Series, Undefined, Unknown, Value};
+use torse_syntax::formula::Operator;
+
+/// How deep terms may be nested: as deep as can be written.
+const MAX_DEPTH: usize = 80 * 300;
+/// The longest sum.
+const MAX_TERMS: i64 = 4000;
+/// The largest exponent, degree of a basis and order of a derivative.
+const MAX_EXPONENT: u64 = 2000;
+const MAX_DEGREE: i64 = 60;
+const MAX_ORDER: i64 = 40;
+
+pub(super) type Outcome = Result<Value<Class>, Gap>;
+pub(super) type Number = Result<Series<Class>, Gap>;
+
+/// The values of the variables of enclosing binders, and of symbols that are moved, innermost first.
+pub(super) struct Scope<'s> {
+    outer: Option<&'s Scope<'s>>,
+    binding: Binding,
+    /// How many infinitesimals there are.
+    pub level: usize,
+    /// Whether a symbol is moved.
+    is_moved: bool,
+}
+
+enum Binding {
+    Nothing,
+    Variable(u32, Value<Class>),
+    Symbol(Name, Series<Class>),
+}
+
+impl Scope<'_> {
+    pub fn outermost() -> Self {
+        Self {
+            outer: None,
+            binding: Binding::Nothing,
+            level: 0,
+            is_moved: false,
+        }
+    }
+
+    fn inner<'t>(&'t self, binding: Binding, level: usize) -> Scope<'t> {
+        Scope {
+            outer: Some(self),
+            is_moved: self.is_moved || matches!(binding, Binding::Symbol(..)),
+            binding,
+            level,
+        }
+    }
+
+    fn with<'t>(&'t self, variable: &Variable, value: Value<Class>) -> Scope<'t> {
+        self.inner(Binding::Variable(variable.number(), value), self.level)
+    }
+
+    /// The variable has an infinitesimal of its own.
+    fn within<'t>(&'t self, variable: &Variable, value: Series<Class>) -> Scope<'t> {
+        let binding = Binding::Variable(variable.number(), Value::Number(value));
+        self.inner(binding, self.level + 1)
+    }
+
+    /// A declared number has another value, one infinitesimal further in.
+    pub fn moved<'t>(&'t self, name: Name, value: Series<Class>) -> Scope<'t> {
+        self.inner(Binding::Symbol(name, value), self.level + 1)
+    }
+
+    fn enclosing(&self) -> impl Iterator<Item = &Scope<'_>> {
+        std::iter::successors(Some(self), |scope| scope.outer)
+    }
+
+    fn variable(&self, number: u32) -> Option<&Value<Class>> {
+        self.enclosing().find_map(|scope| match &scope.binding {
+            Binding::Variable(own, value) if *own == number => Some(value),
+            _ => None,
+        })
+    }
+
+    fn symbol(&self, name: &Name) -> Option<&Series<Class>> {
+        let mut all = self.enclosing().take_while(|scope| scope.is_moved);
+        all.find_map(|scope| match &scope.binding {
+            Binding::Symbol(own, value) if own == name => Some(value),
+            _ => None,
+        })
+    }
+}
+
+/// The functions of one basis at one degree and one tuple of arguments.
+type Row = ((usize, i64, Vec<Value<Class>>), Rc<[Series<Class>]>);
+
+/// Evaluates core terms at one point.
+pub(super) struct Terms<'a> {
+    pub arithmetic: &'a Scrambled<'a>,
+    values: &'a dyn Fn(&Name) -> Option<Class>,
+    /// The claim whose given equations are put into `coefficients`.
+    pub given: Option<&'a Claim>,
+    /// The values of closed terms by their addresses; the terms are kept, so that no other one gets the address.
+    closed: RefCell<BTreeMap<usize, (Term, Value<Class>)>>,
+    rows: RefCell<Vec<Row>>,
+    depth: Cell<usize>,
+}
+
+impl<'a> Terms<'a> {
+    pub fn new(
+        arithmetic: &'a Scrambled<'a>,
+        values: &'a dyn Fn(&Name) -> Option<Class>,
+        given: Option<&'a Claim>,
+    ) -> Self {
+        Self {
+            arithmetic,
+            values,
+            given,
+            closed: RefCell::default(),
+            rows: RefCell::default(),
+            depth: Cell::default(),
+        }
+    }
+
+    /// The numbers of the point.
+    pub fn point(&self) -> &'a dyn Fn(&Name) -> Option<Class> {
+        self.values
+    }
+
+    /// The value of a closed term.
+    pub fn value(&self, term: &Term) -> Outcome {
+        stack::deep(|| self.term(term, &Scope::outermost()))
+    }
+
+    pub fn number(&self, term: &Term, scope: &Scope<'_>) -> Number {
+        self.term(term, scope)?.number()
+    }
+
+    fn integer_value(&self, n: i64) -> Value<Class> {
+        Value::Number(Series::integer(n, self.arithmetic))
+    }
+
+    /// The integer that a term is worth.
+    pub fn integer(&self, term: &Term, what: &'static str, scope: &Scope<'_>) -> Result<i64, Gap> {
+        self.whole(&self.number(term, scope)?, what)
+    }
+
+    fn whole(&self, value: &Series<Class>, what: &'static str) -> Result<i64, Gap> {
+        // What varies with the variable of a derivative is no integer near the point.
+        let number = value.as_number().ok_or(Undefined::NotDifferentiable)?;
+        let rational = self.arithmetic.as_rational(number);
+        let rational = rational.ok_or(Undefined::NoInteger { what })?;
+        i64::try_from(&rational.to_integer()).map_err(|_| Unknown::Large { what }.into())
+    }
+
+    pub fn term(&self, term: &Term, scope: &Scope<'_>) -> Outcome {
+        let depth = self.depth.get();
+        if depth >= MAX_DEPTH {
+            let what = "the depth of a term";
+            return Err(Unknown::Large { what }.into());
+        }
+        self.depth.set(depth + 1);
+        let value = self.node(term, scope);
+        self.depth.set(depth);
+        value
+    }
+
+    fn node(&self, term: &Term, scope: &Scope<'_>) -> Outcome {
+        let a = self.arithmetic;
+        Ok(match &*term.node {
+            Node::Number(value) => Value::Number(Series::rational(value, a)),
+            Node::Pi => Value::Number(Series::Number(a.pi())),
+            Node::Symbol(name) | Node::Vector(name, None) => {
+                Value::Number(self.symbol(Name::Symbol(Arc::clone(name)), scope)?)
+            }
+            Node::Vector(name, Some(dimension)) => {
+                let coordinate = |c| self.symbol(Name::Coordinate(Arc::clone(name), c), scope);
+                let all = (1..=*dimension).map(coordinate);
+                Value::vector(all.collect::<Result<_, _>>()?)
+            }
+            Node::Variable(variable) => {
+                let known = scope.variable(variable.number()).cloned();
+                known.ok_or_else(|| no_value(variable.name()))?
+            }
+            Node::Member(points, indices) => self.member(points, indices, scope)?,
+            Node::Basis {
+                family,
+                index,
+                degree,
+                arguments,
+            } => {
+                let index = self.integer(index, "an index", scope)?;
+                let degree = self.integer(degree, "a degree", scope)?;
+                let arguments = arguments.iter().map(|argument| self.term(argument, scope));
+                let row = self.row(family, degree, arguments.collect::<Result<_, _>>()?, scope)?;
+                let function = usize::try_from(index).ok().and_then(|i| row.get(i));
+                function.map_or_else(|| self.integer_value(0), |f| Value::Number(f.clone()))
+            }
+            Node::Negative(inner) => self.term(inner, scope)?.negated(a),
+            Node::Binary(..) => self.chain(term, scope)?,
+            Node::List(items) => {
+                let items = items.iter().map(|item| self.term(item, scope));
+                Value::Many(items.collect::<Result<_, _>>()?)
+            }
+            Node::Entry(of, indices) => self.entry(of, indices, scope)?,
+            Node::Sum {
+                index,
+                low,
+                high,
+                term,
+            } => self
+                .range(low, high, scope)?
+                .try_fold(self.integer_value(0), |total, i| {
+                    let inside = scope.with(index, self.integer_value(i));
+                    total.plus(&self.term(term, &inside)?, a)
+                })?,
+            Node::Product {
+                index,
+                low,
+                high,
+                term,
+            } => self
+                .range(low, high, scope)?
+                .try_fold(self.integer_value(1), |product, i| {
+                    let inside = scope.with(index, self.integer_value(i));
+                    product.times(&self.term(term, &inside)?, a)
+                })?,
+            Node::Integral {
+                variable,
+                low,
+                high,
+                body,
+            } => self.integral(variable, [low, high], body, scope)?,
+            Node::Let {
+                variable,
+                value,
+                body,
+            } => {
+                let value = self.term(value, scope)?;
+                self.term(body, &scope.with(variable, value))?
+            }
+            Node::Derivative {
+                variable,
+                order,
+                body,
+                at,
+                ..
+            } => {
+                let order = self.integer(order, "the order of a derivative", scope)?;
+                let point = self.number(at, scope)?;
+                self.derivative(variable, order, body, point, scope)?
+            }
+            Node::Apply(function, arguments) => self.apply(*function, arguments, scope)?,
+            Node::Opened { closed, body, .. } => {
+                let evaluate = || stack::deep(|| self.term(body, scope));
+                if !*closed || scope.is_moved {
+                    return evaluate();
+                }
+                let key = Arc::as_ptr(&body.node).addr();
+                if let Some((_, known)) = self.closed.borrow().get(&key) {
+                    return Ok(known.clone());
+                }
+                let value = evaluate()?;
+                let mut all = self.closed.borrow_mut();
+                all.insert(key, (body.clone(), value.clone()));
+                value
+            }
+        })
+    }
+
+    pub fn symbol(&self, name: Name, scope: &Scope<'_>) -> Number {
+        if let Some(moved) = scope.symbol(&name) {
+            return Ok(moved.clone());
+        }
+        let value = (self.values)(&name);
+        Ok(Series::Number(
+            value.ok_or_else(|| no_value(&name.to_string()))?,
+        ))
+    }
+
+    /// A member of a family: undefined outside of the declared ranges of its indices.
+    fn member(&self, points: &Points, indices: &[Term], scope: &Scope<'_>) -> Outcome {
+        let indices = indices.iter().map(|i| self.integer(i, "an index", scope));
+        let indices: Vec<i64> = indices.collect::<Result<_, _>>()?;
+        for (index, (low, high)) in indices.iter().zip(&points.ranges) {
+            let (low, high) = (self.form(low)?, self.form(high)?);
+            if !(low..=high).contains(index) {
+                return Err(outside(&points.name, *index, low, high));
+            }
+        }
+        let coordinate = |c| {
+            self.symbol(
+                Name::Member(Arc::clone(&points.name), indices.clone(), c),
+                scope,
+            )
+        };
+        Ok(match points.dimension {
+            None | Some(1) => Value::Number(coordinate(None)?),
+            Some(d) => {
+                let all = (1..=d).map(|c| coordinate(Some(c)));
+                Value::vector(all.collect::<Result<_, _>>()?)
+            }
+        })
+    }
+
+    /// The value of an index form at the point.
+    fn form(&self, form: &Affine) -> Result<i64, Gap> {
+        let what = "a bound";
+        let mut total = form.constant();
+        for (name, multiple) in form.multiples() {
+            let value = self.symbol(Name::Symbol(Arc::from(name)), &Scope::outermost())?;
+            let product = self.whole(&value, what)?.checked_mul(multiple);
+            let sum = product.and_then(|product| total.checked_add(product));
+            total = sum.ok_or(Unknown::Large { what })?;
+        }
+        Ok(total)
+    }
+
+    /// All functions of a degree at these arguments: row by row from the seeds, `g[i,j+1] = a g[i,j] + b g[i-1,j]`.
+    fn row(
+        &self,
+        family: &Arc<Family>,
+        degree: i64,
+        arguments: Vec<Value<Class>>,
+        scope: &Scope<'_>,
+    ) -> Result<Rc<[Series<Class>]>, Gap> {
+        if degree < i64::from(family.degree) {
+            return Err(Undefined::BelowSeeds {
+                name: family.name.to_string(),
+                degree,
+                least: family.degree,
+            }
+            .into());
+        }
+        if degree > MAX_DEGREE {
+            return Err(Unknown::Large { what: "a degree" }.into());
+        }
+        let key = (Arc::as_ptr(family).addr(), degree, arguments);
+        // Where seeds or step vary with a binder or a moved symbol, the arguments alone do not tell the functions.
+        let alike = family.closed && !scope.is_moved;
+        if alike && let Some((_, known)) = self.rows.borrow().iter().find(|(own, _)| *own == key) {
+            return Ok(Rc::clone(known));
+        }
+        let row =
+            stack::deep(|| self.recursion(family, degree, (&family.variables, &key.2), scope));
+        let row: Rc<[_]> = row?.into();
+        if alike {
+            let mut rows = self.rows.borrow_mut();
+            if rows.len() >= 24 {
+                rows.remove(0);
+            }
+            rows.push((key, Rc::clone(&row)));
+        }
+        Ok(row)
+    }
+
+    fn recursion(
+        &self,
+        family: &Family,
+        degree: i64,
+        (variables, arguments): (&[Variable], &[Value<Class>]),
+        scope: &Scope<'_>,
+    ) -> Result<Vec<Series<Class>>, Gap> {
+        if let (Some((variable, variables)), Some((argument, arguments))) =
+            (variables.split_first(), arguments.split_first())
+        {
+            let inside = scope.with(variable, argument.clone());
+            return self.recursion(family, degree, (variables, arguments), &inside);
+        }
+        let seeds = family.seeds.iter().map(|seed| self.number(seed, scope));
+        let mut row = seeds.collect::<Result<Vec<_>, _>>()?;
+        for k in i64::from(family.degree) + 1..=degree {
+            let next = (0..=k).map(|i| match &family.counters {
+                None => self.next(family, &row, i, scope),
+                Some((index, order)) => {
+                    let scope = scope.with(order, self.integer_value(k));
+                    let scope = scope.with(index, self.integer_value(i));
+                    self.next(family, &row, i, &scope)
+                }
+            });
+            row = next.collect::<Result<_, _>>()?;
+        }
+        Ok(row)
+    }
+
+    /// A function from those of one degree less; a factor that multiplies nothing is not looked at.
+    fn next(
+        &self,
+        family: &Family,
+        before: &[Series<Class>],
+        index: i64,
+        scope: &Scope<'_>,
+    ) -> Number {
+        let a = self.arithmetic;
+        let at = |place: i64| usize::try_from(place).ok().and_then(|p| before.get(p));
+        let mut sum = Series::integer(0, a);
+        for (factor, function) in [(&family.step.0, at(index)), (&family.step.1, at(index - 1))] {
+            if let Some(function) = function {
+                sum = sum.plus(&self.number(factor, scope)?.times(function, a)?, a)?;
+            }
+        }
+        Ok(sum)
+    }
+
+    /// A chain `a + b - c + ...`: the left operands are walked without recursion, so that long sums are not deep.
+    fn chain(&self, term: &Term, scope: &Scope<'_>) -> Outcome {
+        let mut rights = vec![];
+        let mut left = term;
+        while let Node::Binary(operator, a, b) = &*left.node {
+            rights.push((*operator, b));
+            left = a;
+        }
+        let mut value = self.term(left, scope)?;
+        while let Some((operator, right)) = rights.pop() {
+            value = self.binary(operator, &value, right, scope)?;
+        }
+        Ok(value)
+    }
+
+    fn binary(
+        &self,
+        operator: Operator,
+        left: &Value<Class>,
+        right: &Term,
+        scope: &Scope<'_>,
+    ) -> Outcome {
+        let a = self.arithmetic;
+        match operator {
+            Operator::Add => left.plus(&self.term(right, scope)?, a),
+            Operator::Subtract => left.plus(&self.term(right, scope)?.negated(a), a),
+            Operator::Multiply => left.times(&self.term(right, scope)?, a),
+            Operator::Divide => {
+                let divisor = self.number(right, scope)?;
+                left.each(&|x| x.over(&divisor, a))
+            }
+            Operator::Power => {
+                let exponent = self.integer(right, "an exponent", scope)?;
+                if exponent.unsigned_abs() > MAX_EXPONENT {
+                    let what = "an exponent";
+                    return Err(Unknown::Large { what }.into());
+                }
+                let power = left.clone().number()?.power(exponent.unsigned_abs(), a)?;
+                Ok(Value::Number(match exponent < 0 {
+                    true => Series::integer(1, a).over(&power, a)?,
+                    false => power,
+                }))
+            }
+        }
+    }
+
+    /// Entries are counted from 1.
+    fn entry(&self, of: &Term, indices: &[Term], scope: &Scope<'_>) -> Outcome {
+        let mut value = self.term(of, scope)?;
+        for index in indices {
+            let index = self.integer(index, "an index", scope)?;
+            let Value::Many(items) = value else {
+                return Err(Gap::shape("an entry of a number"));
+            };
+            let position = index.checked_sub(1).and_then(|p| usize::try_from(p).ok());
+            let found = position.and_then(|p| items.get(p).cloned());
+            let length = i64::try_from(items.len()).unwrap_or(i64::MAX);
+            value = found.ok_or_else(|| outside("entry", index, 1, length))?;
+        }
+        Ok(value)
+    }
+
+    fn range(
+        &self,
+        low: &Term,
+        high: &Term,
+        scope: &Scope<'_>,
+    ) -> Result<RangeInclusive<i64>, Gap> {
+        let low = self.integer(low, "a bound", scope)?;
+        let high = self.integer(high, "a bound", scope)?;
+        if high.saturating_sub(low) >= MAX_TERMS {
+            return Err(Unknown::Large { what: "a sum" }.into());
+        }
+        Ok(low..=high)
+    }
+
+    /// What stands for an integral: a combination of values of the integrand.
+    fn integral(
+        &self,
+        variable: &Variable,
+        [low, high]: [&Term; 2],
+        body: &Term,
+        scope: &Scope<'_>,
+    ) -> Outcome {
+        let a = self.arithmetic;
+        let (low, high) = (self.number(low, scope)?, self.number(high, scope)?);
+        let length = high.minus(&low, a)?;
+        let mut sum = self.integer_value(0);
+        for (share, weight) in a.stands_for_integral().iter().flatten() {
+            let place = low.plus(&length.times(&Series::rational(share, a), a)?, a)?;
+            let value = self.term(body, &scope.with(variable, Value::Number(place)))?;
+            let weight = Series::rational(weight, a).times(&length, a)?;
+            sum = sum.plus(&value.each(&|x| x.times(&weight, a))?, a)?;
+        }
+        Ok(sum)
+    }
+
+    /// `order!` times the coefficient of `e^order` of the body at `point + e`.
+    fn derivative(
+        &self,
+        variable: &Variable,
+        order: i64,
+        body: &Term,
+        point: Series<Class>,
+        scope: &Scope<'_>,
+    ) -> Outcome {
+        let a = self.arithmetic;
+        let what = "the order of a derivative";
+        if order < 0 {
+            return Err(Undefined::Negative { what }.into());
+        }
+        if order > MAX_ORDER {
+            return Err(Unknown::Large { what }.into());
+        }
+        let terms = usize::try_from(order).unwrap_or(0);
+        let factorial: Rational = (1..=order).map(integer).product();
+        let factorial = Series::rational(&factorial, a);
+        let level = scope.level + 1;
+        let inside = scope.within(variable, point.shifted(level, terms, a));
+        let value = self.term(body, &inside)?;
+        value.each(&|series| series.coefficient(level, terms, a).times(&factorial, a))
+    }
+}
+
+fn outside(name: &str, index: i64, low: i64, high: i64) -> Gap {
+    Undefined::IndexOutside {
+        name: name.to_owned(),
+        index,
+        low,
+        high,
+    }
+    .into()
+}
+
+fn no_value(name: &str) -> Gap {
+    Unknown::NoValue {
+        name: name.to_owned(),
+    }
+    .into()
+}
