@@ -11,23 +11,26 @@
 //!
 //! An assignment counts if both readings have a value. Where none of the first ten does, the formula is not compared.
 
+mod basis;
+mod both;
 mod functions;
+mod numbers;
+mod outline;
+mod scope;
 mod terms;
 
+use self::both::Both;
+use self::numbers::Numbers;
+use self::outline::{CoreOutline, outline};
 use self::terms::Terms;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use torse_algebra::{Rational, rational};
-use torse_core::{self as core, FamilyProperty, Node, Printed, Statement, Term};
-use torse_semantics::tree::{
-    Assignment, BASIS_AT, BASIS_DEGREES, Compared, Outline, Piece, Reading, TreeOutline,
-    printed_number, word,
-};
-use torse_semantics::{Class, Gap, Name, Scrambled, Series, Value, Work};
+use torse_core::{self as core, Term};
+use torse_semantics::tree::{Assignment, Compared, Reading};
+use torse_semantics::{Name, Scrambled, Value, Work};
 use torse_syntax::derivation::{Claim, Written};
-use torse_syntax::formula::{self, Expr, Place};
-use torse_syntax::notation;
+use torse_syntax::formula::{self, Expr};
 
 /// How many assignments are tried, and at how many a claim is compared.
 const ATTEMPTS: u64 = 10;
@@ -45,9 +48,6 @@ pub enum Agreement {
     /// A formula that has two values.
     Differs(String),
 }
-
-/// Words and values of core terms.
-type CoreOutline<'c> = Outline<&'c Term, Class>;
 
 /// Compares a core claim with the trees that it was made of.
 pub fn agreement(claim: &Claim, statement: &Written, core: &core::Claim) -> Agreement {
@@ -219,257 +219,4 @@ impl Case<'_> {
             .iter()
             .filter_map(core::Hypothesis::root)
     }
-}
-
-/// What core terms ask for.
-struct Numbers<'a, 's> {
-    core: &'s core::Claim,
-    made: &'s BTreeMap<Arc<str>, Option<Expr>>,
-    trees: &'a Compared<'s, 'a>,
-    assignment: &'a Assignment<'s>,
-    arithmetic: &'a Scrambled<'a>,
-    known: RefCell<BTreeMap<Arc<str>, Option<Value<Class>>>>,
-}
-
-impl Numbers<'_, '_> {
-    fn number(&self, name: &Name) -> Option<Class> {
-        let declared = name.declared();
-        let Some(text) = self.made.get(declared) else {
-            return self.assignment.number(name);
-        };
-        let known = self.known.borrow().get(declared).cloned();
-        let value = match known {
-            Some(known) => known,
-            None => {
-                let found = self.made_value(declared, text.as_ref());
-                let mut known = self.known.borrow_mut();
-                known.insert(Arc::clone(declared), found.clone());
-                found
-            }
-        };
-        let value = match name {
-            Name::Coordinate(_, c) => {
-                let entry = value?.entries().ok()?;
-                entry.get(usize::from(*c).checked_sub(1)?)?.clone()
-            }
-            _ => value?.number().ok()?,
-        };
-        value.as_number().copied()
-    }
-
-    /// The value of a name that the engine made: the root of its square, or what its text is worth.
-    fn made_value(&self, name: &Arc<str>, text: Option<&'_ Expr>) -> Option<Value<Class>> {
-        let mut roots = self
-            .core
-            .hypotheses
-            .iter()
-            .filter_map(core::Hypothesis::root);
-        if let Some((_, radicand)) = roots.find(|(own, _)| *own == name) {
-            let values = |name: &Name| self.number(name);
-            let radicand = Terms::new(self.arithmetic, &values, None).value(radicand);
-            let root = radicand.ok()?.number().ok()?.square_root(self.arithmetic);
-            return root.ok().map(Value::Number);
-        }
-        let made = self.made.get(name)?.as_ref();
-        debug_assert_eq!(made, text);
-        self.trees.value(made?).ok()
-    }
-}
-
-/// Both readings at one assignment.
-#[derive(Clone, Copy)]
-struct Both<'a, 's, 'e> {
-    trees: &'a Compared<'s, 'e>,
-    evaluator: &'a Terms<'a>,
-    claim: &'s Claim,
-}
-
-impl<'s> Both<'_, 's, '_> {
-    /// Compares two outlines: what has no value for one of them, if anything; fails for what differs.
-    fn compared(
-        &self,
-        text: &TreeOutline<'s>,
-        own: &CoreOutline<'_>,
-    ) -> Result<Option<String>, String> {
-        let mut open = None;
-        let mut relation = String::new();
-        if text.len() != own.len() {
-            return Err("core terms make another statement of the text".to_owned());
-        }
-        for pair in text.iter().zip(own) {
-            match pair {
-                (Piece::Word(word), Piece::Word(other)) if word == other => {
-                    relation.clone_from(word);
-                }
-                (Piece::Value(tree, text), Piece::Value(term, own)) => match self.same(text, own) {
-                    Ok(found) => open = open.or(found),
-                    Err(()) => {
-                        let least = match (tree, term) {
-                            (Some(tree), Some(term)) => Some(self.smallest(tree, term)),
-                            _ => None,
-                        };
-                        let what = least.unwrap_or_else(|| format!("a side of `{relation}`"));
-                        return Err(format!(
-                            "{what} has another value as a core term than in the text"
-                        ));
-                    }
-                },
-                _ => return Err("core terms make another statement of the text".to_owned()),
-            }
-        }
-        Ok(open)
-    }
-
-    /// Whether two values are the same: why that is not seen, or an error where they are not.
-    fn same(
-        &self,
-        text: &Result<Value<Class>, Gap>,
-        own: &Result<Value<Class>, Gap>,
-    ) -> Result<Option<String>, ()> {
-        match (text, own) {
-            (Ok(text), Ok(own)) if are_same(text, own) => Ok(None),
-            (Ok(_), Ok(_)) => Err(()),
-            (Err(gap), _) => Ok(Some(format!("in the text {gap}"))),
-            (_, Err(gap)) => Ok(Some(format!("as a core term {gap}"))),
-        }
-    }
-
-    /// The smallest part with two values, among those that depend on no variable of a binder.
-    fn smallest(&self, tree: &'s Expr, term: &Term) -> String {
-        let mut within = None;
-        let (mut tree, mut term) = (tree, term.clone());
-        loop {
-            let parts: Vec<Term> = term.parts().into_iter().cloned().collect();
-            let opened = match (&*term.node, &tree.node) {
-                (
-                    Node::Opened {
-                        closed: true, name, ..
-                    },
-                    formula::Node::Name(own),
-                ) if **name == **own => self.claim.declarations.definition(name),
-                _ => None,
-            };
-            if let (Some(definition), [body]) = (opened, parts.as_slice()) {
-                within = Some(tree_name(tree));
-                (tree, term) = (&definition.body.expr, body.clone());
-                continue;
-            }
-            let next = parts.into_iter().find_map(|part| {
-                let tree = tree
-                    .parts()
-                    .into_iter()
-                    .find(|tree| tree.place == part.place)?;
-                let differ = part.is_closed()
-                    && self
-                        .same(&self.trees.value(tree), &self.evaluator.value(&part))
-                        .is_err();
-                differ.then_some((tree, part))
-            });
-            match next {
-                Some(next) => (tree, term) = next,
-                None => break,
-            }
-        }
-        let text = notation::text(tree);
-        match within {
-            None => format!("`{text}`"),
-            Some(name) => format!("`{text}` in `{name}`"),
-        }
-    }
-}
-
-fn tree_name(tree: &Expr) -> &str {
-    match &tree.node {
-        formula::Node::Name(name) => name,
-        _ => "",
-    }
-}
-
-/// Whether all entries are equal; 0 is an empty sum of any shape.
-fn are_same(text: &Value<Class>, own: &Value<Class>) -> bool {
-    let shapes = |value: &Value<Class>| value.numbers().len();
-    let zero = |value: &Value<Class>| value.numbers().iter().all(|x| x.all(&|x| x.is_zero()));
-    (text == own) || (zero(text) && zero(own) && (shapes(text) == 1 || shapes(own) == 1))
-}
-
-/// The outline of a core statement.
-fn outline<'c>(statement: &'c Statement, at: &Terms<'_>) -> CoreOutline<'c> {
-    let mut all = vec![];
-    let mut pending = vec![statement];
-    while let Some(statement) = pending.pop() {
-        match statement {
-            Statement::Compare {
-                relation,
-                left,
-                right,
-            } => {
-                all.push(Piece::Word(relation.sign().to_owned()));
-                all.extend([left, right].map(|side| Piece::Value(Some(side), at.value(side))));
-            }
-            Statement::Agrees { value, printed, .. } => {
-                let printed: Vec<String> = printed.iter().map(printed_word).collect();
-                all.push(Piece::Word(format!("agrees {}", printed.join(", "))));
-                all.push(Piece::Value(Some(value), at.value(value)));
-            }
-            Statement::Join(connective, a, b) => {
-                all.push(Piece::Word(word(*connective)));
-                pending.extend([&**b, &**a]);
-            }
-            Statement::Not(inner) => {
-                all.push(Piece::Word("fails".to_owned()));
-                pending.push(inner);
-            }
-            Statement::Family(property, family) => {
-                let (name, degrees) = match property {
-                    FamilyProperty::Nonnegative => ("nonnegative", vec![]),
-                    FamilyProperty::Independent => ("independent", vec![]),
-                    FamilyProperty::VariationDiminishing(degrees) => {
-                        let degrees = degrees.iter().flat_map(|d| [d.least, d.most]);
-                        ("variation_diminishing", degrees.collect())
-                    }
-                };
-                all.push(Piece::Word(format!(
-                    "{name} {degrees:?} from {}",
-                    family.degree
-                )));
-                let least = i64::from(family.degree);
-                for degree in least..least + BASIS_DEGREES {
-                    let row = (0..=degree).map(|i| {
-                        let term = basis_function(family, i, degree);
-                        at.value(&term)?.number()
-                    });
-                    let row = row.collect::<Result<Vec<Series<Class>>, Gap>>();
-                    all.push(Piece::Value(None, row.map(Value::vector)));
-                }
-            }
-        }
-    }
-    all
-}
-
-fn printed_word(printed: &Printed) -> String {
-    let size = match printed.negative {
-        true => -printed.value.clone(),
-        false => printed.value.clone(),
-    };
-    printed_number(&size, printed.decimals, printed.negative)
-}
-
-/// A function of a basis at one value of its variable, with the shape parameters of the point.
-fn basis_function(family: &Arc<core::Family>, index: i64, degree: i64) -> Term {
-    let made = |node| Term {
-        node: Arc::new(node),
-        place: Place::default(),
-    };
-    let number = |n: i64| made(Node::Number(rational::integer(n)));
-    let (u, v) = BASIS_AT;
-    let variable = made(Node::Number(Rational::new(u.into(), v.into())));
-    let parameters = family.parameters();
-    let parameters = parameters.map(|name| made(Node::Symbol(Arc::from(name))));
-    made(Node::Basis {
-        family: Arc::clone(family),
-        index: number(index),
-        degree: number(degree),
-        arguments: std::iter::once(variable).chain(parameters).collect(),
-    })
 }

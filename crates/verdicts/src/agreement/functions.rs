@@ -1,6 +1,7 @@
 //! The built-in functions of core terms.
 
-use super::terms::{Number, Outcome, Scope, Terms};
+use super::scope::Scope;
+use super::terms::{Number, Outcome, Terms};
 use std::sync::Arc;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;

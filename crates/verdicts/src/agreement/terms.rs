@@ -4,6 +4,7 @@
 //! before the whole, so that a term with an undefined part is undefined. What is opened, and depends on no binder, is evaluated
 //! once, and so is a basis at the same arguments.
 
+use super::scope::Scope;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -11,7 +12,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 use torse_algebra::rational::integer;
 use torse_algebra::{Affine, Rational};
-use torse_core::{Claim, Family, Node, Points, Term, Variable, stack};
+use torse_core::{Claim, Node, Points, Term, Variable, stack};
 use torse_semantics::{Arithmetic, Class, Gap, Name, Scrambled, Series, Undefined, Unknown, Value};
 use torse_syntax::formula::Operator;
 
@@ -19,86 +20,15 @@ use torse_syntax::formula::Operator;
 const MAX_DEPTH: usize = 80 * 300;
 /// The longest sum.
 const MAX_TERMS: i64 = 4000;
-/// The largest exponent, degree of a basis and order of a derivative.
+/// The largest exponent, and order of a derivative.
 const MAX_EXPONENT: u64 = 2000;
-const MAX_DEGREE: i64 = 60;
 const MAX_ORDER: i64 = 40;
 
 pub(super) type Outcome = Result<Value<Class>, Gap>;
 pub(super) type Number = Result<Series<Class>, Gap>;
 
-/// The values of the variables of enclosing binders, and of symbols that are moved, innermost first.
-pub(super) struct Scope<'s> {
-    outer: Option<&'s Scope<'s>>,
-    binding: Binding,
-    /// How many infinitesimals there are.
-    pub level: usize,
-    /// Whether a symbol is moved.
-    is_moved: bool,
-}
-
-enum Binding {
-    Nothing,
-    Variable(u32, Value<Class>),
-    Symbol(Name, Series<Class>),
-}
-
-impl Scope<'_> {
-    pub fn outermost() -> Self {
-        Self {
-            outer: None,
-            binding: Binding::Nothing,
-            level: 0,
-            is_moved: false,
-        }
-    }
-
-    fn inner<'t>(&'t self, binding: Binding, level: usize) -> Scope<'t> {
-        Scope {
-            outer: Some(self),
-            is_moved: self.is_moved || matches!(binding, Binding::Symbol(..)),
-            binding,
-            level,
-        }
-    }
-
-    fn with<'t>(&'t self, variable: &Variable, value: Value<Class>) -> Scope<'t> {
-        self.inner(Binding::Variable(variable.number(), value), self.level)
-    }
-
-    /// The variable has an infinitesimal of its own.
-    fn within<'t>(&'t self, variable: &Variable, value: Series<Class>) -> Scope<'t> {
-        let binding = Binding::Variable(variable.number(), Value::Number(value));
-        self.inner(binding, self.level + 1)
-    }
-
-    /// A declared number has another value, one infinitesimal further in.
-    pub fn moved<'t>(&'t self, name: Name, value: Series<Class>) -> Scope<'t> {
-        self.inner(Binding::Symbol(name, value), self.level + 1)
-    }
-
-    fn enclosing(&self) -> impl Iterator<Item = &Scope<'_>> {
-        std::iter::successors(Some(self), |scope| scope.outer)
-    }
-
-    fn variable(&self, number: u32) -> Option<&Value<Class>> {
-        self.enclosing().find_map(|scope| match &scope.binding {
-            Binding::Variable(own, value) if *own == number => Some(value),
-            _ => None,
-        })
-    }
-
-    fn symbol(&self, name: &Name) -> Option<&Series<Class>> {
-        let mut all = self.enclosing().take_while(|scope| scope.is_moved);
-        all.find_map(|scope| match &scope.binding {
-            Binding::Symbol(own, value) if own == name => Some(value),
-            _ => None,
-        })
-    }
-}
-
 /// The functions of one basis at one degree and one tuple of arguments.
-type Row = ((usize, i64, Vec<Value<Class>>), Rc<[Series<Class>]>);
+pub(super) type Row = ((usize, i64, Vec<Value<Class>>), Rc<[Series<Class>]>);
 
 /// Evaluates core terms at one point.
 pub(super) struct Terms<'a> {
@@ -108,7 +38,7 @@ pub(super) struct Terms<'a> {
     pub given: Option<&'a Claim>,
     /// The values of closed terms by their addresses; the terms are kept, so that no other one gets the address.
     closed: RefCell<BTreeMap<usize, (Term, Value<Class>)>>,
-    rows: RefCell<Vec<Row>>,
+    pub rows: RefCell<Vec<Row>>,
     depth: Cell<usize>,
 }
 
@@ -142,7 +72,7 @@ impl<'a> Terms<'a> {
         self.term(term, scope)?.number()
     }
 
-    fn integer_value(&self, n: i64) -> Value<Class> {
+    pub fn integer_value(&self, n: i64) -> Value<Class> {
         Value::Number(Series::integer(n, self.arithmetic))
     }
 
@@ -320,92 +250,6 @@ impl<'a> Terms<'a> {
             total = sum.ok_or(Unknown::Large { what })?;
         }
         Ok(total)
-    }
-
-    /// All functions of a degree at these arguments: row by row from the seeds, `g[i,j+1] = a g[i,j] + b g[i-1,j]`.
-    fn row(
-        &self,
-        family: &Arc<Family>,
-        degree: i64,
-        arguments: Vec<Value<Class>>,
-        scope: &Scope<'_>,
-    ) -> Result<Rc<[Series<Class>]>, Gap> {
-        if degree < i64::from(family.degree) {
-            return Err(Undefined::BelowSeeds {
-                name: family.name.to_string(),
-                degree,
-                least: family.degree,
-            }
-            .into());
-        }
-        if degree > MAX_DEGREE {
-            return Err(Unknown::Large { what: "a degree" }.into());
-        }
-        let key = (Arc::as_ptr(family).addr(), degree, arguments);
-        // Where seeds or step vary with a binder or a moved symbol, the arguments alone do not tell the functions.
-        let alike = family.closed && !scope.is_moved;
-        if alike && let Some((_, known)) = self.rows.borrow().iter().find(|(own, _)| *own == key) {
-            return Ok(Rc::clone(known));
-        }
-        let row =
-            stack::deep(|| self.recursion(family, degree, (&family.variables, &key.2), scope));
-        let row: Rc<[_]> = row?.into();
-        if alike {
-            let mut rows = self.rows.borrow_mut();
-            if rows.len() >= 24 {
-                rows.remove(0);
-            }
-            rows.push((key, Rc::clone(&row)));
-        }
-        Ok(row)
-    }
-
-    fn recursion(
-        &self,
-        family: &Family,
-        degree: i64,
-        (variables, arguments): (&[Variable], &[Value<Class>]),
-        scope: &Scope<'_>,
-    ) -> Result<Vec<Series<Class>>, Gap> {
-        if let (Some((variable, variables)), Some((argument, arguments))) =
-            (variables.split_first(), arguments.split_first())
-        {
-            let inside = scope.with(variable, argument.clone());
-            return self.recursion(family, degree, (variables, arguments), &inside);
-        }
-        let seeds = family.seeds.iter().map(|seed| self.number(seed, scope));
-        let mut row = seeds.collect::<Result<Vec<_>, _>>()?;
-        for k in i64::from(family.degree) + 1..=degree {
-            let next = (0..=k).map(|i| match &family.counters {
-                None => self.next(family, &row, i, scope),
-                Some((index, order)) => {
-                    let scope = scope.with(order, self.integer_value(k));
-                    let scope = scope.with(index, self.integer_value(i));
-                    self.next(family, &row, i, &scope)
-                }
-            });
-            row = next.collect::<Result<_, _>>()?;
-        }
-        Ok(row)
-    }
-
-    /// A function from those of one degree less; a factor that multiplies nothing is not looked at.
-    fn next(
-        &self,
-        family: &Family,
-        before: &[Series<Class>],
-        index: i64,
-        scope: &Scope<'_>,
-    ) -> Number {
-        let a = self.arithmetic;
-        let at = |place: i64| usize::try_from(place).ok().and_then(|p| before.get(p));
-        let mut sum = Series::integer(0, a);
-        for (factor, function) in [(&family.step.0, at(index)), (&family.step.1, at(index - 1))] {
-            if let Some(function) = function {
-                sum = sum.plus(&self.number(factor, scope)?.times(function, a)?, a)?;
-            }
-        }
-        Ok(sum)
     }
 
     /// A chain `a + b - c + ...`: the left operands are walked without recursion, so that long sums are not deep.

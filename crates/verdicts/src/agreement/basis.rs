@@ -1,0 +1,99 @@
+//! Basis functions of core terms, from the seeds.
+
+use super::scope::Scope;
+use super::terms::{Number, Terms};
+use std::rc::Rc;
+use std::sync::Arc;
+use torse_core::{Family, Variable, stack};
+use torse_semantics::{Class, Gap, Series, Undefined, Unknown, Value};
+
+/// The highest degree.
+const MAX_DEGREE: i64 = 60;
+
+impl Terms<'_> {
+    /// All functions of a degree at these arguments: row by row from the seeds, `g[i,j+1] = a g[i,j] + b g[i-1,j]`.
+    pub fn row(
+        &self,
+        family: &Arc<Family>,
+        degree: i64,
+        arguments: Vec<Value<Class>>,
+        scope: &Scope<'_>,
+    ) -> Result<Rc<[Series<Class>]>, Gap> {
+        if degree < i64::from(family.degree) {
+            return Err(Undefined::BelowSeeds {
+                name: family.name.to_string(),
+                degree,
+                least: family.degree,
+            }
+            .into());
+        }
+        if degree > MAX_DEGREE {
+            return Err(Unknown::Large { what: "a degree" }.into());
+        }
+        let key = (Arc::as_ptr(family).addr(), degree, arguments);
+        // Where seeds or step vary with a binder or a moved symbol, the arguments alone do not tell the functions.
+        let alike = family.closed && !scope.is_moved;
+        if alike && let Some((_, known)) = self.rows.borrow().iter().find(|(own, _)| *own == key) {
+            return Ok(Rc::clone(known));
+        }
+        let row =
+            stack::deep(|| self.recursion(family, degree, (&family.variables, &key.2), scope));
+        let row: Rc<[_]> = row?.into();
+        if alike {
+            let mut rows = self.rows.borrow_mut();
+            if rows.len() >= 24 {
+                rows.remove(0);
+            }
+            rows.push((key, Rc::clone(&row)));
+        }
+        Ok(row)
+    }
+
+    fn recursion(
+        &self,
+        family: &Family,
+        degree: i64,
+        (variables, arguments): (&[Variable], &[Value<Class>]),
+        scope: &Scope<'_>,
+    ) -> Result<Vec<Series<Class>>, Gap> {
+        if let (Some((variable, variables)), Some((argument, arguments))) =
+            (variables.split_first(), arguments.split_first())
+        {
+            let inside = scope.with(variable, argument.clone());
+            return self.recursion(family, degree, (variables, arguments), &inside);
+        }
+        let seeds = family.seeds.iter().map(|seed| self.number(seed, scope));
+        let mut row = seeds.collect::<Result<Vec<_>, _>>()?;
+        for k in i64::from(family.degree) + 1..=degree {
+            let next = (0..=k).map(|i| match &family.counters {
+                None => self.next(family, &row, i, scope),
+                Some((index, order)) => {
+                    let scope = scope.with(order, self.integer_value(k));
+                    let scope = scope.with(index, self.integer_value(i));
+                    self.next(family, &row, i, &scope)
+                }
+            });
+            row = next.collect::<Result<_, _>>()?;
+        }
+        Ok(row)
+    }
+
+    /// A function from those of one degree less; a factor that multiplies nothing is not looked at.
+    fn next(
+        &self,
+        family: &Family,
+        before: &[Series<Class>],
+        index: i64,
+        scope: &Scope<'_>,
+    ) -> Number {
+        let a = self.arithmetic;
+        let at = |place: i64| usize::try_from(place).ok().and_then(|p| before.get(p));
+        let mut sum = Series::integer(0, a);
+        for (factor, function) in [(&family.step.0, at(index)), (&family.step.1, at(index - 1))] {
+            if let Some(function) = function {
+                sum = sum.plus(&self.number(factor, scope)?.times(function, a)?, a)?;
+            }
+        }
+        Ok(sum)
+    }
+}

@@ -1,0 +1,66 @@
+//! The numbers that core terms ask for: those of an assignment, and what the names that the engine makes stand for.
+
+use super::terms::Terms;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use torse_core as core;
+use torse_semantics::tree::{Assignment, Compared};
+use torse_semantics::{Class, Name, Scrambled, Value};
+use torse_syntax::formula::Expr;
+
+/// What core terms ask for.
+pub(super) struct Numbers<'a, 's> {
+    pub core: &'s core::Claim,
+    pub made: &'s BTreeMap<Arc<str>, Option<Expr>>,
+    pub trees: &'a Compared<'s, 'a>,
+    pub assignment: &'a Assignment<'s>,
+    pub arithmetic: &'a Scrambled<'a>,
+    pub known: RefCell<BTreeMap<Arc<str>, Option<Value<Class>>>>,
+}
+
+impl Numbers<'_, '_> {
+    /// The residue of a number.
+    pub fn number(&self, name: &Name) -> Option<Class> {
+        let declared = name.declared();
+        let Some(text) = self.made.get(declared) else {
+            return self.assignment.number(name);
+        };
+        let known = self.known.borrow().get(declared).cloned();
+        let value = match known {
+            Some(known) => known,
+            None => {
+                let found = self.made_value(declared, text.as_ref());
+                let mut known = self.known.borrow_mut();
+                known.insert(Arc::clone(declared), found.clone());
+                found
+            }
+        };
+        let value = match name {
+            Name::Coordinate(_, c) => {
+                let entry = value?.entries().ok()?;
+                entry.get(usize::from(*c).checked_sub(1)?)?.clone()
+            }
+            _ => value?.number().ok()?,
+        };
+        value.as_number().copied()
+    }
+
+    /// The value of a name that the engine made: the root of its square, or what its text is worth.
+    fn made_value(&self, name: &Arc<str>, text: Option<&'_ Expr>) -> Option<Value<Class>> {
+        let mut roots = self
+            .core
+            .hypotheses
+            .iter()
+            .filter_map(core::Hypothesis::root);
+        if let Some((_, radicand)) = roots.find(|(own, _)| *own == name) {
+            let values = |name: &Name| self.number(name);
+            let radicand = Terms::new(self.arithmetic, &values, None).value(radicand);
+            let root = radicand.ok()?.number().ok()?.square_root(self.arithmetic);
+            return root.ok().map(Value::Number);
+        }
+        let made = self.made.get(name)?.as_ref();
+        debug_assert_eq!(made, text);
+        self.trees.value(made?).ok()
+    }
+}

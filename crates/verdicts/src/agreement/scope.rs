@@ -1,0 +1,74 @@
+//! What variables and moved symbols are worth where a term stands.
+
+use torse_core::Variable;
+use torse_semantics::{Class, Name, Series, Value};
+
+/// The values of the variables of enclosing binders, and of symbols that are moved, innermost first.
+pub(super) struct Scope<'s> {
+    outer: Option<&'s Scope<'s>>,
+    binding: Binding,
+    /// How many infinitesimals there are.
+    pub level: usize,
+    /// Whether a symbol is moved.
+    pub is_moved: bool,
+}
+
+enum Binding {
+    Nothing,
+    Variable(u32, Value<Class>),
+    Symbol(Name, Series<Class>),
+}
+
+impl Scope<'_> {
+    pub fn outermost() -> Self {
+        Self {
+            outer: None,
+            binding: Binding::Nothing,
+            level: 0,
+            is_moved: false,
+        }
+    }
+
+    fn inner<'t>(&'t self, binding: Binding, level: usize) -> Scope<'t> {
+        Scope {
+            outer: Some(self),
+            is_moved: self.is_moved || matches!(binding, Binding::Symbol(..)),
+            binding,
+            level,
+        }
+    }
+
+    pub fn with<'t>(&'t self, variable: &Variable, value: Value<Class>) -> Scope<'t> {
+        self.inner(Binding::Variable(variable.number(), value), self.level)
+    }
+
+    /// The variable has an infinitesimal of its own.
+    pub fn within<'t>(&'t self, variable: &Variable, value: Series<Class>) -> Scope<'t> {
+        let binding = Binding::Variable(variable.number(), Value::Number(value));
+        self.inner(binding, self.level + 1)
+    }
+
+    /// A declared number has another value, one infinitesimal further in.
+    pub fn moved<'t>(&'t self, name: Name, value: Series<Class>) -> Scope<'t> {
+        self.inner(Binding::Symbol(name, value), self.level + 1)
+    }
+
+    fn enclosing(&self) -> impl Iterator<Item = &Scope<'_>> {
+        std::iter::successors(Some(self), |scope| scope.outer)
+    }
+
+    pub fn variable(&self, number: u32) -> Option<&Value<Class>> {
+        self.enclosing().find_map(|scope| match &scope.binding {
+            Binding::Variable(own, value) if *own == number => Some(value),
+            _ => None,
+        })
+    }
+
+    pub fn symbol(&self, name: &Name) -> Option<&Series<Class>> {
+        let mut all = self.enclosing().take_while(|scope| scope.is_moved);
+        all.find_map(|scope| match &scope.binding {
+            Binding::Symbol(own, value) if own == name => Some(value),
+            _ => None,
+        })
+    }
+}
