@@ -18,36 +18,67 @@ const MAX_BRANCHES: usize = 12;
 /// How deep definitions of statements are opened.
 const MAX_OPENED: u32 = 16;
 
-/// What is true on each thin part of a domain, in the order in which they are visited.
-pub(crate) fn branches(reading: &Reading<'_>) -> Vec<Expr> {
+/// A thin part of a domain.
+pub(crate) struct Branch {
+    /// What is satisfied first.
+    pub first: Expr,
+    /// All that is true there besides the hypotheses.
+    pub inside: Expr,
+}
+
+/// The thin parts of a domain, in the order in which they are visited.
+pub(crate) fn branches(reading: &Reading<'_>) -> Vec<Branch> {
     let declarations = reading.declarations();
     let mut found = Found::default();
     found.collect(declarations, reading.tree(), MAX_OPENED);
-    let assumed: Vec<&Expr> = reading
-        .hypotheses()
-        .chain(found.premises.iter().copied())
-        .collect();
-    let equations = constraints(declarations, &assumed);
-    let equations = equations
-        .into_iter()
-        .filter(|(relation, ..)| *relation == Relation::Equal);
-    let premises = found.premises.iter().filter(|premise| {
-        let all = constraints(declarations, &[**premise]);
-        all.iter()
-            .any(|(relation, ..)| *relation == Relation::Equal)
-    });
-    let mut all: Vec<Expr> = premises.map(|premise| Expr::clone(premise)).collect();
-    for (_, left, right) in equations {
-        let difference = left.clone().with(Operator::Subtract, right.clone());
+    let mut all = vec![];
+    for premise in &found.premises {
+        let equations = equations(declarations, &[*premise]);
+        if equations.is_empty() {
+            continue;
+        }
+        all.push(Branch {
+            first: Expr::clone(premise),
+            inside: Expr::clone(premise),
+        });
+        for first in resting(declarations, &equations) {
+            let both = (Arc::new(first.clone()), Arc::new(Expr::clone(premise)));
+            all.push(Branch {
+                first,
+                inside: Expr::made(Node::Join(Connective::And, both.0, both.1)),
+            });
+        }
+    }
+    let assumed: Vec<&Expr> = reading.hypotheses().collect();
+    let rates = resting(declarations, &equations(declarations, &assumed));
+    let sides = found.sides.iter();
+    let sides = sides.map(|(left, right)| equal((*left).clone(), (*right).clone()));
+    all.extend(rates.into_iter().chain(sides).map(|inside| Branch {
+        first: inside.clone(),
+        inside,
+    }));
+    all.truncate(MAX_BRANCHES);
+    all
+}
+
+/// The equations that are true wherever all of these are.
+fn equations<'a>(declarations: &'a Declarations, trees: &[&'a Expr]) -> Vec<(&'a Expr, &'a Expr)> {
+    let all = constraints(declarations, trees).into_iter();
+    let equations = all.filter(|(relation, ..)| *relation == Relation::Equal);
+    equations.map(|(_, left, right)| (left, right)).collect()
+}
+
+/// That an equation does not move with a symbol, for each equation and each symbol in it.
+fn resting(declarations: &Declarations, equations: &[(&Expr, &Expr)]) -> Vec<Expr> {
+    let mut all = vec![];
+    for (left, right) in equations {
+        let difference = Expr::clone(left).with(Operator::Subtract, Expr::clone(right));
         for symbol in numbers_in(declarations, [left, right]) {
-            let symbol = Expr::name(symbol);
-            let rate = Node::Call(Arc::new(Expr::name("D")), vec![difference.clone(), symbol]);
+            let arguments = vec![difference.clone(), Expr::name(symbol)];
+            let rate = Node::Call(Arc::new(Expr::name("D")), arguments);
             all.push(equal(Expr::made(rate), Expr::number(&integer(0))));
         }
     }
-    let sides = found.sides.iter();
-    all.extend(sides.map(|(left, right)| equal((*left).clone(), (*right).clone())));
-    all.truncate(MAX_BRANCHES);
     all
 }
 

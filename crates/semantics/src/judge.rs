@@ -30,6 +30,9 @@ pub(crate) struct Judge<'j, 'a> {
 /// The arithmetics in which a judge evaluates.
 pub(crate) struct Grounds<'j>([Reals<'j>; 2]);
 
+/// Residues for the numbers of a point.
+type Modulo<'g> = (&'g Residues<'g>, &'g dyn Fn(&Name) -> Option<Residue>);
+
 /// The evaluators of a judge, coarse ones first.
 pub(crate) struct Ladder<'g, 'a> {
     reading: &'a Reading<'a>,
@@ -59,7 +62,7 @@ impl<'j> Grounds<'j> {
         &'g self,
         judge: &Judge<'g, 'a>,
         given: Option<Given<'a>>,
-        residues: Option<(&'g Residues<'g>, &'g dyn Fn(&Name) -> Option<Residue>)>,
+        residues: Option<Modulo<'g>>,
     ) -> Ladder<'g, 'a>
     where
         'j: 'g,
@@ -71,15 +74,14 @@ impl<'j> Grounds<'j> {
         };
         let reading = judge.reading;
         let [low, high] = &self.0;
-        let modulo =
-            |(arithmetic, number): (&'g Residues<'g>, &'g dyn Fn(&Name) -> Option<Residue>)| {
-                let values = Values {
-                    number,
-                    near: false,
-                    fails: judge.fails,
-                };
-                reading.at(arithmetic, values).along(given.clone())
+        let modulo = |(arithmetic, number): Modulo<'g>| {
+            let values = Values {
+                number,
+                near: false,
+                fails: judge.fails,
             };
+            reading.at(arithmetic, values).along(given.clone())
+        };
         Ladder {
             reading,
             residues: residues.map(modulo),
@@ -119,14 +121,12 @@ impl<'a> Ladder<'_, 'a> {
             false => self.truth(reading.tree()),
         };
         if judgement == Judgement::True {
-            match &self.residues {
-                Some(at) => reading.look(at),
-                None => self
-                    .reals
-                    .first()
-                    .into_iter()
-                    .for_each(|at| reading.look(at)),
+            // What has no residue is looked at with the numbers themselves.
+            if let Some(at) = &self.residues {
+                reading.look(at);
             }
+            let [low, _] = &self.reals;
+            reading.look(low);
         }
         judgement
     }

@@ -112,8 +112,8 @@ fn visit(tally: &mut Tally, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str
     let reading = domain.reading;
     for branch in branches(reading) {
         let (inside, alone) = (
-            Domain::where_true(reading, &branch),
-            Domain::alone(reading, &branch),
+            Domain::where_true(reading, &branch.inside),
+            Domain::alone(reading, &branch.first),
         );
         let survey = Survey::new(&inside, seed, STARTS, BRANCH_WORK).beyond(&alone);
         let (mut seen, mut decided) = (0, None);

@@ -9,7 +9,8 @@
 //! terms. The value of such a symbol is the value of its *text*; that of a root is the root of what the claim says its square
 //! is, and if its name is a text as well, both have to be the same.
 //!
-//! An assignment counts if both readings have a value. Where none of the first ten does, the formula is not compared.
+//! An assignment counts if both readings have a value. Where none of the first ten does, the claim is not compared, and not netted; but
+//! where it is one reading that never has a value and the other one that always has, they differ.
 
 mod basis;
 mod both;
@@ -19,7 +20,7 @@ mod outline;
 mod scope;
 mod terms;
 
-use self::both::Both;
+use self::both::{Both, Missing};
 use self::numbers::Numbers;
 use self::outline::{CoreOutline, outline};
 use self::terms::Terms;
@@ -73,20 +74,24 @@ pub fn agreement(claim: &Claim, statement: &Written, core: &core::Claim) -> Agre
     if let Err(found) = case.declared() {
         return Agreement::Differs(found);
     }
-    let (mut compared, mut why) = (0, None);
+    let (mut compared, mut missing) = (0, vec![]);
     for attempt in 0..ATTEMPTS {
         match case.at(attempt) {
             Ok(None) => compared += 1,
-            Ok(Some(open)) => why = Some(open),
+            Ok(Some(found)) => missing.push(found),
             Err(found) => return Agreement::Differs(found),
         }
         if compared >= COMPARED {
             break;
         }
     }
-    match why.filter(|_| compared == 0) {
+    match missing.first().filter(|_| compared == 0) {
         None => Agreement::Same,
-        Some(why) => Agreement::NotCompared(why),
+        // One reading has a value everywhere, and the other nowhere.
+        Some(first) if missing.iter().all(|found| found.is_one_sided) => {
+            Agreement::Differs(format!("one reading has no value: {}", first.why))
+        }
+        Some(first) => Agreement::NotCompared(first.why.clone()),
     }
 }
 
@@ -125,7 +130,7 @@ impl Case<'_> {
     }
 
     /// Compares at one assignment: `None` if everything was compared, else what was not; fails for what differs.
-    fn at(&self, attempt: u64) -> Result<Option<String>, String> {
+    fn at(&self, attempt: u64) -> Result<Option<Missing>, String> {
         let work = Work::new(WORK);
         let arithmetic = Scrambled { work: &work };
         let assignment = Assignment::new(&self.claim.declarations, attempt);
@@ -145,7 +150,7 @@ impl Case<'_> {
             Terms::new(&arithmetic, &values, Some(self.core)),
         );
         let mut open = None;
-        let mut note = |found: Option<String>| {
+        let mut note = |found: Option<Missing>| {
             open = open.take().or(found);
         };
         let both = Both {

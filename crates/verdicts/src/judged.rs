@@ -49,6 +49,20 @@ impl Net {
         }
     }
 
+    /// The same, not netted where core terms could not be compared with the text, for this reason.
+    #[must_use]
+    pub fn unless(self, uncompared: Option<String>) -> Self {
+        let Some(why) = uncompared else {
+            return self;
+        };
+        let why = format!("its core terms are not compared with the text: {why}");
+        Self {
+            netted: false,
+            why: Some(self.why.unwrap_or(why)),
+            ..self
+        }
+    }
+
     /// A point at which the statement is false, after so many.
     #[must_use]
     pub fn refuted(tried: u64) -> Self {

@@ -56,7 +56,7 @@ pub struct Effort {
 /// What every verdict has to pass before it is shown.
 pub const ALWAYS: Effort = Effort {
     points: 20,
-    budget: 400_000,
+    budget: 800_000,
     beyond: 100_000,
     polynomials: 0,
     seed: "",
@@ -199,11 +199,12 @@ impl<'a> Case<'a> {
         }
     }
 
-    /// Fails where the core terms are not what the text says.
-    fn agrees(&self) -> Result<(), Objection> {
+    /// Fails where the core terms are not what the text says; why that is not known, where it is not.
+    fn agrees(&self) -> Result<Option<String>, Objection> {
         match agreement(self.claim, self.statement, self.core) {
             Agreement::Differs(found) => Err(found.into()),
-            Agreement::Same | Agreement::NotCompared(_) => Ok(()),
+            Agreement::Same => Ok(None),
+            Agreement::NotCompared(why) => Ok(Some(why)),
         }
     }
 
@@ -229,12 +230,8 @@ impl<'a> Case<'a> {
 
     /// A proof under conditions, at points of the domain.
     fn proof(&self, conditions: &[Formula]) -> Result<Net, Objection> {
-<<<<<<< HEAD
-        self.agrees()?;
-        let read: Option<Vec<core::Statement>> = conditions.iter().map(|c| self.read(c)).collect();
-=======
+        let uncompared = self.agrees()?;
         let read: Option<Vec<Written>> = conditions.iter().map(|c| self.read(c)).collect();
->>>>>>> cefacbbf (The semantics reads trees alone: points and thin parts of domains are listed from the text, core walkers are gone)
         let Some(read) = read else {
             return Ok(Net::uncovered("a condition that cannot be read back"));
         };
@@ -260,7 +257,7 @@ impl<'a> Case<'a> {
             )),
             (false, _) => Some(why_few(&tally)),
         };
-        Ok(Net {
+        let net = Net {
             netted: why.is_none(),
             tried: tally.attempts,
             decided: tally.holding,
@@ -268,7 +265,8 @@ impl<'a> Case<'a> {
             why,
             conditions,
             correction: None,
-        })
+        };
+        Ok(net.unless(uncompared))
     }
 
     /// Fails unless the statement has a value somewhere on the domain: where the points that were drawn do not tell, at the one
@@ -371,8 +369,8 @@ impl<'a> Case<'a> {
 
     /// A refutation at its witness, and its correction at points of the domain.
     fn refutation(&self, refuted: &RefutedStatement) -> Result<Net, Objection> {
-        self.agrees()?;
-        let mut net = self.witness(refuted)?;
+        let uncompared = self.agrees()?;
+        let mut net = self.witness(refuted)?.unless(uncompared);
         let Some(correction) = refuted.correction() else {
             return Ok(net);
         };
@@ -473,7 +471,7 @@ impl<'a> Case<'a> {
 
     /// A domain that is statement to be empty.
     fn nowhere(&self) -> Result<Net, Objection> {
-        self.agrees()?;
+        let _ = self.agrees()?;
         let (tally, _) = self.tally(&[]);
         match tally.found {
             0 => Ok(Net {

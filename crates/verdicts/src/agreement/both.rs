@@ -4,10 +4,32 @@ use super::outline::CoreOutline;
 use super::terms::Terms;
 use torse_core::{Node, Term};
 use torse_semantics::tree::{Compared, Piece, TreeOutline};
-use torse_semantics::{Class, Gap, Value};
+use torse_semantics::{Class, Gap, Unknown, Value};
 use torse_syntax::derivation::Claim;
 use torse_syntax::formula::{self, Expr};
 use torse_syntax::notation;
+
+/// What has no value for one of the readings.
+#[derive(Debug, Clone)]
+pub(super) struct Missing {
+    /// For which, and why.
+    pub why: String,
+    /// Whether it has one for the other, and no bound of this comparison is the reason.
+    pub is_one_sided: bool,
+}
+
+impl Missing {
+    fn new(reading: &str, gap: &Gap, other_has_value: bool) -> Self {
+        let is_fact = matches!(
+            gap,
+            Gap::Undefined(_) | Gap::Unknown(Unknown::NoValue { .. })
+        );
+        Self {
+            why: format!("{reading} {gap}"),
+            is_one_sided: other_has_value && is_fact,
+        }
+    }
+}
 
 /// Both readings at one assignment.
 #[derive(Clone, Copy)]
@@ -23,7 +45,7 @@ impl<'s> Both<'_, 's, '_> {
         &self,
         text: &TreeOutline<'s>,
         own: &CoreOutline<'_>,
-    ) -> Result<Option<String>, String> {
+    ) -> Result<Option<Missing>, String> {
         let mut open = None;
         let mut relation = String::new();
         if text.len() != own.len() {
@@ -58,12 +80,12 @@ impl<'s> Both<'_, 's, '_> {
         &self,
         text: &Result<Value<Class>, Gap>,
         own: &Result<Value<Class>, Gap>,
-    ) -> Result<Option<String>, ()> {
+    ) -> Result<Option<Missing>, ()> {
         match (text, own) {
             (Ok(text), Ok(own)) if are_same(text, own) => Ok(None),
             (Ok(_), Ok(_)) => Err(()),
-            (Err(gap), _) => Ok(Some(format!("in the text {gap}"))),
-            (_, Err(gap)) => Ok(Some(format!("as a core term {gap}"))),
+            (Err(gap), own) => Ok(Some(Missing::new("in the text", gap, own.is_ok()))),
+            (_, Err(gap)) => Ok(Some(Missing::new("as a core term", gap, true))),
         }
     }
 

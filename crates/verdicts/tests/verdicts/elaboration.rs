@@ -67,7 +67,7 @@ const CASES: [(Planted, &str, &str); 12] = [
     (
         Planted::SeedOverlooked,
         "states = 'sqrt(B[0,1](x)) == at(sqrt(B[0,1](x)), m, 2)'",
-        "`at(sqrt(B[0,1](x)), m, 2)`",
+        "one reading has no value",
     ),
     (
         Planted::DenialOfBoth,
