@@ -243,6 +243,7 @@ fn every_decided_statement_is_netted_or_says_why_not() {
         }
     }
     assert!(netted * 10 >= count * 8, "{netted} of {count}");
+    assert!(lines.len() <= 12, "{lines:?}");
     insta::assert_json_snapshot!(lines);
 }
 

@@ -64,14 +64,35 @@ impl Terms<'_> {
         }
         let seeds = family.seeds.iter().map(|seed| self.number(seed, scope));
         let mut row = seeds.collect::<Result<Vec<_>, _>>()?;
+        let factors = [&family.step.0, &family.step.1];
+        if family.counters.is_none() && degree > i64::from(family.degree) {
+            // The factors are the same for all functions.
+            let [keep, shift] = factors;
+            let factors = [self.number(keep, scope)?, self.number(shift, scope)?];
+            for k in i64::from(family.degree) + 1..=degree {
+                let next = (0..=k).map(|i| {
+                    self.next(&row, i, &|part| {
+                        factors
+                            .get(part)
+                            .cloned()
+                            .ok_or_else(|| Gap::shape("a step"))
+                    })
+                });
+                row = next.collect::<Result<_, _>>()?;
+            }
+            return Ok(row);
+        }
         for k in i64::from(family.degree) + 1..=degree {
-            let next = (0..=k).map(|i| match &family.counters {
-                None => self.next(family, &row, i, scope),
-                Some((index, order)) => {
-                    let scope = scope.with(order, self.integer_value(k));
-                    let scope = scope.with(index, self.integer_value(i));
-                    self.next(family, &row, i, &scope)
-                }
+            let next = (0..=k).map(|i| {
+                let Some((index, order)) = &family.counters else {
+                    return Err(Gap::shape("a step"));
+                };
+                let scope = scope.with(order, self.integer_value(k));
+                let scope = scope.with(index, self.integer_value(i));
+                self.next(&row, i, &|part| {
+                    let factor = factors.get(part).ok_or_else(|| Gap::shape("a step"))?;
+                    self.number(factor, &scope)
+                })
             });
             row = next.collect::<Result<_, _>>()?;
         }
@@ -81,17 +102,16 @@ impl Terms<'_> {
     /// A function from those of one degree less; a factor that multiplies nothing is not looked at.
     fn next(
         &self,
-        family: &Family,
         before: &[Series<Class>],
         index: i64,
-        scope: &Scope<'_>,
+        factor: &dyn Fn(usize) -> Number,
     ) -> Number {
         let a = self.arithmetic;
         let at = |place: i64| usize::try_from(place).ok().and_then(|p| before.get(p));
         let mut sum = Series::integer(0, a);
-        for (factor, function) in [(&family.step.0, at(index)), (&family.step.1, at(index - 1))] {
+        for (part, function) in [at(index), at(index - 1)].into_iter().enumerate() {
             if let Some(function) = function {
-                sum = sum.plus(&self.number(factor, scope)?.times(function, a)?, a)?;
+                sum = sum.plus(&factor(part)?.times(function, a)?, a)?;
             }
         }
         Ok(sum)

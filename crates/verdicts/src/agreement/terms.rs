@@ -12,7 +12,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 use torse_algebra::rational::integer;
 use torse_algebra::{Affine, Rational};
-use torse_core::{Claim, Node, Points, Term, Variable, stack};
+use torse_core::{BuiltIn, Claim, Node, Points, Term, Variable, stack};
 use torse_semantics::{Arithmetic, Class, Gap, Name, Scrambled, Series, Undefined, Unknown, Value};
 use torse_syntax::formula::Operator;
 
@@ -23,12 +23,17 @@ const MAX_TERMS: i64 = 4000;
 /// The largest exponent, and order of a derivative.
 const MAX_EXPONENT: u64 = 2000;
 const MAX_ORDER: i64 = 40;
+/// The most derivatives that are remembered.
+const MAX_RATES: usize = 48;
 
 pub(super) type Outcome = Result<Value<Class>, Gap>;
 pub(super) type Number = Result<Series<Class>, Gap>;
 
 /// The functions of one basis at one degree and one tuple of arguments.
 pub(super) type Row = ((usize, i64, Vec<Value<Class>>), Rc<[Series<Class>]>);
+
+/// A derivative that was taken: of which body, how often and where; the body is kept.
+type Rate = ((usize, i64, Series<Class>), Term, Value<Class>);
 
 /// Evaluates core terms at one point.
 pub(super) struct Terms<'a> {
@@ -39,6 +44,8 @@ pub(super) struct Terms<'a> {
     /// The values of closed terms by their addresses; the terms are kept, so that no other one gets the address.
     closed: RefCell<BTreeMap<usize, (Term, Value<Class>)>>,
     pub rows: RefCell<Vec<Row>>,
+    /// Derivatives of bodies that depend on no other binder, by body, order and point.
+    rates: RefCell<Vec<Rate>>,
     depth: Cell<usize>,
 }
 
@@ -54,6 +61,7 @@ impl<'a> Terms<'a> {
             given,
             closed: RefCell::default(),
             rows: RefCell::default(),
+            rates: RefCell::default(),
             depth: Cell::default(),
         }
     }
@@ -179,29 +187,68 @@ impl<'a> Terms<'a> {
                 variable,
                 order,
                 body,
+                closed,
                 at,
-                ..
             } => {
                 let order = self.integer(order, "the order of a derivative", scope)?;
                 let point = self.number(at, scope)?;
-                self.derivative(variable, order, body, point, scope)?
-            }
-            Node::Apply(function, arguments) => self.apply(*function, arguments, scope)?,
-            Node::Opened { closed, body, .. } => {
-                let evaluate = || stack::deep(|| self.term(body, scope));
                 if !*closed || scope.is_moved {
-                    return evaluate();
+                    return self.derivative(variable, order, body, point, scope);
                 }
-                let key = Arc::as_ptr(&body.node).addr();
-                if let Some((_, known)) = self.closed.borrow().get(&key) {
+                let key = (Arc::as_ptr(&body.node).addr(), order, point);
+                let rates = self.rates.borrow();
+                if let Some((.., known)) = rates.iter().find(|(own, ..)| *own == key) {
                     return Ok(known.clone());
                 }
-                let value = evaluate()?;
-                let mut all = self.closed.borrow_mut();
-                all.insert(key, (body.clone(), value.clone()));
+                drop(rates);
+                let value = self.derivative(variable, order, body, key.2.clone(), scope)?;
+                let mut rates = self.rates.borrow_mut();
+                if rates.len() >= MAX_RATES {
+                    rates.remove(0);
+                }
+                rates.push((key, body.clone(), value.clone()));
                 value
             }
+            Node::Apply(function, arguments) => {
+                let evaluate = || self.apply(*function, arguments, scope);
+                match function {
+                    BuiltIn::Inverse
+                    | BuiltIn::Solve
+                    | BuiltIn::Determinant
+                    | BuiltIn::Coefficients => {
+                        self.once(term, &|| term.is_closed(), scope, &evaluate)?
+                    }
+                    _ => evaluate()?,
+                }
+            }
+            Node::Opened { closed, body, .. } => {
+                let evaluate = || stack::deep(|| self.term(body, scope));
+                self.once(body, &|| *closed, scope, &evaluate)?
+            }
         })
+    }
+
+    /// The value of a term; of one that depends on no binder it is kept.
+    fn once(
+        &self,
+        term: &Term,
+        is_closed: &dyn Fn() -> bool,
+        scope: &Scope<'_>,
+        evaluate: &dyn Fn() -> Outcome,
+    ) -> Outcome {
+        if scope.is_moved {
+            return evaluate();
+        }
+        let key = Arc::as_ptr(&term.node).addr();
+        if let Some((_, known)) = self.closed.borrow().get(&key) {
+            return Ok(known.clone());
+        }
+        let value = evaluate()?;
+        if is_closed() {
+            let mut all = self.closed.borrow_mut();
+            all.insert(key, (term.clone(), value.clone()));
+        }
+        Ok(value)
     }
 
     pub fn symbol(&self, name: Name, scope: &Scope<'_>) -> Number {
