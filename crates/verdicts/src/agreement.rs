@@ -37,7 +37,7 @@ use torse_syntax::formula::{self, Expr};
 const ATTEMPTS: u64 = 10;
 const COMPARED: u64 = 2;
 /// The operations that one assignment may take.
-const WORK: u64 = 400_000;
+const WORK: u64 = 1_500_000;
 
 /// What was found.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -30,9 +30,10 @@ impl Terms<'_> {
         if degree > MAX_DEGREE {
             return Err(Unknown::Large { what: "a degree" }.into());
         }
-        let key = (Arc::as_ptr(family).addr(), degree, arguments);
-        // Where seeds or step vary with a binder or a moved symbol, the arguments alone do not tell the functions.
-        let alike = family.closed && !scope.is_moved;
+        let family_key = (Arc::as_ptr(family).addr(), scope.moved_as);
+        let key = (family_key, degree, arguments);
+        // Where seeds or step vary with a binder, the arguments alone do not tell the functions.
+        let alike = family.closed;
         if alike && let Some((_, known)) = self.rows.borrow().iter().find(|(own, _)| *own == key) {
             return Ok(Rc::clone(known));
         }

@@ -175,7 +175,7 @@ impl Terms<'_> {
         let a = self.arithmetic;
         let level = scope.level + 1;
         let own = self.symbol(name.clone(), scope)?.shifted(level, order, a);
-        let values = value(&scope.moved(name.clone(), own))?;
+        let values = value(&scope.moved(name.clone(), own, self.next_move()))?;
         let coefficient = |k| values.iter().map(|v| v.coefficient(level, k, a)).collect();
         Ok((coefficient(1), coefficient(2)))
     }

@@ -9,8 +9,8 @@ pub(super) struct Scope<'s> {
     binding: Binding,
     /// How many infinitesimals there are.
     pub level: usize,
-    /// Whether a symbol is moved.
-    pub is_moved: bool,
+    /// Which symbols are moved, and to what: a number of its own for each way, 0 where none is.
+    pub moved_as: usize,
 }
 
 enum Binding {
@@ -25,14 +25,14 @@ impl Scope<'_> {
             outer: None,
             binding: Binding::Nothing,
             level: 0,
-            is_moved: false,
+            moved_as: 0,
         }
     }
 
     fn inner<'t>(&'t self, binding: Binding, level: usize) -> Scope<'t> {
         Scope {
             outer: Some(self),
-            is_moved: self.is_moved || matches!(binding, Binding::Symbol(..)),
+            moved_as: self.moved_as,
             binding,
             level,
         }
@@ -48,9 +48,12 @@ impl Scope<'_> {
         self.inner(binding, self.level + 1)
     }
 
-    /// A declared number has another value, one infinitesimal further in.
-    pub fn moved<'t>(&'t self, name: Name, value: Series<Class>) -> Scope<'t> {
-        self.inner(Binding::Symbol(name, value), self.level + 1)
+    /// A declared number has another value, one infinitesimal further in; `moved_as` is the number of this way to move it.
+    pub fn moved<'t>(&'t self, name: Name, value: Series<Class>, moved_as: usize) -> Scope<'t> {
+        Scope {
+            moved_as,
+            ..self.inner(Binding::Symbol(name, value), self.level + 1)
+        }
     }
 
     fn enclosing(&self) -> impl Iterator<Item = &Scope<'_>> {
@@ -65,7 +68,7 @@ impl Scope<'_> {
     }
 
     pub fn symbol(&self, name: &Name) -> Option<&Series<Class>> {
-        let mut all = self.enclosing().take_while(|scope| scope.is_moved);
+        let mut all = self.enclosing().take_while(|scope| scope.moved_as > 0);
         all.find_map(|scope| match &scope.binding {
             Binding::Symbol(own, value) if own == name => Some(value),
             _ => None,

@@ -30,10 +30,13 @@ pub(super) type Outcome = Result<Value<Class>, Gap>;
 pub(super) type Number = Result<Series<Class>, Gap>;
 
 /// The functions of one basis at one degree and one tuple of arguments.
-pub(super) type Row = ((usize, i64, Vec<Value<Class>>), Rc<[Series<Class>]>);
+pub(super) type Row = (
+    ((usize, usize), i64, Vec<Value<Class>>),
+    Rc<[Series<Class>]>,
+);
 
 /// A derivative that was taken: of which body, how often and where; the body is kept.
-type Rate = ((usize, i64, Series<Class>), Term, Value<Class>);
+type Rate = (((usize, usize), i64, Series<Class>), Term, Value<Class>);
 
 /// Evaluates core terms at one point.
 pub(super) struct Terms<'a> {
@@ -42,11 +45,13 @@ pub(super) struct Terms<'a> {
     /// The claim whose given equations are put into `coefficients`.
     pub given: Option<&'a Claim>,
     /// The values of closed terms by their addresses; the terms are kept, so that no other one gets the address.
-    closed: RefCell<BTreeMap<usize, (Term, Value<Class>)>>,
+    closed: RefCell<BTreeMap<(usize, usize), (Term, Value<Class>)>>,
     pub rows: RefCell<Vec<Row>>,
     /// Derivatives of bodies that depend on no other binder, by body, order and point.
     rates: RefCell<Vec<Rate>>,
     depth: Cell<usize>,
+    /// How often symbols were moved.
+    moves: Cell<usize>,
 }
 
 impl<'a> Terms<'a> {
@@ -63,12 +68,19 @@ impl<'a> Terms<'a> {
             rows: RefCell::default(),
             rates: RefCell::default(),
             depth: Cell::default(),
+            moves: Cell::default(),
         }
     }
 
     /// The numbers of the point.
     pub fn point(&self) -> &'a dyn Fn(&Name) -> Option<Class> {
         self.values
+    }
+
+    /// The number of a new way to move symbols.
+    pub fn next_move(&self) -> usize {
+        self.moves.set(self.moves.get() + 1);
+        self.moves.get()
     }
 
     /// The value of a closed term.
@@ -192,10 +204,11 @@ impl<'a> Terms<'a> {
             } => {
                 let order = self.integer(order, "the order of a derivative", scope)?;
                 let point = self.number(at, scope)?;
-                if !*closed || scope.is_moved {
+                if !*closed {
                     return self.derivative(variable, order, body, point, scope);
                 }
-                let key = (Arc::as_ptr(&body.node).addr(), order, point);
+                let body_key = (Arc::as_ptr(&body.node).addr(), scope.moved_as);
+                let key = (body_key, order, point);
                 let rates = self.rates.borrow();
                 if let Some((.., known)) = rates.iter().find(|(own, ..)| *own == key) {
                     return Ok(known.clone());
@@ -236,10 +249,7 @@ impl<'a> Terms<'a> {
         scope: &Scope<'_>,
         evaluate: &dyn Fn() -> Outcome,
     ) -> Outcome {
-        if scope.is_moved {
-            return evaluate();
-        }
-        let key = Arc::as_ptr(&term.node).addr();
+        let key = (Arc::as_ptr(&term.node).addr(), scope.moved_as);
         if let Some((_, known)) = self.closed.borrow().get(&key) {
             return Ok(known.clone());
         }

@@ -136,7 +136,10 @@ fn no_verdict_is_shown_that_rests_on_a_fault_of_the_elaborator() {
     let mut wrong = vec![];
     for (fault, lines, _) in CASES {
         let claim = claim(lines);
-        let outcome = with(fault, || decide_claim("elaboration", &claim)).unwrap();
+        // A formula that makes no sense any more has no verdict either.
+        let Ok(outcome) = with(fault, || decide_claim("elaboration", &claim)) else {
+            continue;
+        };
         if outcome.verdict() != Verdict::Undecided {
             wrong.push(format!(
                 "{fault:?}: {:?} {:?}",
