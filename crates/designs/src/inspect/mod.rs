@@ -432,7 +432,11 @@ fn measured(
         }
         _ => None,
     };
-    let space = budget.map_or(Space::Unknown, |_| Space::of(own));
+    // Through an edge of regression a patch is no sheet anyway.
+    let space = match budget {
+        Some(_) if regular.holds() => Space::of(own),
+        _ => Space::Unknown,
+    };
     if let Space::Undecided { ranges: [a, b] } = &space {
         notes.push(format!(
             "it is not decided whether rulings from u = {} to {} meet those from {} to {} in space",
