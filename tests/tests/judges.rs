@@ -14,6 +14,7 @@ use serde_json::json;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use torse_numbers::planted::{Planted, with};
 use torse_syntax::derivation;
 use torse_syntax::formula::parse;
 use torse_tests::dump;
@@ -181,4 +182,42 @@ fn enclosures_contain_the_values_of_another_library() {
     let mut moved: serde_json::Value = serde_json::from_str(moved).unwrap();
     moved["value"] = json!(["7/100", "8/100"]);
     assert!(!judged("enclosures.py", &[], &[moved.to_string()]).0);
+}
+
+#[test]
+fn deliberate_mistakes_of_reading_and_rounding_are_seen() {
+    if !python_has("mpmath") {
+        return;
+    }
+    let tree = |text: &str| {
+        let tree = parse(text).ok().map(|expr| dump::tree(&expr));
+        json!([text, tree]).to_string()
+    };
+    for (fault, text) in [
+        (Planted::DifferenceFromTheRight, "a - b - c"),
+        (Planted::SignBeforePower, "-x^2"),
+        (Planted::DecimalsForgotten, "agrees(x, 0.10)"),
+    ] {
+        let wrong = with(fault, || tree(text));
+        assert!(!judged("trees.py", &["compare"], &[wrong]).0, "{fault:?}");
+    }
+    for fault in [
+        Planted::OuterDeclarationKept,
+        Planted::HypothesisLeftOut,
+        Planted::OpenEndClosed,
+    ] {
+        let claims: Vec<String> = with(fault, claims)
+            .iter()
+            .map(ToString::to_string)
+            .collect();
+        assert!(
+            !judged("declarations.py", &["derivations"], &claims).0,
+            "{fault:?}"
+        );
+    }
+    let lines: Vec<String> = with(Planted::RoundedInward, || {
+        let lines = (0..400).map(|number| dump::ball::line(SEED, number).to_string());
+        lines.collect()
+    });
+    assert!(!judged("enclosures.py", &[], &lines).0);
 }

@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
 
+#[path = "../support/printed.rs"]
+mod printed;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -358,4 +361,33 @@ fn the_verdicts_that_changed_are_listed_as_they_are_now() {
         }
     }
     assert!(page.contains(&format!("({rows} of 675)")), "{rows}");
+}
+
+#[test]
+fn what_is_printed_is_read_back_as_it_is_written() {
+    let outcomes = PAPERS.iter().flat_map(|paper| &paper.claims);
+    let wrong: Vec<String> = outcomes.flat_map(printed::unreadable).collect();
+    assert_eq!(wrong, Vec::<String>::new());
+}
+
+#[test]
+fn what_is_said_of_a_wider_range_is_true_there() {
+    let outcomes = PAPERS.iter().flat_map(|paper| &paper.claims);
+    let (mut judged, mut wrong) = (0, vec![]);
+    for (claim, outcome) in CLAIMS.iter().zip(outcomes) {
+        for (name, end) in printed::widened(outcome) {
+            match printed::on_wider_range(claim, name, end) {
+                None => wrong.push(format!("{}: `{name}` has no range to widen", outcome.id)),
+                Some(points) => {
+                    judged += 1;
+                    let failing = points
+                        .failing
+                        .map(|point| format!("{}: false at {point}", outcome.id));
+                    wrong.extend(failing);
+                }
+            }
+        }
+    }
+    assert_eq!(wrong, Vec::<String>::new());
+    assert!(judged > 20, "{judged}");
 }

@@ -24,6 +24,7 @@ mod pi;
 mod text;
 mod trigonometry;
 
+use crate::planted::{Planted, planted};
 use crate::rational::{Integer, Rational};
 use crate::rational::{ceiling_quotient, floor_quotient};
 use crate::scalar::{ExactError, Scalar, ZeroTest};
@@ -297,7 +298,8 @@ impl Ball {
         let floor_root = |end: &Integer| Integer::from((end << self.bits).into_parts().1.sqrt());
         let lo = floor_root(&self.lo);
         let below = floor_root(&self.hi);
-        let hi = if &below * &below == &self.hi << self.bits {
+        let exact = &below * &below == &self.hi << self.bits;
+        let hi = if exact || planted(Planted::RoundedInward) {
             below
         } else {
             below + 1

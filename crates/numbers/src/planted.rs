@@ -80,6 +80,20 @@ pub enum Planted {
     FirstParameter,
     /// A witness may lie on an open end of its set.
     OpenEndIncluded,
+    /// The parser groups differences from the right.
+    DifferenceFromTheRight,
+    /// A sign binds more tightly than a power.
+    SignBeforePower,
+    /// The printed digits of a number are not counted.
+    DecimalsForgotten,
+    /// What is declared further in does not hide what is declared further out.
+    OuterDeclarationKept,
+    /// The last hypothesis of a claim is not read.
+    HypothesisLeftOut,
+    /// An open end of an interval is taken for a closed one.
+    OpenEndClosed,
+    /// The upper end of a root is rounded down.
+    RoundedInward,
 }
 
 #[cfg(debug_assertions)]

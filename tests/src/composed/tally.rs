@@ -1,5 +1,6 @@
 //! What the engine and the semantics say of composed claims, against what is true.
 
+use super::forms::Form;
 use super::statement::Statement;
 use super::value::Evaluator;
 use super::{Composed, claim, read};
@@ -39,6 +40,12 @@ impl Answer {
         Self::Contradiction,
         Self::Panic,
     ];
+
+    /// Whether it is neither right nor withheld.
+    #[must_use]
+    pub fn is_wrong(self) -> bool {
+        !matches!(self, Self::Right | Self::Open | Self::Refused)
+    }
 
     /// Its word in tables.
     #[must_use]
@@ -131,6 +138,14 @@ impl Counts {
         all.and_then(|(_, answers)| answers.get(&answer))
             .copied()
             .unwrap_or(0)
+    }
+
+    /// How many answers to claims of this form are wrong.
+    #[must_use]
+    pub fn wrong_of(&self, form: Form) -> u64 {
+        let answers = self.rows.get(&format!("form {}", form.word()));
+        let wrong = |(answer, count): (&Answer, &u64)| answer.is_wrong().then_some(*count);
+        answers.map_or(0, |(_, answers)| answers.iter().filter_map(wrong).sum())
     }
 
     /// Adds a claim.

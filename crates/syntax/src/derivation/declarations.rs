@@ -13,6 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use toml::Spanned;
 use torse_numbers::Affine;
+use torse_numbers::planted::{Planted, planted};
 
 /// What a declared symbol stands for.
 #[derive(Debug, Clone)]
@@ -236,6 +237,9 @@ impl Declarations {
         errors: &mut Errors,
     ) {
         for (name, entry) in table {
+            if planted(Planted::OuterDeclarationKept) && self.symbols.contains_key(name) {
+                continue;
+            }
             if let Some(dimension) = &entry.function {
                 match smooth(source, name, entry, dimension) {
                     Ok(dimension) => {

@@ -6,6 +6,7 @@ use super::written::Written;
 use crate::formula::{Expr, Node, Relation, parse};
 use std::sync::Arc;
 use toml::Spanned;
+use torse_numbers::planted::{Planted, planted};
 use torse_numbers::{Rational, rational};
 
 /// The number `rational + pi * turns`.
@@ -164,7 +165,7 @@ fn parts(text: &str) -> Option<([&str; 2], [bool; 2], usize)> {
     let before = text.len() - text.trim_start().len();
     let left = match inside.chars().next()? {
         '[' => true,
-        '(' => false,
+        '(' => planted(Planted::OpenEndClosed),
         _ => return None,
     };
     let right = match inside.chars().next_back()? {

@@ -11,6 +11,7 @@ use super::hints;
 use super::token::{Placed, Token, tokens};
 use num_traits::Zero;
 use std::sync::Arc;
+use torse_numbers::planted::{Planted, planted};
 use torse_numbers::{Integer, Rational};
 
 /// How deep brackets and prefixes may nest.
@@ -77,6 +78,11 @@ impl Tree {
         }
         let expr = Expr { node, place };
         Ok(Self { expr, height })
+    }
+
+    fn negative(start: Place, inner: Self) -> Parsed {
+        let place = start.to(inner.expr.place);
+        Self::over(inner.height, Node::Negative(Arc::new(inner.expr)), place)
     }
 
     fn binary(operator: Operator, a: Self, b: Self) -> Parsed {
@@ -277,6 +283,13 @@ impl Parser {
 
     fn sum(&mut self) -> Parsed {
         let signs = |parser: &mut Self| parser.operator([Operator::Add, Operator::Subtract]);
+        if planted(Planted::DifferenceFromTheRight) {
+            let left = self.product()?;
+            return match signs(self) {
+                Some(sign) => Tree::binary(sign, left, self.sum()?),
+                None => Ok(left),
+            };
+        }
         self.chain(Operator::Add, Self::product, signs, Tree::binary)
     }
 
@@ -287,12 +300,11 @@ impl Parser {
 
     fn prefixed(&mut self) -> Parsed {
         let start = self.place();
-        if self.sign("-") {
-            let inner = self.deeper(Self::prefixed)?;
-            let place = start.to(inner.expr.place);
-            return Tree::over(inner.height, Node::Negative(Arc::new(inner.expr)), place);
-        }
-        let base = self.postfixed()?;
+        let base = match self.sign("-") {
+            true if planted(Planted::SignBeforePower) => Tree::negative(start, self.postfixed()?)?,
+            true => return Tree::negative(start, self.deeper(Self::prefixed)?),
+            false => self.postfixed()?,
+        };
         if self.sign("^") {
             self.no_power_of_a_function(&base.expr)?;
             let exponent = self.deeper(Self::prefixed)?;
@@ -459,6 +471,6 @@ fn number(text: &str) -> Node {
     let value = Rational::new(numerator, Integer::from(10).pow(fraction.len()));
     Node::Number {
         value,
-        decimals: text.contains('.').then_some(decimals),
+        decimals: (text.contains('.') && !planted(Planted::DecimalsForgotten)).then_some(decimals),
     }
 }

@@ -1,0 +1,95 @@
+//! What a verdict prints is read back like any formula of a file, and judged.
+
+use torse_semantics::{Tally, tally};
+use torse_syntax::derivation::Claim;
+use torse_syntax::derivation::declarations::{Bound, SymbolKind};
+use torse_syntax::formula::{Expr, parse};
+use torse_syntax::notation;
+use torse_verdicts::Outcome;
+
+/// The formulas that a verdict prints.
+fn formulas(outcome: &Outcome) -> Vec<&str> {
+    let correction = outcome.correction.iter();
+    let corrected = correction.flat_map(|c| std::iter::once(&c.statement).chain(&c.conditions));
+    let conditions = outcome.conditions.iter();
+    let assumed = outcome.assumed.iter().map(|assumed| &assumed.formula);
+    let all = conditions
+        .chain(corrected)
+        .chain(assumed)
+        .chain(&outcome.parsed)
+        .chain(&outcome.derived);
+    all.map(|formula| formula.text.as_str()).collect()
+}
+
+/// What is printed and cannot be read, or is written otherwise when it is read.
+pub fn unreadable(outcome: &Outcome) -> Vec<String> {
+    let wrong = formulas(outcome).into_iter().filter(|text| {
+        let again = parse(text).map(|expr| notation::text(&expr));
+        again.ok().as_deref() != Some(text)
+    });
+    let wrong = wrong.map(|text| format!("{}: {text}", outcome.id));
+    let witness = outcome.witness.iter().flat_map(|witness| &witness.at);
+    let sides = witness.filter(|(name, value)| parse(name).is_err() || parse(value).is_err());
+    let sides = sides.map(|(name, value)| format!("{}: {name} = {value}", outcome.id));
+    wrong.chain(sides).collect()
+}
+
+/// A step that says of a range that it may be wider: the name, and the new end.
+pub fn widened(outcome: &Outcome) -> impl Iterator<Item = (&str, &str)> {
+    outcome.steps.iter().filter_map(|step| {
+        let rest = step.strip_prefix("the range of ")?;
+        let (name, rest) = rest.split_once(" may be widened to ")?;
+        Some((name, rest.split_once(':')?.0))
+    })
+}
+
+/// What the semantics finds of a claim on such a wider range; nothing if the name is none of the file, or the end lies inside.
+pub fn on_wider_range(claim: &Claim, name: &str, end: &str) -> Option<Tally> {
+    let Some(SymbolKind::Real(interval)) = claim
+        .declarations
+        .symbols()
+        .find(|(own, _)| *own == name)
+        .map(|(_, kind)| kind)
+    else {
+        return None;
+    };
+    let mut interval = (**interval).clone();
+    let value = number(&parse(end).ok()?)?;
+    let bound = Bound {
+        value: value.clone().into(),
+        closed: true,
+    };
+    let below = |b: &Bound| b.value.as_rational().is_some_and(|lower| value < *lower);
+    let above = |b: &Bound| b.value.as_rational().is_some_and(|upper| value > *upper);
+    if interval.lower.as_ref().is_some_and(below) {
+        interval.lower = Some(bound);
+    } else if interval.upper.as_ref().is_some_and(above) {
+        interval.upper = Some(bound);
+    } else {
+        return None;
+    }
+    let mut wider = claim.clone();
+    wider.declarations = claim
+        .declarations
+        .with_symbol(name, SymbolKind::Real(Box::new(interval)))
+        .into();
+    let core = torse_elaborate::elaborate(&wider, wider.statement.as_ref()?).ok()?;
+    Some(tally(
+        &core,
+        &core.statement,
+        &[],
+        &format!("wider {name}"),
+        40,
+        400_000,
+    ))
+}
+
+fn number(expr: &Expr) -> Option<torse_numbers::Rational> {
+    use torse_syntax::formula::{Node, Operator};
+    Some(match &expr.node {
+        Node::Number { value, .. } => value.clone(),
+        Node::Negative(inner) => -number(inner)?,
+        Node::Binary(Operator::Divide, a, b) => number(a)? / number(b)?,
+        _ => return None,
+    })
+}
