@@ -1,14 +1,14 @@
 //! The long run of composed claims: `cargo run --release -p torse-tests --example composed -- 20000 [SEED]`.
 //!
 //! Prints every wrong answer as a derivation file, and the table of answers by form and feature. With `open` as third argument
-//! it prints what is not decided too; with `write` it decides nothing and prints the claims as JSON lines with their truth and
-//! the engine's answer, for `tests/judges/third.py`.
+//! it prints what is not decided too; with `semantics` it asks the semantics alone; with `write` it prints the claims as JSON
+//! lines with their truth and the engine's answer, for `tests/judges/third.py`.
 
 use serde_json::json;
 use std::process::ExitCode;
 use torse_syntax::notation::Formula;
 use torse_tests::composed::claim;
-use torse_tests::composed::tally::{Counts, answer, run};
+use torse_tests::composed::tally::{answer, run_by, semantics_alone};
 use torse_tests::random::judge::outcome;
 
 fn main() -> ExitCode {
@@ -43,24 +43,21 @@ fn main() -> ExitCode {
         return ExitCode::SUCCESS;
     }
     let threads = std::thread::available_parallelism().map_or(1, |n| n.get() as u64);
-    let each = total.div_ceil(threads);
-    let counts = std::thread::scope(|scope| {
-        let parts: Vec<_> = (0..threads)
-            .map(|n| {
-                let builder = std::thread::Builder::new().stack_size(64 << 20);
-                builder.spawn_scoped(scope, move || {
-                    run(seed, n * each, each.min(total.saturating_sub(n * each)))
-                })
-            })
-            .collect();
-        let mut counts = Counts::default();
-        for part in parts.into_iter().flatten() {
-            if let Ok(part) = part.join() {
-                counts.join(part);
-            }
+    if word == "semantics" {
+        let (seconded, wrong) = semantics_alone(seed, total);
+        for wrong in &wrong {
+            println!("--- semantics\n{wrong}");
         }
-        counts
-    });
+        println!(
+            "{total} claims, {seconded} as they were made, {} against",
+            wrong.len()
+        );
+        return match wrong.is_empty() {
+            true => ExitCode::SUCCESS,
+            false => ExitCode::FAILURE,
+        };
+    }
+    let counts = run_by(threads, seed, total);
     for wrong in &counts.wrong {
         println!("--- {wrong}");
     }
@@ -73,7 +70,11 @@ fn main() -> ExitCode {
         }
     }
     println!("{counts}");
-    println!("against the semantics: {}", counts.contradicted.len());
+    println!(
+        "the semantics alone: {} as they were made, {} against",
+        counts.seconded,
+        counts.contradicted.len()
+    );
     match counts.wrong.is_empty() {
         true => ExitCode::SUCCESS,
         false => ExitCode::FAILURE,

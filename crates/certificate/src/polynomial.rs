@@ -8,8 +8,8 @@ use crate::symbol::{Angle, Symbol};
 use num_traits::{One, Signed, Zero};
 use serde::{Serialize, Serializer};
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::Arc;
 use torse_numbers::Rational;
@@ -108,9 +108,7 @@ impl Polynomial {
         if coefficient.is_zero() {
             return;
         }
-        let reducible = |(symbol, exponent): &(Symbol, u32)| {
-            *exponent >= 2 && matches!(symbol, Symbol::Sine(..) | Symbol::Root(_))
-        };
+        let reducible = |(symbol, exponent): &(Symbol, u32)| *exponent >= 2 && has_relation(symbol);
         let Some(place) = monomial.iter().position(reducible) else {
             match Arc::make_mut(&mut self.0).entry(monomial) {
                 Entry::Vacant(place) => {
@@ -241,9 +239,49 @@ impl Polynomial {
         Some((lead.clone(), self.scaled(&lead.recip())))
     }
 
-    /// The quotient by long division, if it leaves no rest. Where a sine or a root leads, one may exist that is not found.
+    /// The quotient, if there is one. Long division finds it where no sine or root leads; elsewhere both are multiplied by
+    /// conjugates of the divisor first, until it has none. Of long polynomials one may exist that is not found.
     #[must_use]
     pub fn quotient(&self, divisor: &Self) -> Option<Self> {
+        self.long_division(divisor)
+            .or_else(|| self.divided_by_norm(divisor))
+    }
+
+    /// By the norm of the divisor: the product of its conjugates, in which no sine or root is left.
+    fn divided_by_norm(&self, divisor: &Self) -> Option<Self> {
+        const MAX_TERMS: usize = 4_000;
+        let related = |symbol: &&Symbol| has_relation(symbol);
+        let related: BTreeSet<&Symbol> = divisor.symbols().filter(related).collect();
+        if related.is_empty() {
+            return None;
+        }
+        let (mut above, mut below) = (self.clone(), divisor.clone());
+        for symbol in related {
+            if above.len().saturating_mul(below.len()) > MAX_TERMS {
+                return None;
+            }
+            let conjugate = below.conjugate(symbol);
+            above = above.times(&conjugate);
+            below = below.times(&conjugate);
+        }
+        let found = above.long_division(&below)?;
+        (found.times(divisor) == *self).then_some(found)
+    }
+
+    /// The polynomial with the negative of a sine or a root.
+    fn conjugate(&self, symbol: &Symbol) -> Self {
+        let mut result = Self::default();
+        for (monomial, coefficient) in self.terms() {
+            let sign = match exponent(monomial, symbol) % 2 {
+                0 => coefficient.clone(),
+                _ => -coefficient.clone(),
+            };
+            result.enter(monomial.clone(), sign);
+        }
+        result
+    }
+
+    fn long_division(&self, divisor: &Self) -> Option<Self> {
         let (lead, number) = divisor.leading()?;
         let (mut rest, mut found) = (self.clone(), Self::default());
         // Every step lowers the leading monomial.
@@ -307,6 +345,11 @@ impl Polynomial {
         }
         Some(result)
     }
+}
+
+/// Whether the square of a symbol is a polynomial without it.
+fn has_relation(symbol: &Symbol) -> bool {
+    matches!(symbol, Symbol::Sine(..) | Symbol::Root(_))
 }
 
 /// Sine and cosine of so many times an angle, by the addition theorems.

@@ -65,6 +65,23 @@ fn division_leaves_no_rest_or_has_no_quotient() {
 }
 
 #[test]
+fn a_factor_is_found_where_sines_and_roots_lead() {
+    let (sine, cosine) = turn(1);
+    let root = Polynomial::symbol(Symbol::Root(2));
+    let factor = number(1).minus(&sine).minus(&cosine);
+    let rest = named("a").times(&sine).plus(&root.times(&cosine));
+    for (one, other) in [
+        (&factor, &rest),
+        (&rest, &factor),
+        (&factor, &factor.power(2)),
+    ] {
+        let product = one.times(other);
+        assert_eq!(product.quotient(one).as_ref(), Some(other));
+        assert_eq!(product.plus(&number(1)).quotient(one), None);
+    }
+}
+
+#[test]
 fn numbers_are_ordered_and_shown_by_enclosures() {
     let pi = Polynomial::symbol(Symbol::Pi);
     let root = Polynomial::symbol(Symbol::Root(10));

@@ -305,6 +305,12 @@ impl<'a> Elaborator<'a> {
                         }
                     }
                 };
+                let (a, b) = match *connective == Connective::Implies
+                    && planted(Planted::ImplicationReversed)
+                {
+                    true => (b, a),
+                    false => (a, b),
+                };
                 let (a, b) = (Box::new(side(a)?), Box::new(side(b)?));
                 Ok(Meaning::Statement(Statement::Join(*connective, a, b)))
             }
@@ -528,6 +534,10 @@ impl<'a> Elaborator<'a> {
                     found: values.len(),
                 },
             ));
+        }
+        let mut values = values;
+        if planted(Planted::ArgumentsExchanged) {
+            values.reverse();
         }
         // Variables of their own: no value can mention the parameter of another one.
         let bound = function.parameters.iter().zip(values).rev();

@@ -94,6 +94,32 @@ pub enum Planted {
     OpenEndClosed,
     /// The upper end of a root is rounded down.
     RoundedInward,
+    /// The term of a sum does not see its index.
+    IndexNotSeen,
+    /// What `at` moves is read as if nothing were moved.
+    MovedNotSeen,
+    /// A derivative of a higher order is the first one.
+    OrderForgotten,
+    /// The factors of the step of a basis change places.
+    StepFactorsExchanged,
+    /// Premise and conclusion change places.
+    ImplicationReversed,
+    /// The hyperbolic cosine is made of a difference.
+    CoshAsDifference,
+    /// An absolute value is the number itself.
+    SizeAsItself,
+    /// The arguments of a function come in the opposite order.
+    ArgumentsExchanged,
+    /// A product is read as a sum.
+    ProductAsSum,
+    /// A printed decimal loses its sign.
+    PrintedSignLost,
+    /// The points at which a divisor of an elimination vanishes are forgotten.
+    CaseForgotten,
+    /// The evaluator of trees remembers a value whatever was moved since.
+    StaleMemory,
+    /// The stream of points makes the same choice always.
+    StreamDegenerate,
 }
 
 #[cfg(debug_assertions)]

@@ -111,8 +111,16 @@ pub fn stated(
             Statement::equal(&left, &right)
         }
         Form::WrittenOut => {
-            let term = Maker::new(stream, features, scene).term(depth.min(2));
+            let mut term = Maker::new(stream, features, scene).term(depth.min(2));
             let (one, other) = stream.pick(&[("x", "y"), ("y", "x"), ("x", "x"), ("x", "a")]);
+            if let Some(name) = scene.functions.first() {
+                // A function at a place that both derivatives move.
+                let operation = stream.pick(&[Operation::Add, Operation::Multiply]);
+                let place = Term::binary(operation, &Term::name(one), &Term::name(other));
+                let smooth = Arc::new(Term::Smooth(name.clone(), 0, place));
+                let operation = stream.pick(&[Operation::Add, Operation::Multiply]);
+                term = Term::binary(operation, &term, &smooth);
+            }
             let rate =
                 |term: &Part, by: &str| Arc::new(Term::Rate(Arc::clone(term), by.to_owned(), 1));
             let left = rate(&rate(&term, one), other);
@@ -447,19 +455,16 @@ fn chained(stream: &mut Stream, scene: &mut Scene) -> Statement {
         &Term::int(0),
         vec![("a", Term::int(0)), ("b", Arc::clone(&b))],
     );
-    let next = binary(
-        stream.pick(&[Operation::Add, Operation::Subtract]),
-        &square("y"),
-        &Term::int(1),
-    );
+    let operation = stream.pick(&[Operation::Add, Operation::Subtract]);
+    let next = binary(operation, &square("y"), &Term::int(1));
     let quotient = binary(Operation::Divide, &a, &next);
     let product = binary(Operation::Multiply, &b, &next);
-    hypothesis(
-        scene,
-        &product,
-        &a,
-        vec![("b", quotient), ("b", Arc::clone(&b))],
-    );
+    let mut solved = vec![("b", quotient), ("b", Arc::clone(&b))];
+    if operation == Operation::Subtract {
+        // Where this factor vanishes b is free.
+        solved.push(("y", Term::int(1)));
+    }
+    hypothesis(scene, &product, &a, solved);
     let zero = |part: &Part| Statement::equal(part, &Term::int(0));
     match stream.below(4) {
         0 => zero(&b),

@@ -46,6 +46,8 @@ pub struct Composed {
     pub claim: Claim,
     /// Its declarations.
     pub scene: Scene,
+    /// The points at which it was tried.
+    pub points: Vec<Point>,
     /// The points at which it is false.
     pub failing: Vec<Point>,
 }
@@ -95,11 +97,13 @@ fn attempt(stream: &mut Stream, number: u64) -> Option<Composed> {
     };
     let mut claim = written(&scene, &statement, truth);
     claim.number = number;
+    let failing = failing.into_iter().cloned().collect();
     Some(Composed {
         form,
         features,
         claim,
-        failing: failing.into_iter().cloned().collect(),
+        points,
+        failing,
         scene,
     })
 }

@@ -1,6 +1,5 @@
 //! What the engine and the semantics say of composed claims, against what is true.
 
-use super::forms::Form;
 use super::statement::Statement;
 use super::value::Evaluator;
 use super::{Composed, claim, read};
@@ -8,7 +7,9 @@ use crate::random::claim::Truth;
 use crate::random::judge::{outcome, semantics};
 use std::collections::BTreeMap;
 use std::fmt;
+use torse_syntax::notation::Formula;
 use torse_syntax::words::Verdict;
+use torse_verdicts::outcome::Correction;
 
 /// What an answer is, beside the truth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -23,6 +24,8 @@ pub enum Answer {
     FalseHolds,
     /// A true statement is said to be false.
     FalseAccusation,
+    /// A correction is false.
+    FalseCorrection,
     /// The levels of assurance contradict each other.
     Contradiction,
     /// The engine gave up in disorder.
@@ -31,12 +34,13 @@ pub enum Answer {
 
 impl Answer {
     /// All of them, in the order of the table.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Right,
         Self::Open,
         Self::Refused,
         Self::FalseHolds,
         Self::FalseAccusation,
+        Self::FalseCorrection,
         Self::Contradiction,
         Self::Panic,
     ];
@@ -56,6 +60,7 @@ impl Answer {
             Self::Refused => "refused",
             Self::FalseHolds => "false-holds",
             Self::FalseAccusation => "accused",
+            Self::FalseCorrection => "correction",
             Self::Contradiction => "contradict",
             Self::Panic => "panic",
         }
@@ -73,7 +78,10 @@ pub fn answer(made: &Composed) -> (Answer, String) {
     if let Some(contradiction) = found.contradiction() {
         return (Answer::Contradiction, contradiction.to_owned());
     }
-    let conditions: Vec<&str> = found.conditions().iter().map(|c| c.text.as_str()).collect();
+    if let Some(correction) = found.correction().and_then(|c| disproved(made, c)) {
+        return (Answer::FalseCorrection, correction);
+    }
+    let conditions = texts(found.conditions());
     let witness = found.witness().map(|w| &w.at);
     let said = format!("{:?} {conditions:?} {witness:?}", found.verdict());
     let answer = match (&made.claim.truth, found.verdict()) {
@@ -88,6 +96,31 @@ pub fn answer(made: &Composed) -> (Answer, String) {
         _ => Answer::FalseAccusation,
     };
     (answer, said)
+}
+
+fn texts(formulas: &[Formula]) -> Vec<&str> {
+    formulas
+        .iter()
+        .map(|formula| formula.text.as_str())
+        .collect()
+}
+
+/// The statement of a correction, if it is false at a point at which its conditions are true. One that cannot be read here says
+/// nothing.
+fn disproved(made: &Composed, correction: &Correction) -> Option<String> {
+    let text = &correction.statement.text;
+    let statement = read::statement(text)?;
+    let conditions = texts(&correction.conditions);
+    let conditions: Vec<Statement> = conditions
+        .into_iter()
+        .map(read::statement)
+        .collect::<Option<_>>()?;
+    let wrong = made.points.iter().any(|point| {
+        let evaluator = Evaluator::new(&made.scene, point);
+        let is = |statement, truth| evaluator.statement(statement) == Some(truth);
+        conditions.iter().all(|condition| is(condition, true)) && is(&statement, false)
+    });
+    wrong.then(|| format!("the correction {text} is false"))
 }
 
 /// Whether at each point at which the statement is false a condition is false too. A condition that cannot be read here
@@ -105,15 +138,30 @@ fn excused(made: &Composed, conditions: &[&str]) -> bool {
     })
 }
 
-/// Whether the semantics contradicts what is true.
+/// What the semantics alone says of a claim.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Seen {
+    /// What is true: it fails at a point, or it is true at some and fails at none.
+    Right,
+    /// No point at which a false statement fails, or none at which a true one is decided.
+    Nothing,
+    /// That a true statement fails, and where.
+    Wrong(String),
+}
+
+/// What the semantics alone says, against what is true.
 #[must_use]
-pub fn contradicted(made: &Composed) -> Option<String> {
-    let points = semantics(&made.claim).ok()?;
+pub fn seen(made: &Composed) -> Seen {
+    let Ok(points) = semantics(&made.claim) else {
+        return Seen::Nothing;
+    };
     match (&made.claim.truth, points.failing) {
+        (Truth::Fails(_), Some(_)) => Seen::Right,
+        (Truth::Holds | Truth::Conditional, None) if points.holding > 0 => Seen::Right,
         (Truth::Holds | Truth::Conditional, Some(point)) => {
-            Some(format!("the semantics finds it false at {point}"))
+            Seen::Wrong(format!("the semantics finds it false at {point}"))
         }
-        _ => None,
+        _ => Seen::Nothing,
     }
 }
 
@@ -128,6 +176,8 @@ pub struct Counts {
     pub undecided: Vec<String>,
     /// What the semantics says against the truth.
     pub contradicted: Vec<String>,
+    /// Of how many claims the semantics alone says what is true.
+    pub seconded: u64,
 }
 
 impl Counts {
@@ -138,14 +188,6 @@ impl Counts {
         all.and_then(|(_, answers)| answers.get(&answer))
             .copied()
             .unwrap_or(0)
-    }
-
-    /// How many answers to claims of this form are wrong.
-    #[must_use]
-    pub fn wrong_of(&self, form: Form) -> u64 {
-        let answers = self.rows.get(&format!("form {}", form.word()));
-        let wrong = |(answer, count): (&Answer, &u64)| answer.is_wrong().then_some(*count);
-        answers.map_or(0, |(_, answers)| answers.iter().filter_map(wrong).sum())
     }
 
     /// Adds a claim.
@@ -175,8 +217,10 @@ impl Counts {
             Answer::Open | Answer::Refused => self.undecided.push(text()),
             _ => self.wrong.push(format!("{}\n{}", answer.word(), text())),
         }
-        if let Some(how) = contradicted(made) {
-            self.contradicted.push(format!("{}{how}\n", text()));
+        match seen(made) {
+            Seen::Right => self.seconded += 1,
+            Seen::Nothing => {}
+            Seen::Wrong(how) => self.contradicted.push(format!("{}{how}\n", text())),
         }
     }
 
@@ -192,6 +236,7 @@ impl Counts {
         self.wrong.extend(other.wrong);
         self.undecided.extend(other.undecided);
         self.contradicted.extend(other.contradicted);
+        self.seconded += other.seconded;
     }
 }
 
@@ -220,4 +265,40 @@ pub fn run(seed: u64, first: u64, count: u64) -> Counts {
         counts.add(&claim(seed, number));
     }
     counts
+}
+
+/// The claims `0..count` of a seed, by so many threads.
+#[must_use]
+pub fn run_by(threads: u64, seed: u64, count: u64) -> Counts {
+    let each = count.div_ceil(threads.max(1));
+    std::thread::scope(|scope| {
+        let part = |n: u64| {
+            let builder = std::thread::Builder::new().stack_size(64 << 20);
+            let (first, rest) = (n * each, count.saturating_sub(n * each));
+            builder.spawn_scoped(scope, move || run(seed, first, each.min(rest)))
+        };
+        let parts: Vec<_> = (0..threads).map(part).collect();
+        let mut counts = Counts::default();
+        for part in parts.into_iter().flatten() {
+            if let Ok(part) = part.join() {
+                counts.join(part);
+            }
+        }
+        counts
+    })
+}
+
+/// Of how many of the claims `0..count` of a seed the semantics alone says what is true, and what it says against the truth.
+#[must_use]
+pub fn semantics_alone(seed: u64, count: u64) -> (u64, Vec<String>) {
+    let (mut seconded, mut wrong) = (0, vec![]);
+    for number in 0..count {
+        let made = claim(seed, number);
+        match seen(&made) {
+            Seen::Right => seconded += 1,
+            Seen::Nothing => {}
+            Seen::Wrong(how) => wrong.push(format!("{}{how}\n", made.claim.file())),
+        }
+    }
+    (seconded, wrong)
 }

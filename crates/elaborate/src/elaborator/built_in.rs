@@ -140,10 +140,13 @@ impl Elaborator<'_> {
                 if planted(Planted::IndexCaptured) {
                     inside = inside.with_global(name, &variable);
                 }
+                if planted(Planted::IndexNotSeen) {
+                    inside = scope.clone();
+                }
                 let (low, high) = (self.term_in(low, scope)?, self.term_in(high, scope)?);
                 let (index, term) = (variable, self.term_in(term, &inside)?);
                 let node = match name_of_fold {
-                    "sum" => Node::Sum {
+                    _ if name_of_fold == "sum" || planted(Planted::ProductAsSum) => Node::Sum {
                         index,
                         low,
                         high,
@@ -193,7 +196,11 @@ impl Elaborator<'_> {
                         place,
                     )
                 };
-                return Ok(match self.open(inner, &bound.scope)? {
+                let inside = match planted(Planted::MovedNotSeen) {
+                    true => scope,
+                    false => &bound.scope,
+                };
+                return Ok(match self.open(inner, inside)? {
                     Meaning::Term(body) => Meaning::Term(put(body)),
                     Meaning::Function(function) => Meaning::Function(Lambda {
                         body: put(function.body),
@@ -254,6 +261,9 @@ impl Elaborator<'_> {
             // The absolute value is the root of the square.
             ("abs", [x]) => {
                 let x = self.term_in(x, scope)?;
+                if planted(Planted::SizeAsItself) {
+                    return Ok(Meaning::Term(x));
+                }
                 let square = self.made(Node::Binary(Operator::Multiply, x.clone(), x), place);
                 let node = Node::Apply(BuiltIn::SquareRoot, vec![square]);
                 return Ok(Meaning::Term(self.made(node, place)));
@@ -297,8 +307,8 @@ impl Elaborator<'_> {
         scope: &Scope,
     ) -> Outcome<Meaning> {
         let order = match rest.get(1) {
-            None => self.made(Node::Number(rational::integer(1)), place),
-            Some(order) => self.term_in(order, scope)?,
+            Some(order) if !planted(Planted::OrderForgotten) => self.term_in(order, scope)?,
+            _ => self.made(Node::Number(rational::integer(1)), place),
         };
         if let Meaning::Function(function) = self.open(inner, scope)? {
             let parameter = match rest.first().map(|e| (&e.node, e.place)) {
@@ -354,7 +364,7 @@ impl Elaborator<'_> {
             self.made(node, place)
         };
         let above = joined(match name {
-            "cosh" => Operator::Add,
+            "cosh" if !planted(Planted::CoshAsDifference) => Operator::Add,
             _ => Operator::Subtract,
         });
         let below = match name {
@@ -435,7 +445,10 @@ fn printed_numbers(printed: &Expr) -> Outcome<Vec<Printed>> {
         let (value, decimals) =
             found.ok_or_else(|| wrong(item.place, "a formula", "a printed number"))?;
         Ok(Printed {
-            value: if negative { -value } else { value },
+            value: match negative && !planted(Planted::PrintedSignLost) {
+                true => -value,
+                false => value,
+            },
             decimals,
             negative,
         })

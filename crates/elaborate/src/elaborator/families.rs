@@ -228,6 +228,10 @@ impl Elaborator<'_> {
             };
             Ok(self.made(node, written.expr.place))
         };
+        let (a, b) = match planted(Planted::StepFactorsExchanged) {
+            true => (&basis.step.1, &basis.step.0),
+            false => (&basis.step.0, &basis.step.1),
+        };
         let family = Arc::new(Family {
             name: Arc::from(name),
             variables,
@@ -237,10 +241,7 @@ impl Elaborator<'_> {
                 .iter()
                 .map(|seed| part(seed, &scope))
                 .collect::<Outcome<_>>()?,
-            step: (
-                part(&basis.step.0, &counted)?,
-                part(&basis.step.1, &counted)?,
-            ),
+            step: (part(a, &counted)?, part(b, &counted)?),
             counters,
             closed,
         });

@@ -1,6 +1,7 @@
 //! A source of choices without state: each is a function of the seed, the number of the attempt and a label.
 
 use crate::name::Name;
+use torse_numbers::planted::{Planted, planted};
 
 /// The choices of one attempt.
 #[derive(Debug, Clone)]
@@ -87,6 +88,9 @@ impl Stream {
         let Ok(modulus @ 1..) = u64::try_from(count) else {
             return 0;
         };
+        if planted(Planted::StreamDegenerate) {
+            return 0;
+        }
         let choice = mixed(hashed(self.start, label.as_bytes())) % modulus;
         i64::try_from(choice).unwrap_or(0)
     }
