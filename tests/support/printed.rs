@@ -29,6 +29,8 @@ pub fn unreadable(outcome: &Outcome) -> Vec<String> {
     });
     let wrong = wrong.map(|text| format!("{}: {text}", outcome.id));
     let witness = outcome.witness.iter().flat_map(|witness| &witness.at);
+    // What stands for a root without a text of its own has a number for a name, and is left out of what is shown.
+    let witness = witness.filter(|(name, _)| !name.starts_with('√'));
     let sides = witness.filter(|(name, value)| parse(name).is_err() || parse(value).is_err());
     let sides = sides.map(|(name, value)| format!("{}: {name} = {value}", outcome.id));
     wrong.chain(sides).collect()
@@ -43,14 +45,51 @@ pub fn widened(outcome: &Outcome) -> impl Iterator<Item = (&str, &str)> {
     })
 }
 
+/// A step that says of a range that the statement fails beyond: the numbers of the point, that which leaves its range first.
+pub fn beyond(outcome: &Outcome) -> impl Iterator<Item = Vec<(&str, &str)>> {
+    outcome.steps.iter().filter_map(|step| {
+        let rest = step.strip_prefix("outside of the range of ")?;
+        let (_, point) = rest.split_once("it fails: at ")?;
+        point
+            .split(", ")
+            .map(|part| part.split_once(" = "))
+            .collect()
+    })
+}
+
 /// What the semantics finds of a claim on such a wider range; nothing if the name is none of the file, or the end lies inside.
 pub fn on_wider_range(claim: &Claim, name: &str, end: &str) -> Option<Tally> {
-    let Some(SymbolKind::Real(interval)) = claim
-        .declarations
-        .symbols()
-        .find(|(own, _)| *own == name)
-        .map(|(_, kind)| kind)
-    else {
+    let core = wider(claim, name, end)?;
+    let seed = format!("wider {name}");
+    Some(tally(&core, &core.statement, &[], &seed, 40, 400_000))
+}
+
+/// What the semantics finds of a claim where these numbers have these values, whatever the others are; nothing where one of them
+/// is no declared number, as the tangent of an angle is none, or its value is not rational.
+pub fn at_point_beyond(claim: &Claim, point: &[(&str, &str)]) -> Option<Tally> {
+    let mut there = claim.clone();
+    for (name, value) in point {
+        let mut declared = there.declarations.symbols();
+        let Some((_, SymbolKind::Real(interval))) = declared.find(|(own, _)| own == name) else {
+            return None;
+        };
+        let mut interval = (**interval).clone();
+        let end = Some(Bound {
+            value: number(&parse(value).ok()?)?.into(),
+            closed: true,
+        });
+        (interval.lower, interval.upper) = (end.clone(), end);
+        let kind = SymbolKind::Real(Box::new(interval));
+        there.declarations = there.declarations.with_symbol(name, kind).into();
+    }
+    let core = torse_elaborate::elaborate(&there, there.statement.as_ref()?).ok()?;
+    Some(tally(&core, &core.statement, &[], "beyond", 6, 400_000))
+}
+
+/// The claim with a range that reaches to this end.
+fn wider(claim: &Claim, name: &str, end: &str) -> Option<torse_core::Claim> {
+    let mut declared = claim.declarations.symbols();
+    let Some((_, SymbolKind::Real(interval))) = declared.find(|(own, _)| *own == name) else {
         return None;
     };
     let mut interval = (**interval).clone();
@@ -73,15 +112,7 @@ pub fn on_wider_range(claim: &Claim, name: &str, end: &str) -> Option<Tally> {
         .declarations
         .with_symbol(name, SymbolKind::Real(Box::new(interval)))
         .into();
-    let core = torse_elaborate::elaborate(&wider, wider.statement.as_ref()?).ok()?;
-    Some(tally(
-        &core,
-        &core.statement,
-        &[],
-        &format!("wider {name}"),
-        40,
-        400_000,
-    ))
+    torse_elaborate::elaborate(&wider, wider.statement.as_ref()?).ok()
 }
 
 fn number(expr: &Expr) -> Option<torse_numbers::Rational> {

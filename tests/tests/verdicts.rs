@@ -380,11 +380,18 @@ fn what_is_said_of_a_wider_range_is_true_there() {
                 None => wrong.push(format!("{}: `{name}` has no range to widen", outcome.id)),
                 Some(points) => {
                     judged += 1;
-                    let failing = points
-                        .failing
-                        .map(|point| format!("{}: false at {point}", outcome.id));
-                    wrong.extend(failing);
+                    let failing = points.failing;
+                    wrong.extend(failing.map(|at| format!("{}: false at {at}", outcome.id)));
                 }
+            }
+        }
+        for point in printed::beyond(outcome) {
+            let Some(points) = printed::at_point_beyond(claim, &point) else {
+                continue;
+            };
+            judged += 1;
+            if points.holding > 0 {
+                wrong.push(format!("{}: true at {point:?}", outcome.id));
             }
         }
     }

@@ -211,7 +211,10 @@ impl Case<'_> {
             let mut places = self.made.values().flatten();
             let is_place = places.any(|tree| tree.names().contains(&&*name));
             let is_sought = self.claim.sought.iter().any(|s| *s.name == *name);
-            if !is_place && !is_sought && !self.core.symbols.contains_key(&name) {
+            // Of `at(f(x), y, t)` nothing but f(x) is left, and no y.
+            let may_be_left_out = self.claim.declarations.has_functions();
+            let is_missing = !self.core.symbols.contains_key(&name);
+            if is_missing && !is_place && !is_sought && !may_be_left_out {
                 return Err(format!("`{name}` is not among the symbols of the claim"));
             }
         }

@@ -54,9 +54,11 @@ pub(crate) fn decided(
         return Ok(Finding::undecided(why));
     };
     let weighed = provenance::weigh(own, statement, decision, budget / 5);
+    // Where the witness fails another one may not.
+    let reasons = weighed.decision.reasons();
     Ok(match conclude(own, statement, weighed) {
         Conclusion::Proved(proved) => {
-            let steps = [steps, proved.steps].concat();
+            let steps = [steps, reasons].concat();
             net::proved(ProvedStatement { steps, ..proved }, &meant)
         }
         Conclusion::Refuted(refuted) => {

@@ -13,7 +13,7 @@ use crate::polynomial::Polynomial;
 use crate::ratio::{Constraint, Ratio};
 use crate::sign::Sign;
 use crate::wronskian::Wronskians;
-use ground::{Elimination, Ground};
+use ground::{Elimination, Ground, Sharpness};
 use refutation::Refuted;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -289,9 +289,43 @@ impl<P> Proof<P> {
 }
 
 impl Proof<Polynomial> {
-    /// The steps in words.
+    /// The steps in words, and what is known of the ranges.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
+        let ranges = self.ranges();
+        let ranges = ranges.iter().map(|range| range.text());
+        self.reasons().into_iter().chain(ranges).collect()
+    }
+
+    /// What is known of the ranges of the whole statement: one half of a conjunction that fails beyond an end fails for both,
+    /// and both have to be proved on a wider range. What some alternatives, instances or sides of a split say is nothing about all.
+    fn ranges(&self) -> Vec<Sharpness<Polynomial>> {
+        match self {
+            Self::On(ground) => ground.ranges.clone(),
+            Self::Both(first, second) => {
+                let (first, second) = (first.ranges(), second.ranges());
+                let is_said = |range: &Sharpness<Polynomial>| match range {
+                    Sharpness::Fails { .. } => true,
+                    Sharpness::Wider { .. } => second.contains(range),
+                };
+                let mut both: Vec<_> = first.into_iter().filter(is_said).collect();
+                let fails = second
+                    .iter()
+                    .filter(|range| matches!(range, Sharpness::Fails { .. }));
+                for range in fails {
+                    if !both.contains(range) {
+                        both.push(range.clone());
+                    }
+                }
+                both
+            }
+            _ => vec![],
+        }
+    }
+
+    /// The steps in words, without a look beyond the ranges.
+    #[must_use]
+    pub fn reasons(&self) -> Vec<String> {
         match self {
             Self::Identity(proof) => proof.steps(),
             Self::Combination(proof) => proof.steps(),
@@ -303,10 +337,8 @@ impl Proof<Polynomial> {
             Self::Powers(proof) => proof.steps(),
             Self::Wronskians(proof) => proof.steps(),
             Self::On(ground) => {
-                let ranges = ground.ranges.iter().map(|range| range.text());
                 let roots = ground.eliminated.iter().filter_map(Elimination::step);
-                let steps = roots.chain(ground.proof.steps());
-                steps.chain(ranges).collect()
+                roots.chain(ground.proof.reasons()).collect()
             }
             Self::Instances(instances) => instances.iter().map(Instance::step).collect(),
             Self::Nowhere(emptiness) => {
@@ -325,7 +357,7 @@ impl Proof<Polynomial> {
                         format!("where {} is zero it fails: {point}", split.pivot)
                     }
                 };
-                split.nonzero.steps().into_iter().chain([zero]).collect()
+                split.nonzero.reasons().into_iter().chain([zero]).collect()
             }
             Self::Exists(refuted) => {
                 let mut steps = refuted.steps();
@@ -336,7 +368,7 @@ impl Proof<Polynomial> {
                 ));
                 steps
             }
-            _ => self.parts().into_iter().flat_map(Self::steps).collect(),
+            _ => self.parts().into_iter().flat_map(Self::reasons).collect(),
         }
     }
 }

@@ -124,6 +124,15 @@ impl Decision {
         }
     }
 
+    /// The same without a look beyond the ranges of a proof.
+    #[must_use]
+    pub fn reasons(&self) -> Vec<String> {
+        match self {
+            Self::Proven(proof) => proof.map(&plain).reasons(),
+            _ => self.steps(),
+        }
+    }
+
     /// The conditions of a proof, as factors of which none divides another.
     #[must_use]
     pub fn conditions(&self) -> Option<Vec<Polynomial>> {

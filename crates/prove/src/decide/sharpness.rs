@@ -87,7 +87,9 @@ pub fn all(all: &[Bounded], domain: &Domain<'_>) -> Vec<Sharpness<Polynomial>> {
     }
     let mut names: Vec<&str> = vec![];
     for symbol in all.iter().flat_map(|b| b.polynomial.symbols()) {
+        // What stands for a root has no range of its own.
         if let Symbol::Named(name) = symbol
+            && !name.contains('(')
             && !names.contains(&&**name)
         {
             names.push(name);

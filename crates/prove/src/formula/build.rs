@@ -107,6 +107,8 @@ pub(super) fn symbol(symbol: &Symbol) -> Expr {
         Symbol::Sin(name, a) => applied("sin", angle(name, a)),
         Symbol::Cos(name, a) => applied("cos", angle(name, a)),
         Symbol::Exp(exponent) => applied("exp", exponent_of(exponent)),
+        // The generic coordinate of a vector is written like the vector.
+        Symbol::Indexed(name, index) if index.is_empty() => named(name),
         Symbol::Indexed(name, index) => {
             let index = index.iter().map(affine).collect();
             Expr::made(Node::Index(Arc::new(named(name)), index))
