@@ -69,8 +69,7 @@ pub fn on_wider_range(claim: &Claim, name: &str, end: &str) -> Option<Tally> {
 pub fn at_point_beyond(claim: &Claim, point: &[(&str, &str)]) -> Option<Tally> {
     let mut there = claim.clone();
     for (name, value) in point {
-        let mut declared = there.declarations.symbols();
-        let Some((_, SymbolKind::Real(interval))) = declared.find(|(own, _)| own == name) else {
+        let Some(SymbolKind::Real(interval)) = there.declarations.symbol(name) else {
             return None;
         };
         let mut interval = (**interval).clone();
@@ -88,8 +87,7 @@ pub fn at_point_beyond(claim: &Claim, point: &[(&str, &str)]) -> Option<Tally> {
 
 /// The claim with a range that reaches to this end.
 fn wider(claim: &Claim, name: &str, end: &str) -> Option<torse_core::Claim> {
-    let mut declared = claim.declarations.symbols();
-    let Some((_, SymbolKind::Real(interval))) = declared.find(|(own, _)| *own == name) else {
+    let Some(SymbolKind::Real(interval)) = claim.declarations.symbol(name) else {
         return None;
     };
     let mut interval = (**interval).clone();
