@@ -9,52 +9,60 @@ use torse_verdicts::Outcome;
 
 /// The formulas that a verdict prints.
 fn formulas(outcome: &Outcome) -> Vec<&str> {
-    let correction = outcome.correction.iter();
+    let correction = outcome.correction().into_iter();
     let corrected = correction.flat_map(|c| std::iter::once(&c.statement).chain(&c.conditions));
-    let conditions = outcome.conditions.iter();
-    let assumed = outcome.assumed.iter().map(|assumed| &assumed.formula);
+    let conditions = outcome.conditions().iter();
+    let assumed = outcome.claim.assumed.iter().map(|assumed| &assumed.formula);
     let all = conditions
         .chain(corrected)
         .chain(assumed)
-        .chain(&outcome.parsed)
-        .chain(&outcome.derived);
+        .chain(outcome.parsed())
+        .chain(outcome.derived());
     all.map(|formula| formula.text.as_str()).collect()
 }
 
 /// What is printed and cannot be read, or is written otherwise when it is read.
 pub fn unreadable(outcome: &Outcome) -> Vec<String> {
+    let id = &outcome.claim.id;
     let wrong = formulas(outcome).into_iter().filter(|text| {
         let again = parse(text).map(|expr| notation::text(&expr));
         again.ok().as_deref() != Some(text)
     });
-    let wrong = wrong.map(|text| format!("{}: {text}", outcome.id));
-    let witness = outcome.witness.iter().flat_map(|witness| &witness.at);
+    let wrong = wrong.map(|text| format!("{id}: {text}"));
+    let witness = outcome.witness().into_iter();
+    let witness = witness.flat_map(|witness| &witness.at);
     // What stands for a root without a text of its own has a number for a name, and is left out of what is shown.
     let witness = witness.filter(|(name, _)| !name.starts_with('√'));
     let sides = witness.filter(|(name, value)| parse(name).is_err() || parse(value).is_err());
-    let sides = sides.map(|(name, value)| format!("{}: {name} = {value}", outcome.id));
+    let sides = sides.map(|(name, value)| format!("{id}: {name} = {value}"));
     wrong.chain(sides).collect()
 }
 
-/// A step that says of a range that it may be wider: the name, and the new end.
-pub fn widened(outcome: &Outcome) -> impl Iterator<Item = (&str, &str)> {
-    outcome.steps.iter().filter_map(|step| {
+/// The steps that say of a range that it may be wider: the name, and the new end.
+pub fn widened(outcome: &Outcome) -> Vec<(String, String)> {
+    let said = |step: &String| {
         let rest = step.strip_prefix("the range of ")?;
         let (name, rest) = rest.split_once(" may be widened to ")?;
-        Some((name, rest.split_once(':')?.0))
-    })
+        Some((name.to_owned(), rest.split_once(':')?.0.to_owned()))
+    };
+    outcome.steps().iter().filter_map(said).collect()
 }
 
-/// A step that says of a range that the statement fails beyond: the numbers of the point, that which leaves its range first.
-pub fn beyond(outcome: &Outcome) -> impl Iterator<Item = Vec<(&str, &str)>> {
-    outcome.steps.iter().filter_map(|step| {
+/// Numbers by name, as printed.
+type Point = Vec<(String, String)>;
+
+/// The steps that say of a range that the statement fails beyond: the numbers of the point, that which leaves its range first.
+pub fn beyond(outcome: &Outcome) -> Vec<Point> {
+    let pair = |part: &str| {
+        let (name, value) = part.split_once(" = ")?;
+        Some((name.to_owned(), value.to_owned()))
+    };
+    let said = |step: &String| {
         let rest = step.strip_prefix("outside of the range of ")?;
         let (_, point) = rest.split_once("it fails: at ")?;
-        point
-            .split(", ")
-            .map(|part| part.split_once(" = "))
-            .collect()
-    })
+        point.split(", ").map(pair).collect()
+    };
+    outcome.steps().iter().filter_map(said).collect()
 }
 
 /// What the semantics finds of a claim on such a wider range; nothing if the name is none of the file, or the end lies inside.
@@ -66,7 +74,7 @@ pub fn on_wider_range(claim: &Claim, name: &str, end: &str) -> Option<Tally> {
 
 /// What the semantics finds of a claim where these numbers have these values, whatever the others are; nothing where one of them
 /// is no declared number, as the tangent of an angle is none, or its value is not rational.
-pub fn at_point_beyond(claim: &Claim, point: &[(&str, &str)]) -> Option<Tally> {
+pub fn at_point_beyond(claim: &Claim, point: &[(String, String)]) -> Option<Tally> {
     let mut there = claim.clone();
     for (name, value) in point {
         let Some(SymbolKind::Real(interval)) = there.declarations.symbol(name) else {

@@ -376,12 +376,15 @@ fn what_is_said_of_a_wider_range_is_true_there() {
     let (mut judged, mut wrong) = (0, vec![]);
     for (claim, outcome) in CLAIMS.iter().zip(outcomes) {
         for (name, end) in printed::widened(outcome) {
-            match printed::on_wider_range(claim, name, end) {
-                None => wrong.push(format!("{}: `{name}` has no range to widen", outcome.id)),
+            match printed::on_wider_range(claim, &name, &end) {
+                None => wrong.push(format!(
+                    "{}: `{name}` has no range to widen",
+                    outcome.claim.id
+                )),
                 Some(points) => {
                     judged += 1;
                     let failing = points.failing;
-                    wrong.extend(failing.map(|at| format!("{}: false at {at}", outcome.id)));
+                    wrong.extend(failing.map(|at| format!("{}: false at {at}", outcome.claim.id)));
                 }
             }
         }
@@ -391,7 +394,7 @@ fn what_is_said_of_a_wider_range_is_true_there() {
             };
             judged += 1;
             if points.holding > 0 {
-                wrong.push(format!("{}: true at {point:?}", outcome.id));
+                wrong.push(format!("{}: true at {point:?}", outcome.claim.id));
             }
         }
     }

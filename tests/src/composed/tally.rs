@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use torse_syntax::notation::Formula;
 use torse_syntax::words::Verdict;
-use torse_verdicts::outcome::Correction;
+use torse_verdicts::correction::Correction;
 
 /// What an answer is, beside the truth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

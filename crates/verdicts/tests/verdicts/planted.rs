@@ -332,10 +332,10 @@ fn every_planted_fault_changes_a_verdict_and_is_caught() {
 fn a_memory_that_forgets_nothing_contradicts_what_is_right() {
     let claim = claim("let = { F = 'a*x' }\nstates = 'at(F, a, 1) + at(F, a, 2) == 3*x'");
     let clean = decide_claim("planted", &claim).unwrap();
-    assert_eq!((clean.verdict, clean.contradiction), (Holds, None));
+    assert_eq!((clean.verdict(), clean.contradiction()), (Holds, None));
     let faulty = with(Planted::StaleMemory, || decide_claim("planted", &claim)).unwrap();
-    assert_eq!(faulty.verdict, Undecided);
-    assert!(faulty.contradiction.is_some(), "{:?}", faulty.steps);
+    assert_eq!(faulty.verdict(), Undecided);
+    assert!(faulty.contradiction().is_some(), "{:?}", faulty.steps());
 }
 
 #[test]
