@@ -1,5 +1,6 @@
 //! What a verdict prints is read back like any formula of a file, and judged.
 
+use torse_semantics::tree::Reading;
 use torse_semantics::{Tally, tally};
 use torse_syntax::derivation::Claim;
 use torse_syntax::derivation::declarations::{Bound, SymbolKind};
@@ -67,9 +68,7 @@ pub fn beyond(outcome: &Outcome) -> Vec<Point> {
 
 /// What the semantics finds of a claim on such a wider range; nothing if the name is none of the file, or the end lies inside.
 pub fn on_wider_range(claim: &Claim, name: &str, end: &str) -> Option<Tally> {
-    let core = wider(claim, name, end)?;
-    let seed = format!("wider {name}");
-    Some(tally(&core, &core.statement, &[], &seed, 40, 400_000))
+    judged(&wider(claim, name, end)?, &format!("wider {name}"), 40)
 }
 
 /// What the semantics finds of a claim where these numbers have these values, whatever the others are; nothing where one of them
@@ -89,12 +88,20 @@ pub fn at_point_beyond(claim: &Claim, point: &[(String, String)]) -> Option<Tall
         let kind = SymbolKind::Real(Box::new(interval));
         there.declarations = there.declarations.with_symbol(name, kind).into();
     }
-    let core = torse_elaborate::elaborate(&there, there.statement.as_ref()?).ok()?;
-    Some(tally(&core, &core.statement, &[], "beyond", 6, 400_000))
+    judged(&there, "beyond", 6)
+}
+
+/// What the semantics finds at so many points.
+fn judged(claim: &Claim, seed: &str, points: u64) -> Option<Tally> {
+    let statement = claim.statement.as_ref()?;
+    let core = torse_elaborate::elaborate(claim, statement).ok()?;
+    let names = core.symbols.keys().map(|name| &**name);
+    let reading = Reading::new(claim, &statement.expr, names);
+    Some(tally(&reading, &[], seed, points, 400_000))
 }
 
 /// The claim with a range that reaches to this end.
-fn wider(claim: &Claim, name: &str, end: &str) -> Option<torse_core::Claim> {
+fn wider(claim: &Claim, name: &str, end: &str) -> Option<Claim> {
     let Some(SymbolKind::Real(interval)) = claim.declarations.symbol(name) else {
         return None;
     };
@@ -118,7 +125,7 @@ fn wider(claim: &Claim, name: &str, end: &str) -> Option<torse_core::Claim> {
         .declarations
         .with_symbol(name, SymbolKind::Real(Box::new(interval)))
         .into();
-    torse_elaborate::elaborate(&wider, wider.statement.as_ref()?).ok()
+    Some(wider)
 }
 
 fn number(expr: &Expr) -> Option<torse_numbers::Rational> {
