@@ -19,7 +19,10 @@ Ltac witnessed H := lazymatch goal with
   | |- ex _ => eexists; witnessed H
   | _ => exact H end.
 Ltac from H := hnf in H; cbv zeta in H; hnf; cbv zeta; at_values H; by_premises H;
-  first [ exact H | witnessed H | apply H; assumption ].
+  first [ exact H | witnessed H | apply H; assumption | lra | intuition lra ].
+(* part by part, where what is quantified stands inside of the parts *)
+Ltac by_parts H := hnf in H; cbv zeta in H; hnf; cbv zeta; intros;
+  repeat match goal with |- _ /\ _ => split end; intros; eapply H; first [ eassumption | plain ].
 
 (* the parts of a conjunction, and a conjunction of such parts *)
 Ltac parted H := lazymatch type of H with
@@ -37,8 +40,8 @@ Ltac reordered proved := let P := type of proved in
   lazymatch eval hnf in P with
   | ex _ => pose proof proved as H; hnf in H; cbv zeta in H; hnf; cbv zeta; there H
   | _ /\ _ => pose proof proved as H; hnf in H; hnf; there H
-  | _ -> False => intro H; apply proved; from H
-  | _ => pose proof proved as H; from H end.
+  | _ -> False => intro H; apply proved; first [ from H | by_parts H ]
+  | _ => pose proof proved as H; first [ from H | by_parts H ] end.
 
 (* by conversion, else so *)
 Ltac follows proved := first [ exact proved | reordered proved ].

@@ -1,24 +1,78 @@
 //! Scripts that are written by hand: for theorems whose proofs have an idea of their own.
 //!
-//! `proofs/by-hand.json` has them by the claim, with `(corrected)` behind the id of a claim whose corrected statement is
-//! meant, and by the name of the theorem. The kernel checks them like all others. What several scripts say alike stands once,
-//! under `(shared)`: tactics by their names, which the proofs that use them define in front.
+//! `proofs/manual/` has them, a file a paper: a comment with the claim, with `(corrected)` behind the id of a claim whose corrected
+//! statement is meant, then the theorem by its name, and its script. The kernel checks them like all others. What several scripts
+//! say alike stands once, in `shared.v`: tactics by their names, which the proofs that use them define in front.
 
 use crate::task::{Goal, Role};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// The file.
-const FILE: &str = include_str!("../../../proofs/by-hand.json");
+/// The files of scripts, a paper each.
+const FILES: [&str; 8] = [
+    include_str!("../../../proofs/manual/bezier.v"),
+    include_str!("../../../proofs/manual/gbt-developable.v"),
+    include_str!("../../../proofs/manual/gbt-surfaces.v"),
+    include_str!("../../../proofs/manual/hermite-developable.v"),
+    include_str!("../../../proofs/manual/hyperbolic.v"),
+    include_str!("../../../proofs/manual/splines.v"),
+    include_str!("../../../proofs/manual/torses.v"),
+    include_str!("../../../proofs/manual/trigonometric.v"),
+];
 
-/// Tactics by claim, and by the name of the theorem.
-type Scripts = BTreeMap<String, BTreeMap<String, String>>;
+/// The file of the tactics that several scripts use.
+const SHARED: &str = include_str!("../../../proofs/manual/shared.v");
 
-/// Where the tactics stand that several scripts use.
-const SHARED: &str = "(shared)";
+/// Scripts by the claim and the name of the theorem.
+type Scripts = BTreeMap<(&'static str, &'static str), String>;
 
-static SCRIPTS: LazyLock<Scripts> =
-    LazyLock::new(|| serde_json::from_str(FILE).unwrap_or_default());
+static SCRIPTS: LazyLock<Scripts> = LazyLock::new(|| FILES.into_iter().flat_map(scripts).collect());
+static TACTICS: LazyLock<BTreeMap<&'static str, String>> =
+    LazyLock::new(|| tactics_of(SHARED).into_iter().collect());
+
+/// The scripts of a file. A script is one line where it is used, so the breaks of its lines are spaces.
+fn scripts(file: &str) -> Vec<((&str, &str), String)> {
+    let mut found = vec![];
+    let (mut claim, mut name) = ("", "");
+    let mut script: Option<Vec<&str>> = None;
+    for line in file.lines() {
+        match (&mut script, line) {
+            (None, "Proof.") => script = Some(vec![]),
+            (Some(lines), "Qed.") => {
+                found.push(((claim, name), joined(lines)));
+                script = None;
+            }
+            (Some(lines), line) => lines.push(line),
+            (None, line) => {
+                if let Some(id) = line.strip_prefix("(* ").and_then(|l| l.strip_suffix(" *)")) {
+                    claim = id;
+                }
+                if let Some(theorem) = line
+                    .strip_prefix("Theorem ")
+                    .and_then(|l| l.strip_suffix('.'))
+                {
+                    name = theorem;
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The tactics of a file, by their names: each ends before an empty line.
+fn tactics_of(file: &str) -> Vec<(&str, String)> {
+    let parts = file.split("\n\n");
+    let tactics = parts.filter_map(|part| part.strip_prefix("Ltac ")?.split_once(" :=\n"));
+    let tactics = tactics.map(|(name, text)| (name, joined(&text.lines().collect::<Vec<_>>())));
+    tactics.collect()
+}
+
+/// Lines as one, without the point at the end.
+fn joined(lines: &[&str]) -> String {
+    let lines: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
+    let text = lines.join(" ");
+    text.strip_suffix('.').unwrap_or(&text).to_owned()
+}
 
 /// The tactics for a theorem of a goal, if somebody wrote them.
 #[must_use]
@@ -27,20 +81,16 @@ pub fn tactics(goal: &Goal, theorem: &str) -> Option<String> {
         Role::Corrected => " (corrected)",
         Role::Holds | Role::Refuted => "",
     };
-    let scripts = SCRIPTS.get(&format!("{}{corrected}", goal.id))?;
-    let script = scripts.get(theorem)?;
-    Some(
-        SCRIPTS
-            .get(SHARED)
-            .map_or_else(|| script.clone(), |shared| with_definitions(script, shared)),
-    )
+    let claim = format!("{}{corrected}", goal.id);
+    let script = SCRIPTS.get(&(claim.as_str(), theorem))?;
+    Some(with_definitions(script, &TACTICS))
 }
 
 /// A script with the definitions of the shared tactics that it uses in front.
-fn with_definitions(script: &str, shared: &BTreeMap<String, String>) -> String {
+fn with_definitions(script: &str, shared: &BTreeMap<&str, String>) -> String {
     let used = shared.iter().filter(|(name, _)| {
         let mut words = script.split(|c: char| !c.is_alphanumeric() && c != '_');
-        words.any(|word| word == name.as_str())
+        words.any(|word| word == **name)
     });
     let definitions: String = used
         .map(|(name, tactic)| format!("let {name} := {tactic} in "))
@@ -53,25 +103,35 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_file_is_read_and_each_script_is_one_tactic() {
-        let scripts: Scripts = serde_json::from_str(FILE).unwrap();
-        for (claim, theorems) in &scripts {
-            for (name, tactics) in theorems {
-                let theorem = ["proved", "refuted", "met"].contains(&name.as_str());
-                assert!(theorem || claim == SHARED, "{claim}");
-                assert!(!tactics.contains(['\n']), "{claim}");
-                for word in ["admit", "Admitted", "Axiom", "give_up", "Qed", "Abort"] {
-                    assert!(!tactics.contains(word), "{claim}");
-                }
+    fn every_script_has_a_claim_and_a_theorem_and_nothing_that_is_admitted() {
+        assert!(SCRIPTS.len() > 700, "{}", SCRIPTS.len());
+        let read = FILES.iter().map(|file| file.matches("\nQed.\n").count());
+        assert_eq!(read.sum::<usize>(), SCRIPTS.len(), "no theorem twice");
+        for ((claim, name), script) in SCRIPTS.iter() {
+            assert!(claim.contains('/') && !claim.contains(' ') || claim.ends_with(" (corrected)"));
+            assert!(["proved", "refuted", "met"].contains(name), "{claim}");
+            assert!(!script.is_empty() && !script.contains("  "), "{claim}");
+            for word in ["admit", "Admitted", "Axiom", "give_up", "Qed", "Abort"] {
+                assert!(!script.contains(word), "{claim}");
             }
         }
+        assert_eq!(TACTICS.len(), SHARED.matches("\nLtac ").count());
+    }
+
+    #[test]
+    fn lines_of_a_script_are_joined_and_its_last_point_is_left_out() {
+        let file = "(* all of them *)\n\n(* p/a (corrected) *)\nTheorem met.\nProof.\n  one;\n    two.\nQed.\n";
+        let wanted = (("p/a (corrected)", "met"), "one; two".to_owned());
+        assert_eq!(scripts(file), [wanted]);
+        let file = "(* x *)\n\nLtac one :=\n  fun x =>\n    idtac x.\n\nLtac two :=\n  idtac.\n";
+        let wanted = [("one", "fun x => idtac x"), ("two", "idtac")];
+        assert_eq!(tactics_of(file), wanted.map(|(n, t)| (n, t.to_owned())));
     }
 
     #[test]
     fn a_script_defines_the_shared_tactics_that_it_uses_and_no_others() {
         let shared = [("one", "idtac"), ("two", "fun x => pose x")];
-        let shared = shared.map(|(name, tactic)| (name.to_owned(), tactic.to_owned()));
-        let shared = BTreeMap::from(shared);
+        let shared = BTreeMap::from(shared.map(|(name, tactic)| (name, tactic.to_owned())));
         let script = with_definitions("intros; two 1; alone", &shared);
         assert_eq!(script, "let two := fun x => pose x in intros; two 1; alone");
         assert_eq!(with_definitions("lra", &shared), "lra");

@@ -1,8 +1,11 @@
-//! The two files that describe all others: what the kernel is asked about them, and their list.
+//! The files that describe all others: what the kernel is asked about them, and their list.
 
 use crate::chapter::comment;
 use crate::modules;
 use std::collections::BTreeMap;
+
+/// The file that asks for the axioms of all theorems.
+pub const CHECK: &str = "Check.v";
 
 /// The end of the names of the files of proofs.
 pub(crate) const PROOFS: &str = "_proofs.v";
@@ -14,19 +17,44 @@ const SAYS: [(&str, &str, &str); 3] = [
     ("met", "", "instance"),
 ];
 
-/// The file whose output is the referee's list: every theorem of the files of proofs with the statement it has, and the
-/// axioms of all.
+/// The file of a paper that names its theorems.
+const THEOREMS: &str = "/Theorems.v";
+
+/// Whether a file names the theorems of a paper.
+pub(crate) fn is_list(path: &str) -> bool {
+    path.ends_with(THEOREMS)
+}
+
+/// The files whose output is the referee's list: one for each paper, in which every theorem of its files of proofs stands with
+/// the statement that it has, then the one that asks for the axioms of all.
 #[must_use]
-pub fn referee(files: &BTreeMap<String, String>) -> String {
-    let mut text = comment(
-        "The kernel's word: each theorem has the type of its statement, and what all of them assume.",
-    );
-    text.push('\n');
-    let sections: Vec<(&str, &str)> = files
-        .iter()
-        .filter_map(|(path, proofs)| Some((path.strip_suffix(PROOFS)?, proofs.as_str())))
-        .collect();
-    for (section, _) in &sections {
+pub fn referees(files: &BTreeMap<String, String>) -> Vec<(String, String)> {
+    let mut papers: BTreeMap<&str, Vec<(&str, &str)>> = BTreeMap::new();
+    for (path, proofs) in files {
+        if let Some(section) = path.strip_suffix(PROOFS)
+            && let Some((prefix, _)) = section.split_once('/')
+        {
+            papers.entry(prefix).or_default().push((section, proofs));
+        }
+    }
+    let mut lists = vec![];
+    let mut whole = comment("What all theorems assume.") + "\n";
+    let mut all = vec![];
+    for (prefix, sections) in papers {
+        whole.push_str(&format!("From {prefix} Require Theorems.\n"));
+        all.push(format!("{prefix}.Theorems.all_theorems"));
+        lists.push((format!("{prefix}{THEOREMS}"), list(&sections)));
+    }
+    whole.push_str(&named(&all));
+    whole.push_str("Print Assumptions all_theorems.\n");
+    lists.push((CHECK.to_owned(), whole));
+    lists
+}
+
+/// The file for these sections of a paper.
+fn list(sections: &[(&str, &str)]) -> String {
+    let mut text = comment("The kernel's word: each theorem has the type of its statement.") + "\n";
+    for (section, _) in sections {
         if let Some((prefix, section)) = section.split_once('/') {
             text.push_str(&format!(
                 "From {prefix} Require {section} {section}_proofs.\n"
@@ -49,13 +77,16 @@ pub fn referee(files: &BTreeMap<String, String>) -> String {
             }
         }
     }
-    // One walk over all proofs: a term that names each.
-    text.push_str("Definition all_theorems : True :=\n");
-    for part in parts {
-        text.push_str(&format!("let _ := {part} in\n"));
-    }
-    text.push_str("I.\nPrint Assumptions all_theorems.\n");
-    text
+    text + &named(&parts)
+}
+
+/// One walk over all proofs: a term that names each.
+fn named(parts: &[String]) -> String {
+    let parts = parts.iter().map(|part| format!("let _ := {part} in\n"));
+    format!(
+        "Definition all_theorems : True :=\n{}I.\n",
+        parts.collect::<String>()
+    )
 }
 
 /// The list of the files.

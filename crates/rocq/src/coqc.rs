@@ -1,11 +1,11 @@
 //! Running `coqc`, with limits of time and memory, on a scratch copy of a folder of proofs.
 
-use crate::check::{self, PROOFS};
+use crate::check::{self, CHECK, PROOFS};
 use crate::closed::CLOSED;
 use crate::digest::Digest;
-use crate::folder::{ACCEPTED, CHECK, Folder};
+use crate::folder::{ACCEPTED, Folder};
 use crate::library::{self, LIBRARY};
-use crate::printed::{self, FOLLOWS};
+use crate::printed::{self, FOLLOWS, JETS};
 use crate::theorem::Theorem;
 use crate::{modules, queue};
 use serde::{Deserialize, Serialize};
@@ -148,6 +148,9 @@ impl Fingerprints {
         let own = shared.and(&theorem.says).and(&theorem.proof);
         // What follows from another statement was accepted beside that one, by a tactic of its own.
         let whole = match &theorem.rests_on {
+            Some(core) if printed::uses_jets(&theorem.proof) => {
+                own.and(core).and(FOLLOWS.1).and(JETS.1)
+            }
             Some(core) => own.and(core).and(FOLLOWS.1),
             None => own,
         };
@@ -207,19 +210,21 @@ impl Coqc {
         let of_section = |section: &str| self.section(folder, section, scratch, limits);
         let found = each_section(folder, limits.at_once, done, &of_section)?;
         let mut answers: BTreeMap<String, Answer> = found.into_iter().flatten().collect();
-        self.without_the_rejected(folder, &answers, scratch, limits)?;
+        let lists = self.without_the_rejected(folder, &answers, scratch, limits)?;
         let mut axioms = vec![];
         if answers.values().any(|answer| *answer == Answer::Accepted) {
-            let run = self.run(scratch, CHECK, limits)?;
-            match run.status.success() {
-                true => axioms = assumptions(&run.text),
-                false => {
-                    let reason = first_lines(&run.text);
-                    let accepted = answers.values_mut().filter(|a| **a == Answer::Accepted);
-                    for answer in accepted {
-                        *answer = Answer::Rejected(format!("Check.v: {reason}"));
-                    }
+            for list in lists {
+                let run = self.run(scratch, &list, limits)?;
+                if run.status.success() {
+                    axioms = assumptions(&run.text);
+                    continue;
                 }
+                let reason = first_lines(&run.text);
+                let accepted = answers.values_mut().filter(|a| **a == Answer::Accepted);
+                for answer in accepted {
+                    *answer = Answer::Rejected(format!("{list}: {reason}"));
+                }
+                break;
             }
         }
         done();
@@ -227,14 +232,14 @@ impl Coqc {
     }
 
     /// Leaves in the scratch folder what was accepted, and has the files compiled again that lose something by that: the
-    /// axioms of the accepted theorems are asked for whatever became of the others.
+    /// axioms of the accepted theorems are asked for whatever became of the others. Returns the files that ask.
     fn without_the_rejected(
         &self,
         folder: &Folder,
         answers: &BTreeMap<String, Answer>,
         scratch: &Path,
         limits: Limits,
-    ) -> Result<(), CheckError> {
+    ) -> Result<Vec<String>, CheckError> {
         let mut left = BTreeMap::new();
         for (path, text) in &folder.files {
             let Some(section) = path.strip_suffix(PROOFS) else {
@@ -261,7 +266,12 @@ impl Coqc {
             }
             left.insert(path.clone(), kept);
         }
-        write(&scratch.join(CHECK), &check::referee(&left))
+        let mut lists = vec![];
+        for (path, text) in check::referees(&left) {
+            write(&scratch.join(&path), &text)?;
+            lists.push(path);
+        }
+        Ok(lists)
     }
 
     /// Writes the library into `scratch`, an empty folder, and compiles it: once, whatever is asked there afterwards. `done`
@@ -275,7 +285,7 @@ impl Coqc {
         limits: Limits,
         done: &(dyn Fn() + Sync),
     ) -> Result<(), CheckError> {
-        for (path, text) in LIBRARY.into_iter().chain([FOLLOWS]) {
+        for (path, text) in LIBRARY.into_iter().chain([FOLLOWS, JETS]) {
             write(&scratch.join(path), text)?;
         }
         let compile = |path: &str| {
@@ -289,7 +299,8 @@ impl Coqc {
         let files = LIBRARY.map(|(path, _)| path).into_iter();
         let jobs: Vec<_> = files.zip(library::needs()).collect();
         queue::worked(&jobs, limits.at_once, &|path| compile(path))?;
-        compile(FOLLOWS.0)
+        compile(FOLLOWS.0)?;
+        compile(JETS.0)
     }
 
     /// Has the separate checker read all that was compiled in `scratch` after a [check](Self::check), and all that it rests on.

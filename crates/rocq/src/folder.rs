@@ -5,7 +5,7 @@ use crate::closed::CLOSED;
 use crate::gap::Gap;
 use crate::library::LIBRARY;
 use crate::name::camel;
-use crate::printed::{self, FOLLOWS, PRINTED};
+use crate::printed::{self, FOLLOWS, JETS, PRINTED};
 use crate::script::{self, scripts};
 use crate::shared::Shared;
 use crate::task::{Evidence, Finding, Goal, goals};
@@ -49,9 +49,6 @@ pub const NOT_STATED: &str = "not-stated.json";
 
 /// The file with the claims whose statements are not written from the tree, and why.
 pub const NOT_PRINTED: &str = "not-printed.json";
-
-/// The file whose output is the referee's list.
-pub const CHECK: &str = "Check.v";
 
 /// The file that lists the files for `coq_makefile`.
 pub const PROJECT: &str = "_CoqProject";
@@ -134,14 +131,14 @@ impl Folder {
             let prefix = camel(slug);
             folder.paper(slug, &prefix, findings, unproved, chosen);
         }
-        let (path, text) = FOLLOWS;
-        folder.files.insert(path.to_owned(), text.to_owned());
+        for (path, text) in [FOLLOWS, JETS] {
+            folder.files.insert(path.to_owned(), text.to_owned());
+        }
         folder
             .files
             .insert(NOT_PRINTED.to_owned(), listed(&folder.not_printed));
-        folder
-            .files
-            .insert(CHECK.to_owned(), check::referee(&folder.files));
+        let lists = check::referees(&folder.files);
+        folder.files.extend(lists);
         folder
             .files
             .insert(NOT_STATED.to_owned(), listed(&folder.not_stated));
@@ -263,7 +260,7 @@ impl Folder {
                     role: goal.role,
                     evidence: goal.evidence,
                     says: chapter::statement(printed, &printed.definitions()),
-                    proof: printed::module(prefix, &section, printed, &scripts),
+                    proof: printed::module(prefix, &section, printed, goal, &scripts),
                     rests_on: Some(chapter::statement(goal, &goal.definitions())),
                 });
             }

@@ -9,7 +9,7 @@ use crate::code::{Code, Level};
 use crate::context::{Context, Used, Value};
 use crate::defined::{Premises, mentions};
 use crate::gap::Gap;
-use crate::place::declared;
+use crate::place::Place;
 use crate::shape::Shape;
 use std::sync::Arc;
 use torse_core::degree::is_linear;
@@ -114,5 +114,43 @@ fn items(list: &Term) -> Option<&[Term]> {
         Node::List(items) => Some(items),
         Node::Opened { body, .. } => items(body),
         _ => None,
+    }
+}
+
+/// The declared name of a symbol or a member.
+fn declared(symbol: &Term) -> Result<&Arc<str>, Gap> {
+    match &*symbol.node {
+        Node::Symbol(name) | Node::Vector(name, None) => Ok(name),
+        Node::Member(points, _) => Ok(&points.name),
+        Node::Opened { body, .. } => declared(body),
+        _ => Err(Gap::Construct("`coefficients` of what is no symbol")),
+    }
+}
+
+impl Context<'_> {
+    /// The place that a term names.
+    ///
+    /// # Errors
+    /// [`Gap`] for vectors and their coordinates, and for members that are vectors.
+    pub(crate) fn place(&mut self, symbol: &Term) -> Result<Place, Gap> {
+        if let Node::Opened { body, .. } = &*symbol.node {
+            return self.place(body);
+        }
+        let name = declared(symbol)?;
+        let indices = match &*symbol.node {
+            Node::Member(points, indices) => {
+                if points.dimension.is_some_and(|dimension| dimension > 1) {
+                    return Err(Gap::Construct("`coefficients` of members that are vectors"));
+                }
+                let codes = indices.iter().map(|index| self.index(index));
+                codes.collect::<Result<Vec<_>, _>>()?
+            }
+            _ => vec![],
+        };
+        Ok(Place {
+            declared: Arc::clone(name),
+            name: self.symbol(name)?.to_owned(),
+            indices,
+        })
     }
 }

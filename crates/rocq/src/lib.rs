@@ -30,6 +30,7 @@ pub mod forms;
 pub mod gap;
 pub mod integer;
 mod interval;
+mod jets;
 pub mod kinds;
 pub mod library;
 pub mod merge;

@@ -2,7 +2,7 @@
 
 use crate::check::{self, PROOFS};
 use crate::closed::CLOSED;
-use crate::folder::{CHECK, Folder, NOT_PRINTED, NOT_STATED, PROJECT, listed};
+use crate::folder::{Folder, NOT_PRINTED, NOT_STATED, PROJECT, listed};
 use crate::modules::{join, split};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -28,7 +28,7 @@ pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String
             Some(section) => format!("{section}.v"),
             None => path.clone(),
         };
-        if statements.starts_with("Torse/") {
+        if statements.starts_with("Torse/") || check::is_list(path) {
             continue;
         }
         // What the run states anew has no old text, and neither has what it no longer states.
@@ -69,10 +69,14 @@ pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String
         all.extend(fresh_reasons.clone());
         files.insert(path.to_owned(), listed(&all));
     }
-    files.insert(CHECK.to_owned(), check::referee(&files));
+    let lists = check::referees(&files);
+    files.extend(lists);
     files.insert(PROJECT.to_owned(), check::project(&files));
     files
 }
+
+/// What files import of the library in which a statement is about functions.
+const JETS_TOO: &str = "Defs Follows Jets.";
 
 /// A head with the lines of the old one by which kept modules use the definitions of their section.
 fn head(fresh: &str, old: &str) -> String {
@@ -81,7 +85,12 @@ fn head(fresh: &str, old: &str) -> String {
             && !line.starts_with("From Torse ")
             && !fresh.lines().any(|own| own == *line)
     });
-    used.fold(fresh.to_owned(), |text, line| text + line + "\n")
+    let needs = |text: &str| text.contains(JETS_TOO);
+    let fresh = match needs(old) && !needs(fresh) {
+        true => fresh.replace("Defs Follows.", JETS_TOO),
+        false => fresh.to_owned(),
+    };
+    used.fold(fresh, |text, line| text + line + "\n")
 }
 
 /// The modules of an old file of statements whose claims the run asked for.

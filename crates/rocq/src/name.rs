@@ -10,7 +10,7 @@ const TAKEN: &str = "
     R Z N nat list bool PI IZR INR sin cos sqrt Rabs True False not and or eq true false map seq fst snd nil cons app
     length nth rev sum vsum range basis fam counted counted_fam binom factorial entry row dot cross norm det transpose identity inverse
     solve agrees_up agrees_down zeros mzeros vadd vsub vopp vscale vdiv madd msub mopp mscale mdiv mvec mmul
-    Derive_n vDerive ex_derive_n locally powerRZ fact linear update1 update2 statement printed corrected instance
+    Derive_n vDerive ex_derive_n smooth locally powerRZ fact linear update1 update2 statement printed corrected instance
     refuted O S I C D E le lt ge gt plus minus mult pow id left right";
 
 static WORDS: LazyLock<BTreeSet<&str>> = LazyLock::new(|| TAKEN.split_whitespace().collect());

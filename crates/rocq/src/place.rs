@@ -1,20 +1,18 @@
 //! What coefficients are of, and what equations determine: symbols, and members of families of numbers.
 
 use crate::code::Code;
-use crate::context::Context;
 use crate::gap::Gap;
 use std::sync::Arc;
-use torse_core::{Node, Term};
 
 /// A symbol, or a member of a family.
 #[derive(Debug, Clone)]
 pub(crate) struct Place {
     /// The declared name of the symbol, or of the family.
     pub declared: Arc<str>,
-    /// Its name.
+    /// What stands for it.
     pub name: String,
     /// The indices of a member.
-    indices: Vec<Code>,
+    pub indices: Vec<Code>,
 }
 
 impl Place {
@@ -61,43 +59,5 @@ impl Place {
         arguments.extend(self.indices.iter().cloned());
         arguments.push(value.clone());
         Ok(Code::apply(update, &arguments))
-    }
-}
-
-/// The declared name of a symbol or a member.
-pub(crate) fn declared(symbol: &Term) -> Result<&Arc<str>, Gap> {
-    match &*symbol.node {
-        Node::Symbol(name) | Node::Vector(name, None) => Ok(name),
-        Node::Member(points, _) => Ok(&points.name),
-        Node::Opened { body, .. } => declared(body),
-        _ => Err(Gap::Construct("`coefficients` of what is no symbol")),
-    }
-}
-
-impl Context<'_> {
-    /// The place that a term names.
-    ///
-    /// # Errors
-    /// [`Gap`] for vectors and their coordinates, and for members that are vectors.
-    pub(crate) fn place(&mut self, symbol: &Term) -> Result<Place, Gap> {
-        if let Node::Opened { body, .. } = &*symbol.node {
-            return self.place(body);
-        }
-        let name = declared(symbol)?;
-        let indices = match &*symbol.node {
-            Node::Member(points, indices) => {
-                if points.dimension.is_some_and(|dimension| dimension > 1) {
-                    return Err(Gap::Construct("`coefficients` of members that are vectors"));
-                }
-                let codes = indices.iter().map(|index| self.index(index));
-                codes.collect::<Result<Vec<_>, _>>()?
-            }
-            _ => vec![],
-        };
-        Ok(Place {
-            declared: Arc::clone(name),
-            name: self.symbol(name)?.to_owned(),
-            indices,
-        })
     }
 }

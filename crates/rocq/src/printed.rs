@@ -3,12 +3,15 @@
 //! The statement of a claim is written twice: from core terms, as it is proved, and from the tree, as it is read. They stand in
 //! sections of their own, `Section_3_4` and `Section_3_4_printed`. Mostly they are the same by conversion, so that a proof of the one is
 //! a proof of the other; the tactic `follows` of `Torse/Follows.v` knows besides what to do where premises stand in another
-//! order. A difference that it does not bridge is a fault of one of the two writers, and no theorem.
+//! order. A difference that it does not bridge is a fault of one of the two writers, and no theorem. Where functions are declared, what is
+//! proved is about numbers; see [`crate::jets`].
 
 use crate::chapter::comment;
 use crate::check::PROOFS;
+use crate::jets;
+use crate::proposition::Proposition;
 use crate::script::Script;
-use crate::task::Goal;
+use crate::task::{Goal, Role};
 use crate::theorem::Theorem;
 
 /// The end of the names of sections of statements that are written from the tree.
@@ -19,6 +22,22 @@ pub const FOLLOWS: (&str, &str) = (
     "Torse/Follows.v",
     include_str!("../../../proofs/Torse/Follows.v"),
 );
+
+/// What is used besides where functions are declared.
+pub const JETS: (&str, &str) = ("Torse/Jets.v", include_str!("../../../proofs/Torse/Jets.v"));
+
+/// Whether a proof needs it.
+pub(crate) fn uses_jets(proof: &str) -> bool {
+    proof.contains("by_jets")
+}
+
+/// The line by which files of such proofs use the library.
+fn imports<'p>(mut proofs: impl Iterator<Item = &'p str>) -> &'static str {
+    match proofs.any(uses_jets) {
+        true => "From Torse Require Import Defs Follows Jets.\n",
+        false => "From Torse Require Import Defs Follows.\n",
+    }
+}
 
 /// The section of what is proved, of a section of statements that are written from the tree.
 #[must_use]
@@ -35,9 +54,9 @@ fn proofs() -> &'static str {
 #[must_use]
 pub fn file(folder: &str, section: &str, modules: &[&str]) -> String {
     let head = format!(
-        "{}\nFrom Torse Require Import Defs Follows.\n\
-         From {folder} Require {section}{PRINTED} {section}{}.\nOpen Scope R_scope.\n",
+        "{}\n{}From {folder} Require {section}{PRINTED} {section}{}.\nOpen Scope R_scope.\n",
         comment("What is printed follows from what is proved: nothing here has to be read."),
+        imports(modules.iter().copied()),
         proofs()
     );
     modules.iter().fold(head, |text, module| text + module)
@@ -45,9 +64,15 @@ pub fn file(folder: &str, section: &str, modules: &[&str]) -> String {
 
 /// The module of the theorems of one claim: for each script one of the statement that is printed, which may have no premises to meet.
 #[must_use]
-pub fn module(folder: &str, section: &str, goal: &Goal, scripts: &[Script]) -> String {
-    let module = &goal.module;
-    let is_free = goal.proposition.premises.is_empty();
+pub fn module(
+    folder: &str,
+    section: &str,
+    printed: &Goal,
+    core: &Goal,
+    scripts: &[Script],
+) -> String {
+    let module = &printed.module;
+    let is_free = printed.proposition.premises.is_empty();
     let scripts = scripts
         .iter()
         .filter(|script| script.says != "instance" || !is_free);
@@ -55,21 +80,70 @@ pub fn module(folder: &str, section: &str, goal: &Goal, scripts: &[Script]) -> S
     for Script { name, says, .. } in scripts {
         let proved = format!("{folder}.{section}{}.{module}.{name}", proofs());
         text.push_str(&format!(
-            "Theorem {name} : {says}.\nProof. follows {proved}. Qed.\n"
+            "Theorem {name} : {says}.\nProof. {}. Qed.\n",
+            tactics(&proved, says, printed, core)
+        ));
+    }
+    // What is proved may have no premises, while functions have to be smooth.
+    if jets::has_functions(&printed.proposition)
+        && core.proposition.premises.is_empty()
+        && printed.role != Role::Refuted
+        && let Some(values) = jets::polynomials(&no_numbers(core), &printed.proposition)
+    {
+        text.push_str(&format!(
+            "Theorem met : instance.\nProof. hnf; exists {}; met_by_jets. Qed.\n",
+            values.join(", ")
         ));
     }
     text.push_str(&format!("End {module}.\n"));
     text
 }
 
+/// The same without anything that is bound.
+fn no_numbers(core: &Goal) -> Proposition {
+    Proposition {
+        binders: vec![],
+        ..core.proposition.clone()
+    }
+}
+
+/// The tactics by which what is printed follows from what is proved under this name.
+fn tactics(proved: &str, says: &str, printed: &Goal, core: &Goal) -> String {
+    let (printed, core) = (&printed.proposition, &core.proposition);
+    let by_jets = || -> Option<String> {
+        Some(match says {
+            "statement" => format!(
+                "hnf; intros {}; by_jets ({proved} {})",
+                jets::names(printed).join(" "),
+                jets::numbers(core, printed)?.join(" ")
+            ),
+            "instance" => format!(
+                "destruct {proved} as {}; hnf; exists {}; there_by_jets there",
+                jets::names(core)
+                    .iter()
+                    .rfold("there".to_owned(), |rest, name| format!("[{name} {rest}]")),
+                jets::polynomials(core, printed)?.join(", ")
+            ),
+            _ => format!(
+                "intro all; apply {proved}; hnf; intros {}; by_jets (all {})",
+                jets::names(core).join(" "),
+                jets::polynomials(core, printed)?.join(" ")
+            ),
+        })
+    };
+    let tactics = jets::has_functions(printed).then(by_jets).flatten();
+    tactics.unwrap_or_else(|| format!("follows {proved}"))
+}
+
 /// The head of a file in which it is tried whether what is printed follows, whatever became of the proofs.
 #[must_use]
-pub fn head(section: &str) -> String {
+pub fn head(section: &str, theorems: &[&Theorem]) -> String {
     let core = proved(section).unwrap_or(section);
     let (folder, name) = section.split_once('/').unwrap_or(("", section));
     let core = core.split_once('/').map_or(core, |(_, name)| name);
     format!(
-        "From Torse Require Import Defs Follows.\nFrom {folder} Require {core} {name}.\nOpen Scope R_scope.\n"
+        "{}From {folder} Require {core} {name}.\nOpen Scope R_scope.\n",
+        imports(theorems.iter().map(|theorem| theorem.proof.as_str()))
     )
 }
 
@@ -81,16 +155,26 @@ pub fn alone(theorem: &Theorem) -> String {
     let printed = theorem.section.replace('/', ".");
     let module = &theorem.module;
     let mut text = format!("\nModule {module}.\n");
-    let lines = theorem.proof.lines();
-    let theorems = lines.filter_map(|line| line.strip_prefix("Theorem ")?.strip_suffix('.'));
-    for (name, says) in theorems.filter_map(|line| line.split_once(" : ")) {
+    let mut named = None;
+    for line in theorem.proof.lines() {
+        let says = line.strip_prefix("Theorem ");
+        if let Some(says) = says.and_then(|line| line.strip_suffix('.')?.split_once(" : ")) {
+            named = Some(says);
+            continue;
+        }
+        let tactics = line.strip_prefix("Proof. ");
+        let Some(((name, says), tactics)) = named.take().zip(tactics) else {
+            continue;
+        };
         let (negation, what) = match says.strip_prefix("~ ") {
             Some(what) => ("~ ", what),
             None => ("", says),
         };
+        let premise = format!("{core}{}.{module}.{name}", proofs());
+        let tactics = tactics.replace(&premise, "proved_there");
         text.push_str(&format!(
             "Theorem {name} : {negation}{core}.{module}.{what} -> {negation}{printed}.{module}.{what}.\n\
-             Proof. let H := fresh in (intro H; follows H). Qed.\n"
+             Proof. intro proved_there; {tactics}\n"
         ));
     }
     text.push_str(&format!("End {module}.\n"));

@@ -81,7 +81,7 @@ fn section_failing(
     let proofs = folder.files.get(&format!("{section}{PROOFS}"));
     let is_printed = printed::proved(section).is_some();
     let mut text = match is_printed {
-        true => printed::head(section),
+        true => printed::head(section, &theorems),
         false => split(proofs.map_or("", String::as_str)).head.to_owned(),
     };
     // What is printed is tried beside what is proved, whatever becomes of that.

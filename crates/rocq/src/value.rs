@@ -1,6 +1,7 @@
 //! Core terms as values of Rocq: real numbers, lists of them, lists of lists.
 //!
-//! The order of the print is kept, and nothing is simplified. Rocq's operations are total; where a term is undefined is
+//! These are the values of the lemmas that scripts prove; those that are read are written from trees, a second time and on
+//! purpose: `crate::tree`. The order of the print is kept, and nothing is simplified. Rocq's operations are total; where a term is undefined is
 //! said apart, see [`crate::defined`].
 
 use crate::code::{Code, Level, integer_scope};

@@ -4,12 +4,13 @@
 //! `A_of_p0 p0 = A` whose values solve the equations for every `p0`.
 
 use super::forms::derivative;
-use super::moving::{Along, Place};
+use super::moving::Along;
 use super::scope::{Scope, words};
 use super::writer::{Writer, fresh};
 use crate::binder::Binder;
 use crate::code::{Code, Level};
 use crate::gap::Gap;
+use crate::place::Place;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_syntax::derivation::declarations::SymbolKind;
@@ -95,7 +96,7 @@ impl Writer<'_> {
         for along in self.alongs.clone() {
             for (name, unknown) in &along.functions {
                 binders.push(Binder {
-                    symbol: Arc::from(unknown.declared.as_str()),
+                    symbol: Arc::clone(&unknown.declared),
                     names: vec![name.clone()],
                     rocq_type: "R -> R".to_owned(),
                     together: None,
@@ -122,9 +123,9 @@ impl Writer<'_> {
                         "coefficients along what is more than equations",
                     ));
                 }
-                let mut needed = super::defined::Premises::default();
+                let mut needed = super::premises::Premises::default();
                 self.statement_defined(equation, &Scope::default(), &mut needed)?;
-                let moving = along.moved.iter().map(|(declared, _)| declared.as_str());
+                let moving = along.moved.iter().map(|(declared, _)| &**declared);
                 let moving = moving.filter_map(|declared| self.symbol(declared).ok());
                 let moving: BTreeSet<&str> = moving.collect();
                 let mut needed = needed.into_vec().into_iter();

@@ -1,10 +1,10 @@
 //! `coefficients`: the derivatives of forms by symbols, and by members of families.
 
-use super::moving::Place;
 use super::scope::{Scope, words};
 use super::writer::{Value, Writer};
 use crate::code::{Code, Level};
 use crate::gap::Gap;
+use crate::place::Place;
 use crate::shape::Shape;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Expr, Node};
@@ -64,7 +64,7 @@ impl Writer<'_> {
             return Err(Gap::Construct("`coefficients` of integers"));
         }
         let unknowns = self.unknown_names();
-        if unknowns.contains(&place.declared) {
+        if unknowns.contains(&*place.declared) {
             return Err(Gap::Construct("coefficients of unknowns of equations"));
         }
         let reach = self.reach(form, scope);
@@ -125,7 +125,7 @@ impl Writer<'_> {
         }
         let codes = indices.iter().map(|index| self.index(index, scope));
         Ok(Place {
-            declared: name.to_owned(),
+            declared: name.into(),
             name: self.standing(name, scope)?.text().to_owned(),
             indices: codes.collect::<Result<_, _>>()?,
         })

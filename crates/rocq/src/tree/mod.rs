@@ -6,10 +6,11 @@
 //! the elaborator is a statement that does not follow from the one that is proved, and no theorem.
 //!
 //! `reach` says which declared symbols a formula depends on, `kinds` which parameters are integers, `value` writes values,
-//! `function` what is applied, `defined` where all terms have values, `said` what is said, and `sentence` puts them
+//! `function` what is applied, `defined` where all terms have values (`ranges` of indices, `applied` of functions and their derivatives), `said` what is said, and `sentence` puts them
 //! together. The rules are those of `derivations/SEMANTICS.md`, in its order.
 
 mod along;
+mod applied;
 mod basis;
 mod defined;
 mod forms;
@@ -17,8 +18,11 @@ mod function;
 mod integer;
 mod kinds;
 mod moving;
+mod premises;
 mod property;
+mod ranges;
 mod reach;
+mod rough;
 mod said;
 mod scope;
 mod sentence;

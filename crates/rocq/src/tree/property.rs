@@ -1,18 +1,21 @@
-//! Properties of bases: at every degree from that of the seeds on, for the values of the variables outside.
+//! Properties of bases: at every degree from that of the seeds on and for all values of the family's variable in its declared set,
+//! for the values of the shape parameters outside.
 
-use super::said::all_of;
-use super::scope::Scope;
-use super::writer::Writer;
+use super::kinds::Kind;
+use super::premises::Premises;
+use super::said::{all_of, compare};
+use super::scope::{Scope, words};
+use super::writer::{Writer, fresh};
 use crate::code::{Code, Level};
 use crate::gap::Gap;
 use crate::interval::within;
-use torse_numbers::rational;
+use std::collections::BTreeSet;
 use torse_syntax::derivation::declarations::{Basis, SymbolKind};
-use torse_syntax::formula::{Expr, Node, Relation};
+use torse_syntax::formula::{Expr, Node};
 
-impl Writer<'_> {
+impl<'a> Writer<'a> {
     /// A basis by its name.
-    fn basis_named(&self, expr: &Expr) -> Result<(String, &Basis), Gap> {
+    fn basis_named(&self, expr: &Expr) -> Result<(String, &'a Basis), Gap> {
         let Node::Name(name) = &expr.node else {
             return Err(Gap::Unread("a property of what is no basis".to_owned()));
         };
@@ -21,17 +24,38 @@ impl Writer<'_> {
         Ok((name.clone(), basis))
     }
 
-    /// The functions of a list, if a name is one.
-    pub fn listed(&self, expr: &Expr) -> Option<Vec<Expr>> {
-        let (name, basis) = self.basis_named(expr).ok()?;
-        let number = |n: u8| Expr::number(&rational::integer(i64::from(n)));
-        let member = |i| {
-            let indices = vec![number(i), number(basis.degree)];
-            Expr::made(Node::Index(Expr::name(&name).into(), indices))
-        };
-        basis
-            .is_list
-            .then(|| (0..=basis.degree).map(member).collect())
+    /// The premises under which the functions of a basis have values, for all values of its variable.
+    ///
+    /// # Errors
+    /// [`Gap`], as for the basis.
+    pub fn property_defined(
+        &mut self,
+        basis: &Expr,
+        scope: &Scope,
+        premises: &mut Premises,
+    ) -> Result<(), Gap> {
+        let (name, basis) = self.basis_named(basis)?;
+        let parts = basis.seeds.iter().chain([&basis.step.0, &basis.step.1]);
+        let parts: Vec<&Expr> = parts.map(|part| &part.expr).collect();
+        let Property {
+            variable,
+            inside,
+            scope,
+            ..
+        } = self.property(&name, scope)?;
+        for part in parts {
+            for premise in self.gathered(part, &scope)? {
+                let moves = words(premise.text()).any(|word| word == variable);
+                premises.add(match moves {
+                    true => Code::new(
+                        format!("forall {variable} : R, {inside}{}", premise.text()),
+                        Level::Open,
+                    ),
+                    false => premise,
+                });
+            }
+        }
+        Ok(())
     }
 
     /// That all functions of a basis are nonnegative.
@@ -39,26 +63,34 @@ impl Writer<'_> {
     /// # Errors
     /// [`Gap`], as for the basis.
     pub fn nonnegative(&mut self, basis: &Expr, scope: &Scope) -> Result<Code, Gap> {
-        if let Some(members) = self.listed(basis) {
-            let mut parts = vec![];
-            for member in members {
-                let zero = Expr::number(&rational::integer(0));
-                let compared = Node::Compare(member.into(), vec![(Relation::AtLeast, zero)]);
-                parts.push(self.said(&Expr::made(compared), &scope.outside(), None)?);
-            }
-            return all_of(parts);
-        }
-        let (name, _) = self.basis_named(basis)?;
-        let family = self.applied_family(&name, scope)?;
-        let Family {
-            function,
+        let (name, basis) = self.basis_named(basis)?;
+        let members: i64 = basis.degree.into();
+        let is_list = basis.is_list;
+        let property = self.property(&name, scope)?;
+        let Property {
+            variable,
+            inside,
             i,
             k,
             lowest,
             ..
-        } = family;
-        let function = function.text();
-        let text = format!("forall {i} {k} : Z, ({lowest} <= {k})%Z -> 0 <= {function}");
+        } = &property;
+        let said = match is_list {
+            true => {
+                let member = |i: i64| {
+                    let function = property.function(&i.to_string(), &members.to_string());
+                    compare(&Code::atom("0"), "<=", &function)
+                };
+                all_of((0..=members).map(member).collect())?
+                    .text()
+                    .to_owned()
+            }
+            false => format!(
+                "forall {i} {k} : Z, ({lowest} <= {k})%Z -> 0 <= {}",
+                property.function(i, k).text()
+            ),
+        };
+        let text = format!("forall {variable} : R, {inside}{said}");
         Ok(Code::new(text, Level::Open))
     }
 
@@ -67,27 +99,21 @@ impl Writer<'_> {
     /// # Errors
     /// [`Gap`], as for the basis.
     pub fn independent(&mut self, basis: &Expr, scope: &Scope) -> Result<Code, Gap> {
-        if self.listed(basis).is_some() {
+        let (name, basis) = self.basis_named(basis)?;
+        if basis.is_list {
             return Err(Gap::Construct("the independence of a list"));
         }
-        let (name, _) = self.basis_named(basis)?;
-        let Family {
-            function,
+        let property = self.property(&name, scope)?;
+        let function = property.function(&property.i, &property.k);
+        let Property {
             variable,
+            inside,
             i,
             k,
             c,
             lowest,
-        } = self.applied_family(&name, scope)?;
-        let declarations = self.names.declarations;
-        let x = declarations
-            .basis(&name)
-            .map_or("", |basis| &basis.variable);
-        let inside = match declarations.symbol(x) {
-            Some(SymbolKind::Real(interval)) => within(&variable, interval),
-            _ => None,
-        };
-        let inside = inside.map_or(String::new(), |code| format!("{} -> ", code.text()));
+            ..
+        } = property;
         let text = format!(
             "forall ({k} : Z) ({c} : Z -> R), ({lowest} <= {k})%Z -> \
              (forall {variable} : R, {inside}sum 0 {k} (fun {i} => {c} {i} * {}) = 0) -> \
@@ -97,8 +123,9 @@ impl Writer<'_> {
         Ok(Code::new(text, Level::Open))
     }
 
-    /// A basis at the values of its variables outside, and names for what is quantified.
-    fn applied_family(&mut self, name: &str, scope: &Scope) -> Result<Family, Gap> {
+    /// A basis at the values of its shape parameters outside, and names for what is quantified: its variable over its declared set,
+    /// and indices and degree.
+    fn property(&mut self, name: &str, scope: &Scope) -> Result<Property, Gap> {
         let basis = self.names.declarations.basis(name);
         let basis = basis.ok_or_else(|| Gap::Unread(format!("`{name}` is no basis")))?;
         if basis.counters.is_some() {
@@ -106,36 +133,83 @@ impl Writer<'_> {
                 "a property of a basis whose step depends on the index",
             ));
         }
-        let head = self.family(name, basis)?;
-        let outside = scope.outside();
-        let mut all = self.with_symbols(&head, &outside)?;
-        for variable in std::iter::once(&basis.variable).chain(&basis.parameters) {
-            all.push(self.standing(variable, &outside)?);
+        let interval = match self.names.declarations.symbol(&basis.variable) {
+            Some(SymbolKind::Real(interval)) => interval,
+            _ => return Err(Gap::Unread(format!("`{}` is no number", basis.variable))),
+        };
+        if interval.formulas().next().is_some() {
+            return Err(Gap::Construct(
+                "a property of a basis on an interval between formulas",
+            ));
         }
-        let mut taken: std::collections::BTreeSet<String> = all
+        let head = self.family(name, basis)?;
+        let mut all = self.with_symbols(&head, &scope.outside())?;
+        let kinds = self.names.kinds_of_basis(name).into_iter().skip(1);
+        let mut parameters = vec![];
+        for (own, kind) in basis.parameters.iter().zip(kinds) {
+            parameters.push(self.argument(&Expr::name(own), kind, &scope.outside())?);
+        }
+        let mut taken: BTreeSet<String> = all
             .iter()
-            .flat_map(|code| super::scope::words(code.text()))
+            .chain(parameters.iter().map(|(code, _)| code))
+            .flat_map(|code| words(code.text()))
             .collect();
         taken.insert(head.name.clone());
-        let [i, k, c] = ["i", "k", "c"].map(|like| super::writer::fresh(like, &taken));
-        all.extend([Code::atom(&i), Code::atom(&k)]);
-        Ok(Family {
-            function: Code::apply(&head.name, &all),
-            variable: self.standing(&basis.variable, &outside)?.text().to_owned(),
+        let names = [basis.variable.as_str(), "i", "k", "c"];
+        let [variable, i, k, c] = names.map(|like| {
+            let name = fresh(like, &taken);
+            taken.insert(name.clone());
+            name
+        });
+        let inside = within(&variable, interval);
+        let mut own =
+            scope
+                .outside()
+                .with_local(&basis.variable, Code::atom(&variable), Kind::NUMBER);
+        all.push(Code::atom(&variable));
+        for (parameter, (code, kind)) in basis.parameters.iter().zip(parameters) {
+            own = own.with_local(parameter, Code::atom(code.argument()), kind);
+            all.push(code);
+        }
+        Ok(Property {
+            head: head.name,
+            arguments: all,
+            inside: inside.map_or_else(String::new, |code| format!("{} -> ", code.text())),
+            variable,
             i,
             k,
             c,
             lowest: basis.degree,
+            scope: own,
         })
     }
 }
 
-/// A basis at the values of its variables.
-struct Family {
-    function: Code,
+/// A basis of which something is said for all values of its variable.
+struct Property {
+    head: String,
+    arguments: Vec<Code>,
     variable: String,
+    /// The premise that the variable is in its set.
+    inside: String,
     i: String,
     k: String,
     c: String,
     lowest: u8,
+    /// What its names stand for in seeds and step.
+    scope: Scope,
+}
+
+impl Property {
+    /// Function i of degree k.
+    fn function(&self, i: &str, k: &str) -> Code {
+        let mut all = self.arguments.clone();
+        all.extend(
+            [i, k].map(|n| match n.bytes().all(|byte| byte.is_ascii_digit()) {
+                true => Code::atom(format!("{n}%Z")),
+                false => Code::atom(n),
+            }),
+        );
+        Code::apply(&self.head, &all)
+    }
 }

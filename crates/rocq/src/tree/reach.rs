@@ -12,7 +12,8 @@ use torse_syntax::formula::{Expr, Node};
 /// How deep definitions may use each other.
 const MAX_DEPTH: usize = 80;
 
-/// The names of the built-in functions, which definitions and bound names hide.
+/// The names of the built-in functions, which definitions and bound names hide. The elaborator has a list of its own, of which this writer
+/// sees nothing.
 const BUILT_IN: [&str; 30] = [
     "sum",
     "product",
@@ -335,9 +336,10 @@ impl<'a> Names<'a> {
                 if let Node::Name(name) = &family.node
                     && let Some(basis) = self.declarations.basis(name)
                 {
+                    // The variable takes all values of its set.
                     self.family(name, reach);
-                    for variable in std::iter::once(&basis.variable).chain(&basis.parameters) {
-                        self.named(variable, &Bound::new(), reach);
+                    for parameter in &basis.parameters {
+                        self.named(parameter, &Bound::new(), reach);
                     }
                 }
             }

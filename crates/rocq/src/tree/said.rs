@@ -10,14 +10,15 @@ use crate::shape::Shape;
 use torse_numbers::Rational;
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
-/// What a denial about the whole domain is about: the premises of the claim, under its binders.
+/// What `fails` is about: the premises of the claim, under its binders.
 pub(super) struct Domain<'c> {
     /// Writes `forall symbols, premises -> the statement`.
     pub denied: &'c dyn Fn(&mut Writer<'_>, &Expr, &Scope) -> Result<Code, Gap>,
 }
 
 impl Writer<'_> {
-    /// What a statement says; `domain` is what denials are about, where they may stand.
+    /// What a statement says; `domain` is what `fails` is about, where it may stand: as the statement, or joined to the rest of it
+    /// by `and`.
     ///
     /// # Errors
     /// [`Gap`] for what has no translation.
@@ -43,7 +44,7 @@ impl Writer<'_> {
                 all_of(parts)
             }
             Node::Join(connective, a, b) => {
-                let (a, b) = (self.said(a, scope, domain)?, self.said(b, scope, domain)?);
+                let (a, b) = (self.said(a, scope, None)?, self.said(b, scope, None)?);
                 Ok(match connective {
                     Connective::Implies => {
                         let text = format!("{} -> {}", a.below(Level::Open), b.within(Level::Open));
@@ -52,7 +53,10 @@ impl Writer<'_> {
                     _ => Code::infix_right(&a, "\\/", &b, Level::Either),
                 })
             }
-            Node::Not(inner) => denial(self, inner, scope, domain),
+            Node::Not(inner) => {
+                let inner = self.said(inner, scope, None)?;
+                Ok(Code::new(format!("~ ({})", inner.text()), Level::Relation))
+            }
             Node::Name(name) if !scope.locals.contains_key(name) => {
                 let definition = self.names.declarations.definition(name);
                 let definition = definition.filter(|d| d.parameters.is_empty());
@@ -67,7 +71,7 @@ impl Writer<'_> {
                         let reach = self.reach(inner, scope);
                         let binding = self.binding(variable, &reach, scope)?;
                         let (value, _) = self.argument(point, binding.kind, scope)?;
-                        let body = self.said(inner, &binding.scope, domain)?;
+                        let body = self.said(inner, &binding.scope, None)?;
                         Ok(put_in(
                             &binding.name,
                             binding.kind.rocq_type(),
@@ -76,7 +80,13 @@ impl Writer<'_> {
                         ))
                     }
                     (Some("agrees"), [value, printed]) => self.agrees(value, printed, scope),
-                    (Some("fails"), [inner]) => denial(self, inner, scope, domain),
+                    (Some("fails"), [inner]) => {
+                        let domain = domain.ok_or(Gap::Unread(
+                            "`fails` below another word, or among the hypotheses".to_owned(),
+                        ))?;
+                        let text = (domain.denied)(self, inner, scope)?;
+                        Ok(Code::new(format!("~ ({})", text.text()), Level::Relation))
+                    }
                     (Some("nonnegative"), [basis]) => self.nonnegative(basis, scope),
                     (Some("independent"), [basis]) => self.independent(basis, scope),
                     (Some("variation_diminishing"), _) => {
@@ -207,18 +217,6 @@ impl Writer<'_> {
             Code::infix_right(&before, "/\\", &one, Level::Both)
         }))
     }
-}
-
-/// A denial, which is about the whole domain: the same claim with the inner statement, denied.
-fn denial(
-    writer: &mut Writer<'_>,
-    inner: &Expr,
-    scope: &Scope,
-    domain: Option<&Domain<'_>>,
-) -> Result<Code, Gap> {
-    let domain = domain.ok_or(Gap::Construct("a denial among the hypotheses"))?;
-    let text = (domain.denied)(writer, inner, scope)?;
-    Ok(Code::new(format!("~ ({})", text.text()), Level::Relation))
 }
 
 /// A comparison.

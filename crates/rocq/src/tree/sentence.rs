@@ -1,7 +1,7 @@
 //! A claim as a proposition: all symbols bound, then smoothness, the declared sets, the hypotheses, the definedness of all terms
 //! and the conditions of the verdict as premises, then what is said.
 
-use super::defined::Premises;
+use super::premises::Premises;
 use super::reach::{Bound, Names, Reach};
 use super::said::{Domain, all_of};
 use super::scope::{Scope, words};
@@ -272,17 +272,14 @@ impl<'c> Subject<'c> {
         Ok(premises)
     }
 
-    /// The same claim with another statement, which a denial is about.
+    /// The same claim with another statement, which `fails` denies.
     fn denied(&self, writer: &mut Writer<'_>, inner: &Expr, scope: &Scope) -> Result<Code, Gap> {
         let mut premises = self.premises(writer)?;
         let mut needed = Premises::default();
         writer.statement_defined(inner, scope, &mut needed)?;
         premises.extend(needed.into_vec());
         let alongs = writer.alongs.len();
-        let denied = |writer: &mut Writer<'_>, inner: &Expr, scope: &Scope| {
-            self.denied(writer, inner, scope)
-        };
-        let conclusion = writer.said(inner, scope, Some(&Domain { denied: &denied }))?;
+        let conclusion = writer.said(inner, scope, None)?;
         if writer.alongs.len() > alongs {
             return Err(Gap::Theory("denials of coefficients along given equations"));
         }

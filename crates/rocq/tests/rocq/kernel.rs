@@ -14,7 +14,7 @@ use torse_syntax::derivation::{Claim, LoadError, Source, paper};
 use torse_syntax::words::Verdict;
 
 /// A true statement, a false one that differs from it by one edit, and the evidence of the true one.
-const PAIRS: [(&str, &str, Evidence); 18] = [
+const PAIRS: [(&str, &str, Evidence); 22] = [
     (
         "(x + 1)^2 == x^2 + 2*x + 1",
         "(x + 1)^2 == x^2 - 2*x + 1",
@@ -89,12 +89,24 @@ const PAIRS: [(&str, &str, Evidence); 18] = [
         "sum(i, 0, 2, [x, y, 3][i+1]) == x + y + 2",
         Evidence::Identity,
     ),
+    (
+        "D(f(x)*f(y), x) == f'(x)*f(y)",
+        "D(f(x)*f(y), x) == f'(x)*f(x)",
+        Evidence::Identity,
+    ),
+    (
+        "D(D(f(x*y), x), y) == f'(x*y) + x*y*D(f, x, 2)(x*y)",
+        "D(D(f(x*y), x), y) == f'(x*y) + x*y*f'(x*y)",
+        Evidence::Identity,
+    ),
+    ("not x*y != y*x", "not x*y != y*y", Evidence::Identity),
+    ("not x^2 + 1 <= 0", "not x^2 - 1 <= 0", Evidence::Inequality),
 ];
 
 /// The claims of a paper with these statements.
 fn claims(statements: &[&str]) -> Vec<Claim> {
     let mut text =
-        "[symbols]\nx = {}\ny = {}\nt = { family = 1, indices = ['0..7'] }\nj = {}\nT = { family = 2, indices = ['0..m'] }\nm = { integer = '>= 1' }\ni = { integer = '0..m' }\n\
+        "[symbols]\nx = {}\ny = {}\nf = { function = 1 }\nt = { family = 1, indices = ['0..7'] }\nj = {}\nT = { family = 2, indices = ['0..m'] }\nm = { integer = '>= 1' }\ni = { integer = '0..m' }\n\
                     [basis.B]\nvariable = 'x'\ndegree = 0\nseeds = ['1']\nstep = ['1 - x', 'x']\n\
                     [basis.U]\nvariable = 'x'\ndegree = 0\nseeds = ['1']\nindex = 'q'\norder = 'r'\n\
                     step = ['(q + 1 - x)/r', '(x + r - q)/r']\n\
@@ -104,7 +116,7 @@ fn claims(statements: &[&str]) -> Vec<Claim> {
     for (place, states) in statements.iter().enumerate() {
         write!(
             text,
-            "[[claim]]\nid = 'p/c{place}'\nat = 'Sect. 1'\nkind = 'identity'\nprinted = 'as stated'\nstates = '{states}'\n"
+            "[[claim]]\nid = 'p/c{place}'\nat = 'Sect. 1'\nkind = 'identity'\nprinted = 'as stated'\nstates = \"{states}\"\n"
         )
         .unwrap();
     }

@@ -32,6 +32,10 @@ seeds = ['1']
 index = 'q'
 order = 'r'
 step = ['(q + 1 - x)/r', '(x + r - q)/r']
+[basis.V]
+variable = 't'
+degree = 1
+seeds = ['1 - t/y', 't/y']
 [define]
 w = 'x/y'
 'F(t)' = 'w*t^2 + mu'
@@ -79,7 +83,7 @@ fn states(statement: &str) -> String {
 }
 
 /// Statements by what they are about.
-const STATEMENTS: [(&str, &str); 24] = [
+const STATEMENTS: [(&str, &str); 27] = [
     ("a definition over what it reaches", "F(t) == w*t^2 + mu"),
     ("a definition through another", "G(2) == G(t)"),
     ("a derivative by a parameter", "F'(t) == 2*w*t"),
@@ -123,6 +127,15 @@ const STATEMENTS: [(&str, &str); 24] = [
         "a chain and words",
         "0 < x <= y or x == 0 implies not y == 0",
     ),
+    (
+        "a denial of the point, below a word",
+        "x == 1 implies not (x/y < 1 and t >= 0)",
+    ),
+    (
+        "what fails in the domain has its own terms",
+        "x == x and fails(x/y == 1)",
+    ),
+    ("what fails below a word", "x == 1 or fails(x == y)"),
     ("printed decimals", "agrees([x, y], [0.5, -0.25])"),
     ("roots and quotients", "sqrt(x)/tan(y) == abs(x)"),
     ("a smooth function", "f'(x*y) == D(f(x), x) and f(t) > 0"),
@@ -155,6 +168,8 @@ fn properties_are_about_every_degree() {
     let texts = [
         states("nonnegative(B)"),
         states("independent(B)"),
+        states("mu < 0 implies nonnegative(B)"),
+        states("at(nonnegative(V), y, mu)"),
         states("integral(x, x, 0, 1) == 1/2"),
     ];
     insta::assert_snapshot!("properties", texts.join("\n\n"));
@@ -181,6 +196,7 @@ fn the_writer_sees_trees_and_declarations_alone() {
                 "gap",
                 "interval",
                 "name",
+                "place",
                 "proposition",
                 "shape",
             ];
@@ -195,6 +211,7 @@ fn the_writer_sees_trees_and_declarations_alone() {
         "gap",
         "interval",
         "name",
+        "place",
         "proposition",
         "shape",
         "unknowns",
