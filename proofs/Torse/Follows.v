@@ -34,14 +34,21 @@ Ltac there H := lazymatch type of H with
   | ex _ => let x := fresh in destruct H as [x H]; exists x; there H
   | _ => parted H; joined end.
 
+(* the same with other names for what is there *)
+Ltac there_too H := hnf in H; hnf; repeat match type of H with ex _ => let x := fresh in destruct H as [x H] end;
+  parted H; repeat match goal with |- ex _ => eexists end; repeat (split; [eassumption|]); eassumption.
+(* nothing is there *)
+Ltac nothing := let H := fresh in intro H; hnf in H;
+  repeat match type of H with ex _ => let x := fresh in destruct H as [x H] end; parted H; nra.
+
 (* with premises in another order, or written twice *)
 Ltac reordered proved := let P := type of proved in
   let H := fresh in
   lazymatch eval hnf in P with
-  | ex _ => pose proof proved as H; hnf in H; cbv zeta in H; hnf; cbv zeta; there H
+  | ex _ => pose proof proved as H; hnf in H; cbv zeta in H; hnf; cbv zeta; first [ there H | there_too H ]
   | _ /\ _ => pose proof proved as H; hnf in H; hnf; there H
   | _ -> False => intro H; apply proved; first [ from H | by_parts H ]
   | _ => pose proof proved as H; first [ from H | by_parts H ] end.
 
 (* by conversion, else so *)
-Ltac follows proved := first [ exact proved | reordered proved ].
+Ltac follows proved := first [ exact proved | reordered proved | nothing ].

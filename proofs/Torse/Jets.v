@@ -57,3 +57,8 @@ Ltac there_by_jets H := cbv zeta; repeat (split; [ solve [smooths] |]); bare_goa
   repeat match goal with |- _ /\ _ => split end; premise.
 (* that functions are smooth *)
 Ltac met_by_jets := cbv zeta; repeat split; solve [smooths].
+(* the goal with all derivatives computed, without what is proved *)
+Ltac computed_by_jets := bare_goal; introduced; with_rates; derivatives; intros.
+(* premises at values *)
+Ltac values_by_jets := cbv zeta; repeat (split; [ solve [smooths] |]); bare_goal; derivatives;
+  repeat match goal with |- _ /\ _ => split end; lra.

@@ -173,3 +173,18 @@ Proof.
   transitivity (D * (r1 * p1 + (r2 * p2 + (r3 * p3 + 0))));
   [ field; intro Z; apply N; eapply eq_trans; [ | exact Z ]; ring | cbn in H; rewrite H; ring ].
 Qed.
+
+(* torses/curve.torsion (printed) *)
+Theorem met.
+Proof.
+  hnf; exists (fun t => t), (fun t => t * t), (fun _ => 0), (fun t => t), 0; values_by_jets.
+Qed.
+
+(* torses/curve.torsion (printed) *)
+Theorem proved.
+Proof.
+  hnf; intros c'1 c'2 c'3 phi u; computed_by_jets;
+  match goal with |- ?a / ?b = ?c / ?d => replace a with (Derive_n phi 1 u ^ 6 * c) by ring;
+    replace b with (Derive_n phi 1 u ^ 6 * d) by ring; let q := fresh in generalize dependent d; intros q ?;
+    intros; field; split; assumption end.
+Qed.

@@ -1,7 +1,7 @@
 //! Scripts that are written by hand: for theorems whose proofs have an idea of their own.
 //!
 //! `proofs/manual/` has them, a file a paper: a comment with the claim, with `(corrected)` behind the id of a claim whose corrected
-//! statement is meant, then the theorem by its name, and its script. The kernel checks them like all others. What several scripts
+//! statement is meant and `(printed)` behind that of one whose statement as it is printed needs more than the usual, then the theorem by its name, and its script. The kernel checks them like all others. What several scripts
 //! say alike stands once, in `shared.v`: tactics by their names, which the proofs that use them define in front.
 
 use crate::task::{Goal, Role};
@@ -86,6 +86,13 @@ pub fn tactics(goal: &Goal, theorem: &str) -> Option<String> {
     Some(with_definitions(script, &TACTICS))
 }
 
+/// The tactics by which a theorem as it is printed follows from the one that is proved, which they call `proved_there`.
+#[must_use]
+pub fn printed(goal: &Goal, theorem: &str) -> Option<String> {
+    let claim = format!("{} (printed)", goal.id);
+    SCRIPTS.get(&(claim.as_str(), theorem)).cloned()
+}
+
 /// A script with the definitions of the shared tactics that it uses in front.
 fn with_definitions(script: &str, shared: &BTreeMap<&str, String>) -> String {
     let used = shared.iter().filter(|(name, _)| {
@@ -108,7 +115,11 @@ mod tests {
         let read = FILES.iter().map(|file| file.matches("\nQed.\n").count());
         assert_eq!(read.sum::<usize>(), SCRIPTS.len(), "no theorem twice");
         for ((claim, name), script) in SCRIPTS.iter() {
-            assert!(claim.contains('/') && !claim.contains(' ') || claim.ends_with(" (corrected)"));
+            assert!(
+                claim.contains('/') && !claim.contains(' ')
+                    || claim.ends_with(" (corrected)")
+                    || claim.ends_with(" (printed)")
+            );
             assert!(["proved", "refuted", "met"].contains(name), "{claim}");
             assert!(!script.is_empty() && !script.contains("  "), "{claim}");
             for word in ["admit", "Admitted", "Axiom", "give_up", "Qed", "Abort"] {

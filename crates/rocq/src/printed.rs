@@ -8,11 +8,11 @@
 
 use crate::chapter::comment;
 use crate::check::PROOFS;
-use crate::jets;
 use crate::proposition::Proposition;
 use crate::script::Script;
 use crate::task::{Goal, Role};
 use crate::theorem::Theorem;
+use crate::{by_hand, jets};
 
 /// The end of the names of sections of statements that are written from the tree.
 pub const PRINTED: &str = "_printed";
@@ -62,6 +62,9 @@ pub fn file(folder: &str, section: &str, modules: &[&str]) -> String {
     modules.iter().fold(head, |text, module| text + module)
 }
 
+/// What is proved, where it stands as a premise.
+const PROVED_THERE: &str = "proved_there";
+
 /// The module of the theorems of one claim: for each script one of the statement that is printed, which may have no premises to meet.
 #[must_use]
 pub fn module(
@@ -109,6 +112,14 @@ fn no_numbers(core: &Goal) -> Proposition {
 
 /// The tactics by which what is printed follows from what is proved under this name.
 fn tactics(proved: &str, says: &str, printed: &Goal, core: &Goal) -> String {
+    let name = match says {
+        "statement" => "proved",
+        "instance" => "met",
+        _ => "refuted",
+    };
+    if let Some(script) = by_hand::printed(printed, name) {
+        return script.replace(PROVED_THERE, proved);
+    }
     let (printed, core) = (&printed.proposition, &core.proposition);
     let by_jets = || -> Option<String> {
         Some(match says {
@@ -171,10 +182,10 @@ pub fn alone(theorem: &Theorem) -> String {
             None => ("", says),
         };
         let premise = format!("{core}{}.{module}.{name}", proofs());
-        let tactics = tactics.replace(&premise, "proved_there");
+        let tactics = tactics.replace(&premise, PROVED_THERE);
         text.push_str(&format!(
             "Theorem {name} : {negation}{core}.{module}.{what} -> {negation}{printed}.{module}.{what}.\n\
-             Proof. intro proved_there; {tactics}\n"
+             Proof. intro {PROVED_THERE}; {tactics}\n"
         ));
     }
     text.push_str(&format!("End {module}.\n"));

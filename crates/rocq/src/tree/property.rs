@@ -79,7 +79,7 @@ impl<'a> Writer<'a> {
             true => {
                 let member = |i: i64| {
                     let function = property.function(&i.to_string(), &members.to_string());
-                    compare(&Code::atom("0"), "<=", &function)
+                    compare(&function, ">=", &Code::atom("0"))
                 };
                 all_of((0..=members).map(member).collect())?
                     .text()
