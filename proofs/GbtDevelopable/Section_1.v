@@ -172,3 +172,77 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
   (forall t : R, (let x_________ := 0%Z in Derive_n (fun x__________ => H2_ (update1 (update1 (update1 P2 0%Z (P2_0_of_t t)) 1%Z (P2_1_of_t t)) 2%Z (P2_2_of_t t)) l mu2 nu2 x__________) 2 (IZR x_________)) = gamma ^ 2 * (let x__________ := 1%Z in Derive_n (fun x___________ => H1_ (update1 P1 (k - 2)%Z t) k mu1 nu1 x___________) 2 (IZR x__________)) + lambda * (let x___________ := 1%Z in Derive_n (fun x____________ => H1_ (update1 P1 (k - 2)%Z t) k mu1 nu1 x____________) 1 (IZR x___________))) ->
   [[Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => N2 (update1 (update1 (update1 P2 0%Z (P2_0_of_t t)) 1%Z (P2_1_of_t t)) 2%Z (P2_2_of_t t)) l mu3 nu3 x______) 2 (IZR x_____)) 1 (P1 (k - 2)%Z)]] = mscale (ratio gamma l mu2 mu3 ^ 2) [[Derive_n (fun t_ => let x______ := 1%Z in Derive_n (fun x_______ => H1_ (update1 P1 (k - 2)%Z t_) k mu1 nu1 x_______) 2 (IZR x______)) 1 (P1 (k - 2)%Z)]].
 End intro_continuity_free_c_any_values.
+
+Module intro_contrib_4.
+(* gbt-developable/intro-contrib-4, Sect. 1, list of contributions, fourth item
+   printed: Our described developable GBT-Bézier surfaces take over the most advantageous features of the classical developable Bézier surfaces. Moreover, the shape adjustment property is additional to that of classical developable Bézier surfaces
+   read as: The features that carry over to the family of planes (3.1): the functions sum to one, the first and last plane are control planes; and the family changes with both shape parameters.
+   stated: sum(i, 0, k, g[i,k](x)) == 1 and H(0) == Q[0] and H(1) == Q[k] and fails(D(H(x), mu) == 0) and fails(D(H(x), nu) == 0) *)
+Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
+Definition H_ (Q : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition H__ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition statement : Prop :=
+forall (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  (0 <= 0 <= k)%Z ->
+  (0 <= k <= k)%Z ->
+  sum 0%Z k (fun i => g x mu nu i k) = 1 /\ H Q k mu nu 0%Z = Q 0%Z /\ H Q k mu nu 1%Z = Q k /\ ~ (forall (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  (forall i : Z, (0 <= i <= k)%Z -> (2 <= k)%Z) ->
+  Derive_n (fun mu_ => H_ Q k nu mu_ x) 1 mu = 0) /\ ~ (forall (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  (forall i : Z, (0 <= i <= k)%Z -> (2 <= k)%Z) ->
+  Derive_n (fun nu_ => H__ Q k mu nu_ x) 1 nu = 0).
+Definition instance : Prop :=
+exists (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= x <= 1 /\
+  (0 <= 0 <= k)%Z /\
+  (0 <= k <= k)%Z.
+End intro_contrib_4.
+
+Module intro_gauss.
+(* gbt-developable/intro-gauss, Sect. 1, first paragraph, of (3.7)
+   printed: a smooth surface having zero Gaussian curvature at each point on it is known as a developable surface
+   read as: (3.7) is developable in this sense. It is linear in x1, so that the first coefficient of its second fundamental form is zero; the second is the part of φ' across the tangent plane, which is along a, and is zero too: so is the determinant of the form.
+   stated: direction_at'(0) == cross(a, a'') and dot(a, phi) == 0 and dot(a, J'(0)) == 0 and dot(a, direction_at'(0)) == 0 *)
+Definition a (a0 : R) (a1 : R) (a2 : R) : list R :=
+  [a0; a1; a2].
+Definition a' (a0' : R) (a1' : R) (a2' : R) : list R :=
+  [a0'; a1'; a2'].
+Definition a'' (a0'' : R) (a1'' : R) (a2'' : R) : list R :=
+  [a0''; a1''; a2''].
+Definition A (a0 : R) (a0' : R) (a0'' : R) (a1 : R) (a1' : R) (a1'' : R) (a2 : R) (a2' : R) (a2'' : R) (e : R) : list R :=
+  vadd (vadd (a a0 a1 a2) (vscale e (a' a0' a1' a2'))) (vscale (e ^ 2 / 2) (a'' a0'' a1'' a2'')).
+Definition direction_at (a0 : R) (a0' : R) (a0'' : R) (a1 : R) (a1' : R) (a1'' : R) (a2 : R) (a2' : R) (a2'' : R) (e : R) : list R :=
+  cross (A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e) (vDerive 3 (fun e_ => A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e_) 1 e).
+Definition phi (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R) : list R :=
+  cross (a a0 a1 a2) (a' a0' a1' a2').
+Definition A3 (a3 : R) (a3' : R) (a3'' : R) (e : R) : R :=
+  a3 + e * a3' + e ^ 2 / 2 * a3''.
+Definition J (a0 : R) (a0' : R) (a0'' : R) (a1 : R) (a1' : R) (a1'' : R) (a2 : R) (a2' : R) (a2'' : R) (a3 : R) (a3' : R) (a3'' : R) (x1 : R) (e : R) : list R :=
+  vadd (vscale x1 (cross (A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e) (vDerive 3 (fun e_ => A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e_) 1 e))) (vdiv (cross (cross (A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e) (vDerive 3 (fun e_ => A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e_) 1 e)) (vsub (vscale (Derive_n (fun e_ => A3 a3 a3' a3'' e_) 1 e) (A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e)) (vscale (A3 a3 a3' a3'' e) (vDerive 3 (fun e_ => A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e_) 1 e)))) (dot (cross (A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e) (vDerive 3 (fun e_ => A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e_) 1 e)) (cross (A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e) (vDerive 3 (fun e_ => A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e_) 1 e)))).
+Definition statement : Prop :=
+forall (a0 : R) (a0' : R) (a0'' : R) (a1 : R) (a1' : R) (a1'' : R) (a2 : R) (a2' : R) (a2'' : R) (a3 : R) (a3' : R) (a3'' : R) (x1 : R),
+  locally (IZR 0%Z) (fun e => dot (cross (A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e) (vDerive 3 (fun e_ => A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e_) 1 e)) (cross (A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e) (vDerive 3 (fun e_ => A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e_) 1 e)) <> 0) ->
+  a0 ^ 2 * a1' ^ 2 + a0 ^ 2 * a2' ^ 2 - 2 * a0 * a0' * a1 * a1' - 2 * a0 * a0' * a2 * a2' + a0' ^ 2 * a1 ^ 2 + a0' ^ 2 * a2 ^ 2 + a1 ^ 2 * a2' ^ 2 - 2 * a1 * a1' * a2 * a2' + a1' ^ 2 * a2 ^ 2 <> 0 ->
+  (let e := 0%Z in vDerive 3 (fun e_ => direction_at a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e_) 1 (IZR e)) = cross (a a0 a1 a2) (a'' a0'' a1'' a2'') /\ dot (a a0 a1 a2) (phi a0 a0' a1 a1' a2 a2') = 0 /\ dot (a a0 a1 a2) (let e_ := 0%Z in vDerive 3 (fun e__ => J a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' a3 a3' a3'' x1 e__) 1 (IZR e_)) = 0 /\ dot (a a0 a1 a2) (let e__ := 0%Z in vDerive 3 (fun e___ => direction_at a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e___) 1 (IZR e__)) = 0.
+Definition instance : Prop :=
+exists (a0 : R) (a0' : R) (a0'' : R) (a1 : R) (a1' : R) (a1'' : R) (a2 : R) (a2' : R) (a2'' : R) (a3 : R) (a3' : R) (a3'' : R) (x1 : R),
+  locally (IZR 0%Z) (fun e => dot (cross (A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e) (vDerive 3 (fun e_ => A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e_) 1 e)) (cross (A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e) (vDerive 3 (fun e_ => A a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' e_) 1 e)) <> 0) /\
+  a0 ^ 2 * a1' ^ 2 + a0 ^ 2 * a2' ^ 2 - 2 * a0 * a0' * a1 * a1' - 2 * a0 * a0' * a2 * a2' + a0' ^ 2 * a1 ^ 2 + a0' ^ 2 * a2 ^ 2 + a1 ^ 2 * a2' ^ 2 - 2 * a1 * a1' * a2 * a2' + a1' ^ 2 * a2 ^ 2 <> 0.
+End intro_gauss.

@@ -205,11 +205,11 @@ forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (e1 : R) (e2 : R) (gamma 
   h2 = h ->
   d2 = vscale gamma d ->
   gamma <> 0 ->
-  dot (direction h (let e_ := 0%Z in vDerive 4 (fun e__ => O__ d d2 e2 h h2 n2 x1 e__) 1 (IZR e_))) (direction h (let e_ := 0%Z in vDerive 4 (fun e__ => O__ d d2 e2 h h2 n2 x1 e__) 1 (IZR e_))) <> 0 ->
-  dot (direction h (let e___ := 0%Z in vDerive 4 (fun e____ => P__ d e1 h n x1 e____) 1 (IZR e___))) (direction h (let e___ := 0%Z in vDerive 4 (fun e____ => P__ d e1 h n x1 e____) 1 (IZR e___))) <> 0 ->
-  locally (IZR 0%Z) (fun e____ => dot (direction h (let e______ := e____ in vDerive 4 (fun e_______ => O__ d d2 e2 h h2 n2 x1 e_______) 1 e______)) (direction h (let e______ := e____ in vDerive 4 (fun e_______ => O__ d d2 e2 h h2 n2 x1 e_______) 1 e______)) <> 0) ->
+  dot (direction (O_ d d2 e2 h h2 n2 x1 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => O__ d d2 e2 h h2 n2 x1 e__) 1 (IZR e_))) (direction (O_ d d2 e2 h h2 n2 x1 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => O__ d d2 e2 h h2 n2 x1 e__) 1 (IZR e_))) <> 0 ->
+  dot (direction (P_ d e1 h n x1 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P__ d e1 h n x1 e____) 1 (IZR e___))) (direction (P_ d e1 h n x1 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P__ d e1 h n x1 e____) 1 (IZR e___))) <> 0 ->
+  locally (IZR 0%Z) (fun e____ => dot (direction (O__ d d2 e2 h h2 n2 x1 e____) (let e______ := e____ in vDerive 4 (fun e_______ => O__ d d2 e2 h h2 n2 x1 e_______) 1 e______)) (direction (O__ d d2 e2 h h2 n2 x1 e____) (let e______ := e____ in vDerive 4 (fun e_______ => O__ d d2 e2 h h2 n2 x1 e_______) 1 e______)) <> 0) ->
   e1 ^ 2 <> 0 ->
-  locally (IZR 0%Z) (fun e____ => dot (direction h (let e________ := e____ in vDerive 4 (fun e_________ => P__ d e1 h n x1 e_________) 1 e________)) (direction h (let e________ := e____ in vDerive 4 (fun e_________ => P__ d e1 h n x1 e_________) 1 e________)) <> 0) ->
+  locally (IZR 0%Z) (fun e____ => dot (direction (P__ d e1 h n x1 e____) (let e________ := e____ in vDerive 4 (fun e_________ => P__ d e1 h n x1 e_________) 1 e________)) (direction (P__ d e1 h n x1 e____) (let e________ := e____ in vDerive 4 (fun e_________ => P__ d e1 h n x1 e_________) 1 e________)) <> 0) ->
   JB d d2 e2 gamma h h2 n2 x1 0%Z = JA d e1 h n x1 0%Z /\ cross (direction h d) (let e____ := 0%Z in vDerive 3 (fun e_________ => JB_ d d2 e2 gamma h h2 n2 x1 e_________) 1 (IZR e____)) = vscale (e1 * e2 / gamma / e1 ^ 2) (cross (direction h d) (let e_________ := 0%Z in vDerive 3 (fun e__________ => JA_ d e1 h n x1 e__________) 1 (IZR e_________))) /\ e1 * e2 / gamma > 0.
 Definition instance : Prop :=
 exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (e1 : R) (e2 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R) (n'1 n'2 n'3 : R) (n2'1 n2'2 n2'3 : R) (x1 : R),
@@ -225,11 +225,11 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (e1 : R) (e2 : R) (gamma 
   h2 = h /\
   d2 = vscale gamma d /\
   gamma <> 0 /\
-  dot (direction h (let e_ := 0%Z in vDerive 4 (fun e__ => O__ d d2 e2 h h2 n2 x1 e__) 1 (IZR e_))) (direction h (let e_ := 0%Z in vDerive 4 (fun e__ => O__ d d2 e2 h h2 n2 x1 e__) 1 (IZR e_))) <> 0 /\
-  dot (direction h (let e___ := 0%Z in vDerive 4 (fun e____ => P__ d e1 h n x1 e____) 1 (IZR e___))) (direction h (let e___ := 0%Z in vDerive 4 (fun e____ => P__ d e1 h n x1 e____) 1 (IZR e___))) <> 0 /\
-  locally (IZR 0%Z) (fun e____ => dot (direction h (let e______ := e____ in vDerive 4 (fun e_______ => O__ d d2 e2 h h2 n2 x1 e_______) 1 e______)) (direction h (let e______ := e____ in vDerive 4 (fun e_______ => O__ d d2 e2 h h2 n2 x1 e_______) 1 e______)) <> 0) /\
+  dot (direction (O_ d d2 e2 h h2 n2 x1 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => O__ d d2 e2 h h2 n2 x1 e__) 1 (IZR e_))) (direction (O_ d d2 e2 h h2 n2 x1 0%Z) (let e_ := 0%Z in vDerive 4 (fun e__ => O__ d d2 e2 h h2 n2 x1 e__) 1 (IZR e_))) <> 0 /\
+  dot (direction (P_ d e1 h n x1 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P__ d e1 h n x1 e____) 1 (IZR e___))) (direction (P_ d e1 h n x1 0%Z) (let e___ := 0%Z in vDerive 4 (fun e____ => P__ d e1 h n x1 e____) 1 (IZR e___))) <> 0 /\
+  locally (IZR 0%Z) (fun e____ => dot (direction (O__ d d2 e2 h h2 n2 x1 e____) (let e______ := e____ in vDerive 4 (fun e_______ => O__ d d2 e2 h h2 n2 x1 e_______) 1 e______)) (direction (O__ d d2 e2 h h2 n2 x1 e____) (let e______ := e____ in vDerive 4 (fun e_______ => O__ d d2 e2 h h2 n2 x1 e_______) 1 e______)) <> 0) /\
   e1 ^ 2 <> 0 /\
-  locally (IZR 0%Z) (fun e____ => dot (direction h (let e________ := e____ in vDerive 4 (fun e_________ => P__ d e1 h n x1 e_________) 1 e________)) (direction h (let e________ := e____ in vDerive 4 (fun e_________ => P__ d e1 h n x1 e_________) 1 e________)) <> 0).
+  locally (IZR 0%Z) (fun e____ => dot (direction (P__ d e1 h n x1 e____) (let e________ := e____ in vDerive 4 (fun e_________ => P__ d e1 h n x1 e_________) 1 e________)) (direction (P__ d e1 h n x1 e____) (let e________ := e____ in vDerive 4 (fun e_________ => P__ d e1 h n x1 e_________) 1 e________)) <> 0).
 End sec_5_1_certify.
 
 Module sec_5_1_certify_sheets.

@@ -13,6 +13,16 @@ Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition midpoint (P : list R) : list R :=
+  vscale (entry P 4 / dot (normal P) (normal P)) (normal P).
+Definition direction (P : list R) (D_ : list R) : list R :=
+  cross (normal P) (normal D_).
+Definition moment (P : list R) (D_ : list R) : list R :=
+  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
+Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
+  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
 Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
   (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
 Definition ck (k : Z) (nu1 : R) : R :=
@@ -65,16 +75,6 @@ Module sec_5_2_meaning.
    printed: ... represents that the developable GBT-Bézier surfaces defined by H_1(x, μ_1, ν_1), H_2(x, μ_2, ν_2) need to have the same tangent plane, characteristic point, and generator at the joint
    read as: Tangent plane (by its point nearest to the origin), generator (Plücker coordinates) and characteristic point.
    stated: midpoint(h2) == midpoint(h) and direction(h2, d2) == direction(h, d) and moment(h2, d2) == moment(h, d) and meet(h2, d2, dd2) == meet(h, d, dd) *)
-Definition normal (P : list R) : list R :=
-  [entry P 1; entry P 2; entry P 3].
-Definition midpoint (P : list R) : list R :=
-  vscale (entry P 4 / dot (normal P) (normal P)) (normal P).
-Definition direction (P : list R) (D_ : list R) : list R :=
-  cross (normal P) (normal D_).
-Definition moment (P : list R) (D_ : list R) : list R :=
-  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
-  vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
 Definition statement : Prop :=
 forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R),
   let d := [d'1; d'2; d'3; d'4] in
@@ -111,6 +111,63 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R)
   entry d 1 * entry dd 2 * entry h 3 - entry d 1 * entry dd 3 * entry h 2 - entry d 2 * entry dd 1 * entry h 3 + entry d 2 * entry dd 3 * entry h 1 + entry d 3 * entry dd 1 * entry h 2 - entry d 3 * entry dd 2 * entry h 1 <> 0 /\
   entry h 1 ^ 2 + entry h 2 ^ 2 + entry h 3 ^ 2 <> 0.
 End sec_5_2_meaning.
+
+Module sec_5_2_ref.
+(* gbt-developable/sec-5.2.ref, Sect. 5.2, sentence after (5.11)
+   printed: Equation (5.2) represents that the developable GBT-Bézier surfaces ... need to have the same tangent plane, characteristic point, and generator at the joint
+   read as: (5.2) names the two families and asks nothing of them: any two would agree, in the end plane to begin with.
+   stated: H2(0) == H1(1) *)
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z.
+End sec_5_2_ref.
+
+Module sec_5_2_ref_true.
+(* gbt-developable/sec-5.2.ref.true, Sect. 5.2, sentence after (5.11)
+   printed: (5.11) asks for the same tangent plane, generator and characteristic point.
+   stated: midpoint(h2) == midpoint(h) and direction(h2, d2) == direction(h, d) and moment(h2, d2) == moment(h, d) and meet(h2, d2, dd2) == meet(h, d, dd) *)
+Definition statement : Prop :=
+forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R),
+  let d := [d'1; d'2; d'3; d'4] in
+  let d2 := [d2'1; d2'2; d2'3; d2'4] in
+  let dd := [dd'1; dd'2; dd'3; dd'4] in
+  let dd2 := [dd2'1; dd2'2; dd2'3; dd2'4] in
+  let h := [h'1; h'2; h'3; h'4] in
+  let h2 := [h2'1; h2'2; h2'3; h2'4] in
+  h2 = h ->
+  d2 = d ->
+  dd2 = dd ->
+  dot (normal h2) (normal h2) <> 0 ->
+  dot (normal h) (normal h) <> 0 ->
+  det [normal h2; normal d2; normal dd2] <> 0 ->
+  det [normal h; normal d; normal dd] <> 0 ->
+  entry d 1 * entry dd 2 * entry h 3 - entry d 1 * entry dd 3 * entry h 2 - entry d 2 * entry dd 1 * entry h 3 + entry d 2 * entry dd 3 * entry h 1 + entry d 3 * entry dd 1 * entry h 2 - entry d 3 * entry dd 2 * entry h 1 <> 0 ->
+  entry h 1 ^ 2 + entry h 2 ^ 2 + entry h 3 ^ 2 <> 0 ->
+  midpoint h2 = midpoint h /\ direction h2 d2 = direction h d /\ moment h2 d2 = moment h d /\ meet h2 d2 dd2 = meet h d dd.
+Definition instance : Prop :=
+exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R),
+  let d := [d'1; d'2; d'3; d'4] in
+  let d2 := [d2'1; d2'2; d2'3; d2'4] in
+  let dd := [dd'1; dd'2; dd'3; dd'4] in
+  let dd2 := [dd2'1; dd2'2; dd2'3; dd2'4] in
+  let h := [h'1; h'2; h'3; h'4] in
+  let h2 := [h2'1; h2'2; h2'3; h2'4] in
+  h2 = h /\
+  d2 = d /\
+  dd2 = dd /\
+  dot (normal h2) (normal h2) <> 0 /\
+  dot (normal h) (normal h) <> 0 /\
+  det [normal h2; normal d2; normal dd2] <> 0 /\
+  det [normal h; normal d; normal dd] <> 0 /\
+  entry d 1 * entry dd 2 * entry h 3 - entry d 1 * entry dd 3 * entry h 2 - entry d 2 * entry dd 1 * entry h 3 + entry d 2 * entry dd 3 * entry h 1 + entry d 3 * entry dd 1 * entry h 2 - entry d 3 * entry dd 2 * entry h 1 <> 0 /\
+  entry h 1 ^ 2 + entry h 2 ^ 2 + entry h 3 ^ 2 <> 0.
+End sec_5_2_ref_true.
 
 Module sec_5_2_index.
 (* gbt-developable/sec-5.2.index, Sect. 5.2, first paragraph (twice)
@@ -466,10 +523,9 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
   (0 <= k <= k)%Z.
 End eq_5_15.
 
-Module thm_3_proofref_as_numbered.
-(* gbt-developable/thm-3.proofref.as numbered, Sect. 5.2, proof of Theorem 3, last sentence
+Module thm_3_proofref.
+(* gbt-developable/thm-3.proofref, Sect. 5.2, proof of Theorem 3, last sentence
    printed: Simply by using the values of Q_{0,2}, Q_{1,2} from expression (5.6) into expression (5.8), we can get the required Farin–Boehm G2 continuity requirements (5.5).
-   read as: (5.6) put into (5.8) gives the conditions for Farin–Boehm G2 continuity.
    stated: P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
@@ -489,12 +545,11 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
   cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
   (0 <= k - 2 <= k)%Z ->
   P2 1%Z = P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) /\ P2 2%Z = farin_boehm P1 k l mu1 mu2 nu1 nu2.
-End thm_3_proofref_as_numbered.
+End thm_3_proofref.
 
-Module thm_3_proofref_as_meant.
-(* gbt-developable/thm-3.proofref.as meant, Sect. 5.2, proof of Theorem 3, last sentence
-   printed: Simply by using the values of Q_{0,2}, Q_{1,2} from expression (5.6) into expression (5.8), we can get the required Farin–Boehm G2 continuity requirements (5.5).
-   read as: The numbers are wrong: (5.13) put into (5.15) gives (5.12).
+Module thm_3_proofref_true.
+(* gbt-developable/thm-3.proofref.true, Sect. 5.2, proof of Theorem 3, last sentence
+   printed: (5.13) put into (5.15) gives (5.12).
    stated: P2[2] == farin_boehm *)
 Definition farin_boehm (P1 : Z -> R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
   P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (2 * PI ^ 2 * nu1 + c k l mu2 nu1 * (cl l mu2 + 2 * PI ^ 2 * mu2)) * (P1 k - P1 (k - 1)%Z)).
@@ -539,4 +594,4 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
   4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)) * (P2 0%Z - 2 * P2 1%Z + P2 2%Z) + 2 * PI ^ 2 * mu2 * (P2 0%Z - P2 1%Z) - PI ^ 2 * (1 - nu2) * (P2 1%Z - P2 2%Z) = 4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)) * (P1 (k - 2)%Z - 2 * P1 (k - 1)%Z + P1 k) + PI ^ 2 * (1 - mu1) * (P1 (k - 2)%Z - P1 (k - 1)%Z) - 2 * PI ^ 2 * nu1 * (P1 (k - 1)%Z - P1 k) /\
   cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
   4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
-End thm_3_proofref_as_meant.
+End thm_3_proofref_true.

@@ -20,6 +20,20 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance normal midpoint direction moment meet]; first [(exists 2, 3, 4, 5, (((2)) / (1)), (((3)) / (1)), (((4)) / (1)), (((5)) / (1)), 10, 11, 12, 13, (((10)) / (1)), (((11)) / (1)), (((12)) / (1)), (((13)) / (1)), 18, 19, 20, 21, (((18)) / (1)), (((19)) / (1)), (((20)) / (1)), (((21)) / (1)); met) | (exists 0, 0, 0, 0, (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 0, 0, (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 0, 0, (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)); met) | (exists 13, 8, 8, 6, (((13)) / (1)), (((8)) / (1)), (((8)) / (1)), (((6)) / (1)), 7, 2, 11, 1, (((7)) / (1)), (((2)) / (1)), (((11)) / (1)), (((1)) / (1)), 6, 8, 7, 9, (((6)) / (1)), (((8)) / (1)), (((7)) / (1)), (((9)) / (1)); met) | (exists 7, 2, 11, 1, (((7)) / (1)), (((2)) / (1)), (((11)) / (1)), (((1)) / (1)), 8, 7, 9, 7, (((8)) / (1)), (((7)) / (1)), (((9)) / (1)), (((7)) / (1)), 4, 13, 8, 8, (((4)) / (1)), (((13)) / (1)), (((8)) / (1)), (((8)) / (1)); met) | (exists 1, 0, 0, 0, (((1)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 1, 0, (((0)) / (1)), (((0)) / (1)), (((1)) / (1)), (((0)) / (1)), 1, 0, 0, 0, (((1)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)); met)]. Qed.
 End sec_5_2_meaning.
 
+Module sec_5_2_ref.
+Import GbtDevelopable.Section_5_2.sec_5_2_ref.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g H2 H1] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else 0) (0) (0) (0) (0)). Qed.
+End sec_5_2_ref.
+
+Module sec_5_2_ref_true.
+Import GbtDevelopable.Section_5_2.sec_5_2_ref_true.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement normal midpoint direction moment meet]; unstaged; prepared; known (d2'1) (d'1) (1); known (d2'2) (d'2) (1); known (d2'3) (d'3) (1); known (d2'4) (d'4) (1); known (dd2'1) (dd'1) (1); known (dd2'2) (dd'2) (1); known (dd2'3) (dd'3) (1); known (dd2'4) (dd'4) (1); known (h2'1) (h'1) (1); known (h2'2) (h'2) (1); known (h2'3) (h'3) (1); known (h2'4) (h'4) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance normal midpoint direction moment meet]; first [(exists 2, 3, 4, 5, (((2)) / (1)), (((3)) / (1)), (((4)) / (1)), (((5)) / (1)), 10, 11, 12, 13, (((10)) / (1)), (((11)) / (1)), (((12)) / (1)), (((13)) / (1)), 18, 19, 20, 21, (((18)) / (1)), (((19)) / (1)), (((20)) / (1)), (((21)) / (1)); met) | (exists 0, 0, 0, 0, (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 0, 0, (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 0, 0, (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)); met) | (exists 13, 8, 8, 6, (((13)) / (1)), (((8)) / (1)), (((8)) / (1)), (((6)) / (1)), 7, 2, 11, 1, (((7)) / (1)), (((2)) / (1)), (((11)) / (1)), (((1)) / (1)), 6, 8, 7, 9, (((6)) / (1)), (((8)) / (1)), (((7)) / (1)), (((9)) / (1)); met) | (exists 7, 2, 11, 1, (((7)) / (1)), (((2)) / (1)), (((11)) / (1)), (((1)) / (1)), 8, 7, 9, 7, (((8)) / (1)), (((7)) / (1)), (((9)) / (1)), (((7)) / (1)), 4, 13, 8, 8, (((4)) / (1)), (((13)) / (1)), (((8)) / (1)), (((8)) / (1)); met) | (exists 1, 0, 0, 0, (((1)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)), 0, 0, 1, 0, (((0)) / (1)), (((0)) / (1)), (((1)) / (1)), (((0)) / (1)), 1, 0, 0, 0, (((1)) / (1)), (((0)) / (1)), (((0)) / (1)), (((0)) / (1)); met)]. Qed.
+End sec_5_2_ref_true.
+
 Module sec_5_2_index.
 Import GbtDevelopable.Section_5_2.sec_5_2_index.
 Theorem refuted : ~ statement.
@@ -96,16 +110,16 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance g H2 H1]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End eq_5_15.
 
-Module thm_3_proofref_as_numbered.
-Import GbtDevelopable.Section_5_2.thm_3_proofref_as_numbered.
+Module thm_3_proofref.
+Import GbtDevelopable.Section_5_2.thm_3_proofref.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement cl c ck farin_boehm] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else 0) (0) (1) (1) (0)). Qed.
-End thm_3_proofref_as_numbered.
+End thm_3_proofref.
 
-Module thm_3_proofref_as_meant.
-Import GbtDevelopable.Section_5_2.thm_3_proofref_as_meant.
+Module thm_3_proofref_true.
+Import GbtDevelopable.Section_5_2.thm_3_proofref_true.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement c cl ck farin_boehm]; intros k l P1 P2 mu1 mu2 nu1 nu2 _ _ _ _ _ _ _ _ E _ N _ V _ _ G D _; apply (Rmult_eq_reg_l (4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)) + PI ^ 2 * (1 - nu2))); [ match type of G with ?t = _ => transitivity (t - 4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)) * (P2 0%Z - 2 * P2 1%Z) - 2 * PI ^ 2 * mu2 * (P2 0%Z - P2 1%Z) + PI ^ 2 * (1 - nu2) * P2 1%Z) end; [ ring | rewrite G, V, E; field; split; assumption ] | exact D ]. Qed.
+Proof. cbv beta zeta delta [statement c cl ck farin_boehm]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); unknown (P2 2%Z); put_in; finished. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance c cl ck farin_boehm]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
-End thm_3_proofref_as_meant.
+End thm_3_proofref_true.

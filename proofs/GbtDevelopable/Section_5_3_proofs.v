@@ -77,7 +77,7 @@ End thm_4_necessary_families.
 Module thm_4_necessary_surfaces.
 Import GbtDevelopable.Section_5_3.thm_4_necessary_surfaces.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_ c] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (2) else if (Z.eqb i0 (1))%bool then (4) else if (Z.eqb i0 (2))%bool then (4*(2 + 3*PI)/PI) else 0) (1) (1) (1) (1) (1) (0) (2)). Qed.
+Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_ c] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (2*(2 + 3*PI)/PI) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (2) else if (Z.eqb i0 (1))%bool then (0) else 0) (1) (1) (0) (1) (1) (1) (2)). Qed.
 End thm_4_necessary_surfaces.
 
 Module thm_4_true_necessary.

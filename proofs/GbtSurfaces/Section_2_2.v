@@ -47,6 +47,10 @@ Definition b3_true (mu1 : R) (n : Z) (nu1 : R) : R :=
   3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 + mu1 - nu1).
 Definition b3 (mu1 : R) (n : Z) (nu1 : R) : R :=
   3 * c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - nu1).
+Definition b4 (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  a3 mu1 n nu nu1 * b3 mu1 n nu1 / a1 mu1 n nu1 - a m mu1 n nu * (c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - 4 * nu1) + PI ^ 3 * (1 + mu1)) + PI ^ 3 * (1 + nu).
+Definition printed13 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
+  Q m + 1 / b1 mu1 n nu1 * (b2 m nu * (Q m - 3 * Q (m - 1)%Z + 3 * Q (m - 2)%Z - Q (m - 3)%Z) + a2 m nu / a1 mu1 n nu1 * b3 mu1 n nu1 * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu1) * b3 mu1 n nu1 / a1 mu1 n nu1 * (Q (m - 1)%Z - Q (m - 2)%Z) - b4 m mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
 Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
   6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
 Definition b4_true (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
@@ -1245,10 +1249,6 @@ Module thm_2_4_a.
    printed: For C3 continuity, (6)   (necessary and sufficient)
    read as: Sufficient: segments with the printed control points join with three continuous derivatives.
    stated: F1'(0) == F'(1) and F1''(0) == F''(1) and F1'''(0) == F'''(1) *)
-Definition b4 (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  a3 mu1 n nu nu1 * b3 mu1 n nu1 / a1 mu1 n nu1 - a m mu1 n nu * (c1 mu1 n + 12 * (IZR n - 2) * PI ^ 2 * (1 - mu1 - 4 * nu1) + PI ^ 3 * (1 + mu1)) + PI ^ 3 * (1 + nu).
-Definition printed13 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
-  Q m + 1 / b1 mu1 n nu1 * (b2 m nu * (Q m - 3 * Q (m - 1)%Z + 3 * Q (m - 2)%Z - Q (m - 3)%Z) + a2 m nu / a1 mu1 n nu1 * b3 mu1 n nu1 * (Q m - 2 * Q (m - 1)%Z + Q (m - 2)%Z) - PI ^ 2 * (1 - mu1) * b3 mu1 n nu1 / a1 mu1 n nu1 * (Q (m - 1)%Z - Q (m - 2)%Z) - b4 m mu1 n nu nu1 * (Q m - Q (m - 1)%Z)).
 Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
@@ -1280,6 +1280,45 @@ forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (n
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   (let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => F1 Q1 mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => F Q m mu nu z____) 2 (IZR z___)) /\ (let z____ := 0%Z in Derive_n (fun z_____ => F1 Q1 mu1 n nu1 z_____) 3 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => F Q m mu nu z______) 3 (IZR z_____)).
 End thm_2_4_a.
+
+Module thm_2_4_c.
+(* gbt-surfaces/thm-2.4.c, Sect. 2.2, Theorem 2, item 4, eq. (6) as a system
+   printed: For C3 continuity, (6)   (necessary and sufficient)
+   read as: Sufficient, the third derivative alone: whatever the first and second do, the third derivatives of segments with the printed control points agree.
+   stated: F1'''(0) == F'''(1) *)
+Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
+  sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition statement : Prop :=
+forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= mu1 <= 1 ->
+  (3 <= n)%Z ->
+  (-1) <= nu <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  IZR m = 3 ->
+  IZR n = 3 ->
+  (0 <= 0 <= n)%Z ->
+  (0 <= m <= m)%Z ->
+  Q1 0%Z = Q m ->
+  (0 <= 1 <= n)%Z ->
+  2 * (IZR n - 2) + PI * (1 + mu1) <> 0 ->
+  (0 <= m - 1 <= m)%Z ->
+  Q1 1%Z = printed11 Q m mu1 n nu ->
+  (0 <= 2 <= n)%Z ->
+  a1 mu1 n nu1 <> 0 ->
+  (0 <= m - 2 <= m)%Z ->
+  Q1 2%Z = printed12 Q m mu mu1 n nu nu1 ->
+  (0 <= 3 <= n)%Z ->
+  b1 mu1 n nu1 <> 0 ->
+  (0 <= m - 3 <= m)%Z ->
+  Q1 3%Z = printed13 Q m mu1 n nu nu1 ->
+  (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  (let z := 0%Z in Derive_n (fun z_ => F1 Q1 mu1 n nu1 z_) 3 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => F Q m mu nu z__) 3 (IZR z_)).
+End thm_2_4_c.
 
 Module thm_2_4_b.
 (* gbt-surfaces/thm-2.4.b, Sect. 2.2, Theorem 2, item 4, eq. (6) as a system

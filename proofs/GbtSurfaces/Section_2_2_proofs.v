@@ -268,6 +268,12 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 b1 b2 c1 b3 b4 printed13 f F1 F] in no; refuting_at_ends (no 3%Z 3%Z (fun i => nth (Z.to_nat i) [0; 0; -1; 0] 0) (fun i => nth (Z.to_nat i) [0; 1; -1; 16] 0) 1 (-1) (-1) 0). Qed.
 End thm_2_4_a.
 
+Module thm_2_4_c.
+Import GbtSurfaces.Section_2_2.thm_2_4_c.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 b1 b2 c1 b3 b4 printed13 f F1 F] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (-1) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else if (Z.eqb i0 (2))%bool then ((32 + 7*PI)/(8 + PI)) else if (Z.eqb i0 (3))%bool then (0) else 0) (1) (1) (1) (0)). Qed.
+End thm_2_4_c.
+
 Module thm_2_4_b.
 Import GbtSurfaces.Section_2_2.thm_2_4_b.
 Theorem refuted : ~ statement.

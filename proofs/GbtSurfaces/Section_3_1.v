@@ -784,3 +784,27 @@ exists (m : Z) (Q : Z -> R) (V : R) (alpha : R) (mu : R) (nu : R) (z : R) (z1 : 
   0 <= z <= 1 /\
   0 <= z1 <= 1.
 End sec_3_1_effect.
+
+Module prop_3_1_translation.
+(* gbt-surfaces/prop-3.1.translation, Sect. 3.1, Proposition 3.1, first sentence
+   printed: The translational invariance property is used to define GBT-Bézier curves in (8).
+   read as: The curve of the points moved by a vector is the curve moved by it, here by z_1 αV.
+   stated: sum(k, 0, m, f[k,m](z, mu, nu)*(Q[k] + z1*alpha*V)) == F(z) + z1*alpha*V *)
+Definition statement : Prop :=
+forall (m : Z) (Q : Z -> R) (V : R) (alpha : R) (mu : R) (nu : R) (z : R) (z1 : R),
+  0 < alpha ->
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= z <= 1 ->
+  0 <= z1 <= 1 ->
+  sum 0%Z m (fun k => f z mu nu k m * (Q k + z1 * alpha * V)) = F Q m mu nu z + z1 * alpha * V.
+Definition instance : Prop :=
+exists (m : Z) (Q : Z -> R) (V : R) (alpha : R) (mu : R) (nu : R) (z : R) (z1 : R),
+  0 < alpha /\
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= z <= 1 /\
+  0 <= z1 <= 1.
+End prop_3_1_translation.

@@ -183,7 +183,7 @@ End sec_3_1_benefits.
 Module sec_3_1_any_shape_literal.
 Import GbtSurfaces.Section_3_1.sec_3_1_any_shape_literal.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement net f b tensor] in no; refuting (no (2)%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else 0) 0 (1) (1) (0) (0)). Qed.
+Proof. intro no; cbv beta zeta delta [statement net f b tensor] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else 0) 0 (1) (1) (0) (0)). Qed.
 End sec_3_1_any_shape_literal.
 
 Module sec_3_1_any_shape_the_shape_changes.
@@ -249,3 +249,11 @@ Proof. cbv beta zeta delta [statement f T F T_ F_]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f T F T_ F_]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), 8, (6), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), 1, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End sec_3_1_effect.
+
+Module prop_3_1_translation.
+Import GbtSurfaces.Section_3_1.prop_3_1_translation.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F]; first [(exists (2)%Z, (fun _ => 3), 4, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), 8, (6), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), 1, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), 0, (1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
+End prop_3_1_translation.

@@ -17,28 +17,8 @@ Definition b (z : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
 Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
-Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
   sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
-Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
-Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
-Definition c1 (n : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)).
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
-Definition pair (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : Z) : R :=
-  (1 - z1) * F Q m mu nu z + z1 * sum 0%Z m (fun k => f (IZR z) mu nu k m * B k).
-Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition pair_ (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : R) : R :=
-  (1 - z1) * F_ Q m mu nu z + z1 * sum 0%Z m (fun k => f z mu nu k m * B k).
-Definition b3_true (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  3 * c1 n mu1 + 12 * (IZR n - 2) * PI ^ 2 * (1 + IZR mu1 - IZR nu1).
 Definition own4 (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
 End Definitions.
@@ -181,6 +161,8 @@ Module sec_3_3_condition_1.
    printed: For fixed value of z, the curve T_ruled(z,z_1) is a line segment.
    read as: With one set of functions for both guide lines, and with a set for each.
    stated: D(printed(z, z1), z1, 2) == 0 and D(with_own(z, z1), z1, 2) == 0 *)
+Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
+  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -202,8 +184,8 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   0 <= z1 <= 1.
 End sec_3_3_condition_1.
 
-Module sec_3_3_condition_2_as_printed.
-(* gbt-surfaces/sec-3.3.condition-2.as printed, Sect. 3.3, condition (2) before eq. (18)
+Module sec_3_3_condition_2.
+(* gbt-surfaces/sec-3.3.condition-2, Sect. 3.3, condition (2) before eq. (18)
    printed: The guild lines fulfil the T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1).
    read as: (18) has one set of functions f_{k,m} for both guide lines.
    stated: printed(z, 0) == L0(z) and printed(z, 1) == L1(z) *)
@@ -218,33 +200,7 @@ forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   (-1) <= nu1 <= 1 ->
   0 <= z <= 1 ->
   printed_ A B m mu nu z 0%Z = L0 A m mu nu z /\ printed_ A B m mu nu z 1%Z = L1 B m mu1 nu1 z.
-End sec_3_3_condition_2_as_printed.
-
-Module sec_3_3_condition_2_with_f_l.
-(* gbt-surfaces/sec-3.3.condition-2.with f^l, Sect. 3.3, condition (2) before eq. (18)
-   printed: The guild lines fulfil the T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1).
-   read as: (18) has a set of functions f^l_{k,m} for each guide line, as (17) and (19) have.
-   stated: with_own(z, 0) == L0(z) and with_own(z, 1) == L1(z) *)
-Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
-  b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition statement : Prop :=
-forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
-  (2 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  0 <= z <= 1 ->
-  with_own A B m mu mu1 nu nu1 z 0%Z = L0 A m mu nu z /\ with_own A B m mu mu1 nu nu1 z 1%Z = L1 B m mu1 nu1 z.
-Definition instance : Prop :=
-exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
-  (2 <= m)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= mu1 <= 1 /\
-  (-1) <= nu <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  0 <= z <= 1.
-End sec_3_3_condition_2_with_f_l.
+End sec_3_3_condition_2.
 
 Module eq_18.
 (* gbt-surfaces/eq-18, Sect. 3.3, eq. (18)
@@ -403,8 +359,8 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   (forall k : Z, (0 <= k <= (m - 2))%Z -> (0 <= m - 2)%Z).
 End eq_18_defect.
 
-Module eq_18_tensor_as_printed.
-(* gbt-surfaces/eq-18.tensor.as printed, Sect. 3.3, sentence after eq. (18)
+Module eq_18_tensor.
+(* gbt-surfaces/eq-18.tensor, Sect. 3.3, sentence after eq. (18)
    printed: Equation (18) represents the tensor product GBT-Bézier surface in the form of a GBT-Bézier modified ruled surface.
    read as: (18) has one set of functions f_{k,m} for both guide lines.
    stated: printed(z, z1) == tensor(z, z1) *)
@@ -423,24 +379,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R),
   (-1) <= nu <= 1 /\
   0 <= z <= 1 /\
   0 <= z1 <= 1.
-End eq_18_tensor_as_printed.
-
-Module eq_18_tensor_with_f_l.
-(* gbt-surfaces/eq-18.tensor.with f^l, Sect. 3.3, sentence after eq. (18)
-   printed: Equation (18) represents the tensor product GBT-Bézier surface in the form of a GBT-Bézier modified ruled surface.
-   read as: (18) has a set of functions f^l_{k,m} for each guide line, as (17) and (19) have.
-   stated: with_own(z, z1) == tensor(z, z1) *)
-Definition statement : Prop :=
-forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
-  (2 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  0 <= z <= 1 ->
-  0 <= z1 <= 1 ->
-  with_own A B m mu mu1 nu nu1 z z1 = tensor A B m mu nu z z1.
-End eq_18_tensor_with_f_l.
+End eq_18_tensor.
 
 Module sec_3_3_benefits_a.
 (* gbt-surfaces/sec-3.3.benefits.a, Sect. 3.3, paragraph after eq. (18)
@@ -593,8 +532,8 @@ exists (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   0 <= z <= 1.
 End prop_3_3_b.
 
-Module prop_3_4_a_as_printed.
-(* gbt-surfaces/prop-3.4.a.as printed, Sect. 3.3, Proposition 3.4, first sentence
+Module prop_3_4_a.
+(* gbt-surfaces/prop-3.4.a, Sect. 3.3, Proposition 3.4, first sentence
    printed: the GBT-Bézier ruled surface is a special case of tensor product GBT-Bézier surface
    read as: (18) has one set of functions f_{k,m} for both guide lines.
    stated: printed(z, z1) == tensor(z, z1) *)
@@ -613,24 +552,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R),
   (-1) <= nu <= 1 /\
   0 <= z <= 1 /\
   0 <= z1 <= 1.
-End prop_3_4_a_as_printed.
-
-Module prop_3_4_a_with_f_l.
-(* gbt-surfaces/prop-3.4.a.with f^l, Sect. 3.3, Proposition 3.4, first sentence
-   printed: the GBT-Bézier ruled surface is a special case of tensor product GBT-Bézier surface
-   read as: (18) has a set of functions f^l_{k,m} for each guide line, as (17) and (19) have.
-   stated: with_own(z, z1) == tensor(z, z1) *)
-Definition statement : Prop :=
-forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
-  (2 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  0 <= z <= 1 ->
-  0 <= z1 <= 1 ->
-  with_own A B m mu mu1 nu nu1 z z1 = tensor A B m mu nu z z1.
-End prop_3_4_a_with_f_l.
+End prop_3_4_a.
 
 Module prop_3_4_a_net.
 (* gbt-surfaces/prop-3.4.a.net, Sect. 3.3, Proposition 3.4, first sentence
@@ -732,8 +654,8 @@ exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (C_ : Z -> R) (E_ : Z -> R) (mu
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
 End prop_3_4_b.
 
-Module alg_3_a_as_printed.
-(* gbt-surfaces/alg-3.a.as printed, Sect. 3.3, Algorithm 3, steps 1 to 5
+Module alg_3_a.
+(* gbt-surfaces/alg-3.a, Sect. 3.3, Algorithm 3, steps 1 to 5
    printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw.
    read as: Steps 2 and 3: the surface (18), with one set of functions for both guide lines, meets the conditions.
    stated: printed(z, 0) == L0(z) and printed(z, 1) == L1(z) *)
@@ -748,10 +670,10 @@ forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   (-1) <= nu1 <= 1 ->
   0 <= z <= 1 ->
   printed_ A B m mu nu z 0%Z = L0 A m mu nu z /\ printed_ A B m mu nu z 1%Z = L1 B m mu1 nu1 z.
-End alg_3_a_as_printed.
+End alg_3_a.
 
-Module alg_3_a_as_printed_corrected.
-(* gbt-surfaces/alg-3.a.as printed (corrected), Sect. 3.3, Algorithm 3, steps 1 to 5
+Module alg_3_a_corrected.
+(* gbt-surfaces/alg-3.a (corrected), Sect. 3.3, Algorithm 3, steps 1 to 5
    printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw.
    read as: Steps 2 and 3: the surface (18), with one set of functions for both guide lines, meets the conditions.
    stated: b[0,1](0)*sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) + b[1,1](0)*sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k]) == L0(z) and b[0,1](1)*sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) + b[1,1](1)*sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k]) == L1(z) *)
@@ -772,36 +694,10 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
   (-1) <= nu <= 1 /\
   (-1) <= nu1 <= 1 /\
   0 <= z <= 1.
-End alg_3_a_as_printed_corrected.
+End alg_3_a_corrected.
 
-Module alg_3_a_with_f_l.
-(* gbt-surfaces/alg-3.a.with f^l, Sect. 3.3, Algorithm 3, steps 1 to 5
-   printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw.
-   read as: Steps 2 and 3: the surface (18), with a set of functions for each guide line, meets the conditions.
-   stated: with_own(z, 0) == L0(z) and with_own(z, 1) == L1(z) *)
-Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
-  b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition statement : Prop :=
-forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
-  (2 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  0 <= z <= 1 ->
-  with_own A B m mu mu1 nu nu1 z 0%Z = L0 A m mu nu z /\ with_own A B m mu mu1 nu nu1 z 1%Z = L1 B m mu1 nu1 z.
-Definition instance : Prop :=
-exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
-  (2 <= m)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= mu1 <= 1 /\
-  (-1) <= nu <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  0 <= z <= 1.
-End alg_3_a_with_f_l.
-
-Module alg_3_b_by_the_printed_conditions.
-(* gbt-surfaces/alg-3.b.by the printed conditions, Sect. 3.3, Algorithm 3, step 6
+Module alg_3_b.
+(* gbt-surfaces/alg-3.b, Sect. 3.3, Algorithm 3, step 6
    printed: 6. Two adjacent GBT-Bézier ruled surfaces can be connected by C1, C2, and C3 continuity conditions given in Theorem 2.
    read as: The guide lines are joined with Theorem 2 as printed.
    stated: other(0) == pair(1) and other'(0) == pair'(1) and other''(0) == pair''(1) and other'''(0) == pair'''(1) *)
@@ -811,6 +707,8 @@ Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
   Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
 Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
 Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
@@ -835,10 +733,18 @@ Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
   sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition other (E_ : Z -> R) (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) (z : Z) : R :=
   (1 - z1) * F1 Q1 mu1 n nu1 z + z1 * sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * E_ k).
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition pair (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : Z) : R :=
+  (1 - z1) * F Q m mu nu z + z1 * sum 0%Z m (fun k => f (IZR z) mu nu k m * B k).
 Definition F1_ (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition other_ (E_ : Z -> R) (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) (z : R) : R :=
   (1 - z1) * F1_ Q1 mu1 n nu1 z + z1 * sum 0%Z n (fun k => f z mu1 nu1 k n * E_ k).
+Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition pair_ (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : R) : R :=
+  (1 - z1) * F_ Q m mu nu z + z1 * sum 0%Z m (fun k => f z mu nu k m * B k).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (B : Z -> R) (E_ : Z -> R) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z1 : R),
   (3 <= m)%Z ->
@@ -870,67 +776,7 @@ forall (m : Z) (n : Z) (B : Z -> R) (E_ : Z -> R) (Q : Z -> R) (Q1 : Z -> R) (mu
   (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   other E_ Q1 mu1 n nu1 z1 0%Z = pair B Q m mu nu z1 1%Z /\ (let z := 0%Z in Derive_n (fun z_ => other_ E_ Q1 mu1 n nu1 z1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => pair_ B Q m mu nu z1 z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => other_ E_ Q1 mu1 n nu1 z1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => pair_ B Q m mu nu z1 z____) 2 (IZR z___)) /\ (let z____ := 0%Z in Derive_n (fun z_____ => other_ E_ Q1 mu1 n nu1 z1 z_____) 3 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => pair_ B Q m mu nu z1 z______) 3 (IZR z_____)).
-End alg_3_b_by_the_printed_conditions.
-
-Module alg_3_b_there_are_such_connections.
-(* gbt-surfaces/alg-3.b.there are such connections, Sect. 3.3, Algorithm 3, step 6
-   printed: 6. Two adjacent GBT-Bézier ruled surfaces can be connected by C1, C2, and C3 continuity conditions given in Theorem 2.
-   read as: They can be connected so: exhibited for every first surface, with guide lines of degree 3 and vanishing shape parameters for the second.
-   stated: other(0) == pair(1) and other'(0) == pair'(1) and other''(0) == pair''(1) and other'''(0) == pair'''(1) *)
-Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
-Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
-  p + a m nu n mu1 * (p - q).
-Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
-Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
-  p + 1 / a1 n nu1 mu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m nu n nu1 mu1 * (p - q)).
-Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
-Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
-  6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
-Definition b4_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  a m nu n mu1 * (3 * c1 n mu1 + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * IZR mu1 - IZR nu1) - PI ^ 3 * (1 + IZR mu1)) - a3_true m nu n nu1 mu1 * b3_true n nu1 mu1 / a1 n nu1 mu1 + PI ^ 3 * (1 + nu).
-Definition join3 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) (s : R) : R :=
-  p + 1 / b1 n nu1 mu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 n nu1 mu1 * b3_true n nu1 mu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true n nu1 mu1 / a1 n nu1 mu1 * (q - r) - b4_true m nu n nu1 mu1 * (p - q)).
-Definition next (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : Z) : R :=
-  f (IZR t) 0 0 0%Z 3%Z * p + f (IZR t) 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f (IZR t) 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f (IZR t) 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
-Definition other (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : Z) : R :=
-  (1 - z1) * next m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z + z1 * next m mu nu (B m) (B (m - 1)%Z) (B (m - 2)%Z) (B (m - 3)%Z) z.
-Definition next_ (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : R) : R :=
-  f t 0 0 0%Z 3%Z * p + f t 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f t 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f t 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
-Definition other_ (B : Z -> R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z1 : R) (z : R) : R :=
-  (1 - z1) * next_ m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z + z1 * next_ m mu nu (B m) (B (m - 1)%Z) (B (m - 2)%Z) (B (m - 3)%Z) z.
-Definition statement : Prop :=
-forall (m : Z) (B : Z -> R) (Q : Z -> R) (mu : R) (nu : R) (z1 : R),
-  (3 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  0 <= z1 <= 1 ->
-  (0 <= m <= m)%Z ->
-  (0 <= m - 1 <= m)%Z ->
-  (0 <= m - 2 <= m)%Z ->
-  (0 <= m - 3 <= m)%Z ->
-  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 ->
-  a1 3%Z 0%Z 0%Z <> 0 ->
-  b1 3%Z 0%Z 0%Z <> 0 ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
-  other B Q m mu nu z1 0%Z = pair B Q m mu nu z1 1%Z /\ (let z := 0%Z in Derive_n (fun z_ => other_ B Q m mu nu z1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => pair_ B Q m mu nu z1 z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => other_ B Q m mu nu z1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => pair_ B Q m mu nu z1 z____) 2 (IZR z___)) /\ (let z____ := 0%Z in Derive_n (fun z_____ => other_ B Q m mu nu z1 z_____) 3 (IZR z____)) = (let z_____ := 1%Z in Derive_n (fun z______ => pair_ B Q m mu nu z1 z______) 3 (IZR z_____)).
-Definition instance : Prop :=
-exists (m : Z) (B : Z -> R) (Q : Z -> R) (mu : R) (nu : R) (z1 : R),
-  (3 <= m)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1 /\
-  0 <= z1 <= 1 /\
-  (0 <= m <= m)%Z /\
-  (0 <= m - 1 <= m)%Z /\
-  (0 <= m - 2 <= m)%Z /\
-  (0 <= m - 3 <= m)%Z /\
-  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 /\
-  a1 3%Z 0%Z 0%Z <> 0 /\
-  b1 3%Z 0%Z 0%Z <> 0 /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
-End alg_3_b_there_are_such_connections.
+End alg_3_b.
 
 Module ex_3_3_curves.
 (* gbt-surfaces/ex-3.3.curves, Sect. 3.3, Example 3.3, first line
@@ -1009,8 +855,8 @@ exists (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (
   0 <= z1 <= 1.
 End eq_19_m_is_4.
 
-Module eq_19_tensor_as_printed.
-(* gbt-surfaces/eq-19.tensor.as printed, Sect. 3.3, Example 3.3: (19) is introduced as 'from equation (18)'
+Module eq_19_tensor.
+(* gbt-surfaces/eq-19.tensor, Sect. 3.3, Example 3.3: (19) is introduced as 'from equation (18)'
    printed: then from equation (18) the equation of the GBT-Bézier ruled surfaces formed by these GBT-Bézier curves as the GLs is given by (19)
    read as: (19) is (18) for degree 4, with one set of functions for both guide lines.
    stated: own4(z, z1) == tensor4(z, z1) *)
@@ -1027,37 +873,7 @@ forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (
   0 <= z <= 1 ->
   0 <= z1 <= 1 ->
   own4 A B mu mu1 nu nu1 z z1 = tensor4 A B mu nu z z1.
-End eq_19_tensor_as_printed.
-
-Module eq_19_tensor_with_f_l.
-(* gbt-surfaces/eq-19.tensor.with f^l, Sect. 3.3, Example 3.3: (19) is introduced as 'from equation (18)'
-   printed: then from equation (18) the equation of the GBT-Bézier ruled surfaces formed by these GBT-Bézier curves as the GLs is given by (19)
-   read as: (19) is (18) for degree 4, with a set of functions for each guide line.
-   stated: own4(z, z1) == at(with_own(z, z1), m, 4) *)
-Definition own4 (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  b z1 0%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) + b z1 1%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
-Definition with_own (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (m : Z) (z : R) (z1 : R) : R :=
-  b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition statement : Prop :=
-forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  0 <= z <= 1 ->
-  0 <= z1 <= 1 ->
-  (forall k : Z, (0 <= k <= 4)%Z -> (2 <= 4)%Z) ->
-  own4 A B mu mu1 nu nu1 z z1 = with_own A B mu mu1 nu nu1 4%Z z z1.
-Definition instance : Prop :=
-exists (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
-  (-1) <= mu <= 1 /\
-  (-1) <= mu1 <= 1 /\
-  (-1) <= nu <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  0 <= z <= 1 /\
-  0 <= z1 <= 1 /\
-  (forall k : Z, (0 <= k <= 4)%Z -> (2 <= 4)%Z).
-End eq_19_tensor_with_f_l.
+End eq_19_tensor.
 
 Module ex_3_3_gl_0.
 (* gbt-surfaces/ex-3.3.gl-0, Sect. 3.3, Example 3.3, data, first two lines of the brace
@@ -1126,6 +942,10 @@ Module ex_3_3_composite.
    printed: Two adjacent GBT-Bézier ruled surfaces satisfying the C1 and C2 continuity in z direction can be presented in Figs. 10 and 11 with third and fourth degree GBT-Bézier curves taken as GLs of the right and left GBT-Bézier ruled surface, respectively. Figure 12 shows the C3 continuity of two adjacent GBT-Bézier ruled surfaces that have forth degree GBT-Bézier curves as GLs in z direction.
    read as: The guide lines can join: for every quartic on the left, a cubic on the right joins with C2 and a quartic with C3, exhibited with vanishing shape parameters; the surfaces join with them.
    stated: cubic(0) == left(1) and cubic'(0) == left'(1) and cubic''(0) == left''(1) and quartic(0) == left(1) and quartic'(0) == left'(1) and quartic''(0) == left''(1) and quartic'''(0) == left'''(1) *)
+Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
+Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
 Definition a (nu : R) (m : Z) (n : Z) (mu1 : Z) : R :=
   (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
 Definition join1 (nu : R) (m : Z) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
@@ -1138,6 +958,10 @@ Definition join2 (mu : R) (nu : R) (m : Z) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (
   p + 1 / a1 n nu1 mu1 * (a2 nu m * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true nu m n nu1 mu1 * (p - q)).
 Definition b2_true (mu : R) (nu : R) (m : Z) : R :=
   4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
+Definition c1 (n : Z) (mu1 : Z) : R :=
+  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)).
+Definition b3_true (n : Z) (nu1 : Z) (mu1 : Z) : R :=
+  3 * c1 n mu1 + 12 * (IZR n - 2) * PI ^ 2 * (1 + IZR mu1 - IZR nu1).
 Definition b5_true (mu : R) (nu : R) (m : Z) : R :=
   6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
 Definition b4_true (nu : R) (m : Z) (n : Z) (nu1 : Z) (mu1 : Z) : R :=

@@ -50,19 +50,11 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance b f printed_ with_own]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End sec_3_3_condition_1.
 
-Module sec_3_3_condition_2_as_printed.
-Import GbtSurfaces.Section_3_3.sec_3_3_condition_2_as_printed.
+Module sec_3_3_condition_2.
+Import GbtSurfaces.Section_3_3.sec_3_3_condition_2.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement b f printed_ L0 L1] in no; refuting (no ((2))%Z (fun i0 => 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2)). Qed.
-End sec_3_3_condition_2_as_printed.
-
-Module sec_3_3_condition_2_with_f_l.
-Import GbtSurfaces.Section_3_3.sec_3_3_condition_2_with_f_l.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement b f with_own L0 L1]; symbolic. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance b f with_own L0 L1]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
-End sec_3_3_condition_2_with_f_l.
+End sec_3_3_condition_2.
 
 Module eq_18.
 Import GbtSurfaces.Section_3_3.eq_18.
@@ -110,19 +102,13 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance b f printed_ L0 L1 S_ e]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_18_defect.
 
-Module eq_18_tensor_as_printed.
-Import GbtSurfaces.Section_3_3.eq_18_tensor_as_printed.
+Module eq_18_tensor.
+Import GbtSurfaces.Section_3_3.eq_18_tensor.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement b f printed_ tensor]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance b f printed_ tensor]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
-End eq_18_tensor_as_printed.
-
-Module eq_18_tensor_with_f_l.
-Import GbtSurfaces.Section_3_3.eq_18_tensor_with_f_l.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement b f with_own tensor] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2) (1)). Qed.
-End eq_18_tensor_with_f_l.
+End eq_18_tensor.
 
 Module sec_3_3_benefits_a.
 Import GbtSurfaces.Section_3_3.sec_3_3_benefits_a.
@@ -148,19 +134,13 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End prop_3_3_b.
 
-Module prop_3_4_a_as_printed.
-Import GbtSurfaces.Section_3_3.prop_3_4_a_as_printed.
+Module prop_3_4_a.
+Import GbtSurfaces.Section_3_3.prop_3_4_a.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement b f printed_ tensor]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance b f printed_ tensor]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
-End prop_3_4_a_as_printed.
-
-Module prop_3_4_a_with_f_l.
-Import GbtSurfaces.Section_3_3.prop_3_4_a_with_f_l.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement b f with_own tensor] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2) (1)). Qed.
-End prop_3_4_a_with_f_l.
+End prop_3_4_a.
 
 Module prop_3_4_a_net.
 Import GbtSurfaces.Section_3_3.prop_3_4_a_net.
@@ -178,41 +158,25 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f M0 M1 S2 L0 L1 S_ jump jump0 jump1 S2_ S__ jump_]; first [(exists (3)%Z, (3)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (0), (0), (0), (0), (1 / 2); met) | (exists (3)%Z, (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (3)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End prop_3_4_b.
 
-Module alg_3_a_as_printed.
-Import GbtSurfaces.Section_3_3.alg_3_a_as_printed.
+Module alg_3_a.
+Import GbtSurfaces.Section_3_3.alg_3_a.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement b f printed_ L0 L1] in no; refuting (no ((2))%Z (fun i0 => 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (1) (1) (1) (0) (1/2)). Qed.
-End alg_3_a_as_printed.
+End alg_3_a.
 
-Module alg_3_a_as_printed_corrected.
-Import GbtSurfaces.Section_3_3.alg_3_a_as_printed_corrected.
+Module alg_3_a_corrected.
+Import GbtSurfaces.Section_3_3.alg_3_a_corrected.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement b f L0 L1]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance b f L0 L1]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
-End alg_3_a_as_printed_corrected.
+End alg_3_a_corrected.
 
-Module alg_3_a_with_f_l.
-Import GbtSurfaces.Section_3_3.alg_3_a_with_f_l.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement b f with_own L0 L1]; symbolic. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance b f with_own L0 L1]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
-End alg_3_a_with_f_l.
-
-Module alg_3_b_by_the_printed_conditions.
-Import GbtSurfaces.Section_3_3.alg_3_b_by_the_printed_conditions.
+Module alg_3_b.
+Import GbtSurfaces.Section_3_3.alg_3_b.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 b1 b2 c1 b3 b4 printed13 third fourth f F1 other F pair F1_ other_ F_ pair_] in no; refuting_at_ends (no 3%Z 3%Z (fun i => nth (Z.to_nat i) [0; 0; -1; 0] 0) (fun i => nth (Z.to_nat i) [0; 1; -1; 16] 0) (fun _ => 0) (fun _ => 0) 1 (-1) (-1) 0 1). Qed.
-End alg_3_b_by_the_printed_conditions.
-
-Module alg_3_b_there_are_such_connections.
-Import GbtSurfaces.Section_3_3.alg_3_b_there_are_such_connections.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement a1 a2 b1 c1 b3_true f a join1 a3_true join2 b2_true b5_true b4_true join3 next next_ other other_ pair pair_ F F_]; intros; conjuncts; ends_of_sums; field; nonzero. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance a1 b1]; exists 3%Z, (fun _ => 0), (fun _ => 0), 0, 0, 0; conjuncts; first [ lia | intros; lia | lra | numeric ]. Qed.
-End alg_3_b_there_are_such_connections.
+Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 b1 b2 c1 b3 b4 printed13 third fourth f F1 other F pair F1_ other_ F_ pair_] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (-1) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else if (Z.eqb i0 (2))%bool then ((32 + 7*PI)/(8 + PI)) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else 0) (1) (1) (1) (0) (1)). Qed.
+End alg_3_b.
 
 Module ex_3_3_curves.
 Import GbtSurfaces.Section_3_3.ex_3_3_curves.
@@ -242,19 +206,11 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance b f own4 own4_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_19_m_is_4.
 
-Module eq_19_tensor_as_printed.
-Import GbtSurfaces.Section_3_3.eq_19_tensor_as_printed.
+Module eq_19_tensor.
+Import GbtSurfaces.Section_3_3.eq_19_tensor.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement b f own4 tensor4] in no; refuting (no (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else if (Z.eqb i0 (4))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else if (Z.eqb i0 (4))%bool then (1) else 0) (1) (1) (1) (0) (1/2) (1)). Qed.
-End eq_19_tensor_as_printed.
-
-Module eq_19_tensor_with_f_l.
-Import GbtSurfaces.Section_3_3.eq_19_tensor_with_f_l.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement b f own4 with_own]; identity. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance b f own4 with_own]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
-End eq_19_tensor_with_f_l.
+End eq_19_tensor.
 
 Module ex_3_3_gl_0.
 Import GbtSurfaces.Section_3_3.ex_3_3_gl_0.

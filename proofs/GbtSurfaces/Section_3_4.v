@@ -29,12 +29,6 @@ Definition along_profiles (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R)
   vsub (let z := 0%Z in vDerive 3 (fun z_ => swung lambda (FX2 X2 mu1 n nu1 z_) (FZ2 Z2 mu1 n nu1 z_) u v) (Z.to_nat r) (IZR z)) (let z := 1%Z in vDerive 3 (fun z_ => swung lambda (FX X m mu nu z_) (FZ Z_ m mu nu z_) u v) (Z.to_nat r) (IZR z)).
 Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
   (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
-Definition FZ_ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
-Definition first_ (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : R) : list R :=
-  swung lambda (FX_ X m mu nu z) (FZ_ Z_ m mu nu z) u v.
 End Definitions.
 Import Definitions.
 
@@ -951,13 +945,15 @@ exists (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lam
   0 <= z1 <= 1.
 End alg_4_a.
 
-Module alg_4_b_by_the_printed_conditions.
-(* gbt-surfaces/alg-4.b.by the printed conditions, Sect. 3.4, Algorithm 4, step 5
+Module alg_4_b.
+(* gbt-surfaces/alg-4.b, Sect. 3.4, Algorithm 4, step 5
    printed: 5. Two adjacent GBT-Bézier swung surfaces can be connected by C1 and C2 continuity conditions given in Theorem 2.
    read as: The profiles are joined with Theorem 2 as printed, with one trajectory and one λ.
    stated: second(0) == first(1) and second'(0) == first'(1) and second''(0) == first''(1) *)
 Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
 Definition third (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (p : R) (q : R) (r : R) : R :=
@@ -974,12 +970,16 @@ Definition FX2_ (X2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * X2 k).
 Definition FZ2_ (Z2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * Z2 k).
+Definition FZ_ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Z_ k).
 Definition second (X2 : Z -> R) (Z2 : Z -> R) (lambda : R) (mu1 : R) (n : Z) (nu1 : R) (u : R) (v : R) (z : Z) : list R :=
   swung lambda (FX2 X2 mu1 n nu1 z) (FZ2 Z2 mu1 n nu1 z) u v.
 Definition first (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : Z) : list R :=
   swung lambda (FX X m mu nu z) (FZ Z_ m mu nu z) u v.
 Definition second_ (X2 : Z -> R) (Z2 : Z -> R) (lambda : R) (mu1 : R) (n : Z) (nu1 : R) (u : R) (v : R) (z : R) : list R :=
   swung lambda (FX2_ X2 mu1 n nu1 z) (FZ2_ Z2 mu1 n nu1 z) u v.
+Definition first_ (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : R) : list R :=
+  swung lambda (FX_ X m mu nu z) (FZ_ Z_ m mu nu z) u v.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (lambda : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (u : R) (v : R),
   0 < lambda ->
@@ -1000,73 +1000,7 @@ forall (m : Z) (n : Z) (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (l
   (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   second X2 Z2 lambda mu1 n nu1 u v 0%Z = first X Z_ lambda m mu nu u v 1%Z /\ (let z := 0%Z in vDerive 3 (fun z_ => second_ X2 Z2 lambda mu1 n nu1 u v z_) 1 (IZR z)) = (let z_ := 1%Z in vDerive 3 (fun z__ => first_ X Z_ lambda m mu nu u v z__) 1 (IZR z_)) /\ (let z__ := 0%Z in vDerive 3 (fun z___ => second_ X2 Z2 lambda mu1 n nu1 u v z___) 2 (IZR z__)) = (let z___ := 1%Z in vDerive 3 (fun z____ => first_ X Z_ lambda m mu nu u v z____) 2 (IZR z___)).
-End alg_4_b_by_the_printed_conditions.
-
-Module alg_4_b_there_are_such_connections.
-(* gbt-surfaces/alg-4.b.there are such connections, Sect. 3.4, Algorithm 4, step 5
-   printed: 5. Two adjacent GBT-Bézier swung surfaces can be connected by C1 and C2 continuity conditions given in Theorem 2.
-   read as: They can be connected so: exhibited for every first surface, with a profile of degree 3 and vanishing shape parameters for the second.
-   stated: second(0) == first(1) and second'(0) == first'(1) and second''(0) == first''(1) *)
-Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
-Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
-Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
-Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
-  p + a m nu n mu1 * (p - q).
-Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
-Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
-  p + 1 / a1 n nu1 mu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m nu n nu1 mu1 * (p - q)).
-Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
-Definition c1 (n : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)).
-Definition b3_true (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  3 * c1 n mu1 + 12 * (IZR n - 2) * PI ^ 2 * (1 + IZR mu1 - IZR nu1).
-Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
-  6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
-Definition b4_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  a m nu n mu1 * (3 * c1 n mu1 + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * IZR mu1 - IZR nu1) - PI ^ 3 * (1 + IZR mu1)) - a3_true m nu n nu1 mu1 * b3_true n nu1 mu1 / a1 n nu1 mu1 + PI ^ 3 * (1 + nu).
-Definition join3 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) (s : R) : R :=
-  p + 1 / b1 n nu1 mu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 n nu1 mu1 * b3_true n nu1 mu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true n nu1 mu1 / a1 n nu1 mu1 * (q - r) - b4_true m nu n nu1 mu1 * (p - q)).
-Definition next (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : Z) : R :=
-  f (IZR t) 0 0 0%Z 3%Z * p + f (IZR t) 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f (IZR t) 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f (IZR t) 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
-Definition FX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * X k).
-Definition FZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * Z_ k).
-Definition next_ (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : R) : R :=
-  f t 0 0 0%Z 3%Z * p + f t 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f t 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f t 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
-Definition second (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : Z) : list R :=
-  swung lambda (next m mu nu (X m) (X (m - 1)%Z) (X (m - 2)%Z) (X (m - 3)%Z) z) (next m mu nu (Z_ m) (Z_ (m - 1)%Z) (Z_ (m - 2)%Z) (Z_ (m - 3)%Z) z) u v.
-Definition first (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : Z) : list R :=
-  swung lambda (FX X m mu nu z) (FZ Z_ m mu nu z) u v.
-Definition second_ (X : Z -> R) (Z_ : Z -> R) (lambda : R) (m : Z) (mu : R) (nu : R) (u : R) (v : R) (z : R) : list R :=
-  swung lambda (next_ m mu nu (X m) (X (m - 1)%Z) (X (m - 2)%Z) (X (m - 3)%Z) z) (next_ m mu nu (Z_ m) (Z_ (m - 1)%Z) (Z_ (m - 2)%Z) (Z_ (m - 3)%Z) z) u v.
-Definition statement : Prop :=
-forall (m : Z) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (nu : R) (u : R) (v : R),
-  0 < lambda ->
-  (3 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 ->
-  a1 3%Z 0%Z 0%Z <> 0 ->
-  b1 3%Z 0%Z 0%Z <> 0 ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
-  second X Z_ lambda m mu nu u v 0%Z = first X Z_ lambda m mu nu u v 1%Z /\ (let z := 0%Z in vDerive 3 (fun z_ => second_ X Z_ lambda m mu nu u v z_) 1 (IZR z)) = (let z_ := 1%Z in vDerive 3 (fun z__ => first_ X Z_ lambda m mu nu u v z__) 1 (IZR z_)) /\ (let z__ := 0%Z in vDerive 3 (fun z___ => second_ X Z_ lambda m mu nu u v z___) 2 (IZR z__)) = (let z___ := 1%Z in vDerive 3 (fun z____ => first_ X Z_ lambda m mu nu u v z____) 2 (IZR z___)).
-Definition instance : Prop :=
-exists (m : Z) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (nu : R) (u : R) (v : R),
-  0 < lambda /\
-  (3 <= m)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1 /\
-  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 /\
-  a1 3%Z 0%Z 0%Z <> 0 /\
-  b1 3%Z 0%Z 0%Z <> 0 /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
-End alg_4_b_there_are_such_connections.
+End alg_4_b.
 
 Module eq_26.
 (* gbt-surfaces/eq-26, Sect. 3.4, Example 3.4, eq. (26)

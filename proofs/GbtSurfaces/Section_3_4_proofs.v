@@ -264,19 +264,11 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f FX FZ FU FV net swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End alg_4_a.
 
-Module alg_4_b_by_the_printed_conditions.
-Import GbtSurfaces.Section_3_4.alg_4_b_by_the_printed_conditions.
+Module alg_4_b.
+Import GbtSurfaces.Section_3_4.alg_4_b.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement a a1 a2 a3 third f FX2 FZ2 FX FZ FX2_ FZ2_ FX_ FZ_ swung second first second_ first_] in no; refuting_at_ends (no 3%Z 3%Z (fun i => nth (Z.to_nat i) [0; 0; -1; 0] 0) (fun i => nth (Z.to_nat i) [0; 1; -1; 16] 0) (fun _ => 0) (fun _ => 0) 1 1 (-1) (-1) 0 1 1). Qed.
-End alg_4_b_by_the_printed_conditions.
-
-Module alg_4_b_there_are_such_connections.
-Import GbtSurfaces.Section_3_4.alg_4_b_there_are_such_connections.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f a1 a join1 a2 a3_true join2 next FX FZ next_ FX_ FZ_ swung second first second_ first_]; lists; intros; conjuncts; parts; ends_of_sums; field; nonzero. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next FX FZ next_ FX_ FZ_ swung second first second_ first_]; first [(exists (3)%Z, (fun _ => 3), (fun _ => 4), (1), ((-1) / 3), ((-1) / 3), (8), (9); met) | (exists (3)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (6), ((-1) / 3), ((-1) / 3), (9), (7); met) | (exists (3)%Z, (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), (1), (1); met) | (exists (3)%Z, (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), (1), (0); met)]. Qed.
-End alg_4_b_there_are_such_connections.
+Proof. intro no; cbv beta zeta delta [statement a a1 a2 a3 third f FX2 FZ2 FX FZ FX2_ FZ2_ FX_ FZ_ swung second first second_ first_] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (1) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (8*(4 + PI)/(8 + PI)) else 0) (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else 0) (1) (1) (1) (1) (0) (1) (1)). Qed.
+End alg_4_b.
 
 Module eq_26.
 Import GbtSurfaces.Section_3_4.eq_26.

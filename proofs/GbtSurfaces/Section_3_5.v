@@ -11,16 +11,6 @@ Definition trajectory (B : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z1 : R) : R :=
   sum 0%Z n (fun l => f z1 mu1 nu1 l n * B l).
 Definition T (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   trajectory B mu1 n nu1 z1 + section A m mu nu z.
-Definition a2 (m : Z) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
-Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
-Definition before (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  F Q m mu nu z + W.
-Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  sum 0%Z m (fun k => f z mu nu k m * Q k).
-Definition before_ (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  F_ Q m mu nu z + W.
 Definition S1 : list (list R) :=
   [[2; 0; 2]; [1; 0; 3]; [5; 0; 4]; [6; 0; 3]].
 Definition S2 : list (list R) :=
@@ -453,8 +443,8 @@ exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu
   0 <= z1 <= 1.
 End alg_5_a.
 
-Module alg_5_b_by_the_printed_conditions.
-(* gbt-surfaces/alg-5.b.by the printed conditions, Sect. 3.5, Algorithm 5, step 5
+Module alg_5_b.
+(* gbt-surfaces/alg-5.b, Sect. 3.5, Algorithm 5, step 5
    printed: 5. Two adjacent GBT-Bézier swept surfaces can be connected by C1 and C2 continuity conditions given in Theorem 2.
    read as: The sections F and F_1 are joined with Theorem 2 as printed, with one trajectory, of which W is a point.
    stated: after(0) == before(1) and after'(0) == before'(1) and after''(0) == before''(1) *)
@@ -464,6 +454,8 @@ Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
   Q m + a m mu1 n nu * (Q m - Q (m - 1)%Z).
 Definition a1 (mu1 : R) (n : Z) (nu1 : R) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + mu1)) + PI ^ 2 * (1 - nu1).
+Definition a2 (m : Z) (nu : R) : R :=
+  4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 Definition a3 (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
   2 * a1 mu1 n nu1 + PI ^ 2 * (1 + 2 * mu1 - nu1) + 2 * PI ^ 2 * nu.
 Definition printed12 (Q : Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) : R :=
@@ -472,10 +464,18 @@ Definition F1 (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
   sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * Q1 k).
 Definition after (Q1 : Z -> R) (W : R) (mu1 : R) (n : Z) (nu1 : R) (z : Z) : R :=
   F1 Q1 mu1 n nu1 z + W.
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
+Definition before (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
+  F Q m mu nu z + W.
 Definition F1_ (Q1 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * Q1 k).
 Definition after_ (Q1 : Z -> R) (W : R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   F1_ Q1 mu1 n nu1 z + W.
+Definition F_ (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition before_ (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  F_ Q m mu nu z + W.
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (W : R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (3 <= m)%Z ->
@@ -498,73 +498,7 @@ forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (W : R) (mu : R) (mu1 : R) (nu
   (forall k : Z, (0 <= k <= n)%Z -> (2 <= n)%Z) ->
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
   after Q1 W mu1 n nu1 0%Z = before Q W m mu nu 1%Z /\ (let z := 0%Z in Derive_n (fun z_ => after_ Q1 W mu1 n nu1 z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => before_ Q W m mu nu z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => after_ Q1 W mu1 n nu1 z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => before_ Q W m mu nu z____) 2 (IZR z___)).
-End alg_5_b_by_the_printed_conditions.
-
-Module alg_5_b_there_are_such_connections.
-(* gbt-surfaces/alg-5.b.there are such connections, Sect. 3.5, Algorithm 5, step 5
-   printed: 5. Two adjacent GBT-Bézier swept surfaces can be connected by C1 and C2 continuity conditions given in Theorem 2.
-   read as: They can be connected so: exhibited for every first surface, with a section of degree 3 and vanishing shape parameters for the second.
-   stated: after(0) == before(1) and after'(0) == before'(1) and after''(0) == before''(1) *)
-Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
-Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)) + 6 * (IZR n - 2) * PI ^ 2 * (1 - IZR nu1).
-Definition a (m : Z) (nu : R) (n : Z) (mu1 : Z) : R :=
-  (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + IZR mu1)).
-Definition join1 (m : Z) (nu : R) (n : Z) (mu1 : Z) (p : R) (q : R) : R :=
-  p + a m nu n mu1 * (p - q).
-Definition a3_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  a m nu n mu1 * (2 * a1 n nu1 mu1 - PI ^ 2 * (1 - 2 * IZR mu1 - IZR nu1)) + 2 * PI ^ 2 * nu.
-Definition join2 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) : R :=
-  p + 1 / a1 n nu1 mu1 * (a2 m nu * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * (q - r) + a3_true m nu n nu1 mu1 * (p - q)).
-Definition b2_true (m : Z) (mu : R) (nu : R) : R :=
-  4 * (IZR m - 2) * (IZR m - 3) * (2 * (IZR m - 4) + 3 * PI * (1 + nu)) + 6 * (IZR m - 2) * PI ^ 2 * (1 - mu).
-Definition c1 (n : Z) (mu1 : Z) : R :=
-  4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + IZR mu1)).
-Definition b3_true (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  3 * c1 n mu1 + 12 * (IZR n - 2) * PI ^ 2 * (1 + IZR mu1 - IZR nu1).
-Definition b5_true (m : Z) (mu : R) (nu : R) : R :=
-  6 * (IZR m - 2) * PI ^ 2 * (mu + 2 * nu - 1).
-Definition b4_true (m : Z) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) : R :=
-  a m nu n mu1 * (3 * c1 n mu1 + 6 * (IZR n - 2) * PI ^ 2 * (1 + 4 * IZR mu1 - IZR nu1) - PI ^ 3 * (1 + IZR mu1)) - a3_true m nu n nu1 mu1 * b3_true n nu1 mu1 / a1 n nu1 mu1 + PI ^ 3 * (1 + nu).
-Definition join3 (m : Z) (mu : R) (nu : R) (n : Z) (nu1 : Z) (mu1 : Z) (p : R) (q : R) (r : R) (s : R) : R :=
-  p + 1 / b1 n nu1 mu1 * (b2_true m mu nu * (p - 3 * q + 3 * r - s) + (a2 m nu / a1 n nu1 mu1 * b3_true n nu1 mu1 + b5_true m mu nu) * (p - 2 * q + r) - PI ^ 2 * (1 - mu) * b3_true n nu1 mu1 / a1 n nu1 mu1 * (q - r) - b4_true m nu n nu1 mu1 * (p - q)).
-Definition next (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : Z) : R :=
-  f (IZR t) 0 0 0%Z 3%Z * p + f (IZR t) 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f (IZR t) 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f (IZR t) 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
-Definition after (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
-  next m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z + W.
-Definition next_ (m : Z) (mu : R) (nu : R) (p : R) (q : R) (r : R) (s : R) (t : R) : R :=
-  f t 0 0 0%Z 3%Z * p + f t 0 0 1%Z 3%Z * join1 m nu 3%Z 0%Z p q + f t 0 0 2%Z 3%Z * join2 m mu nu 3%Z 0%Z 0%Z p q r + f t 0 0 3%Z 3%Z * join3 m mu nu 3%Z 0%Z 0%Z p q r s.
-Definition after_ (Q : Z -> R) (W : R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
-  next_ m mu nu (Q m) (Q (m - 1)%Z) (Q (m - 2)%Z) (Q (m - 3)%Z) z + W.
-Definition statement : Prop :=
-forall (m : Z) (Q : Z -> R) (W : R) (mu : R) (nu : R),
-  (3 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  (0 <= m <= m)%Z ->
-  (0 <= m - 1 <= m)%Z ->
-  (0 <= m - 2 <= m)%Z ->
-  (0 <= m - 3 <= m)%Z ->
-  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 ->
-  a1 3%Z 0%Z 0%Z <> 0 ->
-  b1 3%Z 0%Z 0%Z <> 0 ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
-  after Q W m mu nu 0%Z = before Q W m mu nu 1%Z /\ (let z := 0%Z in Derive_n (fun z_ => after_ Q W m mu nu z_) 1 (IZR z)) = (let z_ := 1%Z in Derive_n (fun z__ => before_ Q W m mu nu z__) 1 (IZR z_)) /\ (let z__ := 0%Z in Derive_n (fun z___ => after_ Q W m mu nu z___) 2 (IZR z__)) = (let z___ := 1%Z in Derive_n (fun z____ => before_ Q W m mu nu z____) 2 (IZR z___)).
-Definition instance : Prop :=
-exists (m : Z) (Q : Z -> R) (W : R) (mu : R) (nu : R),
-  (3 <= m)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1 /\
-  (0 <= m <= m)%Z /\
-  (0 <= m - 1 <= m)%Z /\
-  (0 <= m - 2 <= m)%Z /\
-  (0 <= m - 3 <= m)%Z /\
-  2 * (IZR 3%Z - 2) + PI * (1 + IZR 0%Z) <> 0 /\
-  a1 3%Z 0%Z 0%Z <> 0 /\
-  b1 3%Z 0%Z 0%Z <> 0 /\
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
-End alg_5_b_there_are_such_connections.
+End alg_5_b.
 
 Module ex_3_5_sections.
 (* gbt-surfaces/ex-3.5.sections, Sect. 3.5, Example 3.5, data
@@ -762,3 +696,29 @@ exists (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   0 <= z <= 1 /\
   (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z).
 End ex_3_5_contiguous_one_section.
+
+Module sec_3_5_unnecessary.
+(* gbt-surfaces/sec-3.5.unnecessary, Sect. 3.5, sentence after eq. (28)
+   printed: Normally, equation (28) can generate an unnecessary surface with degeneracy and without continuity.
+   read as: The matrix S(z_1) is not restricted: with a multiple s of the unit matrix the surface is (28) with s F_m, for s = 0 it is a curve, and where the multiple jumps from s to t the surface jumps by the same multiple of F_m.
+   stated: D(by(s), z) == s*D(F(z), z) and D(by(0), z) == 0 and by(t) - by(s) == (t - s)*F(z) *)
+Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
+  sum 0%Z m (fun k => f z mu nu k m * Q k).
+Definition by_ (P : R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (s : R) : R :=
+  P + s * F Q m mu nu z.
+Definition by__ (P : R) (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (s : Z) : R :=
+  P + IZR s * F Q m mu nu z.
+Definition statement : Prop :=
+forall (m : Z) (P : R) (Q : Z -> R) (mu : R) (nu : R) (s : R) (t : R) (z : R),
+  (2 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= z <= 1 ->
+  Derive_n (fun z_ => by_ P Q m mu nu z_ s) 1 z = s * Derive_n (fun z_ => F Q m mu nu z_) 1 z /\ Derive_n (fun z_ => by__ P Q m mu nu z_ 0%Z) 1 z = 0 /\ by_ P Q m mu nu z t - by_ P Q m mu nu z s = (t - s) * F Q m mu nu z.
+Definition instance : Prop :=
+exists (m : Z) (P : R) (Q : Z -> R) (mu : R) (nu : R) (s : R) (t : R) (z : R),
+  (2 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= z <= 1.
+End sec_3_5_unnecessary.

@@ -106,19 +106,11 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f trajectory section T]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End alg_5_a.
 
-Module alg_5_b_by_the_printed_conditions.
-Import GbtSurfaces.Section_3_5.alg_5_b_by_the_printed_conditions.
+Module alg_5_b.
+Import GbtSurfaces.Section_3_5.alg_5_b.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 f F1 after F before F1_ after_ F_ before_] in no; refuting_at_ends (no 3%Z 3%Z (fun i => nth (Z.to_nat i) [0; 0; -1; 0] 0) (fun i => nth (Z.to_nat i) [0; 1; -1; 16] 0) 0 1 (-1) (-1) 0). Qed.
-End alg_5_b_by_the_printed_conditions.
-
-Module alg_5_b_there_are_such_connections.
-Import GbtSurfaces.Section_3_5.alg_5_b_there_are_such_connections.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f a1 a join1 a2 a3_true join2 next after F before next_ after_ F_ before_]; intros; conjuncts; ends_of_sums; field; nonzero. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next after F before next_ after_ F_ before_]; first [(exists (3)%Z, (fun _ => 3), 4, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), 0, (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), 8, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), 1, ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), 0, ((-1) / 3), ((-1) / 3); met)]. Qed.
-End alg_5_b_there_are_such_connections.
+Proof. intro no; cbv beta zeta delta [statement a printed11 a1 a2 a3 printed12 f F1 after F before F1_ after_ F_ before_] in no; refuting (no ((3))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (-1) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (1) else if (Z.eqb i0 (2))%bool then ((32 + 7*PI)/(8 + PI)) else 0) 0 (1) (1) (1) (0)). Qed.
+End alg_5_b.
 
 Module ex_3_5_sections.
 Import GbtSurfaces.Section_3_5.ex_3_5_sections.
@@ -191,3 +183,11 @@ Proof. cbv beta zeta delta [statement S1 T1 T2 f first first_ second]; identity.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance S1 T1 T2 f first first_ second]; first [(exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0), (0), (0), (0), (1 / 2); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End ex_3_5_contiguous_one_section.
+
+Module sec_3_5_unnecessary.
+Import GbtSurfaces.Section_3_5.sec_3_5_unnecessary.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f F by_ by__]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f F by_ by__]; first [(exists (2)%Z, 3, (fun _ => 4), ((-1) / 3), ((-1) / 3), (7), (8), (1 / 3); met) | (exists (2)%Z, 0, (fun _ => 0), (0), (0), (0), (0), (1 / 2); met) | (exists (2)%Z, 8, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (7), (9), (1 / 3); met) | (exists (2)%Z, 1, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1), (1), (1 / 3); met) | (exists (2)%Z, 0, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1), (0), (1 / 3); met)]. Qed.
+End sec_3_5_unnecessary.

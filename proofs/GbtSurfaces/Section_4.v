@@ -9,8 +9,6 @@ Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
   sum 0%Z m (fun k => f (IZR z) mu nu k m * Q k).
 Definition b (z : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - z) ^ 1 * z ^ 0; (1 - z) ^ 0 * z ^ 1] i k.
-Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
-  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
 Definition a2 (m : Z) (nu : R) : R :=
   4 * (IZR m - 2) * (IZR m - 3 + PI * (1 + nu)).
 End Definitions.
@@ -104,6 +102,8 @@ Module sec_4_six_tensor_without.
    stated: sum(k, 0, m, (Q[k] + z1*V)*f[k,m](z, mu, nu)) == sum(k, 0, m, sum(l, 0, 1, (Q[k] + l*V)*f[k,m](z, mu, nu)*b[l,1](z1))) and printed18(z, z1) == tensor(z, z1) and sum(k, 0, m, f[k,m](z, mu, nu)*X[k])*sum(l, 0, n, f[l,n](z1, mu1, nu1)*U[l]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*X[k]*U[l])) and sum(k, 0, m, f[k,m](z, mu, nu)*Z[k]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*Z[k])) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*B[l]) + sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) *)
 Definition printed18 (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
+Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
+  sum 0%Z m (fun k => sum 0%Z 1%Z (fun l => f z mu nu k m * b z1 l 1%Z * ((1 - IZR l) * A k + IZR l * B k))).
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (Q : Z -> R) (U : Z -> R) (V : R) (X : Z -> R) (Z_ : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (3 <= m)%Z ->
@@ -260,8 +260,8 @@ exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
 End sec_4_composite_there_are_such_compositions.
 
-Module sec_4_tensor_as_printed.
-(* gbt-surfaces/sec-4.tensor.as printed, Sect. 4, first paragraph, last sentence
+Module sec_4_tensor.
+(* gbt-surfaces/sec-4.tensor, Sect. 4, first paragraph, last sentence
    printed: These special engineering surfaces not only have some parameters for their shape control but can also be expressed in terms of tensor product GBT-Bézier surface design (excluding rotation surfaces).
    read as: Of the classes that are not excluded the ruled surface is examined: (18) has one set of functions f_{k,m} for both guide lines.
    stated: printed18(z, z1) == tensor(z, z1) *)
@@ -288,28 +288,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R),
   0 <= z1 <= 1 /\
   (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) /\
   (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (2 <= m)%Z).
-End sec_4_tensor_as_printed.
-
-Module sec_4_tensor_with_f_l.
-(* gbt-surfaces/sec-4.tensor.with f^l, Sect. 4, first paragraph, last sentence
-   printed: These special engineering surfaces not only have some parameters for their shape control but can also be expressed in terms of tensor product GBT-Bézier surface design (excluding rotation surfaces).
-   read as: Of the classes that are not excluded the ruled surface is examined: (18) has a set of functions f^l_{k,m} for each guide line, as (17) and (19) have.
-   stated: ruled(z, z1) == tensor(z, z1) *)
-Definition ruled (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
-  (1 - z1) * sum 0%Z m (fun k => f z mu nu k m * A k) + z1 * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
-Definition statement : Prop :=
-forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
-  (3 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  0 <= z <= 1 ->
-  0 <= z1 <= 1 ->
-  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
-  (forall k : Z, (0 <= k <= m)%Z -> forall l : Z, (0 <= l <= 1)%Z -> (2 <= m)%Z) ->
-  ruled A B m mu mu1 nu nu1 z z1 = tensor A B m mu nu z z1.
-End sec_4_tensor_with_f_l.
+End sec_4_tensor.
 
 Module sec_4_convex_hull.
 (* gbt-surfaces/sec-4.convex-hull, Sect. 4, second paragraph

@@ -46,19 +46,13 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3 next F next_ F_]; first [(exists (3)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), (0), (0); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (3)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_4_composite_there_are_such_compositions.
 
-Module sec_4_tensor_as_printed.
-Import GbtSurfaces.Section_4.sec_4_tensor_as_printed.
+Module sec_4_tensor.
+Import GbtSurfaces.Section_4.sec_4_tensor.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement b f printed18 tensor]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance b f printed18 tensor]; first [(exists (3)%Z, (fun _ => 3), (fun _ => 4), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (3)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2), (1 / 2); met) | (exists (3)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (3)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (3)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
-End sec_4_tensor_as_printed.
-
-Module sec_4_tensor_with_f_l.
-Import GbtSurfaces.Section_4.sec_4_tensor_with_f_l.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f ruled b tensor] in no; refuting (no ((3))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (1) else 0) (1) (1) (1) (0) (1/2) (1)). Qed.
-End sec_4_tensor_with_f_l.
+End sec_4_tensor.
 
 Module sec_4_convex_hull.
 Import GbtSurfaces.Section_4.sec_4_convex_hull.

@@ -82,7 +82,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o'1 o'2 o'3 : R) (p0'1
   let p0u := [p0u'1; p0u'2; p0u'3] in
   let p1 := [p1'1; p1'2; p1'3] in
   let p1u := [p1u'1; p1u'2; p1u'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   det (cubic_data A B C_ E_) <> 0 ->
   (0 <= 3%Z)%Z ->
@@ -102,7 +102,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o'1 o'2 o'3 : R) (p0'1
   let p0u := [p0u'1; p0u'2; p0u'3] in
   let p1 := [p1'1; p1'2; p1'3] in
   let p1u := [p1u'1; p1u'2; p1u'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   k > 0 /\
   det (cubic_data A B C_ E_) <> 0 /\
   (0 <= 3%Z)%Z /\
@@ -160,7 +160,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (h : R) (k : R) (l : R) (o'1 o'
   let p1 := [p1'1; p1'2; p1'3] in
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   k <> 1 ->
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -183,7 +183,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (h : R) (k : R) (l : R) (o'1 o'
   let p1 := [p1'1; p1'2; p1'3] in
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   k > 0 /\
   k <> 1 /\
   det (quartic_data A B C_ E_ F) <> 0 /\
@@ -235,7 +235,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R)
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   k <> 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -261,7 +261,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R)
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   k > 0 /\
   k <> 1 /\
   det (quintic_data A B C_ E_ F G) <> 0 /\
@@ -335,7 +335,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let pm := [pm'1; pm'2; pm'3] in
   let pu := [pu'1; pu'2; pu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->

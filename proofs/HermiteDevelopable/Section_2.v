@@ -218,12 +218,12 @@ Module eq_2_1a.
    stated: cubic(u) == (2*p0 - 2*p1 + p0u + p1u)*u^3 + (-3*p0 + 3*p1 - 2*p0u - p1u)*u^2 + p0u*u + p0 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
   cubic_ A B C_ E_ u = (2 * p0 - 2 * p1 + p0u + p1u) * u ^ 3 + (- 3 * p0 + 3 * p1 - 2 * p0u - p1u) * u ^ 2 + p0u * u + p0.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u).
 End eq_2_1a.
 
@@ -242,12 +242,12 @@ Definition H4 (u : R) : R :=
   u ^ 3 - u ^ 2.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
   cubic_ A B C_ E_ u = H1 u * p0 + H2 u * p1 + H3 u * p0u + H4 u * p1u.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u).
 End eq_2_1b.
 
@@ -257,7 +257,7 @@ Module eq_2_1b_H1.
    stated: coefficients([cubic(u)], [p0])[1,1] == 2*u^3 - 3*u^2 + 1 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p0 : R -> R) (B_of_p0 : R -> R) (C__of_p0 : R -> R) (E__of_p0 : R -> R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
   A_of_p0 p0 = A ->
   B_of_p0 p0 = B ->
@@ -267,7 +267,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (
   entry (row [[Derive_n (fun p0 => cubic_ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) u) 1 p0]] 1) 1 = 2 * u ^ 3 - 3 * u ^ 2 + 1.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p0 : R -> R) (B_of_p0 : R -> R) (C__of_p0 : R -> R) (E__of_p0 : R -> R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u) /\
   A_of_p0 p0 = A /\
   B_of_p0 p0 = B /\
@@ -282,7 +282,7 @@ Module eq_2_1b_H2.
    stated: coefficients([cubic(u)], [p1])[1,1] == -2*u^3 + 3*u^2 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p1 : R -> R) (B_of_p1 : R -> R) (C__of_p1 : R -> R) (E__of_p1 : R -> R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
   A_of_p1 p1 = A ->
   B_of_p1 p1 = B ->
@@ -292,7 +292,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (
   entry (row [[Derive_n (fun p1 => cubic_ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) u) 1 p1]] 1) 1 = - 2 * u ^ 3 + 3 * u ^ 2.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p1 : R -> R) (B_of_p1 : R -> R) (C__of_p1 : R -> R) (E__of_p1 : R -> R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u) /\
   A_of_p1 p1 = A /\
   B_of_p1 p1 = B /\
@@ -307,7 +307,7 @@ Module eq_2_1b_H3.
    stated: coefficients([cubic(u)], [p0u])[1,1] == u^3 - 2*u^2 + u *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p0u : R -> R) (B_of_p0u : R -> R) (C__of_p0u : R -> R) (E__of_p0u : R -> R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
   A_of_p0u p0u = A ->
   B_of_p0u p0u = B ->
@@ -317,7 +317,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (
   entry (row [[Derive_n (fun p0u => cubic_ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) u) 1 p0u]] 1) 1 = u ^ 3 - 2 * u ^ 2 + u.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p0u : R -> R) (B_of_p0u : R -> R) (C__of_p0u : R -> R) (E__of_p0u : R -> R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u) /\
   A_of_p0u p0u = A /\
   B_of_p0u p0u = B /\
@@ -332,7 +332,7 @@ Module eq_2_1b_H4.
    stated: coefficients([cubic(u)], [p1u])[1,1] == u^3 - u^2 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p1u : R -> R) (B_of_p1u : R -> R) (C__of_p1u : R -> R) (E__of_p1u : R -> R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u ->
   A_of_p1u p1u = A ->
   B_of_p1u p1u = B ->
@@ -342,7 +342,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (
   entry (row [[Derive_n (fun p1u => cubic_ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) u) 1 p1u]] 1) 1 = u ^ 3 - u ^ 2.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (u : R) (A_of_p1u : R -> R) (B_of_p1u : R -> R) (C__of_p1u : R -> R) (E__of_p1u : R -> R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (cubic_conditions A B C_ E_ = cubic_conditions_ p0 /\ cubic_conditions__ A B C_ E_ = cubic_conditions___ p1 /\ cubic_conditions____ A B C_ E_ = cubic_conditions_____ p0u /\ cubic_conditions______ A B C_ E_ = cubic_conditions_______ p1u) /\
   A_of_p1u p1u = A /\
   B_of_p1u p1u = B /\
@@ -455,12 +455,12 @@ Module eq_2_2.
    stated: quartic(u) == (-8*p1 - 8*p0 + 16*pm + 2*p1u - 2*p0u)*u^4 + (14*p1 + 18*p0 - 32*pm - 3*p1u + 5*p0u)*u^3 + (-5*p1 - 11*p0 + 16*pm + p1u - 4*p0u)*u^2 + p0u*u + p0 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
   quartic_ A B C_ E_ F u = (- 8 * p1 - 8 * p0 + 16 * pm + 2 * p1u - 2 * p0u) * u ^ 4 + (14 * p1 + 18 * p0 - 32 * pm - 3 * p1u + 5 * p0u) * u ^ 3 + (- 5 * p1 - 11 * p0 + 16 * pm + p1u - 4 * p0u) * u ^ 2 + p0u * u + p0.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u).
 End eq_2_2.
 
@@ -470,7 +470,7 @@ Module eq_2_3.
    stated: quartic(u) == H1(u)*p0 + H2(u)*p1 + H3(u)*p1 + H4(u)*p0u + H5(u)*p1u *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
   quartic_ A B C_ E_ F u = H1 u * p0 + H2 u * p1 + H3 u * p1 + H4 u * p0u + H5 u * p1u.
 End eq_2_3.
@@ -481,12 +481,12 @@ Module eq_2_3_corrected.
    stated: quartic(u) == H1(u)*p0 + H2(u)*pm + H3(u)*p1 + H4(u)*p0u + H5(u)*p1u *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
   quartic_ A B C_ E_ F u = H1 u * p0 + H2 u * pm + H3 u * p1 + H4 u * p0u + H5 u * p1u.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u).
 End eq_2_3_corrected.
 
@@ -496,7 +496,7 @@ Module eq_2_3_H1.
    stated: coefficients([quartic(u)], [p0])[1,1] == -8*u^4 + 18*u^3 - 11*u^2 + 1 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p0 : R -> R) (B_of_p0 : R -> R) (C__of_p0 : R -> R) (E__of_p0 : R -> R) (F_of_p0 : R -> R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
   A_of_p0 p0 = A ->
   B_of_p0 p0 = B ->
@@ -507,7 +507,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1
   entry (row [[Derive_n (fun p0 => quartic_ (A_of_p0 p0) (B_of_p0 p0) (C__of_p0 p0) (E__of_p0 p0) (F_of_p0 p0) u) 1 p0]] 1) 1 = - 8 * u ^ 4 + 18 * u ^ 3 - 11 * u ^ 2 + 1.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p0 : R -> R) (B_of_p0 : R -> R) (C__of_p0 : R -> R) (E__of_p0 : R -> R) (F_of_p0 : R -> R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
   A_of_p0 p0 = A /\
   B_of_p0 p0 = B /\
@@ -523,7 +523,7 @@ Module eq_2_3_H2.
    stated: coefficients([quartic(u)], [pm])[1,1] == 16*u^4 - 32*u^3 + 16*u^2 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_pm : R -> R) (B_of_pm : R -> R) (C__of_pm : R -> R) (E__of_pm : R -> R) (F_of_pm : R -> R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
   A_of_pm pm = A ->
   B_of_pm pm = B ->
@@ -534,7 +534,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1
   entry (row [[Derive_n (fun pm => quartic_ (A_of_pm pm) (B_of_pm pm) (C__of_pm pm) (E__of_pm pm) (F_of_pm pm) u) 1 pm]] 1) 1 = 16 * u ^ 4 - 32 * u ^ 3 + 16 * u ^ 2.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_pm : R -> R) (B_of_pm : R -> R) (C__of_pm : R -> R) (E__of_pm : R -> R) (F_of_pm : R -> R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
   A_of_pm pm = A /\
   B_of_pm pm = B /\
@@ -550,7 +550,7 @@ Module eq_2_3_H3.
    stated: coefficients([quartic(u)], [p1])[1,1] == -8*u^4 + 14*u^3 - 5*u^2 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p1 : R -> R) (B_of_p1 : R -> R) (C__of_p1 : R -> R) (E__of_p1 : R -> R) (F_of_p1 : R -> R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
   A_of_p1 p1 = A ->
   B_of_p1 p1 = B ->
@@ -561,7 +561,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1
   entry (row [[Derive_n (fun p1 => quartic_ (A_of_p1 p1) (B_of_p1 p1) (C__of_p1 p1) (E__of_p1 p1) (F_of_p1 p1) u) 1 p1]] 1) 1 = - 8 * u ^ 4 + 14 * u ^ 3 - 5 * u ^ 2.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p1 : R -> R) (B_of_p1 : R -> R) (C__of_p1 : R -> R) (E__of_p1 : R -> R) (F_of_p1 : R -> R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
   A_of_p1 p1 = A /\
   B_of_p1 p1 = B /\
@@ -577,7 +577,7 @@ Module eq_2_3_H4.
    stated: coefficients([quartic(u)], [p0u])[1,1] == -2*u^4 + 5*u^3 - 4*u^2 + u *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p0u : R -> R) (B_of_p0u : R -> R) (C__of_p0u : R -> R) (E__of_p0u : R -> R) (F_of_p0u : R -> R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
   A_of_p0u p0u = A ->
   B_of_p0u p0u = B ->
@@ -588,7 +588,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1
   entry (row [[Derive_n (fun p0u => quartic_ (A_of_p0u p0u) (B_of_p0u p0u) (C__of_p0u p0u) (E__of_p0u p0u) (F_of_p0u p0u) u) 1 p0u]] 1) 1 = - 2 * u ^ 4 + 5 * u ^ 3 - 4 * u ^ 2 + u.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p0u : R -> R) (B_of_p0u : R -> R) (C__of_p0u : R -> R) (E__of_p0u : R -> R) (F_of_p0u : R -> R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
   A_of_p0u p0u = A /\
   B_of_p0u p0u = B /\
@@ -604,7 +604,7 @@ Module eq_2_3_H5.
    stated: coefficients([quartic(u)], [p1u])[1,1] == 2*u^4 - 3*u^3 + u^2 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p1u : R -> R) (B_of_p1u : R -> R) (C__of_p1u : R -> R) (E__of_p1u : R -> R) (F_of_p1u : R -> R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u ->
   A_of_p1u p1u = A ->
   B_of_p1u p1u = B ->
@@ -615,7 +615,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1
   entry (row [[Derive_n (fun p1u => quartic_ (A_of_p1u p1u) (B_of_p1u p1u) (C__of_p1u p1u) (E__of_p1u p1u) (F_of_p1u p1u) u) 1 p1u]] 1) 1 = 2 * u ^ 4 - 3 * u ^ 3 + u ^ 2.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (u : R) (A_of_p1u : R -> R) (B_of_p1u : R -> R) (C__of_p1u : R -> R) (E__of_p1u : R -> R) (F_of_p1u : R -> R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (quartic_conditions A B C_ E_ F = quartic_conditions_ p0 /\ quartic_conditions__ A B C_ E_ F = quartic_conditions___ pm /\ quartic_conditions____ A B C_ E_ F = quartic_conditions_____ p1 /\ quartic_conditions______ A B C_ E_ F = quartic_conditions_______ p0u /\ quartic_conditions________ A B C_ E_ F = quartic_conditions_________ p1u) /\
   A_of_p1u p1u = A /\
   B_of_p1u p1u = B /\
@@ -724,12 +724,12 @@ Module eq_2_4.
    stated: quintic(u) == (-24*p1 + 24*p0 + 16*pu + 4*p0u + 4*p1u)*u^5 + (52*p1 - 68*p0 + 16*pm - 40*pu - 12*p0u - 8*p1u)*u^4 + (-34*p1 + 66*p0 - 32*pm + 32*pu + 13*p0u + 5*p1u)*u^3 + (7*p1 - 23*p0 + 16*pm - 8*pu - 6*p0u - p1u)*u^2 + p0u*u + p0 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   quintic_conditions A B C_ E_ F G = quintic_conditions_ p0 /\ quintic_conditions__ A B C_ E_ F G = quintic_conditions___ pm /\ quintic_conditions____ A B C_ E_ F G = quintic_conditions_____ p1 /\ quintic_conditions______ A B C_ E_ F G = quintic_conditions_______ p0u /\ quintic_conditions________ A B C_ E_ F G = quintic_conditions_________ pu /\ quintic_conditions__________ A B C_ E_ F G = quintic_conditions___________ p1u ->
   quintic_ A B C_ E_ F G u = (- 24 * p1 + 24 * p0 + 16 * pu + 4 * p0u + 4 * p1u) * u ^ 5 + (52 * p1 - 68 * p0 + 16 * pm - 40 * pu - 12 * p0u - 8 * p1u) * u ^ 4 + (- 34 * p1 + 66 * p0 - 32 * pm + 32 * pu + 13 * p0u + 5 * p1u) * u ^ 3 + (7 * p1 - 23 * p0 + 16 * pm - 8 * pu - 6 * p0u - p1u) * u ^ 2 + p0u * u + p0.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (quintic_conditions A B C_ E_ F G = quintic_conditions_ p0 /\ quintic_conditions__ A B C_ E_ F G = quintic_conditions___ pm /\ quintic_conditions____ A B C_ E_ F G = quintic_conditions_____ p1 /\ quintic_conditions______ A B C_ E_ F G = quintic_conditions_______ p0u /\ quintic_conditions________ A B C_ E_ F G = quintic_conditions_________ pu /\ quintic_conditions__________ A B C_ E_ F G = quintic_conditions___________ p1u).
 End eq_2_4.
 
@@ -744,35 +744,35 @@ Definition p3_ (A : R) (B : R) (C_ : R) (E_ : R) (p0 : R) (p0u : R) (p1 : R) (p1
   hermite3_ A B C_ E_ u p0 p1 p0u p1u.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (cubic_data A B C_ E_) <> 0 ->
   det (quartic_data A B C_ E_ F) <> 0 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   [[Derive_n (fun p0 => p3 A B C_ E_ p0 p0u p1 p1u 0%Z) 1 p0; Derive_n (fun p1 => p3 A B C_ E_ p0 p0u p1 p1u 0%Z) 1 p1]; [Derive_n (fun p0 => p3 A B C_ E_ p0 p0u p1 p1u 1%Z) 1 p0; Derive_n (fun p1 => p3 A B C_ E_ p0 p0u p1 p1u 1%Z) 1 p1]] = identity 2 /\ [[Derive_n (fun p0 => p4 A B C_ E_ F p0 p0u p1 p1u pm 0%Z) 1 p0; Derive_n (fun pm => p4 A B C_ E_ F p0 p0u p1 p1u pm 0%Z) 1 pm; Derive_n (fun p1 => p4 A B C_ E_ F p0 p0u p1 p1u pm 0%Z) 1 p1]; [Derive_n (fun p0 => p4_ A B C_ E_ F p0 p0u p1 p1u pm (1 / 2)) 1 p0; Derive_n (fun pm => p4_ A B C_ E_ F p0 p0u p1 p1u pm (1 / 2)) 1 pm; Derive_n (fun p1 => p4_ A B C_ E_ F p0 p0u p1 p1u pm (1 / 2)) 1 p1]; [Derive_n (fun p0 => p4 A B C_ E_ F p0 p0u p1 p1u pm 1%Z) 1 p0; Derive_n (fun pm => p4 A B C_ E_ F p0 p0u p1 p1u pm 1%Z) 1 pm; Derive_n (fun p1 => p4 A B C_ E_ F p0 p0u p1 p1u pm 1%Z) 1 p1]] = identity 3 /\ [[Derive_n (fun p0 => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu 0%Z) 1 p0; Derive_n (fun pm => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu 0%Z) 1 pm; Derive_n (fun p1 => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu 0%Z) 1 p1]; [Derive_n (fun p0 => p5_ A B C_ E_ F G p0 p0u p1 p1u pm pu (1 / 2)) 1 p0; Derive_n (fun pm => p5_ A B C_ E_ F G p0 p0u p1 p1u pm pu (1 / 2)) 1 pm; Derive_n (fun p1 => p5_ A B C_ E_ F G p0 p0u p1 p1u pm pu (1 / 2)) 1 p1]; [Derive_n (fun p0 => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu 1%Z) 1 p0; Derive_n (fun pm => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu 1%Z) 1 pm; Derive_n (fun p1 => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu 1%Z) 1 p1]] = identity 3 /\ [[Derive_n (fun p0u => p3 A B C_ E_ p0 p0u p1 p1u 0%Z) 1 p0u; Derive_n (fun p1u => p3 A B C_ E_ p0 p0u p1 p1u 0%Z) 1 p1u]; [Derive_n (fun p0u => p3 A B C_ E_ p0 p0u p1 p1u 1%Z) 1 p0u; Derive_n (fun p1u => p3 A B C_ E_ p0 p0u p1 p1u 1%Z) 1 p1u]] = mzeros 2 2 /\ [[Derive_n (fun p0u => p4 A B C_ E_ F p0 p0u p1 p1u pm 0%Z) 1 p0u; Derive_n (fun p1u => p4 A B C_ E_ F p0 p0u p1 p1u pm 0%Z) 1 p1u]; [Derive_n (fun p0u => p4_ A B C_ E_ F p0 p0u p1 p1u pm (1 / 2)) 1 p0u; Derive_n (fun p1u => p4_ A B C_ E_ F p0 p0u p1 p1u pm (1 / 2)) 1 p1u]; [Derive_n (fun p0u => p4 A B C_ E_ F p0 p0u p1 p1u pm 1%Z) 1 p0u; Derive_n (fun p1u => p4 A B C_ E_ F p0 p0u p1 p1u pm 1%Z) 1 p1u]] = mzeros 3 2 /\ [[Derive_n (fun p0u => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu 0%Z) 1 p0u; Derive_n (fun pu => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu 0%Z) 1 pu; Derive_n (fun p1u => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu 0%Z) 1 p1u]; [Derive_n (fun p0u => p5_ A B C_ E_ F G p0 p0u p1 p1u pm pu (1 / 2)) 1 p0u; Derive_n (fun pu => p5_ A B C_ E_ F G p0 p0u p1 p1u pm pu (1 / 2)) 1 pu; Derive_n (fun p1u => p5_ A B C_ E_ F G p0 p0u p1 p1u pm pu (1 / 2)) 1 p1u]; [Derive_n (fun p0u => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu 1%Z) 1 p0u; Derive_n (fun pu => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu 1%Z) 1 pu; Derive_n (fun p1u => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu 1%Z) 1 p1u]] = mzeros 3 3 /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (cubic_data A B C_ E_) <> 0 ->
   [[Derive_n (fun p0u => p3_ A B C_ E_ p0 p0u p1 p1u u) 1 p0u]] = mzeros 1 1) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (cubic_data A B C_ E_) <> 0 ->
   [[Derive_n (fun p1u => p3_ A B C_ E_ p0 p0u p1 p1u u) 1 p1u]] = mzeros 1 1) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quartic_data A B C_ E_ F) <> 0 ->
   [[Derive_n (fun p0u => p4_ A B C_ E_ F p0 p0u p1 p1u pm u) 1 p0u]] = mzeros 1 1) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quartic_data A B C_ E_ F) <> 0 ->
   [[Derive_n (fun p1u => p4_ A B C_ E_ F p0 p0u p1 p1u pm u) 1 p1u]] = mzeros 1 1) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   [[Derive_n (fun p0u => p5_ A B C_ E_ F G p0 p0u p1 p1u pm pu u) 1 p0u]] = mzeros 1 1) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   [[Derive_n (fun pu => p5_ A B C_ E_ F G p0 p0u p1 p1u pm pu u) 1 pu]] = mzeros 1 1) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   [[Derive_n (fun p1u => p5_ A B C_ E_ F G p0 p0u p1 p1u pm pu u) 1 p1u]] = mzeros 1 1).
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (u : R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (cubic_data A B C_ E_) <> 0 /\
   det (quartic_data A B C_ E_ F) <> 0 /\
   det (quintic_data A B C_ E_ F G) <> 0.
@@ -804,17 +804,17 @@ Definition fig1a_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : list R :=
   hermite4_ A B C_ E_ F u [- 20; 40; 5] [- 20; 20; 40] [- 20; - 50; 25] [40; 0; 80] [10; - 60; 80].
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   det (quartic_data A B C_ E_ F) <> 0 ->
   fig1b A B C_ E_ F G 0%Z = fig1a A B C_ E_ F 0%Z /\ (let u_ := 0%Z in vDerive 3 (fun u__ => fig1b_ A B C_ E_ F G u__) 1 (IZR u_)) = (let u__ := 0%Z in vDerive 3 (fun u___ => fig1a_ A B C_ E_ F u___) 1 (IZR u__)) /\ fig1b A B C_ E_ F G 1%Z = fig1a A B C_ E_ F 1%Z /\ (let u___ := 1%Z in vDerive 3 (fun u____ => fig1b_ A B C_ E_ F G u____) 1 (IZR u___)) = (let u____ := 1%Z in vDerive 3 (fun u_____ => fig1a_ A B C_ E_ F u_____) 1 (IZR u____)) /\ vsub (fig1b_ A B C_ E_ F G u) (fig1a_ A B C_ E_ F u) = vscale (8 * u ^ 2 * (1 - u) ^ 2 * (2 * u - 1)) (vsub [60; 5; 60] (let u_____ := 1 / 2 in vDerive 3 (fun u______ => fig1a_ A B C_ E_ F u______) 1 u_____)) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   det (quartic_data A B C_ E_ F) <> 0 ->
   (let u______ := 1 / 2 in vDerive 3 (fun u_______ => fig1b_ A B C_ E_ F G u_______) 1 u______) = (let u_______ := 1 / 2 in vDerive 3 (fun u________ => fig1a_ A B C_ E_ F u________) 1 u_______)).
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (quintic_data A B C_ E_ F G) <> 0 /\
   det (quartic_data A B C_ E_ F) <> 0.
 End fig_1b_middle.

@@ -70,7 +70,7 @@ forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let g3 := [g3'1; g3'2; g3'3] in
   let g4 := [g4'1; g4'2; g4'3] in
   let g5 := [g5'1; g5'2; g5'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   vDerive 3 (fun v_ => ruled a0 a1 a2 a3 a4 a5 g0 g1 g2 g3 g4 g5 u v_) 2 v = zeros 3 /\ ruled_ a0 a1 a2 a3 a4 a5 g0 g1 g2 g3 g4 g5 u 0%Z = p a0 a1 a2 a3 a4 a5 u.
 Definition instance : Prop :=
 exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (g0'1 g0'2 g0'3 : R) (g1'1 g1'2 g1'3 : R) (g2'1 g2'2 g2'3 : R) (g3'1 g3'2 g3'3 : R) (g4'1 g4'2 g4'3 : R) (g5'1 g5'2 g5'3 : R) (u : R) (v : R),
@@ -86,7 +86,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let g3 := [g3'1; g3'2; g3'3] in
   let g4 := [g4'1; g4'2; g4'3] in
   let g5 := [g5'1; g5'2; g5'3] in
-  0 <= u <= 1.
+  0 < u < 1.
 End def_3_1.
 
 Module def_3_1_normal.
@@ -108,7 +108,7 @@ forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let g3 := [g3'1; g3'2; g3'3] in
   let g4 := [g4'1; g4'2; g4'3] in
   let g5 := [g5'1; g5'2; g5'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   cross (vDerive 3 (fun u_ => ruled a0 a1 a2 a3 a4 a5 g0 g1 g2 g3 g4 g5 u_ v) 1 u) (vDerive 3 (fun v_ => ruled a0 a1 a2 a3 a4 a5 g0 g1 g2 g3 g4 g5 u v_) 1 v) = cross (vadd (vDerive 3 (fun u_ => p a0 a1 a2 a3 a4 a5 u_) 1 u) (vscale v (vDerive 3 (fun u_ => g g0 g1 g2 g3 g4 g5 u_) 1 u))) (g g0 g1 g2 g3 g4 g5 u).
 Definition instance : Prop :=
 exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (g0'1 g0'2 g0'3 : R) (g1'1 g1'2 g1'3 : R) (g2'1 g2'2 g2'3 : R) (g3'1 g3'2 g3'3 : R) (g4'1 g4'2 g4'3 : R) (g5'1 g5'2 g5'3 : R) (u : R) (v : R),
@@ -124,7 +124,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let g3 := [g3'1; g3'2; g3'3] in
   let g4 := [g4'1; g4'2; g4'3] in
   let g5 := [g5'1; g5'2; g5'3] in
-  0 <= u <= 1.
+  0 < u < 1.
 End def_3_1_normal.
 
 Module def_3_2.
@@ -176,7 +176,7 @@ forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let b3 := [b3'1; b3'2; b3'3] in
   let b4 := [b4'1; b4'2; b4'3] in
   let b5 := [b5'1; b5'2; b5'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   ruled a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 u 1%Z = q b0 b1 b2 b3 b4 b5 u /\ ruled_ a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 u v = vadd (vscale (1 - v) (p a0 a1 a2 a3 a4 a5 u)) (vscale v (q b0 b1 b2 b3 b4 b5 u)).
 Definition instance : Prop :=
 exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (b0'1 b0'2 b0'3 : R) (b1'1 b1'2 b1'3 : R) (b2'1 b2'2 b2'3 : R) (b3'1 b3'2 b3'3 : R) (b4'1 b4'2 b4'3 : R) (b5'1 b5'2 b5'3 : R) (u : R) (v : R),
@@ -192,7 +192,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let b3 := [b3'1; b3'2; b3'3] in
   let b4 := [b4'1; b4'2; b4'3] in
   let b5 := [b5'1; b5'2; b5'3] in
-  0 <= u <= 1.
+  0 < u < 1.
 End sec_3_g_boundary.
 
 Module sec_3_g_prime.
@@ -396,7 +396,7 @@ forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let b3 := [b3'1; b3'2; b3'3] in
   let b4 := [b4'1; b4'2; b4'3] in
   let b5 := [b5'1; b5'2; b5'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   (0 <= 4%Z)%Z ->
   factorial 4%Z <> 0 ->
   (0 <= 3%Z)%Z ->
@@ -423,7 +423,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let b3 := [b3'1; b3'2; b3'3] in
   let b4 := [b4'1; b4'2; b4'3] in
   let b5 := [b5'1; b5'2; b5'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (0 <= 4%Z)%Z /\
   factorial 4%Z <> 0 /\
   (0 <= 3%Z)%Z /\
@@ -436,6 +436,26 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   factorial 0%Z <> 0 /\
   (parallel a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 rho 4%Z = zeros 3 /\ parallel a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 rho 3%Z = zeros 3 /\ parallel a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 rho 2%Z = zeros 3 /\ parallel a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 rho 1%Z = zeros 3 /\ parallel a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 rho 0%Z = zeros 3).
 End eq_3_1_rho_constant.
+
+Module eq_3_1_rho_quadratic.
+(* hermite-developable/eq-3.1.rho-quadratic, Sect. 3, second sentence after (3.1)
+   printed: Then, Kusno [8] use these criteria with rho(u) real constant, linear, and quadratic for modeling the developable Bézier
+   read as: Where q'(u) = rho(u) p'(u) with a quadratic rho, a linear and a constant one among them, the patch is developable by Definition 3.2: the determinant of p', q' and q - p is zero.
+   stated: det([dp, (r0 + r1*u + r2*u^2)*dp, Q - P]) == 0 *)
+Definition statement : Prop :=
+forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (r0 : R) (r1 : R) (r2 : R) (u : R),
+  let P := [P'1; P'2; P'3] in
+  let Q := [Q'1; Q'2; Q'3] in
+  let dp := [dp'1; dp'2; dp'3] in
+  0 < u < 1 ->
+  det [dp; vscale (r0 + r1 * u + r2 * u ^ 2) dp; vsub Q P] = 0.
+Definition instance : Prop :=
+exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (r0 : R) (r1 : R) (r2 : R) (u : R),
+  let P := [P'1; P'2; P'3] in
+  let Q := [Q'1; Q'2; Q'3] in
+  let dp := [dp'1; dp'2; dp'3] in
+  0 < u < 1.
+End eq_3_1_rho_quadratic.
 
 Module eq_3_1_difficulties_same.
 (* hermite-developable/eq-3.1.difficulties.same, Sect. 3, fourth sentence after (3.1)
@@ -456,7 +476,7 @@ forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let b4 := [b4'1; b4'2; b4'3] in
   let b5 := [b5'1; b5'2; b5'3] in
   let o := [o'1; o'2; o'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
   (0 <= 4%Z)%Z ->
@@ -486,7 +506,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let b4 := [b4'1; b4'2; b4'3] in
   let b5 := [b5'1; b5'2; b5'3] in
   let o := [o'1; o'2; o'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (0 <= 5%Z)%Z /\
   factorial 5%Z <> 0 /\
   (0 <= 4%Z)%Z /\
@@ -611,7 +631,7 @@ Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (n
 Definition statement : Prop :=
 forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R),
   0 < k ->
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
   (0 <= 4%Z)%Z ->
@@ -627,7 +647,7 @@ forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R),
   part f0 f1 f2 f3 f4 f5 k 5%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 4%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 3%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 2%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 1%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k 0%Z = 0 ->
   ~ (forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R),
   0 < k ->
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
   (0 <= 4%Z)%Z ->
@@ -656,7 +676,7 @@ Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s
 Definition statement : Prop :=
 forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R),
   0 < k ->
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
   (0 <= 4%Z)%Z ->
@@ -672,7 +692,7 @@ forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u 
   part f0 f1 f2 f3 f4 f5 k s 5%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 4%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 3%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 2%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 1%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 0%Z = 0 ->
   ~ (forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R),
   0 < k ->
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
   (0 <= 4%Z)%Z ->
@@ -949,7 +969,7 @@ forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let b4 := [b4'1; b4'2; b4'3] in
   let b5 := [b5'1; b5'2; b5'3] in
   let o := [o'1; o'2; o'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
   (0 <= 4%Z)%Z ->
@@ -979,7 +999,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let b4 := [b4'1; b4'2; b4'3] in
   let b5 := [b5'1; b5'2; b5'3] in
   let o := [o'1; o'2; o'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (0 <= 5%Z)%Z /\
   factorial 5%Z <> 0 /\
   (0 <= 4%Z)%Z /\
@@ -1080,7 +1100,7 @@ forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let b4 := [b4'1; b4'2; b4'3] in
   let b5 := [b5'1; b5'2; b5'3] in
   let o := [o'1; o'2; o'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
   (0 <= 4%Z)%Z ->
@@ -1110,7 +1130,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let b4 := [b4'1; b4'2; b4'3] in
   let b5 := [b5'1; b5'2; b5'3] in
   let o := [o'1; o'2; o'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   (0 <= 5%Z)%Z /\
   factorial 5%Z <> 0 /\
   (0 <= 4%Z)%Z /\
@@ -1280,7 +1300,7 @@ forall (b0'1 b0'2 b0'3 : R) (b1'1 b1'2 b1'3 : R) (b2'1 b2'2 b2'3 : R) (b3'1 b3'2
   let b5 := [b5'1; b5'2; b5'3] in
   let o := [o'1; o'2; o'3] in
   0 < k ->
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   h ^ 2 > 0 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
@@ -1306,7 +1326,7 @@ exists (b0'1 b0'2 b0'3 : R) (b1'1 b1'2 b1'3 : R) (b2'1 b2'2 b2'3 : R) (b3'1 b3'2
   let b5 := [b5'1; b5'2; b5'3] in
   let o := [o'1; o'2; o'3] in
   0 < k /\
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   h ^ 2 > 0 /\
   (0 <= 5%Z)%Z /\
   factorial 5%Z <> 0 /\
@@ -1346,7 +1366,7 @@ forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let b3 := [b3'1; b3'2; b3'3] in
   let b4 := [b4'1; b4'2; b4'3] in
   let b5 := [b5'1; b5'2; b5'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   ruled a0 a1 a2 a3 a4 a5 b0 b1 b2 b3 b4 b5 u v = vadd (vscale (1 - v) (p a0 a1 a2 a3 a4 a5 u)) (vscale v (q b0 b1 b2 b3 b4 b5 u)).
 Definition instance : Prop :=
 exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (b0'1 b0'2 b0'3 : R) (b1'1 b1'2 b1'3 : R) (b2'1 b2'2 b2'3 : R) (b3'1 b3'2 b3'3 : R) (b4'1 b4'2 b4'3 : R) (b5'1 b5'2 b5'3 : R) (u : R) (v : R),
@@ -1362,5 +1382,5 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
   let b3 := [b3'1; b3'2; b3'3] in
   let b4 := [b4'1; b4'2; b4'3] in
   let b5 := [b5'1; b5'2; b5'3] in
-  0 <= u <= 1.
+  0 < u < 1.
 End eq_3_4.

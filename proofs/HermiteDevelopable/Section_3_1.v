@@ -55,11 +55,11 @@ Module sec_3_1_polynomials.
    stated: first'(u) == 3*a1*u^2 + 2*b1*u + c1 and second'(u) == 3*a2*u^2 + 2*b2*u + c2 *)
 Definition statement : Prop :=
 forall (a1 : R) (a2 : R) (b1 : R) (b2 : R) (c1 : R) (c2 : R) (d1 : R) (d2 : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   Derive_n (fun u_ => first a1 b1 c1 d1 u_) 1 u = 3 * a1 * u ^ 2 + 2 * b1 * u + c1 /\ Derive_n (fun u_ => second a2 b2 c2 d2 u_) 1 u = 3 * a2 * u ^ 2 + 2 * b2 * u + c2.
 Definition instance : Prop :=
 exists (a1 : R) (a2 : R) (b1 : R) (b2 : R) (c1 : R) (c2 : R) (d1 : R) (d2 : R) (u : R),
-  0 <= u <= 1.
+  0 < u < 1.
 End sec_3_1_polynomials.
 
 Module sec_3_1_substituted.
@@ -68,11 +68,11 @@ Module sec_3_1_substituted.
    stated: second(u) + second'(u) - k*(first(u) + first'(u)) - (1 - k)*o == a2*u^3 + (b2 + 3*a2)*u^2 + (c2 + 2*b2)*u + (d2 + c2) - k*(a1*u^3 + (b1 + 3*a1)*u^2 + (c1 + 2*b1)*u + (d1 + c1)) - (1 - k)*o *)
 Definition statement : Prop :=
 forall (a1 : R) (a2 : R) (b1 : R) (b2 : R) (c1 : R) (c2 : R) (d1 : R) (d2 : R) (k : R) (o : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   second a2 b2 c2 d2 u + Derive_n (fun u_ => second a2 b2 c2 d2 u_) 1 u - k * (first a1 b1 c1 d1 u + Derive_n (fun u_ => first a1 b1 c1 d1 u_) 1 u) - (1 - k) * o = a2 * u ^ 3 + (b2 + 3 * a2) * u ^ 2 + (c2 + 2 * b2) * u + (d2 + c2) - k * (a1 * u ^ 3 + (b1 + 3 * a1) * u ^ 2 + (c1 + 2 * b1) * u + (d1 + c1)) - (1 - k) * o.
 Definition instance : Prop :=
 exists (a1 : R) (a2 : R) (b1 : R) (b2 : R) (c1 : R) (c2 : R) (d1 : R) (d2 : R) (k : R) (o : R) (u : R),
-  0 <= u <= 1.
+  0 < u < 1.
 End sec_3_1_substituted.
 
 Module sec_3_1_coefficients.
@@ -474,7 +474,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0
   let q0u := [q0u'1; q0u'2; q0u'3] in
   let q1 := [q1'1; q1'2; q1'3] in
   let q1u := [q1u'1; q1u'2; q1u'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (cubic_data A B C_ E_) <> 0 ->
   (0 <= 3%Z)%Z ->
   factorial 3%Z <> 0 ->
@@ -497,7 +497,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0
   let q0u := [q0u'1; q0u'2; q0u'3] in
   let q1 := [q1'1; q1'2; q1'3] in
   let q1u := [q1u'1; q1u'2; q1u'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (cubic_data A B C_ E_) <> 0 /\
   (0 <= 3%Z)%Z /\
   factorial 3%Z <> 0 /\
@@ -690,7 +690,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o'1 o'2 o'3 : R) (p0'1
   let p0u := [p0u'1; p0u'2; p0u'3] in
   let p1 := [p1'1; p1'2; p1'3] in
   let p1u := [p1u'1; p1u'2; p1u'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   det (cubic_data A B C_ E_) <> 0 ->
   (0 <= 3%Z)%Z ->
@@ -711,7 +711,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o'1 o'2 o'3 : R) (p0'1
   let p0u := [p0u'1; p0u'2; p0u'3] in
   let p1 := [p1'1; p1'2; p1'3] in
   let p1u := [p1u'1; p1u'2; p1u'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   k > 0 /\
   det (cubic_data A B C_ E_) <> 0 /\
   (0 <= 3%Z)%Z /\
@@ -733,12 +733,12 @@ Module alg_3_1_step1.
    stated: cubic_gap(u) == (2*q0 - 2*q1 + q0u + q1u - k*(2*p0 - 2*p1 + p0u + p1u))*u^3 + (3*q0 - 3*q1 + q0u + 2*q1u - k*(3*p0 - 3*p1 + p0u + 2*p1u))*u^2 + (-6*q0 + 6*q1 - 3*q0u - 2*q1u - k*(-6*p0 + 6*p1 - 3*p0u - 2*p1u))*u + (q0 + q0u - k*(p0 + p0u) - (1 - k)*o) *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (cubic_data A B C_ E_) <> 0 ->
   cubic_gap A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u = (2 * q0 - 2 * q1 + q0u + q1u - k * (2 * p0 - 2 * p1 + p0u + p1u)) * u ^ 3 + (3 * q0 - 3 * q1 + q0u + 2 * q1u - k * (3 * p0 - 3 * p1 + p0u + 2 * p1u)) * u ^ 2 + (- 6 * q0 + 6 * q1 - 3 * q0u - 2 * q1u - k * (- 6 * p0 + 6 * p1 - 3 * p0u - 2 * p1u)) * u + (q0 + q0u - k * (p0 + p0u) - (1 - k) * o).
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (cubic_data A B C_ E_) <> 0.
 End alg_3_1_step1.
 
@@ -788,14 +788,14 @@ Definition p (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (q0 : R) (q0u : R
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
   0 < k ->
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (cubic_data A B C_ E_) <> 0 ->
   det (A35 k) <> 0 ->
   q3 A B C_ E_ q0 q0u q1 q1u u + Derive_n (fun u_ => q3 A B C_ E_ q0 q0u q1 q1u u_) 1 u = k * (p A B C_ E_ k o q0 q0u q1 q1u u + Derive_n (fun u_ => p A B C_ E_ k o q0 q0u q1 q1u u_) 1 u) + (1 - k) * o.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
   0 < k /\
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (cubic_data A B C_ E_) <> 0 /\
   det (A35 k) <> 0.
 End alg_3_1_step3.
@@ -863,7 +863,7 @@ Definition solved1_ (o : R) (q1 : R) (k : R) : R :=
   (q1 + (k - 1) * o) / k.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) (p1_of_o : R -> R) (p0u_of_o : R -> R) (p1u_of_o : R -> R) (p0_of_o : R -> R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   det (cubic_data A B C_ E_) <> 0 ->
   (0 <= 3%Z)%Z ->
@@ -882,7 +882,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 
   p0_of_o o = p0 ->
   (forall o : R, cubic_criterion A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o (p0_of_o o) (p0u_of_o o) (p1_of_o o) (p1u_of_o o) q0 q0u q1 q1u = cubic_criterion_) ->
   p0 = solved0 k o q0 /\ p1 = solved1 k o q1 /\ [[Derive_n (fun o => (p0_of_o o)) 1 o]; [Derive_n (fun o => (p1_of_o o)) 1 o]] = [[(k - 1) / k]; [(k - 1) / k]] /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   det (cubic_data A B C_ E_) <> 0 ->
   (0 <= 3%Z)%Z ->
@@ -896,7 +896,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 
   cubic_criterion A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion__ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion___ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ /\ cubic_criterion____ A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u = cubic_criterion_ ->
   locally k (fun k_ => k_ <> 0) ->
   Derive_n (fun k_ => solved0_ o q0 k_) 1 k = 0) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   det (cubic_data A B C_ E_) <> 0 ->
   (0 <= 3%Z)%Z ->
@@ -912,7 +912,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 
   Derive_n (fun k_ => solved1_ o q1 k_) 1 k = 0) /\ q3 A B C_ E_ q0 q0u q1 q1u u - p3 A B C_ E_ p0 p0u p1 p1u u = (1 - 1 / k) * (q3 A B C_ E_ q0 q0u q1 q1u u - o).
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (u : R) (p1_of_o : R -> R) (p0u_of_o : R -> R) (p1u_of_o : R -> R) (p0_of_o : R -> R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   k > 0 /\
   det (cubic_data A B C_ E_) <> 0 /\
   (0 <= 3%Z)%Z /\
@@ -1314,7 +1314,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0
   let p0u := [p0u'1; p0u'2; p0u'3] in
   let p1 := [p1'1; p1'2; p1'3] in
   let p1u := [p1u'1; p1u'2; p1u'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   det (cubic_data A B C_ E_) <> 0 ->
   (0 <= 3%Z)%Z ->
@@ -1335,7 +1335,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0
   let p0u := [p0u'1; p0u'2; p0u'3] in
   let p1 := [p1'1; p1'2; p1'3] in
   let p1u := [p1u'1; p1u'2; p1u'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   k > 0 /\
   det (cubic_data A B C_ E_) <> 0 /\
   (0 <= 3%Z)%Z /\
@@ -1410,7 +1410,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3
   let w0u := [w0u'1; w0u'2; w0u'3] in
   let w1 := [w1'1; w1'2; w1'3] in
   let w1u := [w1u'1; w1u'2; w1u'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (cubic_data A B C_ E_) <> 0 ->
   (0 <= 3%Z)%Z ->
   factorial 3%Z <> 0 ->
@@ -1433,7 +1433,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3
   let w0u := [w0u'1; w0u'2; w0u'3] in
   let w1 := [w1'1; w1'2; w1'3] in
   let w1u := [w1u'1; w1u'2; w1u'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (cubic_data A B C_ E_) <> 0 /\
   (0 <= 3%Z)%Z /\
   factorial 3%Z <> 0 /\
@@ -1477,18 +1477,18 @@ Definition generic (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t 
   hermite3_ A B C_ E_ u a b s t.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (cubic_data A B C_ E_) <> 0 ->
   q2a A B C_ E_ u = q2c A B C_ E_ u) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (cubic_data A B C_ E_) <> 0 ->
   [[Derive_n (fun s => generic A B C_ E_ a b s t u) 1 s]] = mzeros 1 1) /\ ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (cubic_data A B C_ E_) <> 0 ->
   [[Derive_n (fun t => generic A B C_ E_ a b s t u) 1 t]] = mzeros 1 1).
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (a : R) (b : R) (s : R) (t : R) (u : R),
-  0 <= u <= 1.
+  0 < u < 1.
 End ex_3_1_shapes.

@@ -886,7 +886,7 @@ Definition bump_ (u : Z) : R :=
   16 * IZR u ^ 2 * (1 - IZR u) ^ 2.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) (qm_of_pm : R -> R) (p1_of_pm : R -> R) (p0u_of_pm : R -> R) (p1u_of_pm : R -> R) (o_of_pm : R -> R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   k <> 1 ->
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -910,7 +910,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
   [[Derive_n (fun pm => p4 A B C_ E_ F p0 (p0u_of_pm pm) (p1_of_pm pm) (p1u_of_pm pm) pm u) 1 pm]; [Derive_n (fun pm => q4 A B C_ E_ F q0 q0u q1 q1u (qm_of_pm pm) u) 1 pm]] = [[bump u]; [k * bump u]] /\ bump_ 0%Z = 0 /\ bump_ 1%Z = 0 /\ (let u_ := 0%Z in Derive_n (fun u__ => bump u__) 1 (IZR u_)) = 0 /\ (let u__ := 1%Z in Derive_n (fun u___ => bump u___) 1 (IZR u__)) = 0 /\ bump (1 / 2) = 1 /\ 0 <= bump u /\ bump u <= 1.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) (qm_of_pm : R -> R) (p1_of_pm : R -> R) (p0u_of_pm : R -> R) (p1u_of_pm : R -> R) (o_of_pm : R -> R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   k > 0 /\
   k <> 1 /\
   det (quartic_data A B C_ E_ F) <> 0 /\
@@ -1385,7 +1385,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 
   let p1 := [p1'1; p1'2; p1'3] in
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quartic_data A B C_ E_ F) <> 0 ->
   (0 <= 4%Z)%Z ->
   factorial 4%Z <> 0 ->
@@ -1406,7 +1406,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 
   let p1 := [p1'1; p1'2; p1'3] in
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (quartic_data A B C_ E_ F) <> 0 /\
   (0 <= 4%Z)%Z /\
   factorial 4%Z <> 0 /\

@@ -881,7 +881,7 @@ Definition wave_ (u : Z) : R :=
   8 * IZR u ^ 2 * (1 - IZR u) ^ 2 * (2 * IZR u - 1).
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) (p0u_of_pu : R -> R) (qu_of_pu : R -> R) (p1u_of_pu : R -> R) (qm_of_pu : R -> R) (p1_of_pu : R -> R) (o_of_pu : R -> R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   k <> 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -908,7 +908,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
   [[Derive_n (fun pu => p5 A B C_ E_ F G p0 (p0u_of_pu pu) (p1_of_pu pu) (p1u_of_pu pu) pm pu u) 1 pu]; [Derive_n (fun pu => q5 A B C_ E_ F G q0 q0u q1 q1u (qm_of_pu pu) (qu_of_pu pu) u) 1 pu]] = [[wave u]; [k * wave u]] /\ wave_ 0%Z = 0 /\ wave_ 1%Z = 0 /\ (let u_ := 0%Z in Derive_n (fun u__ => wave u__) 1 (IZR u_)) = 0 /\ (let u__ := 1%Z in Derive_n (fun u___ => wave u___) 1 (IZR u__)) = 0 /\ wave (1 / 2) = 0 /\ (let u___ := 1 / 2 in Derive_n (fun u____ => wave u____) 1 u___) = 1.
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R) (p0u_of_pu : R -> R) (qu_of_pu : R -> R) (p1u_of_pu : R -> R) (qm_of_pu : R -> R) (p1_of_pu : R -> R) (o_of_pu : R -> R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   k > 0 /\
   k <> 1 /\
   det (quintic_data A B C_ E_ F G) <> 0 /\
@@ -1695,7 +1695,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
@@ -1719,7 +1719,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (quintic_data A B C_ E_ F G) <> 0 /\
   (0 <= 5%Z)%Z /\
   factorial 5%Z <> 0 /\
@@ -1796,7 +1796,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
@@ -1820,7 +1820,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (quintic_data A B C_ E_ F G) <> 0 /\
   (0 <= 5%Z)%Z /\
   factorial 5%Z <> 0 /\

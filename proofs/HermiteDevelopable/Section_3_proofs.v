@@ -100,6 +100,14 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cbv beta zeta delta [parallel q p]; ratios ltac:(fun u => apply monomial_curve); met_joins. Qed.
 End eq_3_1_rho_constant.
 
+Module eq_3_1_rho_quadratic.
+Import HermiteDevelopable.Section_3.eq_3_1_rho_quadratic.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (11), (12), (13), (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (0), (0), (0), (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (2), (11), (1), (1 / 3); met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, (1), (1), (1), (1 / 3); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (1), (0), (0), (1 / 3); met)]. Qed.
+End eq_3_1_rho_quadratic.
+
 Module eq_3_1_difficulties_same.
 Import HermiteDevelopable.Section_3.eq_3_1_difficulties_same.
 Theorem proved : statement.

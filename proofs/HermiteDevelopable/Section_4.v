@@ -86,7 +86,7 @@ Definition quintic_criterion______ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G 
   quintic_part A B C_ E_ F G k o p0 p0u p1 p1u pm pu q0 q0u q1 q1u qm qu 0%Z.
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   k <> 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -106,7 +106,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
   q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u - o = k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u - o).
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (u : R),
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   k > 0 /\
   k <> 1 /\
   det (quintic_data A B C_ E_ F G) <> 0 /\
@@ -139,14 +139,14 @@ forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (q0'1 q0'2 q0'3 : R) (u : R) (v : R),
   let a := [a'1; a'2; a'3] in
   let d := [d'1; d'2; d'3] in
   let q0 := [q0'1; q0'2; q0'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   oblique a d q0 0%Z 0%Z = q0 /\ dot (vsub (oblique_ a d q0 u v) q0) (normal a d) = 0.
 Definition instance : Prop :=
 exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (q0'1 q0'2 q0'3 : R) (u : R) (v : R),
   let a := [a'1; a'2; a'3] in
   let d := [d'1; d'2; d'3] in
   let q0 := [q0'1; q0'2; q0'3] in
-  0 <= u <= 1.
+  0 < u < 1.
 End eq_4_1.
 
 Module sec_4_goal_designed.
@@ -194,7 +194,7 @@ Definition r5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (y1 : R) (y2 : R
   hermite5 A B C_ E_ F G u r0 (r y1 z1) (r1 y2 z2) (r0u y3 z3) (ru y1 y4 z1 z4) (r1u y2 y5 z2 z5).
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   k <> 1 ->
   k <> 0 ->
@@ -286,9 +286,9 @@ Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (y1 : R) (y2 : R
   hermite5 A B C_ E_ F G u q0 (qm y1 z1) (q1 y2 z2) (q0u y3 z3) (qu y4 z4) (q1u y5 z5).
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   ~ (forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R),
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   dot (vsub (qm y1 z1) o) normal <> 0 ->
   dot (vsub (q1 y2 z2) o) normal <> 0 ->
   dot (vadd (vsub q0 o) (q0u y3 z3)) normal <> 0 ->
@@ -298,7 +298,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (y1 : R) (y2 : 
   cross (vsub (r5 A B C_ E_ F G y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u) o) (vsub (q5 A B C_ E_ F G y1 y2 y3 y4 y5 z1 z2 z3 z4 z5 u) o) = zeros 3).
 Definition instance : Prop :=
 exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R),
-  0 <= u <= 1.
+  0 < u < 1.
 End sec_4_goal_leaves.
 
 Module sec_4_goal_nodes.
@@ -388,7 +388,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (c'1 
   let pu := [pu'1; pu'2; pu'3] in
   let q0 := [q0'1; q0'2; q0'3] in
   let x := [x'1; x'2; x'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   dot c (normal a d) <> 0 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   r_ A B C_ E_ F G a c d p0 p0u p1 p1u pm pu q0 u = shadow a c d q0 (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u) /\ dot (vsub (r_ A B C_ E_ F G a c d p0 p0u p1 p1u pm pu q0 u) q0) (normal a d) = 0 /\ cross (vsub (r_ A B C_ E_ F G a c d p0 p0u p1 p1u pm pu q0 u) (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u)) c = zeros 3 /\ det [x; turned a c d x; c] = 0.
@@ -405,7 +405,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (c'1 
   let pu := [pu'1; pu'2; pu'3] in
   let q0 := [q0'1; q0'2; q0'3] in
   let x := [x'1; x'2; x'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   dot c (normal a d) <> 0 /\
   det (quintic_data A B C_ E_ F G) <> 0.
 End sec_4_goal_parallel.
@@ -425,7 +425,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (d'1 
   let q1u := [q1u'1; q1u'2; q1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   dot (vadd (vsub q0 o) q0u) (normal a d) <> 0 ->
   dot (vsub qm o) (normal a d) <> 0 ->
   dot (vadd (vsub qm o) qu) (normal a d) <> 0 ->
@@ -444,7 +444,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (d'1 
   let q1u := [q1u'1; q1u'2; q1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   dot (vadd (vsub q0 o) q0u) (normal a d) <> 0 /\
   dot (vsub qm o) (normal a d) <> 0 /\
   dot (vadd (vsub qm o) qu) (normal a d) <> 0 /\
@@ -1504,7 +1504,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let pm := [pm'1; pm'2; pm'3] in
   let pu := [pu'1; pu'2; pu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
@@ -1576,7 +1576,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let pm := [pm'1; pm'2; pm'3] in
   let pu := [pu'1; pu'2; pu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
@@ -1795,7 +1795,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let pm := [pm'1; pm'2; pm'3] in
   let pu := [pu'1; pu'2; pu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
@@ -1824,7 +1824,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let pm := [pm'1; pm'2; pm'3] in
   let pu := [pu'1; pu'2; pu'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (quintic_data A B C_ E_ F G) <> 0 /\
   (0 <= 5%Z)%Z /\
   factorial 5%Z <> 0 /\
@@ -2019,7 +2019,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let pm := [pm'1; pm'2; pm'3] in
   let pu := [pu'1; pu'2; pu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
@@ -2116,7 +2116,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let pm := [pm'1; pm'2; pm'3] in
   let pu := [pu'1; pu'2; pu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
@@ -2145,7 +2145,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let pm := [pm'1; pm'2; pm'3] in
   let pu := [pu'1; pu'2; pu'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (quintic_data A B C_ E_ F G) <> 0 /\
   (0 <= 5%Z)%Z /\
   factorial 5%Z <> 0 /\

@@ -60,7 +60,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o'1 o'2 o'3 : 
   let q1u := [q1u'1; q1u'2; q1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
@@ -91,7 +91,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o'1 o'2 o'3 : 
   let q1u := [q1u'1; q1u'2; q1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (quintic_data A B C_ E_ F G) <> 0 /\
   (0 <= 5%Z)%Z /\
   factorial 5%Z <> 0 /\
@@ -127,7 +127,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o'1 o'2 o'3 : 
   let q1u := [q1u'1; q1u'2; q1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->
@@ -158,7 +158,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o'1 o'2 o'3 : 
   let q1u := [q1u'1; q1u'2; q1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   det (quintic_data A B C_ E_ F G) <> 0 /\
   (0 <= 5%Z)%Z /\
   factorial 5%Z <> 0 /\
@@ -222,7 +222,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R)
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   k > 0 ->
   k <> 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -248,7 +248,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R)
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let qm := [qm'1; qm'2; qm'3] in
   let qu := [qu'1; qu'2; qu'3] in
-  0 <= u <= 1 /\
+  0 < u < 1 /\
   k > 0 /\
   k <> 1 /\
   det (quintic_data A B C_ E_ F G) <> 0 /\
@@ -320,7 +320,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
   let p1u := [p1u'1; p1u'2; p1u'3] in
   let pm := [pm'1; pm'2; pm'3] in
   let pu := [pu'1; pu'2; pu'3] in
-  0 <= u <= 1 ->
+  0 < u < 1 ->
   det (quintic_data A B C_ E_ F G) <> 0 ->
   (0 <= 5%Z)%Z ->
   factorial 5%Z <> 0 ->

@@ -119,9 +119,6 @@ Definition factorial (n : Z) : R := INR (fact (Z.to_nat n)).
 Definition vDerive (n : nat) (f : R -> list R) (order : nat) (x : R) : list R :=
   map (fun i => Derive_n (fun t => nth i (f t) 0) order x) (seq 0 n).
 
-(* a declared function: it has derivatives of every order everywhere *)
-Definition smooth (f : R -> R) : Prop := forall n x, ex_derive_n f n x.
-
 (* a family of numbers with another number for one of its members *)
 Definition update1 (P : Z -> R) (i : Z) (t : R) : Z -> R := fun j => if (j =? i)%Z then t else P j.
 Definition update2 (P : Z -> Z -> R) (i j : Z) (t : R) : Z -> Z -> R :=

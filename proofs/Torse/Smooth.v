@@ -4,6 +4,8 @@ From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs S
 From Coq Require Import Lra Lia FunctionalExtensionality.
 Open Scope R_scope.
 
+Definition smooth (f : R -> R) : Prop := forall n x, ex_derive_n f n x.
+
 Lemma smooth_ext f g : (forall x, f x = g x) -> smooth f -> smooth g.
 Proof. intros E F n x. apply ex_derive_n_ext with f; [exact E|apply F]. Qed.
 Lemma smooth_rate f : smooth f -> smooth (Derive f).

@@ -7,21 +7,17 @@ Open Scope R_scope.
 (* ---- expressions ---- *)
 Inductive ex :=
   | K (r : R) | X | Ad (e f : ex) | Sb (e f : ex) | Op (e : ex) | Ml (e f : ex) | Iv (e : ex) | Pw (e : ex) (n : nat)
-  | Si (e : ex) | Co (e : ex) | Ep (e : ex) | Se (a b c : ex) (m : Z) (P : Z -> R) | Ss (u v : R) (a b c : ex) (m : Z) (P : Z -> R)
-  | Fn (f : R -> R) (j : nat) (e : ex).
-(* a derivative of a declared function *)
-Definition dn (f : R -> R) (j : nat) (x : R) : R := match j with O => f x | _ => Derive_n f j x end.
+  | Si (e : ex) | Co (e : ex) | Ep (e : ex) | Se (a b c : ex) (m : Z) (P : Z -> R) | Ss (u v : R) (a b c : ex) (m : Z) (P : Z -> R).
 Fixpoint ev (e : ex) (x : R) : R := match e with
   | K r => r | X => x | Ad e f => ev e x + ev f x | Sb e f => ev e x - ev f x | Op e => - ev e x
   | Ml e f => ev e x * ev f x | Iv e => / ev e x | Pw e n => ev e x ^ n
   | Si e => sin (ev e x) | Co e => cos (ev e x) | Ep e => exp (ev e x)
   | Se a b c m P => pw (1 - x) x (Z.to_nat m) (seed3 (ev a x) (ev b x) (ev c x) P)
-  | Ss u v a b c m P => pw u v (Z.to_nat m) (seed3 (ev a x) (ev b x) (ev c x) P)
-  | Fn f j e => dn f j (ev e x) end.
+  | Ss u v a b c m P => pw u v (Z.to_nat m) (seed3 (ev a x) (ev b x) (ev c x) P) end.
 (* whether the variable occurs *)
 Fixpoint occurs (e : ex) : bool := match e with
   | K _ => false | X => true | Ad e f | Sb e f | Ml e f => occurs e || occurs f
-  | Op e | Iv e | Pw e _ | Si e | Co e | Ep e | Fn _ _ e => occurs e | Se _ _ _ _ _ => true
+  | Op e | Iv e | Pw e _ | Si e | Co e | Ep e => occurs e | Se _ _ _ _ _ => true
   | Ss _ _ a b c _ _ => occurs a || occurs b || occurs c end.
 Fixpoint dx (e : ex) : ex :=
   if occurs e then match e with
@@ -34,16 +30,14 @@ Fixpoint dx (e : ex) : ex :=
   | Pw e n => match n with O => K 0 | S n => Ml (K (IZR (Z.of_nat (S n)))) (Ml (dx e) (Pw e n)) end
   | Si e => Ml (dx e) (Co e) | Co e => Op (Ml (dx e) (Si e)) | Ep e => Ml (dx e) (Ep e)
   | Se a b c m P => Ad (Ml (K (IZR (Z.max m 0))) (Se a b c (m - 1) (dl P))) (Se (dx a) (dx b) (dx c) m P)
-  | Ss u v a b c m P => Ss u v (dx a) (dx b) (dx c) m P
-  | Fn f j e => Ml (dx e) (Fn f (S j) e) end
+  | Ss u v a b c m P => Ss u v (dx a) (dx b) (dx c) m P end
   else K 0.
 (* no divisor is zero *)
 Fixpoint ok (e : ex) (x : R) : Prop := match e with
   | K _ | X => True | Ad e f | Sb e f | Ml e f => ok e x /\ ok f x
   | Op e | Pw e _ | Si e | Co e | Ep e => ok e x
   | Iv e => ok e x /\ ev e x <> 0
-  | Se a b c _ _ | Ss _ _ a b c _ _ => ok a x /\ ok b x /\ ok c x
-  | Fn f _ e => smooth f /\ ok e x end.
+  | Se a b c _ _ | Ss _ _ a b c _ _ => ok a x /\ ok b x /\ ok c x end.
 
 Lemma no_x e : occurs e = false -> forall x y, ev e x = ev e y.
 Proof.
@@ -90,7 +84,6 @@ Proof.
     + exact (is_derive_scal (fun x => pw u v n (seed3 (a x) (b x) (c x) (fun i => P (i + 1)%Z))) x v _ (IH _)).
 Qed.
 
-Lemma dn_n f j x : dn f j x = Derive_n f j x. Proof. destruct j; reflexivity. Qed.
 Lemma evK r x : ev (K r) x = r. Proof. reflexivity. Qed.
 Lemma evAd e f x : ev (Ad e f) x = ev e x + ev f x. Proof. reflexivity. Qed.
 Lemma evSb e f x : ev (Sb e f) x = ev e x - ev f x. Proof. reflexivity. Qed.
@@ -155,11 +148,6 @@ Proof.
     + cbn [ev]. exact (seeds_derive u v (ev e1) (ev e2) (ev e3) (ev (dx e1)) (ev (dx e2)) (ev (dx e3)) x
         (IHe1 H1) (IHe2 H2) (IHe3 H3) (Z.to_nat m) P).
     + apply (flat (Ss u v e1 e2 e3 m P)). exact O.
-  - destruct H as [S H]. specialize (IHe H). cbn [dx occurs]. destruct (occurs e) eqn:O1.
-    + apply (dcomp (dn f j) (ev e)); [|exact IHe].
-      apply is_derive_ext with (Derive_n f j); [intro; symmetry; apply dn_n|].
-      apply (Derive_correct (Derive_n f j)), (S (Datatypes.S j)).
-    + apply (flat (Fn f j e)). exact O1.
 Qed.
 
 Lemma ok_dx e x : ok e x -> ok (dx e) x.
@@ -183,7 +171,6 @@ Proof.
     + apply (filter_imp (fun y => 0 < y)); [intros; lra|]. apply (open_gt 0), L.
   - destruct H as [H1 [H2 H3]]. apply filter_and; [auto|apply filter_and; auto].
   - destruct H as [H1 [H2 H3]]. apply filter_and; [auto|apply filter_and; auto].
-  - destruct H as [H1 H2]. apply filter_and; [apply filter_forall; intro; exact H1|auto].
 Qed.
 
 Fixpoint dxn (n : nat) (e : ex) : ex := match n with O => e | S n => dx (dxn n e) end.

@@ -300,7 +300,7 @@ Proof.
   cbv beta zeta delta [instance]; assert (M : forall n, E1 n n (1 / 2) = [0; 0;
       (20 - 10 * (1 - 1 / sqrt 2) * (1 - n * (1 / sqrt 2))); 400]) by (intro n;
     cbv delta [E1 g E1_0 E1_1 E1_2 E1_3]; compute_goal; replace (PI / 2 * (1 / 2)) with (PI / 4) by field;
-    rewrite sin_PI4, cos_PI4; generalize (1 / sqrt 2); intro s; parts; field);
+    rewrite sin_PI4, cos_PI4;  generalize (1 / sqrt 2); intro s; parts; field);
   assert (I : 1 / 2 < 1 / sqrt 2 < 3 / 4) by (assert (Q : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra);
     pose proof (Rlt_sqrt2_0); assert (4 / 3 < sqrt 2 < 2) by (split; nra); split;
     [apply (Rmult_lt_reg_r (sqrt 2)); [lra|unfold Rdiv at 2; rewrite Rmult_assoc, Rinv_l;
@@ -309,11 +309,11 @@ Proof.
       (20 * (1 - (1 - (1 / sqrt 2)) * (1 - n * (1 / sqrt 2))) + 15 * PI * (1 / sqrt 2) * (1 + n - 2 * n * (1 /
             sqrt 2))); v; 0]) by (intro n; eexists; cbv delta [E1 g E1_0 E1_1 E1_2 E1_3]; lists;
     refine (f_equal2 (@cons _) _ (f_equal2 (@cons _) _ (f_equal2 (@cons _) eq_refl (f_equal2 (@cons _) _
-            eq_refl)))); [rewrite (Derive_n_ext _ (fun _ => 0)) by (intro; ring);
+            eq_refl))));  [rewrite (Derive_n_ext _ (fun _ => 0)) by (intro; ring);
       apply rate_const|compute_goal; apply is_derive_unique; auto_derive;
-      [exact Logic.I|replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite sin_PI4, cos_PI4;
-        generalize (1 / sqrt 2); intro s; field]|rewrite (Derive_n_ext _ (fun _ => 400)) by (intro;
-        compute_goal; ring); apply rate_const]);
+      [exact Logic.I|replace (PI / 2 * (1 / 2)) with (PI / 4) by field;
+        rewrite sin_PI4, cos_PI4;  generalize (1 / sqrt 2); intro s;
+        field]|rewrite (Derive_n_ext _ (fun _ => 400)) by (intro; compute_goal; ring); apply rate_const]);
   assert (T : forall n, -1 < n < 1 -> dot (direction (E1 n n (1 / 2)) (vDerive 4 (fun x => E1 n n x) 1 (1 /
           2))) (direction (E1 n n (1 / 2)) (vDerive 4 (fun x => E1 n n x) 1 (1 / 2))) <> 0) by (intros n N;
     destruct (K n) as (v & U); rewrite M, U; clear M K U; generalize dependent (1 / sqrt 2); intros s I;
@@ -333,18 +333,18 @@ Proof.
         E1_1 E1_0)) by exact (vector_start_rate n n E1_0 E1_1 E1_2 E1_3 eq_refl eq_refl eq_refl 4 eq_refl);
     rewrite S, S'; clear S S'; assert (0 < 1 + PI / 2 * (1 + n)) by (pose proof PI_RGT_0; nra);
     generalize dependent (1 + PI / 2 * (1 + n)); intros k HK;
-    cbv delta [direction normal E1_0 E1_1 E1_2 E1_3]; lists; apply Rgt_not_eq; nra);
-  assert (T1 : forall n, -1 < n < 1 -> dot (direction (E1_ n n 1%Z) (vDerive 4 (fun x => E1 n n x) 1 (IZR 1)))
-    (direction (E1_ n n 1%Z) (vDerive 4 (fun x => E1 n n x) 1 (IZR 1))) <> 0) by (intros n N;
+    cbv delta [direction normal E1_0 E1_1 E1_2 E1_3]; lists; apply Rgt_not_eq;
+    nra);  assert (T1 : forall n, -1 < n < 1 -> dot (direction (E1_ n n 1%Z) (vDerive 4 (fun x => E1 n n x) 1
+        (IZR 1))) (direction (E1_ n n 1%Z) (vDerive 4 (fun x => E1 n n x) 1 (IZR 1))) <> 0) by (intros n N;
     assert (S : E1_ n n 1%Z = E1_3) by exact (vector_end_value n n E1_0 E1_1 E1_2 E1_3 eq_refl eq_refl
       eq_refl); assert (S' : vDerive 4 (fun x => E1 n n x) 1 (IZR 1) = vscale (1 + PI / 2 * (1 + n)) (vsub
         E1_3 E1_2)) by exact (vector_end_rate n n E1_0 E1_1 E1_2 E1_3 eq_refl eq_refl eq_refl 4 eq_refl);
     rewrite S, S'; clear S S'; assert (0 < 1 + PI / 2 * (1 + n)) by (pose proof PI_RGT_0; nra);
     generalize dependent (1 + PI / 2 * (1 + n)); intros k HK;
-    cbv delta [direction normal E1_0 E1_1 E1_2 E1_3]; lists; apply Rgt_not_eq; nra); exists 0; split;
+    cbv delta [direction normal E1_0 E1_1 E1_2 E1_3]; lists; apply Rgt_not_eq; nra);  exists 0; split;
   [lra|split; [|split; [|split]]]; exists (mkposreal 1 Rlt_0_1); intros n B;
   assert (N : -1 < n < 1) by (revert B; cbv [ball AbsRing_ball abs minus plus opp UniformSpace.ball]; simpl;
-    cbv [AbsRing_ball abs minus plus opp]; simpl; intro B; apply Rabs_def2 in B; lra); cbv beta; auto.
+    cbv [AbsRing_ball abs minus plus opp]; simpl; intro B; apply Rabs_def2 in B; lra);  cbv beta; auto.
 Qed.
 
 (* gbt-developable/ex-4.1.c3.d *)
@@ -353,11 +353,11 @@ Proof.
   cbv beta zeta delta [statement height other]; intros nu N A B A' B';
   assert (M : forall n, E1 n n (1 / 2) = [0; 0; (20 - 10 * (1 - 1 / sqrt 2) * (1 - n * (1 / sqrt 2)));
       400]) by (intro n; cbv delta [E1 g E1_0 E1_1 E1_2 E1_3]; compute_goal;
-    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite sin_PI4, cos_PI4; generalize (1 / sqrt 2);
+    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite sin_PI4, cos_PI4;  generalize (1 / sqrt 2);
     intro s; parts; field); assert (K : forall n, exists u v, vDerive 4 (fun x => E1 n n x) 1 (1 / 2) = [0; u;
       v; 0]) by (intro n; eexists; eexists; cbv delta [E1 g E1_0 E1_1 E1_2 E1_3]; lists;
     refine (f_equal2 (@cons _) _ _); [|refine (f_equal2 (@cons _) eq_refl (f_equal2 (@cons _) eq_refl
-          (f_equal2 (@cons _) _ eq_refl)))]; [rewrite (Derive_n_ext _ (fun _ => 0)) by (intro;
+          (f_equal2 (@cons _) _ eq_refl)))];  [rewrite (Derive_n_ext _ (fun _ => 0)) by (intro;
         ring)|rewrite (Derive_n_ext _ (fun _ => 400)) by (intro; compute_goal; ring)]; apply rate_const);
   assert (T : forall n, dot (direction (E1 n n (1 / 2)) (vDerive 4 (fun x => E1 n n x) 1 (1 / 2))) (direction
       (E1 n n (1 / 2)) (vDerive 4 (fun x => E1 n n x) 1 (1 / 2))) <> 0 -> entry (foot (E1 n n (1 / 2))
@@ -365,26 +365,26 @@ Proof.
           2)))) by (intro n; destruct (K n) as (u & v & U); rewrite M, U;
     generalize (20 - 10 * (1 - 1 / sqrt 2) * (1 - n * (1 / sqrt 2))); intro r;
     cbv delta [foot direction moment normal]; lists; intro Z; field; split; intro Y; apply Z; rewrite Y;
-    ring); assert (T0 : forall n, dot (direction (E1_ n n 0%Z) (vDerive 4 (fun x => E1 n n x) 1 (IZR 0)))
+    ring);  assert (T0 : forall n, dot (direction (E1_ n n 0%Z) (vDerive 4 (fun x => E1 n n x) 1 (IZR 0)))
     (direction (E1_ n n 0%Z) (vDerive 4 (fun x => E1 n n x) 1 (IZR 0))) <> 0 -> entry (foot (E1_ n n 0%Z)
-      (vDerive 4 (fun x => E1 n n x) 1 (IZR 0))) 3 = 40 / 3) by (intro n;
-    assert (S : E1_ n n 0%Z = E1_0) by exact (vector_start_value n n E1_0 E1_1 E1_2 E1_3 eq_refl eq_refl
-      eq_refl); assert (S' : vDerive 4 (fun x => E1 n n x) 1 (IZR 0) = vscale (1 + PI / 2 * (1 + n)) (vsub
-        E1_1 E1_0)) by exact (vector_start_rate n n E1_0 E1_1 E1_2 E1_3 eq_refl eq_refl eq_refl 4 eq_refl);
-    rewrite S, S'; clear S S'; generalize (1 + PI / 2 * (1 + n)); intro k;
+      (vDerive 4 (fun x => E1 n n x) 1 (IZR 0))) 3 = 40 / 3) by (intro n;  assert (S : E1_ n n 0%Z = E1_0) by
+    exact (vector_start_value n n E1_0 E1_1 E1_2 E1_3 eq_refl eq_refl eq_refl);
+    assert (S' : vDerive 4 (fun x => E1 n n x) 1 (IZR 0) = vscale (1 + PI / 2 * (1 + n)) (vsub E1_1 E1_0)) by
+    exact (vector_start_rate n n E1_0 E1_1 E1_2 E1_3 eq_refl eq_refl eq_refl 4 eq_refl); rewrite S, S';
+    clear S S'; generalize (1 + PI / 2 * (1 + n)); intro k;
     cbv delta [foot direction moment normal E1_0 E1_1 E1_2 E1_3]; lists; intro Z; field; repeat split;
-    intro Y; apply Z; replace k with 0 by lra; ring);
-  assert (T1 : forall n, dot (direction (E1_ n n 1%Z) (vDerive 4 (fun x => E1 n n x) 1 (IZR 1))) (direction
-      (E1_ n n 1%Z) (vDerive 4 (fun x => E1 n n x) 1 (IZR 1))) <> 0 -> entry (foot (E1_ n n 1%Z) (vDerive 4
-        (fun x => E1 n n x) 1 (IZR 1))) 3 = 40 / 3) by (intro n;
-    assert (S : E1_ n n 1%Z = E1_3) by exact (vector_end_value n n E1_0 E1_1 E1_2 E1_3 eq_refl eq_refl
-      eq_refl); assert (S' : vDerive 4 (fun x => E1 n n x) 1 (IZR 1) = vscale (1 + PI / 2 * (1 + n)) (vsub
-        E1_3 E1_2)) by exact (vector_end_rate n n E1_0 E1_1 E1_2 E1_3 eq_refl eq_refl eq_refl 4 eq_refl);
-    rewrite S, S'; clear S S'; generalize (1 + PI / 2 * (1 + n)); intro k;
+    intro Y; apply Z; replace k with 0 by lra;
+    ring);  assert (T1 : forall n, dot (direction (E1_ n n 1%Z) (vDerive 4 (fun x => E1 n n x) 1 (IZR 1)))
+    (direction (E1_ n n 1%Z) (vDerive 4 (fun x => E1 n n x) 1 (IZR 1))) <> 0 -> entry (foot (E1_ n n 1%Z)
+      (vDerive 4 (fun x => E1 n n x) 1 (IZR 1))) 3 = 40 / 3) by (intro n;  assert (S : E1_ n n 1%Z = E1_3) by
+    exact (vector_end_value n n E1_0 E1_1 E1_2 E1_3 eq_refl eq_refl eq_refl);
+    assert (S' : vDerive 4 (fun x => E1 n n x) 1 (IZR 1) = vscale (1 + PI / 2 * (1 + n)) (vsub E1_3 E1_2)) by
+    exact (vector_end_rate n n E1_0 E1_1 E1_2 E1_3 eq_refl eq_refl eq_refl 4 eq_refl); rewrite S, S';
+    clear S S'; generalize (1 + PI / 2 * (1 + n)); intro k;
     cbv delta [foot direction moment normal E1_0 E1_1 E1_2 E1_3]; lists; intro Z; field; repeat split;
-    intro Y; apply Z; replace k with 0 by lra; ring);
-  assert (I : 1 / 2 < 1 / sqrt 2 < 1) by (assert (Q : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra);
-    pose proof (Rlt_sqrt2_0); assert (1 < sqrt 2 < 2) by (split; nra); split;
+    intro Y; apply Z; replace k with 0 by lra;
+    ring);  assert (I : 1 / 2 < 1 / sqrt 2 < 1) by (assert (Q : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt;
+      lra); pose proof (Rlt_sqrt2_0); assert (1 < sqrt 2 < 2) by (split; nra); split;
     [apply (Rmult_lt_reg_r (sqrt 2)); [lra|unfold Rdiv at 2; rewrite Rmult_assoc, Rinv_l;
         lra]|apply (Rmult_lt_reg_r (sqrt 2)); [lra|unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra]]);
   clear M K; revert T T0 T1 I; generalize (1 / sqrt 2); intros s T T0 T1 I;
@@ -567,7 +567,7 @@ Proof.
   assert (D : forall n, vDerive 4 (fun y => E2 n n y) 1 x = [(Derive_n (fun y => entry (E2 n n y) 1) 1 x); 0;
       0; 0]) by (intro n; change (vDerive 4 (fun y => E2 n n y) 1 x) with [Derive_n (fun y => entry (E2 n n y)
         1) 1 x; Derive_n (fun y => entry (E2 n n y) 2) 1 x; Derive_n (fun y => entry (E2 n n y) 3) 1 x;
-      Derive_n (fun y => entry (E2 n n y) 4) 1 x]; refine (f_equal2 (@cons _) eq_refl _);
+      Derive_n (fun y => entry (E2 n n y) 4) 1 x];  refine (f_equal2 (@cons _) eq_refl _);
     rewrite (Derive_n_ext (fun y => entry (E2 n n y) 2) (fun _ => - 5 * sqrt 2)) by (intro y; rewrite M;
       reflexivity); rewrite (Derive_n_ext (fun y => entry (E2 n n y) 3) (fun _ => 5)) by (intro y; rewrite M;
       reflexivity); rewrite (Derive_n_ext (fun y => entry (E2 n n y) 4) (fun _ => 125)) by (intro y;
@@ -588,21 +588,21 @@ Proof.
     match goal with |- _ / ?d = _ => replace d with (75 * (w * w)) by (transitivity (25 * (w * w * (1 + r *
             r))); [rewrite O; ring|ring]) end; field; assumption); split;
   [change (vDerive 3 (fun nu_ => line nu_ x) 1 nu) with [Derive_n (fun t => nth 0 (line t x) 0) 1 nu;
-      Derive_n (fun t => nth 1 (line t x) 0) 1 nu; Derive_n (fun t => nth 2 (line t x) 0) 1 nu];
-    change (zeros 3) with [0; 0; 0]; parts; [rewrite (Derive_n_ext_loc _ (fun _ => 0))|rewrite
-      (Derive_n_ext_loc _ (fun _ => - 25 * sqrt 2 / (1 + sqrt 2 * sqrt 2)))|rewrite (Derive_n_ext_loc _ (fun _
-          => 25 / (1 + sqrt 2 * sqrt 2)))]; try apply rate_const; revert L; apply filter_imp; intros n Z;
-    rewrite (F n Z); reflexivity|change (vDerive 3 (fun nu_ => along nu_ x) 1 nu) with [Derive_n (fun t => nth
-        0 (along t x) 0) 1 nu; Derive_n (fun t => nth 1 (along t x) 0) 1 nu;
-      Derive_n (fun t => nth 2 (along t x) 0) 1 nu];
-    rewrite (Derive_n_ext (fun t => nth 0 (along t x) 0) (fun n => (Derive_n (fun y => entry (E2 n n y) 1) 1
-          x) * 0)) by (intro t; rewrite A; reflexivity);
+      Derive_n (fun t => nth 1 (line t x) 0) 1 nu;
+      Derive_n (fun t => nth 2 (line t x) 0) 1 nu];  change (zeros 3) with [0; 0; 0]; parts;
+    [rewrite (Derive_n_ext_loc _ (fun _ => 0))|rewrite (Derive_n_ext_loc _ (fun _ => - 25 * sqrt 2 / (1 + sqrt
+            2 * sqrt 2)))|rewrite (Derive_n_ext_loc _ (fun _ => 25 / (1 + sqrt 2 * sqrt 2)))];
+    try apply rate_const; revert L; apply filter_imp; intros n Z; rewrite (F n Z);
+    reflexivity|change (vDerive 3 (fun nu_ => along nu_ x) 1 nu) with [Derive_n (fun t => nth 0 (along t x) 0)
+      1 nu; Derive_n (fun t => nth 1 (along t x) 0) 1 nu;
+      Derive_n (fun t => nth 2 (along t x) 0) 1 nu];  rewrite (Derive_n_ext (fun t => nth 0 (along t x) 0)
+      (fun n => (Derive_n (fun y => entry (E2 n n y) 1) 1 x) * 0)) by (intro t; rewrite A; reflexivity);
     rewrite (Derive_n_ext (fun t => nth 1 (along t x) 0) (fun n => (Derive_n (fun y => entry (E2 n n y) 1) 1
           x) * 5)) by (intro t; rewrite A; reflexivity);
     rewrite (Derive_n_ext (fun t => nth 2 (along t x) 0) (fun n => (Derive_n (fun y => entry (E2 n n y) 1) 1
-          x) * (5 * sqrt 2))) by (intro t; rewrite A; reflexivity);
-    rewrite !(fun c => rate_right c (fun n => (Derive_n (fun y => entry (E2 n n y) 1) 1 x)) 1 nu), A; lists;
-    parts; ring].
+          x) * (5 * sqrt 2))) by (intro t; rewrite A;
+      reflexivity);  rewrite !(fun c => rate_right c (fun n => (Derive_n (fun y => entry (E2 n n y) 1) 1 x)) 1
+      nu), A; lists; parts; ring].
 Qed.
 
 (* gbt-developable/ex-4.2.class *)
@@ -616,12 +616,12 @@ Proof.
   assert (D : forall x, vDerive 4 (fun y => E2 mu nu y) 1 x = [(Derive_n (fun y => entry (E2 mu nu y) 1) 1 x);
       0; 0; 0]) by (intro z; change (vDerive 4 (fun y => E2 mu nu y) 1 z) with [Derive_n (fun y => entry (E2
           mu nu y) 1) 1 z; Derive_n (fun y => entry (E2 mu nu y) 2) 1 z;
-      Derive_n (fun y => entry (E2 mu nu y) 3) 1 z; Derive_n (fun y => entry (E2 mu nu y) 4) 1 z];
-    refine (f_equal2 (@cons _) eq_refl _); rewrite (Derive_n_ext (fun y => entry (E2 mu nu y) 2) (fun _ => - 5
-        * sqrt 2)) by (intro y; rewrite M; reflexivity);
-    rewrite (Derive_n_ext (fun y => entry (E2 mu nu y) 3) (fun _ => 5)) by (intro y; rewrite M; reflexivity);
-    rewrite (Derive_n_ext (fun y => entry (E2 mu nu y) 4) (fun _ => 125)) by (intro y; rewrite M;
-      reflexivity); rewrite !rate_const; reflexivity);
+      Derive_n (fun y => entry (E2 mu nu y) 3) 1 z;
+      Derive_n (fun y => entry (E2 mu nu y) 4) 1 z];  refine (f_equal2 (@cons _) eq_refl _);
+    rewrite (Derive_n_ext (fun y => entry (E2 mu nu y) 2) (fun _ => - 5 * sqrt 2)) by (intro y; rewrite M;
+      reflexivity); rewrite (Derive_n_ext (fun y => entry (E2 mu nu y) 3) (fun _ => 5)) by (intro y;
+      rewrite M; reflexivity); rewrite (Derive_n_ext (fun y => entry (E2 mu nu y) 4) (fun _ => 125)) by (intro
+      y; rewrite M; reflexivity); rewrite !rate_const; reflexivity);
   assert (A : forall x, direction (E2 mu nu x) (vDerive 4 (fun y => E2 mu nu y) 1 x) = [(Derive_n (fun y =>
           entry (E2 mu nu y) 1) 1 x) * 0; (Derive_n (fun y => entry (E2 mu nu y) 1) 1 x) * 5;
       (Derive_n (fun y => entry (E2 mu nu y) 1) 1 x) * (5 * sqrt 2)]) by (intro z;
@@ -772,8 +772,8 @@ Proof.
       d 1%Z - d 0%Z]) by (intros; cbv beta delta [K2_ g]; lists; at_ends; parts; field);
   assert (C : K1 (-1) (-1) 1%Z = E1_3) by (cbv beta delta [K1 g]; vector_at_end; reflexivity);
   assert (D : vDerive 4 (fun x => K1_ (-1) (-1) x) 1 (IZR 1) = vscale (1 + PI / 2 * (1 + -1)) (vsub E1_3
-      E1_2)) by (cbv beta delta [K1_ g]; vector_at_end; reflexivity);
-  rewrite (A (fun _ => 0) _ _ (fun _ => 400)), (B (fun _ => 0) _ _ (fun _ => 400)), C, D;
+      E1_2)) by (cbv beta delta [K1_ g]; vector_at_end;
+    reflexivity);  rewrite (A (fun _ => 0) _ _ (fun _ => 400)), (B (fun _ => 0) _ _ (fun _ => 400)), C, D;
   cbv beta delta [direction normal E1_3 E1_2]; compute_goal; conjuncts; parts; lra.
 Qed.
 
@@ -831,13 +831,13 @@ Proof.
       d 1%Z - d 0%Z]) by (intros; cbv beta delta [K2_ g]; lists; at_ends; parts; field);
   assert (C : K1 (-1) (-1) 1%Z = E1_3) by (cbv beta delta [K1 g]; vector_at_end; reflexivity);
   assert (D : vDerive 4 (fun x => K1_ (-1) (-1) x) 1 (IZR 1) = vscale (1 + PI / 2 * (1 + -1)) (vsub E1_3
-      E1_2)) by (cbv beta delta [K1_ g]; vector_at_end; reflexivity);
-  specialize (no (fun _ => 0) (fun i => nth (Z.to_nat i) [20; 40; 0; 0] 0) (fun i => nth (Z.to_nat i) [10;
-        -10; 0; 0] 0) (fun _ => 400) 2 (-1) (-1) (-1) (-1)); cbv beta in no;
-  rewrite (A (fun _ => 0) _ _ (fun _ => 400)), (B (fun _ => 0) _ _ (fun _ => 400)), C, D in no; clear A B C D;
-  refine (no _ _ _ _ _ _ _ _ _); clear no; [lra|lra|lra|lra|lra|lra|cbv delta [E1_3]; compute_goal;
-    reflexivity|cbv delta [E1_3 E1_2]; compute_goal; parts; lra|];
-  intros B1 B2 B3 B4 gamma mu1 mu2 nu1 nu2 G M1 M2 N1 N2 X P Q _ N; split;
+      E1_2)) by (cbv beta delta [K1_ g]; vector_at_end;
+    reflexivity);  specialize (no (fun _ => 0) (fun i => nth (Z.to_nat i) [20; 40; 0;
+        0] 0) (fun i => nth (Z.to_nat i) [10; -10; 0; 0] 0) (fun _ => 400) 2 (-1) (-1) (-1) (-1));
+  cbv beta in no; rewrite (A (fun _ => 0) _ _ (fun _ => 400)), (B (fun _ => 0) _ _ (fun _ => 400)), C, D in
+  no; clear A B C D; refine (no _ _ _ _ _ _ _ _ _); clear no;
+  [lra|lra|lra|lra|lra|lra|cbv delta [E1_3]; compute_goal; reflexivity|cbv delta [E1_3 E1_2]; compute_goal;
+    parts; lra|]; intros B1 B2 B3 B4 gamma mu1 mu2 nu1 nu2 G M1 M2 N1 N2 X P Q _ N; split;
   [rewrite ?P, ?Q; clear P Q; assert (P4 : K1 mu1 nu1 1%Z = [entry (K1 mu1 nu1 1%Z) 1;
         entry (K1 mu1 nu1 1%Z) 2; entry (K1 mu1 nu1 1%Z) 3; entry (K1 mu1 nu1 1%Z) 4]) by reflexivity;
     assert (Q4 : vDerive 4 (fun x => K1_ mu1 nu1 x) 1 (IZR 1) = [entry (vDerive 4 (fun x => K1_ mu1 nu1 x) 1
@@ -1557,18 +1557,18 @@ Proof.
     f0 m) by (intro m; destruct (FF m) as ((a0 & a1 & a2 & a3) & _); rewrite <- a0;
     change ((fun t => (1 - sin (PI / 2 * t)) * (1 - m * sin (PI / 2 * t))) (1 / 2) = (1 - (1 / sqrt 2)) * (1 -
         m * (1 / sqrt 2))); cbv beta; replace (PI / 2 * (1 / 2)) with (PI / 4) by field;
-    rewrite ?sin_PI4, ?cos_PI4; clear; generalize (1 / sqrt 2); intro s; field);
+    rewrite ?sin_PI4, ?cos_PI4;  clear; generalize (1 / sqrt 2); intro s; field);
   assert (HA1 : forall m, Derive_n (fun t => (1 - sin (PI / 2 * t)) * (1 - m * sin (PI / 2 * t))) 1 (1 / 2) =
     f1 m) by (intro m; destruct (FF m) as ((a0 & a1 & a2 & a3) & _); rewrite <- a1; rewrite DA1;
-    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite ?sin_PI4, ?cos_PI4; clear;
+    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite ?sin_PI4, ?cos_PI4;  clear;
     generalize (1 / sqrt 2); intro s; field);
   assert (HA2 : forall m, Derive_n (fun t => (1 - sin (PI / 2 * t)) * (1 - m * sin (PI / 2 * t))) 2 (1 / 2) =
     f2 m) by (intro m; destruct (FF m) as ((a0 & a1 & a2 & a3) & _); rewrite <- a2; rewrite DA2;
-    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite ?sin_PI4, ?cos_PI4; clear;
+    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite ?sin_PI4, ?cos_PI4;  clear;
     generalize (1 / sqrt 2); intro s; field);
   assert (HA3 : forall m, Derive_n (fun t => (1 - sin (PI / 2 * t)) * (1 - m * sin (PI / 2 * t))) 3 (1 / 2) =
     f3 m) by (intro m; destruct (FF m) as ((a0 & a1 & a2 & a3) & _); rewrite <- a3; rewrite DA3;
-    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite ?sin_PI4, ?cos_PI4; clear;
+    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite ?sin_PI4, ?cos_PI4;  clear;
     generalize (1 / sqrt 2); intro s; field);
   assert (SA : forall m, smooth (fun t => (1 - sin (PI / 2 * t)) * (1 - m * sin (PI / 2 * t)))) by (intro m;
     smooths); assert (DC1 : forall m y, Derive_n (fun t => (1 - cos (PI / 2 * t)) * (1 - m * cos (PI / 2 *
@@ -1588,18 +1588,18 @@ Proof.
     f0 m) by (intro m; destruct (FF m) as ((a0 & a1 & a2 & a3) & _); rewrite <- a0;
     change ((fun t => (1 - cos (PI / 2 * t)) * (1 - m * cos (PI / 2 * t))) (1 / 2) = (1 - (1 / sqrt 2)) * (1 -
         m * (1 / sqrt 2))); cbv beta; replace (PI / 2 * (1 / 2)) with (PI / 4) by field;
-    rewrite ?sin_PI4, ?cos_PI4; clear; generalize (1 / sqrt 2); intro s; field);
+    rewrite ?sin_PI4, ?cos_PI4;  clear; generalize (1 / sqrt 2); intro s; field);
   assert (HC1 : forall m, Derive_n (fun t => (1 - cos (PI / 2 * t)) * (1 - m * cos (PI / 2 * t))) 1 (1 / 2) =
     - f1 m) by (intro m; destruct (FF m) as ((a0 & a1 & a2 & a3) & _); rewrite <- a1; rewrite DC1;
-    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite ?sin_PI4, ?cos_PI4; clear;
+    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite ?sin_PI4, ?cos_PI4;  clear;
     generalize (1 / sqrt 2); intro s; field);
   assert (HC2 : forall m, Derive_n (fun t => (1 - cos (PI / 2 * t)) * (1 - m * cos (PI / 2 * t))) 2 (1 / 2) =
     f2 m) by (intro m; destruct (FF m) as ((a0 & a1 & a2 & a3) & _); rewrite <- a2; rewrite DC2;
-    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite ?sin_PI4, ?cos_PI4; clear;
+    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite ?sin_PI4, ?cos_PI4;  clear;
     generalize (1 / sqrt 2); intro s; field);
   assert (HC3 : forall m, Derive_n (fun t => (1 - cos (PI / 2 * t)) * (1 - m * cos (PI / 2 * t))) 3 (1 / 2) =
     - f3 m) by (intro m; destruct (FF m) as ((a0 & a1 & a2 & a3) & _); rewrite <- a3; rewrite DC3;
-    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite ?sin_PI4, ?cos_PI4; clear;
+    replace (PI / 2 * (1 / 2)) with (PI / 4) by field; rewrite ?sin_PI4, ?cos_PI4;  clear;
     generalize (1 / sqrt 2); intro s; field);
   assert (SC : forall m, smooth (fun t => (1 - cos (PI / 2 * t)) * (1 - m * cos (PI / 2 * t)))) by (intro m;
     smooths); assert (EE0 : forall mu nu t, nth 0 (E3 mu nu t) 0 = (fun t => (fun t => (1 - sin (PI / 2 * t))
@@ -1730,8 +1730,8 @@ Proof.
     change (vDerive 4 (fun x => E3 mu nu x) 1 (1 / 2)) with [Derive_n (fun t => nth 0 (E3 mu nu t) 0) 1 (1 /
         2); Derive_n (fun t => nth 1 (E3 mu nu t) 0) 1 (1 / 2);
       Derive_n (fun t => nth 2 (E3 mu nu t) 0) 1 (1 / 2); Derive_n (fun t => nth 3 (E3 mu nu t) 0) 1 (1 / 2)];
-    rewrite W0, W1, W2, W3; change (Derive_n (fun _ : R => 1) 0 (1 / 2)) with 1;
-    rewrite ?rate_const, HA1, HA0, HC1, HC0; cbn [INR]; parts; clear; lra);
+    rewrite W0, W1, W2, W3; change (Derive_n (fun _ : R => 1) 0 (1 / 2)) with 1;  rewrite ?rate_const, HA1,
+    HA0, HC1, HC0; cbn [INR]; parts; clear; lra);
   assert (R2 : forall mu nu, vDerive 4 (fun x => E3 mu nu x) 2 (1 / 2) = [(-15*(f1 mu) + 33*(f2 mu)/4 + 54*(-
           f1 nu) + 9*(f2 nu)); (37*(f1 mu) + 33*(f2 mu)/4 + 30*(- f1 nu) - 10*(f2 nu));
       (-3*(f1 mu)*sqrt 2 - 7*(f2 mu)*sqrt 2/4 + 5*(f2 nu)*sqrt 2/2);
@@ -1739,7 +1739,7 @@ Proof.
     change (vDerive 4 (fun x => E3 mu nu x) 2 (1 / 2)) with [Derive_n (fun t => nth 0 (E3 mu nu t) 0) 2 (1 /
         2); Derive_n (fun t => nth 1 (E3 mu nu t) 0) 2 (1 / 2);
       Derive_n (fun t => nth 2 (E3 mu nu t) 0) 2 (1 / 2); Derive_n (fun t => nth 3 (E3 mu nu t) 0) 2 (1 / 2)];
-    rewrite W0, W1, W2, W3; rewrite ?rate_const, HA2, HA1, HC2, HC1; cbn [INR]; parts; clear; lra);
+    rewrite W0, W1, W2, W3;  rewrite ?rate_const, HA2, HA1, HC2, HC1; cbn [INR]; parts; clear; lra);
   assert (R3 : forall mu nu, vDerive 4 (fun x => E3 mu nu x) 3 (1 / 2) = [(-45*(f2 mu)/2 + 33*(f3 mu)/4 +
         81*(f2 nu) + 9*(- f3 nu)); (111*(f2 mu)/2 + 33*(f3 mu)/4 + 45*(f2 nu) - 10*(- f3 nu));
       (-9*(f2 mu)*sqrt 2/2 - 7*(f3 mu)*sqrt 2/4 + 5*(- f3 nu)*sqrt 2/2);
@@ -1747,10 +1747,10 @@ Proof.
     change (vDerive 4 (fun x => E3 mu nu x) 3 (1 / 2)) with [Derive_n (fun t => nth 0 (E3 mu nu t) 0) 3 (1 /
         2); Derive_n (fun t => nth 1 (E3 mu nu t) 0) 3 (1 / 2);
       Derive_n (fun t => nth 2 (E3 mu nu t) 0) 3 (1 / 2); Derive_n (fun t => nth 3 (E3 mu nu t) 0) 3 (1 / 2)];
-    rewrite W0, W1, W2, W3; rewrite ?rate_const, HA3, HA2, HC3, HC2; cbn [INR]; parts; clear; lra);
-  clear DA1 DA2 DA3 DC1 DC2 DC3 HA0 HA1 HA2 HA3 HC0 HC1 HC2 HC3 EE0 W0 EE1 W1 EE2 W2 EE3 W3 SA SC;
-  assert (X : exists c, c = -9225*PI^2*(1 / sqrt 2)/8 + 12915*PI^2/16 + 12915*PI*(1 / sqrt 2)/4 - 9225*PI/4 /\
-    -155 < c < -152) by (eexists; split; [reflexivity|split; numeric]); destruct X as (d21 & Qd21 & Bd21);
+    rewrite W0, W1, W2, W3;  rewrite ?rate_const, HA3, HA2, HC3, HC2; cbn [INR]; parts; clear; lra);
+  clear DA1 DA2 DA3 DC1 DC2 DC3 HA0 HA1 HA2 HA3 HC0 HC1 HC2 HC3 EE0 W0 EE1 W1 EE2 W2 EE3 W3 SA SC;  assert (X
+    : exists c, c = -9225*PI^2*(1 / sqrt 2)/8 + 12915*PI^2/16 + 12915*PI*(1 / sqrt 2)/4 - 9225*PI/4 /\ -155 <
+    c < -152) by (eexists; split; [reflexivity|split; numeric]); destruct X as (d21 & Qd21 & Bd21);
   assert (X : exists c, c = -189945*PI^2*(1 / sqrt 2)/64 + 144455*PI^2/64 + 23985*PI*(1 / sqrt 2)/8 -
     16605*PI/8 /\ 1702 < c) by (eexists; split; [reflexivity|numeric]); destruct X as (d20 & Qd20 & Bd20);
   assert (X : exists c, c = 9225*PI^2*(1 / sqrt 2)/8 - 12915*PI^2/16 - 12915*PI*(1 / sqrt 2)/4 + 9225*PI/4 /\
@@ -1768,8 +1768,8 @@ Proof.
     [reflexivity|split; numeric]); destruct X as (d01 & Qd01 & Bd01);
   assert (X : exists c, c = 21605*PI^3/128 - 11035*PI^2*(1 / sqrt 2)/16 + 65125*PI^2/32 - 11035*PI*(1 / sqrt
       2)/2 + 21915*PI/4 /\ 25460 < c < 25463) by (eexists; split; [reflexivity|split; numeric]);
-  destruct X as (d00 & Qd00 & Bd00); assert (X : exists c, c = -154375*PI^5*(1 / sqrt 2)/16 + 463125*PI^5/64 -
-    771875*PI^4*(1 / sqrt 2)/4 + 1080625*PI^4/8 /\ -6940 < c < -6937) by (eexists; split;
+  destruct X as (d00 & Qd00 & Bd00);  assert (X : exists c, c = -154375*PI^5*(1 / sqrt 2)/16 + 463125*PI^5/64
+    - 771875*PI^4*(1 / sqrt 2)/4 + 1080625*PI^4/8 /\ -6940 < c < -6937) by (eexists; split;
     [reflexivity|split; numeric]); destruct X as (f21 & Qf21 & Bf21);
   assert (X : exists c, c = 463125*PI^5*(1 / sqrt 2)/16 - 154375*PI^5/16 - 463125*PI^4*(1 / sqrt 2)/2 +
     6329375*PI^4/32 /\ 6627948 < c) by (eexists; split; [reflexivity|numeric]);
@@ -1789,8 +1789,8 @@ Proof.
   assert (Bf01 : 9123349 < f01 < 9123352) by exact Bf10; clearbody f01;
   assert (X : exists c, c = 154375*PI^5*(1 / sqrt 2)/8 + 463125*PI^5/64 + 154375*PI^4*(1 / sqrt 2) +
     1389375*PI^4/16 + 463125*PI^3/2 /\ 32661720 < c) by (eexists; split; [reflexivity|numeric]);
-  destruct X as (f00 & Qf00 & Bf00); destruct (ex_intro (fun c => c = -7625*PI^2*(1 / sqrt 2)/4 + 10675*PI^2/8
-      + 10675*PI*(1 / sqrt 2)/2 - 7625*PI/2) _ eq_refl) as (n21 & Qn21);
+  destruct X as (f00 & Qf00 & Bf00);  destruct (ex_intro (fun c => c = -7625*PI^2*(1 / sqrt 2)/4 +
+      10675*PI^2/8 + 10675*PI*(1 / sqrt 2)/2 - 7625*PI/2) _ eq_refl) as (n21 & Qn21);
   destruct (ex_intro (fun c => c = 83975*PI^2*(1 / sqrt 2)/32 - 68025*PI^2/32 + 19825*PI*(1 / sqrt 2)/4 -
       13725*PI/4) _ eq_refl) as (n20 & Qn20);
   destruct (ex_intro (fun c => c = 7625*PI^2*(1 / sqrt 2)/4 - 10675*PI^2/8 - 10675*PI*(1 / sqrt 2)/2 +
@@ -1806,7 +1806,7 @@ Proof.
     [reflexivity|split; numeric]); destruct X as (n01 & Qn01 & Bn01);
   assert (X : exists c, c = 26225*PI^3/64 - 18325*PI^2*(1 / sqrt 2)/8 + 85625*PI^2/16 - 18325*PI*(1 / sqrt 2)
     + 33175*PI/2 /\ 60939 < c < 60942) by (eexists; split; [reflexivity|split; numeric]);
-  destruct X as (n00 & Qn00 & Bn00); pose proof Rlt_sqrt2_0 as Q2;
+  destruct X as (n00 & Qn00 & Bn00);  pose proof Rlt_sqrt2_0 as Q2;
   assert (S2 : (1 / sqrt 2) * (1 / sqrt 2) = 1 / 2) by (transitivity (1 / (sqrt 2 * sqrt 2));
     [field; lra|rewrite sqrt_sqrt; lra]); assert (D3 : forall mu nu, det [normal (E3 mu nu (1 / 2));
       normal (vDerive 4 (fun x => E3 mu nu x) 1 (1 / 2));
@@ -1822,15 +1822,16 @@ Proof.
           f1 nu) + 1875*(f2 nu))); [rewrite R0, R1, R2;
       generalize (f0 mu) (f1 mu) (f2 mu) (f3 mu) (f0 nu) (f1 nu) (f2 nu) (f3 nu); intros; clear;
       cbv delta [normal]; lists; generalize (sqrt 2); intros; lra|];
-    destruct (FF mu) as (_ & a0 & a1 & a2 & a3); destruct (FF nu) as (_ & b0 & b1 & b2 & b3);
-    rewrite ?a0, ?a1, ?a2, ?a3, ?b0, ?b1, ?b2, ?b3; rewrite Qd21, Qd20, Qd12, Qd11, Qd10, Qd02, Qd01, Qd00;
-    revert S2; clear; generalize (1 / sqrt 2); generalize (sqrt 2); intros r0 s S2;
-    apply (f_equal (Rmult r0)); match goal with |- _ = ?e => transitivity (e + (s * s - 1 / 2) *
-      (-1845*mu^2*nu*PI^2*s/4 + 9225*mu^2*nu*PI^2/8 + 1845*mu^2*nu*PI*s - 3690*mu^2*nu*PI - 1845*mu^2*PI^2*s/4
-        + 75615*mu^2*PI^2/32 + 1845*mu^2*PI*s - 12915*mu^2*PI/4 + 1845*mu*nu^2*PI^2*s/4 - 9225*mu*nu^2*PI^2/8
-        - 1845*mu*nu^2*PI*s + 3690*mu*nu^2*PI + 21605*mu*nu*PI^3/64 - 155*mu*nu*PI^2/16 + 21915*mu*nu*PI/2 +
-        21605*mu*PI^3/64 - 1845*mu*PI^2*s/4 + 28505*mu*PI^2/8 + 1845*mu*PI*s + 8190*mu*PI + 1845*nu^2*PI^2*s/4
-        + 54945*nu^2*PI^2/32 - 1845*nu^2*PI*s + 12915*nu^2*PI/4 + 21605*nu*PI^3/64 + 1845*nu*PI^2*s/4 +
+    destruct (FF mu) as (_ & a0 & a1 & a2 & a3);
+    destruct (FF nu) as (_ & b0 & b1 & b2 & b3);  rewrite ?a0, ?a1, ?a2, ?a3, ?b0, ?b1, ?b2, ?b3;
+    rewrite Qd21, Qd20, Qd12, Qd11, Qd10, Qd02, Qd01, Qd00; revert S2; clear; generalize (1 / sqrt 2);
+    generalize (sqrt 2); intros r0 s S2; apply (f_equal (Rmult r0));
+    match goal with |- _ = ?e => transitivity (e + (s * s - 1 / 2) * (-1845*mu^2*nu*PI^2*s/4 +
+        9225*mu^2*nu*PI^2/8 + 1845*mu^2*nu*PI*s - 3690*mu^2*nu*PI - 1845*mu^2*PI^2*s/4 + 75615*mu^2*PI^2/32 +
+        1845*mu^2*PI*s - 12915*mu^2*PI/4 + 1845*mu*nu^2*PI^2*s/4 - 9225*mu*nu^2*PI^2/8 - 1845*mu*nu^2*PI*s +
+        3690*mu*nu^2*PI + 21605*mu*nu*PI^3/64 - 155*mu*nu*PI^2/16 + 21915*mu*nu*PI/2 + 21605*mu*PI^3/64 -
+        1845*mu*PI^2*s/4 + 28505*mu*PI^2/8 + 1845*mu*PI*s + 8190*mu*PI + 1845*nu^2*PI^2*s/4 +
+        54945*nu^2*PI^2/32 - 1845*nu^2*PI*s + 12915*nu^2*PI/4 + 21605*nu*PI^3/64 + 1845*nu*PI^2*s/4 +
         9155*nu*PI^2/2 - 1845*nu*PI*s + 13725*nu*PI + 21605*PI^3/64 + 65125*PI^2/16 + 21915*PI/2)) end;
     [lra|rewrite S2, Rminus_eq_0, Rmult_0_l, Rplus_0_r; reflexivity]);
   assert (D4 : forall mu nu, det [E3 mu nu (1 / 2); vDerive 4 (fun x => E3 mu nu x) 1 (1 / 2);
@@ -1848,18 +1849,19 @@ Proof.
           nu) + 1852500*(f2 mu)*(- f1 nu) + 926250*(f2 mu)*(f2 nu) + 154375*(f2 mu)*(- f3 nu)/2 + 154375*(f3
           mu)*(f0 nu)*(f2 nu) - 308750*(f3 mu)*(- f1 nu)^2 - 308750*(f3 mu)*(- f1 nu) - 154375*(f3 mu)*(f2
           nu)/2)); [rewrite R0, R1, R2, R3; generalize (f0 mu) (f1 mu) (f2 mu) (f3 mu) (f0 nu) (f1 nu) (f2 nu)
-      (f3 nu); intros; clear; lists; generalize (sqrt 2); intros; lra|];
-    destruct (FF mu) as (_ & a0 & a1 & a2 & a3); destruct (FF nu) as (_ & b0 & b1 & b2 & b3);
-    rewrite ?a0, ?a1, ?a2, ?a3, ?b0, ?b1, ?b2, ?b3; rewrite Qf21, Qf20, Qf12, Qf11, Qf10, Qf02, Qf01, Qf00;
-    revert S2; clear; generalize (1 / sqrt 2); generalize (sqrt 2); intros r0 s S2;
-    apply (f_equal (Rmult r0)); match goal with |- _ = ?e => transitivity (e + (s * s - 1 / 2) *
-      (154375*mu^2*nu*PI^5*s/8 + 463125*mu^2*nu*PI^5/32 + 154375*mu^2*nu*PI^4*s - 154375*mu^2*nu*PI^4/4 +
-        154375*mu^2*PI^5*s/8 - 154375*mu^2*PI^5/8 + 154375*mu^2*PI^4*s + 1389375*mu^2*PI^4/16 +
-        154375*mu*nu^2*PI^5*s/8 + 463125*mu*nu^2*PI^5/32 + 154375*mu*nu^2*PI^4*s - 154375*mu*nu^2*PI^4/4 +
-        154375*mu*nu*PI^5*s/2 + 3550625*mu*nu*PI^5/32 + 617500*mu*nu*PI^4*s - 154375*mu*nu*PI^4 +
-        463125*mu*nu*PI^3 + 463125*mu*PI^5*s/8 + 463125*mu*PI^5/16 + 463125*mu*PI^4*s + 1080625*mu*PI^4/8 +
-        463125*mu*PI^3 + 154375*nu^2*PI^5*s/8 - 154375*nu^2*PI^5/8 + 154375*nu^2*PI^4*s + 1389375*nu^2*PI^4/16
-        + 463125*nu*PI^5*s/8 + 463125*nu*PI^5/16 + 463125*nu*PI^4*s + 1080625*nu*PI^4/8 + 463125*nu*PI^3 +
+      (f3 nu); intros; clear;  lists; generalize (sqrt 2); intros; lra|];
+    destruct (FF mu) as (_ & a0 & a1 & a2 & a3);
+    destruct (FF nu) as (_ & b0 & b1 & b2 & b3);  rewrite ?a0, ?a1, ?a2, ?a3, ?b0, ?b1, ?b2, ?b3;
+    rewrite Qf21, Qf20, Qf12, Qf11, Qf10, Qf02, Qf01, Qf00; revert S2; clear; generalize (1 / sqrt 2);
+    generalize (sqrt 2); intros r0 s S2; apply (f_equal (Rmult r0));
+    match goal with |- _ = ?e => transitivity (e + (s * s - 1 / 2) * (154375*mu^2*nu*PI^5*s/8 +
+        463125*mu^2*nu*PI^5/32 + 154375*mu^2*nu*PI^4*s - 154375*mu^2*nu*PI^4/4 + 154375*mu^2*PI^5*s/8 -
+        154375*mu^2*PI^5/8 + 154375*mu^2*PI^4*s + 1389375*mu^2*PI^4/16 + 154375*mu*nu^2*PI^5*s/8 +
+        463125*mu*nu^2*PI^5/32 + 154375*mu*nu^2*PI^4*s - 154375*mu*nu^2*PI^4/4 + 154375*mu*nu*PI^5*s/2 +
+        3550625*mu*nu*PI^5/32 + 617500*mu*nu*PI^4*s - 154375*mu*nu*PI^4 + 463125*mu*nu*PI^3 +
+        463125*mu*PI^5*s/8 + 463125*mu*PI^5/16 + 463125*mu*PI^4*s + 1080625*mu*PI^4/8 + 463125*mu*PI^3 +
+        154375*nu^2*PI^5*s/8 - 154375*nu^2*PI^5/8 + 154375*nu^2*PI^4*s + 1389375*nu^2*PI^4/16 +
+        463125*nu*PI^5*s/8 + 463125*nu*PI^5/16 + 463125*nu*PI^4*s + 1080625*nu*PI^4/8 + 463125*nu*PI^3 +
         154375*PI^5*s/4 + 463125*PI^5/32 + 308750*PI^4*s + 1389375*PI^4/8 + 463125*PI^3)) end;
     [lra|rewrite S2, Rminus_eq_0, Rmult_0_l, Rplus_0_r; reflexivity]);
   assert (MM : forall mu nu, nth 0 (middle_ mu nu) 0 = (sqrt 2 * (n21 * mu ^ 2 * nu ^ 1 + n20 * mu ^ 2 + n12 *
@@ -1876,8 +1878,8 @@ Proof.
           nu)/8 + 7800*(f1 mu) - 1525*(f2 mu)*(f0 nu)^2/2 + 21675*(f2 mu)*(f0 nu)/2 + 26225*(f2 mu)*(- f1
           nu)/8 - 1950*(f2 mu) - 18750*(f0 nu)*(f2 nu) + 37500*(- f1 nu)^2 + 37500*(- f1 nu) + 9375*(f2 nu)));
     [rewrite R0, R1, R2; generalize (f0 mu) (f1 mu) (f2 mu) (f3 mu) (f0 nu) (f1 nu) (f2 nu) (f3 nu); intros;
-      clear; lists; generalize (sqrt 2); intros; lra|]; destruct (FF mu) as (_ & a0 & a1 & a2 & a3);
-    destruct (FF nu) as (_ & b0 & b1 & b2 & b3); rewrite ?a0, ?a1, ?a2, ?a3, ?b0, ?b1, ?b2, ?b3;
+      clear;  lists; generalize (sqrt 2); intros; lra|]; destruct (FF mu) as (_ & a0 & a1 & a2 & a3);
+    destruct (FF nu) as (_ & b0 & b1 & b2 & b3);  rewrite ?a0, ?a1, ?a2, ?a3, ?b0, ?b1, ?b2, ?b3;
     rewrite Qn21, Qn20, Qn12, Qn11, Qn10, Qn02, Qn01, Qn00; revert S2; clear; generalize (1 / sqrt 2);
     generalize (sqrt 2); intros r0 s S2; apply (f_equal (Rmult r0));
     match goal with |- _ = ?e => transitivity (e + (s * s - 1 / 2) * (-1525*mu^2*nu*PI^2*s/2 +
@@ -1920,8 +1922,8 @@ Proof.
   [assert (G : vDerive 3 (fun m => middle 0 m) 1 0 = zeros 3) by (apply (no 0 0); [lra|lra|];
       exists (mkposreal 1 Rlt_0_1); intros n B;
       assert (NN : -1 < n < 1) by (revert B; cbv [ball AbsRing_ball abs minus plus opp UniformSpace.ball];
-        simpl; cbv [AbsRing_ball abs minus plus opp]; simpl; intro B; apply Rabs_def2 in B; lra);
-      exact (Rgt_not_eq _ _ (P3 n 0 ltac:(lra) ltac:(lra)))); clear no P3 D3;
+        simpl; cbv [AbsRing_ball abs minus plus opp]; simpl; intro B; apply Rabs_def2 in B;
+        lra);  exact (Rgt_not_eq _ _ (P3 n 0 ltac:(lra) ltac:(lra)))); clear no P3 D3;
     apply (f_equal (fun v => nth 0 v 0)) in G;
     change (Derive_n (fun m => nth 0 (middle_ m 0) 0) 1 0 = 0) in G;
     rewrite (Derive_n_ext _ _ 1 0 (fun m => MM m 0)) in G;
@@ -1934,14 +1936,14 @@ Proof.
     change (Derive_n (fun m => (sqrt 2 * (n21 * m ^ 2 * 0 ^ 1 + n20 * m ^ 2 + n12 * m ^ 1 * 0 ^ 2 + n11 * m ^
             1 * 0 ^ 1 + n10 * m ^ 1 + n02 * 0 ^ 2 + n01 * 0 ^ 1 + n00)) / (sqrt 2 * (d21 * m ^ 2 * 0 ^ 1 + d20
             * m ^ 2 + d12 * m ^ 1 * 0 ^ 2 + d11 * m ^ 1 * 0 ^ 1 + d10 * m ^ 1 + d02 * 0 ^ 2 + d01 * 0 ^ 1 +
-            d00))) 1 0 = ((n10 * d00 - n00 * d10) / d00 ^ 2)) in V; rewrite G in V; symmetry in V;
+            d00))) 1 0 = ((n10 * d00 - n00 * d10) / d00 ^ 2)) in V;  rewrite G in V; symmetry in V;
     assert (Z : n10 * d00 - n00 * d10 = 0) by (apply (Rmult_eq_reg_r (/ d00 ^ 2));
       [rewrite Rmult_0_l; exact V|apply Rinv_neq_0_compat, pow_nonzero; lra]);
     clear - Z Bn10 Bn01 Bn00 Bd00 Bd10 Bd01; nra|assert (G : vDerive 3 (fun m => middle_ 0 m) 1 0 = zeros 3)
     by (apply (no 0 0); [lra|lra|]; exists (mkposreal 1 Rlt_0_1); intros n B;
       assert (NN : -1 < n < 1) by (revert B; cbv [ball AbsRing_ball abs minus plus opp UniformSpace.ball];
-        simpl; cbv [AbsRing_ball abs minus plus opp]; simpl; intro B; apply Rabs_def2 in B; lra);
-      exact (Rgt_not_eq _ _ (P3 0 n ltac:(lra) ltac:(lra)))); clear no P3 D3;
+        simpl; cbv [AbsRing_ball abs minus plus opp]; simpl; intro B; apply Rabs_def2 in B;
+        lra);  exact (Rgt_not_eq _ _ (P3 0 n ltac:(lra) ltac:(lra)))); clear no P3 D3;
     apply (f_equal (fun v => nth 0 v 0)) in G;
     change (Derive_n (fun m => nth 0 (middle_ 0 m) 0) 1 0 = 0) in G;
     rewrite (Derive_n_ext _ _ 1 0 (fun m => MM 0 m)) in G;
@@ -1954,7 +1956,7 @@ Proof.
     change (Derive_n (fun m => (sqrt 2 * (n21 * 0 ^ 2 * m ^ 1 + n20 * 0 ^ 2 + n12 * 0 ^ 1 * m ^ 2 + n11 * 0 ^
             1 * m ^ 1 + n10 * 0 ^ 1 + n02 * m ^ 2 + n01 * m ^ 1 + n00)) / (sqrt 2 * (d21 * 0 ^ 2 * m ^ 1 + d20
             * 0 ^ 2 + d12 * 0 ^ 1 * m ^ 2 + d11 * 0 ^ 1 * m ^ 1 + d10 * 0 ^ 1 + d02 * m ^ 2 + d01 * m ^ 1 +
-            d00))) 1 0 = ((n01 * d00 - n00 * d01) / d00 ^ 2)) in V; rewrite G in V; symmetry in V;
+            d00))) 1 0 = ((n01 * d00 - n00 * d01) / d00 ^ 2)) in V;  rewrite G in V; symmetry in V;
     assert (Z : n01 * d00 - n00 * d01 = 0) by (apply (Rmult_eq_reg_r (/ d00 ^ 2));
       [rewrite Rmult_0_l; exact V|apply Rinv_neq_0_compat, pow_nonzero; lra]);
     clear - Z Bn10 Bn01 Bn00 Bd00 Bd10 Bd01; nra].
@@ -2154,9 +2156,9 @@ Proof.
     (fun x => entry (F1_ x) 1) (fun x => entry (F1_ x) 2) (fun x => entry (F1_ x) 3) ltac:(cbv delta [entry
         F1_ F2_ g E1_0 E1_1 E1_2 E1_3]; lists;
       smooth_sum) ltac:(cbv delta [entry F1_ F2_ g E1_0 E1_1 E1_2 E1_3]; lists;
-      smooth_sum) ltac:(cbv delta [entry F1_ F2_ g E1_0 E1_1 E1_2 E1_3]; lists; smooth_sum) 1 Na);
-  assert (Ub : F2_ 0 = [0; 20; 10; 400]) by exact (vector_start_value 1 1 [0; 20; 10; 400] [0; 30; 0; 400] [0;
-      50; 0; 400] [0; 60; - 20; 400] eq_refl eq_refl eq_refl);
+      smooth_sum) ltac:(cbv delta [entry F1_ F2_ g E1_0 E1_1 E1_2 E1_3]; lists;
+      smooth_sum) 1 Na);  assert (Ub : F2_ 0 = [0; 20; 10; 400]) by exact (vector_start_value 1 1 [0; 20; 10;
+      400] [0; 30; 0; 400] [0; 50; 0; 400] [0; 60; - 20; 400] eq_refl eq_refl eq_refl);
   assert (Vb : vDerive 4 (fun x => F2_ x) 1 0 = [0; (1 + PI) * 10; - ((1 + PI) * 10);
       0]) by (transitivity (vscale (1 + PI / 2 * (1 + 1)) (vsub [0; 30; 0; 400] [0; 20; 10; 400]));
     [exact (vector_start_rate 1 1 [0; 20; 10; 400] [0; 30; 0; 400] [0; 50; 0; 400] [0; 60; - 20;
@@ -2168,7 +2170,7 @@ Proof.
     (fun x => entry (F2_ x) 1) (fun x => entry (F2_ x) 2) (fun x => entry (F2_ x) 3) ltac:(cbv delta [entry
         F1_ F2_ g E1_0 E1_1 E1_2 E1_3]; lists;
       smooth_sum) ltac:(cbv delta [entry F1_ F2_ g E1_0 E1_1 E1_2 E1_3]; lists;
-      smooth_sum) ltac:(cbv delta [entry F1_ F2_ g E1_0 E1_1 E1_2 E1_3]; lists; smooth_sum) 0 Nb); split;
+      smooth_sum) ltac:(cbv delta [entry F1_ F2_ g E1_0 E1_1 E1_2 E1_3]; lists; smooth_sum) 0 Nb);  split;
   [exact Na|split; [exact Nb|split; [exact La|split; [exact Lb|split; [exact La|exact Lb]]]]].
 Qed.
 
@@ -2187,14 +2189,14 @@ Proof.
     assert (M : F1_ x = [0; entry (F1_ x) 2; entry (F1_ x) 3;
         entry (F1_ x) 4]) by (change (F1_ x) with [entry (F1_ x) 1; entry (F1_ x) 2; entry (F1_ x) 3;
         entry (F1_ x) 4] at 1; refine (f_equal2 (@cons _) _ eq_refl); cbv delta [F1_ F2_ E1_0 E1_1 E1_2 E1_3];
-      lists; ring); assert (D : vDerive 4 (fun x => F1_ x) 1 x = [0; entry (vDerive 4 (fun x => F1_ x) 1 x) 2;
-        entry (vDerive 4 (fun x => F1_ x) 1 x) 3;
+      lists; ring);  assert (D : vDerive 4 (fun x => F1_ x) 1 x = [0;
+        entry (vDerive 4 (fun x => F1_ x) 1 x) 2; entry (vDerive 4 (fun x => F1_ x) 1 x) 3;
         entry (vDerive 4 (fun x => F1_ x) 1 x) 4]) by (change (vDerive 4 (fun x => F1_ x) 1 x) with [Derive_n
         (fun x => entry (F1_ x) 1) 1 x; entry (vDerive 4 (fun x => F1_ x) 1 x) 2;
         entry (vDerive 4 (fun x => F1_ x) 1 x) 3; entry (vDerive 4 (fun x => F1_ x) 1 x) 4] at 1;
       refine (f_equal2 (@cons _) _ eq_refl); rewrite (Derive_n_ext _ (fun _ => 0)) by (intro;
-        cbv delta [F1_ F2_ E1_0 E1_1 E1_2 E1_3]; lists; ring); apply rate_const);
-    cbv delta [profile1_ foot direction moment normal]; cbv beta; rewrite D, M;
+        cbv delta [F1_ F2_ E1_0 E1_1 E1_2 E1_3]; lists; ring);
+      apply rate_const);  cbv delta [profile1_ foot direction moment normal]; cbv beta; rewrite D, M;
     generalize (entry (F1_ x) 2) (entry (F1_ x) 3) (entry (F1_ x) 4) (entry (vDerive 4 (fun x => F1_ x) 1 x)
       2) (entry (vDerive 4 (fun x => F1_ x) 1 x) 3) (entry (vDerive 4 (fun x => F1_ x) 1 x) 4); intros; lists;
     unfold Rdiv; ring); assert (Ka : (dot (normal (F1_ 1)) (profile1_ 1) = entry (F1_ 1) 4 /\ dot (normal
@@ -2207,23 +2209,24 @@ Proof.
       lists; smooth_sum) ltac:(cbv delta [entry F1_ F2_ g E1_0 E1_1 E1_2 E1_3]; lists;
       smooth_sum) ltac:(cbv delta [entry F1_ F2_ g E1_0 E1_1 E1_2 E1_3]; lists; smooth_sum) 1 La);
   assert (Ya : exists v, profile1_ 1 = [0; 40 / 3; 40 / 3] /\ vDerive 3 (fun x => profile1_ x) 1 1 = [0; v;
-      - 2 * v] /\ 30 * (1 + PI) * v = - (40 / 3) * (- (40 * PI))) by (destruct Wa as (s & t & W & ST);
-    assert (A : profile1_ 1 = [0; nth 1 (profile1_ 1) 0;
+      - 2 * v] /\ 30 * (1 + PI) * v = - (40 / 3) * (- (40 * PI))) by (destruct Wa as (s & t & W & ST);  assert
+    (A : profile1_ 1 = [0; nth 1 (profile1_ 1) 0;
         nth 2 (profile1_ 1) 0]) by (change (profile1_ 1) with [nth 0 (profile1_ 1) 0; nth 1 (profile1_ 1) 0;
-        nth 2 (profile1_ 1) 0] at 1; rewrite Za; reflexivity);
-    assert (B : vDerive 3 (fun x => profile1_ x) 1 1 = [0; Derive_n (fun x => nth 1 (profile1_ x) 0) 1 1;
+        nth 2 (profile1_ 1) 0] at 1; rewrite Za;
+      reflexivity);  assert (B : vDerive 3 (fun x => profile1_ x) 1 1 = [0;
+        Derive_n (fun x => nth 1 (profile1_ x) 0) 1 1;
         Derive_n (fun x => nth 2 (profile1_ x) 0) 1 1]) by (change (vDerive 3 (fun x => profile1_ x) 1 1) with
       [Derive_n (fun x => nth 0 (profile1_ x) 0) 1 1; Derive_n (fun x => nth 1 (profile1_ x) 0) 1 1;
         Derive_n (fun x => nth 2 (profile1_ x) 0) 1 1];
       rewrite (Derive_n_ext (fun x => nth 0 (profile1_ x) 0) (fun _ => 0)) by exact Za; rewrite rate_const;
-      reflexivity); rewrite Ua, Va, W, B, A in Ka; rewrite A, B; clear - Ka ST;
+      reflexivity);  rewrite Ua, Va, W, B, A in Ka; rewrite A, B; clear - Ka ST;
     generalize dependent (Derive_n (fun x => nth 1 (profile1_ x) 0) 1 1);
     generalize dependent (Derive_n (fun x => nth 2 (profile1_ x) 0) 1 1);
     generalize dependent (nth 1 (profile1_ 1) 0); generalize dependent (nth 2 (profile1_ 1) 0);
-    intros z y w v; cbv delta [normal]; lists; intros [[K1 K2] [K3 K4]]; pose proof PI_RGT_0;
-    assert (y = z) by (apply (Rmult_eq_reg_l ((1 + PI) * 10)); [lra|nra]); assert (y = 40 / 3) by lra;
-    subst z y; assert (w = - 2 * v) by lra; subst w; exists v; split; [reflexivity|split; [reflexivity|]];
-    replace (- (40 * PI)) with (s + t); lra);
+    intros z y w v; cbv delta [normal]; lists; intros [[K1 K2] [K3 K4]];
+    pose proof PI_RGT_0;  assert (y = z) by (apply (Rmult_eq_reg_l ((1 + PI) * 10)); [lra|nra]);
+    assert (y = 40 / 3) by lra; subst z y; assert (w = - 2 * v) by lra; subst w; exists v; split;
+    [reflexivity|split; [reflexivity|]]; replace (- (40 * PI)) with (s + t); lra);
   assert (Ub : F2_ 0 = [0; 20; 10; 400]) by exact (vector_start_value 1 1 [0; 20; 10; 400] [0; 30; 0; 400] [0;
       50; 0; 400] [0; 60; - 20; 400] eq_refl eq_refl eq_refl);
   assert (Vb : vDerive 4 (fun x => F2_ x) 1 0 = [0; (1 + PI) * 10; - ((1 + PI) * 10);
@@ -2237,14 +2240,14 @@ Proof.
     assert (M : F2_ x = [0; entry (F2_ x) 2; entry (F2_ x) 3;
         entry (F2_ x) 4]) by (change (F2_ x) with [entry (F2_ x) 1; entry (F2_ x) 2; entry (F2_ x) 3;
         entry (F2_ x) 4] at 1; refine (f_equal2 (@cons _) _ eq_refl); cbv delta [F1_ F2_ E1_0 E1_1 E1_2 E1_3];
-      lists; ring); assert (D : vDerive 4 (fun x => F2_ x) 1 x = [0; entry (vDerive 4 (fun x => F2_ x) 1 x) 2;
-        entry (vDerive 4 (fun x => F2_ x) 1 x) 3;
+      lists; ring);  assert (D : vDerive 4 (fun x => F2_ x) 1 x = [0;
+        entry (vDerive 4 (fun x => F2_ x) 1 x) 2; entry (vDerive 4 (fun x => F2_ x) 1 x) 3;
         entry (vDerive 4 (fun x => F2_ x) 1 x) 4]) by (change (vDerive 4 (fun x => F2_ x) 1 x) with [Derive_n
         (fun x => entry (F2_ x) 1) 1 x; entry (vDerive 4 (fun x => F2_ x) 1 x) 2;
         entry (vDerive 4 (fun x => F2_ x) 1 x) 3; entry (vDerive 4 (fun x => F2_ x) 1 x) 4] at 1;
       refine (f_equal2 (@cons _) _ eq_refl); rewrite (Derive_n_ext _ (fun _ => 0)) by (intro;
-        cbv delta [F1_ F2_ E1_0 E1_1 E1_2 E1_3]; lists; ring); apply rate_const);
-    cbv delta [profile2_ foot direction moment normal]; cbv beta; rewrite D, M;
+        cbv delta [F1_ F2_ E1_0 E1_1 E1_2 E1_3]; lists; ring);
+      apply rate_const);  cbv delta [profile2_ foot direction moment normal]; cbv beta; rewrite D, M;
     generalize (entry (F2_ x) 2) (entry (F2_ x) 3) (entry (F2_ x) 4) (entry (vDerive 4 (fun x => F2_ x) 1 x)
       2) (entry (vDerive 4 (fun x => F2_ x) 1 x) 3) (entry (vDerive 4 (fun x => F2_ x) 1 x) 4); intros; lists;
     unfold Rdiv; ring); assert (Kb : (dot (normal (F2_ 0)) (profile2_ 0) = entry (F2_ 0) 4 /\ dot (normal
@@ -2257,26 +2260,27 @@ Proof.
       lists; smooth_sum) ltac:(cbv delta [entry F1_ F2_ g E1_0 E1_1 E1_2 E1_3]; lists;
       smooth_sum) ltac:(cbv delta [entry F1_ F2_ g E1_0 E1_1 E1_2 E1_3]; lists; smooth_sum) 0 Lb);
   assert (Yb : exists v, profile2_ 0 = [0; 40 / 3; 40 / 3] /\ vDerive 3 (fun x => profile2_ x) 1 0 = [0; v;
-      - 2 * v] /\ 30 * (1 + PI) * v = - (40 / 3) * (40 * PI)) by (destruct Wb as (s & t & W & ST);
-    assert (A : profile2_ 0 = [0; nth 1 (profile2_ 0) 0;
+      - 2 * v] /\ 30 * (1 + PI) * v = - (40 / 3) * (40 * PI)) by (destruct Wb as (s & t & W & ST);  assert (A
+      : profile2_ 0 = [0; nth 1 (profile2_ 0) 0;
         nth 2 (profile2_ 0) 0]) by (change (profile2_ 0) with [nth 0 (profile2_ 0) 0; nth 1 (profile2_ 0) 0;
-        nth 2 (profile2_ 0) 0] at 1; rewrite Zb; reflexivity);
-    assert (B : vDerive 3 (fun x => profile2_ x) 1 0 = [0; Derive_n (fun x => nth 1 (profile2_ x) 0) 1 0;
+        nth 2 (profile2_ 0) 0] at 1; rewrite Zb;
+      reflexivity);  assert (B : vDerive 3 (fun x => profile2_ x) 1 0 = [0;
+        Derive_n (fun x => nth 1 (profile2_ x) 0) 1 0;
         Derive_n (fun x => nth 2 (profile2_ x) 0) 1 0]) by (change (vDerive 3 (fun x => profile2_ x) 1 0) with
       [Derive_n (fun x => nth 0 (profile2_ x) 0) 1 0; Derive_n (fun x => nth 1 (profile2_ x) 0) 1 0;
         Derive_n (fun x => nth 2 (profile2_ x) 0) 1 0];
       rewrite (Derive_n_ext (fun x => nth 0 (profile2_ x) 0) (fun _ => 0)) by exact Zb; rewrite rate_const;
-      reflexivity); rewrite Ub, Vb, W, B, A in Kb; rewrite A, B; clear - Kb ST;
+      reflexivity);  rewrite Ub, Vb, W, B, A in Kb; rewrite A, B; clear - Kb ST;
     generalize dependent (Derive_n (fun x => nth 1 (profile2_ x) 0) 1 0);
     generalize dependent (Derive_n (fun x => nth 2 (profile2_ x) 0) 1 0);
     generalize dependent (nth 1 (profile2_ 0) 0); generalize dependent (nth 2 (profile2_ 0) 0);
-    intros z y w v; cbv delta [normal]; lists; intros [[K1 K2] [K3 K4]]; pose proof PI_RGT_0;
-    assert (y = z) by (apply (Rmult_eq_reg_l ((1 + PI) * 10)); [lra|nra]); assert (y = 40 / 3) by lra;
-    subst z y; assert (w = - 2 * v) by lra; subst w; exists v; split; [reflexivity|split; [reflexivity|]];
-    replace (40 * PI) with (s + t); lra); destruct Ya as (v & A1 & A2 & A3);
-  destruct Yb as (w & B1 & B2 & B3); change (F2 0%Z) with (F2_ 0); change (F1 1%Z) with (F1_ 1);
-  change (profile1 1%Z) with (profile1_ 1); change (profile2 0%Z) with (profile2_ 0);
-  rewrite Ua, Ub, Va, Vb, A1, A2, B1, B2; split;
+    intros z y w v; cbv delta [normal]; lists; intros [[K1 K2] [K3 K4]];
+    pose proof PI_RGT_0;  assert (y = z) by (apply (Rmult_eq_reg_l ((1 + PI) * 10)); [lra|nra]);
+    assert (y = 40 / 3) by lra; subst z y; assert (w = - 2 * v) by lra; subst w; exists v; split;
+    [reflexivity|split; [reflexivity|]]; replace (40 * PI) with (s + t);
+    lra);  destruct Ya as (v & A1 & A2 & A3); destruct Yb as (w & B1 & B2 & B3); change (F2 0%Z) with (F2_ 0);
+  change (F1 1%Z) with (F1_ 1); change (profile1 1%Z) with (profile1_ 1);
+  change (profile2 0%Z) with (profile2_ 0); rewrite Ua, Ub, Va, Vb, A1, A2, B1, B2; split;
   [reflexivity|split; [reflexivity|split; [reflexivity|split; [lists; parts; ring|]]]]; lists;
   pose proof PI_RGT_0; assert (0 < v) by nra; assert (w < 0) by nra; nra.
 Qed.
@@ -2412,14 +2416,14 @@ Proof.
   intro no; assert (E : Derive_n (fun m => (1 - m / 2) / (3 / 2 - m / 4)) 2 0 = 0) by (apply no; try lia;
     try lra; exists (mkposreal 1 Rlt_0_1); intros n B;
     assert (N : -1 < n < 1) by (revert B; cbv [ball AbsRing_ball abs minus plus opp UniformSpace.ball]; simpl;
-      cbv [AbsRing_ball abs minus plus opp]; simpl; intro B; apply Rabs_def2 in B; lra); rewrite C; lra);
+      cbv [AbsRing_ball abs minus plus opp]; simpl; intro B; apply Rabs_def2 in B; lra);  rewrite C; lra);
   clear no; assert (F : Derive_n (fun m => (1 - m / 2) / (3 / 2 - m / 4)) 2 0 = - (2 / 27)) by (change (Derive
       (Derive (fun m => (1 - m / 2) / (3 / 2 - m / 4))) 0 = - (2 / 27));
     rewrite (Derive_ext_loc _ (fun m => - (1 / 2) / (3 / 2 - m / 4) ^ 2));
     [apply is_derive_unique; auto_derive; [lra|field]|exists (mkposreal 1 Rlt_0_1); intros n B;
       assert (N : -1 < n < 1) by (revert B; cbv [ball AbsRing_ball abs minus plus opp UniformSpace.ball];
-        simpl; cbv [AbsRing_ball abs minus plus opp]; simpl; intro B; apply Rabs_def2 in B; lra);
-      apply is_derive_unique; auto_derive; [lra|field; lra]]); rewrite F in E; lra.
+        simpl; cbv [AbsRing_ball abs minus plus opp]; simpl; intro B; apply Rabs_def2 in B;
+        lra);  apply is_derive_unique; auto_derive; [lra|field; lra]]); rewrite F in E; lra.
 Qed.
 
 (* gbt-developable/thm-1.1.jets *)
@@ -2514,10 +2518,10 @@ Proof.
   [cbv beta delta [H1 H2 g]; at_ends; exact H13|split;
     [cbv beta delta [H1_ H2_ g]; at_ends; clear - H13 H15 H17; rewrite H17, H13;
       generalize dependent (IZR l - 2 + PI / 2 * (1 + mu2)); intros;
-      generalize dependent (IZR k - 2 + PI / 2 * (1 + nu1)); intros; field; assumption|split;
+      generalize dependent (IZR k - 2 + PI / 2 * (1 + nu1)); intros;  field; assumption|split;
       [cbv beta delta [H2 H2_ g]; at_ends; clear - H13 H15 H17 H20 H21; rewrite H17, H13;
         generalize dependent (IZR l - 2 + PI / 2 * (1 + mu2)); intros;
-        generalize dependent (IZR k - 2 + PI / 2 * (1 + nu1)); intros; field; repeat split;
+        generalize dependent (IZR k - 2 + PI / 2 * (1 + nu1)); intros;  field; repeat split;
         first [assumption|intro Z; apply H20; rewrite Z; ring]|]]]; cbv zeta in *;
   revert H18 H19 H22 H23 H24 H27 H28; clear - H21; intros Eh Ed NB NA LB F LA;
   cbv beta iota zeta delta [vscale map] in Ed; injection Eh as -> -> -> ->; injection Ed as -> -> -> ->;

@@ -20,7 +20,7 @@ use torse_rocq::merge;
 use torse_rocq::solutions::{Solved, solutions};
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::theorem::Theorem;
-use torse_rocq::{script, trial};
+use torse_rocq::{printed, script, trial};
 use torse_syntax::derivation::{Claim, Paper};
 use torse_verdicts::grounds::Grounds;
 use torse_verdicts::outcome::Outcome;
@@ -49,7 +49,7 @@ pub struct Prove {
     /// Run coqc on everything that is written
     #[arg(long)]
     check: bool,
-    /// With `--check`: leave out the sections of which the kernel accepted each theorem as it stands
+    /// With `--check`: leave out what the kernel accepted as it stands
     #[arg(long, requires = "check")]
     changed: bool,
     /// With `--check`: have the separate checker coqchk read all compiled files as well, which takes up to an hour
@@ -117,7 +117,7 @@ impl Prove {
         let mut text = written(&folder);
         if let (true, Some(coqc)) = (self.check, &coqc) {
             let (told, found) = match self.changed {
-                true => self.checked(coqc, &self.not_accepted(coqc, &folder))?,
+                true => self.checked_anew(coqc, &folder)?,
                 false => self.checked(coqc, &folder)?,
             };
             text.push_str(&told);
@@ -241,31 +241,111 @@ impl Prove {
     ) -> Result<(), Failure> {
         let progress = Progress::new("trying", folder.sections().len());
         let seconds = self.attempt.unwrap_or(20);
-        let limits = self.limits();
-        let unkept = Mutex::new(None);
         let found = |names: &[String], failing: &Unproved| {
             progress.step();
+            keep(names, failing)
+        };
+        self.failing_within(coqc, folder, scratch, seconds, &found)?;
+        progress.finish();
+        Ok(())
+    }
+
+    /// Which theorems of a folder fail within so many seconds each.
+    fn failing_within(
+        &self,
+        coqc: &Coqc,
+        folder: &Folder,
+        scratch: &Path,
+        seconds: u64,
+        keep: Keep<'_>,
+    ) -> Result<Unproved, Failure> {
+        let unkept = Mutex::new(None);
+        let found = |names: &[String], failing: &Unproved| {
             if let Err(failure) = keep(names, failing) {
                 let mut unkept = unkept.lock().unwrap_or_else(PoisonError::into_inner);
                 unkept.get_or_insert(failure);
             }
         };
-        trial::failing(coqc, folder, scratch, seconds, limits, &found)?;
-        progress.finish();
+        let failing = trial::failing(coqc, folder, scratch, seconds, self.limits(), &found)?;
         let unkept = unkept.into_inner().unwrap_or_else(PoisonError::into_inner);
-        unkept.map_or(Ok(()), Err)
+        unkept.map_or(Ok(failing), Err)
     }
 
-    /// The sections with a theorem that the kernel did not accept yet as it stands: with this library, statement and proof.
-    fn not_accepted(&self, coqc: &Coqc, folder: &Folder) -> Folder {
+    /// Asks the kernel about what it did not accept yet as it stands, with this library, statement and proof. What is printed and
+    /// follows from what was accepted is asked about beside that, which stands as a premise; all else with its section.
+    fn checked_anew(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
         let prints = Fingerprints::of_version(&coqc.version);
         let old = Accepted::read(&self.out).filter(|old| old.coq == coqc.version);
         let known = |theorem: &Theorem| {
             let old = old.as_ref();
             old.is_some_and(|old| old.has(theorem, &prints.of(theorem)))
         };
-        let open = folder.theorems.iter().filter(|theorem| !known(theorem));
-        folder.of_sections(&open.map(|theorem| theorem.section.as_str()).collect())
+        let proved: BTreeSet<String> = folder
+            .theorems
+            .iter()
+            .filter(|t| known(t))
+            .map(Theorem::name)
+            .collect();
+        let follows = |theorem: &Theorem| {
+            printed::proved(&theorem.section)
+                .is_some_and(|core| proved.contains(&format!("{core}.{}", theorem.module)))
+        };
+        let open = || folder.theorems.iter().filter(|theorem| !known(theorem));
+        let sections: BTreeSet<&str> = open()
+            .filter(|theorem| !follows(theorem))
+            .map(|theorem| theorem.section.as_str())
+            .collect();
+        let mut alone = folder.clone();
+        alone.theorems.retain(|theorem| {
+            !known(theorem) && follows(theorem) && !sections.contains(theorem.section.as_str())
+        });
+        let mut text = String::new();
+        let mut exit = Exit::AsExpected;
+        if let (false, Some(mut accepted)) = (alone.theorems.is_empty(), old) {
+            accepted.coqchk = None;
+            let scratch = self.library(coqc)?;
+            let progress = Progress::new("checking what is printed", alone.sections().len());
+            let accepted = Mutex::new(accepted);
+            // What was answered is kept section by section.
+            let keep = |names: &[String], failing: &Unproved| {
+                progress.step();
+                let mut accepted = accepted.lock().unwrap_or_else(PoisonError::into_inner);
+                for theorem in &alone.theorems {
+                    let name = theorem.name();
+                    if names.contains(&name) && !failing.contains_key(&name) {
+                        accepted.theorems.insert(name, prints.of(theorem));
+                    }
+                }
+                self.write(ACCEPTED, &json(&*accepted))
+            };
+            let failing =
+                self.failing_within(coqc, &alone, scratch.path(), self.file_limit, &keep)?;
+            progress.finish();
+            for theorem in &alone.theorems {
+                let name = theorem.name();
+                if let Some(reason) = failing.get(&name) {
+                    text.push_str(&format!("rejected: {} ({name})\n{reason}\n", theorem.id));
+                    exit = Exit::Contradiction;
+                }
+            }
+            text.push_str(&format!(
+                "{} accepted as printed, {} rejected, beside what they follow from\n",
+                alone.theorems.len() - failing.len(),
+                failing.len()
+            ));
+        }
+        if sections.is_empty() {
+            return Ok((text, exit));
+        }
+        let (told, found) = self.checked(coqc, &folder.of_sections(&sections))?;
+        text.push_str(&told);
+        Ok((
+            text,
+            match exit {
+                Exit::AsExpected => found,
+                worse => worse,
+            },
+        ))
     }
 
     /// Asks the kernel, keeps what it accepted, and says so.
@@ -328,12 +408,12 @@ impl Prove {
                 let progress = Progress::new("coqchk", 1);
                 let said = coqc.recheck(scratch.path(), self.limits(), accepted.len())?;
                 progress.finish();
-                let word = match said.accepted {
-                    true => "accepts",
-                    false => "does not accept",
-                };
-                text.push_str(&format!("coqchk {word} what was compiled\n"));
-                Some(said)
+                text.push_str(match said.as_ref().map(|said| said.accepted) {
+                    Some(true) => "coqchk accepts what was compiled\n",
+                    Some(false) => "coqchk does not accept what was compiled\n",
+                    None => "coqchk did not end within an hour\n",
+                });
+                said
             }
             false => None,
         };

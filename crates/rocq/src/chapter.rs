@@ -1,8 +1,9 @@
 //! Files of statements and of proofs, a pair for each section of a paper.
 //!
-//! The statements are for reading: they contain no proof and import nothing but `Torse.Defs`, so that no proof can change
+//! The statements are for reading: they contain no proof and import nothing but `Torse.Defs` and, where functions are declared, `Torse.Functions`, so that no proof can change
 //! what a statement means.
 
+use crate::jets::has_functions;
 use crate::library::LIBRARY;
 use crate::name::camel;
 use crate::shared::{DEFINITIONS, Shared};
@@ -47,11 +48,15 @@ pub fn comment(text: &str) -> String {
 #[must_use]
 pub fn statements(paper: &str, section: &str, goals: &[Goal], shared: &Shared) -> String {
     let mut text = format!(
-        "{}\nFrom Torse Require Import Defs.\nOpen Scope R_scope.\n",
+        "{}\nFrom Torse Require Import Defs{}.\nOpen Scope R_scope.\n",
         comment(&format!(
             "Statements of {paper}, {}. Nothing is proved here.",
             section.replace('_', " ")
-        ))
+        )),
+        match goals.iter().any(|goal| has_functions(&goal.proposition)) {
+            true => " Functions",
+            false => "",
+        }
     );
     text.push_str(&shared.module());
     for goal in goals {

@@ -5,7 +5,7 @@ use crate::closed::CLOSED;
 use crate::digest::Digest;
 use crate::folder::{ACCEPTED, Folder};
 use crate::library::{self, LIBRARY};
-use crate::printed::{self, FOLLOWS, JETS};
+use crate::printed::{self, FOLLOWS, FUNCTIONS, JETS};
 use crate::theorem::Theorem;
 use crate::{modules, queue};
 use serde::{Deserialize, Serialize};
@@ -149,7 +149,8 @@ impl Fingerprints {
         // What follows from another statement was accepted beside that one, by a tactic of its own.
         let whole = match &theorem.rests_on {
             Some(core) if printed::uses_jets(&theorem.proof) => {
-                own.and(core).and(FOLLOWS.1).and(JETS.1)
+                let own = own.and(core).and(FOLLOWS.1);
+                own.and(JETS.1).and(FUNCTIONS.1)
             }
             Some(core) => own.and(core).and(FOLLOWS.1),
             None => own,
@@ -285,7 +286,7 @@ impl Coqc {
         limits: Limits,
         done: &(dyn Fn() + Sync),
     ) -> Result<(), CheckError> {
-        for (path, text) in LIBRARY.into_iter().chain([FOLLOWS, JETS]) {
+        for (path, text) in LIBRARY.into_iter().chain([FOLLOWS, FUNCTIONS, JETS]) {
             write(&scratch.join(path), text)?;
         }
         let compile = |path: &str| {
@@ -300,11 +301,13 @@ impl Coqc {
         let jobs: Vec<_> = files.zip(library::needs()).collect();
         queue::worked(&jobs, limits.at_once, &|path| compile(path))?;
         compile(FOLLOWS.0)?;
+        compile(FUNCTIONS.0)?;
         compile(JETS.0)
     }
 
     /// Has the separate checker read all that was compiled in `scratch` after a [check](Self::check), and all that it rests on.
-    /// `coqchk` is told to recompute by the same means as the kernel did: without that, conversions by `vm_compute` take days.
+    /// `coqchk` is told to recompute by the same means as the kernel did: without that, conversions by `vm_compute` take days. None if it
+    /// does not end within the longest time that it has.
     ///
     /// # Errors
     /// [`CheckError`] if it cannot be run at all.
@@ -313,7 +316,7 @@ impl Coqc {
         scratch: &Path,
         limits: Limits,
         theorems: usize,
-    ) -> Result<Recheck, CheckError> {
+    ) -> Result<Option<Recheck>, CheckError> {
         let mut command = limited("coqchk", limits.memory);
         command.args(["-silent", "-o", "-bytecode-compiler", "yes"]);
         for prefix in prefixes(scratch)? {
@@ -324,11 +327,12 @@ impl Coqc {
         command.args(["-Q", ".", ""]).arg(checked);
         command.current_dir(scratch).stdin(Stdio::null());
         let run = run(&mut command, MAX_RECHECK)?;
-        Ok(Recheck {
+        let said = Recheck {
             accepted: run.status.success(),
             axioms: listed_axioms(&run.text),
             theorems,
-        })
+        };
+        Ok((!run.killed).then_some(said))
     }
 
     /// The answers about one section: its statements, then its proofs.
@@ -466,6 +470,8 @@ pub(crate) fn each_section<T: Send>(
 pub struct Run {
     /// How it ended; a run that took too long was killed.
     pub status: ExitStatus,
+    /// Whether it was killed.
+    pub killed: bool,
     /// What it wrote.
     pub text: String,
 }
@@ -501,7 +507,11 @@ pub(crate) fn run(command: &mut Command, limit: Duration) -> Result<Run, CheckEr
     if killed {
         text.push_str(&format!("\nError: more than {} s", limit.as_secs()));
     }
-    Ok(Run { status, text })
+    Ok(Run {
+        status,
+        killed,
+        text,
+    })
 }
 
 fn reader(mut pipe: Box<dyn Read + Send>) -> std::thread::JoinHandle<String> {

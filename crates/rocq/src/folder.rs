@@ -5,7 +5,7 @@ use crate::closed::CLOSED;
 use crate::gap::Gap;
 use crate::library::LIBRARY;
 use crate::name::camel;
-use crate::printed::{self, FOLLOWS, JETS, PRINTED};
+use crate::printed::{self, FOLLOWS, FUNCTIONS, JETS, PRINTED};
 use crate::script::{self, scripts};
 use crate::shared::Shared;
 use crate::task::{Evidence, Finding, Goal, goals};
@@ -131,7 +131,7 @@ impl Folder {
             let prefix = camel(slug);
             folder.paper(slug, &prefix, findings, unproved, chosen);
         }
-        for (path, text) in [FOLLOWS, JETS] {
+        for (path, text) in [FOLLOWS, FUNCTIONS, JETS] {
             folder.files.insert(path.to_owned(), text.to_owned());
         }
         folder

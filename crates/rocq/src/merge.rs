@@ -75,8 +75,11 @@ pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String
     files
 }
 
-/// What files import of the library in which a statement is about functions.
-const JETS_TOO: &str = "Defs Follows Jets.";
+/// What files import of the library, and what those import in which a statement is about functions.
+const FURTHER: [(&str, &str); 2] = [
+    ("Import Defs.", "Import Defs Functions."),
+    ("Import Defs Follows.", "Import Defs Follows Jets."),
+];
 
 /// A head with the lines of the old one by which kept modules use the definitions of their section.
 fn head(fresh: &str, old: &str) -> String {
@@ -85,11 +88,13 @@ fn head(fresh: &str, old: &str) -> String {
             && !line.starts_with("From Torse ")
             && !fresh.lines().any(|own| own == *line)
     });
-    let needs = |text: &str| text.contains(JETS_TOO);
-    let fresh = match needs(old) && !needs(fresh) {
-        true => fresh.replace("Defs Follows.", JETS_TOO),
-        false => fresh.to_owned(),
+    let further = |mut head: String, (plain, more): (&str, &str)| {
+        if old.contains(more) && !head.contains(more) {
+            head = head.replace(plain, more);
+        }
+        head
     };
+    let fresh = FURTHER.into_iter().fold(fresh.to_owned(), further);
     used.fold(fresh, |text, line| text + line + "\n")
 }
 

@@ -26,6 +26,12 @@ pub const FOLLOWS: (&str, &str) = (
 /// What is used besides where functions are declared.
 pub const JETS: (&str, &str) = ("Torse/Jets.v", include_str!("../../../proofs/Torse/Jets.v"));
 
+/// What a declared function is, as a file of the folder: statements that have one use it.
+pub const FUNCTIONS: (&str, &str) = (
+    "Torse/Functions.v",
+    include_str!("../../../proofs/Torse/Functions.v"),
+);
+
 /// Whether a proof needs it.
 pub(crate) fn uses_jets(proof: &str) -> bool {
     proof.contains("by_jets")
