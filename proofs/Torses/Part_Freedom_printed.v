@@ -1,5 +1,5 @@
 (* Statements of torses, Part Freedom. Nothing is proved here. *)
-From Torse Require Import Defs.
+From Torse Require Import Defs Functions.
 Open Scope R_scope.
 
 Module Definitions.

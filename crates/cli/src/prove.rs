@@ -335,6 +335,9 @@ impl Prove {
             ));
         }
         if sections.is_empty() {
+            if alone.theorems.is_empty() {
+                text.push_str("all was accepted as it stands\n");
+            }
             return Ok((text, exit));
         }
         let (told, found) = self.checked(coqc, &folder.of_sections(&sections))?;

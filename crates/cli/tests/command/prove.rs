@@ -210,7 +210,8 @@ fn what_is_no_longer_stated_is_removed_and_what_others_wrote_stays() {
         ends.map(|end| format!("Section_{n}{end}.v"))
     };
     let (first, second) = (files(1), files(2));
-    let both = [first.clone(), second].concat();
+    let list = ["Theorems.v".to_owned()];
+    let both = [&first[..], &second, &list].concat();
     assert_eq!(written(&(one.clone() + &other)), both);
     // A list of files that somebody edited names what is not ours.
     let beside = out.path().join("beside.v");
@@ -220,7 +221,7 @@ fn what_is_no_longer_stated_is_removed_and_what_others_wrote_stays() {
     fs::write(&beside, "mine").unwrap();
     fs::write(folder.join("Mini/Mine.v"), "mine").unwrap();
     let mine = ["Mine.v".to_owned()];
-    assert_eq!(written(&one), [&mine[..], &first[..]].concat());
+    assert_eq!(written(&one), [&mine[..], &first, &list].concat());
     assert_eq!(fs::read_to_string(beside).unwrap(), "mine");
 }
 
@@ -341,13 +342,49 @@ fn a_check_of_what_changed_asks_for_changed_sections_and_keeps_the_other_answers
     let (said, first) = checked(&before, &["--check"]);
     assert!(said.contains("2 accepted"), "{said}");
     let (said, kept) = checked(&before, &["--check", "--changed"]);
-    assert!(said.contains("0 accepted"), "{said}");
+    assert!(said.contains("all was accepted as it stands"), "{said}");
     assert_eq!(kept, first);
     let (said, kept) = checked(&changed, &["--check", "--changed"]);
     assert!(said.contains("1 accepted"), "{said}");
     let (_, whole) = checked(&changed, &["--check"]);
     assert_eq!(kept, whole);
     assert_ne!(kept, first);
+}
+
+#[cfg(unix)]
+#[test]
+fn what_is_printed_is_asked_about_beside_what_was_accepted() {
+    use std::os::unix::fs::PermissionsExt;
+    let (derivations, out) = (square(), tempfile::tempdir().unwrap());
+    let folder = out.path().to_str().unwrap();
+    let bin = stand_in(ACCEPTS);
+    let path = with(&bin);
+    let file = out.path().join("accepted.json");
+    let (_, said, _) = prove(&derivations, folder, Some(&path), &["--check"]);
+    let first = fs::read_to_string(&file).unwrap();
+    assert!(said.contains("1 accepted as printed"), "{said}");
+    // As if nobody had asked about what is printed.
+    let mut kept: serde_json::Value = serde_json::from_str(&first).unwrap();
+    let theorems = kept["theorems"].as_object_mut().unwrap();
+    theorems.retain(|name, _| !name.contains("_printed."));
+    assert_eq!(theorems.len(), 1);
+    let kept = serde_json::to_string_pretty(&kept).unwrap();
+    let coqtop = |script: &str| {
+        let program = bin.path().join("coqtop");
+        fs::write(&program, format!("#!/bin/sh\n{script}\n")).unwrap();
+        fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).unwrap();
+        fs::write(&file, &kept).unwrap();
+        prove(&derivations, folder, Some(&path), &["--check", "--changed"])
+    };
+    let (code, said, err) = coqtop(r"sed -n 's/^Check \(.*\)\.$/\1\n     : nat/p'");
+    assert_eq!(code, Some(0), "{said}{err}");
+    assert!(said.contains("1 accepted as printed, 0 rejected"), "{said}");
+    assert_eq!(fs::read_to_string(&file).unwrap(), first);
+    let (code, said, _) = coqtop("cat >/dev/null");
+    assert_eq!(code, Some(6), "{said}");
+    assert!(said.contains("rejected: mini/a"), "{said}");
+    let text = fs::read_to_string(&file).unwrap();
+    assert!(!text.contains("_printed."), "{text}");
 }
 
 #[cfg(unix)]
