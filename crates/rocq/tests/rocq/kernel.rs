@@ -90,8 +90,8 @@ const PAIRS: [(&str, &str, Evidence); 22] = [
         Evidence::Identity,
     ),
     (
-        "D(f(x)*f(y), x) == f'(x)*f(y)",
-        "D(f(x)*f(y), x) == f'(x)*f(x)",
+        "D(f(x)^2, x) == 2*f(x)*f'(x)",
+        "D(f(x)^2, x) == 2*f(x)*f(x)",
         Evidence::Identity,
     ),
     (
