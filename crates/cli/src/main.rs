@@ -5,6 +5,7 @@
 
 mod against;
 mod audit;
+mod completions;
 mod decide;
 mod derivations;
 mod derive;
@@ -17,6 +18,7 @@ mod figures;
 mod format;
 mod guard;
 mod kernel;
+mod list;
 mod mistakes;
 mod new;
 mod proofs;
@@ -30,7 +32,7 @@ mod verdicts;
 mod verify;
 mod watch;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use exit::{Exit, Failure};
 use std::process::ExitCode;
 use std::time::Duration;
@@ -106,6 +108,7 @@ Colours and progress are for terminals only; NO_COLOR=1 turns colours off there 
 enum Command {
     Verify(verify::Verify),
     Decide(decide::Decide),
+    List(list::List),
     Explain(explain::Explain),
     Report(report::Report),
     Erratum(erratum::Erratum),
@@ -120,6 +123,7 @@ enum Command {
     Export(design::Export),
     Eval(design::Eval),
     Draw(design::Draw),
+    Completions(completions::Completions),
 }
 
 impl Command {
@@ -127,6 +131,7 @@ impl Command {
         match self {
             Command::Verify(command) => command.run(),
             Command::Decide(command) => command.run(),
+            Command::List(command) => command.run(),
             Command::Explain(command) => command.run(),
             Command::Report(command) => command.run(),
             Command::Erratum(command) => command.run(),
@@ -141,6 +146,7 @@ impl Command {
             Command::Export(command) => command.run(),
             Command::Eval(command) => command.run(),
             Command::Draw(command) => command.run(),
+            Command::Completions(command) => command.run(Arguments::command()),
         }
     }
 }

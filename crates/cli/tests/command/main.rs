@@ -12,6 +12,7 @@ mod erratum;
 mod exit_codes;
 mod explain;
 mod hostile;
+mod list;
 mod new;
 mod prove;
 mod report;

@@ -1,0 +1,129 @@
+//! `torse list`: the claims of the derivation files, without deciding any.
+
+use crate::derivations::Derivations;
+use crate::exit::{Exit, Failure};
+use crate::{guard, terminal};
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+use torse_report::{ReportError, words};
+use torse_syntax::derivation::Paper;
+
+/// List papers and claims with their kinds and places; nothing is decided.
+///
+/// A line for each claim: its id, its kind, where the paper has it. With `--papers` a line for each paper, with the number
+/// of its claims. `--format json` gives an object of JSON on each line.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct List {
+    /// Papers, claims, or beginnings of ids [default: all]
+    #[arg(value_name = "PAPER|ID")]
+    names: Vec<String>,
+    /// A line for each paper
+    #[arg(long)]
+    papers: bool,
+    /// For people or for programs
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    format: Form,
+    #[command(flatten)]
+    derivations: Derivations,
+}
+
+/// How the list is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Form {
+    /// Columns for people.
+    Text,
+    /// Lines of JSON.
+    Json,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  torse list --papers
+  torse list gbt-surfaces/thm-2
+  torse list --format json";
+
+/// A claim in a line of JSON.
+#[derive(Serialize)]
+struct ClaimLine<'a> {
+    id: &'a str,
+    paper: &'a str,
+    kind: &'static str,
+    at: &'a str,
+    uses: &'a [String],
+}
+
+/// A paper in a line of JSON.
+#[derive(Serialize)]
+struct PaperLine<'a> {
+    paper: &'a str,
+    claims: usize,
+    title: &'a str,
+    authors: &'a str,
+    venue: &'a str,
+}
+
+impl List {
+    /// Prints the list.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        let (papers, mistakes) = self.derivations.select(&self.names)?;
+        guard::finished();
+        let text = match (self.papers, self.format) {
+            (true, Form::Text) => paper_table(&papers),
+            (false, Form::Text) => claim_table(&papers),
+            (true, Form::Json) => lines(papers.iter().map(paper_line))?,
+            (false, Form::Json) => lines(papers.iter().flat_map(claim_lines))?,
+        };
+        terminal::print(&text)?;
+        Ok(mistakes.tell(Exit::AsExpected))
+    }
+}
+
+fn paper_line(paper: &Paper) -> PaperLine<'_> {
+    PaperLine {
+        paper: &paper.head.id,
+        claims: paper.claims.len(),
+        title: &paper.head.title,
+        authors: &paper.head.authors,
+        venue: &paper.head.venue,
+    }
+}
+
+fn claim_lines(paper: &Paper) -> impl Iterator<Item = ClaimLine<'_>> {
+    paper.claims.iter().map(|claim| ClaimLine {
+        id: claim.entry.id.get_ref(),
+        paper: &paper.head.id,
+        kind: words::kind(claim.entry.kind).key,
+        at: &claim.entry.at,
+        uses: &claim.uses,
+    })
+}
+
+fn lines(items: impl Iterator<Item = impl Serialize>) -> Result<String, ReportError> {
+    let mut text = String::new();
+    for item in items {
+        text.push_str(&serde_json::to_string(&item)?);
+        text.push('\n');
+    }
+    Ok(text)
+}
+
+fn paper_table(papers: &[Paper]) -> String {
+    let mut table = terminal::table();
+    for paper in papers.iter().map(paper_line) {
+        table.add_row([
+            paper.paper.to_owned(),
+            format!("{} claims", paper.claims),
+            paper.title.to_owned(),
+        ]);
+    }
+    terminal::lines(&table)
+}
+
+fn claim_table(papers: &[Paper]) -> String {
+    let mut table = terminal::table();
+    for claim in papers.iter().flat_map(claim_lines) {
+        table.add_row([claim.id, claim.kind, claim.at]);
+    }
+    terminal::lines(&table)
+}
