@@ -115,11 +115,8 @@ mod tests {
         let read = FILES.iter().map(|file| file.matches("\nQed.\n").count());
         assert_eq!(read.sum::<usize>(), SCRIPTS.len(), "no theorem twice");
         for ((claim, name), script) in SCRIPTS.iter() {
-            assert!(
-                claim.contains('/') && !claim.contains(' ')
-                    || claim.ends_with(" (corrected)")
-                    || claim.ends_with(" (printed)")
-            );
+            // The name of a reading may have blanks.
+            assert!(claim.contains('/'), "{claim}");
             assert!(["proved", "refuted", "met"].contains(name), "{claim}");
             assert!(!script.is_empty(), "{claim}");
             for word in ["admit", "Admitted", "Axiom", "give_up", "Qed", "Abort"] {

@@ -448,13 +448,13 @@ fn chained(stream: &mut Stream, scene: &mut Scene) -> Statement {
     let operation = stream.pick(&[Operation::Add, Operation::Subtract]);
     let factor = binary(operation, &square("x"), &number);
     let left = binary(Operation::Multiply, &a, &factor);
-    // Where the factor vanishes a is free.
-    hypothesis(
-        scene,
-        &left,
-        &Term::int(0),
-        vec![("a", Term::int(0)), ("b", Arc::clone(&b))],
-    );
+    let mut solved = vec![("a", Term::int(0)), ("b", Arc::clone(&b))];
+    if operation == Operation::Subtract {
+        // Where the factor vanishes a is free.
+        let root = Term::Apply(Function::Root, Arc::clone(&number));
+        solved.push(("x", Arc::new(root)));
+    }
+    hypothesis(scene, &left, &Term::int(0), solved);
     let operation = stream.pick(&[Operation::Add, Operation::Subtract]);
     let next = binary(operation, &square("y"), &Term::int(1));
     let quotient = binary(Operation::Divide, &a, &next);
