@@ -163,7 +163,11 @@ mod tests {
         assert!(is_exactly_developable(&arch(0.0, 1.0), &arch(3.0, 0.5)));
         // 0.3 is rounded, and its double and fourfold are exactly that of the rounded number.
         assert!(is_exactly_developable(&arch(0.0, 1.0), &arch(3.0, 0.3)));
-        let beside = [[0.0, 0.0, 3.0], [0.3, 0.6, 3.0], [1.2 + f64::EPSILON, 0.0, 3.0]];
+        let beside = [
+            [0.0, 0.0, 3.0],
+            [0.3, 0.6, 3.0],
+            [1.2 + f64::EPSILON, 0.0, 3.0],
+        ];
         let beside = Rail::bezier(&beside).unwrap();
         assert!(!is_exactly_developable(&arch(0.0, 1.0), &beside));
         let line = |a: Point, b: Point| Rail::bezier(&[a, b]).unwrap();

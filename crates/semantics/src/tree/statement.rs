@@ -16,6 +16,9 @@ use torse_syntax::formula::{Connective, Expr, Node, Relation};
 /// The most digits that a printed number has after the point.
 const MAX_DECIMALS: u32 = 1000;
 
+/// The functions of numbers that have no exact values of their own.
+const ELEMENTARY: [&str; 8] = ["sqrt", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"];
+
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 
 /// Both are true; false as soon as one is false.
@@ -90,13 +93,55 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         place: &Place<'a, A>,
     ) -> Result<Judgement, Gap> {
         let mut all = Some(true);
-        let mut left = self.value(first, place)?;
-        for (relation, right) in rest {
-            let right = self.value(right, place)?;
-            all = both(all, self.related(*relation, &left, &right)?);
-            left = right;
+        let (mut left_tree, mut left) = (first, self.value(first, place)?);
+        for (relation, right_tree) in rest {
+            let right = self.value(right_tree, place)?;
+            let found = match self.related(*relation, &left, &right)? {
+                // At a point that satisfies its hypotheses only nearly equal numbers may stand for different ones.
+                None if !self.point.near && self.is_same(left_tree, right_tree, place) => {
+                    Some(matches!(
+                        relation,
+                        Relation::Equal | Relation::AtMost | Relation::AtLeast
+                    ))
+                }
+                found => found,
+            };
+            all = both(all, found);
+            (left_tree, left) = (right_tree, right);
         }
         Ok(Judgement::of(all))
+    }
+
+    /// Whether two formulas that have values are the same functions of the same rational numbers, so that enclosures of both
+    /// need not tell them apart: `exp(u)` and `exp(1)` at u = 1.
+    fn is_same(&self, a: &'a Expr, b: &'a Expr, place: &Place<'a, A>) -> bool {
+        match (&a.node, &b.node) {
+            (Node::Call(f, x), Node::Call(g, y)) => {
+                let is_elementary = match &f.node {
+                    Node::Name(name) => ELEMENTARY.contains(&name.as_str()),
+                    _ => false,
+                };
+                let mut pairs = x.iter().zip(y);
+                is_elementary
+                    && f.node == g.node
+                    && x.len() == y.len()
+                    && pairs.all(|(x, y)| self.is_same(x, y, place))
+            }
+            (Node::Negative(a), Node::Negative(b)) => self.is_same(a, b, place),
+            (Node::Binary(f, a, b), Node::Binary(g, c, d)) if f == g => {
+                self.is_same(a, c, place) && self.is_same(b, d, place)
+            }
+            _ => {
+                let rational = |tree: &'a Expr| {
+                    let value = self.value(tree, place).ok()?;
+                    match value {
+                        Value::Number(number) => self.arithmetic.as_rational(number.as_number()?),
+                        _ => None,
+                    }
+                };
+                rational(a).is_some_and(|a| rational(b) == Some(a))
+            }
+        }
     }
 
     /// Whether two values are in a relation.
