@@ -62,7 +62,7 @@ mod mistakes {
     use torse_tests::composed::tally::{Answer, answer, semantics_alone};
 
     /// So many claims are enough to see a mistake.
-    const ENOUGH: u64 = 500;
+    const ENOUGH: u64 = 2_000;
 
     #[test]
     fn mistakes_of_the_engine_are_seen_in_composed_statements() {
