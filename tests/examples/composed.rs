@@ -36,7 +36,7 @@ fn main() -> ExitCode {
                 "verdict": found.map(|o| o.verdict()),
                 "conditions": found.map_or(vec![], |o| texts(o.conditions())),
                 "correction": found.and_then(|o| o.correction()).map(|c| c.statement.text.clone()),
-                "contradiction": found.and_then(|o| o.contradiction().clone()),
+                "contradiction": found.and_then(|o| o.contradiction()),
             });
             println!("{line}");
         }

@@ -25,7 +25,7 @@ const MAX_SHOWN_TERMS: usize = 120;
 #[derive(Debug)]
 pub(crate) enum Conclusion {
     Proved(ProvedStatement),
-    Refuted(RefutedStatement),
+    Refuted(Box<RefutedStatement>),
     Vacuous(EmptyDomain),
     Undecided(UndecidedStatement),
 }
@@ -50,7 +50,7 @@ pub(crate) fn conclude(claim: &Claim, statement: &Written, weighed: Weighed) -> 
             })
         }
         Decision::Refuted(refutation) => {
-            Conclusion::Refuted(refuted(*refutation, statement, steps))
+            Conclusion::Refuted(Box::new(refuted(*refutation, statement, steps)))
         }
         Decision::Vacuous(_) => Conclusion::Vacuous(EmptyDomain { steps }),
         Decision::Open { tried, .. } => Conclusion::Undecided(UndecidedStatement {

@@ -62,7 +62,7 @@ pub(crate) fn decided(
             net::proved(ProvedStatement { steps, ..proved }, &meant)
         }
         Conclusion::Refuted(refuted) => {
-            match without_witness(refuted, claim, statement, budget / 5) {
+            match without_witness(*refuted, claim, statement, budget / 5) {
                 Ok(refuted) => net::refuted(refuted, &meant, budget / 5),
                 Err(why) => Finding::undecided(why),
             }

@@ -40,7 +40,7 @@ enum Remaining<'c> {
     /// Nothing.
     Nothing(Finding),
     /// The search for a correction of what is refuted, and its net; and what is known of the parts of a conjunction.
-    Correction(Box<Meant<'c>>, RefutedStatement, Vec<String>),
+    Correction(Box<Meant<'c>>, Box<RefutedStatement>, Vec<String>),
     /// What is left of each reading of a sentence, by name and words.
     Readings(Vec<(String, String, Stage<'c>)>),
 }
@@ -127,7 +127,7 @@ impl Remaining<'_> {
                     repair: correcting.repair,
                     data: correcting.data,
                     steps: [refuted.steps, parts].concat(),
-                    ..refuted
+                    ..*refuted
                 };
                 Ok(net::refuted(refuted, &meant, budget / 5))
             }

@@ -38,6 +38,9 @@ pub(super) type Row = (
 /// A derivative that was taken: of which body, how often and where; the body is kept.
 type Rate = (((usize, usize), i64, Series<Class>), Term, Value<Class>);
 
+/// A closed term and its value.
+type Evaluated = (Term, Value<Class>);
+
 /// Evaluates core terms at one point.
 pub(super) struct Terms<'a> {
     pub arithmetic: &'a Scrambled<'a>,
@@ -45,7 +48,7 @@ pub(super) struct Terms<'a> {
     /// The claim whose given equations are put into `coefficients`.
     pub given: Option<&'a Claim>,
     /// The values of closed terms by their addresses; the terms are kept, so that no other one gets the address.
-    closed: RefCell<BTreeMap<(usize, usize), (Term, Value<Class>)>>,
+    closed: RefCell<BTreeMap<(usize, usize), Evaluated>>,
     pub rows: RefCell<Vec<Row>>,
     /// Derivatives of bodies that depend on no other binder, by body, order and point.
     rates: RefCell<Vec<Rate>>,
