@@ -4,7 +4,7 @@
 //! sections of their own, `Section_3_4` and `Section_3_4_printed`. Mostly they are the same by conversion, so that a proof of the one is
 //! a proof of the other; the tactic `follows` of `Torse/Follows.v` knows besides what to do where premises stand in another
 //! order. A difference that it does not bridge is a fault of one of the two writers, and no theorem. Where functions are declared, what is
-//! proved is about numbers; see [`crate::jets`].
+//! proved is about numbers; see the module `jets`.
 
 use crate::chapter::comment;
 use crate::check::PROOFS;

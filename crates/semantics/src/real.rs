@@ -409,7 +409,7 @@ impl Arithmetic for Reals<'_> {
         })
     }
 
-    /// Far below what numbers are told apart by, see [`judge`](crate::judge()).
+    /// Far below what numbers are told apart by, see the module `judge`.
     fn is_negligible(&self, a: &Real) -> bool {
         let small = Rational::new(1.into(), Integer::from(1) << 136);
         match a {

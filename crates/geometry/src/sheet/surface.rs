@@ -354,7 +354,7 @@ impl Sheet {
     /// asked of it with [`Unrolling`](crate::pattern::Unrolling).
     ///
     /// # Errors
-    /// As [`unroll`].
+    /// As [`crate::pattern::Unrolling::of`].
     pub fn unroll(&self, rulings: usize, tolerance: f64) -> PatternResult<FlatPattern> {
         self.unrolled(&Unrolling::within(tolerance).rulings(rulings))
     }
