@@ -2,9 +2,10 @@
 
 use crate::exit::{Exit, Failure};
 use crate::explain::short_note;
+use crate::format::Format;
 use crate::run::Budget;
 use crate::{guard, terminal};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde::Deserialize;
 use std::io::BufRead;
 use torse_report::finding_json;
@@ -32,18 +33,9 @@ pub struct Decide {
     setting: String,
     /// For people or for programs
     #[arg(long, value_name = "FORMAT", default_value = "text")]
-    format: Form,
+    format: Format,
     #[command(flatten)]
     budget: Budget,
-}
-
-/// How an answer is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Form {
-    /// A note for people.
-    Text,
-    /// A line of JSON.
-    Json,
 }
 
 const EXAMPLES: &str = "\
@@ -84,8 +76,8 @@ impl Decide {
         };
         guard::finished();
         terminal::print(&match self.format {
-            Form::Text => short_note(&outcome),
-            Form::Json => finding_json(&outcome)?,
+            Format::Text => short_note(&outcome),
+            Format::Json => finding_json(&outcome)?,
         })?;
         Ok(exit(&outcome))
     }

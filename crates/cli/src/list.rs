@@ -2,8 +2,9 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
+use crate::format::Format;
 use crate::{guard, terminal};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde::Serialize;
 use torse_report::{ReportError, words};
 use torse_syntax::derivation::Paper;
@@ -23,18 +24,9 @@ pub struct List {
     papers: bool,
     /// For people or for programs
     #[arg(long, value_name = "FORMAT", default_value = "text")]
-    format: Form,
+    format: Format,
     #[command(flatten)]
     derivations: Derivations,
-}
-
-/// How the list is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Form {
-    /// Columns for people.
-    Text,
-    /// Lines of JSON.
-    Json,
 }
 
 const EXAMPLES: &str = "\
@@ -69,10 +61,10 @@ impl List {
         let (papers, mistakes) = self.derivations.select(&self.names)?;
         guard::finished();
         let text = match (self.papers, self.format) {
-            (true, Form::Text) => paper_table(&papers),
-            (false, Form::Text) => claim_table(&papers),
-            (true, Form::Json) => lines(papers.iter().map(paper_line))?,
-            (false, Form::Json) => lines(papers.iter().flat_map(claim_lines))?,
+            (true, Format::Text) => paper_table(&papers),
+            (false, Format::Text) => claim_table(&papers),
+            (true, Format::Json) => lines(papers.iter().map(paper_line))?,
+            (false, Format::Json) => lines(papers.iter().flat_map(claim_lines))?,
         };
         terminal::print(&text)?;
         Ok(mistakes.tell(Exit::AsExpected))

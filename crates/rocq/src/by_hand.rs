@@ -116,7 +116,10 @@ mod tests {
         assert_eq!(read.sum::<usize>(), SCRIPTS.len(), "no theorem twice");
         for ((claim, name), script) in SCRIPTS.iter() {
             // The name of a reading may have blanks.
-            assert!(claim.contains('/'), "{claim}");
+            let (paper, id) = claim.split_once('/').unwrap_or_default();
+            let is_slug = |c: char| c.is_ascii_alphanumeric() || c == '-';
+            assert!(!paper.is_empty() && paper.chars().all(is_slug), "{claim}");
+            assert!(!id.is_empty() && id.trim() == id, "{claim}");
             assert!(["proved", "refuted", "met"].contains(name), "{claim}");
             assert!(!script.is_empty(), "{claim}");
             for word in ["admit", "Admitted", "Axiom", "give_up", "Qed", "Abort"] {
