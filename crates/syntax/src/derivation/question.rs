@@ -12,6 +12,7 @@
 //!
 //! A name that occurs and is not declared is a real number.
 
+use super::definitions::name_of;
 use super::error::LoadError;
 use super::load::paper;
 use super::paper::Paper;
@@ -140,9 +141,9 @@ impl Setting {
             }
         }
         let heads = self.definitions.keys().map(|head| name_of(head));
-        let defined: BTreeSet<&str> = heads.collect();
+        let defined: BTreeSet<String> = heads.collect();
         used.retain(|name| {
-            !self.symbols.contains_key(name) && !defined.contains(name.as_str()) && name != "inf"
+            !self.symbols.contains_key(name) && !defined.contains(name) && name != "inf"
         });
         used
     }
@@ -187,11 +188,6 @@ fn symbol(set: &str) -> Value {
         put("in", text(set));
     }
     Value::Table(declaration)
-}
-
-/// The name that a head `H(t)` defines.
-fn name_of(head: &str) -> &str {
-    head.split(['(', '[']).next().unwrap_or(head).trim()
 }
 
 /// The parameters of a head `H(t)`.

@@ -23,14 +23,14 @@ impl Numbers<'_, '_> {
     /// The residue of a number.
     pub fn number(&self, name: &Name) -> Option<Class> {
         let declared = name.declared();
-        let Some(text) = self.made.get(declared) else {
+        if !self.made.contains_key(declared) {
             return self.assignment.number(name);
-        };
+        }
         let known = self.known.borrow().get(declared).cloned();
         let value = match known {
             Some(known) => known,
             None => {
-                let found = self.made_value(declared, text.as_ref());
+                let found = self.made_value(declared);
                 let mut known = self.known.borrow_mut();
                 known.insert(Arc::clone(declared), found.clone());
                 found
@@ -47,7 +47,7 @@ impl Numbers<'_, '_> {
     }
 
     /// The value of a name that the engine made: the root of its square, or what its text is worth.
-    fn made_value(&self, name: &Arc<str>, text: Option<&'_ Expr>) -> Option<Value<Class>> {
+    fn made_value(&self, name: &Arc<str>) -> Option<Value<Class>> {
         let mut roots = self
             .core
             .hypotheses
@@ -59,8 +59,7 @@ impl Numbers<'_, '_> {
             let root = radicand.ok()?.number().ok()?.square_root(self.arithmetic);
             return root.ok().map(Value::Number);
         }
-        let made = self.made.get(name)?.as_ref();
-        debug_assert_eq!(made, text);
-        self.trees.value(made?).ok()
+        let text = self.made.get(name)?.as_ref()?;
+        self.trees.value(text).ok()
     }
 }
