@@ -12,7 +12,7 @@ use torse_rocq::folder::Folder;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
 use torse_syntax::derivation::{Claim, load};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::mutants::refuted;
 

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 use torse_report::model::Report;
 use torse_report::{Envelope, erratum_latex, erratum_markdown, findings_in_words};
 use torse_syntax::derivation::{Paper, load};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::PaperOutcome;
 use torse_verdicts::engine::{STANDARD_WORK, run};
 use torse_verdicts::restore::restore;
@@ -176,7 +176,7 @@ fn every_fault_shows_in_claims_that_do_not_hold_and_no_refuted_claim_of_the_pape
         }
         let refuted = paper.claims.iter().filter(|outcome| {
             matches!(outcome.verdict(), Verdict::False | Verdict::Misprint)
-                && outcome.claim.kind != torse_syntax::words::Kind::Remark
+                && outcome.claim.kind != torse_syntax::taxonomy::Kind::Remark
         });
         let untold: Vec<&str> = refuted
             .filter(|outcome| {

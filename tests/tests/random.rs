@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
 
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_tests::random::Kind;
 use torse_tests::random::claim::{Claim, Truth};
 use torse_tests::random::judge::{

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use torse_prove::Evidence;
 use torse_syntax::derivation::{Claim, Paper, load};
-use torse_syntax::words::{Kind, Verdict};
+use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_verdicts::Outcome;
 use torse_verdicts::PaperOutcome;
 use torse_verdicts::audit::audit;

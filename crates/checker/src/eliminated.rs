@@ -5,7 +5,7 @@
 //! coefficient is not zero. Several `given` equations determine as many symbols where their determinant is not zero.
 
 use super::apart::Apart;
-use super::gap::{Beyond, Unchecked, Wrong};
+use super::gap::{CheckError, Unsupported, Wrong};
 use super::ground::{Compared, Domain, Met};
 use super::quotient::Quotient;
 use super::sign::Signs;
@@ -24,7 +24,7 @@ use torse_syntax::formula::Relation;
 
 impl Domain<'_> {
     /// Shows that the eliminated symbols that were met have their values wherever the conditions do not vanish.
-    pub fn justified(&self) -> Result<(), Unchecked> {
+    pub fn justified(&self) -> Result<(), CheckError> {
         for place in (0..self.groups.len()).rev() {
             let Some(group) = self.groups.get(place) else {
                 continue;
@@ -48,7 +48,7 @@ impl Domain<'_> {
             };
             match (determined, hypotheses.gap.clone()) {
                 // The equation may be one that was not expanded.
-                (Err(Unchecked::Wrong(Wrong::Eliminated(_))), Some(gap)) => return Err(gap.into()),
+                (Err(CheckError::Wrong(Wrong::Eliminated(_))), Some(gap)) => return Err(gap.into()),
                 (determined, _) => determined?,
             }
         }
@@ -61,7 +61,7 @@ impl Domain<'_> {
         place: usize,
         nonzero: &[Signed<Polynomial>],
         known: &[Compared],
-    ) -> Result<(), Unchecked> {
+    ) -> Result<(), CheckError> {
         let group = self.groups.get(place).ok_or(Wrong::Kind)?;
         let [determined] = group.values.as_slice() else {
             return Err(Wrong::Kind.into());
@@ -96,7 +96,7 @@ impl Domain<'_> {
     }
 
     /// Polynomials that differ from zero by their signs, where the symbols of the first groups have their values.
-    fn signed(&self, groups: usize, all: &[Signed<Polynomial>]) -> Result<Apart, Unchecked> {
+    fn signed(&self, groups: usize, all: &[Signed<Polynomial>]) -> Result<Apart, CheckError> {
         let mut apart = Apart::default();
         for own in all {
             let signs = Signs::new(self, &own.constraints, groups)?;
@@ -110,7 +110,7 @@ impl Domain<'_> {
         &self,
         signs: &[Sign<Polynomial>],
         constraints: &[Constraint<Polynomial>],
-    ) -> Result<(), Unchecked> {
+    ) -> Result<(), CheckError> {
         for sign in signs {
             // That a root is positive may rest on the sign before.
             let checked = Signs::new(self, constraints, self.groups.len())?.check(sign);
@@ -125,10 +125,10 @@ impl Domain<'_> {
         level: usize,
         (places, nonzero): (&[usize], &[Signed<Polynomial>]),
         known: &[Compared],
-    ) -> Result<(), Unchecked> {
+    ) -> Result<(), CheckError> {
         let group = self.groups.get(level).ok_or(Wrong::Kind)?;
         let names: Vec<String> = group.values.iter().map(|d| d.symbol.to_string()).collect();
-        let wrong = || Unchecked::from(Wrong::Eliminated(names.join(", ")));
+        let wrong = || CheckError::from(Wrong::Eliminated(names.join(", ")));
         let given: Vec<&Compared> = known.iter().filter(|c| c.source == Source::Given).collect();
         let mut values = BTreeMap::new();
         for determined in &group.values {
@@ -182,7 +182,7 @@ impl Domain<'_> {
         known: &[Compared],
         groups: usize,
         besides: &[Polynomial],
-    ) -> Result<bool, Beyond> {
+    ) -> Result<bool, Unsupported> {
         let polynomial = &self.unrooted(polynomial, groups)?;
         if self.no_integers_solve(polynomial) || self.divides(polynomial, known, groups, besides)? {
             return Ok(true);
@@ -190,8 +190,8 @@ impl Domain<'_> {
         // The statement says nothing where a term of its own has no value.
         for term in self.claim.statement.terms() {
             let expanded = self.expanding(groups, |expander| expander.value(term));
-            if expanded == Err(Beyond::Large) {
-                return Err(Beyond::Large);
+            if expanded == Err(Unsupported::Large) {
+                return Err(Unsupported::Large);
             }
         }
         self.divides(polynomial, known, groups, besides)
@@ -224,7 +224,7 @@ impl Domain<'_> {
         known: &[Compared],
         groups: usize,
         besides: &[Polynomial],
-    ) -> Result<bool, Beyond> {
+    ) -> Result<bool, Unsupported> {
         use Relation::{Different, Greater, Less};
         let differs = known
             .iter()
@@ -283,12 +283,12 @@ impl Domain<'_> {
     }
 
     /// What is said of a polynomial of the statement that may vanish for all that is known.
-    pub fn may_vanish_here(&self, polynomial: &Polynomial) -> Unchecked {
+    pub fn may_vanish_here(&self, polynomial: &Polynomial) -> CheckError {
         self.apart.borrow().may_vanish(polynomial)
     }
 
     /// Whether the denominator of a quotient of the proof is known to differ from zero.
-    pub fn nonzero_here(&self, polynomial: &Polynomial) -> Result<bool, Beyond> {
+    pub fn nonzero_here(&self, polynomial: &Polynomial) -> Result<bool, Unsupported> {
         self.nonzero_at(polynomial, self.groups.len())
     }
 
@@ -297,7 +297,7 @@ impl Domain<'_> {
         &self,
         polynomial: &Polynomial,
         groups: usize,
-    ) -> Result<bool, Beyond> {
+    ) -> Result<bool, Unsupported> {
         let known = self.hypotheses(groups);
         self.is_nonzero(polynomial, &known.all, groups, &[])
     }

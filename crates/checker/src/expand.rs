@@ -1,6 +1,6 @@
 //! Core terms multiplied out, as `derivations/SEMANTICS.md` gives their meaning.
 
-use super::gap::{Beyond, Work};
+use super::gap::{Unsupported, Work};
 use super::integral;
 use super::quotient::Quotient;
 use super::value::Value;
@@ -73,10 +73,10 @@ impl<'s> Scope<'s> {
         }
     }
 
-    fn deeper(self) -> Result<Self, Beyond> {
+    fn deeper(self) -> Result<Self, Unsupported> {
         let depth = self.depth + 1;
         match depth > MAX_DEPTH {
-            true => Err(Beyond::Large),
+            true => Err(Unsupported::Large),
             false => Ok(Self { depth, ..self }),
         }
     }
@@ -105,11 +105,11 @@ impl<'a> Expander<'a> {
     }
 
     /// A closed term.
-    pub fn value(&self, term: &Term) -> Result<Value, Beyond> {
+    pub fn value(&self, term: &Term) -> Result<Value, Unsupported> {
         self.term(term, &Scope::OUTSIDE)
     }
 
-    pub(super) fn number(&self, term: &Term, scope: &Scope<'_>) -> Result<Quotient, Beyond> {
+    pub(super) fn number(&self, term: &Term, scope: &Scope<'_>) -> Result<Quotient, Unsupported> {
         self.term(term, scope)?.number()
     }
 
@@ -119,16 +119,16 @@ impl<'a> Expander<'a> {
         term: &Term,
         what: &'static str,
         scope: &Scope<'_>,
-    ) -> Result<i64, Beyond> {
+    ) -> Result<i64, Unsupported> {
         let number = self.number(term, scope)?;
-        let number = number.as_rational().ok_or(Beyond::Symbolic(what))?;
+        let number = number.as_rational().ok_or(Unsupported::Symbolic(what))?;
         if !number.is_integer() {
-            return Err(Beyond::Undefined(what));
+            return Err(Unsupported::Undefined(what));
         }
-        i64::try_from(&number.to_integer()).map_err(|_| Beyond::Large)
+        i64::try_from(&number.to_integer()).map_err(|_| Unsupported::Large)
     }
 
-    pub(super) fn over(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, Beyond> {
+    pub(super) fn over(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, Unsupported> {
         if let Some((_, factor)) = b.above.monic()
             && factor.as_constant().is_none()
         {
@@ -142,7 +142,7 @@ impl<'a> Expander<'a> {
         (self.values)(&symbol).unwrap_or_else(own)
     }
 
-    pub(super) fn term(&self, term: &Term, scope: &Scope<'_>) -> Result<Value, Beyond> {
+    pub(super) fn term(&self, term: &Term, scope: &Scope<'_>) -> Result<Value, Unsupported> {
         let inside = scope.deeper()?;
         let scope = &inside;
         match &*term.node {
@@ -151,7 +151,9 @@ impl<'a> Expander<'a> {
             Node::Symbol(name) => Ok(Value::Number(self.symbol(Symbol::Named(Arc::clone(name))))),
             Node::Variable(variable) => {
                 let value = scope.get(variable.number());
-                value.cloned().ok_or(Beyond::Construct("a free variable"))
+                value
+                    .cloned()
+                    .ok_or(Unsupported::Construct("a free variable"))
             }
             Node::Vector(name, None) => Ok(Value::Number(self.symbol(Symbol::Named(name.clone())))),
             Node::Vector(name, Some(dimension)) => {
@@ -190,7 +192,7 @@ impl<'a> Expander<'a> {
                 let low = self.integer(low, "the bound of a sum", scope)?;
                 let high = self.integer(high, "the bound of a sum", scope)?;
                 if high.saturating_sub(low) > MOST {
-                    return Err(Beyond::Large);
+                    return Err(Unsupported::Large);
                 }
                 let zero = Value::Number(Quotient::default());
                 (low..=high).try_fold(zero, |total, i| {
@@ -208,7 +210,7 @@ impl<'a> Expander<'a> {
                 let low = self.integer(low, "the bound of a product", scope)?;
                 let high = self.integer(high, "the bound of a product", scope)?;
                 if high.saturating_sub(low) > MOST {
-                    return Err(Beyond::Large);
+                    return Err(Unsupported::Large);
                 }
                 let one = Value::Number(Quotient::number(integer(1)));
                 (low..=high).try_fold(one, |product, i| {
@@ -267,8 +269,8 @@ impl<'a> Expander<'a> {
     fn once(
         &self,
         term: &Term,
-        expand: impl FnOnce() -> Result<Value, Beyond>,
-    ) -> Result<Value, Beyond> {
+        expand: impl FnOnce() -> Result<Value, Unsupported>,
+    ) -> Result<Value, Unsupported> {
         let key = Arc::as_ptr(&term.node).addr();
         if let Some(known) = self.opened.borrow().get(&key) {
             return Ok(known.clone());
@@ -279,7 +281,7 @@ impl<'a> Expander<'a> {
     }
 
     /// A chain of operators to the left, without recursion.
-    fn chain(&self, term: &Term, scope: &Scope<'_>) -> Result<Value, Beyond> {
+    fn chain(&self, term: &Term, scope: &Scope<'_>) -> Result<Value, Unsupported> {
         let (mut rights, mut left) = (vec![], term);
         while let Node::Binary(operator, a, b) = &*left.node {
             rights.push((*operator, b));
@@ -303,7 +305,7 @@ impl<'a> Expander<'a> {
                     let size = u32::try_from(exponent.unsigned_abs()).ok();
                     let size = size
                         .filter(|n| i64::from(*n) <= MOST)
-                        .ok_or(Beyond::Large)?;
+                        .ok_or(Unsupported::Large)?;
                     let power = value.number()?.power(size, self.work)?;
                     let one = Quotient::number(integer(1));
                     Value::Number(match exponent < 0 {
@@ -322,18 +324,18 @@ impl<'a> Expander<'a> {
         points: &Points,
         indices: &[Term],
         scope: &Scope<'_>,
-    ) -> Result<Value, Beyond> {
+    ) -> Result<Value, Unsupported> {
         let indices = indices.iter().map(|i| self.integer(i, "an index", scope));
         let indices: Vec<i64> = indices.collect::<Result<_, _>>()?;
         for (index, (low, high)) in indices.iter().zip(&points.ranges) {
             let (low, high) = match (self.form(low), self.form(high)) {
                 (Ok(low), Ok(high)) => (low, high),
                 // Outside of its range the statement would say nothing: it is proved there too.
-                (Err(Beyond::Symbolic(_)), _) | (_, Err(Beyond::Symbolic(_))) => continue,
+                (Err(Unsupported::Symbolic(_)), _) | (_, Err(Unsupported::Symbolic(_))) => continue,
                 (Err(gap), _) | (_, Err(gap)) => return Err(gap),
             };
             if !(low..=high).contains(index) {
-                return Err(Beyond::Undefined("a member outside of its range"));
+                return Err(Unsupported::Undefined("a member outside of its range"));
             }
         }
         let text = |all: &[i64]| {
@@ -350,17 +352,17 @@ impl<'a> Expander<'a> {
     }
 
     /// The fixed integer that an index form is.
-    pub(super) fn form(&self, form: &Affine) -> Result<i64, Beyond> {
+    pub(super) fn form(&self, form: &Affine) -> Result<i64, Unsupported> {
         let mut total = form.constant();
         for (name, multiple) in form.multiples() {
             let value = self.symbol(Symbol::named(name)).as_rational();
-            let value = value.ok_or(Beyond::Symbolic("the range of an index"))?;
+            let value = value.ok_or(Unsupported::Symbolic("the range of an index"))?;
             if !value.is_integer() {
-                return Err(Beyond::Undefined("the range of an index"));
+                return Err(Unsupported::Undefined("the range of an index"));
             }
-            let value = i64::try_from(&value.to_integer()).map_err(|_| Beyond::Large)?;
-            let product = value.checked_mul(multiple).ok_or(Beyond::Large)?;
-            total = total.checked_add(product).ok_or(Beyond::Large)?;
+            let value = i64::try_from(&value.to_integer()).map_err(|_| Unsupported::Large)?;
+            let product = value.checked_mul(multiple).ok_or(Unsupported::Large)?;
+            total = total.checked_add(product).ok_or(Unsupported::Large)?;
         }
         Ok(total)
     }
@@ -372,13 +374,15 @@ impl<'a> Expander<'a> {
         degree: i64,
         arguments: Vec<Value>,
         scope: &Scope<'_>,
-    ) -> Result<Vec<Quotient>, Beyond> {
+    ) -> Result<Vec<Quotient>, Unsupported> {
         let steps = degree - i64::from(family.degree);
         if steps < 0 {
-            return Err(Beyond::Undefined("a basis below the degree of its seeds"));
+            return Err(Unsupported::Undefined(
+                "a basis below the degree of its seeds",
+            ));
         }
         if degree > MAX_DEGREE {
-            return Err(Beyond::Large);
+            return Err(Unsupported::Large);
         }
         let key = Arc::as_ptr(family).addr();
         if family.closed {
@@ -407,7 +411,7 @@ impl<'a> Expander<'a> {
         &self,
         family: &Family,
         arguments: &[Value],
-    ) -> Result<([Quotient; 2], Vec<Quotient>), Beyond> {
+    ) -> Result<([Quotient; 2], Vec<Quotient>), Unsupported> {
         self.opened_family(family, arguments, &Scope::OUTSIDE)
     }
 
@@ -416,7 +420,7 @@ impl<'a> Expander<'a> {
         family: &Family,
         arguments: &[Value],
         scope: &Scope<'_>,
-    ) -> Result<([Quotient; 2], Vec<Quotient>), Beyond> {
+    ) -> Result<([Quotient; 2], Vec<Quotient>), Unsupported> {
         let place = family.variables.len().saturating_sub(arguments.len());
         if let (Some(variable), Some((value, rest))) =
             (family.variables.get(place), arguments.split_first())
@@ -439,7 +443,7 @@ impl<'a> Expander<'a> {
         arguments: &[Value],
         place: usize,
         scope: &Scope<'_>,
-    ) -> Result<Vec<Quotient>, Beyond> {
+    ) -> Result<Vec<Quotient>, Unsupported> {
         if let (Some(variable), Some(value)) = (family.variables.get(place), arguments.get(place)) {
             let inner = scope.with(variable.number(), value);
             return self.recursion(family, steps, arguments, place + 1, &inner);
@@ -456,22 +460,22 @@ impl<'a> Expander<'a> {
                 let kept = keep.times(same, self.work)?;
                 kept.plus(&shift.times(before, self.work)?, self.work)
             });
-            row = next.collect::<Result<_, Beyond>>()?;
+            row = next.collect::<Result<_, Unsupported>>()?;
         }
         Ok(row)
     }
 
     /// Entries are counted from 1.
-    fn entry(&self, of: &Term, indices: &[Term], scope: &Scope<'_>) -> Result<Value, Beyond> {
+    fn entry(&self, of: &Term, indices: &[Term], scope: &Scope<'_>) -> Result<Value, Unsupported> {
         let mut value = self.term(of, scope)?;
         for index in indices {
             let index = self.integer(index, "an index", scope)?;
             let Value::Many(items) = value else {
-                return Err(Beyond::Construct("an entry of a number"));
+                return Err(Unsupported::Construct("an entry of a number"));
             };
             let place = index.checked_sub(1).and_then(|p| usize::try_from(p).ok());
             let found = place.and_then(|place| items.get(place).cloned());
-            value = found.ok_or(Beyond::Undefined("an entry that there is not"))?;
+            value = found.ok_or(Unsupported::Undefined("an entry that there is not"))?;
         }
         Ok(value)
     }
@@ -484,12 +488,12 @@ impl<'a> Expander<'a> {
         (body, closed): (&Term, bool),
         at: &Quotient,
         scope: &Scope<'_>,
-    ) -> Result<Value, Beyond> {
+    ) -> Result<Value, Unsupported> {
         if order < 0 {
-            return Err(Beyond::Undefined("a derivative of negative order"));
+            return Err(Unsupported::Undefined("a derivative of negative order"));
         }
         if order > MOST {
-            return Err(Beyond::Large);
+            return Err(Unsupported::Large);
         }
         // No text can write the sign.
         let own = Symbol::named(&format!("\u{2202}{variable}"));
@@ -513,8 +517,8 @@ impl<'a> Expander<'a> {
         &self,
         body: &Term,
         order: i64,
-        rate: impl FnOnce() -> Result<Value, Beyond>,
-    ) -> Result<Value, Beyond> {
+        rate: impl FnOnce() -> Result<Value, Unsupported>,
+    ) -> Result<Value, Unsupported> {
         let key = (Arc::as_ptr(&body.node).addr(), order);
         if let Some(known) = self.rates.borrow().get(&key) {
             return Ok(known.clone());

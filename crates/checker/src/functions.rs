@@ -1,7 +1,7 @@
 //! The built-in functions.
 
 use super::expand::{Expander, Scope};
-use super::gap::Beyond;
+use super::gap::Unsupported;
 use super::quotient::Quotient;
 use super::value::{Value, determinant, dot, minor, transposed};
 use num_traits::{Signed, Zero};
@@ -21,7 +21,7 @@ impl Expander<'_> {
         function: BuiltIn,
         arguments: &[Term],
         scope: &Scope<'_>,
-    ) -> Result<Value, Beyond> {
+    ) -> Result<Value, Unsupported> {
         let work = self.work;
         let value = |term: &Term| self.term(term, scope);
         let number = |term: &Term| self.number(term, scope);
@@ -33,10 +33,10 @@ impl Expander<'_> {
             (BuiltIn::Factorial, [n]) => {
                 let n = self.integer(n, "a factorial", scope)?;
                 if n < 0 {
-                    return Err(Beyond::Undefined("a factorial of a negative number"));
+                    return Err(Unsupported::Undefined("a factorial of a negative number"));
                 }
                 if n > MAX_FACTORIAL {
-                    return Err(Beyond::Large);
+                    return Err(Unsupported::Large);
                 }
                 Value::Number(Quotient::number((1..=n).map(integer).product()))
             }
@@ -53,7 +53,7 @@ impl Expander<'_> {
             (BuiltIn::Cross, [x, y]) => {
                 let (x, y) = (value(x)?.entries()?, value(y)?.entries()?);
                 let ([x1, x2, x3], [y1, y2, y3]) = (x.as_slice(), y.as_slice()) else {
-                    return Err(Beyond::Construct("a cross product of other vectors"));
+                    return Err(Unsupported::Construct("a cross product of other vectors"));
                 };
                 let part = |a: &Quotient, b: &Quotient, c: &Quotient, d: &Quotient| {
                     a.times(b, work)?.minus(&c.times(d, work)?, work)
@@ -73,7 +73,7 @@ impl Expander<'_> {
             (BuiltIn::Identity, [n]) => {
                 let n = self.integer(n, "the size of a unit matrix", scope)?;
                 let n = usize::try_from(n).ok().filter(|n| *n <= 2 * MAX_SIZE);
-                let n = n.ok_or(Beyond::Large)?;
+                let n = n.ok_or(Unsupported::Large)?;
                 let entry = |r, c| Quotient::number(integer(i64::from(r == c)));
                 Value::matrix(
                     (0..n)
@@ -84,18 +84,18 @@ impl Expander<'_> {
             (BuiltIn::Coefficients, [forms, unknowns]) => {
                 let (forms, unknowns) = (value(forms)?, value(unknowns)?);
                 if !(self.sees_rates)() {
-                    return Err(Beyond::Construct("coefficients under such equations"));
+                    return Err(Unsupported::Construct("coefficients under such equations"));
                 }
                 self.coefficients(&forms, &unknowns)?
             }
-            _ => return Err(Beyond::Construct("a function of other arguments")),
+            _ => return Err(Unsupported::Construct("a function of other arguments")),
         })
     }
 
     /// `n (n-1) ... (n-j+1) / j!`, 0 for a negative j.
-    fn binomial(&self, n: &Quotient, j: i64) -> Result<Quotient, Beyond> {
+    fn binomial(&self, n: &Quotient, j: i64) -> Result<Quotient, Unsupported> {
         if j > MAX_FACTORIAL {
-            return Err(Beyond::Large);
+            return Err(Unsupported::Large);
         }
         if j < 0 {
             return Ok(Quotient::default());
@@ -108,7 +108,7 @@ impl Expander<'_> {
     }
 
     /// The derivatives of forms by symbols in which they are linear.
-    fn coefficients(&self, forms: &Value, unknowns: &Value) -> Result<Value, Beyond> {
+    fn coefficients(&self, forms: &Value, unknowns: &Value) -> Result<Value, Unsupported> {
         let plain = |unknown: &Quotient| {
             let mut terms = unknown.above.terms();
             match (terms.next(), terms.next()) {
@@ -119,7 +119,7 @@ impl Expander<'_> {
                 _ => None,
             }
         };
-        let strange = || Beyond::Construct("coefficients of what is no symbol");
+        let strange = || Unsupported::Construct("coefficients of what is no symbol");
         let mut symbols = vec![];
         for unknown in unknowns.numbers() {
             let symbol = plain(unknown).ok_or_else(strange)?;
@@ -137,7 +137,7 @@ impl Expander<'_> {
                     .iter()
                     .map(|other| rate.derivative(other, self.work));
                 if again.any(|second| second.is_ok_and(|second| !second.above.is_zero())) {
-                    return Err(Beyond::Construct(
+                    return Err(Unsupported::Construct(
                         "coefficients of a form that is not linear",
                     ));
                 }
@@ -149,7 +149,7 @@ impl Expander<'_> {
     }
 
     /// The adjugate over the determinant.
-    fn inverse(&self, rows: &[Vec<Quotient>]) -> Result<Vec<Vec<Quotient>>, Beyond> {
+    fn inverse(&self, rows: &[Vec<Quotient>]) -> Result<Vec<Vec<Quotient>>, Unsupported> {
         let below = determinant(rows, self.work)?;
         let size = rows.len();
         let entry = |r: usize, c: usize| {
@@ -167,27 +167,27 @@ impl Expander<'_> {
 }
 
 /// The rows of a square matrix that is not too large.
-fn sized(value: Value) -> Result<Vec<Vec<Quotient>>, Beyond> {
+fn sized(value: Value) -> Result<Vec<Vec<Quotient>>, Unsupported> {
     let rows = value.rows()?;
     match rows.len() <= MAX_SIZE {
         true => Ok(rows),
-        false => Err(Beyond::Large),
+        false => Err(Unsupported::Large),
     }
 }
 
 /// The square root of a rational number that is not negative: `sqrt(p/q) = sqrt(p q)/q`, squares pulled out.
-fn root(value: &Quotient) -> Result<Quotient, Beyond> {
+fn root(value: &Quotient) -> Result<Quotient, Unsupported> {
     let number = value.as_rational();
-    let number = number.ok_or(Beyond::Construct("a square root of a formula"))?;
+    let number = number.ok_or(Unsupported::Construct("a square root of a formula"))?;
     if number.is_negative() {
-        return Err(Beyond::Undefined("the root of a negative number"));
+        return Err(Unsupported::Undefined("the root of a negative number"));
     }
     if number.is_zero() {
         return Ok(Quotient::default());
     }
     let product: Integer = number.numer() * number.denom();
     let small = i64::try_from(&product).ok().filter(|p| *p < 1 << 36);
-    let mut rest = small.ok_or(Beyond::Large)?;
+    let mut rest = small.ok_or(Unsupported::Large)?;
     let one = Rational::new(1.into(), number.denom().clone());
     let mut result = Polynomial::constant(one);
     let mut prime = 2;
@@ -203,7 +203,7 @@ fn root(value: &Quotient) -> Result<Quotient, Beyond> {
         let whole = (0..exponent / 2).map(|_| integer(prime)).product();
         result = result.scaled(&whole);
         if exponent % 2 == 1 {
-            let prime = u32::try_from(prime).map_err(|_| Beyond::Large)?;
+            let prime = u32::try_from(prime).map_err(|_| Unsupported::Large)?;
             result = result.times(&Polynomial::symbol(Symbol::Root(prime)));
         }
         prime += 1;

@@ -6,10 +6,10 @@ use torse_certificate::wronskian::Unfit;
 
 /// What the checker says of a proof that it does not accept.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum Unchecked {
+pub enum CheckError {
     /// The checker cannot follow it; nothing is said against the proof.
     #[error("out of the checker's reach: {0}")]
-    Beyond(Beyond),
+    Unsupported(Unsupported),
     /// It proves nothing.
     #[error("the proof is wrong: {0}")]
     Wrong(Wrong),
@@ -17,7 +17,7 @@ pub enum Unchecked {
 
 /// What the checker cannot follow.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum Beyond {
+pub enum Unsupported {
     /// An index, a degree or the bound of a sum is no fixed integer.
     #[error("{0} of symbolic size")]
     Symbolic(&'static str),
@@ -103,13 +103,13 @@ pub enum Wrong {
     Instances,
 }
 
-impl From<Beyond> for Unchecked {
-    fn from(beyond: Beyond) -> Self {
-        Self::Beyond(beyond)
+impl From<Unsupported> for CheckError {
+    fn from(beyond: Unsupported) -> Self {
+        Self::Unsupported(beyond)
     }
 }
 
-impl From<Wrong> for Unchecked {
+impl From<Wrong> for CheckError {
     fn from(wrong: Wrong) -> Self {
         Self::Wrong(wrong)
     }
@@ -127,15 +127,19 @@ impl Work {
     }
 
     /// Spends some.
-    pub(crate) fn spend(&self, products: usize) -> Result<(), Beyond> {
+    pub(crate) fn spend(&self, products: usize) -> Result<(), Unsupported> {
         let products = u64::try_from(products).unwrap_or(u64::MAX);
-        let left = self.0.get().checked_sub(products).ok_or(Beyond::Large)?;
+        let left = self
+            .0
+            .get()
+            .checked_sub(products)
+            .ok_or(Unsupported::Large)?;
         self.0.set(left);
         Ok(())
     }
 
     /// The product of two polynomials.
-    pub(crate) fn times(&self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Beyond> {
+    pub(crate) fn times(&self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Unsupported> {
         self.spend(a.len().saturating_mul(b.len()))?;
         Ok(a.times(b))
     }

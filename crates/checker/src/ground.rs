@@ -3,7 +3,7 @@
 
 use super::apart::Apart;
 use super::expand::Expander;
-use super::gap::{Beyond, Work};
+use super::gap::{Unsupported, Work};
 use super::quotient::Quotient;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -57,9 +57,9 @@ pub struct Hypotheses {
     /// The comparisons, in order.
     pub all: Vec<Compared>,
     /// Why one cannot be expanded.
-    pub gap: Option<Beyond>,
+    pub gap: Option<Unsupported>,
     /// Why a given one cannot.
-    pub gap_in_given: Option<Beyond>,
+    pub gap_in_given: Option<Unsupported>,
 }
 
 /// Eliminated symbols: what is said with their values is so only if they have them.
@@ -123,7 +123,7 @@ impl<'a> Domain<'a> {
     }
 
     /// Why a hypothesis cannot be read: what rests on it looks wrong, and may be right.
-    pub fn unread(&self) -> Option<Beyond> {
+    pub fn unread(&self) -> Option<Unsupported> {
         self.hypotheses(self.groups.len()).gap.clone()
     }
 
@@ -133,7 +133,7 @@ impl<'a> Domain<'a> {
     }
 
     /// The values of the symbols that the first groups eliminate, in terms of the others.
-    fn values(&self, groups: usize) -> Result<Rc<BTreeMap<Symbol, Quotient>>, Beyond> {
+    fn values(&self, groups: usize) -> Result<Rc<BTreeMap<Symbol, Quotient>>, Unsupported> {
         if let Some(known) = self.values.borrow().get(&groups) {
             return Ok(Rc::clone(known));
         }
@@ -158,8 +158,8 @@ impl<'a> Domain<'a> {
     pub(super) fn expanding<T>(
         &self,
         groups: usize,
-        job: impl FnOnce(&Expander<'_>) -> Result<T, Beyond>,
-    ) -> Result<(T, Met), Beyond> {
+        job: impl FnOnce(&Expander<'_>) -> Result<T, Unsupported>,
+    ) -> Result<(T, Met), Unsupported> {
         let values = self.values(groups)?;
         let met = RefCell::new(Met::new());
         let value = |symbol: &Symbol| {
@@ -226,7 +226,7 @@ impl<'a> Domain<'a> {
         &self,
         left: &core::Term,
         right: &core::Term,
-    ) -> Result<Vec<Quotient>, Beyond> {
+    ) -> Result<Vec<Quotient>, Unsupported> {
         let (differences, met) = self.expanding(self.groups.len(), |expander| {
             let pairs = expander.value(left)?.pairs(&expander.value(right)?)?;
             let differences = pairs.iter().map(|(x, y)| x.minus(y, self.work));
@@ -237,7 +237,7 @@ impl<'a> Domain<'a> {
     }
 
     /// The value of a term, entry by entry.
-    pub fn entries(&self, term: &core::Term) -> Result<Vec<Quotient>, Beyond> {
+    pub fn entries(&self, term: &core::Term) -> Result<Vec<Quotient>, Unsupported> {
         let (entries, met) = self.expanding(self.groups.len(), |expander| {
             let value = expander.value(term)?;
             Ok(value.numbers().into_iter().cloned().collect())
@@ -282,7 +282,11 @@ impl<'a> Domain<'a> {
     }
 
     /// That a polynomial is zero, where the symbols of the first groups have their values.
-    pub(super) fn replaced(&self, groups: usize, zero: &Polynomial) -> Result<Compared, Beyond> {
+    pub(super) fn replaced(
+        &self,
+        groups: usize,
+        zero: &Polynomial,
+    ) -> Result<Compared, Unsupported> {
         let values = self.values(groups)?;
         let met = RefCell::new(Met::new());
         let put = |symbol: &Symbol| {
@@ -306,8 +310,8 @@ impl<'a> Domain<'a> {
         groups: usize,
         hypothesis: &Hypothesis,
         found: &mut Vec<Compared>,
-    ) -> Result<(), Beyond> {
-        let strange = || Beyond::Construct("a hypothesis that is no comparison");
+    ) -> Result<(), Unsupported> {
+        let strange = || Unsupported::Construct("a hypothesis that is no comparison");
         let mut gap = None;
         // The places of given equations count those that are written.
         let of_exponents = match hypothesis.source {
@@ -332,7 +336,7 @@ impl<'a> Domain<'a> {
         relation: Relation,
         left: &core::Term,
         right: &core::Term,
-    ) -> Result<Vec<Compared>, Beyond> {
+    ) -> Result<Vec<Compared>, Unsupported> {
         let (differences, met) = self.expanding(groups, |expander| {
             let pairs = expander.value(left)?.pairs(&expander.value(right)?)?;
             let all = pairs.iter().map(|(x, y)| x.minus(y, self.work));
@@ -361,7 +365,10 @@ impl<'a> Domain<'a> {
 
     /// Everything that bounds the domain: the comparisons of the hypotheses, and the declared sets, where the symbols of the
     /// first groups have their values.
-    pub fn constraints(&self, groups: usize) -> Result<(Vec<Compared>, Option<Beyond>), Beyond> {
+    pub fn constraints(
+        &self,
+        groups: usize,
+    ) -> Result<(Vec<Compared>, Option<Unsupported>), Unsupported> {
         let known = self.hypotheses(groups);
         let (mut found, gap) = (known.all.clone(), known.gap.clone());
         let values = self.values(groups)?;
@@ -406,7 +413,7 @@ impl<'a> Domain<'a> {
         &self,
         set: &Set,
         values: &BTreeMap<Symbol, Quotient>,
-    ) -> Result<Vec<(Quotient, Relation)>, Beyond> {
+    ) -> Result<Vec<(Quotient, Relation)>, Unsupported> {
         let mut all = vec![];
         match set {
             Set::Real(interval) => {

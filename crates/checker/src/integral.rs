@@ -9,7 +9,7 @@
 //! * `c^b` has `s c^(b-1)/(w b) + (b-1)/b C`, where C is that of `c^(b-2)`;
 //! * `x^j g` has `x^j G - j H`, where G is that of g, and H that of `x^(j-1) G`.
 
-use super::gap::{Beyond, Work};
+use super::gap::{Unsupported, Work};
 use super::quotient::{Quotient, rate};
 use torse_certificate::polynomial::Polynomial;
 use torse_certificate::symbol::{Angle, Symbol};
@@ -25,10 +25,10 @@ pub fn between(
     variable: &Symbol,
     [low, high]: &[Quotient; 2],
     work: &Work,
-) -> Result<Quotient, Beyond> {
+) -> Result<Quotient, Unsupported> {
     let whole = antiderivative(function, variable, work)?;
     if !whole.derivative(variable, work)?.equals(function, work)? {
-        return Err(Beyond::Construct(
+        return Err(Unsupported::Construct(
             "an integral without such an antiderivative",
         ));
     }
@@ -44,9 +44,13 @@ fn changes(p: &Polynomial, variable: &Symbol) -> bool {
 }
 
 /// What has this derivative.
-fn antiderivative(function: &Quotient, variable: &Symbol, work: &Work) -> Result<Quotient, Beyond> {
+fn antiderivative(
+    function: &Quotient,
+    variable: &Symbol,
+    work: &Work,
+) -> Result<Quotient, Unsupported> {
     if function.below.keys().any(|p| changes(p, variable)) {
-        return Err(Beyond::Construct("an integral of such a quotient"));
+        return Err(Unsupported::Construct("an integral of such a quotient"));
     }
     let mut sum = Quotient::default();
     for (monomial, coefficient) in function.above.terms() {
@@ -60,7 +64,7 @@ fn antiderivative(function: &Quotient, variable: &Symbol, work: &Work) -> Result
                 own if own == variable => power = *exponent,
                 Symbol::Sine(_, own) | Symbol::Cosine(_, own) if of_variable => {
                     if angle.is_some_and(|angle| angle != *own) {
-                        return Err(Beyond::Construct("an integral with several angles"));
+                        return Err(Unsupported::Construct("an integral with several angles"));
                     }
                     angle = Some(*own);
                     match symbol {
@@ -76,7 +80,7 @@ fn antiderivative(function: &Quotient, variable: &Symbol, work: &Work) -> Result
             }
         }
         if power.max(sine).max(cosine) > MOST {
-            return Err(Beyond::Large);
+            return Err(Unsupported::Large);
         }
         let x = Quotient::from(Polynomial::symbol(variable.clone()));
         let part = match angle {
@@ -134,7 +138,7 @@ impl Turn {
     }
 
     /// What `s^a c^b` is the derivative of, for a up to 1.
-    fn antiderivative(&self, a: u32, b: u32, work: &Work) -> Result<Quotient, Beyond> {
+    fn antiderivative(&self, a: u32, b: u32, work: &Work) -> Result<Quotient, Unsupported> {
         let over = |value: Quotient, n: u32| {
             let below = self.rate.times(&fraction(n, 1), work)?;
             value.over(&below, work)
@@ -152,7 +156,7 @@ impl Turn {
                 first.plus(&rest.times(&fraction(1, b), work)?, work)
             }
             (1, b) => over(self.cosine.power(b + 1, work)?.negated(), b + 1),
-            _ => Err(Beyond::Construct("a square of a sine")),
+            _ => Err(Unsupported::Construct("a square of a sine")),
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! A proof is checked against the *core claim*, with polynomials that are plain maps and nothing of the prover. The tree of
 //! the proof has to follow that of the statement; at its leaves the terms are multiplied out as they stand. What does not
-//! come out is [`Wrong`]; what the checker does not know, as series of symbolic degree, is [`Beyond`] it, which says
+//! come out is [`Wrong`]; what the checker does not know, as series of symbolic degree, is [`Unsupported`], which says
 //! nothing against the proof.
 
 mod apart;
@@ -24,7 +24,7 @@ mod turn;
 mod value;
 mod variation;
 
-pub use gap::{Beyond, Unchecked, Work, Wrong};
+pub use gap::{CheckError, Unsupported, Work, Wrong};
 
 use ground::Domain;
 use point::At;
@@ -48,14 +48,14 @@ const MAX_INSTANCES: usize = 400;
 /// Checks a proof of the statement of a claim, under the conditions that these polynomials do not vanish.
 ///
 /// # Errors
-/// [`Unchecked`]: the proof is wrong, or beyond the checker.
+/// [`CheckError`]: the proof is wrong, or beyond the checker.
 pub fn proves(
     claim: &Claim,
     origin: &Origin,
     conditions: &[Polynomial],
     proof: &Proof<Polynomial>,
     work: &Work,
-) -> Result<(), Unchecked> {
+) -> Result<(), CheckError> {
     let exponential = Cell::new(conditions.iter().any(has_exponential));
     proof.map(&|p| exponential.set(exponential.get() || has_exponential(p)));
     without(&exponential)?;
@@ -71,13 +71,13 @@ pub fn proves(
 /// Checks a refutation of the statement of a claim.
 ///
 /// # Errors
-/// [`Unchecked`]: it refutes nothing, or is beyond the checker.
+/// [`CheckError`]: it refutes nothing, or is beyond the checker.
 pub fn refutes(
     claim: &Claim,
     origin: &Origin,
     refuted: &Refuted<Polynomial>,
     work: &Work,
-) -> Result<(), Unchecked> {
+) -> Result<(), CheckError> {
     let exponential = Cell::new(false);
     refuted.map(&|p| exponential.set(exponential.get() || has_exponential(p)));
     without(&exponential)?;
@@ -91,9 +91,9 @@ pub fn refutes(
 }
 
 /// The claim with symbols for its roots, and what they are: what a proof is about.
-fn with_roots(claim: &Claim, origin: &Origin) -> Result<Claim, Unchecked> {
+fn with_roots(claim: &Claim, origin: &Origin) -> Result<Claim, CheckError> {
     let rooted = claim.rooted(origin);
-    rooted.map_err(|_| Beyond::Construct("such a root").into())
+    rooted.map_err(|_| Unsupported::Construct("such a root").into())
 }
 
 fn has_exponential(p: &Polynomial) -> bool {
@@ -101,9 +101,9 @@ fn has_exponential(p: &Polynomial) -> bool {
 }
 
 /// Of exponentials the checker knows neither ranges nor order.
-fn without(exponential: &Cell<bool>) -> Result<(), Unchecked> {
+fn without(exponential: &Cell<bool>) -> Result<(), CheckError> {
     match exponential.get() {
-        true => Err(Beyond::Construct("an exponential").into()),
+        true => Err(Unsupported::Construct("an exponential").into()),
         false => Ok(()),
     }
 }
@@ -126,8 +126,8 @@ impl Check<'_> {
         claim: &Claim,
         proof: &Proof<Polynomial>,
         integers: &Integers,
-    ) -> Result<(), Unchecked> {
-        let beyond = |what| Err(Beyond::Construct(what).into());
+    ) -> Result<(), CheckError> {
+        let beyond = |what| Err(Unsupported::Construct(what).into());
         match (&claim.statement, proof) {
             (Statement::Join(Connective::And, a, b), Proof::Both(first, second)) => {
                 self.proof(&stating(claim, a), first, integers)?;
@@ -173,7 +173,7 @@ impl Check<'_> {
                 let nonzero = nonzero(&own(), &ground.nonzero)?;
                 let domain = own().with_nonzero(nonzero);
                 match (statement::check(&domain, ground), domain.unread()) {
-                    (Err(Unchecked::Wrong(_)), Some(gap)) => Err(gap.into()),
+                    (Err(CheckError::Wrong(_)), Some(gap)) => Err(gap.into()),
                     (checked, _) => checked,
                 }
             }
@@ -206,8 +206,8 @@ impl Check<'_> {
                     Zero::Fails(refuted) => {
                         self.proof(claim, &split.nonzero, integers)?;
                         match self.refutation(claim, refuted, integers) {
-                            Err(wrong @ Unchecked::Wrong(_)) => Err(wrong),
-                            Ok(()) | Err(Unchecked::Beyond(_)) => Ok(()),
+                            Err(wrong @ CheckError::Wrong(_)) => Err(wrong),
+                            Ok(()) | Err(CheckError::Unsupported(_)) => Ok(()),
                         }
                     }
                 }
@@ -233,7 +233,7 @@ impl Check<'_> {
         claim: &Claim,
         instances: &[Instance<Polynomial>],
         integers: &Integers,
-    ) -> Result<(), Unchecked> {
+    ) -> Result<(), CheckError> {
         let names = instances.first().ok_or(Wrong::Instances)?.integers.keys();
         let all = assignments(claim, &names.cloned().collect::<Vec<_>>(), integers)?;
         let given: BTreeSet<&Integers> = instances.iter().map(|one| &one.integers).collect();
@@ -249,10 +249,10 @@ impl Check<'_> {
                     let undefined = Domain::new(claim, (&[], &[]), None, &there, self.work);
                     let mut terms = claim.statement.terms().into_iter();
                     let gap = |term| match undefined.entries(term) {
-                        Err(Beyond::Undefined(_)) => Some(()),
+                        Err(Unsupported::Undefined(_)) => Some(()),
                         _ => None,
                     };
-                    let beyond = Beyond::Construct("a statement that says nothing");
+                    let beyond = Unsupported::Construct("a statement that says nothing");
                     terms.find_map(gap).ok_or(beyond)?;
                 }
                 proof => self.proof(claim, proof, &there)?,
@@ -266,7 +266,7 @@ impl Check<'_> {
         claim: &Claim,
         refuted: &Refuted<Polynomial>,
         integers: &Integers,
-    ) -> Result<(), Unchecked> {
+    ) -> Result<(), CheckError> {
         match refuted {
             Refuted::At(point) => {
                 let at = At::new(claim, integers, point, self.work)?;
@@ -283,7 +283,7 @@ impl Check<'_> {
             }
             Refuted::Denied { proof, anywhere } => {
                 let Statement::Not(inner) = &claim.statement else {
-                    return Err(Beyond::Construct("a denial inside of a statement").into());
+                    return Err(Unsupported::Construct("a denial inside of a statement").into());
                 };
                 let denied = stating(claim, inner);
                 let check = Check {
@@ -303,7 +303,7 @@ impl Check<'_> {
 }
 
 /// Polynomials that never vanish by their signs. No elimination is used here, for these say why eliminations are right.
-fn nonzero(domain: &Domain<'_>, signs: &[Sign<Polynomial>]) -> Result<Vec<Polynomial>, Unchecked> {
+fn nonzero(domain: &Domain<'_>, signs: &[Sign<Polynomial>]) -> Result<Vec<Polynomial>, CheckError> {
     if signs.is_empty() {
         return Ok(vec![]);
     }
@@ -338,7 +338,7 @@ fn assignments(
     claim: &Claim,
     names: &[String],
     integers: &Integers,
-) -> Result<Vec<Integers>, Unchecked> {
+) -> Result<Vec<Integers>, CheckError> {
     let mut all = vec![Integers::new()];
     let mut left: Vec<&String> = names.iter().collect();
     while !left.is_empty() {
@@ -353,10 +353,10 @@ fn assignments(
             })
         });
         let Some(name) = ready.map(|place| left.remove(place)) else {
-            return Err(Beyond::Construct("integers without end").into());
+            return Err(Unsupported::Construct("integers without end").into());
         };
         let Some([least, most]) = bounds(claim, name) else {
-            return Err(Beyond::Construct("integers without end").into());
+            return Err(Unsupported::Construct("integers without end").into());
         };
         let mut next = vec![];
         for known in &all {
@@ -369,14 +369,14 @@ fn assignments(
                 terms.try_fold(form.constant(), |sum, part| sum.checked_add(term(part)?))
             };
             let (Some(low), Some(high)) = (value(least), value(most)) else {
-                return Err(Beyond::Large.into());
+                return Err(Unsupported::Large.into());
             };
             for n in low..=high {
                 let mut more = known.clone();
                 more.insert(name.clone(), n);
                 next.push(more);
                 if next.len() > MAX_INSTANCES {
-                    return Err(Beyond::Large.into());
+                    return Err(Unsupported::Large.into());
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! Counterexamples put in: into every declared set, every hypothesis, and the statement.
 
 use super::expand::Expander;
-use super::gap::{Beyond, Unchecked, Work, Wrong};
+use super::gap::{CheckError, Unsupported, Work, Wrong};
 use super::quotient::Quotient;
 use super::value::Value;
 use std::cmp::Ordering;
@@ -30,7 +30,7 @@ impl<'a> At<'a> {
         integers: &BTreeMap<String, i64>,
         point: &Counterexample<Polynomial>,
         work: &'a Work,
-    ) -> Result<Self, Unchecked> {
+    ) -> Result<Self, CheckError> {
         let chosen = integers.iter();
         let mut values: BTreeMap<Symbol, Quotient> = chosen
             .map(|(name, n)| (Symbol::named(name), Quotient::number(integer(*n))))
@@ -50,7 +50,7 @@ impl<'a> At<'a> {
     }
 
     /// The values of terms, one after the other.
-    fn values(&self, terms: &[&core::Term]) -> Result<Vec<Value>, Beyond> {
+    fn values(&self, terms: &[&core::Term]) -> Result<Vec<Value>, Unsupported> {
         // Coefficients of forms are rates, which the values of a point do not tell: there they are put in afterwards.
         let rates = |term: &&core::Term| term.applies(BuiltIn::Coefficients);
         let later = self.claim.unknowns.is_empty() && terms.iter().any(rates);
@@ -78,28 +78,28 @@ impl<'a> At<'a> {
     }
 
     /// The fixed integer that an index form is here.
-    fn form(&self, form: &torse_numbers::Affine) -> Result<i64, Beyond> {
+    fn form(&self, form: &torse_numbers::Affine) -> Result<i64, Unsupported> {
         let value = |symbol: &Symbol| self.values.get(symbol).cloned();
         Expander::new(self.work, &value).form(form)
     }
 
     /// How a number compares with zero.
-    fn order(&self, number: &Quotient) -> Result<Ordering, Beyond> {
+    fn order(&self, number: &Quotient) -> Result<Ordering, Unsupported> {
         let below = number.denominator(self.work)?;
         for part in [&number.above, &below] {
             if let Some(symbol) = part.symbols().find(|symbol| !symbol.is_number()) {
-                return Err(Beyond::NoValue(symbol.to_string()));
+                return Err(Unsupported::NoValue(symbol.to_string()));
             }
         }
-        let above = order(&number.above).ok_or(Beyond::Near)?;
-        match order(&below).ok_or(Beyond::Near)? {
-            Ordering::Equal => Err(Beyond::Undefined("a quotient with divisor zero")),
+        let above = order(&number.above).ok_or(Unsupported::Near)?;
+        match order(&below).ok_or(Unsupported::Near)? {
+            Ordering::Equal => Err(Unsupported::Undefined("a quotient with divisor zero")),
             Ordering::Greater => Ok(above),
             Ordering::Less => Ok(above.reverse()),
         }
     }
 
-    fn difference(&self, a: &Quotient, b: &Quotient) -> Result<Ordering, Beyond> {
+    fn difference(&self, a: &Quotient, b: &Quotient) -> Result<Ordering, Unsupported> {
         self.order(&a.minus(b, self.work)?)
     }
 
@@ -108,15 +108,15 @@ impl<'a> At<'a> {
         &self,
         left: &core::Term,
         right: &core::Term,
-    ) -> Result<Vec<(Quotient, Quotient)>, Beyond> {
+    ) -> Result<Vec<(Quotient, Quotient)>, Unsupported> {
         match self.values(&[left, right])?.as_slice() {
             [left, right] => left.pairs(right),
-            _ => Err(Beyond::Construct("a comparison of one side")),
+            _ => Err(Unsupported::Construct("a comparison of one side")),
         }
     }
 
     /// Whether a statement without denials is true here; every part is looked at, for an undefined one makes the whole so.
-    pub fn truth(&self, statement: &Statement) -> Result<bool, Beyond> {
+    pub fn truth(&self, statement: &Statement) -> Result<bool, Unsupported> {
         match statement {
             Statement::Compare {
                 relation,
@@ -131,7 +131,7 @@ impl<'a> At<'a> {
                     Relation::Different => Ok(orders.iter().any(|order| order.is_ne())),
                     _ => match orders.as_slice() {
                         [order] => Ok(holds(*order, *relation)),
-                        _ => Err(Beyond::Construct("an order of vectors")),
+                        _ => Err(Unsupported::Construct("an order of vectors")),
                     },
                 }
             }
@@ -148,24 +148,24 @@ impl<'a> At<'a> {
                 let all = super::printed::agreements(&values, printed, self.work)?;
                 Ok(all.iter().all(Option::is_some))
             }
-            Statement::Not(_) => Err(Beyond::Construct("a denial inside of a statement")),
-            Statement::Family(..) => Err(Beyond::Construct("a property of a basis")),
+            Statement::Not(_) => Err(Unsupported::Construct("a denial inside of a statement")),
+            Statement::Family(..) => Err(Unsupported::Construct("a property of a basis")),
         }
     }
 
-    fn entries(&self, term: &core::Term) -> Result<Vec<Quotient>, Beyond> {
+    fn entries(&self, term: &core::Term) -> Result<Vec<Quotient>, Unsupported> {
         let values = self.values(&[term])?;
         let numbers = values.iter().flat_map(Value::numbers);
         Ok(numbers.cloned().collect())
     }
 
     /// Whether the point satisfies every hypothesis, and its numbers are in their declared sets.
-    pub fn in_domain(&self) -> Result<(), Unchecked> {
+    pub fn in_domain(&self) -> Result<(), CheckError> {
         for (name, set) in &self.claim.symbols {
             let symbol = Symbol::Named(Arc::clone(name));
             let Some(value) = self.values.get(&symbol) else {
                 if matches!(set, Set::Real(_) | Set::Integer { .. }) {
-                    return Err(Beyond::NoValue(name.to_string()).into());
+                    return Err(Unsupported::NoValue(name.to_string()).into());
                 }
                 continue;
             };
@@ -194,7 +194,7 @@ impl<'a> At<'a> {
         Ok(())
     }
 
-    fn ends(&self, set: &Set) -> Result<Vec<(Quotient, Relation)>, Beyond> {
+    fn ends(&self, set: &Set) -> Result<Vec<(Quotient, Relation)>, Unsupported> {
         let mut all = vec![];
         match set {
             Set::Real(interval) => {
@@ -230,12 +230,12 @@ impl<'a> At<'a> {
     }
 
     /// Whether the statement is false here, as the counterexample says.
-    pub fn refutes(&self, point: &Counterexample<Polynomial>) -> Result<(), Unchecked> {
+    pub fn refutes(&self, point: &Counterexample<Polynomial>) -> Result<(), CheckError> {
         let statement = &self.claim.statement;
         match &point.failure {
             Failure::Sides { kind, left, right } => {
                 if matches!(kind, Comparison::Seed | Comparison::Domain) {
-                    return Err(Beyond::Construct("a property of a basis").into());
+                    return Err(Unsupported::Construct("a property of a basis").into());
                 }
                 if self.truth(statement)? {
                     return Err(Wrong::Stands.into());
@@ -257,9 +257,9 @@ impl<'a> At<'a> {
                 }
                 Err(Wrong::Sides.into())
             }
-            Failure::Dependent { .. } => Err(Beyond::Construct("dependent functions").into()),
+            Failure::Dependent { .. } => Err(Unsupported::Construct("dependent functions").into()),
             Failure::Turning { .. } | Failure::Beyond { .. } => {
-                Err(Beyond::Construct("curves that change sign").into())
+                Err(Unsupported::Construct("curves that change sign").into())
             }
         }
     }
@@ -270,7 +270,7 @@ impl<'a> At<'a> {
         statement: &Statement,
         left: &[Ratio<Polynomial>],
         right: &[Ratio<Polynomial>],
-    ) -> Result<bool, Beyond> {
+    ) -> Result<bool, Unsupported> {
         match statement {
             Statement::Compare {
                 left: x, right: y, ..
@@ -280,7 +280,7 @@ impl<'a> At<'a> {
                 }
                 let sides = self.sides(x, y)?;
                 if sides.len() != left.len() || sides.len() != right.len() {
-                    return Err(Beyond::Construct("sides of different shapes"));
+                    return Err(Unsupported::Construct("sides of different shapes"));
                 }
                 let mut same = true;
                 for ((a, b), (c, d)) in sides.iter().zip(left.iter().zip(right)) {
@@ -305,7 +305,7 @@ impl<'a> At<'a> {
     }
 
     /// Whether every term of a statement has a value here.
-    pub fn defined(&self, statement: &Statement) -> Result<(), Beyond> {
+    pub fn defined(&self, statement: &Statement) -> Result<(), Unsupported> {
         for term in statement.terms() {
             for entry in self.entries(term)? {
                 self.order(&entry)?;

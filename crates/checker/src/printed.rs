@@ -1,6 +1,6 @@
 //! Printed decimals: what rounds to them, and what is cut off there.
 
-use super::gap::{Beyond, Work};
+use super::gap::{Unsupported, Work};
 use super::quotient::Quotient;
 use std::cmp::Ordering;
 use torse_certificate::enclosure::{Agreement, Enclosure};
@@ -19,9 +19,9 @@ pub fn agreements(
     values: &[Quotient],
     printed: &[Printed],
     work: &Work,
-) -> Result<Vec<Option<Agreement>>, Beyond> {
+) -> Result<Vec<Option<Agreement>>, Unsupported> {
     if values.len() != printed.len() {
-        return Err(Beyond::Construct("as many printed numbers as values"));
+        return Err(Unsupported::Construct("as many printed numbers as values"));
     }
     let pointed = printed.iter().filter_map(|p| p.decimals).filter(|d| *d > 0);
     let fewest = pointed.min().unwrap_or(0);
@@ -38,13 +38,13 @@ fn agreement(
     printed: &Printed,
     digits: u32,
     work: &Work,
-) -> Result<Option<Agreement>, Beyond> {
+) -> Result<Option<Agreement>, Unsupported> {
     let number = Quotient::number(printed.value.clone());
     let gap = value.minus(&number, work)?;
-    let compare = |gap: &Quotient, bound: &Rational| -> Result<Ordering, Beyond> {
+    let compare = |gap: &Quotient, bound: &Rational| -> Result<Ordering, Unsupported> {
         let gap = gap.minus(&Quotient::number(bound.clone()), work)?;
         let below = gap.denominator(work)?;
-        let own = |p: &Polynomial| order(p).ok_or(Beyond::Near);
+        let own = |p: &Polynomial| order(p).ok_or(Unsupported::Near);
         Ok(match own(&below)? {
             Ordering::Less => own(&gap.above)?.reverse(),
             _ => own(&gap.above)?,
@@ -57,9 +57,9 @@ fn agreement(
         return Ok(None);
     }
     if digits > MAX_DIGITS {
-        return Err(Beyond::Large);
+        return Err(Unsupported::Large);
     }
-    let places = usize::try_from(digits).map_err(|_| Beyond::Large)?;
+    let places = usize::try_from(digits).map_err(|_| Unsupported::Large)?;
     let unit = Rational::new(1.into(), Integer::from(10).pow(places));
     let half = &unit / integer(2);
     if compare(&gap, &half)?.is_le() && compare(&gap.negated(), &half)?.is_le() {
@@ -78,7 +78,7 @@ pub fn same_values(
     values: &[Quotient],
     enclosure: &Enclosure<Polynomial>,
     work: &Work,
-) -> Result<bool, Beyond> {
+) -> Result<bool, Unsupported> {
     if values.len() != enclosure.entries.len() {
         return Ok(false);
     }

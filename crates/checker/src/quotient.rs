@@ -1,6 +1,6 @@
 //! Quotients of polynomials: a numerator over powers of polynomials that were divided by, never cancelled.
 
-use super::gap::{Beyond, Work};
+use super::gap::{Unsupported, Work};
 use super::turn;
 use num_traits::Zero;
 use std::collections::{BTreeMap, BTreeSet};
@@ -50,7 +50,10 @@ impl Quotient {
     }
 
     /// The factors with these exponents multiplied out.
-    fn product(factors: &BTreeMap<Polynomial, u32>, work: &Work) -> Result<Polynomial, Beyond> {
+    fn product(
+        factors: &BTreeMap<Polynomial, u32>,
+        work: &Work,
+    ) -> Result<Polynomial, Unsupported> {
         let mut product = Polynomial::one();
         for (factor, exponent) in factors {
             for _ in 0..*exponent {
@@ -61,11 +64,11 @@ impl Quotient {
     }
 
     /// The denominator multiplied out.
-    pub fn denominator(&self, work: &Work) -> Result<Polynomial, Beyond> {
+    pub fn denominator(&self, work: &Work) -> Result<Polynomial, Unsupported> {
         Self::product(&self.below, work)
     }
 
-    pub fn plus(&self, other: &Self, work: &Work) -> Result<Self, Beyond> {
+    pub fn plus(&self, other: &Self, work: &Work) -> Result<Self, Unsupported> {
         if self.above.is_zero() {
             return Ok(other.clone());
         }
@@ -95,7 +98,7 @@ impl Quotient {
     }
 
     /// Adds another one in place.
-    fn add(&mut self, other: &Self, work: &Work) -> Result<(), Beyond> {
+    fn add(&mut self, other: &Self, work: &Work) -> Result<(), Unsupported> {
         if self.below == other.below {
             self.above.add(&other.above);
         } else {
@@ -104,11 +107,11 @@ impl Quotient {
         Ok(())
     }
 
-    pub fn minus(&self, other: &Self, work: &Work) -> Result<Self, Beyond> {
+    pub fn minus(&self, other: &Self, work: &Work) -> Result<Self, Unsupported> {
         self.plus(&other.negated(), work)
     }
 
-    pub fn times(&self, other: &Self, work: &Work) -> Result<Self, Beyond> {
+    pub fn times(&self, other: &Self, work: &Work) -> Result<Self, Unsupported> {
         let above = work.times(&self.above, &other.above)?;
         if above.is_zero() {
             return Ok(Self::default());
@@ -121,7 +124,7 @@ impl Quotient {
     }
 
     /// Sine and cosine of an angle without a denominator.
-    pub fn sine_cosine(&self, work: &Work) -> Result<(Self, Self), Beyond> {
+    pub fn sine_cosine(&self, work: &Work) -> Result<(Self, Self), Unsupported> {
         if !self.below.is_empty() {
             return Err(turn::STRANGE);
         }
@@ -130,8 +133,8 @@ impl Quotient {
     }
 
     /// One over it.
-    pub fn inverse(&self, work: &Work) -> Result<Self, Beyond> {
-        let zero = Beyond::Undefined("a quotient with divisor zero");
+    pub fn inverse(&self, work: &Work) -> Result<Self, Unsupported> {
+        let zero = Unsupported::Undefined("a quotient with divisor zero");
         let (lead, factor) = self.above.monic().ok_or(zero)?;
         let above = self.denominator(work)?.scaled(&lead.recip());
         let below = match factor.as_constant() {
@@ -141,29 +144,29 @@ impl Quotient {
         Ok(Self { above, below })
     }
 
-    pub fn over(&self, other: &Self, work: &Work) -> Result<Self, Beyond> {
+    pub fn over(&self, other: &Self, work: &Work) -> Result<Self, Unsupported> {
         self.times(&other.inverse(work)?, work)
     }
 
-    pub fn power(&self, exponent: u32, work: &Work) -> Result<Self, Beyond> {
+    pub fn power(&self, exponent: u32, work: &Work) -> Result<Self, Unsupported> {
         let one = Self::number(integer(1));
         (0..exponent).try_fold(one, |power, _| power.times(self, work))
     }
 
     /// Whether it is the same as another one, as a function.
-    pub fn equals(&self, other: &Self, work: &Work) -> Result<bool, Beyond> {
+    pub fn equals(&self, other: &Self, work: &Work) -> Result<bool, Unsupported> {
         self.minus(other, work)?.is_zero(work)
     }
 
     /// Whether it is zero as a function.
-    pub fn is_zero(&self, work: &Work) -> Result<bool, Beyond> {
+    pub fn is_zero(&self, work: &Work) -> Result<bool, Unsupported> {
         work.spend(self.above.len())?;
-        let refined = self.above.refined().ok_or(Beyond::Large)?;
+        let refined = self.above.refined().ok_or(Unsupported::Large)?;
         Ok(refined.is_zero())
     }
 
     /// The quotient of a proof.
-    pub fn of(ratio: &Ratio<Polynomial>, work: &Work) -> Result<Self, Beyond> {
+    pub fn of(ratio: &Ratio<Polynomial>, work: &Work) -> Result<Self, Unsupported> {
         let below = Self::from(ratio.below.clone());
         Self::from(ratio.above.clone()).over(&below, work)
     }
@@ -173,7 +176,7 @@ impl Quotient {
         &self,
         value: &dyn Fn(&Symbol) -> Option<Self>,
         work: &Work,
-    ) -> Result<Self, Beyond> {
+    ) -> Result<Self, Unsupported> {
         let mut result =
             replaced(&self.above, value, work)?.unwrap_or_else(|| Self::from(self.above.clone()));
         for (factor, exponent) in &self.below {
@@ -194,7 +197,7 @@ impl Quotient {
         &self,
         value: &dyn Fn(&Symbol) -> Option<Self>,
         work: &Work,
-    ) -> Result<Self, Beyond> {
+    ) -> Result<Self, Unsupported> {
         let mut sum = Self::default();
         for (monomial, coefficient) in self.above.terms() {
             let mut term = Self::number(coefficient.clone());
@@ -209,7 +212,7 @@ impl Quotient {
     }
 
     /// The derivative by a named symbol.
-    pub fn derivative(&self, by: &Symbol, work: &Work) -> Result<Self, Beyond> {
+    pub fn derivative(&self, by: &Symbol, work: &Work) -> Result<Self, Unsupported> {
         // a/(b^m ...)' = a'/(b^m ...) - m b' a/(b^(m+1) ...) - ...
         let mut sum = Self {
             above: derivative(&self.above, by),
@@ -234,7 +237,7 @@ fn replaced(
     p: &Polynomial,
     value: &dyn Fn(&Symbol) -> Option<Quotient>,
     work: &Work,
-) -> Result<Option<Quotient>, Beyond> {
+) -> Result<Option<Quotient>, Unsupported> {
     let symbols: BTreeSet<&Symbol> = p.symbols().collect();
     let mut powers: BTreeMap<&Symbol, Vec<Quotient>> = BTreeMap::new();
     for symbol in symbols {
@@ -267,14 +270,14 @@ fn power<'p>(
     known: &'p mut Vec<Quotient>,
     exponent: u32,
     work: &Work,
-) -> Result<&'p Quotient, Beyond> {
-    let place = usize::try_from(exponent).map_err(|_| Beyond::Large)?;
+) -> Result<&'p Quotient, Unsupported> {
+    let place = usize::try_from(exponent).map_err(|_| Unsupported::Large)?;
     while known.len() < place
         && let (Some(first), Some(last)) = (known.first(), known.last())
     {
         known.push(last.times(first, work)?);
     }
-    known.get(place.saturating_sub(1)).ok_or(Beyond::Large)
+    known.get(place.saturating_sub(1)).ok_or(Unsupported::Large)
 }
 
 /// What a symbol becomes; nothing where its variable has no new value.
@@ -282,7 +285,7 @@ fn image(
     symbol: &Symbol,
     value: &dyn Fn(&Symbol) -> Option<Quotient>,
     work: &Work,
-) -> Result<Option<Quotient>, Beyond> {
+) -> Result<Option<Quotient>, Unsupported> {
     let (Symbol::Sine(name, angle) | Symbol::Cosine(name, angle)) = symbol else {
         return Ok(value(symbol));
     };

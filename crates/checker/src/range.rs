@@ -1,6 +1,6 @@
 //! Ranges of single symbols, as the hypotheses bound them, and of the tangents of half angles.
 
-use super::gap::{Beyond, Work};
+use super::gap::{Unsupported, Work};
 use super::ground::{Compared, Met};
 use super::quotient::Quotient;
 use std::cell::RefCell;
@@ -35,7 +35,7 @@ pub struct Ranges {
 
 impl Ranges {
     /// From comparisons that are linear in one symbol and speak of no other.
-    pub fn of(all: &[Compared], work: &Work) -> Result<Self, Beyond> {
+    pub fn of(all: &[Compared], work: &Work) -> Result<Self, Unsupported> {
         let mut ranges = Self::default();
         for compared in all {
             ranges.add(compared, work)?;
@@ -43,7 +43,7 @@ impl Ranges {
         Ok(ranges)
     }
 
-    fn add(&mut self, compared: &Compared, work: &Work) -> Result<(), Beyond> {
+    fn add(&mut self, compared: &Compared, work: &Work) -> Result<(), Unsupported> {
         let Quotient { above, .. } = &compared.difference;
         let below = compared.difference.denominator(work)?;
         let mut symbols = above.symbols().filter(|s| !s.is_number());

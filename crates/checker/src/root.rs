@@ -4,7 +4,7 @@
 //! ([`torse_core::Claim::rooted`]); the checker makes that claim itself. A value v may take the place of w if v^2 is r,
 //! where squares of other roots are their radicands, and v is not negative. And w is zero only where r is.
 
-use super::gap::{Beyond, Unchecked, Wrong};
+use super::gap::{CheckError, Unsupported, Wrong};
 use super::ground::Domain;
 use super::quotient::Quotient;
 use super::sign::Signs;
@@ -22,13 +22,13 @@ struct Root {
 
 impl Domain<'_> {
     /// A symbol that is a root, by a value whose square is the radicand and which is not negative.
-    pub(super) fn by_root(&self, place: usize, own: &Signed<Polynomial>) -> Result<(), Unchecked> {
+    pub(super) fn by_root(&self, place: usize, own: &Signed<Polynomial>) -> Result<(), CheckError> {
         let work = self.work;
         let group = self.groups.get(place).ok_or(Wrong::Kind)?;
         let [determined] = group.values.as_slice() else {
             return Err(Wrong::Kind.into());
         };
-        let wrong = || Unchecked::from(Wrong::Eliminated(determined.symbol.to_string()));
+        let wrong = || CheckError::from(Wrong::Eliminated(determined.symbol.to_string()));
         let mut hypotheses = self.claim.hypotheses.iter().filter_map(Hypothesis::root);
         let found = hypotheses.find(|(name, _)| Symbol::named(name) == determined.symbol);
         let (_, radicand) = found.ok_or_else(wrong)?;
@@ -39,7 +39,7 @@ impl Domain<'_> {
                 .into_iter()
                 .next()
                 .cloned()
-                .ok_or(Beyond::Large)
+                .ok_or(Unsupported::Large)
         })?;
         self.note(&met);
         let value = Quotient::of(&determined.value, work)?;
@@ -59,12 +59,12 @@ impl Domain<'_> {
         signs.check(&own.sign)?;
         match below.is_number() || self.nonzero_at(below, place)? {
             true => Ok(()),
-            false => Err(Beyond::Divisor(below.to_string()).into()),
+            false => Err(Unsupported::Divisor(below.to_string()).into()),
         }
     }
 
     /// The roots that are symbols where the first groups have their values, those first of which others are made.
-    fn roots(&self, groups: usize) -> Result<Vec<Root>, Beyond> {
+    fn roots(&self, groups: usize) -> Result<Vec<Root>, Unsupported> {
         let first = self.groups.get(..groups).unwrap_or_default();
         let mut roots = vec![];
         for (name, radicand) in self.claim.hypotheses.iter().filter_map(Hypothesis::root) {
@@ -80,7 +80,7 @@ impl Domain<'_> {
                     .into_iter()
                     .next()
                     .cloned()
-                    .ok_or(Beyond::Large)
+                    .ok_or(Unsupported::Large)
             })?;
             // Every symbol that has its value in it is shown to have it.
             self.note(&met);
@@ -93,7 +93,11 @@ impl Domain<'_> {
     }
 
     /// Whether a symbol is a root whose radicand is known not to vanish: then it is positive.
-    pub(super) fn is_positive_root(&self, symbol: &Symbol, groups: usize) -> Result<bool, Beyond> {
+    pub(super) fn is_positive_root(
+        &self,
+        symbol: &Symbol,
+        groups: usize,
+    ) -> Result<bool, Unsupported> {
         let mut names = self.claim.hypotheses.iter().filter_map(Hypothesis::root);
         if !names.any(|(name, _)| Symbol::Named(Arc::clone(name)) == *symbol) {
             return Ok(false);
@@ -104,11 +108,11 @@ impl Domain<'_> {
     }
 
     /// The polynomial with the squares of roots replaced by their radicands.
-    fn reduced(&self, polynomial: &Polynomial, groups: usize) -> Result<Quotient, Beyond> {
+    fn reduced(&self, polynomial: &Polynomial, groups: usize) -> Result<Quotient, Unsupported> {
         let work = self.work;
         let mut value = Quotient::from(polynomial.clone());
         for root in self.roots(groups)?.iter().rev() {
-            let above = value.above.refined().ok_or(Beyond::Large)?;
+            let above = value.above.refined().ok_or(Unsupported::Large)?;
             if above.degree_in(&root.symbol) < 2 {
                 continue;
             }
@@ -139,7 +143,7 @@ impl Domain<'_> {
         &self,
         polynomial: &Polynomial,
         groups: usize,
-    ) -> Result<Polynomial, Beyond> {
+    ) -> Result<Polynomial, Unsupported> {
         let mut rest = polynomial.clone();
         let mut names = self.claim.hypotheses.iter().filter_map(Hypothesis::root);
         if !names.any(|(name, _)| rest.degree_in(&Symbol::Named(Arc::clone(name))) > 0) {

@@ -1,7 +1,7 @@
 //! Certificates of sign: the equation multiplied out, the coordinates, the pieces, and every Bernstein coefficient.
 
 use super::bernstein::{Sides, bernstein, by_rays, every_face, fills};
-use super::gap::{Beyond, Unchecked, Wrong};
+use super::gap::{CheckError, Unsupported, Wrong};
 use super::ground::{Compared, Domain};
 use super::quotient::Quotient;
 use super::range::Ranges;
@@ -22,7 +22,7 @@ pub struct Signs<'a> {
     constraints: &'a [Constraint<Polynomial>],
     /// What the claim itself says.
     own: Vec<Compared>,
-    gap: Option<Beyond>,
+    gap: Option<Unsupported>,
     ranges: Ranges,
     /// How many groups of symbols have their values.
     groups: usize,
@@ -34,7 +34,7 @@ impl<'a> Signs<'a> {
         domain: &'a Domain<'a>,
         constraints: &'a [Constraint<Polynomial>],
         groups: usize,
-    ) -> Result<Self, Unchecked> {
+    ) -> Result<Self, CheckError> {
         let (own, gap) = domain.constraints(groups)?;
         let ranges = Ranges::of(&own, domain.work)?;
         Ok(Self {
@@ -48,7 +48,7 @@ impl<'a> Signs<'a> {
     }
 
     /// The constraint in this place, which has to be one of the claim.
-    fn known(&self, place: usize) -> Result<&Constraint<Polynomial>, Unchecked> {
+    fn known(&self, place: usize) -> Result<&Constraint<Polynomial>, CheckError> {
         let work = self.domain.work;
         let constraint = self.constraints.get(place).ok_or(Wrong::Kind)?;
         let value = Quotient::of(&constraint.value, work)?;
@@ -70,7 +70,7 @@ impl<'a> Signs<'a> {
     }
 
     /// The numerator of the equation in this place: it is zero wherever the quotient is defined.
-    fn equation(&self, place: usize) -> Result<&Polynomial, Unchecked> {
+    fn equation(&self, place: usize) -> Result<&Polynomial, CheckError> {
         let constraint = self.known(place)?;
         match constraint.relation {
             Relation::Equal => Ok(&constraint.value.above),
@@ -80,12 +80,12 @@ impl<'a> Signs<'a> {
 
     /// The constraint in this place as a polynomial that is not negative; and whether it is not zero either. The product with
     /// the denominator has the sign of the quotient.
-    fn constraint(&self, place: usize) -> Result<(Polynomial, bool), Unchecked> {
+    fn constraint(&self, place: usize) -> Result<(Polynomial, bool), CheckError> {
         let work = self.domain.work;
         let constraint = self.known(place)?;
         let Ratio { above, below } = &constraint.value;
         if !below.is_number() && !self.domain.nonzero_at(below, self.groups)? {
-            return Err(Beyond::Divisor(below.to_string()).into());
+            return Err(Unsupported::Divisor(below.to_string()).into());
         }
         let product = work.times(above, below)?;
         match constraint.relation {
@@ -98,13 +98,13 @@ impl<'a> Signs<'a> {
     }
 
     /// Checks that the polynomial is not negative, and not zero either if that is said.
-    pub fn check(&self, sign: &Sign<Polynomial>) -> Result<(), Unchecked> {
+    pub fn check(&self, sign: &Sign<Polynomial>) -> Result<(), CheckError> {
         let checked = self.sign(sign);
         self.domain.note(&self.ranges.used());
         checked
     }
 
-    fn sign(&self, sign: &Sign<Polynomial>) -> Result<(), Unchecked> {
+    fn sign(&self, sign: &Sign<Polynomial>) -> Result<(), CheckError> {
         let work = self.domain.work;
         let same = |p: &Polynomial| Quotient::from(p.minus(&sign.polynomial)).is_zero(work);
         let strict = match &sign.by {
@@ -115,7 +115,7 @@ impl<'a> Signs<'a> {
                 self.certificate(certificate)?
             }
             Shown::Parts(_) => {
-                return Err(Beyond::Construct("a domain that angles cut into parts").into());
+                return Err(Unsupported::Construct("a domain that angles cut into parts").into());
             }
             Shown::Factors(signs) => {
                 let (mut product, mut strict) = (Polynomial::one(), true);
@@ -187,7 +187,7 @@ impl<'a> Signs<'a> {
     }
 
     /// What the parts of a certificate make.
-    fn made(&self, certificate: &Certificate<Polynomial>) -> Result<Polynomial, Unchecked> {
+    fn made(&self, certificate: &Certificate<Polynomial>) -> Result<Polynomial, CheckError> {
         let work = self.domain.work;
         let (mut sum, mut product) = (Polynomial::zero(), certificate.rest.clone());
         for square in &certificate.squares {
@@ -205,7 +205,7 @@ impl<'a> Signs<'a> {
     }
 
     /// A factor, and whether it is positive.
-    fn factor(&self, factor: &Factor<Polynomial>) -> Result<(Polynomial, bool), Unchecked> {
+    fn factor(&self, factor: &Factor<Polynomial>) -> Result<(Polynomial, bool), CheckError> {
         match factor {
             Factor::Symbol(symbol) => {
                 if !self.ranges.is_nonnegative(symbol) {
@@ -220,7 +220,7 @@ impl<'a> Signs<'a> {
     }
 
     /// Checks that no part is negative; whether the whole is shown to be positive.
-    fn certificate(&self, certificate: &Certificate<Polynomial>) -> Result<bool, Unchecked> {
+    fn certificate(&self, certificate: &Certificate<Polynomial>) -> Result<bool, CheckError> {
         let (mut sum_positive, mut factors_positive) = (false, true);
         if certificate.squares.iter().any(|s| s.multiple < integer(0)) {
             return Err(Wrong::Negative.into());
@@ -244,7 +244,7 @@ impl<'a> Signs<'a> {
     }
 
     /// Checks the pieces; whether they show the rest to be positive.
-    fn pieces(&self, certificate: &Certificate<Polynomial>) -> Result<bool, Unchecked> {
+    fn pieces(&self, certificate: &Certificate<Polynomial>) -> Result<bool, CheckError> {
         let mut moved: BTreeMap<Option<usize>, (Polynomial, bool)> = BTreeMap::new();
         moved.insert(None, (certificate.rest.clone(), false));
         for place in certificate.pieces.iter().filter_map(|piece| piece.outside) {
@@ -259,7 +259,7 @@ impl<'a> Signs<'a> {
         }
         let mut positive = true;
         for (number, piece) in certificate.pieces.iter().enumerate() {
-            let wrong = || Unchecked::from(Wrong::Coefficient(number));
+            let wrong = || CheckError::from(Wrong::Coefficient(number));
             let (polynomial, strict) = moved.get(&piece.outside).ok_or_else(wrong)?;
             let shown = self
                 .positive_on(polynomial, &bounds, piece)?
@@ -274,7 +274,7 @@ impl<'a> Signs<'a> {
     }
 
     /// A symbol leaves its coordinate, as far as its bounds tell: of an integer between others they do not tell all.
-    fn left(&self, symbol: &Symbol) -> Unchecked {
+    fn left(&self, symbol: &Symbol) -> CheckError {
         let set = match symbol {
             Symbol::Named(name) => self.domain.claim.symbols.get(name),
             _ => None,
@@ -282,7 +282,7 @@ impl<'a> Signs<'a> {
         let dependent = matches!(set, Some(Set::Integer { least, most })
             if least.iter().chain(most).any(|end| end.as_number().is_none()));
         match dependent {
-            true => Beyond::Construct("an integer between others").into(),
+            true => Unsupported::Construct("an integer between others").into(),
             false => Wrong::Coordinate(symbol.to_string()).into(),
         }
     }
@@ -293,7 +293,7 @@ impl<'a> Signs<'a> {
         &self,
         coordinates: &[Coordinate<Polynomial>],
         polynomials: &mut [&mut Polynomial],
-    ) -> Result<Sides, Unchecked> {
+    ) -> Result<Sides, CheckError> {
         let work = self.domain.work;
         let mut bounds = Sides {
             sides: vec![],
@@ -302,7 +302,7 @@ impl<'a> Signs<'a> {
         };
         let mut placed = BTreeSet::new();
         for polynomial in &mut *polynomials {
-            **polynomial = polynomial.refined().ok_or(Beyond::Large)?;
+            **polynomial = polynomial.refined().ok_or(Unsupported::Large)?;
         }
         let mut tangents: BTreeMap<Symbol, (String, torse_certificate::symbol::Angle, i64)> =
             BTreeMap::new();
@@ -313,11 +313,13 @@ impl<'a> Signs<'a> {
                 // The sign stays that of the numerator: 1 + t^2 is positive, and so has to be a number.
                 let mut numbers = moved.below.keys().filter(|factor| factor.is_number());
                 if !numbers.all(|factor| order(factor) == Some(Ordering::Greater)) {
-                    return Err(Beyond::Construct("a coordinate with such a denominator").into());
+                    return Err(
+                        Unsupported::Construct("a coordinate with such a denominator").into(),
+                    );
                 }
                 **polynomial = moved.above;
             }
-            Ok::<(), Unchecked>(())
+            Ok::<(), CheckError>(())
         };
         for coordinate in coordinates {
             // Each symbol once, and a tangent is a symbol of its own.
@@ -419,7 +421,7 @@ impl<'a> Signs<'a> {
         polynomial: &Polynomial,
         bounds: &Sides,
         piece: &Piece,
-    ) -> Result<Option<bool>, Unchecked> {
+    ) -> Result<Option<bool>, CheckError> {
         if piece.region.len() < bounds.sides.len() {
             return Ok(None);
         }
@@ -437,7 +439,7 @@ impl<'a> Signs<'a> {
             .replaced_symbols(&value, work)?
             .above;
         let Some(forms) = bernstein(&there, &places, &degrees) else {
-            return Err(Beyond::Large.into());
+            return Err(Unsupported::Large.into());
         };
         work.spend(forms.len())?;
         let mut positive: Vec<&Vec<u32>> = vec![];
@@ -448,7 +450,7 @@ impl<'a> Signs<'a> {
                 if let Some((symbol, _)) = ray.iter().find(|(s, _)| !bounds.rays.contains(s)) {
                     return Err(Wrong::Coordinate(symbol.to_string()).into());
                 }
-                match order(&number).ok_or(Beyond::Near)? {
+                match order(&number).ok_or(Unsupported::Near)? {
                     Ordering::Less => return Ok(None),
                     Ordering::Equal => {}
                     Ordering::Greater => excludes_zero |= ray.is_empty() || bounds.open,
@@ -483,7 +485,7 @@ fn half_angle(
     tangent: &Symbol,
     from: i64,
     work: &super::gap::Work,
-) -> Result<(Quotient, Quotient), Beyond> {
+) -> Result<(Quotient, Quotient), Unsupported> {
     let t = Polynomial::symbol(tangent.clone());
     let square = t.times(&t);
     let below = Quotient::from(Polynomial::one().plus(&square));

@@ -1,6 +1,6 @@
 //! Proofs of single statements on their ground: equations, order, printed decimals.
 
-use super::gap::{Beyond, Unchecked, Wrong};
+use super::gap::{CheckError, Unsupported, Wrong};
 use super::ground::{Compared, Domain};
 use super::printed;
 use super::quotient::Quotient;
@@ -17,7 +17,7 @@ use torse_core::{FamilyProperty, Statement};
 use torse_syntax::formula::Relation;
 
 /// A single statement by its proof.
-pub fn check(domain: &Domain<'_>, ground: &Ground<Polynomial>) -> Result<(), Unchecked> {
+pub fn check(domain: &Domain<'_>, ground: &Ground<Polynomial>) -> Result<(), CheckError> {
     domain.take_apart(&ground.apart, &ground.constraints)?;
     match (&domain.claim.statement, &ground.proof) {
         (
@@ -33,7 +33,7 @@ pub fn check(domain: &Domain<'_>, ground: &Ground<Polynomial>) -> Result<(), Unc
                 ..
             }) = proof
             {
-                return Err(Beyond::Construct("series of symbolic degree").into());
+                return Err(Unsupported::Construct("series of symbolic degree").into());
             }
             let differences = domain.differences(left, right)?;
             match proof {
@@ -58,13 +58,13 @@ pub fn check(domain: &Domain<'_>, ground: &Ground<Polynomial>) -> Result<(), Unc
             Proof::Wronskians(own),
         ) => variation::check(domain, family, *degrees, own)?,
         (Statement::Family(..), Proof::Nonnegative(_) | Proof::Powers(_)) => {
-            return Err(Beyond::Construct("a property of a basis").into());
+            return Err(Unsupported::Construct("a property of a basis").into());
         }
         (
             Statement::Join(..),
             Proof::Both(..) | Proof::Alternative { .. } | Proof::Conclusion(_) | Proof::Exists(_),
         ) => {
-            return Err(Beyond::Construct("a statement of several parts at once").into());
+            return Err(Unsupported::Construct("a statement of several parts at once").into());
         }
         _ => return Err(Wrong::Kind.into()),
     }
@@ -76,7 +76,7 @@ fn identity(
     domain: &Domain<'_>,
     relation: Relation,
     differences: &[Quotient],
-) -> Result<(), Unchecked> {
+) -> Result<(), CheckError> {
     if !matches!(
         relation,
         Relation::Equal | Relation::AtLeast | Relation::AtMost
@@ -97,7 +97,7 @@ fn combination(
     relation: Relation,
     differences: &[Quotient],
     own: &Combination<Polynomial>,
-) -> Result<(), Unchecked> {
+) -> Result<(), CheckError> {
     if relation != Relation::Equal || own.multipliers.len() != differences.len() {
         return Err(Wrong::Kind.into());
     }
@@ -122,7 +122,7 @@ fn sum_of_multiples(
     equations: &[Polynomial],
     multipliers: &[Polynomial],
     used: &mut [bool],
-) -> Result<Polynomial, Unchecked> {
+) -> Result<Polynomial, CheckError> {
     let mut sum = Polynomial::zero();
     for ((equation, multiplier), used) in equations.iter().zip(multipliers).zip(used) {
         if !multiplier.is_zero() {
@@ -139,7 +139,7 @@ fn assumed(
     equations: &[Polynomial],
     used: &[bool],
     mut wrong: Option<Wrong>,
-) -> Result<(), Unchecked> {
+) -> Result<(), CheckError> {
     let (known, gap) = domain.constraints(domain.groups())?;
     let known: Vec<&Compared> = known
         .iter()
@@ -172,14 +172,14 @@ fn forced(
     relation: Relation,
     differences: &[Quotient],
     own: &Forced<Polynomial>,
-) -> Result<(), Unchecked> {
+) -> Result<(), CheckError> {
     if relation != Relation::Equal || own.entries.len() != differences.len() {
         return Err(Wrong::Kind.into());
     }
     let work = domain.work;
     let signs = Signs::new(domain, &ground.constraints, domain.groups())?;
     for (difference, zero) in differences.iter().zip(&own.entries) {
-        let differs = || Unchecked::from(Wrong::Differs(difference.above.len()));
+        let differs = || CheckError::from(Wrong::Differs(difference.above.len()));
         let fits = match zero {
             Zero::Identically => difference.is_zero(work)?,
             Zero::Between(pair) => {
@@ -216,9 +216,9 @@ fn forced(
 }
 
 /// Whether the second is the first times or over what is known not to vanish.
-fn proportional(domain: &Domain<'_>, a: &Polynomial, b: &Polynomial) -> Result<bool, Unchecked> {
+fn proportional(domain: &Domain<'_>, a: &Polynomial, b: &Polynomial) -> Result<bool, CheckError> {
     let work = domain.work;
-    let refined = |p: &Polynomial| p.refined().ok_or(Beyond::Large);
+    let refined = |p: &Polynomial| p.refined().ok_or(Unsupported::Large);
     let (a, b) = (refined(a)?, refined(b)?);
     if a.is_zero() || b.is_zero() {
         return Ok(a.is_zero() && b.is_zero());
@@ -239,7 +239,7 @@ fn order(
     relation: Relation,
     differences: &[Quotient],
     own: &Order<Polynomial>,
-) -> Result<(), Unchecked> {
+) -> Result<(), CheckError> {
     let work = domain.work;
     let (alone, difference) = (differences.len() == 1, differences.get(own.entry));
     let difference = difference.ok_or(Wrong::Kind)?;
@@ -266,7 +266,7 @@ fn order(
     let turned = |sign: &Polynomial, of: &Polynomial| match () {
         () if sign == of => Ok(false),
         () if *sign == of.negated() => Ok(true),
-        () => Err(Unchecked::from(Wrong::Sign)),
+        () => Err(CheckError::from(Wrong::Sign)),
     };
     let (mut negative, mut strict) = (false, true);
     if own.product {
@@ -276,7 +276,7 @@ fn order(
         negative = turned(&sign.polynomial, &work.times(&own.above, &below)?)?;
         strict = sign.strict;
         if !strict && !domain.nonzero_here(&below)? {
-            return Err(Beyond::Divisor(below.to_string()).into());
+            return Err(Unsupported::Divisor(below.to_string()).into());
         }
     } else {
         if own.signs.len() != own.below.len() + 1 {
@@ -315,7 +315,7 @@ fn excluded(
     relation: Relation,
     differences: &[Quotient],
     own: &Excluded<Polynomial>,
-) -> Result<(), Unchecked> {
+) -> Result<(), CheckError> {
     let [difference] = differences else {
         return Err(Wrong::Kind.into());
     };
@@ -336,13 +336,13 @@ fn enclosure(
     domain: &Domain<'_>,
     values: &[Quotient],
     own: &Enclosure<Polynomial>,
-) -> Result<(), Unchecked> {
+) -> Result<(), CheckError> {
     if let Some(symbol) = values
         .iter()
         .flat_map(|value| value.above.symbols())
         .find(|symbol| !symbol.is_number())
     {
-        return Err(Beyond::NoValue(symbol.to_string()).into());
+        return Err(Unsupported::NoValue(symbol.to_string()).into());
     }
     if !printed::same_values(values, own, domain.work)? {
         return Err(Wrong::Sides.into());

@@ -1,6 +1,6 @@
 //! Sine and cosine of sums of angles, by the addition theorems and a table of twelfths of pi.
 
-use super::gap::{Beyond, Work};
+use super::gap::{Unsupported, Work};
 use torse_certificate::polynomial::{Polynomial, multiple};
 use torse_certificate::symbol::{Angle, Symbol, Unit};
 use torse_numbers::rational::integer;
@@ -10,13 +10,13 @@ use torse_numbers::{Integer, Rational};
 pub type Pair = (Polynomial, Polynomial);
 
 /// An angle of another kind.
-pub const STRANGE: Beyond = Beyond::Construct("the sine of this angle");
+pub const STRANGE: Unsupported = Unsupported::Construct("the sine of this angle");
 
 /// The largest multiple of a part of an angle.
 const MOST: i64 = 24;
 
 /// `(sin, cos)` of an angle in radians: rational multiples of variables and of pi times them, and of pi/12.
-pub fn sine_cosine(angle: &Polynomial, work: &Work) -> Result<Pair, Beyond> {
+pub fn sine_cosine(angle: &Polynomial, work: &Work) -> Result<Pair, Unsupported> {
     let mut total: Pair = (Polynomial::zero(), Polynomial::one());
     for (monomial, coefficient) in angle.terms() {
         let part = match monomial.as_slice() {

@@ -1,10 +1,10 @@
 //! Numbers, vectors and matrices of quotients. The number 0 fits every shape.
 
-use super::gap::{Beyond, Work};
+use super::gap::{Unsupported, Work};
 use super::quotient::Quotient;
 use std::collections::{BTreeMap, BTreeSet};
 
-const SHAPE: Beyond = Beyond::Construct("values of different shapes");
+const SHAPE: Unsupported = Unsupported::Construct("values of different shapes");
 
 /// A number, or the entries of a vector or rows of a matrix.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,7 +16,7 @@ pub enum Value {
 }
 
 impl Value {
-    pub fn number(self) -> Result<Quotient, Beyond> {
+    pub fn number(self) -> Result<Quotient, Unsupported> {
         match self {
             Self::Number(number) => Ok(number),
             Self::Many(_) => Err(SHAPE),
@@ -31,7 +31,7 @@ impl Value {
         }
     }
 
-    pub fn entries(self) -> Result<Vec<Quotient>, Beyond> {
+    pub fn entries(self) -> Result<Vec<Quotient>, Unsupported> {
         match self {
             Self::Many(items) => items.into_iter().map(Self::number).collect(),
             Self::Number(_) => Err(SHAPE),
@@ -39,7 +39,7 @@ impl Value {
     }
 
     /// The rows of a matrix, all of one length.
-    pub fn rows(self) -> Result<Vec<Vec<Quotient>>, Beyond> {
+    pub fn rows(self) -> Result<Vec<Vec<Quotient>>, Unsupported> {
         let Self::Many(rows) = self else {
             return Err(SHAPE);
         };
@@ -64,8 +64,8 @@ impl Value {
 
     pub fn each(
         &self,
-        change: &dyn Fn(&Quotient) -> Result<Quotient, Beyond>,
-    ) -> Result<Self, Beyond> {
+        change: &dyn Fn(&Quotient) -> Result<Quotient, Unsupported>,
+    ) -> Result<Self, Unsupported> {
         Ok(match self {
             Self::Number(number) => Self::Number(change(number)?),
             Self::Many(items) => {
@@ -80,7 +80,7 @@ impl Value {
     }
 
     /// The numbers of both that stand in the same place.
-    pub fn pairs(&self, other: &Self) -> Result<Vec<(Quotient, Quotient)>, Beyond> {
+    pub fn pairs(&self, other: &Self) -> Result<Vec<(Quotient, Quotient)>, Unsupported> {
         let zero = Quotient::default;
         match (self, other) {
             (Self::Number(x), Self::Number(y)) => Ok(vec![(x.clone(), y.clone())]),
@@ -100,7 +100,7 @@ impl Value {
         }
     }
 
-    pub fn plus(&self, other: &Self, work: &Work) -> Result<Self, Beyond> {
+    pub fn plus(&self, other: &Self, work: &Work) -> Result<Self, Unsupported> {
         match (self, other) {
             (Self::Number(x), Self::Number(y)) => Ok(Self::Number(x.plus(y, work)?)),
             (zero, many) | (many, zero) if zero.is_zero() => Ok(many.clone()),
@@ -120,7 +120,7 @@ impl Value {
     }
 
     /// A number times anything, a matrix times a vector or a matrix.
-    pub fn times(&self, other: &Self, work: &Work) -> Result<Self, Beyond> {
+    pub fn times(&self, other: &Self, work: &Work) -> Result<Self, Unsupported> {
         match (self, other) {
             (Self::Number(x), many) | (many, Self::Number(x)) => many.each(&|y| x.times(y, work)),
             (matrix, Self::Many(entries)) if matches!(entries.first(), Some(Self::Number(_))) => {
@@ -133,7 +133,7 @@ impl Value {
                 let (rows, columns) = (self.clone().rows()?, transposed(&other.clone().rows()?));
                 let row = |row: &Vec<Quotient>| {
                     let entries = columns.iter().map(|column| dot(row, column, work));
-                    entries.collect::<Result<Vec<_>, Beyond>>()
+                    entries.collect::<Result<Vec<_>, Unsupported>>()
                 };
                 let rows = rows.iter().map(row).collect::<Result<_, _>>()?;
                 Ok(Self::matrix(rows))
@@ -143,7 +143,7 @@ impl Value {
 }
 
 /// `sum of x_i y_i`.
-pub fn dot(xs: &[Quotient], ys: &[Quotient], work: &Work) -> Result<Quotient, Beyond> {
+pub fn dot(xs: &[Quotient], ys: &[Quotient], work: &Work) -> Result<Quotient, Unsupported> {
     if xs.len() != ys.len() {
         return Err(SHAPE);
     }
@@ -174,7 +174,7 @@ pub fn minor<T: Clone>(rows: &[Vec<T>], row: usize, column: usize) -> Vec<Vec<T>
 }
 
 /// The determinant: the minors of the first rows by the columns they stand in, one row more at a time.
-pub fn determinant(rows: &[Vec<Quotient>], work: &Work) -> Result<Quotient, Beyond> {
+pub fn determinant(rows: &[Vec<Quotient>], work: &Work) -> Result<Quotient, Unsupported> {
     let one = Quotient::number(torse_numbers::rational::integer(1));
     let mut minors: BTreeMap<BTreeSet<usize>, Quotient> = [(BTreeSet::new(), one)].into();
     for row in rows {

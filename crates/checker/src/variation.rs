@@ -1,7 +1,7 @@
 //! Variation diminution at some degrees, by positive Wronskians.
 
 use super::expand::Expander;
-use super::gap::{Beyond, Unchecked, Wrong};
+use super::gap::{CheckError, Unsupported, Wrong};
 use super::ground::Domain;
 use super::quotient::Quotient;
 use super::value::Value;
@@ -18,7 +18,7 @@ pub fn check(
     family: &Family,
     degrees: Degrees,
     own: &Wronskians,
-) -> Result<(), Unchecked> {
+) -> Result<(), CheckError> {
     let listed = own.degrees.iter().map(|at| at.degree);
     if !listed.eq(degrees.least..=degrees.most) || degrees.least < family.degree {
         return Err(Wrong::Instances.into());
@@ -43,15 +43,15 @@ pub fn check(
     Ok(())
 }
 
-fn unfit(unfit: Unfit) -> Unchecked {
+fn unfit(unfit: Unfit) -> CheckError {
     match unfit {
-        Unfit::Make(what) => Beyond::Construct(what).into(),
+        Unfit::Make(what) => Unsupported::Construct(what).into(),
         other => Wrong::Wronskians(other).into(),
     }
 }
 
 /// The seeds of a family with the step `1 - x`, `x` on a part of [0, 1], expanded.
-fn seeds(domain: &Domain<'_>, family: &Family) -> Result<Seeds, Unchecked> {
+fn seeds(domain: &Domain<'_>, family: &Family) -> Result<Seeds, CheckError> {
     let expander = Expander::new(domain.work, &|_| None);
     let symbol = |name: &str| Polynomial::symbol(Symbol::named(name));
     let arguments = family.variables.iter();
@@ -62,15 +62,15 @@ fn seeds(domain: &Domain<'_>, family: &Family) -> Result<Seeds, Unchecked> {
     let x: Quotient = symbol(family.variable()).into();
     let rest = Quotient::number(torse_numbers::rational::integer(1)).minus(&x, domain.work)?;
     if !keep.equals(&rest, domain.work)? || !shift.equals(&x, domain.work)? {
-        return Err(Beyond::Construct("another step than 1 - x and x").into());
+        return Err(Unsupported::Construct("another step than 1 - x and x").into());
     }
     let mut functions = vec![];
     for seed in &seeds {
         if seed.denominator(domain.work)? != Polynomial::one() {
-            return Err(Beyond::Construct("a seed with a divisor").into());
+            return Err(Unsupported::Construct("a seed with a divisor").into());
         }
         let refined = seed.above.refined();
-        functions.push(refined.ok_or(Beyond::Large)?);
+        functions.push(refined.ok_or(Unsupported::Large)?);
     }
     let declared = |name: &str| domain.claim.symbols.get(name);
     Seeds::declared(&functions, family.variable(), &declared).map_err(unfit)

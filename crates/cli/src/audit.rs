@@ -5,14 +5,14 @@ use crate::exit::{Exit, Failure};
 use crate::format::Format;
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
-use crate::{guard, selection, terminal};
+use crate::{selection, terminal, watchdog};
 use clap::Args;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use torse_report::words;
+use torse_report::glossary;
 use torse_syntax::derivation::{Answer, Claim, DerivationError, Paper};
 use torse_syntax::formula::Place;
-use torse_syntax::words::Flag;
+use torse_syntax::taxonomy::Flag;
 use torse_verdicts::audit::{Audited, audit};
 use torse_verdicts::outcome::Outcome;
 
@@ -69,7 +69,7 @@ impl Audit {
         let progress = Progress::new("auditing", pairs.len());
         let found = audit(&papers, &pairs, || progress.step());
         progress.finish();
-        guard::finished();
+        watchdog::finished();
         for audited in &found {
             for answer in &audited.stale {
                 mistakes.add(stale(answer));
@@ -103,7 +103,7 @@ fn pairs<'a>(papers: &'a [Paper], run: &'a Run) -> Vec<(&'a Claim, &'a Outcome)>
 }
 
 fn stale(answer: &Answer) -> Box<DerivationError> {
-    let flag = words::flag(answer.flag);
+    let flag = glossary::flag(answer.flag);
     let message = format!("nothing is flagged as `{flag}` here, so there is nothing to answer");
     let error = DerivationError::at(&answer.origin, Place::default(), message);
     Box::new(error.with_help("take the answer out"))
@@ -137,7 +137,7 @@ fn text(found: &[Audited<'_>]) -> String {
     for audited in found {
         for sign in &audited.open {
             let id = audited.claim.entry.id.get_ref().as_str();
-            table.add_row([id, words::flag(sign.flag), sign.seen.as_str()]);
+            table.add_row([id, glossary::flag(sign.flag), sign.seen.as_str()]);
             open += 1;
         }
     }
@@ -160,7 +160,7 @@ fn text(found: &[Audited<'_>]) -> String {
                 [first, rest @ ..] => format!("{first} and {} more", rest.len()),
                 [] => String::new(),
             };
-            table.add_row([ids.as_str(), words::flag(*flag), answer.as_str()]);
+            table.add_row([ids.as_str(), glossary::flag(*flag), answer.as_str()]);
         }
         text.push_str(&terminal::lines(&table));
         text.push('\n');
@@ -213,20 +213,20 @@ fn json(found: &[Audited<'_>]) -> Result<String, Failure> {
         let id = audited.claim.entry.id.get_ref().as_str();
         listing.open.extend(audited.open.iter().map(|sign| Open {
             id,
-            flag: words::flag(sign.flag),
+            flag: glossary::flag(sign.flag),
             seen: &sign.seen,
         }));
         listing
             .stale
             .extend(audited.stale.iter().map(|answer| Stale {
                 id,
-                flag: words::flag(answer.flag),
+                flag: glossary::flag(answer.flag),
             }));
     }
     let answered = classes(found).into_iter();
     listing.answered = answered
         .map(|((flag, quote, says), claims)| Class {
-            flag: words::flag(flag),
+            flag: glossary::flag(flag),
             quote,
             says,
             claims,

@@ -4,13 +4,13 @@ use crate::exit::{Exit, Failure};
 use crate::explain::short_note;
 use crate::format::Format;
 use crate::run::Budget;
-use crate::{guard, terminal};
+use crate::{terminal, watchdog};
 use clap::Args;
 use serde::Deserialize;
 use std::io::BufRead;
 use torse_report::finding_json;
 use torse_syntax::derivation::{DerivationError, LoadError, question};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::engine::decide_claim_within;
 use torse_verdicts::outcome::Outcome;
 
@@ -74,7 +74,7 @@ impl Decide {
             Err(Unasked::Load(error)) => return Err(error.into()),
             Err(Unasked::Sense(error)) => return Err(error.into()),
         };
-        guard::finished();
+        watchdog::finished();
         terminal::print(&match self.format {
             Format::Text => short_note(&outcome),
             Format::Json => finding_json(&outcome)?,

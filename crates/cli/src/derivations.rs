@@ -1,7 +1,7 @@
 //! Where the derivation files are.
 
+use crate::diagnostics::Diagnostics;
 use crate::exit::Failure;
-use crate::mistakes::Mistakes;
 use crate::{selection, terminal};
 use sha2::{Digest as _, Sha256};
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ pub struct Found {
     /// The ids of claims and figures that are wrong, or rest on what is.
     pub left_out: Vec<String>,
     /// What is wrong.
-    pub mistakes: Mistakes,
+    pub mistakes: Diagnostics,
 }
 
 /// The option that names the folder of derivations.
@@ -32,7 +32,7 @@ impl Derivations {
     /// The papers of the folder, in the order of their names, with all that is well formed in them.
     pub fn load(&self) -> Result<Found, Failure> {
         let loaded = derivation::load_all(&self.find()?)?;
-        let mut mistakes = Mistakes::default();
+        let mut mistakes = Diagnostics::default();
         loaded
             .errors
             .into_iter()
@@ -49,7 +49,7 @@ impl Derivations {
     }
 
     /// The same with just the claims that the user names.
-    pub fn select(&self, names: &[String]) -> Result<(Vec<Paper>, Mistakes), Failure> {
+    pub fn select(&self, names: &[String]) -> Result<(Vec<Paper>, Diagnostics), Failure> {
         let found = self.load()?;
         let papers = selection::select(found.papers, names, &found.left_out)?;
         Ok((papers, found.mistakes))

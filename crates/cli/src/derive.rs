@@ -2,7 +2,7 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
-use crate::{guard, selection, terminal};
+use crate::{selection, terminal, watchdog};
 use clap::{Args, ValueEnum};
 use torse_syntax::derivation::Paper;
 use torse_syntax::derivation::declarations::Declarations;
@@ -92,7 +92,7 @@ impl Derive {
             }
             derived => derived?,
         };
-        guard::finished();
+        watchdog::finished();
         terminal::print(&print(&derivation, self.language.into()))?;
         Ok(found.mistakes.tell(Exit::AsExpected))
     }

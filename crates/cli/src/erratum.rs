@@ -5,12 +5,12 @@ use crate::documents::Made;
 use crate::exit::{Exit, Failure};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
-use crate::{guard, selection, terminal};
+use crate::{selection, terminal, watchdog};
 use clap::Args;
 use std::path::PathBuf;
 use torse_report::model::Report;
 use torse_report::{
-    Envelope, Manuscript, ReportError, erratum_latex, erratum_markdown, words, write_file,
+    Envelope, Manuscript, ReportError, erratum_latex, erratum_markdown, glossary, write_file,
 };
 use torse_syntax::derivation::Paper;
 
@@ -87,7 +87,7 @@ impl Erratum {
         if self.verify {
             run.restore(&papers, self.budget, &mut mistakes);
         }
-        guard::finished();
+        watchdog::finished();
         // A letter without a correction that belongs into it would not be one.
         if !mistakes.is_empty() {
             return Ok(mistakes.tell(Exit::BadData));
@@ -107,7 +107,7 @@ impl Erratum {
             }
         }
         for restored in run.papers.iter().flat_map(|paper| &paper.restored) {
-            let verdict = words::verdict(restored.verdict).label;
+            let verdict = glossary::verdict(restored.verdict).label;
             written.push_str(&format!("{}  {verdict}\n", restored.claim));
         }
         terminal::print(&written)?;

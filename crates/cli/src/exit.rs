@@ -10,7 +10,7 @@ use torse_figures::PlateError;
 use torse_report::ReportError;
 use torse_rocq::coqc::{CheckError, INSTALL};
 use torse_syntax::derivation::{DerivationError, LoadError};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::derive::DeriveError;
 use torse_verdicts::outcome::Outcome;
 

@@ -1,18 +1,18 @@
 //! `torse explain`: one claim like a referee's note.
 
 use crate::derivations::{Derivations, Found};
+use crate::diagnostics::Diagnostics;
 use crate::exit::{Exit, Failure};
 use crate::kernel::Kernel;
-use crate::mistakes::Mistakes;
 use crate::run::{Budget, Run};
-use crate::{guard, selection, terminal};
+use crate::{selection, terminal, watchdog};
 use clap::Args;
 use comfy_table::ColumnConstraint;
 use torse_prove::evidence::Witness;
-use torse_report::{counted, difference, point, rests, words};
+use torse_report::{counted, difference, glossary, point, rests};
 use torse_syntax::derivation::Paper;
 use torse_syntax::notation::Formula;
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::claim_record::Role;
 use torse_verdicts::consequences::{consequences, resting, users};
 use torse_verdicts::correction::Correction;
@@ -65,7 +65,7 @@ impl Explain {
         for paper in &run.papers {
             for outcome in &paper.claims {
                 let resting = Resting::on(outcome, &papers, self.budget, &mut mistakes);
-                guard::finished();
+                watchdog::finished();
                 let kernel = kernel.contains(&outcome.claim.id);
                 terminal::print(&self.note(paper, outcome, resting, kernel))?;
             }
@@ -83,7 +83,7 @@ impl Explain {
         let mut note = Note::default();
         note.add("verdict", &verdict(outcome));
         let each = outcome.readings().iter().map(|reading| {
-            let verdict = words::verdict(reading.outcome.verdict()).label;
+            let verdict = glossary::verdict(reading.outcome.verdict()).label;
             format!("{} if read as {}", verdict, reading.name)
         });
         note.list("namely", each);
@@ -118,7 +118,7 @@ impl Explain {
         note.gap();
         note.option(
             "evidence",
-            words::evidence_on(outcome).map(|of| format!("{}. {}", of.label, of.meaning)),
+            glossary::evidence_on(outcome).map(|of| format!("{}. {}", of.label, of.meaning)),
         );
         note.option("replayed", replayed(outcome));
         note.option("kernel", kernel.then_some(ACCEPTED));
@@ -238,7 +238,7 @@ pub fn short_note(outcome: &Outcome) -> String {
     note.gap();
     note.option(
         "evidence",
-        words::evidence_on(outcome).map(|of| of.label.to_owned()),
+        glossary::evidence_on(outcome).map(|of| of.label.to_owned()),
     );
     note.option("replayed", replayed(outcome));
     note.list("steps", counted(&outcome.steps()).into_iter());
@@ -304,10 +304,10 @@ fn replayed(outcome: &Outcome) -> Option<String> {
 
 fn verdict(outcome: &Outcome) -> String {
     let found = terminal::verdict(outcome.verdict());
-    let meaning = words::verdict_on(outcome).meaning;
+    let meaning = glossary::verdict_on(outcome).meaning;
     match outcome.claim.expect {
         Some(expected) if expected != outcome.verdict() => {
-            let expected = words::verdict(expected).label;
+            let expected = glossary::verdict(expected).label;
             format!("{found} (the derivation file expects {expected}). {meaning}")
         }
         _ => format!("{found}. {meaning}"),
@@ -319,7 +319,7 @@ fn add_witness(note: &mut Note, outcome: &Outcome) {
     let Some(witness) = outcome.witness() else {
         return;
     };
-    if words::denied(outcome) {
+    if glossary::denied(outcome) {
         note.option("proved", torse_report::failure_in_full(outcome));
         return;
     }
@@ -401,7 +401,7 @@ struct Resting {
 impl Resting {
     /// For a refuted claim, all that rests on it, each decided to see whether it survives; for any other
     /// the claims that use it.
-    fn on(outcome: &Outcome, papers: &[Paper], budget: Budget, mistakes: &mut Mistakes) -> Self {
+    fn on(outcome: &Outcome, papers: &[Paper], budget: Budget, mistakes: &mut Diagnostics) -> Self {
         let claims = papers.iter().flat_map(|paper| &paper.claims);
         let uses: Vec<(&str, Vec<String>)> = claims
             .map(|claim| (claim.entry.id.get_ref().as_str(), claim.uses.clone()))
@@ -425,7 +425,7 @@ impl Resting {
         let rows = consequences(&outcome.claim.id, &all)
             .into_iter()
             .map(|consequence| {
-                let fate = words::consequence(&consequence);
+                let fate = glossary::consequence(&consequence);
                 match consequence.through.last() {
                     Some(nearest) => format!("{}: {fate} (rests on {nearest})", consequence.id),
                     None => format!("{}: {fate}", consequence.id),

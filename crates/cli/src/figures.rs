@@ -3,10 +3,10 @@
 //! Beside the files of the figures lies a list of their fingerprints. A figure whose fingerprint is in the list and
 //! whose files are there is read instead of drawn: equal fingerprints mean equal pictures.
 
+use crate::diagnostics::Diagnostics;
 use crate::exit::Failure;
-use crate::guard;
-use crate::mistakes::Mistakes;
 use crate::terminal::Progress;
+use crate::watchdog;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -48,10 +48,10 @@ pub struct Evaluated<'a> {
 
 /// The figures of each paper, evaluated and not drawn. What is wrong with their formulas is added to the mistakes, and the
 /// figure left out.
-pub fn evaluated<'a>(papers: &'a [Paper], mistakes: &mut Mistakes) -> Vec<Vec<Evaluated<'a>>> {
+pub fn evaluated<'a>(papers: &'a [Paper], mistakes: &mut Diagnostics) -> Vec<Vec<Evaluated<'a>>> {
     let of_papers: Vec<Vec<&Figure>> = papers.iter().map(|p| p.figures().collect()).collect();
     let evaluate = |entry: &&'a Figure| {
-        let plate = guard::named(&entry.id, || Plate::new(entry))?;
+        let plate = watchdog::named(&entry.id, || Plate::new(entry))?;
         Ok(Evaluated { entry, plate })
     };
     let evaluated: Vec<Vec<Result<_, Box<DerivationError>>>> = of_papers

@@ -3,10 +3,10 @@
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::format::Format;
-use crate::{guard, terminal};
+use crate::{terminal, watchdog};
 use clap::Args;
 use serde::Serialize;
-use torse_report::{ReportError, words};
+use torse_report::{ReportError, glossary};
 use torse_syntax::derivation::Paper;
 
 /// List papers and claims with their kinds and places; nothing is decided.
@@ -59,7 +59,7 @@ impl List {
     /// Prints the list.
     pub fn run(&self) -> Result<Exit, Failure> {
         let (papers, mistakes) = self.derivations.select(&self.names)?;
-        guard::finished();
+        watchdog::finished();
         let text = match (self.papers, self.format) {
             (true, Format::Text) => paper_table(&papers),
             (false, Format::Text) => claim_table(&papers),
@@ -85,7 +85,7 @@ fn claim_lines(paper: &Paper) -> impl Iterator<Item = ClaimLine<'_>> {
     paper.claims.iter().map(|claim| ClaimLine {
         id: claim.entry.id.get_ref(),
         paper: &paper.head.id,
-        kind: words::kind(claim.entry.kind).key,
+        kind: glossary::kind(claim.entry.kind).key,
         at: &claim.entry.at,
         uses: &claim.uses,
     })

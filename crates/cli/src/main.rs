@@ -3,23 +3,22 @@
 //! One file a subcommand; no mathematics. Derivation files come from [`derivations`], the claims that
 //! the user names from [`selection`], outcomes from [`mod@run`]; [`exit`] says which exit code means what.
 
-mod against;
 mod audit;
+mod baseline;
 mod completions;
 mod decide;
 mod derivations;
 mod derive;
 mod design;
+mod diagnostics;
 mod documents;
 mod erratum;
 mod exit;
 mod explain;
 mod figures;
 mod format;
-mod guard;
 mod kernel;
 mod list;
-mod mistakes;
 mod new;
 mod proofs;
 mod prove;
@@ -31,6 +30,7 @@ mod terminal;
 mod verdicts;
 mod verify;
 mod watch;
+mod watchdog;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use exit::{Exit, Failure};
@@ -159,9 +159,9 @@ const TIME_LIMIT: u64 = 3600;
 const STACK: usize = 256 * 1024 * 1024;
 
 fn run(arguments: &Arguments) -> Exit {
-    guard::watch(Duration::from_secs(arguments.time_limit));
+    watchdog::watch(Duration::from_secs(arguments.time_limit));
     arguments.command.run().unwrap_or_else(|failure| {
-        guard::finished();
+        watchdog::finished();
         terminal::complain(&failure);
         failure.exit()
     })

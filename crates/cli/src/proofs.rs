@@ -9,8 +9,8 @@ use crate::exit::Failure;
 use serde::Serialize;
 use std::path::Path;
 use torse_certificate::Polynomial;
-use torse_report::{ReportError, words, write_file};
-use torse_verdicts::grounds::Grounds;
+use torse_report::{ReportError, glossary, write_file};
+use torse_verdicts::certificate::DecisionCertificate;
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
 #[derive(Serialize)]
@@ -26,7 +26,7 @@ struct Claim<'a> {
     states: Option<&'a str>,
     verdict: &'static str,
     replayed: bool,
-    rests_on: Grounds<Polynomial>,
+    rests_on: DecisionCertificate<Polynomial>,
 }
 
 /// Writes a file a paper. All of them are made before the first is written, and each appears whole.
@@ -60,13 +60,13 @@ pub fn write(folder: &Path, papers: &[PaperOutcome]) -> Result<(), Failure> {
 }
 
 fn claim<'a>(id: &'a str, reading: Option<&'a str>, outcome: &'a Outcome) -> Option<Claim<'a>> {
-    let grounds = outcome.finding.grounds()?;
+    let certificate = outcome.finding.certificate()?;
     Some(Claim {
         id,
         reading,
         states: outcome.parsed().map(|formula| formula.text.as_str()),
-        verdict: words::verdict(outcome.verdict()).key,
+        verdict: glossary::verdict(outcome.verdict()).key,
         replayed: outcome.replay().is_some_and(|replay| replay.replayed),
-        rests_on: grounds.plain(),
+        rests_on: certificate.plain(),
     })
 }

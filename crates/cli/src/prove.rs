@@ -4,7 +4,7 @@ use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
-use crate::{guard, terminal};
+use crate::{terminal, watchdog};
 use clap::Args;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf};
@@ -22,7 +22,7 @@ use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::theorem::Theorem;
 use torse_rocq::{printed, script, trial};
 use torse_syntax::derivation::{Claim, Paper};
-use torse_verdicts::grounds::Grounds;
+use torse_verdicts::certificate::DecisionCertificate;
 use torse_verdicts::outcome::Outcome;
 
 /// Why theorems have no proof, by name.
@@ -90,7 +90,7 @@ impl Prove {
             false => None,
         };
         let run = Run::of(&papers, self.budget, &mut mistakes);
-        guard::finished();
+        watchdog::finished();
         let findings = findings(&papers, &run);
         let unread = |reason| Failure::ReadProofs {
             path: self.out.join(UNPROVED),
@@ -537,15 +537,15 @@ fn finding<'c>(id: String, claim: &'c Claim, outcome: &Outcome) -> Finding<'c> {
         witness: outcome
             .witness()
             .map_or_else(Vec::new, |witness| witness.at.clone()),
-        solved: outcome.finding.grounds().map_or_else(Vec::new, solved),
+        solved: outcome.finding.certificate().map_or_else(Vec::new, solved),
     }
 }
 
 /// What the proof of a verdict has from `given` equations.
-fn solved(grounds: &Grounds) -> Vec<Solved> {
-    match grounds.plain() {
-        Grounds::Proof { of, .. } => solutions(&of),
-        Grounds::Refutation(_) => vec![],
+fn solved(certificate: &DecisionCertificate) -> Vec<Solved> {
+    match certificate.plain() {
+        DecisionCertificate::Proof { of, .. } => solutions(&of),
+        DecisionCertificate::Refutation(_) => vec![],
     }
 }
 

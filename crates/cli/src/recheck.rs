@@ -4,7 +4,7 @@ use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
-use crate::{guard, terminal};
+use crate::{terminal, watchdog};
 use clap::Args;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -48,7 +48,7 @@ impl Replay {
         let (papers, mut mistakes) = self.derivations.select(&self.names)?;
         let run = Run::of(&papers, self.budget, &mut mistakes);
         let judged = again(&papers, &run.papers);
-        guard::finished();
+        watchdog::finished();
         let mut counts = [0_usize; 4];
         let mut rows = terminal::table();
         for (id, result) in &judged {
@@ -98,7 +98,7 @@ fn again(papers: &[Paper], decided: &[PaperOutcome]) -> Vec<(String, Recheck)> {
         .collect();
     let progress = Progress::new("judging again", pairs.len());
     let judged = pairs.par_iter().map(|(claim, outcome)| {
-        let result = guard::named(&outcome.claim.id, || recheck::claim(claim, outcome));
+        let result = watchdog::named(&outcome.claim.id, || recheck::claim(claim, outcome));
         progress.step();
         (outcome.claim.id.clone(), result)
     });

@@ -7,7 +7,7 @@ use crate::figures::{Evaluated, FOLDER as FIGURES};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
-use crate::{documents, erratum, figures, guard, selection, terminal};
+use crate::{documents, erratum, figures, selection, terminal, watchdog};
 use clap::Args;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -65,7 +65,7 @@ impl Report {
         let mut run = Run::of(&papers, self.budget, &mut mistakes);
         run.restore(&papers, self.budget, &mut mistakes);
         let evaluated = figures::evaluated(&papers, &mut mistakes);
-        guard::finished();
+        watchdog::finished();
         // A report without a claim that the paper makes would not be one.
         if !mistakes.is_empty() {
             return Ok(mistakes.tell(Exit::BadData));

@@ -1,16 +1,16 @@
 //! Deciding claims, verdicts first and corrections after them, with progress on the terminal.
 
-use crate::guard;
-use crate::mistakes::Mistakes;
+use crate::diagnostics::Diagnostics;
 use crate::terminal::Progress;
+use crate::watchdog;
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
 use torse_syntax::derivation::{Claim, DerivationError, Paper};
 use torse_verdicts::engine::STANDARD_WORK;
 use torse_verdicts::faults::faults;
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
+use torse_verdicts::pending_claim::PendingClaim;
 use torse_verdicts::restore::restore;
-use torse_verdicts::stage::Stage;
 
 /// The option that bounds the work on a claim.
 #[derive(Debug, Clone, Copy, clap::Args)]
@@ -38,7 +38,7 @@ pub struct Run {
 impl Run {
     /// Decides all claims of `papers`, of all papers at once, and then seeks corrections of those that are refuted. Claims whose formulas make no sense are mistakes of theirs,
     /// and have no outcome.
-    pub fn of(papers: &[Paper], budget: Budget, mistakes: &mut Mistakes) -> Self {
+    pub fn of(papers: &[Paper], budget: Budget, mistakes: &mut Diagnostics) -> Self {
         let claims: Vec<_> = papers
             .iter()
             .flat_map(|paper| paper.claims.iter().map(|claim| (&paper.head.id, claim)))
@@ -49,13 +49,14 @@ impl Run {
             // A claim takes from microseconds to a second: each may go to whoever is free.
             .with_max_len(1)
             .map(|(slug, claim)| {
-                let decided = timed(claim, || Stage::verdict(budget.units, slug, claim));
+                let decided = timed(claim, || PendingClaim::verdict(budget.units, slug, claim));
                 progress.step();
                 decided
             })
             .collect();
         progress.finish();
-        let sought = |(stage, _): &Decided<'_>| stage.as_ref().is_ok_and(Stage::seeks_correction);
+        let sought =
+            |(stage, _): &Decided<'_>| stage.as_ref().is_ok_and(PendingClaim::seeks_correction);
         let progress = Progress::new("correcting", stages.iter().filter(|of| sought(of)).count());
         let decided: Vec<_> = claims
             .par_iter()
@@ -63,7 +64,7 @@ impl Run {
             .with_max_len(1)
             .map(|((_, claim), decided)| {
                 let (seeks, (stage, before)) = (sought(&decided), decided);
-                let (outcome, after) = timed(claim, || stage.and_then(Stage::complete));
+                let (outcome, after) = timed(claim, || stage.and_then(PendingClaim::complete));
                 if seeks {
                     progress.step();
                 }
@@ -106,7 +107,7 @@ impl Run {
     }
 
     /// Decides the claims in which faults show once more, with all corrections of their paper in force.
-    pub fn restore(&mut self, papers: &[Paper], budget: Budget, mistakes: &mut Mistakes) {
+    pub fn restore(&mut self, papers: &[Paper], budget: Budget, mistakes: &mut Diagnostics) {
         for (paper, outcome) in papers.iter().zip(&mut self.papers) {
             match restore(budget.units, paper, outcome) {
                 Ok(restored) => outcome.restored = restored,
@@ -134,11 +135,11 @@ impl Run {
 }
 
 /// What the first stage of a claim found, and how long it took.
-type Decided<'c> = (Result<Stage<'c>, Box<DerivationError>>, Duration);
+type Decided<'c> = (Result<PendingClaim<'c>, Box<DerivationError>>, Duration);
 
 /// Does something for a claim under the eyes of the guard, and says how long it took.
 fn timed<T>(claim: &Claim, job: impl FnOnce() -> T) -> (T, Duration) {
     let start = Instant::now();
-    let done = guard::named(claim.entry.id.get_ref(), job);
+    let done = watchdog::named(claim.entry.id.get_ref(), job);
     (done, start.elapsed())
 }

@@ -10,8 +10,8 @@ use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, ThemeCharacters
 use owo_colors::{OwoColorize, Style};
 use std::io::{ErrorKind, Write};
 use std::time::Duration;
-use torse_report::words;
-use torse_syntax::words::Verdict;
+use torse_report::glossary;
+use torse_syntax::taxonomy::Verdict;
 
 /// The widest line of every text, in characters.
 pub const WIDTH: u16 = 100;
@@ -97,7 +97,7 @@ pub fn verdict(of: Verdict) -> String {
         Verdict::Undecided | Verdict::Vacuous | Verdict::Depends => style.magenta().bold(),
         Verdict::Definition | Verdict::Underspecified | Verdict::OutOfScope => style.dimmed(),
     };
-    words::verdict(of).label.style(style).to_string()
+    glossary::verdict(of).label.style(style).to_string()
 }
 
 /// A heading.

@@ -3,8 +3,8 @@
 use crate::terminal;
 use comfy_table::{CellAlignment, ColumnConstraint, Row};
 use std::collections::BTreeMap;
-use torse_report::{Tally, findings_in_words, words};
-use torse_syntax::words::Verdict;
+use torse_report::{Tally, findings_in_words, glossary};
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
 /// The verdicts of `papers`.
@@ -59,7 +59,7 @@ fn verdicts(paper: &PaperOutcome, findings: &BTreeMap<String, String>) -> String
 fn evidence(outcome: &Outcome) -> &'static str {
     outcome
         .evidence()
-        .map_or("", |of| words::evidence(of).label)
+        .map_or("", |of| glossary::evidence(of).label)
 }
 
 fn counts(papers: &[PaperOutcome]) -> String {
@@ -125,7 +125,7 @@ pub fn unexpected<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
     let differing: Vec<String> = outcomes
         .filter(|outcome| !outcome.as_expected())
         .filter_map(|outcome| {
-            let expected = words::verdict(outcome.claim.expect?).label;
+            let expected = glossary::verdict(outcome.claim.expect?).label;
             let verdict = terminal::verdict(outcome.verdict());
             Some(format!(
                 "  {}: {verdict}, expected {expected}\n",

@@ -1,13 +1,13 @@
 //! `torse verify`: what is true of the claims.
 
-use crate::against::{self, Verdicts};
+use crate::baseline::{self, Verdicts};
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::format::Format;
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::watch::Watch;
-use crate::{figures, guard, proofs, terminal, verdicts};
+use crate::{figures, proofs, terminal, verdicts, watchdog};
 use clap::Args;
 use std::path::PathBuf;
 use torse_report::{ReportError, verdicts_json_with_kernel};
@@ -76,7 +76,7 @@ impl Verify {
         let before = self.against.as_deref().map(Verdicts::read).transpose()?;
         let run = Run::of(&papers, self.budget, &mut mistakes);
         figures::evaluated(&papers, &mut mistakes);
-        guard::finished();
+        watchdog::finished();
         let mut exit = Exit::of(run.outcomes(), &self.names);
         let json = match (self.format, &before) {
             (Format::Text, None) => String::new(),
@@ -93,10 +93,10 @@ impl Verify {
         if let Some(before) = before {
             let now = Verdicts::parse(&json);
             let now = now.map_err(ReportError::from)?;
-            let found = against::differences(&before.named(&self.names), &now);
+            let found = baseline::differences(&before.named(&self.names), &now);
             match self.format {
-                Format::Text => terminal::print(&against::text(&found))?,
-                Format::Json => terminal::remark(&against::text(&found)),
+                Format::Text => terminal::print(&baseline::text(&found))?,
+                Format::Json => terminal::remark(&baseline::text(&found)),
             }
             if !found.is_empty() {
                 exit = exit.max(Exit::Differs);

@@ -4,11 +4,11 @@
 //! system. A change is taken up once two looks in a row see the same, so that half a file is not read. Papers stand for
 //! themselves: only those with a changed file are decided again. Nothing on the screen is cleared; Ctrl-C ends it.
 
-use crate::against::{self, Verdicts};
+use crate::baseline::{self, Verdicts};
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::run::{Budget, Run};
-use crate::{figures, guard, mistakes::Mistakes, terminal, verdicts};
+use crate::{diagnostics::Diagnostics, figures, terminal, verdicts, watchdog};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -34,7 +34,7 @@ impl Watch<'_> {
         let mut files = Files::of(&folder);
         let mut known = vec![];
         self.verify(None, &mut known)?;
-        guard::finished();
+        watchdog::finished();
         terminal::print(&verdicts::text(&known))?;
         terminal::remark(&format!("watching {}; Ctrl-C ends\n", folder.display()));
         // Of papers that could not be read after a change, too.
@@ -52,7 +52,7 @@ impl Watch<'_> {
             }
             waiting.clear();
             let now = verdicts_of(&known)?;
-            let found = against::text(&against::differences(&before, &now));
+            let found = baseline::text(&baseline::differences(&before, &now));
             let outcomes = known.iter().flat_map(|paper| &paper.claims);
             terminal::print(&format!("{found}{}", verdicts::unexpected(outcomes)))?;
         }
@@ -64,7 +64,7 @@ impl Watch<'_> {
         changed: Option<&BTreeSet<String>>,
         known: &mut Vec<PaperOutcome>,
     ) -> Result<(), Failure> {
-        let (papers, mut mistakes): (_, Mistakes) = self.derivations.select(self.names)?;
+        let (papers, mut mistakes): (_, Diagnostics) = self.derivations.select(self.names)?;
         let order: Vec<String> = papers.iter().map(|paper| paper.head.id.clone()).collect();
         let is_known = |slug: &String| known.iter().any(|paper| paper.slug == *slug);
         let old = |slug: &String| changed.is_some_and(|c| !c.contains(slug)) && is_known(slug);

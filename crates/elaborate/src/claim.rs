@@ -1,7 +1,7 @@
 //! Claims of derivation files to core claims.
 
 use crate::elaborator::{Elaborator, is_about_domain, misplaced};
-use crate::sought;
+use crate::existential;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_core::{Claim, Hypothesis, Set, Source, Visited, stack};
@@ -51,14 +51,14 @@ impl Elaborator<'_> {
             .iter()
             .map(|w| self.term(&w.expr).map_err(|f| f.within(&w.origin)))
             .collect::<Result<Vec<_>, _>>()?;
-        let statement = match claim.sought.as_slice() {
+        let statement = match claim.existentials.as_slice() {
             [] => within(statement)?,
             sought => {
                 for hypothesis in &hypotheses {
-                    let refused = sought::refuse(sought, &hypothesis.statement.terms());
+                    let refused = existential::refuse(sought, &hypothesis.statement.terms());
                     refused.map_err(|f| f.within(&hypothesis.origin))?;
                 }
-                sought::put_in(self, claim, statement)?
+                existential::put_in(self, claim, statement)?
             }
         };
         let mut names: Vec<Arc<str>> = vec![];
@@ -83,7 +83,7 @@ impl Elaborator<'_> {
         }) {
             for relation in relations {
                 let statement = within(&relation)?;
-                let refused = sought::refuse(&claim.sought, &statement.terms());
+                let refused = existential::refuse(&claim.existentials, &statement.terms());
                 refused.map_err(|f| f.within(&relation.origin))?;
                 statement.further_names(&mut seen, &mut |name: &Arc<str>| {
                     names.push(Arc::clone(name));

@@ -6,7 +6,7 @@
 
 mod claim;
 mod elaborator;
-mod sought;
+mod existential;
 
 pub use claim::elaborate;
 pub use elaborator::{Elaborator, Lambda, Meaning};

@@ -7,9 +7,9 @@
 use crate::PlateError;
 use crate::figure::{Drawing, Layer, Panel};
 use crate::function::Function;
-use crate::looks::{self, Dealer};
 use crate::plate::Plate;
 use crate::sample::{ends, fixed, number, values};
+use crate::style::{self, PaletteCycle};
 use std::collections::BTreeMap;
 use torse_algebra::{Fraction, Polynomial, Symbol};
 use torse_plot::{Ambient, HIGHEST_EXPONENT, Interactive, Part, Slider, palette};
@@ -63,7 +63,7 @@ fn interactive(drawing: &Drawing) -> Result<Option<Interactive>, PlateError> {
     if !moves || monomials.iter().flatten().any(|e| *e > HIGHEST_EXPONENT) {
         return Ok(None);
     }
-    let mut dealer = Dealer::default();
+    let mut dealer = PaletteCycle::default();
     let mut parts = vec![];
     for (layer, shape, points) in split {
         let nets = monomials
@@ -74,7 +74,7 @@ fn interactive(drawing: &Drawing) -> Result<Option<Interactive>, PlateError> {
             (Shape::Curve | Shape::Surface, None | Some(ColourName::Palette(_))) => {
                 palette(dealer.deal(layer))
             }
-            _ => looks::colour(layer, torse_plot::Colour::GREY),
+            _ => style::colour(layer, torse_plot::Colour::GREY),
         };
         let label = live(&layer.label, &names);
         parts.push(Part {

@@ -16,11 +16,11 @@ mod error;
 pub mod figure;
 mod function;
 mod interactive;
-mod looks;
 mod plane;
 mod plate;
 mod sample;
 mod space;
+mod style;
 mod torse;
 
 pub use error::PlateError;

@@ -2,8 +2,8 @@
 
 use crate::PlateError;
 use crate::figure::{Interval, Panel};
-use crate::looks::{self, Dealer};
 use crate::sample::{ends, fixed, samples};
+use crate::style::{self, PaletteCycle};
 use torse_plot::{Aspect, Axis, Colour, Frame, Layer, Line, Plot};
 use torse_syntax::derivation::schema::figure::{self as schema, Shape};
 
@@ -29,10 +29,10 @@ pub(crate) fn plot(panel: &Panel) -> Result<Plot, PlateError> {
             schema::Frame::Box => Frame::Box,
             schema::Frame::Bare => Frame::Bare,
         },
-        legend: looks::legend(panel.legend),
+        legend: style::legend(panel.legend),
         ..Plot::new(axis(0)?, axis(1)?)
     };
-    let mut dealer = Dealer::default();
+    let mut dealer = PaletteCycle::default();
     let mut labels = vec![String::new()];
     for layer in &panel.layers {
         let mut label = layer.label.clone();
@@ -49,14 +49,14 @@ pub(crate) fn plot(panel: &Panel) -> Result<Plot, PlateError> {
 fn drawn(
     layer: &crate::figure::Layer,
     label: String,
-    dealer: &mut Dealer,
+    dealer: &mut PaletteCycle,
 ) -> Result<Vec<Layer>, PlateError> {
     let sampled = samples(layer)?;
     let points: Vec<[f64; 2]> = fixed(&sampled.lists.concat());
-    let grey = |width| looks::line(layer, Line::solid(Colour::GREY, width));
+    let grey = |width| style::line(layer, Line::solid(Colour::GREY, width));
     Ok(match layer.shape {
         Shape::Curve => {
-            let line = looks::curve(layer, dealer.deal(layer));
+            let line = style::curve(layer, dealer.deal(layer));
             vec![Layer::Curve {
                 points,
                 line,
@@ -70,18 +70,18 @@ fn drawn(
         }],
         Shape::Points => vec![Layer::Points {
             points,
-            marker: looks::marker(layer),
-            colour: looks::colour(layer, Colour::INK),
+            marker: style::marker(layer),
+            colour: style::colour(layer, Colour::INK),
             label,
         }],
         Shape::Region => vec![Layer::Region {
             boundary: points,
-            colour: looks::colour(layer, torse_plot::palette(dealer.deal(layer))),
+            colour: style::colour(layer, torse_plot::palette(dealer.deal(layer))),
             opacity: layer.style.opacity.unwrap_or(0.25),
             label,
         }],
         Shape::Note => {
-            let place = looks::place(layer);
+            let place = style::place(layer);
             let note = |at| Layer::Note {
                 at,
                 text: layer.text.clone(),
@@ -98,7 +98,7 @@ fn drawn(
                     true => Layer::Arrow {
                         from,
                         to,
-                        line: looks::line(layer, Line::solid(Colour::INK, 1.4)),
+                        line: style::line(layer, Line::solid(Colour::INK, 1.4)),
                     },
                     false => Layer::Curve {
                         points: vec![from, to],

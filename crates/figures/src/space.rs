@@ -2,9 +2,9 @@
 
 use crate::PlateError;
 use crate::figure::{Layer, Panel};
-use crate::looks::{self, Dealer};
 use crate::plane::pairs;
 use crate::sample::{Samples, ends, fixed, samples};
+use crate::style::{self, PaletteCycle};
 use torse_plot::{
     Border, Bounds, Camera, Colour, ColourMap, Grid, Line, Paint, Scale, Solid, Stage, Surface,
     SurfaceLines, View,
@@ -43,14 +43,14 @@ pub(crate) fn view(panel: &Panel) -> Result<View, PlateError> {
             range: panel.scale.range.as_ref().map(ends).transpose()?,
             label: panel.scale.label.clone(),
         },
-        legend: looks::legend(panel.legend),
+        legend: style::legend(panel.legend),
     };
     let surfaces = panel
         .layers
         .iter()
         .filter(|l| l.shape == Shape::Surface)
         .count();
-    let (mut lines, mut paints) = (Dealer::default(), Dealer::default());
+    let (mut lines, mut paints) = (PaletteCycle::default(), PaletteCycle::default());
     let mut labels = vec![String::new()];
     for layer in &panel.layers {
         let mut label = layer.label.clone();
@@ -66,7 +66,7 @@ pub(crate) fn view(panel: &Panel) -> Result<View, PlateError> {
                 let paint = match layer.style.colour {
                     None if surfaces == 1 => Paint::default(),
                     None | Some(ColourName::Palette(_)) => Paint::nth(number),
-                    Some(ColourName::Named(_)) => Paint::plain(looks::colour(layer, Colour::GREY)),
+                    Some(ColourName::Named(_)) => Paint::plain(style::colour(layer, Colour::GREY)),
                 };
                 vec![Solid::Surface(surface(layer, sampled, paint, label)?)]
             }
@@ -112,14 +112,14 @@ fn thin(
     layer: &Layer,
     sampled: &Samples,
     label: String,
-    dealer: &mut Dealer,
+    dealer: &mut PaletteCycle,
 ) -> Result<Vec<Solid>, PlateError> {
     let points: Vec<Point> = fixed(&sampled.lists.concat());
-    let grey = looks::line(layer, Line::solid(Colour::rgb(0x50, 0x52, 0x58), 1.0));
+    let grey = style::line(layer, Line::solid(Colour::rgb(0x50, 0x52, 0x58), 1.0));
     Ok(match layer.shape {
         Shape::Curve => {
             let number = dealer.deal(layer);
-            let line = looks::line(
+            let line = style::line(
                 layer,
                 Line {
                     width: 2.2,
@@ -149,7 +149,7 @@ fn thin(
         }
         Shape::Points => vec![Solid::Points {
             points,
-            colour: looks::colour(layer, Colour::INK),
+            colour: style::colour(layer, Colour::INK),
             label,
         }],
         Shape::Net => {
@@ -162,7 +162,7 @@ fn thin(
             }]
         }
         Shape::Note => {
-            let place = looks::place(layer);
+            let place = style::place(layer);
             let note = |at| Solid::Note {
                 at,
                 text: layer.text.clone(),
@@ -171,7 +171,7 @@ fn thin(
             points.into_iter().map(note).collect()
         }
         Shape::Arrows => {
-            let line = looks::line(layer, Line::solid(Colour::INK, 1.6));
+            let line = style::line(layer, Line::solid(Colour::INK, 1.6));
             let arrow = |[from, to]: [Point; 2]| Solid::Arrow { from, to, line };
             pairs(&sampled.lists).into_iter().map(arrow).collect()
         }

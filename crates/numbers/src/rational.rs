@@ -11,12 +11,12 @@
 //! The theorem behind them: a number is in lowest terms with a positive denominator, and in that form it is
 //! unique. Hence numbers are equal if their parts are, and `a/b < c/d` if `a d < c b`.
 
+mod machine;
 mod operators;
 mod order;
 mod rounding;
 mod size;
 mod text;
-mod words;
 
 pub(crate) use rounding::ceiling_quotient;
 pub use rounding::{floor_quotient, remainder};

@@ -1,14 +1,14 @@
 //! What is false as printed, and what is to be read instead, in the order of what rests on it.
 
 use crate::findings::{self, Finding};
+use crate::glossary::{self, Term};
 use crate::math::{Names, Prose, compared, spans};
 use crate::sentence;
 use crate::text::visible;
 use crate::view::{CorrectionView, FormulaView, correction, formula};
-use crate::words::{self, Term};
 use serde::Serialize;
 use std::collections::BTreeSet;
-use torse_syntax::words::{Kind, Verdict};
+use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_verdicts::consequences::{Fate, consequences};
 use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
 
@@ -127,7 +127,7 @@ pub(crate) fn of(
                 .map(|text| prose(&text)),
             why_in_full: sentence::failure_in_full(claim).map(|text| prose(&text)),
             garbled: claim.claim.garbled.as_deref().map(prose),
-            level: words::level(claim, accepted.contains(&claim.claim.id)),
+            level: glossary::level(claim, accepted.contains(&claim.claim.id)),
             resting,
             falling,
         })

@@ -1,7 +1,7 @@
 //! Pictures as the report takes them: bytes, a caption, and the claims they illustrate.
 
 use torse_plot::{Interactive, Torse};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 
 /// The bytes of a picture.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,12 +1,12 @@
 //! What was found out besides the corrections, in plain words: a sentence for each claim that a reader must know of.
 
+use crate::glossary::{self, Term};
 use crate::math::{Names, Prose, in_words, plain, spans};
 use crate::sentence;
 use crate::text::{beginning, name, visible};
-use crate::words::{self, Term};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
 
 /// Of what is printed, no more than this many characters is quoted.
@@ -80,7 +80,7 @@ pub(crate) fn about(outcome: &Outcome, anchor: &str) -> Finding {
         name: visible(name(&outcome.claim.id)),
         anchor: anchor.to_owned(),
         at: visible(&plain(&outcome.claim.at)),
-        verdict: words::verdict(outcome.verdict()),
+        verdict: glossary::verdict(outcome.verdict()),
         printed: spans(
             &visible(&beginning(&outcome.claim.printed, LONGEST_QUOTATION)),
             &names,

@@ -4,7 +4,7 @@
 //! the large ones, each with its caption, its verdict, and what was assumed.
 
 use crate::text::visible;
-use crate::{FigureImage, ReportError, plain, words};
+use crate::{FigureImage, ReportError, glossary, plain};
 use std::fmt::{self, Write};
 use torse_verdicts::outcome::PaperOutcome;
 
@@ -52,7 +52,7 @@ fn write(page: &mut String, papers: &[(&PaperOutcome, &[FigureImage])]) -> fmt::
 
 fn entry(page: &mut String, figure: &FigureImage) -> fmt::Result {
     let (name, alt) = (escaped(&figure.name), escaped(&figure.alt));
-    let verdict = words::verdict(figure.verdict).label;
+    let verdict = glossary::verdict(figure.verdict).label;
     write!(
         page,
         "\n<a href=\"figures/{name}.svg\"><img src=\"figures/{name}.png\" width=\"{WIDTH}\" alt=\"{alt}\"></a>\n\n\

@@ -5,12 +5,12 @@
 //! a clock, a path, a locale or the order of a hash table, so a run's bytes can be compared.
 
 use crate::tally::{Remarks, Tally};
-use crate::{ReportError, words};
+use crate::{ReportError, glossary};
 use serde::{Serialize, Serializer, ser::SerializeMap};
 use std::collections::BTreeSet;
 use torse_prove::evidence::Witness;
 use torse_syntax::notation::Formula;
-use torse_verdicts::claim_record::{Role, SaidBy};
+use torse_verdicts::claim_record::{HypothesisSource, Role};
 use torse_verdicts::judged::{Net, Replay};
 use torse_verdicts::outcome::Outcome;
 
@@ -157,7 +157,7 @@ struct HypothesisEntry<'a> {
     role: Role,
     formula: &'a str,
     #[serde(flatten)]
-    from: &'a SaidBy,
+    from: &'a HypothesisSource,
     needed: Option<bool>,
 }
 
@@ -203,9 +203,9 @@ impl<'a> From<&'a Outcome> for Entry<'a> {
         let table = &outcome.claim.table;
         Entry {
             id: &outcome.claim.id,
-            kind: words::kind(outcome.claim.kind).key,
-            verdict: words::verdict(outcome.verdict()).key,
-            evidence: outcome.evidence().map(|of| words::evidence(of).key),
+            kind: glossary::kind(outcome.claim.kind).key,
+            verdict: glossary::verdict(outcome.verdict()).key,
+            evidence: outcome.evidence().map(|of| glossary::evidence(of).key),
             kernel: None,
             part_of: outcome.claim.part_of.as_deref(),
             printed: &outcome.claim.printed,

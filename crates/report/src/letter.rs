@@ -5,14 +5,14 @@
 //! copy at hand is asked, and not claimed; conditions that the text should state have a part of their own.
 
 use crate::corrections::{is_refuted, ranked};
+use crate::glossary::plural;
 use crate::math::{Names, Prose, compared, in_words, plain, spans};
 use crate::sentence;
 use crate::text::visible;
 use crate::view::{CorrectionView, correction};
-use crate::words::plural;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome, Restored};
 use torse_verdicts::repair;
 

@@ -14,6 +14,7 @@
 //!
 //! Every output is a function of its arguments alone: the same bytes on every run.
 
+pub mod applicability;
 mod base64;
 pub mod corrections;
 #[cfg(test)]
@@ -25,6 +26,7 @@ mod error;
 mod figure;
 mod findings;
 mod gallery;
+pub mod glossary;
 mod html;
 mod json;
 mod letter;
@@ -33,15 +35,13 @@ mod math;
 pub mod model;
 mod rests;
 mod sentence;
-pub mod short;
 mod source;
+pub mod summary_page;
 mod tally;
 mod text;
 mod typeset;
-pub mod usable;
 mod verdict_lines;
 mod view;
-pub mod words;
 mod world;
 mod write;
 

@@ -4,9 +4,9 @@
 //! data and the pictures. Its fingerprint tells whether a document that was set before is still the one that setting
 //! it again would give.
 
+use crate::glossary::{self, EVIDENCE, RULES, Rule, Term, VERDICTS};
 use crate::letter::Envelope;
 use crate::model::{Report, figure_file};
-use crate::words::{self, EVIDENCE, RULES, Rule, Term, VERDICTS};
 use crate::world::{MemoryWorld, has_glyph};
 use crate::{FigureImage, ReportError, Typeset, digest, erratum, text};
 use serde::Serialize;
@@ -189,9 +189,9 @@ struct Glossary {
 impl Glossary {
     fn new() -> Self {
         Glossary {
-            verdicts: VERDICTS.into_iter().map(words::verdict).collect(),
-            evidence: EVIDENCE.into_iter().map(words::evidence).collect(),
-            levels: [words::KERNEL, words::NETTED, words::DECIDED],
+            verdicts: VERDICTS.into_iter().map(glossary::verdict).collect(),
+            evidence: EVIDENCE.into_iter().map(glossary::evidence).collect(),
+            levels: [glossary::KERNEL, glossary::NETTED, glossary::DECIDED],
             rules: RULES,
         }
     }

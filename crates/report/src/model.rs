@@ -8,16 +8,16 @@ mod build;
 
 pub(crate) use build::figure_file;
 
+use crate::applicability::Construction;
 use crate::corrections::Corrected;
 use crate::findings::Finding;
+use crate::glossary::Term;
 use crate::letter::Letter;
 use crate::math::Prose;
-use crate::short::Short;
 use crate::source::Source;
+use crate::summary_page::Short;
 use crate::tally::Tally;
-use crate::usable::Construction;
 pub use crate::view::{CorrectionView, FormulaView};
-use crate::words::Term;
 use serde::Serialize;
 
 /// What a report says about one paper.

@@ -1,9 +1,9 @@
 //! What a statement rests on, line by line, for every output: whose its hypotheses are, the declared sets, the definitions.
 
 use serde::Serialize;
-use torse_verdicts::claim_record::{Assumed, Role, SaidBy};
+use torse_verdicts::claim_record::{Assumed, HypothesisSource, Role};
+use torse_verdicts::dependencies::Declared;
 use torse_verdicts::outcome::Outcome;
-use torse_verdicts::table::Declared;
 
 /// Lines under one label.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -83,11 +83,11 @@ pub(crate) fn concerns(hypothesis: &Assumed, symbols: &[Declared]) -> bool {
 pub(crate) fn said_by(hypothesis: &Assumed, code: &dyn Fn(&str) -> String) -> Option<String> {
     let formula = code(&hypothesis.formula.text);
     match &hypothesis.from {
-        SaidBy::Stated => None,
-        SaidBy::Printed { quote, claim } => {
+        HypothesisSource::Stated => None,
+        HypothesisSource::Printed { quote, claim } => {
             Some(format!("{formula}: the paper, “{quote}” ({claim})"))
         }
-        SaidBy::Ours { reason } => {
+        HypothesisSource::Ours { reason } => {
             let needed = match hypothesis.needed {
                 Some(true) => ", needed",
                 Some(false) => ", not needed",

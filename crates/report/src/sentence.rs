@@ -3,15 +3,15 @@
 //!
 //! Formulas stand between backticks, in the notation of the files; [`crate::math`] sets them.
 
+use crate::glossary;
 use crate::math::expression;
 use crate::text::decimal;
-use crate::words;
 use torse_prove::evidence::Witness;
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 use torse_syntax::notation::{Formula, text};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::correction::Correction;
-use torse_verdicts::judged::{Net, Sides};
+use torse_verdicts::judged::{ConditionCheck, Net};
 use torse_verdicts::outcome::Outcome;
 
 /// Exact values of more characters than this are told by their decimals.
@@ -51,7 +51,7 @@ pub(crate) fn of(outcome: &Outcome) -> String {
         Verdict::Depends => {
             let told = told.map_or_else(String::new, |told| format!(" In words: {told}"));
             let each = outcome.readings().iter().map(|reading| {
-                let verdict = words::verdict(reading.outcome.verdict()).label;
+                let verdict = glossary::verdict(reading.outcome.verdict()).label;
                 let says = reading.says.trim_end_matches('.');
                 format!("{verdict} if read so: {says}")
             });
@@ -69,7 +69,7 @@ pub(crate) fn of(outcome: &Outcome) -> String {
 /// Whether of every condition a point is known at which it fails and the statement with it: then, and only then, the statement
 /// is true only if they hold.
 fn needs_all(net: &Net) -> bool {
-    !net.conditions.is_empty() && net.conditions.iter().all(Sides::seen_needed)
+    !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_needed)
 }
 
 /// With a capital letter and a full stop.
@@ -296,7 +296,7 @@ fn significant(number: f64) -> String {
 /// Of a claim that something is not so, refuted by proving that it is so everywhere: just that.
 pub(crate) fn denied(outcome: &Outcome) -> Option<String> {
     const INSTANCE: &str = "the instance ";
-    if !words::denied(outcome) {
+    if !glossary::denied(outcome) {
         return None;
     }
     let steps = outcome.steps();
@@ -386,7 +386,7 @@ fn told(exact: &str, decimals: &str) -> String {
 fn conjunction(formulas: &[Formula]) -> Option<String> {
     let texts: Vec<String> = formulas
         .iter()
-        .map(|formula| words::quoted(&formula.text))
+        .map(|formula| glossary::quoted(&formula.text))
         .collect();
     short(texts.join(" and ")).filter(|text| !text.is_empty())
 }

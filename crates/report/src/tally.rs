@@ -1,8 +1,8 @@
 //! Counts by verdict and evidence, the two axes of every answer; remarks of ours are counted apart.
 
-use crate::words::{self, EVIDENCE, Term, VERDICTS};
+use crate::glossary::{self, EVIDENCE, Term, VERDICTS};
 use serde::Serialize;
-use torse_syntax::words::{Kind, Verdict};
+use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_verdicts::outcome::Outcome;
 
 /// How many claims have which verdict, and which evidence with it.
@@ -62,7 +62,7 @@ impl Tally {
             .filter(|of| claims.iter().any(|claim| claim.evidence() == Some(*of)))
             .collect();
         let rows = VERDICTS.into_iter().map(|verdict| Row {
-            verdict: words::verdict(verdict),
+            verdict: glossary::verdict(verdict),
             count: count(&|claim| claim.verdict() == verdict),
             by_evidence: occurring
                 .iter()
@@ -76,7 +76,7 @@ impl Tally {
             total: claims.len(),
             remarks,
             rows: rows.filter(|row| row.count > 0).collect(),
-            evidence: occurring.into_iter().map(words::evidence).collect(),
+            evidence: occurring.into_iter().map(glossary::evidence).collect(),
         }
     }
 }

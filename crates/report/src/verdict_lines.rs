@@ -2,7 +2,7 @@
 //!
 //! The full finding is in [`crate::verdicts_json`]; this table has the words of it that a change would show in.
 
-use crate::{ReportError, words};
+use crate::{ReportError, glossary};
 use std::collections::BTreeSet;
 use torse_verdicts::outcome::Outcome;
 
@@ -40,8 +40,10 @@ pub fn verdict_lines<'a>(
         let id = &outcome.claim.id;
         table.write_record([
             id.as_str(),
-            words::verdict(outcome.verdict()).key,
-            outcome.evidence().map_or("", |of| words::evidence(of).key),
+            glossary::verdict(outcome.verdict()).key,
+            outcome
+                .evidence()
+                .map_or("", |of| glossary::evidence(of).key),
             answer(outcome.replay().map(|replay| replay.is_whole())),
             answer(outcome.net().map(|net| net.netted)),
             if accepted.contains(id) { "yes" } else { "" },

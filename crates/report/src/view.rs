@@ -1,8 +1,8 @@
 //! Formulas and corrections as every part of a report shows them.
 
+use crate::glossary;
 use crate::math::{Mathematics, Names, Node, Prose, changed, read, spans};
 use crate::text::visible;
-use crate::words;
 use serde::Serialize;
 use torse_syntax::notation::Formula;
 use torse_verdicts::Correction;
@@ -39,7 +39,7 @@ pub(crate) fn formula(of: &Formula, names: &Names) -> FormulaView {
 
 /// A formula that the engine derived: a long one is counted.
 pub(crate) fn derived(of: &Formula, names: &Names) -> FormulaView {
-    match words::long(&of.text) {
+    match glossary::long(&of.text) {
         Some(words) => FormulaView {
             math: Some(Mathematics::inline(&Node::word(&words.replace('`', "")))),
             text: words,

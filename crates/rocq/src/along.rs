@@ -11,7 +11,7 @@ use crate::binder::Binder;
 use crate::code::{Code, Level};
 use crate::context::Context;
 use crate::defined::mentions;
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::unknowns::{Along, FUNCTION, Function};
 use std::sync::Arc;
 use torse_core::{Claim, Set, Source, Statement, Term};
@@ -30,8 +30,12 @@ impl Context<'_> {
     /// The unknowns as functions of this symbol, of whose name or family none of them is, named where it is met first.
     ///
     /// # Errors
-    /// [`Gap`] for unknowns that are no plain numbers.
-    pub(crate) fn along(&mut self, symbol: &Term, unknowns: &[Term]) -> Result<Along, Gap> {
+    /// [`Untranslatable`] for unknowns that are no plain numbers.
+    pub(crate) fn along(
+        &mut self,
+        symbol: &Term,
+        unknowns: &[Term],
+    ) -> Result<Along, Untranslatable> {
         let place = self.place(symbol)?;
         let own = place.own();
         if let Some(known) = self.alongs().iter().find(|along| along.own == own) {
@@ -87,8 +91,8 @@ impl Context<'_> {
 /// The functions that a statement needs, and that their values solve the equations.
 ///
 /// # Errors
-/// [`Gap`] for equations that are not defined for every value of the symbol.
-pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, Gap> {
+/// [`Untranslatable`] for equations that are not defined for every value of the symbol.
+pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, Untranslatable> {
     let mut all = Functions::default();
     for along in context.alongs().to_vec() {
         for function in &along.functions {
@@ -109,7 +113,7 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
             _ => false,
         };
         if !is_line {
-            return Err(Gap::Theory(
+            return Err(Untranslatable::Theory(
                 "coefficients of symbols of an interval along equations",
             ));
         }
@@ -119,7 +123,7 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
             .filter(|h| h.source == Source::Given);
         for hypothesis in given {
             if !is_equation(&hypothesis.statement) {
-                return Err(Gap::Theory(
+                return Err(Untranslatable::Theory(
                     "coefficients along what is more than equations",
                 ));
             }
@@ -132,7 +136,7 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
                 })
             };
             if defined.iter().any(|premise| moves(premise.text())) {
-                return Err(Gap::Theory(
+                return Err(Untranslatable::Theory(
                     "equations that divide by what moves along them",
                 ));
             }

@@ -5,7 +5,7 @@
 //! occur in it as arguments: the statement then reads like the claim, and parts that occur often are written once.
 
 use crate::code::Code;
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::name::{Names, identifier};
 use crate::shape::Shape;
 use crate::unknowns::Along;
@@ -189,23 +189,25 @@ impl<'a> Context<'a> {
     /// The name of a symbol.
     ///
     /// # Errors
-    /// [`Gap::Unread`] if the claim does not declare it.
-    pub fn symbol(&self, name: &Arc<str>) -> Result<&str, Gap> {
+    /// [`Untranslatable::Unread`] if the claim does not declare it.
+    pub fn symbol(&self, name: &Arc<str>) -> Result<&str, Untranslatable> {
         let moved = self.moved.iter().find(|(symbol, _)| symbol == name);
         let found = match moved {
             Some((_, text)) => Some(text.as_str()),
             None => self.symbol_names.get(name).map(String::as_str),
         };
-        found.ok_or_else(|| Gap::Unread(format!("the symbol `{name}` is not declared")))
+        found.ok_or_else(|| Untranslatable::Unread(format!("the symbol `{name}` is not declared")))
     }
 
     /// The type of a symbol, as it stands in the head of a definition.
     ///
     /// # Errors
-    /// [`Gap`] for vectors and families that are not written.
-    pub fn symbol_type(&self, name: &Arc<str>) -> Result<String, Gap> {
+    /// [`Untranslatable`] for vectors and families that are not written.
+    pub fn symbol_type(&self, name: &Arc<str>) -> Result<String, Untranslatable> {
         let set = self.symbols.get(name);
-        let set = set.ok_or_else(|| Gap::Unread(format!("the symbol `{name}` is not declared")))?;
+        let set = set.ok_or_else(|| {
+            Untranslatable::Unread(format!("the symbol `{name}` is not declared"))
+        })?;
         Ok(match set {
             Set::Real(_) | Set::Vector(None) => "R".to_owned(),
             Set::Integer { .. } => "Z".to_owned(),
@@ -280,17 +282,19 @@ impl<'a> Context<'a> {
     /// What a variable stands for.
     ///
     /// # Errors
-    /// [`Gap::Unread`] outside of its binder.
-    pub fn local(&self, variable: &Variable) -> Result<&Local, Gap> {
+    /// [`Untranslatable::Unread`] outside of its binder.
+    pub fn local(&self, variable: &Variable) -> Result<&Local, Untranslatable> {
         let found = self.locals.get(&variable.number());
-        found.ok_or_else(|| Gap::Unread(format!("`{}` outside of its binder", variable.name())))
+        found.ok_or_else(|| {
+            Untranslatable::Unread(format!("`{}` outside of its binder", variable.name()))
+        })
     }
 
     /// The definition of an opened term or a family, written where it is met first. `write` writes its body; the variables
     /// in `own` are further arguments, in this order, behind those of enclosing binders, and integers called like `indices` come last.
     ///
     /// # Errors
-    /// What `write` finds, and [`Gap::Size`].
+    /// What `write` finds, and [`Untranslatable::Size`].
     pub fn define(
         &mut self,
         address: usize,
@@ -298,11 +302,11 @@ impl<'a> Context<'a> {
         used: &Used,
         own: &[(Variable, Kind)],
         indices: &[&str],
-        write: impl FnOnce(&mut Self, &[Code]) -> Result<Value, Gap>,
-    ) -> Result<Head, Gap> {
+        write: impl FnOnce(&mut Self, &[Code]) -> Result<Value, Untranslatable>,
+    ) -> Result<Head, Untranslatable> {
         let variables: Vec<Variable> = used.variables.iter().cloned().collect();
         let kinds = variables.iter().map(|v| Ok(self.local(v)?.kind.clone()));
-        let kinds = kinds.collect::<Result<Vec<_>, Gap>>()?;
+        let kinds = kinds.collect::<Result<Vec<_>, Untranslatable>>()?;
         let key = (address, kinds.clone());
         if let Some(head) = self.heads.get(&key) {
             return Ok(head.clone());
@@ -383,20 +387,20 @@ impl<'a> Context<'a> {
     /// Counts bytes.
     ///
     /// # Errors
-    /// [`Gap::Size`] beyond [`MAX_BYTES`].
-    pub fn spend(&mut self, bytes: usize) -> Result<(), Gap> {
+    /// [`Untranslatable::Size`] beyond [`MAX_BYTES`].
+    pub fn spend(&mut self, bytes: usize) -> Result<(), Untranslatable> {
         self.bytes += bytes;
         match self.bytes <= MAX_BYTES {
             true => Ok(()),
-            false => Err(Gap::Size { limit: MAX_BYTES }),
+            false => Err(Untranslatable::Size { limit: MAX_BYTES }),
         }
     }
 
     /// The arguments that a definition takes from here.
     ///
     /// # Errors
-    /// [`Gap::Unread`] outside of a binder.
-    pub fn arguments(&self, head: &Head) -> Result<Vec<Code>, Gap> {
+    /// [`Untranslatable::Unread`] outside of a binder.
+    pub fn arguments(&self, head: &Head) -> Result<Vec<Code>, Untranslatable> {
         let symbols = head
             .symbols
             .iter()

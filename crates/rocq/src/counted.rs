@@ -7,7 +7,7 @@
 use crate::code::{Code, Level};
 use crate::context::{Context, Kind, Local};
 use crate::defined::Premises;
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::integer::literal;
 use torse_core::{Family, Node, Term, Variable};
 use torse_syntax::formula::Operator;
@@ -16,8 +16,8 @@ impl Context<'_> {
     /// The argument of a family for a variable of this kind.
     ///
     /// # Errors
-    /// [`Gap`], as for the value of the term, and where an integer is wanted.
-    pub fn argument_of(&mut self, argument: &Term, kind: &Kind) -> Result<Code, Gap> {
+    /// [`Untranslatable`], as for the value of the term, and where an integer is wanted.
+    pub fn argument_of(&mut self, argument: &Term, kind: &Kind) -> Result<Code, Untranslatable> {
         match kind {
             Kind::Integer => self.index(argument),
             Kind::Value(_) => self.number(argument),
@@ -27,12 +27,12 @@ impl Context<'_> {
     /// A factor of the step as a function of index and degree.
     ///
     /// # Errors
-    /// [`Gap`], as for the value of the factor.
+    /// [`Untranslatable`], as for the value of the factor.
     pub fn factor(
         &mut self,
         (index, degree): &(Variable, Variable),
         factor: &Term,
-    ) -> Result<Code, Gap> {
+    ) -> Result<Code, Untranslatable> {
         let i = self.bind(index, Kind::Integer);
         let k = self.bind(degree, Kind::Integer);
         let body = self.number(factor);
@@ -46,16 +46,16 @@ impl Context<'_> {
     /// scope.
     ///
     /// # Errors
-    /// [`Gap`], as for the values of the factors, and for degrees that are no numbers.
+    /// [`Untranslatable`], as for the values of the factors, and for degrees that are no numbers.
     pub fn factors_defined(
         &mut self,
         family: &Family,
         (index, degree): &(Variable, Variable),
         highest: &Term,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let highest = literal(highest).or_else(|| self.known(highest));
-        let highest = highest.ok_or(Gap::Construct(
+        let highest = highest.ok_or(Untranslatable::Construct(
             "a basis of symbolic degree whose step depends on the index",
         ))?;
         let integer = |number: i64| Local {

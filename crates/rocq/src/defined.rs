@@ -6,7 +6,7 @@
 
 use crate::code::{Code, Level};
 use crate::context::{Context, Kind, Local};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::integer::{affine, literal};
 use crate::kinds::kinds;
 use crate::shape::Shape;
@@ -71,11 +71,11 @@ impl Context<'_> {
     /// Adds the premises under which a term has a value.
     ///
     /// # Errors
-    /// [`Gap`], as for the value of the term.
-    pub fn defined(&mut self, term: &Term, premises: &mut Premises) -> Result<(), Gap> {
+    /// [`Untranslatable`], as for the value of the term.
+    pub fn defined(&mut self, term: &Term, premises: &mut Premises) -> Result<(), Untranslatable> {
         premises.seen += 1;
         if premises.seen > MAX_TERMS {
-            return Err(Gap::Size { limit: MAX_TERMS });
+            return Err(Untranslatable::Size { limit: MAX_TERMS });
         }
         match &*term.node {
             Node::Sum {
@@ -156,7 +156,11 @@ impl Context<'_> {
     }
 
     /// The premises of a term alone.
-    pub(crate) fn gathered(&mut self, term: &Term, outer: &mut Premises) -> Result<Vec<Code>, Gap> {
+    pub(crate) fn gathered(
+        &mut self,
+        term: &Term,
+        outer: &mut Premises,
+    ) -> Result<Vec<Code>, Untranslatable> {
         let mut inner = Premises {
             seen: outer.seen,
             ..Premises::default()
@@ -167,7 +171,11 @@ impl Context<'_> {
     }
 
     /// The premises of one operation whose arguments are defined.
-    fn operation_defined(&mut self, term: &Term, premises: &mut Premises) -> Result<(), Gap> {
+    fn operation_defined(
+        &mut self,
+        term: &Term,
+        premises: &mut Premises,
+    ) -> Result<(), Untranslatable> {
         let zero = Code::atom("0");
         match &*term.node {
             Node::Binary(Operator::Divide, _, divisor) if !is_nonzero(divisor) => {
@@ -226,7 +234,12 @@ impl Context<'_> {
     }
 
     /// A place that is a symbol is one of those of its list.
-    fn in_list(&mut self, of: &Term, indices: &[Term], premises: &mut Premises) -> Result<(), Gap> {
+    fn in_list(
+        &mut self,
+        of: &Term,
+        indices: &[Term],
+        premises: &mut Premises,
+    ) -> Result<(), Untranslatable> {
         let lengths = match self.value(of)?.shape {
             Shape::Number => vec![],
             Shape::Vector(length) => vec![length],
@@ -249,7 +262,7 @@ impl Context<'_> {
         points: &Points,
         indices: &[Term],
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         for ((low, high), index) in points.ranges.iter().zip(indices) {
             let number = |end: &Affine| end.as_number();
             if let (Some(low), Some(high), Some(index)) =
@@ -258,9 +271,9 @@ impl Context<'_> {
             {
                 continue;
             }
-            let code = self
-                .integer(index)
-                .ok_or(Gap::Construct("an index that is not made of integers"))?;
+            let code = self.integer(index).ok_or(Untranslatable::Construct(
+                "an index that is not made of integers",
+            ))?;
             let (low, high) = (affine(self, low)?, affine(self, high)?);
             let index = code.within(Level::Sum);
             premises.add(integer_relation(format!("{low} <= {index} <= {high}")));
@@ -274,12 +287,12 @@ impl Context<'_> {
         degree: &Term,
         arguments: &[Term],
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let lowest = family.degree;
         if literal(degree).is_none_or(|degree| degree < i64::from(lowest)) {
-            let degree = self
-                .integer(degree)
-                .ok_or(Gap::Construct("a degree that is not made of integers"))?;
+            let degree = self.integer(degree).ok_or(Untranslatable::Construct(
+                "a degree that is not made of integers",
+            ))?;
             premises.add(integer_relation(format!(
                 "{lowest} <= {}",
                 degree.within(Level::Sum)
@@ -309,7 +322,7 @@ impl Context<'_> {
         body: &Term,
         at: &Term,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let at = self.number(at)?;
         let name = self.bind(variable, Kind::Value(Shape::Number));
         let inner = self.gathered(body, premises);
@@ -330,7 +343,8 @@ impl Context<'_> {
             premises.add(Code::new(near, Level::Application));
         }
         if let Some(value) = value {
-            let order = literal(order).ok_or(Gap::Construct("a derivative of symbolic order"))?;
+            let order = literal(order)
+                .ok_or(Untranslatable::Construct("a derivative of symbolic order"))?;
             let text = format!(
                 "ex_derive_n (fun {name} => {}) {order} {}",
                 value?.text(),

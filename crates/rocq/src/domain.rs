@@ -3,14 +3,14 @@
 use crate::binder::Binder;
 use crate::code::Code;
 use crate::context::Context;
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::integer::affine;
 use crate::interval::within;
 use std::sync::Arc;
 use torse_core::Set;
 
 /// The symbols, integers first: the index ranges of families name them.
-pub(crate) fn binders(context: &mut Context<'_>) -> Result<Vec<Binder>, Gap> {
+pub(crate) fn binders(context: &mut Context<'_>) -> Result<Vec<Binder>, Untranslatable> {
     let symbols = context.symbols;
     let is_integer = |set: &Set| matches!(set, Set::Integer { .. });
     let integers = symbols.iter().filter(|(_, set)| is_integer(set));
@@ -63,7 +63,7 @@ pub(crate) fn binders(context: &mut Context<'_>) -> Result<Vec<Binder>, Gap> {
 }
 
 /// The declared sets.
-pub(crate) fn domain(context: &Context<'_>) -> Result<Vec<Code>, Gap> {
+pub(crate) fn domain(context: &Context<'_>) -> Result<Vec<Code>, Untranslatable> {
     let mut premises = vec![];
     for (symbol, set) in context.symbols {
         let name = context.symbol(symbol)?;

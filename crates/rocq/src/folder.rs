@@ -2,7 +2,7 @@
 
 use crate::check::PROOFS;
 use crate::closed::CLOSED;
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::library::LIBRARY;
 use crate::name::camel;
 use crate::printed::{self, FOLLOWS, FUNCTIONS, JETS, PRINTED};
@@ -314,7 +314,7 @@ impl Folder {
         named.map(|goal| (goal.module.clone(), goal)).collect()
     }
 
-    fn lacks(&mut self, id: &str, evidence: Option<Evidence>, gap: &Gap) {
+    fn lacks(&mut self, id: &str, evidence: Option<Evidence>, gap: &Untranslatable) {
         self.missing.push(Missing {
             id: id.to_owned(),
             evidence,

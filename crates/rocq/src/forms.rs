@@ -8,18 +8,22 @@
 use crate::code::{Code, Level};
 use crate::context::{Context, Used, Value};
 use crate::defined::{Premises, mentions};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::place::Place;
 use crate::shape::Shape;
 use std::sync::Arc;
 use torse_core::degree::is_linear;
 use torse_core::{Node, Set, Term};
 
-const NO_LIST: Gap = Gap::Construct("`coefficients` of what is no list");
+const NO_LIST: Untranslatable = Untranslatable::Construct("`coefficients` of what is no list");
 
 impl Context<'_> {
     /// Entry (r, c) is the derivative of form r by symbol c.
-    pub(crate) fn coefficients(&mut self, forms: &Term, symbols: &Term) -> Result<Value, Gap> {
+    pub(crate) fn coefficients(
+        &mut self,
+        forms: &Term,
+        symbols: &Term,
+    ) -> Result<Value, Untranslatable> {
         let forms = items(forms).ok_or(NO_LIST)?;
         let symbols = items(symbols).ok_or(NO_LIST)?;
         let mut rows = vec![];
@@ -36,13 +40,15 @@ impl Context<'_> {
         })
     }
 
-    fn coefficient(&mut self, form: &Term, symbol: &Term) -> Result<Code, Gap> {
+    fn coefficient(&mut self, form: &Term, symbol: &Term) -> Result<Code, Untranslatable> {
         let declared = declared(symbol)?;
         if matches!(self.symbols.get(declared), Some(Set::Integer { .. })) {
-            return Err(Gap::Construct("`coefficients` of integers"));
+            return Err(Untranslatable::Construct("`coefficients` of integers"));
         }
         if self.has_unknowns(symbol) {
-            return Err(Gap::Construct("coefficients of unknowns of equations"));
+            return Err(Untranslatable::Construct(
+                "coefficients of unknowns of equations",
+            ));
         }
         if self.has_unknowns(form) {
             return self.coefficient_along(form, symbol);
@@ -65,10 +71,10 @@ impl Context<'_> {
     }
 
     /// Along equations: the unknowns are functions of the symbol.
-    fn coefficient_along(&mut self, form: &Term, symbol: &Term) -> Result<Code, Gap> {
+    fn coefficient_along(&mut self, form: &Term, symbol: &Term) -> Result<Code, Untranslatable> {
         // The functions of a statement are not arguments of its definitions.
         if self.is_in_definition() || !Used::of(form).variables.is_empty() {
-            return Err(Gap::Theory(
+            return Err(Untranslatable::Theory(
                 "coefficients along given equations, in a definition or below a binder",
             ));
         }
@@ -85,7 +91,7 @@ impl Context<'_> {
         &mut self,
         arguments: &[Term],
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let [forms, symbols] = arguments else {
             return Err(NO_LIST);
         };
@@ -93,7 +99,7 @@ impl Context<'_> {
         for symbol in items(symbols).ok_or(NO_LIST)? {
             let name = self.symbol(declared(symbol)?)?;
             if found.iter().any(|premise| mentions(premise.text(), name)) {
-                return Err(Gap::Construct(
+                return Err(Untranslatable::Construct(
                     "forms that divide by what they are forms in",
                 ));
             }
@@ -118,12 +124,14 @@ fn items(list: &Term) -> Option<&[Term]> {
 }
 
 /// The declared name of a symbol or a member.
-fn declared(symbol: &Term) -> Result<&Arc<str>, Gap> {
+fn declared(symbol: &Term) -> Result<&Arc<str>, Untranslatable> {
     match &*symbol.node {
         Node::Symbol(name) | Node::Vector(name, None) => Ok(name),
         Node::Member(points, _) => Ok(&points.name),
         Node::Opened { body, .. } => declared(body),
-        _ => Err(Gap::Construct("`coefficients` of what is no symbol")),
+        _ => Err(Untranslatable::Construct(
+            "`coefficients` of what is no symbol",
+        )),
     }
 }
 
@@ -131,8 +139,8 @@ impl Context<'_> {
     /// The place that a term names.
     ///
     /// # Errors
-    /// [`Gap`] for vectors and their coordinates, and for members that are vectors.
-    pub(crate) fn place(&mut self, symbol: &Term) -> Result<Place, Gap> {
+    /// [`Untranslatable`] for vectors and their coordinates, and for members that are vectors.
+    pub(crate) fn place(&mut self, symbol: &Term) -> Result<Place, Untranslatable> {
         if let Node::Opened { body, .. } = &*symbol.node {
             return self.place(body);
         }
@@ -140,7 +148,9 @@ impl Context<'_> {
         let indices = match &*symbol.node {
             Node::Member(points, indices) => {
                 if points.dimension.is_some_and(|dimension| dimension > 1) {
-                    return Err(Gap::Construct("`coefficients` of members that are vectors"));
+                    return Err(Untranslatable::Construct(
+                        "`coefficients` of members that are vectors",
+                    ));
                 }
                 let codes = indices.iter().map(|index| self.index(index));
                 codes.collect::<Result<Vec<_>, _>>()?

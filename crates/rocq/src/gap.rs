@@ -4,7 +4,7 @@ use thiserror::Error;
 
 /// What is missing before a statement, or its proof, can be written. The words are shown as they stand.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum Gap {
+pub enum Untranslatable {
     /// A construct that has no translation.
     #[error("no translation of {0}")]
     Construct(&'static str),

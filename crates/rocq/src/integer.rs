@@ -2,7 +2,7 @@
 
 use crate::code::{Code, Level};
 use crate::context::{Context, Kind};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use std::sync::Arc;
 use torse_core::{Node, Set, Term};
 use torse_numbers::{Affine, rational};
@@ -33,8 +33,8 @@ pub fn literal(term: &Term) -> Option<i64> {
 /// An integer-affine form in the scope of integers.
 ///
 /// # Errors
-/// [`Gap::Unread`] for a symbol that the claim does not declare.
-pub fn affine(context: &Context<'_>, form: &Affine) -> Result<String, Gap> {
+/// [`Untranslatable::Unread`] for a symbol that the claim does not declare.
+pub fn affine(context: &Context<'_>, form: &Affine) -> Result<String, Untranslatable> {
     let mut text = String::new();
     for (symbol, multiple) in form.multiples() {
         let name = context.symbol(&Arc::from(symbol))?;

@@ -1,7 +1,7 @@
 //! What coefficients are of, and what equations determine: symbols, and members of families of numbers.
 
 use crate::code::Code;
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use std::sync::Arc;
 
 /// A symbol, or a member of a family.
@@ -43,14 +43,14 @@ impl Place {
     /// family with the number in its place.
     ///
     /// # Errors
-    /// [`Gap`] for members with more than two indices.
-    pub fn with(&self, family: &str, value: &Code) -> Result<Code, Gap> {
+    /// [`Untranslatable`] for members with more than two indices.
+    pub fn with(&self, family: &str, value: &Code) -> Result<Code, Untranslatable> {
         let update = match self.indices.len() {
             0 => return Ok(value.clone()),
             1 => "update1",
             2 => "update2",
             _ => {
-                return Err(Gap::Construct(
+                return Err(Untranslatable::Construct(
                     "`coefficients` of members with many indices",
                 ));
             }

@@ -4,7 +4,7 @@ use crate::code::{Code, Level};
 use crate::context::Context;
 use crate::defined::Premises;
 use crate::domain::{binders, domain};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::integer::is_zero;
 use crate::interval::within;
 use crate::proposition::Proposition;
@@ -18,7 +18,7 @@ use torse_syntax::formula::{Connective, Relation};
 pub(crate) fn defined<'s>(
     context: &mut Context<'_>,
     statements: impl IntoIterator<Item = &'s Statement>,
-) -> Result<Vec<Code>, Gap> {
+) -> Result<Vec<Code>, Untranslatable> {
     let mut premises = Premises::default();
     for statement in statements {
         for term in outside_of_denials(statement) {
@@ -50,7 +50,7 @@ pub(crate) fn said(
     context: &mut Context<'_>,
     statement: &Statement,
     claim: &Claim,
-) -> Result<Code, Gap> {
+) -> Result<Code, Untranslatable> {
     match statement {
         Statement::Compare {
             relation,
@@ -65,7 +65,9 @@ pub(crate) fn said(
             for part in [a, b].into_iter().flat_map(|part| conjuncts(part)) {
                 parts.push(said(context, part, claim)?);
             }
-            let last = parts.pop().ok_or(Gap::Construct("an empty conjunction"))?;
+            let last = parts
+                .pop()
+                .ok_or(Untranslatable::Construct("an empty conjunction"))?;
             Ok(parts.iter().rfold(last, |rest, part| {
                 Code::infix_right(part, "/\\", &rest, Level::Both)
             }))
@@ -84,7 +86,7 @@ pub(crate) fn said(
             // A denial is about the whole domain: the same claim with the inner statement, denied. Among the hypotheses
             // it would be about the domain that it makes.
             if claim.hypotheses.iter().any(|h| has_denial(&h.statement)) {
-                return Err(Gap::Construct("a denial among the hypotheses"));
+                return Err(Untranslatable::Construct("a denial among the hypotheses"));
             }
             let inner = Claim {
                 statement: (**inner).clone(),
@@ -99,10 +101,12 @@ pub(crate) fn said(
             let (alongs, unclear) = (context.alongs().len(), context.unclear_forms(false));
             let conclusion = said(context, &inner.statement, &inner)?;
             if context.alongs().len() > alongs {
-                return Err(Gap::Theory("denials of coefficients along given equations"));
+                return Err(Untranslatable::Theory(
+                    "denials of coefficients along given equations",
+                ));
             }
             if context.unclear_forms(unclear) {
-                return Err(Gap::Theory(
+                return Err(Untranslatable::Theory(
                     "denials of coefficients of forms that are not plainly linear",
                 ));
             }
@@ -137,17 +141,17 @@ fn compared(
     relation: Relation,
     left: &Term,
     right: &Term,
-) -> Result<Code, Gap> {
+) -> Result<Code, Untranslatable> {
     let (x, y) = (context.value(left)?, context.value(right)?);
     let (a, b) = match (x.shape, y.shape) {
         (a, b) if a == b => (x.code, y.code),
         (shape, Shape::Number) if is_zero(right) => (x.code, zero(shape)),
         (Shape::Number, shape) if is_zero(left) => (zero(shape), y.code),
-        (a, b) => return Err(Gap::Shapes(format!("{a} compared with {b}"))),
+        (a, b) => return Err(Untranslatable::Shapes(format!("{a} compared with {b}"))),
     };
     let order = !matches!(relation, Relation::Equal | Relation::Different);
     if order && x.shape != Shape::Number {
-        return Err(Gap::Shapes("an order of vectors".to_owned()));
+        return Err(Untranslatable::Shapes("an order of vectors".to_owned()));
     }
     let sign = match relation {
         Relation::Equal => "=",
@@ -167,7 +171,11 @@ fn compared(
 
 /// Printed decimals, entry by entry. A number without a point is read with as many digits as the decimal that has the
 /// fewest; where there are none it is exact.
-fn agrees(context: &mut Context<'_>, value: &Term, printed: &[Printed]) -> Result<Code, Gap> {
+fn agrees(
+    context: &mut Context<'_>,
+    value: &Term,
+    printed: &[Printed],
+) -> Result<Code, Untranslatable> {
     let value = context.value(value)?;
     let entries: Vec<Code> = match value.shape {
         Shape::Number => vec![value.code],
@@ -176,10 +184,10 @@ fn agrees(context: &mut Context<'_>, value: &Term, printed: &[Printed]) -> Resul
                 |i: usize| Code::apply("entry", &[value.code.clone(), Code::atom(i.to_string())]);
             (1..=n).map(entry).collect()
         }
-        Shape::Matrix(..) => return Err(Gap::Construct("printed decimals of a matrix")),
+        Shape::Matrix(..) => return Err(Untranslatable::Construct("printed decimals of a matrix")),
     };
     if entries.len() != printed.len() {
-        return Err(Gap::Shapes(
+        return Err(Untranslatable::Shapes(
             "as many printed numbers as entries are wanted".to_owned(),
         ));
     }
@@ -215,7 +223,9 @@ fn agrees(context: &mut Context<'_>, value: &Term, printed: &[Printed]) -> Resul
             Some(before) => Code::infix_right(&before, "/\\", &one, Level::Both),
         });
     }
-    all.ok_or(Gap::Construct("an empty list of printed numbers"))
+    all.ok_or(Untranslatable::Construct(
+        "an empty list of printed numbers",
+    ))
 }
 
 /// A property of a basis at every degree. The symbols of the names of its variables are bound outside.
@@ -223,9 +233,9 @@ fn property_of(
     context: &mut Context<'_>,
     property: FamilyProperty,
     family: &Arc<Family>,
-) -> Result<Code, Gap> {
+) -> Result<Code, Untranslatable> {
     if family.counters.is_some() {
-        return Err(Gap::Construct(
+        return Err(Untranslatable::Construct(
             "a property of a basis whose step depends on the index",
         ));
     }
@@ -261,7 +271,9 @@ fn property_of(
             )
         }
         FamilyProperty::VariationDiminishing(_) => {
-            return Err(Gap::Theory("total positivity and variation diminution"));
+            return Err(Untranslatable::Theory(
+                "total positivity and variation diminution",
+            ));
         }
     };
     Ok(Code::new(text, Level::Open))

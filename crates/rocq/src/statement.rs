@@ -6,7 +6,7 @@ use crate::binder::Binder;
 use crate::code::Code;
 use crate::context::Context;
 use crate::domain::{binders, domain};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::proposition::Proposition;
 use crate::said::{defined, said};
 use torse_core::{Claim, Node, Statement, Term};
@@ -14,8 +14,8 @@ use torse_core::{Claim, Node, Statement, Term};
 /// The proposition of a claim under conditions.
 ///
 /// # Errors
-/// [`Gap`] for what has no translation.
-pub fn proposition(claim: &Claim, conditions: &[Statement]) -> Result<Proposition, Gap> {
+/// [`Untranslatable`] for what has no translation.
+pub fn proposition(claim: &Claim, conditions: &[Statement]) -> Result<Proposition, Untranslatable> {
     let mut context = Context::new(&claim.symbols).with_unknowns(&claim.unknowns);
     let mut binders = binders(&mut context)?;
     let mut premises = domain(&context)?;
@@ -64,7 +64,7 @@ fn numbers_of(
     context: &mut Context<'_>,
     unknown: &Term,
     binders: &[Binder],
-) -> Result<Vec<String>, Gap> {
+) -> Result<Vec<String>, Untranslatable> {
     let (name, indices) = match &*unknown.node {
         Node::Vector(name, Some(_)) => (name, vec![]),
         Node::Member(points, indices) if points.dimension.is_some_and(|n| n > 1) => {

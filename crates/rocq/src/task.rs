@@ -1,6 +1,6 @@
 //! What is to be proved of a claim, by its verdict.
 
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::name::identifier;
 use crate::proposition::Proposition;
 use crate::solutions::Solved;
@@ -13,7 +13,7 @@ use torse_elaborate::Elaborator;
 use torse_syntax::derivation::{self, Origin, Source, Written};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Expr, parse};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 
 /// What a verdict rests on, as far as it matters for the way of proving it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -99,7 +99,7 @@ pub struct Goal {
     /// The statement as it is proved, from core terms.
     pub proposition: Proposition,
     /// The statement as it is printed, from the tree, or why there is none.
-    pub printed_proposition: Result<Proposition, Gap>,
+    pub printed_proposition: Result<Proposition, Untranslatable>,
     /// The declared symbols of the claim.
     pub symbols: BTreeMap<Arc<str>, Set>,
     /// A point at which a refuted statement fails.
@@ -115,7 +115,7 @@ impl Goal {
     ///
     /// # Errors
     /// Why there is none.
-    pub fn as_printed(&self) -> Result<Self, Gap> {
+    pub fn as_printed(&self) -> Result<Self, Untranslatable> {
         Ok(Self {
             proposition: self.printed_proposition.clone()?,
             ..self.clone()
@@ -133,10 +133,10 @@ impl Goal {
 /// The theorems of a claim, or why there are none.
 ///
 /// # Errors
-/// [`Gap`], the first that is met.
-pub fn goals(finding: &Finding<'_>) -> Result<Vec<Goal>, Gap> {
+/// [`Untranslatable`], the first that is met.
+pub fn goals(finding: &Finding<'_>) -> Result<Vec<Goal>, Untranslatable> {
     let verdict = finding.verdict;
-    let nothing = |word| Err(Gap::NothingToProve(word));
+    let nothing = |word| Err(Untranslatable::NothingToProve(word));
     let (role, conditions) = match verdict {
         Verdict::Holds | Verdict::Conditional => (Role::Holds, finding.conditions.as_slice()),
         Verdict::Definition if finding.evidence.is_some() => {
@@ -146,7 +146,7 @@ pub fn goals(finding: &Finding<'_>) -> Result<Vec<Goal>, Gap> {
         Verdict::Definition => return nothing("definition"),
         Verdict::Depends => return nothing("depends"),
         Verdict::Undecided => return nothing("undecided"),
-        Verdict::Vacuous => return Err(Gap::Theory("contradictions of hypotheses")),
+        Verdict::Vacuous => return Err(Untranslatable::Theory("contradictions of hypotheses")),
         Verdict::Underspecified => return nothing("underspecified"),
         Verdict::OutOfScope => return nothing("out-of-scope"),
         Verdict::Reproduced | Verdict::Partial => return nothing("a figure"),
@@ -175,10 +175,10 @@ fn goal(
     role: Role,
     evidence: Evidence,
     conditions: &[String],
-) -> Result<Goal, Gap> {
+) -> Result<Goal, Untranslatable> {
     let claim = finding.claim;
     let elaborator = Elaborator::new(&claim.declarations);
-    let unread = |fault: &Fault| Gap::Unread(fault.problem.to_string());
+    let unread = |fault: &Fault| Untranslatable::Unread(fault.problem.to_string());
     let core = elaborator.claim(claim, statement).map_err(|f| unread(&f))?;
     let rooted = core.rooted(&statement.origin).map_err(|f| unread(&f))?;
     let hypotheses = core.hypotheses.iter().map(|h| &h.statement);
@@ -187,7 +187,9 @@ fn goal(
         .flat_map(Statement::terms);
     // Where a radicand is zero its root has no derivative, by SEMANTICS.md, and may have one in Rocq.
     if rooted.roots().next().is_some() && terms.any(differentiates_roots) {
-        return Err(Gap::Theory("derivatives of roots of formulas with symbols"));
+        return Err(Untranslatable::Theory(
+            "derivatives of roots of formulas with symbols",
+        ));
     }
     let mut added = vec![];
     for text in conditions {
@@ -202,14 +204,14 @@ fn goal(
     // That a form is linear is what its coefficients being equal to something without the symbol says; a refutation would
     // have to show it besides, where it is not plain.
     if proposition.unclear_forms && role == Role::Refuted {
-        return Err(Gap::Theory(
+        return Err(Untranslatable::Theory(
             "refutations of coefficients of forms that are not plainly linear",
         ));
     }
     let conditions = conditions.iter().map(|text| written(text, &finding.id));
     let conditions: Vec<Expr> = conditions
         .map(|condition| Ok(condition?.expr))
-        .collect::<Result<_, Gap>>()?;
+        .collect::<Result<_, Untranslatable>>()?;
     let printed_proposition = tree::sentence(claim, &statement.expr, &conditions);
     let short = finding
         .id
@@ -259,8 +261,8 @@ fn differentiates_roots(term: &Term) -> bool {
 }
 
 /// A formula of an outcome read back.
-fn written(text: &str, name: &str) -> Result<Written, Gap> {
-    let expr = parse(text).map_err(|_| Gap::Unread(text.to_owned()))?;
+fn written(text: &str, name: &str) -> Result<Written, Untranslatable> {
+    let expr = parse(text).map_err(|_| Untranslatable::Unread(text.to_owned()))?;
     let source = Source {
         name: name.to_owned(),
         text: text.to_owned(),

@@ -6,7 +6,7 @@
 
 use crate::code::{Code, Level, integer_scope};
 use crate::context::{Context, Kind, Local, Used, Value};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::integer::{is_zero, literal};
 use crate::kinds::kinds;
 use crate::shape::Shape;
@@ -50,8 +50,8 @@ impl Context<'_> {
     /// The value of a term.
     ///
     /// # Errors
-    /// [`Gap`] for what has no translation, and for shapes that do not fit.
-    pub fn value(&mut self, term: &Term) -> Result<Value, Gap> {
+    /// [`Untranslatable`] for what has no translation, and for shapes that do not fit.
+    pub fn value(&mut self, term: &Term) -> Result<Value, Untranslatable> {
         match &*term.node {
             Node::Number(value) => Ok(Value::number(Code::rational(value))),
             Node::Pi => Ok(Value::number(Code::atom("PI"))),
@@ -101,8 +101,8 @@ impl Context<'_> {
                 high,
                 term,
             } => self.sum(index, low, high, term),
-            Node::Product { .. } => Err(Gap::Construct("a product over an index")),
-            Node::Integral { .. } => Err(Gap::Construct("an integral")),
+            Node::Product { .. } => Err(Untranslatable::Construct("a product over an index")),
+            Node::Integral { .. } => Err(Untranslatable::Construct("an integral")),
             Node::Let {
                 variable,
                 value,
@@ -135,28 +135,34 @@ impl Context<'_> {
     /// A number.
     ///
     /// # Errors
-    /// As [`Context::value`], and [`Gap::Shapes`] for vectors.
-    pub fn number(&mut self, term: &Term) -> Result<Code, Gap> {
+    /// As [`Context::value`], and [`Untranslatable::Shapes`] for vectors.
+    pub fn number(&mut self, term: &Term) -> Result<Code, Untranslatable> {
         let Value { code, shape } = self.value(term)?;
         match shape {
             Shape::Number => Ok(code),
-            other => Err(Gap::Shapes(format!("{other} where a number is wanted"))),
+            other => Err(Untranslatable::Shapes(format!(
+                "{other} where a number is wanted"
+            ))),
         }
     }
 
     /// An integer in its scope, as an argument.
     ///
     /// # Errors
-    /// [`Gap::Construct`] for what is no integer by its form.
-    pub fn index(&self, term: &Term) -> Result<Code, Gap> {
+    /// [`Untranslatable::Construct`] for what is no integer by its form.
+    pub fn index(&self, term: &Term) -> Result<Code, Untranslatable> {
         let code = self.integer(term);
-        let code = code.ok_or(Gap::Construct("an index that is not made of integers"))?;
+        let code = code.ok_or(Untranslatable::Construct(
+            "an index that is not made of integers",
+        ))?;
         Ok(Code::atom(integer_scope(&code)))
     }
 
-    fn member(&mut self, points: &Arc<Points>, indices: &[Term]) -> Result<Value, Gap> {
+    fn member(&mut self, points: &Arc<Points>, indices: &[Term]) -> Result<Value, Untranslatable> {
         if points.ranges.is_empty() && indices.len() != 1 {
-            return Err(Gap::Construct("a family of several indices without ranges"));
+            return Err(Untranslatable::Construct(
+                "a family of several indices without ranges",
+            ));
         }
         let indices = indices.iter().map(|index| self.index(index));
         let indices = indices.collect::<Result<Vec<_>, _>>()?;
@@ -174,7 +180,7 @@ impl Context<'_> {
         index: &Term,
         degree: &Term,
         arguments: &[Term],
-    ) -> Result<Value, Gap> {
+    ) -> Result<Value, Untranslatable> {
         let (name, mut all) = self.family(family)?;
         for (argument, kind) in arguments.iter().zip(kinds(family)) {
             all.push(self.argument_of(argument, &kind)?);
@@ -187,7 +193,7 @@ impl Context<'_> {
     ///
     /// # Errors
     /// As [`Context::value`].
-    pub fn family(&mut self, family: &Arc<Family>) -> Result<(String, Vec<Code>), Gap> {
+    pub fn family(&mut self, family: &Arc<Family>) -> Result<(String, Vec<Code>), Untranslatable> {
         let own: Vec<(Variable, Kind)> = family
             .variables
             .iter()
@@ -223,7 +229,7 @@ impl Context<'_> {
         Ok((head.name, arguments))
     }
 
-    fn binary(&mut self, operator: Operator, a: &Term, b: &Term) -> Result<Value, Gap> {
+    fn binary(&mut self, operator: Operator, a: &Term, b: &Term) -> Result<Value, Untranslatable> {
         if operator == Operator::Power {
             return self.power(a, b);
         }
@@ -266,12 +272,12 @@ impl Context<'_> {
                 code: y.clone(),
                 shape,
             },
-            (_, x, y) => return Err(Gap::Shapes(format!("{x} and {y}"))),
+            (_, x, y) => return Err(Untranslatable::Shapes(format!("{x} and {y}"))),
         };
         Ok(value)
     }
 
-    fn power(&mut self, a: &Term, b: &Term) -> Result<Value, Gap> {
+    fn power(&mut self, a: &Term, b: &Term) -> Result<Value, Untranslatable> {
         let base = self.number(a)?;
         if let Some(exponent) = literal(b) {
             let power = |exponent: u64| {
@@ -289,7 +295,7 @@ impl Context<'_> {
         Ok(Value::number(Code::apply("powerRZ", &[base, exponent])))
     }
 
-    fn list(&mut self, items: &[Term]) -> Result<Value, Gap> {
+    fn list(&mut self, items: &[Term]) -> Result<Value, Untranslatable> {
         let values = items.iter().map(|item| self.value(item));
         let values = values.collect::<Result<Vec<_>, _>>()?;
         let vector = values
@@ -302,7 +308,11 @@ impl Context<'_> {
                 (None, Shape::Number) => value.code,
                 (Some(wanted @ Shape::Vector(_)), shape) if shape == wanted => value.code,
                 (Some(wanted @ Shape::Vector(_)), Shape::Number) if is_zero(item) => zero(wanted),
-                (_, other) => return Err(Gap::Shapes(format!("{other} in a list of others"))),
+                (_, other) => {
+                    return Err(Untranslatable::Shapes(format!(
+                        "{other} in a list of others"
+                    )));
+                }
             });
         }
         let shape = match vector {
@@ -315,7 +325,7 @@ impl Context<'_> {
         })
     }
 
-    fn entry(&mut self, of: &Term, indices: &[Term]) -> Result<Value, Gap> {
+    fn entry(&mut self, of: &Term, indices: &[Term]) -> Result<Value, Untranslatable> {
         let Value {
             mut code,
             mut shape,
@@ -323,7 +333,9 @@ impl Context<'_> {
         for index in indices {
             let (length, head, inner) = match shape {
                 Shape::Number => {
-                    return Err(Gap::Construct("a coordinate of a generic coordinate"));
+                    return Err(Untranslatable::Construct(
+                        "a coordinate of a generic coordinate",
+                    ));
                 }
                 Shape::Vector(length) => (length, "entry", Shape::Number),
                 Shape::Matrix(rows, columns) => (rows, "row", Shape::Vector(columns)),
@@ -332,7 +344,7 @@ impl Context<'_> {
                 Some(place) if (1..=length).any(|inside| i64::try_from(inside) == Ok(place)) => {
                     Code::atom(place.to_string())
                 }
-                Some(_) => return Err(Gap::Construct("an entry outside of its vector")),
+                Some(_) => return Err(Untranslatable::Construct("an entry outside of its vector")),
                 None => Code::apply("Z.to_nat", &[self.index(index)?]),
             };
             code = Code::apply(head, &[code, argument]);
@@ -347,7 +359,7 @@ impl Context<'_> {
         low: &Term,
         high: &Term,
         term: &Term,
-    ) -> Result<Value, Gap> {
+    ) -> Result<Value, Untranslatable> {
         let (low, high) = (self.index(low)?, self.index(high)?);
         let name = self.bind(index, Kind::Integer);
         let body = self.value(term)?;
@@ -359,13 +371,18 @@ impl Context<'_> {
                 let size = Code::atom(n.to_string());
                 Value::applied("vsum", &[size, low, high, function], shape)
             }
-            Shape::Matrix(..) => return Err(Gap::Construct("a sum of matrices")),
+            Shape::Matrix(..) => return Err(Untranslatable::Construct("a sum of matrices")),
         })
     }
 
     /// `body` with the variable standing for a value: an applied definition takes it as its argument, everything else is
     /// written with `let`.
-    fn instead(&mut self, variable: &Variable, value: &Term, body: &Term) -> Result<Value, Gap> {
+    fn instead(
+        &mut self,
+        variable: &Variable,
+        value: &Term,
+        body: &Term,
+    ) -> Result<Value, Untranslatable> {
         let local = self.standing_for(value)?;
         if applies(body) || local.code.text().chars().all(|c| c.is_alphanumeric()) {
             self.put(variable, local);
@@ -386,7 +403,7 @@ impl Context<'_> {
     ///
     /// # Errors
     /// As [`Context::value`].
-    pub fn standing_for(&mut self, value: &Term) -> Result<Local, Gap> {
+    pub fn standing_for(&mut self, value: &Term) -> Result<Local, Untranslatable> {
         if let Some(code) = self.integer(value) {
             let code = Code::atom(integer_scope(&code));
             return Ok(Local {
@@ -407,13 +424,17 @@ impl Context<'_> {
         order: &Term,
         body: &Term,
         at: &Term,
-    ) -> Result<Value, Gap> {
+    ) -> Result<Value, Untranslatable> {
         let order = match literal(order) {
             Some(order) if order >= 0 => Code::atom(order.to_string()),
-            Some(_) => return Err(Gap::Construct("a derivative of negative order")),
+            Some(_) => return Err(Untranslatable::Construct("a derivative of negative order")),
             None => match self.integer(order) {
                 Some(order) => Code::apply("Z.to_nat", &[Code::atom(integer_scope(&order))]),
-                None => return Err(Gap::Construct("a derivative whose order is no integer")),
+                None => {
+                    return Err(Untranslatable::Construct(
+                        "a derivative whose order is no integer",
+                    ));
+                }
             },
         };
         let at = self.number(at)?;
@@ -427,11 +448,11 @@ impl Context<'_> {
                 let size = Code::atom(n.to_string());
                 Value::applied("vDerive", &[size, function, order, at], shape)
             }
-            Shape::Matrix(..) => return Err(Gap::Construct("a derivative of a matrix")),
+            Shape::Matrix(..) => return Err(Untranslatable::Construct("a derivative of a matrix")),
         })
     }
 
-    fn applied(&mut self, function: BuiltIn, arguments: &[Term]) -> Result<Value, Gap> {
+    fn applied(&mut self, function: BuiltIn, arguments: &[Term]) -> Result<Value, Untranslatable> {
         match (function, arguments) {
             (BuiltIn::Binomial, [n, j]) => {
                 let arguments = [self.number(n)?, self.index(j)?];
@@ -443,7 +464,9 @@ impl Context<'_> {
             }
             (BuiltIn::Identity, [n]) => {
                 let size = literal(n).and_then(|n| usize::try_from(n).ok());
-                let size = size.ok_or(Gap::Construct("an identity matrix of symbolic size"))?;
+                let size = size.ok_or(Untranslatable::Construct(
+                    "an identity matrix of symbolic size",
+                ))?;
                 let argument = Code::atom(size.to_string());
                 return Ok(Value::applied(
                     "identity",
@@ -476,7 +499,7 @@ impl Context<'_> {
                 ("solve", Vector(*n))
             }
             _ => {
-                return Err(Gap::Shapes(
+                return Err(Untranslatable::Shapes(
                     "the arguments of a built-in function".to_owned(),
                 ));
             }

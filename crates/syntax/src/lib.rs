@@ -11,4 +11,4 @@ pub mod formula;
 pub mod greek;
 pub mod notation;
 pub mod similar;
-pub mod words;
+pub mod taxonomy;

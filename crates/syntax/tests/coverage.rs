@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 use torse_syntax::derivation::load;
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 
 #[test]
 fn every_claim_of_the_page_of_coverage_is_there_with_its_verdict() {

@@ -16,7 +16,7 @@ use torse_syntax::derivation::schema::figure::{
 use torse_syntax::derivation::schema::{
     AnswerEntry, BasisEntry, ClaimEntry, PaperHead, ReadingEntry, SymbolEntry,
 };
-use torse_syntax::words::{Flag, Kind, Verdict};
+use torse_syntax::taxonomy::{Flag, Kind, Verdict};
 
 fn derivations() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../derivations"))

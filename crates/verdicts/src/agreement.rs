@@ -210,7 +210,7 @@ impl Case<'_> {
             // The place of a function stands in the names of its values.
             let mut places = self.made.values().flatten();
             let is_place = places.any(|tree| tree.names().contains(&&*name));
-            let is_sought = self.claim.sought.iter().any(|s| *s.name == *name);
+            let is_sought = self.claim.existentials.iter().any(|s| *s.name == *name);
             // Of `at(f(x), y, t)` nothing but f(x) is left, and no y.
             let may_be_left_out = self.claim.declarations.has_functions();
             let is_missing = !self.core.symbols.contains_key(&name);

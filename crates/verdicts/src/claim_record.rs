@@ -1,9 +1,9 @@
 //! A claim as its file has it, for its readers: plain data.
 
-use crate::table::Table;
+use crate::dependencies::Dependencies;
 use serde::Serialize;
 use torse_syntax::notation::Formula;
-use torse_syntax::words::{Kind, Verdict};
+use torse_syntax::taxonomy::{Kind, Verdict};
 
 /// What the file of a claim says, and what its statement rests on.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -30,7 +30,7 @@ pub struct ClaimRecord {
     /// equations.
     pub assumed: Vec<Assumed>,
     /// What the statement rests on besides: declared sets, definitions, unknowns.
-    pub table: Table,
+    pub table: Dependencies,
     /// The sentence in which the file tells what was found, with its numbers computed; none where nothing was decided.
     pub author_note: Option<String>,
     /// Anything a reader should know.
@@ -49,7 +49,7 @@ pub struct Assumed {
     /// What is assumed, as understood; a set that is no range of numbers in words.
     pub formula: Formula,
     /// Where it is from.
-    pub from: SaidBy,
+    pub from: HypothesisSource,
     /// Whether the proof needs it, if it is ours and was tried.
     pub needed: Option<bool>,
 }
@@ -69,7 +69,7 @@ pub enum Role {
 /// Where a hypothesis is from.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case", tag = "from")]
-pub enum SaidBy {
+pub enum HypothesisSource {
     /// It is part of the statement as the file states it; nothing is said of the print.
     Stated,
     /// The paper says it.

@@ -1,9 +1,9 @@
 //! From what the prover decided to what is to be judged: a decision as data, and what a refuted statement should have said.
 
+use crate::certificate::DecisionCertificate;
 use crate::condition::{self, nonzero};
 use crate::correction::{Correction, DataCorrection};
-use crate::grounds::Grounds;
-use crate::provenance::Weighed;
+use crate::provenance::MinimizedProof;
 use crate::repair::subject::Subject;
 use crate::statement::{
     EmptyDomain, FigureFinding, ProvedStatement, RefutedStatement, Repair, UndecidedStatement,
@@ -16,7 +16,7 @@ use torse_prove::evidence::Evidence;
 use torse_prove::{decide_statement, formula};
 use torse_syntax::derivation::{Claim, Figure, Written};
 use torse_syntax::notation::{self, Formula};
-use torse_syntax::words::Kind;
+use torse_syntax::taxonomy::Kind;
 
 /// Formulas with more terms than this are not shown.
 const MAX_SHOWN_TERMS: usize = 120;
@@ -31,8 +31,12 @@ pub(crate) enum Conclusion {
 }
 
 /// What a decision says of the statement of a claim; needed hypotheses of ours are conditions of a proof.
-pub(crate) fn conclude(claim: &Claim, statement: &Written, weighed: Weighed) -> Conclusion {
-    let Weighed { decision, needed } = weighed;
+pub(crate) fn conclude(
+    claim: &Claim,
+    statement: &Written,
+    minimized: MinimizedProof,
+) -> Conclusion {
+    let MinimizedProof { decision, needed } = minimized;
     let steps = decision.steps();
     let divisors = decision.conditions().unwrap_or_default();
     match decision {
@@ -42,7 +46,7 @@ pub(crate) fn conclude(claim: &Claim, statement: &Written, weighed: Weighed) -> 
                 evidence: proof.evidence(),
                 conditions: divisors.iter().map(nonzero).chain(ours).collect(),
                 needed: provenance::by_hypothesis(claim, &needed),
-                grounds: Arc::new(Grounds::Proof {
+                certificate: Arc::new(DecisionCertificate::Proof {
                     conditions: divisors,
                     of: proof,
                 }),
@@ -77,7 +81,9 @@ fn refuted(refutation: Refutation, statement: &Written, steps: Vec<String>) -> R
         witness,
         difference,
         derived,
-        grounds: Some(Arc::new(Grounds::Refutation(refutation.refuted))),
+        certificate: Some(Arc::new(DecisionCertificate::Refutation(
+            refutation.refuted,
+        ))),
         repair: None,
         data: None,
         steps,
@@ -167,12 +173,12 @@ fn under_ours(correction: Correction, claim: &Claim, budget: u64) -> Correction 
     let Ok(Ok(decision)) = decided else {
         return correction;
     };
-    let weighed = provenance::weigh(claim, &statement, decision, budget);
-    let conditions = match weighed.decision.conditions() {
+    let minimized = provenance::minimize_hypotheses(claim, &statement, decision, budget);
+    let conditions = match minimized.decision.conditions() {
         Some(divisors) => divisors.iter().map(nonzero).collect(),
         None => correction.conditions,
     };
-    let ours = provenance::conditions(claim, &weighed.needed);
+    let ours = provenance::conditions(claim, &minimized.needed);
     Correction {
         conditions: conditions.into_iter().chain(ours).collect(),
         ..correction

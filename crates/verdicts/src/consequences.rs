@@ -7,7 +7,7 @@
 use crate::outcome::Outcome;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use torse_syntax::notation::Formula;
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 
 /// What becomes of a claim that rests on a refuted one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use crate::faults::faults;
 use crate::outcome::{Outcome, PaperOutcome};
-use crate::stage::Stage;
+use crate::pending_claim::PendingClaim;
 use rayon::prelude::*;
 use torse_syntax::derivation::{Claim, DerivationError, Paper};
 
@@ -54,5 +54,5 @@ pub fn decide_claim_within(
     paper: &str,
     claim: &Claim,
 ) -> Result<Outcome, Box<DerivationError>> {
-    Stage::verdict(budget, paper, claim)?.complete()
+    PendingClaim::verdict(budget, paper, claim)?.complete()
 }

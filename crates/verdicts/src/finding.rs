@@ -8,10 +8,10 @@
 //! A sentence with several readings has an outcome for each ([`Readings`]): where all have the same verdict it is that of
 //! the sentence; where they differ it is `depends`, which accuses nobody.
 
+use crate::certificate::DecisionCertificate;
 use crate::claim_record::ClaimRecord;
 use crate::correction::{Correction, DataCorrection};
-use crate::grounds::Grounds;
-use crate::judged::{Judged, Net, Replay, Sides};
+use crate::judged::{ConditionCheck, Judged, Net, Replay};
 use crate::statement::{
     Contradiction, EmptyDomain, FigureFinding, ProvedStatement, RefutedStatement,
     UndecidedStatement,
@@ -19,7 +19,7 @@ use crate::statement::{
 use serde::Serialize;
 use torse_prove::evidence::{Evidence, Witness};
 use torse_syntax::notation::Formula;
-use torse_syntax::words::{Kind, Verdict};
+use torse_syntax::taxonomy::{Kind, Verdict};
 
 /// A claim, and what was found of it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -257,10 +257,10 @@ impl Finding {
 
     /// What the verdict rests on, as data; readings have their own.
     #[must_use]
-    pub fn grounds(&self) -> Option<&Grounds> {
+    pub fn certificate(&self) -> Option<&DecisionCertificate> {
         match self {
-            Self::Proved(proved) => Some(&proved.statement.grounds),
-            Self::Refuted(refuted) => refuted.statement.grounds.as_deref(),
+            Self::Proved(proved) => Some(&proved.statement.certificate),
+            Self::Refuted(refuted) => refuted.statement.certificate.as_deref(),
             _ => None,
         }
     }
@@ -309,7 +309,7 @@ fn judged_steps(steps: &[String], net: &Net) -> Vec<String> {
     let correction = net.correction.iter().flat_map(|net| &net.conditions);
     let sides = net.conditions.iter().chain(correction);
     let suspicious = sides.filter(|sides| sides.is_suspicious());
-    let told = suspicious.map(|sides: &Sides| {
+    let told = suspicious.map(|sides: &ConditionCheck| {
         format!(
             "the condition `{}` was not seen to be needed: the statement is true at {} points at which it fails",
             sides.condition, sides.holding

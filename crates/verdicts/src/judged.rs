@@ -29,7 +29,7 @@ pub struct Net {
     /// Why it is not netted.
     pub why: Option<String>,
     /// The statement where its conditions fail.
-    pub conditions: Vec<Sides>,
+    pub conditions: Vec<ConditionCheck>,
     /// The correction of a refuted statement, judged like a proof.
     pub correction: Option<Box<Net>>,
 }
@@ -118,12 +118,12 @@ impl Replay {
 }
 
 /// How many points are wanted at which a condition fails.
-pub const BEYOND: u64 = 10;
+pub const MIN_VIOLATING_POINTS: u64 = 10;
 
 /// A statement at points of its domain at which a condition fails. The other side are the decided points of the [`Net`]:
 /// all conditions are true there.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Sides {
+pub struct ConditionCheck {
     /// The condition.
     pub condition: String,
     /// Points that were drawn.
@@ -138,7 +138,7 @@ pub struct Sides {
     pub needed_at: Option<String>,
 }
 
-impl Sides {
+impl ConditionCheck {
     /// Whether the statement is false, or undefined, somewhere without the condition.
     #[must_use]
     pub fn seen_needed(&self) -> bool {
@@ -149,6 +149,6 @@ impl Sides {
     /// points, at which everything else is zero as well, say nothing.
     #[must_use]
     pub fn is_suspicious(&self) -> bool {
-        self.holding >= BEYOND && !self.seen_needed()
+        self.holding >= MIN_VIOLATING_POINTS && !self.seen_needed()
     }
 }

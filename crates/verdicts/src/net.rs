@@ -9,7 +9,7 @@
 //! undefined somewhere, else the condition says more than is needed. That it was true at every point beyond is no
 //! contradiction, for the prover proved the weaker statement and nothing false is claimed of any point; but it must
 //! not pass as an accusation of the paper either. Such a condition is reported as not seen to be needed
-//! ([`Sides::seen_needed`]), the steps of the verdict say so, and the verdict is not netted.
+//! ([`ConditionCheck::seen_needed`]), the steps of the verdict say so, and the verdict is not netted.
 //!
 //! **What is shown.** An accusation is shown only with a point that was put into the text: where its witness cannot be read or
 //! judged, and no other point is found, the claim is undecided. So is one of which no point is found at which all of its
@@ -18,9 +18,9 @@
 //! **Corrections** are proofs, with conditions of their own, and judged like proofs.
 
 use crate::agreement::{Agreement, agreement};
+use crate::elaborated_claim::ElaboratedClaim;
 use crate::finding::Finding;
-use crate::judged::{BEYOND, Judged, Net, Replay, Sides};
-use crate::meant::Meant;
+use crate::judged::{ConditionCheck, Judged, MIN_VIOLATING_POINTS, Net, Replay};
 use crate::outcome::Outcome;
 use crate::statement::{Contradiction, EmptyDomain, ProvedStatement, RefutedStatement};
 use crate::{condition, provenance, replay};
@@ -35,7 +35,7 @@ use torse_semantics::{
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Expr, Node};
 use torse_syntax::notation::Formula;
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 
 /// How much is tried before a verdict is believed. All of it counts work, so that the answer is the same on every
 /// machine.
@@ -63,14 +63,15 @@ pub const ALWAYS: Effort = Effort {
 };
 
 /// Judges a proof at points, and has it gone through by the checker.
-pub(crate) fn proved(statement: ProvedStatement, meant: &Meant<'_>) -> Finding {
-    let Some(own) = meant.without_unneeded(&statement.needed) else {
+pub(crate) fn proved(statement: ProvedStatement, elaborated: &ElaboratedClaim<'_>) -> Finding {
+    let Some(own) = elaborated.without_unneeded(&statement.needed) else {
         return Finding::undecided(
             "without the hypotheses that the proof does not need the statement makes no sense",
         );
     };
-    let verdict = statement.verdict(meant.claim.entry.kind);
-    let net = Case::new(&own, &ALWAYS, statement.grounds.excepted()).proof(&statement.conditions);
+    let verdict = statement.verdict(elaborated.claim.entry.kind);
+    let net =
+        Case::new(&own, &ALWAYS, statement.certificate.excepted()).proof(&statement.conditions);
     let replay = |statement: &ProvedStatement| replay::proof(statement, &own).map(Some);
     finding(verdict, statement, net, replay, |judged| {
         Finding::Proved(Box::new(judged))
@@ -79,19 +80,23 @@ pub(crate) fn proved(statement: ProvedStatement, meant: &Meant<'_>) -> Finding {
 
 /// Judges a refutation at its counterexample and its correction like a proof, and has the checker go through both, with so
 /// much work to prove the correction again.
-pub(crate) fn refuted(statement: RefutedStatement, meant: &Meant<'_>, budget: u64) -> Finding {
+pub(crate) fn refuted(
+    statement: RefutedStatement,
+    elaborated: &ElaboratedClaim<'_>,
+    budget: u64,
+) -> Finding {
     let verdict = statement.verdict();
-    let net = Case::new(meant, &ALWAYS, vec![]).refutation(&statement);
+    let net = Case::new(elaborated, &ALWAYS, vec![]).refutation(&statement);
     let replay =
-        |statement: &RefutedStatement| replay::refutation(statement, meant, budget).map(Some);
+        |statement: &RefutedStatement| replay::refutation(statement, elaborated, budget).map(Some);
     finding(verdict, statement, net, replay, |judged| {
         Finding::Refuted(Box::new(judged))
     })
 }
 
 /// Judges that a domain has no points.
-pub(crate) fn vacuous(statement: EmptyDomain, meant: &Meant<'_>) -> Finding {
-    let net = Case::new(meant, &ALWAYS, vec![]).nowhere();
+pub(crate) fn vacuous(statement: EmptyDomain, elaborated: &ElaboratedClaim<'_>) -> Finding {
+    let net = Case::new(elaborated, &ALWAYS, vec![]).nowhere();
     finding(
         Verdict::Vacuous,
         statement,
@@ -156,18 +161,18 @@ pub fn judged(
     statement: &Written,
     effort: &Effort,
 ) -> Option<Result<Net, Objection>> {
-    let meant = Meant::new(claim, statement)?;
+    let elaborated = ElaboratedClaim::new(claim, statement)?;
     match &outcome.finding {
         Finding::Proved(judged) => {
             let proved = &judged.statement;
-            let own = meant.without_unneeded(&proved.needed)?;
-            let case = Case::new(&own, effort, proved.grounds.excepted());
+            let own = elaborated.without_unneeded(&proved.needed)?;
+            let case = Case::new(&own, effort, proved.certificate.excepted());
             Some(case.proof(&proved.conditions))
         }
         Finding::Refuted(judged) => {
-            Some(Case::new(&meant, effort, vec![]).refutation(&judged.statement))
+            Some(Case::new(&elaborated, effort, vec![]).refutation(&judged.statement))
         }
-        Finding::Vacuous(_) => Some(Case::new(&meant, effort, vec![]).nowhere()),
+        Finding::Vacuous(_) => Some(Case::new(&elaborated, effort, vec![]).nowhere()),
         _ => None,
     }
 }
@@ -185,15 +190,15 @@ struct Case<'a> {
 
 impl<'a> Case<'a> {
     fn new(
-        meant: &'a Meant<'_>,
+        elaborated: &'a ElaboratedClaim<'_>,
         effort: &'a Effort,
         excepted: Vec<(Formula, prove::Witness)>,
     ) -> Self {
         Self {
-            claim: &meant.claim,
-            statement: meant.statement,
-            core: &meant.core,
-            seed: format!("{}{}", effort.seed, meant.claim.entry.id.get_ref()),
+            claim: &elaborated.claim,
+            statement: elaborated.statement,
+            core: &elaborated.core,
+            seed: format!("{}{}", effort.seed, elaborated.claim.entry.id.get_ref()),
             effort,
             excepted,
         }
@@ -241,7 +246,7 @@ impl<'a> Case<'a> {
         }
         self.is_somewhere(&tally)?;
         let instances = self.instances(&read)?;
-        let conditions: Vec<Sides> = conditions
+        let conditions: Vec<ConditionCheck> = conditions
             .iter()
             .zip(&read)
             .map(|(formula, condition)| self.sides(formula, condition))
@@ -300,7 +305,7 @@ impl<'a> Case<'a> {
 
     /// The statement where a condition fails. A condition that is a hypothesis fails nowhere on the domain; it is looked
     /// at without it.
-    fn sides(&self, formula: &Formula, condition: &Written) -> Sides {
+    fn sides(&self, formula: &Formula, condition: &Written) -> ConditionCheck {
         let slot = provenance::slot_of(self.claim, formula);
         let wider = slot.and_then(|slot| {
             let wider = provenance::without(self.claim, &[slot]);
@@ -312,7 +317,13 @@ impl<'a> Case<'a> {
             None => self.reading(),
         };
         let budget = self.effort.beyond;
-        let found = beyond(&reading, &condition.expr, &self.seed, BEYOND, budget);
+        let found = beyond(
+            &reading,
+            &condition.expr,
+            &self.seed,
+            MIN_VIOLATING_POINTS,
+            budget,
+        );
         let mut found = found.unwrap_or_default();
         let mut needed_at = found.needed_at.map(|point| point.to_string());
         let mut excepted = self.excepted.iter();
@@ -330,7 +341,7 @@ impl<'a> Case<'a> {
                 found.failing += 1;
             }
         }
-        Sides {
+        ConditionCheck {
             condition: formula.text.clone(),
             tried: found.attempts,
             holding: found.holding,

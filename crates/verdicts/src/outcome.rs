@@ -4,7 +4,7 @@ pub use crate::finding::{Outcome, ReadingOutcome};
 use serde::Serialize;
 use torse_prove::evidence::Evidence;
 use torse_syntax::notation::Formula;
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 
 /// A paper and its decided claims, in file order.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

@@ -8,7 +8,7 @@
 //!
 //! A dropped range leaves the one that it narrows, or the whole line.
 
-use crate::claim_record::{Assumed, Role, SaidBy};
+use crate::claim_record::{Assumed, HypothesisSource, Role};
 use std::sync::Arc;
 use torse_algebra::Polynomial;
 use torse_algebra::work::Allowance;
@@ -21,7 +21,7 @@ use torse_syntax::notation::{self, Formula, domain};
 
 /// A hypothesis of a claim by its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Slot {
+pub enum HypothesisRef {
     /// The declared range of a symbol.
     Range(String),
     /// An entry of `assume`.
@@ -33,12 +33,13 @@ pub enum Slot {
 /// All hypotheses of a claim: the ranges of which its files say where they are from, then `assume` and `given`, those
 /// of the same file in the order in which they stand there.
 #[must_use]
-pub fn slots(claim: &Claim) -> Vec<Slot> {
+pub fn slots(claim: &Claim) -> Vec<HypothesisRef> {
     let names = claim.declarations.ranges();
-    let mut found: Vec<(Slot, &Origin)> = names
-        .map(|(name, range)| (Slot::Range(name.to_owned()), &range.origin))
+    let mut found: Vec<(HypothesisRef, &Origin)> = names
+        .map(|(name, range)| (HypothesisRef::Range(name.to_owned()), &range.origin))
         .collect();
-    let written = placed(&claim.assumptions, Slot::Assume).chain(placed(&claim.given, Slot::Given));
+    let written = placed(&claim.assumptions, HypothesisRef::Assume)
+        .chain(placed(&claim.given, HypothesisRef::Given));
     found.extend(written.map(|(slot, hypothesis)| (slot, &hypothesis.formula.origin)));
     // What other files say comes first: it was there before the claim.
     found.sort_by_key(|(_, origin)| {
@@ -51,8 +52,8 @@ pub fn slots(claim: &Claim) -> Vec<Slot> {
 /// The entries of a list with their places.
 fn placed(
     list: &[Hypothesis],
-    slot: fn(usize) -> Slot,
-) -> impl Iterator<Item = (Slot, &Hypothesis)> {
+    slot: fn(usize) -> HypothesisRef,
+) -> impl Iterator<Item = (HypothesisRef, &Hypothesis)> {
     let numbered = list.iter().enumerate();
     numbered.map(move |(i, hypothesis)| (slot(i), hypothesis))
 }
@@ -70,8 +71,8 @@ pub fn assumed(claim: &Claim, needed: &[Option<bool>]) -> Vec<Assumed> {
 }
 
 /// The hypotheses with their places.
-fn hypotheses(claim: &Claim) -> Vec<(Slot, Assumed)> {
-    let entry = |slot: &Slot| {
+fn hypotheses(claim: &Claim) -> Vec<(HypothesisRef, Assumed)> {
+    let entry = |slot: &HypothesisRef| {
         let listed = |role, list: &[Hypothesis], i: usize| {
             list.get(i).map(|h| {
                 (
@@ -82,9 +83,9 @@ fn hypotheses(claim: &Claim) -> Vec<(Slot, Assumed)> {
             })
         };
         let (role, formula, provenance) = match slot {
-            Slot::Assume(i) => listed(Role::Assume, &claim.assumptions, *i)?,
-            Slot::Given(i) => listed(Role::Given, &claim.given, *i)?,
-            Slot::Range(name) => {
+            HypothesisRef::Assume(i) => listed(Role::Assume, &claim.assumptions, *i)?,
+            HypothesisRef::Given(i) => listed(Role::Given, &claim.given, *i)?,
+            HypothesisRef::Range(name) => {
                 let range = claim.declarations.range(name)?;
                 let kind = claim.declarations.symbol(name)?;
                 let formula = match domain::statement(name, kind) {
@@ -101,12 +102,12 @@ fn hypotheses(claim: &Claim) -> Vec<(Slot, Assumed)> {
             role,
             formula,
             from: match provenance {
-                Provenance::Stated => SaidBy::Stated,
-                Provenance::Printed(quote) => SaidBy::Printed {
+                Provenance::Stated => HypothesisSource::Stated,
+                Provenance::Printed(quote) => HypothesisSource::Printed {
                     quote: quote.words,
                     claim: quote.claim,
                 },
-                Provenance::Ours { reason } => SaidBy::Ours { reason },
+                Provenance::Ours { reason } => HypothesisSource::Ours { reason },
             },
             needed: None,
         })
@@ -119,16 +120,18 @@ fn hypotheses(claim: &Claim) -> Vec<(Slot, Assumed)> {
 
 /// The claim without some of its hypotheses.
 #[must_use]
-pub fn without(claim: &Claim, dropped: &[Slot]) -> Claim {
+pub fn without(claim: &Claim, dropped: &[HypothesisRef]) -> Claim {
     let mut fewer = claim.clone();
-    let kept = |list: &[Hypothesis], slot: fn(usize) -> Slot| -> Vec<Hypothesis> {
+    let kept = |list: &[Hypothesis], slot: fn(usize) -> HypothesisRef| -> Vec<Hypothesis> {
         let kept = placed(list, slot).filter(|(slot, _)| !dropped.contains(slot));
         kept.map(|(_, hypothesis)| hypothesis.clone()).collect()
     };
-    fewer.assumptions = kept(&claim.assumptions, Slot::Assume);
-    fewer.given = kept(&claim.given, Slot::Given);
+    fewer.assumptions = kept(&claim.assumptions, HypothesisRef::Assume);
+    fewer.given = kept(&claim.given, HypothesisRef::Given);
     for slot in dropped {
-        let Slot::Range(name) = slot else { continue };
+        let HypothesisRef::Range(name) = slot else {
+            continue;
+        };
         let outer = fewer.declarations.range(name).map(|r| r.outer.clone());
         let wider = match (outer.flatten(), claim.declarations.symbol(name)) {
             (Some(outer), _) => outer,
@@ -145,11 +148,11 @@ pub fn without(claim: &Claim, dropped: &[Slot]) -> Claim {
 
 /// Which hypotheses that are ours a proof needs.
 #[derive(Debug)]
-pub struct Weighed {
+pub struct MinimizedProof {
     /// The proof without those that it does not need.
     pub decision: Decision,
     /// Those that were tried, and whether they are needed.
-    pub needed: Vec<(Slot, bool)>,
+    pub needed: Vec<(HypothesisRef, bool)>,
 }
 
 /// So many hypotheses of ours may take all the work that one may; more of them have to share it.
@@ -158,13 +161,18 @@ const WITH_ALL_WORK: u64 = 5;
 /// Tries to do without the hypotheses that are ours, with so much work for each, and five times as much for all. One that
 /// cannot be tried with that is needed.
 #[must_use]
-pub fn weigh(claim: &Claim, statement: &Written, decision: Decision, budget: u64) -> Weighed {
-    let mut weighed = Weighed {
+pub fn minimize_hypotheses(
+    claim: &Claim,
+    statement: &Written,
+    decision: Decision,
+    budget: u64,
+) -> MinimizedProof {
+    let mut minimized = MinimizedProof {
         decision,
         needed: vec![],
     };
-    if !weighed.decision.is_proven() {
-        return weighed;
+    if !minimized.decision.is_proven() {
+        return minimized;
     }
     let mut allowance = Allowance::new(budget, budget.saturating_mul(WITH_ALL_WORK));
     let mut dropped = vec![];
@@ -177,17 +185,17 @@ pub fn weigh(claim: &Claim, statement: &Written, decision: Decision, budget: u64
         // What makes no sense without the hypothesis needs it.
         let found = allowance.within(|| decide_statement(&fewer, statement));
         match found.ok().and_then(Result::ok) {
-            Some(decision) if stands_for(&decision, &weighed.decision, stated(claim, &slot)) => {
-                weighed.decision = decision;
-                weighed.needed.push((slot, false));
+            Some(decision) if stands_for(&decision, &minimized.decision, stated(claim, &slot)) => {
+                minimized.decision = decision;
+                minimized.needed.push((slot, false));
             }
             _ => {
                 dropped.pop();
-                weighed.needed.push((slot, true));
+                minimized.needed.push((slot, true));
             }
         }
     }
-    weighed
+    minimized
 }
 
 /// The most terms of a condition that is put in the place of a hypothesis.
@@ -217,23 +225,23 @@ fn denies_zeros(hypothesis: &Expr) -> bool {
 }
 
 /// The formula of a hypothesis that has one.
-fn stated<'c>(claim: &'c Claim, slot: &Slot) -> Option<&'c Expr> {
+fn stated<'c>(claim: &'c Claim, slot: &HypothesisRef) -> Option<&'c Expr> {
     let hypothesis = match slot {
-        Slot::Assume(i) => claim.assumptions.get(*i),
-        Slot::Given(i) => claim.given.get(*i),
-        Slot::Range(_) => None,
+        HypothesisRef::Assume(i) => claim.assumptions.get(*i),
+        HypothesisRef::Given(i) => claim.given.get(*i),
+        HypothesisRef::Range(_) => None,
     };
     hypothesis.map(|hypothesis| &hypothesis.formula.expr)
 }
 
 /// Whether a hypothesis is ours, and a condition that a formula can state.
-fn can_be_dropped(claim: &Claim, slot: &Slot) -> bool {
+fn can_be_dropped(claim: &Claim, slot: &HypothesisRef) -> bool {
     let listed =
         |list: &[Hypothesis], i: usize| list.get(i).is_some_and(|h| h.provenance.is_ours());
     match slot {
-        Slot::Assume(i) => listed(&claim.assumptions, *i),
-        Slot::Given(i) => listed(&claim.given, *i),
-        Slot::Range(name) => {
+        HypothesisRef::Assume(i) => listed(&claim.assumptions, *i),
+        HypothesisRef::Given(i) => listed(&claim.given, *i),
+        HypothesisRef::Range(name) => {
             let range = claim.declarations.range(name);
             let kind = claim.declarations.symbol(name);
             range.is_some_and(|range| range.provenance.is_ours())
@@ -244,8 +252,8 @@ fn can_be_dropped(claim: &Claim, slot: &Slot) -> bool {
 
 /// Of each hypothesis, in the order of [`assumed`], whether it is needed; nothing of those that were not tried.
 #[must_use]
-pub fn by_hypothesis(claim: &Claim, needed: &[(Slot, bool)]) -> Vec<Option<bool>> {
-    let tried = |slot: &Slot| needed.iter().find(|(tried, _)| tried == slot);
+pub fn by_hypothesis(claim: &Claim, needed: &[(HypothesisRef, bool)]) -> Vec<Option<bool>> {
+    let tried = |slot: &HypothesisRef| needed.iter().find(|(tried, _)| tried == slot);
     let slots = slots(claim);
     slots
         .iter()
@@ -255,7 +263,7 @@ pub fn by_hypothesis(claim: &Claim, needed: &[(Slot, bool)]) -> Vec<Option<bool>
 
 /// The hypotheses that were found not to be needed, by what is known of each.
 #[must_use]
-pub fn unneeded(claim: &Claim, needed: &[Option<bool>]) -> Vec<Slot> {
+pub fn unneeded(claim: &Claim, needed: &[Option<bool>]) -> Vec<HypothesisRef> {
     let slots = slots(claim).into_iter().zip(needed);
     let unneeded = slots.filter(|(_, needed)| **needed == Some(false));
     unneeded.map(|(slot, _)| slot).collect()
@@ -266,13 +274,13 @@ pub fn unneeded(claim: &Claim, needed: &[Option<bool>]) -> Vec<Slot> {
 pub fn has_ours(claim: &Claim) -> bool {
     assumed(claim, &[])
         .iter()
-        .any(|hypothesis| matches!(hypothesis.from, SaidBy::Ours { .. }))
+        .any(|hypothesis| matches!(hypothesis.from, HypothesisSource::Ours { .. }))
 }
 
 /// The hypotheses that are needed, as conditions.
 #[must_use]
-pub fn conditions(claim: &Claim, needed: &[(Slot, bool)]) -> Vec<Formula> {
-    let is_needed = |slot: &Slot| {
+pub fn conditions(claim: &Claim, needed: &[(HypothesisRef, bool)]) -> Vec<Formula> {
+    let is_needed = |slot: &HypothesisRef| {
         needed
             .iter()
             .any(|(tried, needed)| tried == slot && *needed)
@@ -285,7 +293,7 @@ pub fn conditions(claim: &Claim, needed: &[(Slot, bool)]) -> Vec<Formula> {
 
 /// A condition that is a hypothesis of ours, by its formula.
 #[must_use]
-pub fn slot_of(claim: &Claim, condition: &Formula) -> Option<Slot> {
+pub fn slot_of(claim: &Claim, condition: &Formula) -> Option<HypothesisRef> {
     let mut paired = hypotheses(claim).into_iter();
     let found = paired.find(|(slot, h)| h.formula == *condition && can_be_dropped(claim, slot));
     found.map(|(slot, _)| slot)

@@ -8,10 +8,10 @@
 //! That proves no statement again, but an error of the prover would have to be made here once more, in other words, to
 //! pass.
 
+use crate::existential;
 use crate::judged::Net;
 use crate::net::{self, Effort, Objection};
 use crate::outcome::Outcome;
-use crate::sought;
 use torse_core::stack;
 use torse_syntax::derivation::Claim;
 
@@ -55,7 +55,7 @@ pub fn claim(claim: &Claim, outcome: &Outcome) -> Recheck {
         return Recheck::Nothing;
     };
     let witnessed =
-        (!claim.sought.is_empty()).then(|| sought::witnessed(claim, statement, WITNESS));
+        (!claim.existentials.is_empty()).then(|| existential::witnessed(claim, statement, WITNESS));
     let claim = witnessed.as_ref().unwrap_or(claim);
     match stack::deep(|| net::judged(outcome, claim, statement, &THOROUGH)) {
         None => Recheck::Nothing,

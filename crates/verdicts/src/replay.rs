@@ -4,13 +4,13 @@
 //! rejects is a contradiction: the claim is undecided then. What it cannot follow is not replayed, and says why. A
 //! correction is a proof of its own.
 
+use crate::certificate::DecisionCertificate;
 use crate::condition;
-use crate::grounds::Grounds;
+use crate::elaborated_claim::ElaboratedClaim;
 use crate::judged::Replay;
-use crate::meant::Meant;
 use crate::statement::{ProvedStatement, RefutedStatement};
 use torse_algebra::work;
-use torse_checker::{Unchecked, Work};
+use torse_checker::{CheckError, Work};
 use torse_core as core;
 use torse_prove::decide_statement;
 use torse_syntax::derivation::Origin;
@@ -19,8 +19,15 @@ use torse_syntax::derivation::Origin;
 ///
 /// # Errors
 /// What the checker finds wrong.
-pub(crate) fn proof(proved: &ProvedStatement, meant: &Meant<'_>) -> Result<Replay, String> {
-    checked(&meant.core, &meant.statement.origin, &proved.grounds)
+pub(crate) fn proof(
+    proved: &ProvedStatement,
+    elaborated: &ElaboratedClaim<'_>,
+) -> Result<Replay, String> {
+    checked(
+        &elaborated.core,
+        &elaborated.statement.origin,
+        &proved.certificate,
+    )
 }
 
 /// Replays a refutation, and the proof of its correction, for which so much work may be spent to find it again.
@@ -29,21 +36,21 @@ pub(crate) fn proof(proved: &ProvedStatement, meant: &Meant<'_>) -> Result<Repla
 /// What the checker finds wrong.
 pub(crate) fn refutation(
     refuted: &RefutedStatement,
-    meant: &Meant<'_>,
+    elaborated: &ElaboratedClaim<'_>,
     budget: u64,
 ) -> Result<Replay, String> {
-    let Some(grounds) = &refuted.grounds else {
+    let Some(certificate) = &refuted.certificate else {
         return Ok(Replay::beyond("that there is no other number"));
     };
-    let mut replay = checked(&meant.core, &meant.statement.origin, grounds)?;
+    let mut replay = checked(&elaborated.core, &elaborated.statement.origin, certificate)?;
     if let Some(correction) = refuted.correction() {
-        let claim = &meant.claim;
+        let claim = &elaborated.claim;
         let own = || {
             let written = condition::written(&correction.statement, claim.entry.id.get_ref())?;
             let decided = work::within(budget, || decide_statement(claim, &written));
-            let grounds = Grounds::of(&decided.ok()?.ok()?)?;
+            let certificate = DecisionCertificate::of(&decided.ok()?.ok()?)?;
             let core = torse_elaborate::elaborate(claim, &written).ok()?;
-            Some(checked(&core, &written.origin, &grounds))
+            Some(checked(&core, &written.origin, &certificate))
         };
         let none = || Ok(Replay::beyond("the correction was not proved again"));
         let own = own().unwrap_or_else(none);
@@ -54,17 +61,23 @@ pub(crate) fn refutation(
 }
 
 /// What the checker says.
-fn checked(core: &core::Claim, origin: &Origin, grounds: &Grounds) -> Result<Replay, String> {
+fn checked(
+    core: &core::Claim,
+    origin: &Origin,
+    certificate: &DecisionCertificate,
+) -> Result<Replay, String> {
     let work = Work::new(torse_checker::WORK);
-    let found = match grounds.plain() {
-        Grounds::Proof { conditions, of } => {
+    let found = match certificate.plain() {
+        DecisionCertificate::Proof { conditions, of } => {
             torse_checker::proves(core, origin, &conditions, &of, &work)
         }
-        Grounds::Refutation(refuted) => torse_checker::refutes(core, origin, &refuted, &work),
+        DecisionCertificate::Refutation(refuted) => {
+            torse_checker::refutes(core, origin, &refuted, &work)
+        }
     };
     match found {
         Ok(()) => Ok(Replay::done()),
-        Err(Unchecked::Beyond(why)) => Ok(Replay::beyond(&why.to_string())),
-        Err(wrong @ Unchecked::Wrong(_)) => Err(wrong.to_string()),
+        Err(CheckError::Unsupported(why)) => Ok(Replay::beyond(&why.to_string())),
+        Err(wrong @ CheckError::Wrong(_)) => Err(wrong.to_string()),
     }
 }

@@ -12,7 +12,7 @@ use torse_syntax::derivation::{
 };
 use torse_syntax::formula::parse;
 use torse_syntax::notation::Formula;
-use torse_syntax::words::{Kind, Verdict};
+use torse_syntax::taxonomy::{Kind, Verdict};
 
 /// Decides the claims of a paper again that a fault or a correction is about, all corrections in force, with this budget of
 /// work for each.

@@ -1,12 +1,12 @@
 //! What is said of a statement that was decided, each kind with what that kind has: plain data.
 
+use crate::certificate::DecisionCertificate;
 use crate::correction::{Correction, DataCorrection};
-use crate::grounds::Grounds;
 use serde::Serialize;
 use std::sync::Arc;
 use torse_prove::evidence::{Evidence, Witness};
 use torse_syntax::notation::Formula;
-use torse_syntax::words::{Kind, Verdict};
+use torse_syntax::taxonomy::{Kind, Verdict};
 
 /// A figure that was drawn.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -46,7 +46,7 @@ pub struct ProvedStatement {
     pub needed: Vec<Option<bool>>,
     /// The proof, as data.
     #[serde(skip)]
-    pub grounds: Arc<Grounds>,
+    pub certificate: Arc<DecisionCertificate>,
     /// The steps of the proof, in words.
     pub steps: Vec<String>,
 }
@@ -64,7 +64,7 @@ pub struct RefutedStatement {
     pub derived: Option<Formula>,
     /// The refutation, as data; none where that no other number will do was shown aside.
     #[serde(skip)]
-    pub grounds: Option<Arc<Grounds>>,
+    pub certificate: Option<Arc<DecisionCertificate>>,
     /// What it should have statement.
     pub repair: Option<Repair>,
     /// A change of the data that explains a refuted value.

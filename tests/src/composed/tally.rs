@@ -8,7 +8,7 @@ use crate::random::judge::{outcome, semantics};
 use std::collections::BTreeMap;
 use std::fmt;
 use torse_syntax::notation::Formula;
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::correction::Correction;
 
 /// What an answer is, beside the truth.

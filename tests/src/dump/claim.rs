@@ -57,7 +57,7 @@ fn effective(claim: &Claim) -> Map<String, Value> {
             (name.to_owned(), value)
         })
         .collect();
-    let sought = claim.sought.iter().map(|s| {
+    let sought = claim.existentials.iter().map(|s| {
         let witness = s.witness.as_ref().map(|w| tree(&w.expr));
         json!([s.name, witness])
     });

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use torse_semantics::tree::Reading;
 use torse_semantics::{Tally as Points, tally};
 use torse_syntax::derivation::{self, LoadError, Paper, Source, paper};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::Outcome;
 use torse_verdicts::engine::decide_claim;
 

@@ -19,7 +19,7 @@ mod row;
 
 use row::{Row, page};
 use std::path::Path;
-use torse_syntax::words::Kind;
+use torse_syntax::taxonomy::Kind;
 
 /// No double is farther from its exact number, in units in the last place of the largest number of its vector or matrix; the
 /// condition numbers of the Hermite systems are up to a thousand. The units of the number itself may be more, where it comes from a

@@ -6,7 +6,7 @@ use super::Drawing;
 use miette::Diagnostic;
 use std::sync::Arc;
 use torse_syntax::derivation::{Figure, LoadError, Paper, Source, paper};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 
 const HEAD: &str = r#"
 [paper]

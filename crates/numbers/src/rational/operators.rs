@@ -1,7 +1,7 @@
 //! The ring operations, quotients and signs, by value and by reference: those of [`words`] for short numbers, the inner
 //! type's for others.
 
-use super::{Inner, Integer, Rational, words};
+use super::{Inner, Integer, Rational, machine};
 use num_traits::{Num, One, Signed, Zero};
 use std::iter::{Product, Sum};
 use std::ops::{
@@ -14,7 +14,7 @@ macro_rules! operator {
             type Output = Rational;
             #[inline]
             fn $method(self, other: Rational) -> Rational {
-                match words::$method(&self, &other) {
+                match machine::$method(&self, &other) {
                     Some(short) => short,
                     None => Rational(self.0.$method(other.0)),
                 }
@@ -25,7 +25,7 @@ macro_rules! operator {
             type Output = Rational;
             #[inline]
             fn $method(self, other: &Rational) -> Rational {
-                match words::$method(&self, other) {
+                match machine::$method(&self, other) {
                     Some(short) => short,
                     None => Rational(self.0.$method(&other.0)),
                 }
@@ -36,7 +36,7 @@ macro_rules! operator {
             type Output = Rational;
             #[inline]
             fn $method(self, other: Rational) -> Rational {
-                match words::$method(self, &other) {
+                match machine::$method(self, &other) {
                     Some(short) => short,
                     None => Rational((&self.0).$method(other.0)),
                 }
@@ -47,7 +47,7 @@ macro_rules! operator {
             type Output = Rational;
             #[inline]
             fn $method(self, other: &Rational) -> Rational {
-                match words::$method(self, other) {
+                match machine::$method(self, other) {
                     Some(short) => short,
                     None => Rational((&self.0).$method(&other.0)),
                 }
@@ -57,7 +57,7 @@ macro_rules! operator {
         impl $assign for Rational {
             #[inline]
             fn $assign_method(&mut self, other: Rational) {
-                match words::$method(self, &other) {
+                match machine::$method(self, &other) {
                     Some(short) => *self = short,
                     None => self.0.$assign_method(other.0),
                 }
@@ -67,7 +67,7 @@ macro_rules! operator {
         impl $assign<&Rational> for Rational {
             #[inline]
             fn $assign_method(&mut self, other: &Rational) {
-                match words::$method(self, other) {
+                match machine::$method(self, other) {
                     Some(short) => *self = short,
                     None => self.0.$assign_method(&other.0),
                 }

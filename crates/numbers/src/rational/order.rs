@@ -1,6 +1,6 @@
 //! Order, equality and hash.
 
-use super::{Rational, words};
+use super::{Rational, machine};
 use num_traits::Signed;
 use std::cmp::Ordering;
 use std::hash::{Hash, Hasher};
@@ -24,7 +24,7 @@ impl Hash for Rational {
 
 impl Ord for Rational {
     fn cmp(&self, other: &Self) -> Ordering {
-        if let Some(order) = words::cmp(self, other) {
+        if let Some(order) = machine::cmp(self, other) {
             return order;
         }
         // Denominators are positive: the signs are those of the numerators.

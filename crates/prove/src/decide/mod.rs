@@ -18,15 +18,15 @@ pub mod family;
 mod forced;
 pub mod instances;
 pub mod interval;
-pub mod lively;
+pub mod nondegenerate;
 pub mod order;
+mod render;
 pub mod root;
 pub mod sharpness;
 pub mod sign;
 pub mod value;
 pub mod variation;
 pub mod witness;
-mod words;
 mod wronskian;
 
 use crate::evaluate::Evaluator;
@@ -93,7 +93,7 @@ impl Refutation {
     /// The point in words.
     #[must_use]
     pub fn witness(&self) -> Witness {
-        words::witness(&self.refuted)
+        render::witness(&self.refuted)
     }
 }
 

@@ -7,7 +7,7 @@
 
 use super::candidates::Turns;
 use super::domain::Domain;
-use super::lively::livened;
+use super::nondegenerate::make_nondegenerate;
 use super::order::truth;
 use super::value::{fraction, plain_symbol, quotient};
 use std::collections::BTreeMap;
@@ -148,7 +148,7 @@ pub fn find(
     };
     let point = found.then(|| std::mem::take(&mut search.point))?;
     let fails = |point: &Point| search.fails_at(difference, &constraints, point);
-    let mut point = livened(point, domain.declarations, &fails);
+    let mut point = make_nondegenerate(point, domain.declarations, &fails);
     for (symbol, value) in &domain.solved {
         let value = at_point(value, &point)?;
         point.insert(symbol.clone(), value);

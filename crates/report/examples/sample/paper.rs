@@ -6,18 +6,18 @@ use torse_plot::{Ambient, Interactive, InteractiveError, Part, Shape, Slider, pa
 use torse_prove::evidence::{Evidence, Witness};
 use torse_report::{FigureImage, Image};
 use torse_syntax::notation::Formula;
-use torse_syntax::words::{Kind, Verdict};
-use torse_verdicts::claim_record::{Assumed, ClaimRecord, Role, SaidBy};
+use torse_syntax::taxonomy::{Kind, Verdict};
+use torse_verdicts::certificate::DecisionCertificate;
+use torse_verdicts::claim_record::{Assumed, ClaimRecord, HypothesisSource, Role};
 use torse_verdicts::correction::Correction;
+use torse_verdicts::dependencies::Dependencies;
 use torse_verdicts::finding::Finding;
 use torse_verdicts::finding::Readings;
-use torse_verdicts::grounds::Grounds;
 use torse_verdicts::judged::{Judged, Net};
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 use torse_verdicts::statement::{
     EmptyDomain, FigureFinding, ProvedStatement, RefutedStatement, Repair, UndecidedStatement,
 };
-use torse_verdicts::table::Table;
 
 /// A string of everything that is markup somewhere.
 pub const HOSTILE: &str = "#panic(1) $x$ @ref <label> </article><script>alert(1)</script> & \\ ` * _ \" ' \u{202E} \u{E0F6} \u{0} 漢 ﷽ 🂡";
@@ -37,7 +37,7 @@ fn assumed(text: &str, typst: &str) -> Assumed {
     Assumed {
         role: Role::Assume,
         formula: formula(text, typst),
-        from: SaidBy::Stated,
+        from: HypothesisSource::Stated,
         needed: None,
     }
 }
@@ -108,7 +108,7 @@ pub fn proved(evidence: Evidence, conditions: Vec<Formula>, steps: Vec<String>) 
         evidence,
         conditions,
         needed: vec![],
-        grounds: Arc::new(Grounds::Proof {
+        certificate: Arc::new(DecisionCertificate::Proof {
             conditions: vec![],
             of: Proof::Parts(vec![]),
         }),
@@ -128,7 +128,7 @@ fn without_repair(evidence: Option<Evidence>, witness: Option<Witness>) -> Refut
         witness,
         difference: None,
         derived: None,
-        grounds: None,
+        certificate: None,
         repair: None,
         data: None,
         steps: vec![],
@@ -179,7 +179,7 @@ impl Sample {
                 garbled: None,
                 parsed: self.parsed,
                 assumed: self.assumed,
-                table: Table::default(),
+                table: Dependencies::default(),
                 author_note: None,
                 note: self.note,
                 uses: self.uses,

@@ -3,12 +3,12 @@
 use super::Page;
 use super::pack::Pack;
 use super::text::{Code, Listed, Sentence, Text, badge, formula};
+use crate::glossary;
 use crate::math::Prose;
 use crate::model::{
     ClaimView, ConsequenceView, CorrectionView, FormulaView, ReadingView, Reference, RestsView,
     WitnessView,
 };
-use crate::words;
 use std::fmt::{self, Write};
 
 /// The claim as an `article`, closed until it is asked for; `section` is the identifier of the section that it is in.
@@ -40,7 +40,7 @@ pub(super) fn write(
             term.key, term.label
         )?;
     }
-    if let Some(term) = claim.level.filter(|level| *level != words::DECIDED) {
+    if let Some(term) = claim.level.filter(|level| *level != glossary::DECIDED) {
         write!(
             out,
             " <span class=\"evidence\" data-word=\"{}\">· {}</span>",

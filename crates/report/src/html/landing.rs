@@ -3,8 +3,8 @@
 use super::style;
 use super::text::{Sentence, Text, doi, formula};
 use crate::ReportError;
+use crate::applicability::Answer;
 use crate::model::Report;
-use crate::usable::Answer;
 use std::fmt::{self, Write};
 
 /// Points that a card tells.

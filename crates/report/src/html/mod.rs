@@ -10,15 +10,15 @@ mod colophon;
 mod drawing;
 mod graph;
 mod landing;
-mod moving;
 mod overview;
 mod pack;
 mod picture;
+mod sliders;
 mod text;
 mod torse;
 
+use crate::glossary::{self, KINDS, Term};
 use crate::model::Report;
-use crate::words::{self, KINDS, Term};
 use crate::{FigureImage, Image, ReportError, base64};
 use drawing::{Drawing, Files, Shelf};
 pub use landing::landing_page;
@@ -109,7 +109,7 @@ fn pictures(
         };
         pictures.push(PagePicture {
             element,
-            moving: figure.interactive.as_ref().map(moving::data).transpose()?,
+            moving: figure.interactive.as_ref().map(sliders::data).transpose()?,
             torse: figure.torse.as_ref().map(torse::data).transpose()?,
             name: figure.name.clone(),
             step: figure.step.clone(),
@@ -209,7 +209,7 @@ impl Page<'_> {
              <input id=\"search\" type=\"search\" placeholder=\"Search the claims\" aria-label=\"Search the claims\">\n\
              <select id=\"kind\" aria-label=\"Kind\"><option value=\"\">every kind</option>",
         );
-        for kind in KINDS.into_iter().map(words::kind) {
+        for kind in KINDS.into_iter().map(glossary::kind) {
             if self.report.claims().any(|claim| claim.kind == kind) {
                 write!(
                     out,

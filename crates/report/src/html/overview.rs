@@ -5,12 +5,12 @@ use super::claim::correction;
 use super::pack::Pack;
 use super::text::{Sentence, Text, badge, formula};
 use crate::Tally;
+use crate::applicability::{Answer, Construction};
 use crate::corrections::Corrected;
 use crate::findings::Finding;
+use crate::glossary::{self, DECIDED, EVIDENCE, KERNEL, NETTED, RULES, VERDICTS};
 use crate::math::Prose;
 use crate::model::Report;
-use crate::usable::{Answer, Construction};
-use crate::words::{self, DECIDED, EVIDENCE, KERNEL, NETTED, RULES, VERDICTS};
 use std::fmt::{self, Write};
 
 /// In short, whether the paper can be used, and the corrections.
@@ -278,7 +278,7 @@ pub(super) fn write_appendix(out: &mut String, report: &Report, pack: &mut Pack)
     out.push_str("<h2>Counts</h2>\n");
     tally(out, &report.tally)?;
     out.push_str("<h2 id=\"words\">What the words mean</h2>\n<h3>Verdicts</h3>\n<div class=\"scroll\" tabindex=\"0\"><table>\n");
-    for term in VERDICTS.into_iter().map(words::verdict) {
+    for term in VERDICTS.into_iter().map(glossary::verdict) {
         writeln!(
             out,
             "<tr><th scope=\"row\">{}</th><td>{}</td></tr>",
@@ -289,7 +289,7 @@ pub(super) fn write_appendix(out: &mut String, report: &Report, pack: &mut Pack)
     out.push_str(
         "</table></div>\n<h3>Evidence</h3>\n<div class=\"scroll\" tabindex=\"0\"><table>\n",
     );
-    for term in EVIDENCE.into_iter().map(words::evidence) {
+    for term in EVIDENCE.into_iter().map(glossary::evidence) {
         writeln!(
             out,
             "<tr><th scope=\"row\"><em>{}</em></th><td>{}</td></tr>",

@@ -1,8 +1,8 @@
 //! Words and formulas as text of the page: never markup.
 
+use crate::glossary::Term;
 use crate::math::{Prose, Span};
 use crate::model::{FormulaView, Report};
-use crate::words::Term;
 use std::fmt::{self, Write};
 
 /// A verdict as a coloured word; its mark is in the style, what it means is told by the script.

@@ -7,8 +7,8 @@ use super::letters::{by_rule, greek_letter, is_function};
 use super::markup;
 use super::node::{Face, Node};
 use std::collections::{BTreeMap, BTreeSet};
+use torse_verdicts::dependencies::Dependencies;
 use torse_verdicts::outcome::Outcome;
-use torse_verdicts::table::Table;
 
 /// The sign that stands in a printed name where its index belongs: `$Q_{\cdot,1}$`.
 pub(super) const PLACE: char = '⋅';
@@ -65,7 +65,7 @@ impl Names {
         self.known.extend(others.known);
     }
 
-    fn add(&mut self, table: &Table) {
+    fn add(&mut self, table: &Dependencies) {
         let symbols = table.symbols.iter().map(|s| (s.name.as_str(), &s.display));
         let definitions = table.definitions.iter();
         let definitions = definitions.map(|d| (d.head.text.as_str(), &d.display));

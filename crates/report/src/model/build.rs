@@ -4,6 +4,7 @@ use super::{
     ClaimView, ConsequenceView, FigureView, FormulaView, ReadingView, Reference, Report, RestsView,
     Section, Side, WitnessView,
 };
+use crate::glossary;
 use crate::math::{Names, Prose, plain, spans};
 use crate::rests::{concerns, said_by};
 use crate::source::Source;
@@ -12,16 +13,15 @@ use crate::text::{
     anchor, counted, decimal, figure_number, name, section_rank, section_title, visible,
 };
 use crate::view::{correction, derived, formula};
-use crate::words;
-use crate::{FigureImage, corrections, findings, letter, sentence, short, usable};
+use crate::{FigureImage, applicability, corrections, findings, letter, sentence, summary_page};
 use std::collections::{BTreeMap, BTreeSet};
 use torse_prove::Witness;
 use torse_syntax::notation::Formula;
-use torse_syntax::words::{Kind, Verdict};
+use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_verdicts::claim_record::Role;
 use torse_verdicts::consequences::consequences;
+use torse_verdicts::dependencies::Defined;
 use torse_verdicts::outcome::ReadingOutcome;
-use torse_verdicts::table::Defined;
 use torse_verdicts::{DataCorrection, Outcome, PaperOutcome};
 
 impl Report {
@@ -64,8 +64,8 @@ impl Report {
             venue: visible(&paper.venue),
             source: None,
             tally: Tally::new(&paper.claims),
-            short: short::of(&paper.claims, &builder.anchors),
-            constructions: usable::of(&paper.claims, &builder.anchors),
+            short: summary_page::of(&paper.claims, &builder.anchors),
+            constructions: applicability::of(&paper.claims, &builder.anchors),
             letter: letter::of(paper, accepted),
             corrections: corrections::of(paper, &builder.anchors, accepted),
             findings: findings::of(&paper.claims, &builder.anchors),
@@ -114,7 +114,7 @@ fn figure_view(position: usize, image: &FigureImage, number: String) -> FigureVi
         number,
         caption: prose(&image.caption),
         alt: visible(&image.alt),
-        verdict: words::verdict(image.verdict),
+        verdict: glossary::verdict(image.verdict),
         assumes: image.assumes.iter().map(prose).collect(),
         stand_in: image.stand_in.iter().map(prose).collect(),
     }
@@ -163,15 +163,15 @@ impl<'a> Builder<'a> {
             name: visible(name(&outcome.claim.id)),
             anchor: self.anchors.get(position).cloned().unwrap_or_default(),
             at: visible(&plain(&outcome.claim.at)),
-            kind: words::kind(outcome.claim.kind),
-            verdict: words::verdict_on(outcome),
-            evidence: words::evidence_on(outcome),
-            level: words::level(outcome, accepted.contains(&outcome.claim.id)),
+            kind: glossary::kind(outcome.claim.kind),
+            verdict: glossary::verdict_on(outcome),
+            evidence: glossary::evidence_on(outcome),
+            level: glossary::level(outcome, accepted.contains(&outcome.claim.id)),
             expected: outcome
                 .claim
                 .expect
                 .filter(|of| *of != outcome.verdict())
-                .map(words::verdict),
+                .map(glossary::verdict),
             printed: prose(&outcome.claim.printed),
             reading: option(outcome.claim.reading.as_deref()),
             parsed: outcome.parsed().map(|of| formula(of, &names)),
@@ -249,10 +249,10 @@ impl<'a> Builder<'a> {
             .partition(|of| !of.through.is_empty() && of.fate.survives());
         let views = listed.into_iter().map(|of| ConsequenceView {
             claim: self.reference(&of.id),
-            fate: spans(&visible(&words::consequence(of)), &Names::default()),
+            fate: spans(&visible(&glossary::consequence(of)), &Names::default()),
             through: of.through.last().map(|id| self.reference(id)),
         });
-        let told = (!distant.is_empty()).then(|| words::distant_survivors(distant.len()));
+        let told = (!distant.is_empty()).then(|| glossary::distant_survivors(distant.len()));
         (views.collect(), told)
     }
 
@@ -392,8 +392,8 @@ fn reading(reading: &ReadingOutcome) -> ReadingView {
     ReadingView {
         name: spans(&visible(&reading.name), &names),
         says: spans(&visible(&reading.says), &names),
-        verdict: words::verdict_on(of),
-        evidence: words::evidence_on(of),
+        verdict: glossary::verdict_on(of),
+        evidence: glossary::evidence_on(of),
         parsed: of.parsed().map(|parsed| formula(parsed, &names)),
         assumed: assumed(of, &names),
         conditions: conditions(of.conditions(), &names),

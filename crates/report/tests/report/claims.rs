@@ -4,7 +4,7 @@ use crate::paper;
 use crate::support::short;
 use torse_prove::evidence::Evidence;
 use torse_report::{in_words, model::Report};
-use torse_syntax::words::Kind;
+use torse_syntax::taxonomy::Kind;
 
 #[test]
 fn a_claim_knows_what_rests_on_it_and_where_its_figures_are() {

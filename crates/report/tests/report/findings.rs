@@ -3,7 +3,7 @@
 use crate::paper;
 use crate::support::{HTML, short};
 use torse_prove::evidence::Witness;
-use torse_report::{in_words, model::Report, usable::Answer};
+use torse_report::{applicability::Answer, in_words, model::Report};
 
 #[test]
 fn findings_tell_the_refuted_first_and_leave_out_what_holds() {

@@ -2,7 +2,7 @@
 
 use crate::paper;
 use torse_report::{Envelope, Manuscript, erratum_latex, erratum_markdown, model::Report};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::{FaultChange, PaperFault};
 
 fn draft() -> Envelope {

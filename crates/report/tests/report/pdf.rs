@@ -3,7 +3,7 @@
 use crate::paper;
 use crate::support::{page, short, summary, typeset};
 use torse_report::{FigureImage, Image, ReportError};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::PaperOutcome;
 
 #[test]

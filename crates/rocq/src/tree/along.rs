@@ -9,7 +9,7 @@ use super::scope::{Scope, words};
 use super::writer::{Writer, fresh};
 use crate::binder::Binder;
 use crate::code::{Code, Level};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::place::Place;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -32,19 +32,19 @@ impl Writer<'_> {
     /// The coefficient of a symbol along the equations.
     ///
     /// # Errors
-    /// [`Gap`] for unknowns that are no plain numbers.
+    /// [`Untranslatable`] for unknowns that are no plain numbers.
     pub fn coefficient_along(
         &mut self,
         form: &Expr,
         scope: &Scope,
         place: &Place,
-    ) -> Result<Code, Gap> {
+    ) -> Result<Code, Untranslatable> {
         let along = self.along(place)?;
         let body = self.number(form, &along.scope(scope))?;
         Ok(derivative(&along.variable, &body, &along.place.own()))
     }
 
-    fn along(&mut self, place: &Place) -> Result<Along, Gap> {
+    fn along(&mut self, place: &Place) -> Result<Along, Untranslatable> {
         let known = |along: &&Along| along.place.own() == place.own();
         if let Some(known) = self.alongs.iter().find(known) {
             return Ok(known.clone());
@@ -90,8 +90,11 @@ impl Writer<'_> {
     /// The functions that a statement needs, and that their values solve the equations.
     ///
     /// # Errors
-    /// [`Gap`] for equations that are not defined for every value of the symbol.
-    pub fn along_functions(&mut self, given: &[Expr]) -> Result<(Vec<Binder>, Vec<Code>), Gap> {
+    /// [`Untranslatable`] for equations that are not defined for every value of the symbol.
+    pub fn along_functions(
+        &mut self,
+        given: &[Expr],
+    ) -> Result<(Vec<Binder>, Vec<Code>), Untranslatable> {
         let (mut binders, mut premises) = (vec![], vec![]);
         for along in self.alongs.clone() {
             for (name, unknown) in &along.functions {
@@ -113,13 +116,13 @@ impl Writer<'_> {
                 _ => false,
             };
             if !is_line {
-                return Err(Gap::Theory(
+                return Err(Untranslatable::Theory(
                     "coefficients of symbols of an interval along equations",
                 ));
             }
             for equation in given {
                 if !self.is_equation(equation) {
-                    return Err(Gap::Theory(
+                    return Err(Untranslatable::Theory(
                         "coefficients along what is more than equations",
                     ));
                 }
@@ -130,7 +133,7 @@ impl Writer<'_> {
                 let moving: BTreeSet<&str> = moving.collect();
                 let mut needed = needed.into_vec().into_iter();
                 if needed.any(|p| words(p.text()).any(|word| moving.contains(word.as_str()))) {
-                    return Err(Gap::Theory(
+                    return Err(Untranslatable::Theory(
                         "equations that divide by what moves along them",
                     ));
                 }

@@ -7,21 +7,21 @@ use super::premises::{Premises, mentions};
 use super::scope::{Local, Scope, words};
 use super::writer::{Value, Writer};
 use crate::code::{Code, Level, integer_scope};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use torse_syntax::formula::{Expr, Node};
 
 impl Writer<'_> {
     /// The premises of a function at arguments.
     ///
     /// # Errors
-    /// [`Gap`], as for the value.
+    /// [`Untranslatable`], as for the value.
     pub fn application_defined(
         &mut self,
         head: &Expr,
         arguments: &[Expr],
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let mut given = vec![];
         for argument in arguments {
             self.defined(argument, scope, premises)?;
@@ -33,13 +33,13 @@ impl Writer<'_> {
     /// The texts that stand for what a definition depends on: its arguments, and the symbols that it reaches.
     ///
     /// # Errors
-    /// [`Gap::Unread`] for symbols that are not declared.
+    /// [`Untranslatable::Unread`] for symbols that are not declared.
     pub fn texts(
         &self,
         name: &str,
         arguments: &[Local],
         scope: &Scope,
-    ) -> Result<Vec<String>, Gap> {
+    ) -> Result<Vec<String>, Untranslatable> {
         let mut texts: Vec<String> = arguments.iter().map(|a| a.code.text().to_owned()).collect();
         for symbol in &self.names.of_definition(name).symbols {
             texts.push(self.standing(symbol, scope)?.text().to_owned());
@@ -50,8 +50,8 @@ impl Writer<'_> {
     /// What stands for a parameter of this value: an integer where it can.
     ///
     /// # Errors
-    /// [`Gap`], as for the value.
-    pub fn standing_for(&mut self, expr: &Expr, scope: &Scope) -> Result<Local, Gap> {
+    /// [`Untranslatable`], as for the value.
+    pub fn standing_for(&mut self, expr: &Expr, scope: &Scope) -> Result<Local, Untranslatable> {
         if let Some(code) = self.integer(expr, scope) {
             return Ok(Local {
                 code: Code::atom(integer_scope(&code)),
@@ -72,7 +72,7 @@ impl Writer<'_> {
         arguments: &[Local],
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let bound = scope.bound();
         match &head.node {
             Node::Name(name) => {
@@ -113,7 +113,8 @@ impl Writer<'_> {
                         return self.rate_defined(inner, by, &order, arguments, scope, premises);
                     }
                     let variable = rest.first();
-                    let variable = variable.ok_or(Gap::Construct("a derivative by nothing"))?;
+                    let variable =
+                        variable.ok_or(Untranslatable::Construct("a derivative by nothing"))?;
                     let reach = self.reach(inner, scope);
                     let binding = self.binding_beside(variable, &reach, scope, arguments)?;
                     self.near_applied(inner, &binding, &order, arguments, premises)
@@ -137,12 +138,12 @@ impl Writer<'_> {
         arguments: &[Local],
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let names = self.names.parameters(inner, &scope.bound());
         let names = names.unwrap_or_default();
         let like = names.get(by).map_or("x", String::as_str);
         let at = arguments.get(by);
-        let at = at.ok_or(Gap::Construct("a derivative by no parameter"))?;
+        let at = at.ok_or(Untranslatable::Construct("a derivative by no parameter"))?;
         let outside = match at.kind {
             Kind::Integer => super::function::real(&at.code),
             Kind::Value(_) => at.code.clone(),
@@ -174,11 +175,13 @@ impl Writer<'_> {
         order: &Code,
         arguments: &[Local],
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let mut found = Premises::default();
         self.applied_defined(inner, arguments, &binding.scope, &mut found)?;
         let function = self.function(inner, &binding.scope)?;
-        let function = function.ok_or(Gap::Construct("a derivative of what is no function"))?;
+        let function = function.ok_or(Untranslatable::Construct(
+            "a derivative of what is no function",
+        ))?;
         let mut given = vec![];
         for (local, (_, kind)) in arguments.iter().zip(&function.parameters) {
             given.push(match (local.kind, kind) {
@@ -203,14 +206,14 @@ impl Writer<'_> {
 /// Adds what a derivative needs: its formula has a value near the point, and has derivatives where that is not plain.
 ///
 /// # Errors
-/// [`Gap::Construct`] for orders and shapes whose derivatives are not stated.
+/// [`Untranslatable::Construct`] for orders and shapes whose derivatives are not stated.
 pub(super) fn near(
     binding: &Binding,
     found: Vec<Code>,
     rough: Option<Value>,
     order: &Code,
     premises: &mut Premises,
-) -> Result<(), Gap> {
+) -> Result<(), Untranslatable> {
     let (name, at) = (&binding.name, binding.outside.argument());
     for premise in found {
         // What does not depend on the variable has no neighbourhood.
@@ -225,13 +228,17 @@ pub(super) fn near(
         return Ok(());
     };
     if order.text().contains(' ') {
-        return Err(Gap::Construct("a derivative of symbolic order"));
+        return Err(Untranslatable::Construct("a derivative of symbolic order"));
     }
     let derived = derivative(name, value, order, &binding.outside)?;
     let text = derived.code.text();
     let text = match text.strip_prefix("Derive_n ") {
         Some(rest) => format!("ex_derive_n {rest}"),
-        None => return Err(Gap::Construct("a derivative of a vector with roots")),
+        None => {
+            return Err(Untranslatable::Construct(
+                "a derivative of a vector with roots",
+            ));
+        }
     };
     premises.add(Code::new(text, Level::Application));
     Ok(())

@@ -4,7 +4,7 @@ use super::kinds::Kind;
 use super::scope::Scope;
 use super::writer::{Head, Named, Value, Writer};
 use crate::code::{Code, Level};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use torse_syntax::derivation::declarations::Basis;
 use torse_syntax::formula::Expr;
 
@@ -12,7 +12,7 @@ impl Writer<'_> {
     /// Function i of degree k of a basis at arguments; those that are left out are the declared names.
     ///
     /// # Errors
-    /// [`Gap`], as for the values.
+    /// [`Untranslatable`], as for the values.
     pub fn member(
         &mut self,
         name: &str,
@@ -20,9 +20,11 @@ impl Writer<'_> {
         indices: &[Expr],
         arguments: &[Expr],
         scope: &Scope,
-    ) -> Result<Value, Gap> {
+    ) -> Result<Value, Untranslatable> {
         let [index, degree] = indices else {
-            return Err(Gap::Unread(format!("`{name}` without index and degree")));
+            return Err(Untranslatable::Unread(format!(
+                "`{name}` without index and degree"
+            )));
         };
         let head = self.family(name, basis)?;
         let mut all = self.with_symbols(&head, scope)?;
@@ -31,7 +33,9 @@ impl Writer<'_> {
             match self.argument(argument, kind, scope)? {
                 (code, Kind::Integer | Kind::NUMBER) => all.push(code),
                 (_, Kind::Value(shape)) => {
-                    return Err(Gap::Shapes(format!("{shape} where a number is wanted")));
+                    return Err(Untranslatable::Shapes(format!(
+                        "{shape} where a number is wanted"
+                    )));
                 }
             }
         }
@@ -42,20 +46,20 @@ impl Writer<'_> {
     /// The arguments of a basis with those that are left out, each with the scope that it is meant in.
     ///
     /// # Errors
-    /// [`Gap::Unread`] where one that is left out is the name of a binder.
+    /// [`Untranslatable::Unread`] where one that is left out is the name of a binder.
     pub fn arguments(
         &self,
         basis: &Basis,
         arguments: &[Expr],
         scope: &Scope,
-    ) -> Result<Vec<(Expr, Scope)>, Gap> {
+    ) -> Result<Vec<(Expr, Scope)>, Untranslatable> {
         let given = arguments.iter().map(|e| (e.clone(), scope.clone()));
         let mut all: Vec<(Expr, Scope)> = given.collect();
         let names = std::iter::once(&basis.variable).chain(&basis.parameters);
         for left_out in names.skip(arguments.len()) {
             if scope.locals.contains_key(left_out) {
                 let what = format!("`{left_out}` is left out where a binder has its name");
-                return Err(Gap::Unread(what));
+                return Err(Untranslatable::Unread(what));
             }
             all.push((Expr::name(left_out), scope.outside()));
         }
@@ -65,8 +69,8 @@ impl Writer<'_> {
     /// The definition of a basis.
     ///
     /// # Errors
-    /// [`Gap`], as for the values of seeds and step.
-    pub fn family(&mut self, name: &str, basis: &Basis) -> Result<Head, Gap> {
+    /// [`Untranslatable`], as for the values of seeds and step.
+    pub fn family(&mut self, name: &str, basis: &Basis) -> Result<Head, Untranslatable> {
         let names = std::iter::once(&basis.variable).chain(&basis.parameters);
         let kinds = self.names.kinds_of_basis(name);
         let own: Vec<(String, Kind)> = names.cloned().zip(kinds).collect();
@@ -100,7 +104,7 @@ impl Writer<'_> {
         (index, degree): &(String, String),
         factor: &Expr,
         scope: &Scope,
-    ) -> Result<Code, Gap> {
+    ) -> Result<Code, Untranslatable> {
         let mut bound = scope.bound();
         bound.extend([index.clone(), degree.clone()]);
         let reach = self.names.reach(factor, &bound);

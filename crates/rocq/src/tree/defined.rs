@@ -11,7 +11,7 @@ use super::premises::{Premises, integers, nonzero, plain, relation};
 use super::scope::Scope;
 use super::writer::Writer;
 use crate::code::{Code, Level};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Connective, Expr, Node, Operator};
@@ -20,13 +20,13 @@ impl Writer<'_> {
     /// The premises under which all terms of a statement have values; what stands under `fails` has its own.
     ///
     /// # Errors
-    /// [`Gap`], as for the values.
+    /// [`Untranslatable`], as for the values.
     pub fn statement_defined(
         &mut self,
         expr: &Expr,
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         match &expr.node {
             Node::Not(inner) => self.statement_defined(inner, scope, premises),
             Node::Join(Connective::And | Connective::Or | Connective::Implies, a, b) => {
@@ -38,7 +38,7 @@ impl Writer<'_> {
                     Some(definition) => {
                         self.statement_defined(&definition.body.expr, &scope.outside(), premises)
                     }
-                    None => Err(Gap::Unread(format!("`{name}` is no statement"))),
+                    None => Err(Untranslatable::Unread(format!("`{name}` is no statement"))),
                 }
             }
             Node::Call(head, arguments) => {
@@ -67,13 +67,13 @@ impl Writer<'_> {
     /// Adds the premises under which a formula has a value.
     ///
     /// # Errors
-    /// [`Gap`], as for the value.
+    /// [`Untranslatable`], as for the value.
     pub fn defined(
         &mut self,
         expr: &Expr,
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         self.visit()?;
         let bound = scope.bound();
         match &expr.node {
@@ -119,8 +119,8 @@ impl Writer<'_> {
     /// The premises of a formula alone.
     ///
     /// # Errors
-    /// [`Gap`], as for the value.
-    pub fn gathered(&mut self, expr: &Expr, scope: &Scope) -> Result<Vec<Code>, Gap> {
+    /// [`Untranslatable`], as for the value.
+    pub fn gathered(&mut self, expr: &Expr, scope: &Scope) -> Result<Vec<Code>, Untranslatable> {
         let mut inner = Premises::default();
         self.defined(expr, scope, &mut inner)?;
         Ok(inner.into_vec())
@@ -133,7 +133,7 @@ impl Writer<'_> {
         b: &Expr,
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         match operator {
             Operator::Divide
                 if !self.is_nonzero(b, scope) && self.known(b, scope).is_none_or(|n| n == 0) =>
@@ -166,7 +166,7 @@ impl Writer<'_> {
         arguments: &[Expr],
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         match (name, arguments) {
             ("sum" | "product", [index, low, high, term]) => {
                 self.sum_defined(index, low, high, term, scope, premises)
@@ -176,7 +176,8 @@ impl Writer<'_> {
                     self.defined(order, scope, premises)?;
                 }
                 let variable = rest.first();
-                let variable = variable.ok_or(Gap::Construct("a derivative by nothing"))?;
+                let variable =
+                    variable.ok_or(Untranslatable::Construct("a derivative by nothing"))?;
                 let reach = self.reach(inner, scope);
                 let binding = self.binding(variable, &reach, scope)?;
                 let found = self.gathered(inner, &binding.scope)?;
@@ -210,7 +211,7 @@ impl Writer<'_> {
         arguments: &[Expr],
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let Some(first) = arguments.first() else {
             return Ok(());
         };
@@ -256,7 +257,7 @@ impl Writer<'_> {
         term: &Expr,
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         self.defined(low, scope, premises)?;
         self.defined(high, scope, premises)?;
         let (low, high) = (self.index(low, scope)?, self.index(high, scope)?);
@@ -277,17 +278,17 @@ impl Writer<'_> {
     /// The scope in which a point stands for what `at` binds.
     ///
     /// # Errors
-    /// [`Gap`], as for the point.
+    /// [`Untranslatable`], as for the point.
     pub fn put_in_place(
         &mut self,
         variable: &Expr,
         point: &Expr,
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<Scope, Gap> {
+    ) -> Result<Scope, Untranslatable> {
         self.defined(point, scope, premises)?;
         let Node::Name(name) = &variable.node else {
-            return Err(Gap::Unread("a binder without a name".to_owned()));
+            return Err(Untranslatable::Unread("a binder without a name".to_owned()));
         };
         if let Some(local) = scope.locals.get(name) {
             let (code, kind) = self.argument(point, local.kind, scope)?;

@@ -3,25 +3,25 @@
 use super::scope::{Scope, words};
 use super::writer::{Value, Writer};
 use crate::code::{Code, Level};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::place::Place;
 use crate::shape::Shape;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Expr, Node};
 
-const NO_LIST: Gap = Gap::Construct("`coefficients` of what is no list");
+const NO_LIST: Untranslatable = Untranslatable::Construct("`coefficients` of what is no list");
 
 impl Writer<'_> {
     /// Entry (r, c) is the derivative of form r by symbol c.
     ///
     /// # Errors
-    /// [`Gap`], as for the forms, and for what is no symbol.
+    /// [`Untranslatable`], as for the forms, and for what is no symbol.
     pub fn coefficients(
         &mut self,
         forms: &Expr,
         symbols: &Expr,
         scope: &Scope,
-    ) -> Result<Value, Gap> {
+    ) -> Result<Value, Untranslatable> {
         let (forms, inside) = self.items(forms, scope).ok_or(NO_LIST)?;
         let (symbols, outside) = self.items(symbols, scope).ok_or(NO_LIST)?;
         let mut rows = vec![];
@@ -57,20 +57,22 @@ impl Writer<'_> {
         scope: &Scope,
         symbol: &Expr,
         outside: &Scope,
-    ) -> Result<Code, Gap> {
+    ) -> Result<Code, Untranslatable> {
         let place = self.place(symbol, outside)?;
         let kind = self.names.declarations.symbol(&place.declared);
         if matches!(kind, Some(SymbolKind::Integer { .. })) {
-            return Err(Gap::Construct("`coefficients` of integers"));
+            return Err(Untranslatable::Construct("`coefficients` of integers"));
         }
         let unknowns = self.unknown_names();
         if unknowns.contains(&*place.declared) {
-            return Err(Gap::Construct("coefficients of unknowns of equations"));
+            return Err(Untranslatable::Construct(
+                "coefficients of unknowns of equations",
+            ));
         }
         let reach = self.reach(form, scope);
         if reach.symbols.iter().any(|name| unknowns.contains(name)) {
             if self.depth > 0 || !scope.locals.is_empty() {
-                return Err(Gap::Theory(
+                return Err(Untranslatable::Theory(
                     "coefficients along given equations, in a definition or below a binder",
                 ));
             }
@@ -94,9 +96,9 @@ impl Writer<'_> {
     /// The place that a formula names: a symbol, or a member of a family of numbers.
     ///
     /// # Errors
-    /// [`Gap`] for vectors and their coordinates, and for members that are vectors.
-    pub fn place(&self, symbol: &Expr, scope: &Scope) -> Result<Place, Gap> {
-        let no_symbol = || Gap::Construct("`coefficients` of what is no symbol");
+    /// [`Untranslatable`] for vectors and their coordinates, and for members that are vectors.
+    pub fn place(&self, symbol: &Expr, scope: &Scope) -> Result<Place, Untranslatable> {
+        let no_symbol = || Untranslatable::Construct("`coefficients` of what is no symbol");
         let bound = scope.bound();
         let (name, indices): (&str, &[Expr]) = match &symbol.node {
             Node::Name(name) => match self.names.definition(name, &bound) {
@@ -117,7 +119,9 @@ impl Writer<'_> {
                 ..
             }) if !indices.is_empty() => {}
             Some(SymbolKind::Family { .. }) => {
-                return Err(Gap::Construct("`coefficients` of members that are vectors"));
+                return Err(Untranslatable::Construct(
+                    "`coefficients` of members that are vectors",
+                ));
             }
             Some(SymbolKind::Real(_) | SymbolKind::Integer { .. } | SymbolKind::Vector(None))
                 if indices.is_empty() => {}
@@ -134,20 +138,20 @@ impl Writer<'_> {
     /// Forms have to have values whatever their symbols are.
     ///
     /// # Errors
-    /// [`Gap::Construct`] where they divide by what they are forms in.
+    /// [`Untranslatable::Construct`] where they divide by what they are forms in.
     pub fn coefficients_defined(
         &mut self,
         forms: &Expr,
         symbols: &Expr,
         scope: &Scope,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let found = self.gathered(forms, scope)?;
         let (symbols, outside) = self.items(symbols, scope).ok_or(NO_LIST)?;
         for symbol in &symbols {
             let name = self.place(symbol, &outside)?.name;
             let mut words = found.iter().flat_map(|premise| words(premise.text()));
             if words.any(|word| word == name) {
-                return Err(Gap::Construct(
+                return Err(Untranslatable::Construct(
                     "forms that divide by what they are forms in",
                 ));
             }

@@ -6,7 +6,7 @@ use super::reach::Reach;
 use super::scope::{Scope, words};
 use super::writer::{Head, Named, Value, Writer, fresh};
 use crate::code::{Code, Level};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::shape::Shape;
 use std::collections::BTreeSet;
 use torse_syntax::derivation::declarations::SymbolKind;
@@ -56,8 +56,12 @@ impl Function {
     /// The function at arguments.
     ///
     /// # Errors
-    /// [`Gap::Construct`] for derivatives of matrices, and what is wrong with the body of a definition.
-    pub fn applied(&self, writer: &mut Writer<'_>, arguments: &[Argument]) -> Result<Value, Gap> {
+    /// [`Untranslatable::Construct`] for derivatives of matrices, and what is wrong with the body of a definition.
+    pub fn applied(
+        &self,
+        writer: &mut Writer<'_>,
+        arguments: &[Argument],
+    ) -> Result<Value, Untranslatable> {
         let codes = || arguments.iter().map(|(code, _)| code.clone());
         match &self.form {
             Form::Declared { name, shape } => {
@@ -82,7 +86,8 @@ impl Function {
                 let variable = fresh(like, &taken);
                 let mut inside = arguments.to_vec();
                 let place = inside.get_mut(*by);
-                let place = place.ok_or(Gap::Construct("a derivative by no parameter"))?;
+                let place =
+                    place.ok_or(Untranslatable::Construct("a derivative by no parameter"))?;
                 let moved = (Code::atom(&variable), place.1);
                 let (at, _) = std::mem::replace(place, moved);
                 derivative(&variable, inner.applied(writer, &inside)?, order, &at)
@@ -134,8 +139,8 @@ impl Function {
         writer: &mut Writer<'_>,
         name: &str,
         arguments: &[Argument],
-        write: impl FnOnce(&mut Writer<'_>, &[Argument]) -> Result<Value, Gap>,
-    ) -> Result<Value, Gap> {
+        write: impl FnOnce(&mut Writer<'_>, &[Argument]) -> Result<Value, Untranslatable>,
+    ) -> Result<Value, Untranslatable> {
         let mentions = |(code, _): &Argument| words(code.text()).any(|word| word == name);
         if !arguments.iter().any(mentions) {
             return write(writer, arguments);
@@ -160,13 +165,13 @@ impl Function {
 /// `Derive_n (fun x => body) order at`, entry by entry for a vector.
 ///
 /// # Errors
-/// [`Gap::Construct`] for matrices.
+/// [`Untranslatable::Construct`] for matrices.
 pub(super) fn derivative(
     variable: &str,
     body: Value,
     order: &Code,
     at: &Code,
-) -> Result<Value, Gap> {
+) -> Result<Value, Untranslatable> {
     let Value { code, shape } = body;
     let function = Code::new(format!("fun {variable} => {}", code.text()), Level::Open);
     let code = match shape {
@@ -175,7 +180,7 @@ pub(super) fn derivative(
             let size = Code::atom(n.to_string());
             Code::apply("vDerive", &[size, function, order.clone(), at.clone()])
         }
-        Shape::Matrix(..) => return Err(Gap::Construct("a derivative of a matrix")),
+        Shape::Matrix(..) => return Err(Untranslatable::Construct("a derivative of a matrix")),
     };
     Ok(Value { code, shape })
 }
@@ -202,8 +207,12 @@ impl Writer<'_> {
     /// The function that a formula is, if it is one.
     ///
     /// # Errors
-    /// [`Gap`] for what has no translation.
-    pub fn function(&mut self, expr: &Expr, scope: &Scope) -> Result<Option<Function>, Gap> {
+    /// [`Untranslatable`] for what has no translation.
+    pub fn function(
+        &mut self,
+        expr: &Expr,
+        scope: &Scope,
+    ) -> Result<Option<Function>, Untranslatable> {
         match &expr.node {
             Node::Name(name) => self.named_function(name, scope),
             Node::Call(head, arguments) => {
@@ -237,7 +246,11 @@ impl Writer<'_> {
         }
     }
 
-    fn named_function(&mut self, name: &str, scope: &Scope) -> Result<Option<Function>, Gap> {
+    fn named_function(
+        &mut self,
+        name: &str,
+        scope: &Scope,
+    ) -> Result<Option<Function>, Untranslatable> {
         if scope.locals.contains_key(name) || scope.moved.contains_key(name) {
             return Ok(None);
         }
@@ -275,10 +288,14 @@ impl Writer<'_> {
     /// A definition with parameters.
     ///
     /// # Errors
-    /// [`Gap::Unread`] for what is none.
-    pub fn defined_function(&mut self, name: &str, scope: &Scope) -> Result<Function, Gap> {
+    /// [`Untranslatable::Unread`] for what is none.
+    pub fn defined_function(
+        &mut self,
+        name: &str,
+        scope: &Scope,
+    ) -> Result<Function, Untranslatable> {
         let definition = self.names.declarations.definition(name);
-        let definition = definition.ok_or_else(|| Gap::Unread(name.to_owned()))?;
+        let definition = definition.ok_or_else(|| Untranslatable::Unread(name.to_owned()))?;
         let kinds = self.names.kinds_of_definition(name);
         let parameters = definition.parameters.iter().cloned().zip(kinds).collect();
         let reach = self.names.of_definition(name);
@@ -293,9 +310,9 @@ impl Writer<'_> {
     }
 
     /// The `Definition` of a name with parameters of these kinds.
-    fn defined_head(&mut self, name: &str, own: &[(String, Kind)]) -> Result<Head, Gap> {
+    fn defined_head(&mut self, name: &str, own: &[(String, Kind)]) -> Result<Head, Untranslatable> {
         let definition = self.names.declarations.definition(name);
-        let definition = definition.ok_or_else(|| Gap::Unread(name.to_owned()))?;
+        let definition = definition.ok_or_else(|| Untranslatable::Unread(name.to_owned()))?;
         self.define(Named::Definition, name, own, &[], |writer, scope, _| {
             writer.value(&definition.body.expr, scope)
         })
@@ -307,7 +324,7 @@ impl Writer<'_> {
         inner: &Expr,
         rest: &[Expr],
         scope: &Scope,
-    ) -> Result<Option<Function>, Gap> {
+    ) -> Result<Option<Function>, Untranslatable> {
         let Some(own) = self.names.parameters(inner, &scope.bound()) else {
             return Ok(None);
         };
@@ -321,7 +338,7 @@ impl Writer<'_> {
             return Ok(inner.map(|inner| rate(inner, by, order)));
         }
         let variable = rest.first();
-        let variable = variable.ok_or(Gap::Construct("a derivative by nothing"))?;
+        let variable = variable.ok_or(Untranslatable::Construct("a derivative by nothing"))?;
         let reach = self.reach(inner, scope);
         let binding = self.binding(variable, &reach, scope)?;
         let inner = self.function(inner, &binding.scope)?;
@@ -339,17 +356,19 @@ impl Writer<'_> {
     /// The order of a derivative, 1 if it is left out.
     ///
     /// # Errors
-    /// [`Gap::Construct`] for what is no integer.
-    pub fn order(&self, order: Option<&Expr>, scope: &Scope) -> Result<Code, Gap> {
+    /// [`Untranslatable::Construct`] for what is no integer.
+    pub fn order(&self, order: Option<&Expr>, scope: &Scope) -> Result<Code, Untranslatable> {
         let Some(order) = order else {
             return Ok(Code::atom("1"));
         };
         match self.literal(order, scope) {
             Some(order) if order >= 0 => Ok(Code::atom(order.to_string())),
-            Some(_) => Err(Gap::Construct("a derivative of negative order")),
+            Some(_) => Err(Untranslatable::Construct("a derivative of negative order")),
             None => match self.integer(order, scope) {
                 Some(_) => Ok(Code::apply("Z.to_nat", &[self.index(order, scope)?])),
-                None => Err(Gap::Construct("a derivative whose order is no integer")),
+                None => Err(Untranslatable::Construct(
+                    "a derivative whose order is no integer",
+                )),
             },
         }
     }
@@ -357,15 +376,15 @@ impl Writer<'_> {
     /// What `D`, `at` or `integral` binds in a formula that reaches this.
     ///
     /// # Errors
-    /// [`Gap::Unread`] for what is neither a local name nor a declared number.
+    /// [`Untranslatable::Unread`] for what is neither a local name nor a declared number.
     pub fn binding(
         &mut self,
         variable: &Expr,
         reach: &Reach,
         scope: &Scope,
-    ) -> Result<Binding, Gap> {
+    ) -> Result<Binding, Untranslatable> {
         let Node::Name(name) = &variable.node else {
-            return Err(Gap::Unread("a binder without a name".to_owned()));
+            return Err(Untranslatable::Unread("a binder without a name".to_owned()));
         };
         if let Some(local) = scope.locals.get(name) {
             let bound = self.binder(name, reach, scope);
@@ -383,7 +402,11 @@ impl Writer<'_> {
         let kind = match self.names.declarations.symbol(name) {
             Some(SymbolKind::Real(_) | SymbolKind::Vector(None)) => Kind::NUMBER,
             Some(SymbolKind::Integer { .. }) => Kind::Integer,
-            _ => return Err(Gap::Unread(format!("`{name}` is bound and is no number"))),
+            _ => {
+                return Err(Untranslatable::Unread(format!(
+                    "`{name}` is bound and is no number"
+                )));
+            }
         };
         let mut others = reach.clone();
         others.symbols.remove(name);
@@ -414,8 +437,13 @@ impl Writer<'_> {
     /// A value as the argument of a parameter of this kind: an integer where one is wanted, else what it is.
     ///
     /// # Errors
-    /// [`Gap`], as for the value, and where an integer is wanted.
-    pub fn argument(&mut self, expr: &Expr, kind: Kind, scope: &Scope) -> Result<Argument, Gap> {
+    /// [`Untranslatable`], as for the value, and where an integer is wanted.
+    pub fn argument(
+        &mut self,
+        expr: &Expr,
+        kind: Kind,
+        scope: &Scope,
+    ) -> Result<Argument, Untranslatable> {
         if kind == Kind::Integer {
             return Ok((self.index(expr, scope)?, Kind::Integer));
         }
@@ -435,15 +463,17 @@ impl Writer<'_> {
     /// A function at arguments.
     ///
     /// # Errors
-    /// [`Gap`], as for their values.
+    /// [`Untranslatable`], as for their values.
     pub fn call(
         &mut self,
         function: &Function,
         arguments: &[Expr],
         scope: &Scope,
-    ) -> Result<Value, Gap> {
+    ) -> Result<Value, Untranslatable> {
         if function.parameters.len() != arguments.len() {
-            return Err(Gap::Unread("a wrong number of arguments".to_owned()));
+            return Err(Untranslatable::Unread(
+                "a wrong number of arguments".to_owned(),
+            ));
         }
         let mut given = vec![];
         for (argument, (_, kind)) in arguments.iter().zip(&function.parameters) {
@@ -487,7 +517,7 @@ impl Writer<'_> {
         reach: &Reach,
         scope: &Scope,
         beside: &[super::scope::Local],
-    ) -> Result<Binding, Gap> {
+    ) -> Result<Binding, Untranslatable> {
         let binding = self.binding(variable, reach, scope)?;
         let taken: BTreeSet<String> = beside
             .iter()

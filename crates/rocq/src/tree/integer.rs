@@ -4,7 +4,7 @@ use super::kinds::Kind;
 use super::scope::Scope;
 use super::writer::Writer;
 use crate::code::{Code, Level, integer_scope};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use torse_numbers::{Affine, rational};
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Expr, Node, Operator};
@@ -56,10 +56,12 @@ impl Writer<'_> {
     /// An integer as an argument.
     ///
     /// # Errors
-    /// [`Gap::Construct`] for what is no integer by its form.
-    pub fn index(&self, expr: &Expr, scope: &Scope) -> Result<Code, Gap> {
+    /// [`Untranslatable::Construct`] for what is no integer by its form.
+    pub fn index(&self, expr: &Expr, scope: &Scope) -> Result<Code, Untranslatable> {
         let code = self.integer(expr, scope);
-        let code = code.ok_or(Gap::Construct("an index that is not made of integers"))?;
+        let code = code.ok_or(Untranslatable::Construct(
+            "an index that is not made of integers",
+        ))?;
         Ok(Code::atom(integer_scope(&code)))
     }
 
@@ -107,8 +109,8 @@ impl Writer<'_> {
     /// An integer-affine form in the scope of integers.
     ///
     /// # Errors
-    /// [`Gap::Unread`] for a symbol that the claim does not declare.
-    pub fn affine(&self, form: &Affine) -> Result<String, Gap> {
+    /// [`Untranslatable::Unread`] for a symbol that the claim does not declare.
+    pub fn affine(&self, form: &Affine) -> Result<String, Untranslatable> {
         let mut text = String::new();
         for (symbol, multiple) in form.multiples() {
             let name = self.symbol(symbol)?;

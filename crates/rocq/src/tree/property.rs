@@ -7,7 +7,7 @@ use super::said::{all_of, compare};
 use super::scope::{Scope, words};
 use super::writer::{Writer, fresh};
 use crate::code::{Code, Level};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::interval::within;
 use std::collections::BTreeSet;
 use torse_syntax::derivation::declarations::{Basis, SymbolKind};
@@ -15,25 +15,27 @@ use torse_syntax::formula::{Expr, Node};
 
 impl<'a> Writer<'a> {
     /// A basis by its name.
-    fn basis_named(&self, expr: &Expr) -> Result<(String, &'a Basis), Gap> {
+    fn basis_named(&self, expr: &Expr) -> Result<(String, &'a Basis), Untranslatable> {
         let Node::Name(name) = &expr.node else {
-            return Err(Gap::Unread("a property of what is no basis".to_owned()));
+            return Err(Untranslatable::Unread(
+                "a property of what is no basis".to_owned(),
+            ));
         };
         let basis = self.names.declarations.basis(name);
-        let basis = basis.ok_or_else(|| Gap::Unread(format!("`{name}` is no basis")))?;
+        let basis = basis.ok_or_else(|| Untranslatable::Unread(format!("`{name}` is no basis")))?;
         Ok((name.clone(), basis))
     }
 
     /// The premises under which the functions of a basis have values, for all values of its variable.
     ///
     /// # Errors
-    /// [`Gap`], as for the basis.
+    /// [`Untranslatable`], as for the basis.
     pub fn property_defined(
         &mut self,
         basis: &Expr,
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let (name, basis) = self.basis_named(basis)?;
         let parts = basis.seeds.iter().chain([&basis.step.0, &basis.step.1]);
         let parts: Vec<&Expr> = parts.map(|part| &part.expr).collect();
@@ -61,8 +63,8 @@ impl<'a> Writer<'a> {
     /// That all functions of a basis are nonnegative.
     ///
     /// # Errors
-    /// [`Gap`], as for the basis.
-    pub fn nonnegative(&mut self, basis: &Expr, scope: &Scope) -> Result<Code, Gap> {
+    /// [`Untranslatable`], as for the basis.
+    pub fn nonnegative(&mut self, basis: &Expr, scope: &Scope) -> Result<Code, Untranslatable> {
         let (name, basis) = self.basis_named(basis)?;
         let members: i64 = basis.degree.into();
         let is_list = basis.is_list;
@@ -97,11 +99,11 @@ impl<'a> Writer<'a> {
     /// That the functions of each degree are linearly independent on the interval.
     ///
     /// # Errors
-    /// [`Gap`], as for the basis.
-    pub fn independent(&mut self, basis: &Expr, scope: &Scope) -> Result<Code, Gap> {
+    /// [`Untranslatable`], as for the basis.
+    pub fn independent(&mut self, basis: &Expr, scope: &Scope) -> Result<Code, Untranslatable> {
         let (name, basis) = self.basis_named(basis)?;
         if basis.is_list {
-            return Err(Gap::Construct("the independence of a list"));
+            return Err(Untranslatable::Construct("the independence of a list"));
         }
         let property = self.property(&name, scope)?;
         let function = property.function(&property.i, &property.k);
@@ -125,20 +127,25 @@ impl<'a> Writer<'a> {
 
     /// A basis at the values of its shape parameters outside, and names for what is quantified: its variable over its declared set,
     /// and indices and degree.
-    fn property(&mut self, name: &str, scope: &Scope) -> Result<Property, Gap> {
+    fn property(&mut self, name: &str, scope: &Scope) -> Result<Property, Untranslatable> {
         let basis = self.names.declarations.basis(name);
-        let basis = basis.ok_or_else(|| Gap::Unread(format!("`{name}` is no basis")))?;
+        let basis = basis.ok_or_else(|| Untranslatable::Unread(format!("`{name}` is no basis")))?;
         if basis.counters.is_some() {
-            return Err(Gap::Construct(
+            return Err(Untranslatable::Construct(
                 "a property of a basis whose step depends on the index",
             ));
         }
         let interval = match self.names.declarations.symbol(&basis.variable) {
             Some(SymbolKind::Real(interval)) => interval,
-            _ => return Err(Gap::Unread(format!("`{}` is no number", basis.variable))),
+            _ => {
+                return Err(Untranslatable::Unread(format!(
+                    "`{}` is no number",
+                    basis.variable
+                )));
+            }
         };
         if interval.formulas().next().is_some() {
-            return Err(Gap::Construct(
+            return Err(Untranslatable::Construct(
                 "a property of a basis on an interval between formulas",
             ));
         }

@@ -5,7 +5,7 @@ use super::premises::{Premises, integers, plain};
 use super::scope::Scope;
 use super::writer::Writer;
 use crate::code::{Code, Level};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::shape::Shape;
 use torse_numbers::Affine;
 use torse_syntax::derivation::declarations::{Basis, SymbolKind};
@@ -15,14 +15,14 @@ impl Writer<'_> {
     /// The premises of a member of a family or a list, of an indexed definition, or of a basis with its arguments left out.
     ///
     /// # Errors
-    /// [`Gap`], as for the value.
+    /// [`Untranslatable`], as for the value.
     pub fn index_defined(
         &mut self,
         head: &Expr,
         indices: &[Expr],
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let bound = scope.bound();
         if let Node::Name(name) = &head.node {
             if self
@@ -83,7 +83,7 @@ impl Writer<'_> {
         indices: &[Expr],
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         for (index, length) in indices.iter().zip(lengths) {
             if self.literal(index, scope).is_none() {
                 let place = plain(&self.index(index, scope)?);
@@ -99,7 +99,7 @@ impl Writer<'_> {
         indices: &[Expr],
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         for ((low, high), index) in ranges.iter().zip(indices) {
             if let (Some(low), Some(high), Some(index)) =
                 (low.as_number(), high.as_number(), self.known(index, scope))
@@ -108,7 +108,9 @@ impl Writer<'_> {
                 continue;
             }
             let code = self.integer(index, scope);
-            let code = code.ok_or(Gap::Construct("an index that is not made of integers"))?;
+            let code = code.ok_or(Untranslatable::Construct(
+                "an index that is not made of integers",
+            ))?;
             let (low, high) = (self.affine(low)?, self.affine(high)?);
             let index = code.within(Level::Sum);
             premises.add(integers(format!("{low} <= {index} <= {high}")));
@@ -119,7 +121,7 @@ impl Writer<'_> {
     /// The premises of a function of a basis.
     ///
     /// # Errors
-    /// [`Gap`], as for the value.
+    /// [`Untranslatable`], as for the value.
     pub fn member_defined(
         &mut self,
         basis: &Basis,
@@ -128,7 +130,7 @@ impl Writer<'_> {
         arguments: &[Expr],
         scope: &Scope,
         premises: &mut Premises,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         let given = self.arguments(basis, arguments, scope)?;
         for part in indices {
             self.defined(part, scope, premises)?;
@@ -137,7 +139,9 @@ impl Writer<'_> {
             self.defined(argument, scope, premises)?;
         }
         let [_, degree] = indices else {
-            return Err(Gap::Unread(format!("`{name}` without index and degree")));
+            return Err(Untranslatable::Unread(format!(
+                "`{name}` without index and degree"
+            )));
         };
         let lowest = i64::from(basis.degree);
         if self
@@ -145,7 +149,9 @@ impl Writer<'_> {
             .is_none_or(|degree| degree < lowest)
         {
             let degree = self.integer(degree, scope);
-            let degree = degree.ok_or(Gap::Construct("a degree that is not made of integers"))?;
+            let degree = degree.ok_or(Untranslatable::Construct(
+                "a degree that is not made of integers",
+            ))?;
             let degree = degree.within(Level::Sum);
             premises.add(integers(format!("{lowest} <= {degree}")));
         }
@@ -171,7 +177,7 @@ impl Writer<'_> {
         let highest = self
             .literal(degree, scope)
             .or_else(|| self.known(degree, scope));
-        let highest = highest.ok_or(Gap::Construct(
+        let highest = highest.ok_or(Untranslatable::Construct(
             "a basis of symbolic degree whose step depends on the index",
         ))?;
         let number = |n: i64| Code::atom(format!("{n}%Z"));

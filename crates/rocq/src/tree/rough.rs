@@ -3,7 +3,7 @@
 use super::premises::{Premises, mentions};
 use super::scope::{Local, Scope};
 use super::writer::Writer;
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use torse_syntax::formula::{Expr, Node, Operator};
 
 impl Writer<'_> {
@@ -11,8 +11,13 @@ impl Writer<'_> {
     /// what depends on this name.
     ///
     /// # Errors
-    /// [`Gap`], as for the values.
-    pub fn rough(&mut self, expr: &Expr, scope: &Scope, name: &str) -> Result<bool, Gap> {
+    /// [`Untranslatable`], as for the values.
+    pub fn rough(
+        &mut self,
+        expr: &Expr,
+        scope: &Scope,
+        name: &str,
+    ) -> Result<bool, Untranslatable> {
         self.visit()?;
         let bound = scope.bound();
         match &expr.node {
@@ -75,7 +80,12 @@ impl Writer<'_> {
         }
     }
 
-    fn any_rough(&mut self, exprs: &[Expr], scope: &Scope, name: &str) -> Result<bool, Gap> {
+    fn any_rough(
+        &mut self,
+        exprs: &[Expr],
+        scope: &Scope,
+        name: &str,
+    ) -> Result<bool, Untranslatable> {
         for expr in exprs {
             if self.rough(expr, scope, name)? {
                 return Ok(true);
@@ -87,14 +97,14 @@ impl Writer<'_> {
     /// The same of a function at arguments.
     ///
     /// # Errors
-    /// [`Gap`], as for the values.
+    /// [`Untranslatable`], as for the values.
     pub fn rough_applied(
         &mut self,
         head: &Expr,
         arguments: &[Local],
         scope: &Scope,
         name: &str,
-    ) -> Result<bool, Gap> {
+    ) -> Result<bool, Untranslatable> {
         let bound = scope.bound();
         match &head.node {
             Node::Name(own) => {

@@ -5,7 +5,7 @@ use super::scope::Scope;
 use super::value::zero;
 use super::writer::{Value, Writer};
 use crate::code::{Code, Level};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::shape::Shape;
 use torse_numbers::Rational;
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
@@ -13,7 +13,7 @@ use torse_syntax::formula::{Connective, Expr, Node, Relation};
 /// What `fails` is about: the premises of the claim, under its binders.
 pub(super) struct Domain<'c> {
     /// Writes `forall symbols, premises -> the statement`.
-    pub denied: &'c dyn Fn(&mut Writer<'_>, &Expr, &Scope) -> Result<Code, Gap>,
+    pub denied: &'c dyn Fn(&mut Writer<'_>, &Expr, &Scope) -> Result<Code, Untranslatable>,
 }
 
 impl Writer<'_> {
@@ -21,13 +21,13 @@ impl Writer<'_> {
     /// by `and`.
     ///
     /// # Errors
-    /// [`Gap`] for what has no translation.
+    /// [`Untranslatable`] for what has no translation.
     pub fn said(
         &mut self,
         expr: &Expr,
         scope: &Scope,
         domain: Option<&Domain<'_>>,
-    ) -> Result<Code, Gap> {
+    ) -> Result<Code, Untranslatable> {
         match &expr.node {
             Node::Compare(first, rest) => {
                 let mut parts = vec![];
@@ -60,8 +60,8 @@ impl Writer<'_> {
             Node::Name(name) if !scope.locals.contains_key(name) => {
                 let definition = self.names.declarations.definition(name);
                 let definition = definition.filter(|d| d.parameters.is_empty());
-                let definition =
-                    definition.ok_or_else(|| Gap::Unread(format!("`{name}` is no statement")))?;
+                let definition = definition
+                    .ok_or_else(|| Untranslatable::Unread(format!("`{name}` is no statement")))?;
                 self.said(&definition.body.expr, &scope.outside(), domain)
             }
             Node::Call(head, arguments) => {
@@ -81,7 +81,7 @@ impl Writer<'_> {
                     }
                     (Some("agrees"), [value, printed]) => self.agrees(value, printed, scope),
                     (Some("fails"), [inner]) => {
-                        let domain = domain.ok_or(Gap::Unread(
+                        let domain = domain.ok_or(Untranslatable::Unread(
                             "`fails` below another word, or among the hypotheses".to_owned(),
                         ))?;
                         let text = (domain.denied)(self, inner, scope)?;
@@ -89,15 +89,15 @@ impl Writer<'_> {
                     }
                     (Some("nonnegative"), [basis]) => self.nonnegative(basis, scope),
                     (Some("independent"), [basis]) => self.independent(basis, scope),
-                    (Some("variation_diminishing"), _) => {
-                        Err(Gap::Theory("total positivity and variation diminution"))
-                    }
-                    _ => Err(Gap::Unread(
+                    (Some("variation_diminishing"), _) => Err(Untranslatable::Theory(
+                        "total positivity and variation diminution",
+                    )),
+                    _ => Err(Untranslatable::Unread(
                         "a value where a statement is wanted".to_owned(),
                     )),
                 }
             }
-            _ => Err(Gap::Unread(
+            _ => Err(Untranslatable::Unread(
                 "a value where a statement is wanted".to_owned(),
             )),
         }
@@ -110,7 +110,7 @@ impl Writer<'_> {
         scope: &Scope,
         domain: Option<&Domain<'_>>,
         parts: &mut Vec<Code>,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), Untranslatable> {
         match &expr.node {
             Node::Join(Connective::And, a, b) => {
                 self.conjuncts(a, scope, domain, parts)?;
@@ -130,7 +130,7 @@ impl Writer<'_> {
                     Some(definition) => {
                         self.conjuncts(&definition.body.expr, &scope.outside(), domain, parts)
                     }
-                    None => Err(Gap::Unread(format!("`{name}` is no statement"))),
+                    None => Err(Untranslatable::Unread(format!("`{name}` is no statement"))),
                 }
             }
             _ => {
@@ -146,17 +146,17 @@ impl Writer<'_> {
         left: &Expr,
         right: &Expr,
         scope: &Scope,
-    ) -> Result<Code, Gap> {
+    ) -> Result<Code, Untranslatable> {
         let (x, y) = (self.value(left, scope)?, self.value(right, scope)?);
         let (a, b) = match (x.shape, y.shape) {
             (a, b) if a == b => (x.code, y.code),
             (shape, Shape::Number) if self.is_zero(right, scope) => (x.code, zero(shape)),
             (Shape::Number, shape) if self.is_zero(left, scope) => (zero(shape), y.code),
-            (a, b) => return Err(Gap::Shapes(format!("{a} compared with {b}"))),
+            (a, b) => return Err(Untranslatable::Shapes(format!("{a} compared with {b}"))),
         };
         let order = !matches!(relation, Relation::Equal | Relation::Different);
         if order && x.shape != Shape::Number {
-            return Err(Gap::Shapes("an order of vectors".to_owned()));
+            return Err(Untranslatable::Shapes("an order of vectors".to_owned()));
         }
         let sign = match relation {
             Relation::Equal => "=",
@@ -171,7 +171,12 @@ impl Writer<'_> {
 
     /// Printed decimals, entry by entry. A number without a point is read with as many digits as the decimal that has the
     /// fewest; where there are none it is exact.
-    fn agrees(&mut self, value: &Expr, printed: &Expr, scope: &Scope) -> Result<Code, Gap> {
+    fn agrees(
+        &mut self,
+        value: &Expr,
+        printed: &Expr,
+        scope: &Scope,
+    ) -> Result<Code, Untranslatable> {
         let Value { code, shape } = self.value(value, scope)?;
         let entries: Vec<Code> = match shape {
             Shape::Number => vec![code],
@@ -180,17 +185,19 @@ impl Writer<'_> {
                     |i: usize| Code::apply("entry", &[code.clone(), Code::atom(i.to_string())]);
                 (1..=n).map(entry).collect()
             }
-            Shape::Matrix(..) => return Err(Gap::Construct("printed decimals of a matrix")),
+            Shape::Matrix(..) => {
+                return Err(Untranslatable::Construct("printed decimals of a matrix"));
+            }
         };
         let printed = match &printed.node {
             Node::List(items) => items.iter().map(Printed::read).collect(),
             _ => Printed::read(printed).map(|one| vec![one]),
         };
-        let printed: Vec<Printed> =
-            printed.ok_or_else(|| Gap::Unread("a formula among printed numbers".to_owned()))?;
+        let printed: Vec<Printed> = printed
+            .ok_or_else(|| Untranslatable::Unread("a formula among printed numbers".to_owned()))?;
         if entries.len() != printed.len() {
             let what = "as many printed numbers as entries are wanted";
-            return Err(Gap::Shapes(what.to_owned()));
+            return Err(Untranslatable::Shapes(what.to_owned()));
         }
         let digits = printed.iter().filter_map(|p| p.decimals);
         let fewest = digits.filter(|d| *d > 0).min();
@@ -210,9 +217,9 @@ impl Writer<'_> {
             });
         }
         let mut all = all.into_iter();
-        let first = all
-            .next()
-            .ok_or(Gap::Construct("an empty list of printed numbers"))?;
+        let first = all.next().ok_or(Untranslatable::Construct(
+            "an empty list of printed numbers",
+        ))?;
         Ok(all.fold(first, |before, one| {
             Code::infix_right(&before, "/\\", &one, Level::Both)
         }))
@@ -230,8 +237,10 @@ pub(super) fn compare(left: &Code, sign: &str, right: &Code) -> Code {
 }
 
 /// All of these, in this order.
-pub(super) fn all_of(mut parts: Vec<Code>) -> Result<Code, Gap> {
-    let last = parts.pop().ok_or(Gap::Construct("an empty conjunction"))?;
+pub(super) fn all_of(mut parts: Vec<Code>) -> Result<Code, Untranslatable> {
+    let last = parts
+        .pop()
+        .ok_or(Untranslatable::Construct("an empty conjunction"))?;
     Ok(parts.iter().rfold(last, |rest, part| {
         Code::infix_right(part, "/\\", &rest, Level::Both)
     }))

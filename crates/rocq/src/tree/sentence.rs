@@ -8,7 +8,7 @@ use super::scope::{Scope, words};
 use super::writer::{Writer, fresh};
 use crate::binder::Binder;
 use crate::code::{Code, Level};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::interval::within;
 use crate::proposition::Proposition;
 use std::collections::{BTreeMap, BTreeSet};
@@ -31,15 +31,19 @@ struct Subject<'c> {
 /// The proposition of a claim that says this under these conditions.
 ///
 /// # Errors
-/// [`Gap`] for what has no translation.
-pub fn sentence(claim: &Claim, statement: &Expr, conditions: &[Expr]) -> Result<Proposition, Gap> {
+/// [`Untranslatable`] for what has no translation.
+pub fn sentence(
+    claim: &Claim,
+    statement: &Expr,
+    conditions: &[Expr],
+) -> Result<Proposition, Untranslatable> {
     let subject = Subject::new(claim, statement, conditions);
     let writer = &mut Writer::new(&claim.declarations, &subject.reach);
     writer.unknowns = claim.unknowns.iter().map(|w| w.expr.clone()).collect();
     let scope = Scope::default();
     let mut binders = subject.binders(writer)?;
     let mut premises = subject.premises(writer)?;
-    let sought: Vec<&str> = claim.sought.iter().map(|s| s.name.as_str()).collect();
+    let sought: Vec<&str> = claim.existentials.iter().map(|s| s.name.as_str()).collect();
     let mut needed = Premises::default();
     writer.statement_defined(statement, &scope, &mut needed)?;
     let (of_sought, of_others): (Vec<Code>, Vec<Code>) =
@@ -110,7 +114,7 @@ fn there_are(
     sought: &[&str],
     needed: Vec<Code>,
     said: Code,
-) -> Result<Code, Gap> {
+) -> Result<Code, Untranslatable> {
     let mut parts = vec![];
     let mut bound = String::new();
     for name in sought {
@@ -119,7 +123,9 @@ fn there_are(
         if let Some(SymbolKind::Real(interval)) = claim.declarations.symbol(name) {
             parts.extend(within(own, interval));
             if interval.formulas().next().is_some() {
-                return Err(Gap::Construct("a sought number between formulas"));
+                return Err(Untranslatable::Construct(
+                    "a sought number between formulas",
+                ));
             }
         }
     }
@@ -141,7 +147,7 @@ impl<'c> Subject<'c> {
         for expr in all.chain(conditions) {
             reach.extend(&names.reach(expr, &Bound::new()));
         }
-        let sought = |name: &String| claim.sought.iter().any(|s| s.name == *name);
+        let sought = |name: &String| claim.existentials.iter().any(|s| s.name == *name);
         // Sets are declared in terms of symbols whose sets are declared in terms of others again.
         let mut bounded = BTreeSet::new();
         let symbols = loop {
@@ -177,7 +183,7 @@ impl<'c> Subject<'c> {
     }
 
     /// The symbols: functions, then integers, which index ranges name, then all others.
-    fn binders(&self, writer: &Writer<'_>) -> Result<Vec<Binder>, Gap> {
+    fn binders(&self, writer: &Writer<'_>) -> Result<Vec<Binder>, Untranslatable> {
         let order = |name: &&String| match self.declarations.symbol(name) {
             None => 0,
             Some(SymbolKind::Integer { .. }) => 1,
@@ -236,7 +242,7 @@ impl<'c> Subject<'c> {
     }
 
     /// What is assumed: smoothness, sets, hypotheses with their definedness.
-    fn premises(&self, writer: &mut Writer<'_>) -> Result<Vec<Code>, Gap> {
+    fn premises(&self, writer: &mut Writer<'_>) -> Result<Vec<Code>, Untranslatable> {
         let mut premises = vec![];
         for binder in self.binders(writer)? {
             let is_function = self.declarations.symbol(&binder.symbol).is_none();
@@ -273,7 +279,12 @@ impl<'c> Subject<'c> {
     }
 
     /// The same claim with another statement, which `fails` denies.
-    fn denied(&self, writer: &mut Writer<'_>, inner: &Expr, scope: &Scope) -> Result<Code, Gap> {
+    fn denied(
+        &self,
+        writer: &mut Writer<'_>,
+        inner: &Expr,
+        scope: &Scope,
+    ) -> Result<Code, Untranslatable> {
         let mut premises = self.premises(writer)?;
         let mut needed = Premises::default();
         writer.statement_defined(inner, scope, &mut needed)?;
@@ -281,7 +292,9 @@ impl<'c> Subject<'c> {
         let alongs = writer.alongs.len();
         let conclusion = writer.said(inner, scope, None)?;
         if writer.alongs.len() > alongs {
-            return Err(Gap::Theory("denials of coefficients along given equations"));
+            return Err(Untranslatable::Theory(
+                "denials of coefficients along given equations",
+            ));
         }
         let whole = Proposition {
             definitions: vec![],

@@ -8,7 +8,7 @@ use super::reach::with;
 use super::scope::Scope;
 use super::writer::{Named, Value, Writer};
 use crate::code::{Code, Level};
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::shape::Shape;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Expr, Node, Operator};
@@ -27,8 +27,8 @@ impl Writer<'_> {
     /// The value of a formula.
     ///
     /// # Errors
-    /// [`Gap`] for what has no translation, and for shapes that do not fit.
-    pub fn value(&mut self, expr: &Expr, scope: &Scope) -> Result<Value, Gap> {
+    /// [`Untranslatable`] for what has no translation, and for shapes that do not fit.
+    pub fn value(&mut self, expr: &Expr, scope: &Scope) -> Result<Value, Untranslatable> {
         self.visit()?;
         match &expr.node {
             Node::Number { value, .. } => Ok(Value::number(Code::rational(value))),
@@ -49,7 +49,7 @@ impl Writer<'_> {
             Node::Binary(Operator::Power, a, b) => self.power(a, b, scope),
             Node::Binary(operator, a, b) => self.binary(*operator, a, b, scope),
             Node::List(items) => self.list(items, scope),
-            Node::Compare(..) | Node::Join(..) | Node::Not(_) => Err(Gap::Unread(
+            Node::Compare(..) | Node::Join(..) | Node::Not(_) => Err(Untranslatable::Unread(
                 "a statement where a value is wanted".to_owned(),
             )),
         }
@@ -58,16 +58,18 @@ impl Writer<'_> {
     /// A number.
     ///
     /// # Errors
-    /// As [`Writer::value`], and [`Gap::Shapes`] for vectors.
-    pub fn number(&mut self, expr: &Expr, scope: &Scope) -> Result<Code, Gap> {
+    /// As [`Writer::value`], and [`Untranslatable::Shapes`] for vectors.
+    pub fn number(&mut self, expr: &Expr, scope: &Scope) -> Result<Code, Untranslatable> {
         let Value { code, shape } = self.value(expr, scope)?;
         match shape {
             Shape::Number => Ok(code),
-            other => Err(Gap::Shapes(format!("{other} where a number is wanted"))),
+            other => Err(Untranslatable::Shapes(format!(
+                "{other} where a number is wanted"
+            ))),
         }
     }
 
-    fn named(&mut self, name: &str, scope: &Scope) -> Result<Value, Gap> {
+    fn named(&mut self, name: &str, scope: &Scope) -> Result<Value, Untranslatable> {
         if let Some(local) = scope.locals.get(name) {
             return Ok(Value::number(match local.kind {
                 Kind::Integer => super::function::real(&local.code),
@@ -80,7 +82,9 @@ impl Writer<'_> {
         let declarations = self.names.declarations;
         if let Some(definition) = declarations.definition(name) {
             if !definition.parameters.is_empty() {
-                return Err(Gap::Unread(format!("the function `{name}` alone")));
+                return Err(Untranslatable::Unread(format!(
+                    "the function `{name}` alone"
+                )));
             }
             let body = &definition.body.expr;
             let head = self.define(Named::Definition, name, &[], &[], |writer, scope, _| {
@@ -105,17 +109,24 @@ impl Writer<'_> {
                 });
             }
             Some(SymbolKind::Family { .. }) => {
-                return Err(Gap::Unread(format!("the family `{name}` without an index")));
+                return Err(Untranslatable::Unread(format!(
+                    "the family `{name}` without an index"
+                )));
             }
             None => {}
         }
         match name {
             "pi" => Ok(Value::number(Code::atom("PI"))),
-            _ => Err(Gap::Unread(format!("`{name}` is no value"))),
+            _ => Err(Untranslatable::Unread(format!("`{name}` is no value"))),
         }
     }
 
-    fn called(&mut self, head: &Expr, arguments: &[Expr], scope: &Scope) -> Result<Value, Gap> {
+    fn called(
+        &mut self,
+        head: &Expr,
+        arguments: &[Expr],
+        scope: &Scope,
+    ) -> Result<Value, Untranslatable> {
         let bound = scope.bound();
         if let Node::Index(family, indices) = &head.node
             && let Node::Name(name) = &family.node
@@ -128,11 +139,18 @@ impl Writer<'_> {
         }
         match self.function(head, scope)? {
             Some(function) => self.call(&function, arguments, scope),
-            None => Err(Gap::Unread("what is applied is no function".to_owned())),
+            None => Err(Untranslatable::Unread(
+                "what is applied is no function".to_owned(),
+            )),
         }
     }
 
-    fn indexed(&mut self, head: &Expr, indices: &[Expr], scope: &Scope) -> Result<Value, Gap> {
+    fn indexed(
+        &mut self,
+        head: &Expr,
+        indices: &[Expr],
+        scope: &Scope,
+    ) -> Result<Value, Untranslatable> {
         let bound = scope.bound();
         if let Node::Name(name) = &head.node {
             if let Some(definition) = self.names.definition(name, &bound)
@@ -158,7 +176,9 @@ impl Writer<'_> {
                     return self.entry(point, std::slice::from_ref(coordinate), scope);
                 }
                 if ranges.is_empty() && indices.len() != 1 {
-                    return Err(Gap::Construct("a family of several indices without ranges"));
+                    return Err(Untranslatable::Construct(
+                        "a family of several indices without ranges",
+                    ));
                 }
                 let indices = indices.iter().map(|index| self.index(index, scope));
                 let indices = indices.collect::<Result<Vec<_>, _>>()?;
@@ -175,7 +195,12 @@ impl Writer<'_> {
         self.entry(whole, indices, scope)
     }
 
-    fn entry(&mut self, of: Value, indices: &[Expr], scope: &Scope) -> Result<Value, Gap> {
+    fn entry(
+        &mut self,
+        of: Value,
+        indices: &[Expr],
+        scope: &Scope,
+    ) -> Result<Value, Untranslatable> {
         let Value {
             mut code,
             mut shape,
@@ -183,7 +208,9 @@ impl Writer<'_> {
         for index in indices {
             let (length, head, inner) = match shape {
                 Shape::Number => {
-                    return Err(Gap::Construct("a coordinate of a generic coordinate"));
+                    return Err(Untranslatable::Construct(
+                        "a coordinate of a generic coordinate",
+                    ));
                 }
                 Shape::Vector(length) => (length, "entry", Shape::Number),
                 Shape::Matrix(rows, columns) => (rows, "row", Shape::Vector(columns)),
@@ -192,7 +219,7 @@ impl Writer<'_> {
                 Some(place) if (1..=length).any(|inside| i64::try_from(inside) == Ok(place)) => {
                     Code::atom(place.to_string())
                 }
-                Some(_) => return Err(Gap::Construct("an entry outside of its vector")),
+                Some(_) => return Err(Untranslatable::Construct("an entry outside of its vector")),
                 None => Code::apply("Z.to_nat", &[self.index(index, scope)?]),
             };
             code = Code::apply(head, &[code, argument]);
@@ -207,7 +234,7 @@ impl Writer<'_> {
         a: &Expr,
         b: &Expr,
         scope: &Scope,
-    ) -> Result<Value, Gap> {
+    ) -> Result<Value, Untranslatable> {
         let (left, right) = (self.value(a, scope)?, self.value(b, scope)?);
         let (x, y) = (&left.code, &right.code);
         let both = [x.clone(), y.clone()];
@@ -247,11 +274,11 @@ impl Writer<'_> {
                 code: y.clone(),
                 shape,
             },
-            (_, x, y) => return Err(Gap::Shapes(format!("{x} and {y}"))),
+            (_, x, y) => return Err(Untranslatable::Shapes(format!("{x} and {y}"))),
         })
     }
 
-    fn power(&mut self, a: &Expr, b: &Expr, scope: &Scope) -> Result<Value, Gap> {
+    fn power(&mut self, a: &Expr, b: &Expr, scope: &Scope) -> Result<Value, Untranslatable> {
         let base = self.number(a, scope)?;
         let Some(exponent) = self.literal(b, scope) else {
             let exponent = self.index(b, scope)?;
@@ -266,7 +293,7 @@ impl Writer<'_> {
         }))
     }
 
-    fn list(&mut self, items: &[Expr], scope: &Scope) -> Result<Value, Gap> {
+    fn list(&mut self, items: &[Expr], scope: &Scope) -> Result<Value, Untranslatable> {
         let values = items.iter().map(|item| self.value(item, scope));
         let values = values.collect::<Result<Vec<_>, _>>()?;
         let shapes = values.iter().map(|value| value.shape);
@@ -279,7 +306,11 @@ impl Writer<'_> {
                 (Some(wanted @ Shape::Vector(_)), Shape::Number) if self.is_zero(item, scope) => {
                     zero(wanted)
                 }
-                (_, other) => return Err(Gap::Shapes(format!("{other} in a list of others"))),
+                (_, other) => {
+                    return Err(Untranslatable::Shapes(format!(
+                        "{other} in a list of others"
+                    )));
+                }
             });
         }
         let shape = match vector {
@@ -292,11 +323,16 @@ impl Writer<'_> {
         })
     }
 
-    fn built_in(&mut self, name: &str, arguments: &[Expr], scope: &Scope) -> Result<Value, Gap> {
+    fn built_in(
+        &mut self,
+        name: &str,
+        arguments: &[Expr],
+        scope: &Scope,
+    ) -> Result<Value, Untranslatable> {
         match (name, arguments) {
             ("sum", [index, low, high, term]) => self.sum(index, low, high, term, scope),
-            ("product", _) => Err(Gap::Construct("a product over an index")),
-            ("integral", _) => Err(Gap::Construct("an integral")),
+            ("product", _) => Err(Untranslatable::Construct("a product over an index")),
+            ("integral", _) => Err(Untranslatable::Construct("an integral")),
             ("D", [inner, variable, rest @ ..]) => {
                 let order = self.order(rest.first(), scope)?;
                 let reach = self.reach(inner, scope);
@@ -326,7 +362,9 @@ impl Writer<'_> {
             ("identity", [n]) => {
                 let size = self.literal(n, scope);
                 let size = size.and_then(|n| usize::try_from(n).ok());
-                let size = size.ok_or(Gap::Construct("an identity matrix of symbolic size"))?;
+                let size = size.ok_or(Untranslatable::Construct(
+                    "an identity matrix of symbolic size",
+                ))?;
                 let argument = Code::atom(size.to_string());
                 let shape = Shape::Matrix(size, size);
                 Ok(Value::applied("identity", &[argument], shape))
@@ -370,7 +408,12 @@ impl Writer<'_> {
     }
 
     /// A built-in function of values.
-    fn plain(&mut self, name: &str, arguments: &[Expr], scope: &Scope) -> Result<Value, Gap> {
+    fn plain(
+        &mut self,
+        name: &str,
+        arguments: &[Expr],
+        scope: &Scope,
+    ) -> Result<Value, Untranslatable> {
         let values = arguments.iter().map(|argument| self.value(argument, scope));
         let values = values.collect::<Result<Vec<_>, _>>()?;
         let codes: Vec<Code> = values.iter().map(|value| value.code.clone()).collect();
@@ -390,7 +433,7 @@ impl Writer<'_> {
             ("solve", [Matrix(n, m), Vector(l)]) if n == m && m == l => ("solve", Vector(*n)),
             _ => {
                 let what = "the arguments of a built-in function".to_owned();
-                return Err(Gap::Shapes(what));
+                return Err(Untranslatable::Shapes(what));
             }
         };
         Ok(Value::applied(head, &codes, shape))
@@ -403,7 +446,7 @@ impl Writer<'_> {
         high: &Expr,
         term: &Expr,
         scope: &Scope,
-    ) -> Result<Value, Gap> {
+    ) -> Result<Value, Untranslatable> {
         let (low, high) = (self.index(low, scope)?, self.index(high, scope)?);
         let (name, inside) = self.counted(index, term, scope)?;
         let body = self.value(term, &inside)?;
@@ -414,22 +457,22 @@ impl Writer<'_> {
                 let size = Code::atom(n.to_string());
                 Value::applied("vsum", &[size, low, high, function], shape)
             }
-            Shape::Matrix(..) => return Err(Gap::Construct("a sum of matrices")),
+            Shape::Matrix(..) => return Err(Untranslatable::Construct("a sum of matrices")),
         })
     }
 
     /// What the index of a sum is called, and the scope of its terms.
     ///
     /// # Errors
-    /// [`Gap::Unread`] for an index without a name.
+    /// [`Untranslatable::Unread`] for an index without a name.
     pub fn counted(
         &self,
         index: &Expr,
         term: &Expr,
         scope: &Scope,
-    ) -> Result<(String, Scope), Gap> {
+    ) -> Result<(String, Scope), Untranslatable> {
         let Node::Name(like) = &index.node else {
-            return Err(Gap::Unread("a sum over no name".to_owned()));
+            return Err(Untranslatable::Unread("a sum over no name".to_owned()));
         };
         let reach = self.names.reach(term, &with(&scope.bound(), index));
         let name = self.binder(like, &reach, scope);

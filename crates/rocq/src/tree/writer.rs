@@ -5,7 +5,7 @@ use super::moving::Along;
 use super::reach::{Names, Reach};
 use super::scope::Scope;
 use crate::code::Code;
-use crate::gap::Gap;
+use crate::gap::Untranslatable;
 use crate::name::{self, identifier};
 use crate::shape::Shape;
 use std::collections::{BTreeMap, BTreeSet};
@@ -113,34 +113,34 @@ impl<'a> Writer<'a> {
     /// Counts bytes.
     ///
     /// # Errors
-    /// [`Gap::Size`].
-    pub fn spend(&mut self, bytes: usize) -> Result<(), Gap> {
+    /// [`Untranslatable::Size`].
+    pub fn spend(&mut self, bytes: usize) -> Result<(), Untranslatable> {
         self.bytes += bytes;
         match self.bytes <= MAX_BYTES {
             true => Ok(()),
-            false => Err(Gap::Size { limit: MAX_BYTES }),
+            false => Err(Untranslatable::Size { limit: MAX_BYTES }),
         }
     }
 
     /// Counts a term that is looked at.
     ///
     /// # Errors
-    /// [`Gap::Size`].
-    pub fn visit(&mut self) -> Result<(), Gap> {
+    /// [`Untranslatable::Size`].
+    pub fn visit(&mut self) -> Result<(), Untranslatable> {
         self.terms += 1;
         match self.terms <= MAX_TERMS {
             true => Ok(()),
-            false => Err(Gap::Size { limit: MAX_TERMS }),
+            false => Err(Untranslatable::Size { limit: MAX_TERMS }),
         }
     }
 
     /// The name of a declared symbol.
     ///
     /// # Errors
-    /// [`Gap::Unread`] if nothing was said to reach it.
-    pub fn symbol(&self, name: &str) -> Result<&str, Gap> {
+    /// [`Untranslatable::Unread`] if nothing was said to reach it.
+    pub fn symbol(&self, name: &str) -> Result<&str, Untranslatable> {
         let found = self.symbols.get(name).map(String::as_str);
-        found.ok_or_else(|| Gap::Unread(format!("the symbol `{name}` is not declared")))
+        found.ok_or_else(|| Untranslatable::Unread(format!("the symbol `{name}` is not declared")))
     }
 
     /// The names of all declared symbols.
@@ -151,8 +151,8 @@ impl<'a> Writer<'a> {
     /// What stands for a declared symbol.
     ///
     /// # Errors
-    /// [`Gap::Unread`] if nothing was said to reach it.
-    pub fn standing(&self, name: &str, scope: &Scope) -> Result<Code, Gap> {
+    /// [`Untranslatable::Unread`] if nothing was said to reach it.
+    pub fn standing(&self, name: &str, scope: &Scope) -> Result<Code, Untranslatable> {
         match scope.moved.get(name) {
             Some(code) => Ok(code.clone()),
             None => Ok(Code::atom(self.symbol(name)?)),
@@ -162,8 +162,8 @@ impl<'a> Writer<'a> {
     /// The type of a declared symbol, as a definition takes it.
     ///
     /// # Errors
-    /// [`Gap::Unread`] for what is not declared.
-    pub fn symbol_type(&self, name: &str) -> Result<String, Gap> {
+    /// [`Untranslatable::Unread`] for what is not declared.
+    pub fn symbol_type(&self, name: &str) -> Result<String, Untranslatable> {
         let declarations = self.names.declarations;
         if let (None, Some(dimension)) = (declarations.symbol(name), declarations.function(name)) {
             return Ok(match dimension {
@@ -172,8 +172,9 @@ impl<'a> Writer<'a> {
             });
         }
         let kind = declarations.symbol(name);
-        let kind =
-            kind.ok_or_else(|| Gap::Unread(format!("the symbol `{name}` is not declared")))?;
+        let kind = kind.ok_or_else(|| {
+            Untranslatable::Unread(format!("the symbol `{name}` is not declared"))
+        })?;
         Ok(match kind {
             SymbolKind::Real(_) | SymbolKind::Vector(None) => "R".to_owned(),
             SymbolKind::Integer { .. } => "Z".to_owned(),
@@ -225,15 +226,15 @@ impl<'a> Writer<'a> {
     /// `indices` integers that come last; `write` writes its body.
     ///
     /// # Errors
-    /// What `write` finds, and [`Gap::Size`].
+    /// What `write` finds, and [`Untranslatable::Size`].
     pub fn define(
         &mut self,
         what: Named,
         name: &str,
         own: &[(String, Kind)],
         indices: &[&str],
-        write: impl FnOnce(&mut Self, &Scope, &[Code]) -> Result<Value, Gap>,
-    ) -> Result<Head, Gap> {
+        write: impl FnOnce(&mut Self, &Scope, &[Code]) -> Result<Value, Untranslatable>,
+    ) -> Result<Head, Untranslatable> {
         let kinds = own.iter().map(|(_, kind)| *kind).collect();
         let key = (what, name.to_owned(), kinds);
         if let Some(head) = self.written.get(&key) {
@@ -314,8 +315,8 @@ impl<'a> Writer<'a> {
     /// A definition with the symbols that it takes.
     ///
     /// # Errors
-    /// [`Gap::Unread`].
-    pub fn with_symbols(&self, head: &Head, scope: &Scope) -> Result<Vec<Code>, Gap> {
+    /// [`Untranslatable::Unread`].
+    pub fn with_symbols(&self, head: &Head, scope: &Scope) -> Result<Vec<Code>, Untranslatable> {
         let symbols = head.symbols.iter();
         symbols.map(|name| self.standing(name, scope)).collect()
     }

@@ -10,7 +10,7 @@ use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::theorem::Theorem;
 use torse_rocq::trial;
 use torse_syntax::derivation::{Claim, LoadError, Source, paper};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 
 /// Equations for members of a family, whose right sides are members of another.
 const MEMBERS: &str =

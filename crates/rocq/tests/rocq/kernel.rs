@@ -11,7 +11,7 @@ use torse_rocq::script::OTHERS;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::trial;
 use torse_syntax::derivation::{Claim, LoadError, Source, paper};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 
 /// A true statement, a false one that differs from it by one edit, and the evidence of the true one.
 const PAIRS: [(&str, &str, Evidence); 22] = [

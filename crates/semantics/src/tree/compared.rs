@@ -171,25 +171,27 @@ impl<'s, 'e> Compared<'s, 'e> {
             return all;
         }
         let mut inside = outermost.clone();
-        for (sought, _) in reading.sought() {
-            let witness = sought.witness.as_ref();
+        for (existentials, _) in reading.existentials() {
+            let witness = existentials.witness.as_ref();
             let value = witness.map(|witness| at.number(&witness.expr, &outermost));
             match value {
-                Some(Ok(value)) => inside = at.moving(&sought.name, Part::Whole, value, &inside),
+                Some(Ok(value)) => {
+                    inside = at.moving(&existentials.name, Part::Whole, value, &inside)
+                }
                 Some(Err(gap)) => return vec![Piece::Value(None, Err(gap))],
                 None => return vec![Piece::Word("without a witness".to_owned())],
             }
         }
         let mut members: Vec<TreeOutline<'s>> = vec![];
         let mut is_inhabited = true;
-        for (sought, ends) in reading.sought() {
-            let symbol = reading.declarations().symbol(&sought.name);
+        for (existentials, ends) in reading.existentials() {
+            let symbol = reading.declarations().symbol(&existentials.name);
             let Some(SymbolKind::Real(interval)) = symbol else {
                 continue;
             };
             is_inhabited &= ends.is_empty() && has_points(interval);
             let own = || {
-                let own = at.symbol(&sought.name, &Part::Whole, &inside);
+                let own = at.symbol(&existentials.name, &Part::Whole, &inside);
                 Piece::Value(None, own.map(Value::Number))
             };
             let end = |bound: &Bound| Piece::Value(None, at.end(bound));

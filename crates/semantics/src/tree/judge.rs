@@ -18,7 +18,7 @@ use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_syntax::derivation::declarations::{Bound, Declarations, Interval, SymbolKind};
-use torse_syntax::derivation::{Claim, Sought, Written};
+use torse_syntax::derivation::{Claim, Existential, Written};
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
 /// A claim with a statement, to be judged at points, from their trees alone.
@@ -30,7 +30,7 @@ pub struct Reading<'a> {
     /// The names of the numbers that a point is about. Others may have any values of their sets.
     names: BTreeSet<String>,
     /// What the ends of the sets of sought numbers say that are formulas.
-    sought: Vec<Vec<Written>>,
+    existentials: Vec<Vec<Written>>,
     /// The leaves at which slips are tried.
     leaves: Vec<&'a Expr>,
     /// Whether a slip was seen at a point.
@@ -80,7 +80,7 @@ impl<'a> Reading<'a> {
             claim,
             statement,
             jets: Jets::new(&claim.declarations, names.iter().map(String::as_str)),
-            sought: claim.sought.iter().map(|s| ends(&s.name)).collect(),
+            existentials: claim.existentials.iter().map(|s| ends(&s.name)).collect(),
             leaves: leaves(statement),
             seen: Cell::new(false),
             held: Cell::new(false),
@@ -133,13 +133,13 @@ impl<'a> Reading<'a> {
     }
 
     /// What is sought, with what the ends of its set say that are formulas.
-    pub(super) fn sought(&self) -> impl Iterator<Item = (&'a Sought, &[Written])> {
-        let ends = self.sought.iter().map(Vec::as_slice);
-        self.claim.sought.iter().zip(ends)
+    pub(super) fn existentials(&self) -> impl Iterator<Item = (&'a Existential, &[Written])> {
+        let ends = self.existentials.iter().map(Vec::as_slice);
+        self.claim.existentials.iter().zip(ends)
     }
 
     pub(crate) fn seeks(&self) -> bool {
-        !self.claim.sought.is_empty()
+        !self.claim.existentials.is_empty()
     }
 
     /// The hypotheses as they are written: `assume`, then `given`.
@@ -243,7 +243,7 @@ impl<'a> Reading<'a> {
     /// What the statement is, read by an evaluator that knows the given equations.
     pub(crate) fn judged<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) -> Judgement {
         let outermost = Environment::outermost();
-        if self.claim.sought.is_empty() {
+        if self.claim.existentials.is_empty() {
             return at.truth(self.statement, &outermost);
         }
         self.there_is(at)
@@ -252,14 +252,14 @@ impl<'a> Reading<'a> {
     /// Whether slips of the statement were looked for, and none was seen at any point.
     #[must_use]
     pub fn is_blind(&self) -> bool {
-        let looked = !self.leaves.is_empty() && self.claim.sought.is_empty();
+        let looked = !self.leaves.is_empty() && self.claim.existentials.is_empty();
         looked && self.held.get() && !self.seen.get()
     }
 
     /// Notes a point at which the statement is true, and looks whether a slip in it changes a value there.
     pub(crate) fn look<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) {
         self.held.set(true);
-        if !self.seen.get() && self.claim.sought.is_empty() {
+        if !self.seen.get() && self.claim.existentials.is_empty() {
             let seen = at.sees_a_slip(self.statement, &self.leaves);
             self.seen.set(seen);
         }
@@ -281,20 +281,22 @@ impl<'a> Reading<'a> {
     fn there_is<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) -> Judgement {
         let outermost = Environment::outermost();
         let mut inside = outermost.clone();
-        for sought in &self.claim.sought {
-            let Some(witness) = &sought.witness else {
+        for existentials in &self.claim.existentials {
+            let Some(witness) = &existentials.witness else {
                 let what = "what there is without a witness";
                 return Judgement::Unknown(Unknown::NotCovered { what });
             };
             match at.number(&witness.expr, &outermost) {
-                Ok(value) => inside = at.moving(&sought.name, Part::Whole, value, &inside),
+                Ok(value) => inside = at.moving(&existentials.name, Part::Whole, value, &inside),
                 Err(gap) => return gap.into(),
             }
         }
         let mut members = Judgement::True;
-        for (sought, ends) in self.claim.sought.iter().zip(&self.sought) {
-            let inside_set = match self.claim.declarations.symbol(&sought.name) {
-                Some(SymbolKind::Real(interval)) => is_member(at, &sought.name, interval, &inside),
+        for (existentials, ends) in self.claim.existentials.iter().zip(&self.existentials) {
+            let inside_set = match self.claim.declarations.symbol(&existentials.name) {
+                Some(SymbolKind::Real(interval)) => {
+                    is_member(at, &existentials.name, interval, &inside)
+                }
                 _ => Ok(Judgement::True),
             };
             let inside_set = inside_set.unwrap_or_else(Judgement::from);
@@ -306,7 +308,7 @@ impl<'a> Reading<'a> {
         }
         if let Node::Join(Connective::Implies, premise, conclusion) = &self.statement.node
             && self.is_free(premise)
-            && self.sought.iter().all(Vec::is_empty)
+            && self.existentials.iter().all(Vec::is_empty)
         {
             let premise = at.truth(premise, &inside);
             let conclusion = at.truth(conclusion, &inside);
@@ -319,8 +321,8 @@ impl<'a> Reading<'a> {
     /// Whether nothing that is sought is reached.
     pub(super) fn is_free(&self, tree: &Expr) -> bool {
         let names = super::memory::reached(&self.claim.declarations, [tree]);
-        let mut sought = self.claim.sought.iter();
-        !sought.any(|sought| names.contains(sought.name.as_str()))
+        let mut existentials = self.claim.existentials.iter();
+        !existentials.any(|existentials| names.contains(existentials.name.as_str()))
     }
 }
 

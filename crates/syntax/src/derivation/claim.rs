@@ -4,16 +4,16 @@ use super::author_note::{AuthorNote, author_note};
 use super::declarations::Declarations;
 use super::definitions::add_definitions;
 use super::error::{DerivationError, LoadError};
+use super::existential::{Existential, existentials};
 use super::figure::{Figure, figure};
 use super::folder;
 use super::provenance::{Hypothesis, Provenance, Quote, provenance};
 use super::schema::hypothesis::HypothesisEntry;
 use super::schema::{AnswerEntry, ClaimEntry, ReadingEntry};
-use super::sought::{Sought, sought};
 use super::source::{Origin, Source, whole};
 use super::table::Errors;
 use super::written::{Written, written};
-use crate::words::{Flag, Kind};
+use crate::taxonomy::{Flag, Kind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use toml::Spanned;
@@ -36,7 +36,7 @@ pub struct Claim {
     /// The unknowns.
     pub unknowns: Vec<Written>,
     /// The numbers of which it says that there are such.
-    pub sought: Vec<Sought>,
+    pub existentials: Vec<Existential>,
     /// The assumptions.
     pub assumptions: Vec<Hypothesis>,
     /// The statement, if it has one.
@@ -104,7 +104,7 @@ impl Claim {
         let hypotheses = self.given.iter().chain(&self.assumptions);
         let formulas = hypotheses.map(|h| &h.formula).chain(&self.unknowns);
         let holes = self.author_note.iter().flat_map(AuthorNote::holes);
-        let witnesses = self.sought.iter().filter_map(|s| s.witness.as_ref());
+        let witnesses = self.existentials.iter().filter_map(|s| s.witness.as_ref());
         let formulas = formulas
             .chain(&self.statement)
             .chain(holes)
@@ -208,9 +208,9 @@ fn formulas(
     };
     let statement = all(entry.states.as_slice()).pop();
     let unknowns = all(&entry.solve_for);
-    let sought = sought(source, &declarations, &entry.exists, errors);
+    let existentials = existentials(source, &declarations, &entry.exists, errors);
     Claim {
-        sought,
+        existentials,
         given: hypotheses(source, &entry.given, id, errors),
         assumptions: hypotheses(source, &entry.assume, id, errors),
         unknowns,

@@ -13,7 +13,7 @@ use super::schema::corrigendum::{ChangeEntry, CorrigendumEntry};
 use super::source::{Origin, Source, whole};
 use super::table::Errors;
 use super::written::written;
-use crate::words::Kind;
+use crate::taxonomy::Kind;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use toml::Spanned;

@@ -10,7 +10,7 @@ use super::schema::figure::FigureEntry;
 use super::source::{Origin, Source};
 use super::table::Errors;
 use super::{folder, table};
-use crate::words::Verdict;
+use crate::taxonomy::Verdict;
 use std::sync::Arc;
 use toml::Spanned;
 

@@ -73,7 +73,7 @@ impl Search {
         let hypotheses = claim.given.iter().chain(&claim.assumptions);
         let formulas = hypotheses.map(|hypothesis| &hypothesis.formula);
         let formulas = formulas.chain(&claim.unknowns).chain(&claim.statement);
-        let witnesses = claim.sought.iter().filter_map(|s| s.witness.as_ref());
+        let witnesses = claim.existentials.iter().filter_map(|s| s.witness.as_ref());
         formulas.chain(witnesses).for_each(|w| self.formula(w));
         for reading in &claim.readings {
             self.claim(&reading.claim);

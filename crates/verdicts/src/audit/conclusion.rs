@@ -5,7 +5,7 @@ use crate::conjunction::conjuncts;
 use std::sync::Arc;
 use torse_syntax::formula::{Expr, Node};
 use torse_syntax::notation;
-use torse_syntax::words::Flag;
+use torse_syntax::taxonomy::Flag;
 
 /// Parts of the statement that are hypotheses, with the sides either way round.
 pub(super) fn assumed(subject: &Subject<'_>) -> Vec<Sign> {

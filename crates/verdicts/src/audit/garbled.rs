@@ -1,7 +1,7 @@
 //! What is excused by the copy at hand, and no copy does.
 
 use super::{Sign, Subject, listed};
-use torse_syntax::words::Flag;
+use torse_syntax::taxonomy::Flag;
 
 /// Words for what is no letter, no script and no factor.
 const WORDS: [&str; 6] = [

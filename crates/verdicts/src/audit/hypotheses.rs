@@ -1,7 +1,7 @@
 //! A hypothesis of ours that the proof does not need.
 
 use super::{Sign, Subject, listed};
-use torse_syntax::words::Flag;
+use torse_syntax::taxonomy::Flag;
 
 /// Those that were tried, and are not needed.
 pub(super) fn unneeded(subject: &Subject<'_>) -> Vec<Sign> {

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use torse_algebra::Rational;
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 use torse_syntax::formula::{Expr, Node, Relation};
-use torse_syntax::words::{Flag, Verdict};
+use torse_syntax::taxonomy::{Flag, Verdict};
 
 /// The words for a degree.
 const DEGREES: [(&str, &[&str]); 6] = [

@@ -28,7 +28,7 @@ use setting::Setting;
 use std::collections::BTreeMap;
 use torse_core::stack;
 use torse_syntax::derivation::{Answer, Claim, Paper};
-use torse_syntax::words::{Flag, Kind};
+use torse_syntax::taxonomy::{Flag, Kind};
 
 /// A sign at a claim.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]

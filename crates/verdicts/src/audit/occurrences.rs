@@ -8,7 +8,7 @@ use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 use torse_syntax::formula::{Expr, Node, Relation};
-use torse_syntax::words::Flag;
+use torse_syntax::taxonomy::Flag;
 
 /// Numbers that stand in too many places to say something.
 fn everywhere(number: &Rational) -> bool {

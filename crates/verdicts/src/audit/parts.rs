@@ -6,7 +6,7 @@ use super::{Sign, Subject, sign};
 use torse_syntax::derivation::Claim;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Expr, Node, Relation};
-use torse_syntax::words::Flag;
+use torse_syntax::taxonomy::Flag;
 
 /// The relations that a claim states or assumes; a definition that it uses, a property in a word, and an end of a range count
 /// as one.

@@ -5,16 +5,16 @@
 //! nothing of n, and a slash does not say that what is below it is not zero.
 
 use super::{Sign, Subject, listed};
-use crate::claim_record::SaidBy;
+use crate::claim_record::HypothesisSource;
 use torse_syntax::formula::{Expr, Node, Relation, parse};
 use torse_syntax::notation::text;
-use torse_syntax::words::Flag;
+use torse_syntax::taxonomy::Flag;
 
 /// The hypotheses whose quotations say something else.
 pub(super) fn otherwise(subject: &Subject<'_>) -> Vec<Sign> {
     let assumed = subject.outcome.claim.assumed.iter();
     let printed = assumed.filter_map(|hypothesis| match &hypothesis.from {
-        SaidBy::Printed { quote, .. } => Some((&hypothesis.formula.text, quote)),
+        HypothesisSource::Printed { quote, .. } => Some((&hypothesis.formula.text, quote)),
         _ => None,
     });
     let wrong = printed.filter(|(formula, quote)| !says(quote, formula));

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use torse_syntax::derivation::{Claim, Paper};
-use torse_syntax::words::Kind;
+use torse_syntax::taxonomy::Kind;
 
 /// The claims of papers by their ids, the parts of a sentence by the id of the sentence too.
 pub(super) struct Setting<'a> {

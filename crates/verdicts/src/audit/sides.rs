@@ -5,7 +5,7 @@ use crate::conjunction::conjuncts;
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::formula::{Expr, Node, Relation};
 use torse_syntax::notation;
-use torse_syntax::words::{Flag, Kind};
+use torse_syntax::taxonomy::{Flag, Kind};
 
 /// How deep names are opened.
 const DEPTH: usize = 8;

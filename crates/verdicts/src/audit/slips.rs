@@ -5,7 +5,7 @@ use crate::conjunction::conjuncts;
 use crate::mutants::survivors;
 use torse_algebra::work;
 use torse_syntax::formula::Node;
-use torse_syntax::words::{Flag, Verdict};
+use torse_syntax::taxonomy::{Flag, Verdict};
 
 /// The changed statements that are tried at first, and where all of those survive.
 const TRIED: [usize; 2] = [4, 40];

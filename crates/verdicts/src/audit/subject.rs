@@ -1,7 +1,7 @@
 //! A statement about nothing that the paper defines.
 
 use super::{Sign, Subject, sign};
-use torse_syntax::words::Flag;
+use torse_syntax::taxonomy::Flag;
 
 /// A statement in which only names of the claim's own occur, or none.
 pub(super) fn nothing_of_the_paper(subject: &Subject<'_>) -> Vec<Sign> {

@@ -2,7 +2,7 @@
 
 use super::{Sign, Subject, listed, sign};
 use std::collections::BTreeSet;
-use torse_syntax::words::Flag;
+use torse_syntax::taxonomy::Flag;
 
 /// A reading that names, in backticks or by the number of its equation, what does not occur.
 pub(super) fn reading(subject: &Subject<'_>) -> Vec<Sign> {

@@ -3,7 +3,7 @@
 //! A wrong value of an example is often the right value of other data, those of an earlier version. The
 //! numbers among the claim's definitions are taken for unknowns, one and then two at a time; the printed
 //! value, a rational function of them, is compared with the print at every number that a slip may have
-//! turned into the printed one ([`slips`]). What agrees is **proved** with the changed data, and weighed
+//! turned into the printed one ([`slips`]). What agrees is **proved** with the changed data, and minimized
 //! by what it does to the other values of the example: few numbers changed, no other value
 //! contradicted, many explained, in this order.
 

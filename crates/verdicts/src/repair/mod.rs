@@ -39,7 +39,7 @@ use torse_prove::decide_statement;
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Expr, Node, Relation};
 use torse_syntax::notation::{self, Formula};
-use torse_syntax::words::Kind;
+use torse_syntax::taxonomy::Kind;
 
 /// The most candidates evaluated with one edit.
 const MAX_SINGLE: usize = 6_000;

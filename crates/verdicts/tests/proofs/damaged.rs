@@ -12,11 +12,11 @@ use torse_certificate::proof::refutation::Refuted;
 use torse_certificate::sign::{Certificate, Coordinate, Factor, Shown, Sign};
 use torse_certificate::wronskian::{Cell, Exchange, Wronskians};
 use torse_certificate::{Polynomial, Ratio, Symbol};
-use torse_checker::Unchecked;
+use torse_checker::CheckError;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 use torse_syntax::formula::Relation;
-use torse_verdicts::grounds::Grounds;
+use torse_verdicts::certificate::DecisionCertificate;
 
 type P = Polynomial;
 
@@ -29,21 +29,24 @@ pub(crate) fn rejected(lines: &str, damages: &[Damage<'_>]) {
     assert_eq!(found(lines).checked(), Ok(()), "{lines}");
     for (what, damage) in damages {
         let mut found = found(lines);
-        let before = found.grounds.clone();
+        let before = found.certificate.clone();
         damage(&mut found);
-        assert_ne!(found.grounds, before, "{lines}: nothing damaged by {what}");
+        assert_ne!(
+            found.certificate, before,
+            "{lines}: nothing damaged by {what}"
+        );
         let said = found.checked();
         assert!(
-            matches!(said, Err(Unchecked::Wrong(_))),
+            matches!(said, Err(CheckError::Wrong(_))),
             "{lines}: {what}: {said:?}"
         );
     }
 }
 
 fn proof(found: &mut Found) -> &mut Proof<P> {
-    match &mut found.grounds {
-        Grounds::Proof { of, .. } => of,
-        Grounds::Refutation(of) => panic!("{of:?}"),
+    match &mut found.certificate {
+        DecisionCertificate::Proof { of, .. } => of,
+        DecisionCertificate::Refutation(of) => panic!("{of:?}"),
     }
 }
 
@@ -80,9 +83,9 @@ fn whole(found: &mut Found) -> &mut Certificate<P> {
 }
 
 fn refuted(found: &mut Found) -> &mut Refuted<P> {
-    match &mut found.grounds {
-        Grounds::Refutation(of) => of,
-        Grounds::Proof { of, .. } => panic!("{of:?}"),
+    match &mut found.certificate {
+        DecisionCertificate::Refutation(of) => of,
+        DecisionCertificate::Proof { of, .. } => panic!("{of:?}"),
     }
 }
 
@@ -103,12 +106,12 @@ fn an_identity_that_is_none() {
     // The right proof of another statement.
     let mut wrong = found("states = 'a + b == b'\nassume = ['a == 0']");
     ground(&mut wrong).eliminated.clear();
-    assert!(matches!(wrong.checked(), Err(Unchecked::Wrong(_))));
+    assert!(matches!(wrong.checked(), Err(CheckError::Wrong(_))));
     rejected(
         "states = '(a - b)*(a + b) == a^2 - b^2'",
         &[("another kind", &|f| {
             *proof(f) = Proof::Clauses(vec![]);
-            let Grounds::Proof { of, .. } = &mut f.grounds else {
+            let DecisionCertificate::Proof { of, .. } = &mut f.certificate else {
                 return;
             };
             *of = Proof::Conclusion(Box::new(of.clone()));
@@ -129,7 +132,7 @@ fn roots() {
     // The right proof of another statement.
     let mut wrong = found("states = 'sqrt(u^2) == u'");
     wrong.core = found("states = 'sqrt(a^2) == a'").core;
-    assert!(matches!(wrong.checked(), Err(Unchecked::Wrong(_))));
+    assert!(matches!(wrong.checked(), Err(CheckError::Wrong(_))));
     rejected(
         "states = 'sqrt(u^2*v^2) == u*v'",
         &[
@@ -204,7 +207,7 @@ fn eliminations() {
                 ground(f).eliminated[0].by = given(vec![0, 7]);
             }),
             ("no condition", &|f| {
-                let Grounds::Proof { conditions, .. } = &mut f.grounds else {
+                let DecisionCertificate::Proof { conditions, .. } = &mut f.certificate else {
                     return;
                 };
                 conditions.clear();
@@ -424,7 +427,7 @@ fn a_symbol_that_may_be_negative_is_no_ray() {
     own.rest = a();
     own.coordinates.clear();
     let said = wrong.checked();
-    assert!(matches!(said, Err(Unchecked::Wrong(_))), "{said:?}");
+    assert!(matches!(said, Err(CheckError::Wrong(_))), "{said:?}");
 }
 
 #[test]

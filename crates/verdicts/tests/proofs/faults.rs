@@ -1,26 +1,29 @@
 //! Deliberate mistakes of the prover are seen by the checker alone, and one of the checker by the prover.
 
 use crate::claim;
-use torse_checker::{Unchecked, Work};
+use torse_checker::{CheckError, Work};
 use torse_numbers::planted::{Planted, with};
 use torse_prove::decide_statement;
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
+use torse_verdicts::certificate::DecisionCertificate;
 use torse_verdicts::engine::decide_claim;
-use torse_verdicts::grounds::Grounds;
 
 /// What the checker says, without the mistake, of what the prover finds with it.
-fn caught(fault: Planted, lines: &str) -> Result<(), Unchecked> {
+fn caught(fault: Planted, lines: &str) -> Result<(), CheckError> {
     let claim = claim(lines);
     let statement = claim.statement.clone().unwrap();
     let decision = with(fault, || decide_statement(&claim, &statement)).unwrap();
-    let grounds = Grounds::of(&decision).unwrap_or_else(|| panic!("{fault:?}: {decision:?}"));
+    let certificate =
+        DecisionCertificate::of(&decision).unwrap_or_else(|| panic!("{fault:?}: {decision:?}"));
     let core = torse_elaborate::elaborate(&claim, &statement).unwrap();
     let work = Work::new(torse_checker::WORK);
-    match grounds.plain() {
-        Grounds::Proof { conditions, of } => {
+    match certificate.plain() {
+        DecisionCertificate::Proof { conditions, of } => {
             torse_checker::proves(&core, &statement.origin, &conditions, &of, &work)
         }
-        Grounds::Refutation(of) => torse_checker::refutes(&core, &statement.origin, &of, &work),
+        DecisionCertificate::Refutation(of) => {
+            torse_checker::refutes(&core, &statement.origin, &of, &work)
+        }
     }
 }
 
@@ -56,7 +59,7 @@ fn the_checker_sees_mistakes_of_the_prover() {
     ] {
         let said = caught(fault, lines);
         assert!(
-            matches!(said, Err(Unchecked::Wrong(_))),
+            matches!(said, Err(CheckError::Wrong(_))),
             "{fault:?}: {said:?}"
         );
     }
@@ -81,10 +84,10 @@ fn what_an_equation_does_not_say_of_a_symbol_is_no_hypothesis() {
     // Where x and z are equal the equation leaves r free: x = z = 1/2, b = 0 and r = 1 is a point of the domain.
     let lines = "given = ['(x - z)*r == (x - z)^2*b']\nsolve_for = ['r']\nassume = ['r > 0']\nstates = 'x != z'";
     if let Some(found) = crate::tried(lines)
-        && let Grounds::Proof { .. } = found.grounds
+        && let DecisionCertificate::Proof { .. } = found.certificate
     {
         let said = found.checked();
-        assert!(matches!(said, Err(Unchecked::Wrong(_))), "{said:?}");
+        assert!(matches!(said, Err(CheckError::Wrong(_))), "{said:?}");
     }
     for lines in [lines.to_owned(), lines.replace("x != z", "r == (x - z)*b")] {
         let outcome = decide_claim("proofs", &claim(&lines)).unwrap();

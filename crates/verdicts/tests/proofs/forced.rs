@@ -6,8 +6,8 @@ use torse_certificate::forced::{Forced, Zero};
 use torse_certificate::proof::Proof;
 use torse_certificate::sign::{Along, Shown, Sign, Squares};
 use torse_certificate::{Polynomial, Symbol};
-use torse_checker::{Unchecked, Wrong};
-use torse_verdicts::grounds::Grounds;
+use torse_checker::{CheckError, Wrong};
+use torse_verdicts::certificate::DecisionCertificate;
 
 fn forced(found: &mut Found) -> &mut Forced<Polynomial> {
     match &mut ground(found).proof {
@@ -113,7 +113,7 @@ fn a_factor_that_nobody_excludes_is_none() {
     wrong.core = found("assume = ['a^2 == 4']\nstates = 'a == -2'").core;
     ground(&mut wrong).constraints.truncate(1);
     let said = wrong.checked();
-    assert!(matches!(said, Err(Unchecked::Wrong(_))), "{said:?}");
+    assert!(matches!(said, Err(CheckError::Wrong(_))), "{said:?}");
 }
 
 #[test]
@@ -126,7 +126,7 @@ fn a_sign_along_an_inequality_is_none() {
     wrong.core = other.core;
     let said = wrong.checked();
     assert!(
-        matches!(said, Err(Unchecked::Wrong(Wrong::Kind))),
+        matches!(said, Err(CheckError::Wrong(Wrong::Kind))),
         "{said:?}"
     );
 }
@@ -171,6 +171,9 @@ fn what_is_almost_forced_is_refuted() {
         "states = 'a^2 == 4 implies a == 2'",
     ] {
         let found = tried(lines).unwrap_or_else(|| panic!("{lines}: open"));
-        assert!(matches!(found.grounds, Grounds::Refutation(_)), "{lines}");
+        assert!(
+            matches!(found.certificate, DecisionCertificate::Refutation(_)),
+            "{lines}"
+        );
     }
 }

@@ -1,22 +1,22 @@
 //! One proof of each kind: written, in words, and replayed.
 
 use crate::found;
-use torse_checker::Unchecked;
-use torse_verdicts::grounds::Grounds;
+use torse_checker::CheckError;
+use torse_verdicts::certificate::DecisionCertificate;
 
 /// The steps and the JSON of what is found of a claim.
 fn shown(lines: &str) -> String {
     let found = found(lines);
-    let steps = match &found.grounds {
-        Grounds::Proof { of, .. } => of.steps(),
-        Grounds::Refutation(of) => of.steps(),
+    let steps = match &found.certificate {
+        DecisionCertificate::Proof { of, .. } => of.steps(),
+        DecisionCertificate::Refutation(of) => of.steps(),
     };
     let replayed = match found.checked() {
         Ok(()) => "replayed".to_owned(),
-        Err(Unchecked::Beyond(why)) => format!("not replayed: {why}"),
-        Err(wrong @ Unchecked::Wrong(_)) => panic!("{lines}: {wrong}"),
+        Err(CheckError::Unsupported(why)) => format!("not replayed: {why}"),
+        Err(wrong @ CheckError::Wrong(_)) => panic!("{lines}: {wrong}"),
     };
-    let json = serde_json::to_string_pretty(&found.grounds).unwrap();
+    let json = serde_json::to_string_pretty(&found.certificate).unwrap();
     format!(
         "{lines}\n\n- {}\n\n{replayed}\n\n{json}\n",
         steps.join("\n- ")
@@ -63,9 +63,11 @@ kinds! {
 #[test]
 fn the_constraints_that_a_proof_uses_can_be_read_from_it() {
     let used = |lines: &str| -> Vec<String> {
-        match found(lines).grounds {
-            Grounds::Proof { of, .. } => of.hypotheses().iter().map(ToString::to_string).collect(),
-            Grounds::Refutation(of) => panic!("{of:?}"),
+        match found(lines).certificate {
+            DecisionCertificate::Proof { of, .. } => {
+                of.hypotheses().iter().map(ToString::to_string).collect()
+            }
+            DecisionCertificate::Refutation(of) => panic!("{of:?}"),
         }
     };
     let lines = "assume = ['a*b >= 3', 'x + z >= 1']\nstates = '2*x + 2*z + x*z > 1'";

@@ -19,11 +19,11 @@ mod kinds;
 mod random;
 
 use torse_certificate::Polynomial;
-use torse_checker::{Unchecked, Work};
+use torse_checker::{CheckError, Work};
 use torse_core as core;
 use torse_prove::decide_statement;
 use torse_syntax::derivation::{Claim, Origin};
-use torse_verdicts::grounds::Grounds;
+use torse_verdicts::certificate::DecisionCertificate;
 
 const DECLARATIONS: &str = r#"
 [symbols]
@@ -54,7 +54,7 @@ step = ['1 - x', 'x']
 struct Found {
     core: core::Claim,
     origin: Origin,
-    grounds: Grounds<Polynomial>,
+    certificate: DecisionCertificate<Polynomial>,
 }
 
 fn claim(lines: &str) -> Claim {
@@ -70,7 +70,7 @@ fn tried(lines: &str) -> Option<Found> {
     Some(Found {
         core: torse_elaborate::elaborate(&claim, &statement).unwrap(),
         origin: statement.origin,
-        grounds: Grounds::of(&decision)?.plain(),
+        certificate: DecisionCertificate::of(&decision)?.plain(),
     })
 }
 
@@ -81,13 +81,15 @@ fn found(lines: &str) -> Found {
 
 impl Found {
     /// What the checker says.
-    fn checked(&self) -> Result<(), Unchecked> {
+    fn checked(&self) -> Result<(), CheckError> {
         let work = Work::new(torse_checker::WORK);
-        match &self.grounds {
-            Grounds::Proof { conditions, of } => {
+        match &self.certificate {
+            DecisionCertificate::Proof { conditions, of } => {
                 torse_checker::proves(&self.core, &self.origin, conditions, of, &work)
             }
-            Grounds::Refutation(of) => torse_checker::refutes(&self.core, &self.origin, of, &work),
+            DecisionCertificate::Refutation(of) => {
+                torse_checker::refutes(&self.core, &self.origin, of, &work)
+            }
         }
     }
 }

@@ -4,7 +4,7 @@
 
 use crate::common;
 
-use torse_syntax::words::Verdict::{self, Conditional, False, Holds, Misprint, Undecided};
+use torse_syntax::taxonomy::Verdict::{self, Conditional, False, Holds, Misprint, Undecided};
 use torse_verdicts::outcome::Outcome;
 
 fn outcome(lines: &str) -> Outcome {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 use torse_syntax::derivation::{Paper, Source, paper};
-use torse_syntax::words::Flag;
+use torse_syntax::taxonomy::Flag;
 use torse_verdicts::audit::{Sign, audit};
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::outcome::Outcome;

@@ -7,7 +7,7 @@ use crate::common;
 use torse_elaborate::elaborate;
 use torse_numbers::planted::{Planted, with};
 use torse_syntax::derivation::Claim;
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::agreement::{Agreement, agreement};
 use torse_verdicts::engine::decide_claim;
 

@@ -10,7 +10,7 @@
 
 use crate::common;
 
-use torse_syntax::words::Verdict::{self, False, Holds};
+use torse_syntax::taxonomy::Verdict::{self, False, Holds};
 use torse_verdicts::outcome::Outcome;
 
 const BOUNDED: &str = r#"

@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use torse_syntax::words::Verdict::{Conditional, False, Holds, Undecided};
+use torse_syntax::taxonomy::Verdict::{Conditional, False, Holds, Undecided};
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::outcome::Outcome;
 

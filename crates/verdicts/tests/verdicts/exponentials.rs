@@ -3,7 +3,7 @@
 
 use crate::common;
 
-use torse_syntax::words::Verdict::{self, Conditional, False, Holds, Undecided, Vacuous};
+use torse_syntax::taxonomy::Verdict::{self, Conditional, False, Holds, Undecided, Vacuous};
 
 const SHARED: &str = r#"
 [symbols]

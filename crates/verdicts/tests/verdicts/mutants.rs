@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use torse_syntax::derivation::{Claim, load};
-use torse_syntax::words::{Kind, Verdict};
+use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::mutants::{Survival, Survivor, survivors};
 

@@ -9,7 +9,7 @@ use torse_numbers::planted::{Planted, with};
 use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 use torse_syntax::derivation::Claim;
-use torse_syntax::words::Verdict::{self, Conditional, False, Holds, Undecided, Vacuous};
+use torse_syntax::taxonomy::Verdict::{self, Conditional, False, Holds, Undecided, Vacuous};
 use torse_verdicts::engine::decide_claim;
 
 const DECLARATIONS: &str = r#"

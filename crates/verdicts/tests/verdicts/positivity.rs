@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use torse_syntax::words::Verdict::{self, Conditional, False, Holds, Undecided};
+use torse_syntax::taxonomy::Verdict::{self, Conditional, False, Holds, Undecided};
 
 #[track_caller]
 fn verdict(lines: &str, wanted: Verdict) {

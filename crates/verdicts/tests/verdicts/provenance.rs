@@ -2,8 +2,8 @@
 
 use crate::common;
 
-use torse_syntax::words::Verdict;
-use torse_verdicts::claim_record::{Role, SaidBy};
+use torse_syntax::taxonomy::Verdict;
+use torse_verdicts::claim_record::{HypothesisSource, Role};
 use torse_verdicts::outcome::Outcome;
 
 const SYMBOLS: &str = r#"
@@ -35,7 +35,9 @@ fn a_needed_hypothesis_of_ours_is_a_condition() {
     let net = found.net().unwrap();
     assert!(net.netted, "{net:?}");
     assert!(net.conditions[0].failing > 0, "{net:?}");
-    assert!(matches!(&found.claim.assumed[0].from, SaidBy::Ours { reason } if reason == "why"));
+    assert!(
+        matches!(&found.claim.assumed[0].from, HypothesisSource::Ours { reason } if reason == "why")
+    );
 }
 
 #[test]

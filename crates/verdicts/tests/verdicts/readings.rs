@@ -3,7 +3,7 @@
 use crate::common;
 
 use torse_prove::evidence::Evidence;
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::consequences::{Fate, consequences};
 use torse_verdicts::outcome::Outcome;
 

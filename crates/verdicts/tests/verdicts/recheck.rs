@@ -6,11 +6,11 @@ use torse_certificate::Proof;
 use torse_prove::evidence::{Evidence, Witness};
 use torse_syntax::derivation::{Claim, Paper, load};
 use torse_syntax::notation::Formula;
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
+use torse_verdicts::certificate::DecisionCertificate;
 use torse_verdicts::correction::Correction;
 use torse_verdicts::engine;
 use torse_verdicts::finding::Finding;
-use torse_verdicts::grounds::Grounds;
 use torse_verdicts::judged::{Judged, Net};
 use torse_verdicts::outcome::Outcome;
 use torse_verdicts::recheck::{Recheck, claim as recheck};
@@ -40,7 +40,7 @@ fn called_true(outcome: &Outcome) -> Outcome {
         evidence: Evidence::Induction,
         conditions: vec![],
         needed: vec![],
-        grounds: Arc::new(Grounds::Proof {
+        certificate: Arc::new(DecisionCertificate::Proof {
             conditions: vec![],
             of: Proof::Parts(vec![]),
         }),
@@ -75,7 +75,7 @@ fn refuted(outcome: &Outcome, at: &[(&str, &str)]) -> Outcome {
         }),
         difference: None,
         derived: None,
-        grounds: None,
+        certificate: None,
         repair: None,
         data: None,
         steps: vec![],

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::LazyLock;
 use torse_syntax::derivation::{Claim, Paper, load};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::outcome::Outcome;
 

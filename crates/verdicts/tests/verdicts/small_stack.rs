@@ -1,7 +1,7 @@
 //! The library on a thread of its user: two megabytes of stack, and what the command decides is decided there.
 use std::sync::Arc;
 use torse_syntax::derivation::{LoadError, Paper, Source, paper};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::engine::decide_claim;
 
 /// What a thread has unless its program says otherwise.

@@ -36,7 +36,7 @@ pub fn claim(stream: &mut Stream) -> Claim {
         .letting("L", l.to_string())
 }
 
-type Sides = (String, String, String);
+type ConditionCheck = (String, String, String);
 
 fn base(stream: &mut Stream) -> String {
     let k = stream.positive();
@@ -50,7 +50,7 @@ fn base(stream: &mut Stream) -> String {
     ])
 }
 
-fn power(stream: &mut Stream) -> Sides {
+fn power(stream: &mut Stream) -> ConditionCheck {
     let b = base(stream);
     let (i, k) = (stream.integer(1, 3), stream.integer(0, 2));
     match stream.below(5) {
@@ -93,7 +93,7 @@ fn power(stream: &mut Stream) -> Sides {
     }
 }
 
-fn sum(stream: &mut Stream) -> Sides {
+fn sum(stream: &mut Stream) -> ConditionCheck {
     let (a, b, c) = (stream.fraction(), stream.fraction(), stream.positive());
     let low = stream.integer(0, 1);
     let right = format!(
@@ -107,7 +107,7 @@ fn sum(stream: &mut Stream) -> Sides {
     )
 }
 
-fn product(stream: &mut Stream) -> Sides {
+fn product(stream: &mut Stream) -> ConditionCheck {
     let k = stream.integer(1, 4);
     match stream.below(3) {
         0 => (
@@ -133,7 +133,7 @@ fn product(stream: &mut Stream) -> Sides {
     }
 }
 
-fn swap(stream: &mut Stream) -> Sides {
+fn swap(stream: &mut Stream) -> ConditionCheck {
     let (a, b) = (stream.positive(), stream.fraction());
     match stream.once_in(2) {
         true => (
@@ -149,7 +149,7 @@ fn swap(stream: &mut Stream) -> Sides {
     }
 }
 
-fn family(stream: &mut Stream) -> Sides {
+fn family(stream: &mut Stream) -> ConditionCheck {
     let n = stream.positive();
     (
         format!("{n}*sum(j, 0, m, B[j,m](x)*Q[j])"),

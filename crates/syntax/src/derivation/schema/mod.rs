@@ -4,7 +4,7 @@ pub mod corrigendum;
 pub mod figure;
 pub mod hypothesis;
 
-use crate::words::{Flag, Kind, Verdict};
+use crate::taxonomy::{Flag, Kind, Verdict};
 use figure::FigureEntry;
 use hypothesis::{FromEntry, HypothesisEntry};
 use serde::Deserialize;

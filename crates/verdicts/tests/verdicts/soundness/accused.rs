@@ -1,7 +1,7 @@
 //! True statements that were called false or vacuous.
 
 use super::{expect, expect_one_of, expect_refuted_where, outcome};
-use torse_syntax::words::Verdict::{Conditional, False, Holds, Undecided, Vacuous};
+use torse_syntax::taxonomy::Verdict::{Conditional, False, Holds, Undecided, Vacuous};
 
 /// The first 160 digits of pi after the point.
 const PI: &str = "3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679821480865132823066470938446095505822317253594081284811174502";

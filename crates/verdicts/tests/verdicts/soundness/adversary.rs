@@ -1,7 +1,9 @@
 //! Claims of an adversary, by what went wrong: each has a truth of its own, found by hand and by an evaluator of its own.
 
 use crate::common;
-use torse_syntax::words::Verdict::{self, Conditional, False, Holds, Misprint, Undecided, Vacuous};
+use torse_syntax::taxonomy::Verdict::{
+    self, Conditional, False, Holds, Misprint, Undecided, Vacuous,
+};
 use torse_verdicts::outcome::Outcome;
 
 /// Declarations of claims that bring their own symbols.

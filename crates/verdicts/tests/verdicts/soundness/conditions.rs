@@ -1,7 +1,7 @@
 //! Conditions and witnesses: true ones, needed ones, and none that is lost.
 
 use super::{conditions, expect, expect_one_of, expect_refuted_where, outcome, tried};
-use torse_syntax::words::Verdict::{Conditional, False, Holds, Undecided, Vacuous};
+use torse_syntax::taxonomy::Verdict::{Conditional, False, Holds, Undecided, Vacuous};
 
 #[test]
 fn an_inequation_of_vectors_keeps_its_condition() {

@@ -10,7 +10,7 @@ mod adversary;
 mod conditions;
 mod proved;
 
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
 
 /// What all claims of this binary may use.

@@ -1,7 +1,7 @@
 //! False statements that were proved, and true ones next to them.
 
 use super::{expect, expect_one_of, expect_refuted_where, tried};
-use torse_syntax::words::Verdict::{Conditional, False, Holds, Misprint};
+use torse_syntax::taxonomy::Verdict::{Conditional, False, Holds, Misprint};
 
 fn at_most(bound: f64) -> impl Fn(&str) -> bool {
     move |value| number(value) <= bound

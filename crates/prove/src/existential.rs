@@ -14,7 +14,7 @@ use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Symbol};
 use torse_syntax::derivation::declarations::SymbolKind;
-use torse_syntax::derivation::{Claim, Sought, Written};
+use torse_syntax::derivation::{Claim, Existential, Written};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Connective, Place, Relation};
 use torse_syntax::notation;
@@ -33,8 +33,8 @@ pub struct Found {
 /// # Errors
 /// [`Fault`] when a formula makes no sense, and a limit where no witness is found.
 pub fn witnessed(claim: &Claim, statement: &Written) -> Result<Option<Found>, Fault> {
-    let open: Vec<&Sought> = claim
-        .sought
+    let open: Vec<&Existential> = claim
+        .existentials
         .iter()
         .filter(|s| s.witness.is_none())
         .collect();
@@ -42,7 +42,8 @@ pub fn witnessed(claim: &Claim, statement: &Written) -> Result<Option<Found>, Fa
         return Ok(None);
     };
     let mut free = claim.clone();
-    free.sought.retain(|sought| sought.witness.is_some());
+    free.existentials
+        .retain(|existential| existential.witness.is_some());
     let symbols = open.iter().map(|s| Symbol::named(&s.name));
     let symbols: Vec<Unknown> = symbols.filter_map(Unknown::new).collect();
     let case = Case::new(&free, statement, BTreeMap::new())?;
@@ -72,23 +73,23 @@ pub fn witnessed(claim: &Claim, statement: &Written) -> Result<Option<Found>, Fa
     }
     let mut found = claim.clone();
     let mut steps = vec![];
-    for sought in &mut found.sought {
-        if sought.witness.is_some() {
+    for existential in &mut found.existentials {
+        if existential.witness.is_some() {
             continue;
         }
-        let Some(value) = values.get(&Symbol::named(&sought.name)) else {
+        let Some(value) = values.get(&Symbol::named(&existential.name)) else {
             let what = format!("no witness was found for `{}`", first.name);
-            return Err(Fault::limit(Place::default(), what).within(&sought.origin));
+            return Err(Fault::limit(Place::default(), what).within(&existential.origin));
         };
         let expr = formula::expression(value);
         steps.push(format!(
             "there is {} = {}",
-            sought.name,
+            existential.name,
             notation::text(&expr)
         ));
-        sought.witness = Some(Written {
+        existential.witness = Some(Written {
             expr,
-            origin: sought.origin.clone(),
+            origin: existential.origin.clone(),
         });
     }
     Ok(Some(Found {

@@ -13,7 +13,7 @@ use torse_syntax::notation::{self, Formula, domain};
 
 /// What a statement rests on.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
-pub struct Table {
+pub struct Dependencies {
     /// The symbols, in the order of use.
     pub symbols: Vec<Declared>,
     /// The definitions, in the order of use.
@@ -73,13 +73,13 @@ impl Family {
 
 /// What a statement on the domain of a claim rests on; `core` is both in core terms.
 #[must_use]
-pub fn of(claim: &Claim, statement: &Written, core: &core::Claim) -> Table {
+pub fn of(claim: &Claim, statement: &Written, core: &core::Claim) -> Dependencies {
     let mut walk = Walk {
         declarations: &claim.declarations,
         own: claim.entry.local.keys().map(|head| name_of(head)).collect(),
         seen: BTreeSet::new(),
         names: vec![],
-        table: Table::default(),
+        table: Dependencies::default(),
     };
     let hypotheses = |list: &'_ [Hypothesis]| -> Vec<Written> {
         list.iter().map(|h| h.formula.clone()).collect()
@@ -107,7 +107,7 @@ pub fn of(claim: &Claim, statement: &Written, core: &core::Claim) -> Table {
         }
     }
     let unknowns = claim.unknowns.iter();
-    Table {
+    Dependencies {
         symbols,
         unknowns: unknowns.map(|w| notation::formula(&w.expr)).collect(),
         ..walk.table
@@ -125,7 +125,7 @@ struct Walk<'a> {
     own: BTreeSet<&'a str>,
     seen: BTreeSet<String>,
     names: Vec<String>,
-    table: Table,
+    table: Dependencies,
 }
 
 impl Walk<'_> {

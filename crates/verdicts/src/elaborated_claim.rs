@@ -8,13 +8,13 @@ use torse_syntax::derivation::{Claim, Written};
 
 /// What a verdict is about: a claim, a statement on its domain, and both in core terms.
 #[derive(Debug, Clone)]
-pub(crate) struct Meant<'c> {
+pub(crate) struct ElaboratedClaim<'c> {
     pub claim: Cow<'c, Claim>,
     pub statement: &'c Written,
     pub core: core::Claim,
 }
 
-impl<'c> Meant<'c> {
+impl<'c> ElaboratedClaim<'c> {
     /// A claim with its own statement; nothing where it states nothing, or what makes no sense.
     pub fn own(claim: &'c Claim) -> Option<Self> {
         Self::new(claim, claim.statement.as_ref()?)

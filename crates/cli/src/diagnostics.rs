@@ -7,16 +7,16 @@ use std::collections::BTreeSet;
 /// The most mistakes that are shown. Each is set with the lines around it, which takes time in long files.
 const MAX_SHOWN: usize = 100;
 
-/// Mistakes of derivation files, in the order in which they were found.
+/// Diagnostics of derivation files, in the order in which they were found.
 #[derive(Default)]
-pub struct Mistakes {
+pub struct Diagnostics {
     shown: BTreeSet<String>,
     texts: Vec<String>,
     /// How many came after the last one that is shown.
     further: usize,
 }
 
-impl Mistakes {
+impl Diagnostics {
     /// Adds a mistake, unless it is known: a wrong definition is met by every claim that uses it.
     pub fn add(&mut self, mistake: impl Into<Failure>) {
         if self.texts.len() >= MAX_SHOWN {

@@ -1,16 +1,16 @@
 //! A report in one minute: what stands, and the few things that matter most of what does not.
 
+use crate::applicability::title;
 use crate::corrections::{is_refuted, ranked};
 use crate::findings::{self, Finding};
+use crate::glossary;
 use crate::math::{Names, Prose};
 use crate::tally::Tally;
 use crate::text::visible;
-use crate::usable::title;
 use crate::view::{FormulaView, correction, formula};
-use crate::words;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
-use torse_syntax::words::Verdict;
+use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::consequences::{Fate, consequences, resting, users};
 use torse_verdicts::outcome::Outcome;
 
@@ -168,7 +168,7 @@ fn point(
         (None, Some(parsed)) => ("as printed", Some(formula(parsed, &names))),
         (None, None) => ("", None),
     };
-    let statements = |count| words::plural(count, "statement");
+    let statements = |count| glossary::plural(count, "statement");
     let places = fallen(outcome, claims);
     let places = match places.is_empty() {
         true => String::new(),
@@ -222,7 +222,7 @@ fn point(
 fn counts(claims: &[Outcome]) -> String {
     let tally = Tally::new(claims);
     let count = |verdict| {
-        let key = words::verdict(verdict).key;
+        let key = glossary::verdict(verdict).key;
         let rows = tally.rows.iter().filter(|row| row.verdict.key == key);
         rows.map(|row| row.count).sum::<usize>()
     };
@@ -254,7 +254,7 @@ fn counts(claims: &[Outcome]) -> String {
         "was not decided",
         "were not decided",
     );
-    let total = words::plural(tally.total, "statement");
+    let total = glossary::plural(tally.total, "statement");
     match parts.pop() {
         None => format!("{total}; nothing was to be decided."),
         Some(only) if parts.is_empty() => format!("Of {total}, {only}."),

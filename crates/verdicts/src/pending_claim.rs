@@ -5,13 +5,13 @@
 
 use crate::claim_record::ClaimRecord;
 use crate::conclusion::{Conclusion, conclude, correct, drawn};
+use crate::dependencies::{self, Dependencies};
+use crate::elaborated_claim::ElaboratedClaim;
 use crate::finding::Finding;
 use crate::finding::Readings;
-use crate::meant::Meant;
 use crate::outcome::{Outcome, ReadingOutcome};
 use crate::statement::RefutedStatement;
-use crate::table::{self, Table};
-use crate::{author_note, conjunction, net, provenance, sought};
+use crate::{author_note, conjunction, existential, net, provenance};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use torse_algebra::work;
@@ -22,15 +22,15 @@ use torse_prove::with_prepared;
 use torse_syntax::derivation::{AuthorNote, Claim, DerivationError, Written};
 use torse_syntax::fault::Problem;
 use torse_syntax::notation;
-use torse_syntax::words::{Kind, Verdict};
+use torse_syntax::taxonomy::{Kind, Verdict};
 
 /// A claim whose verdict is decided.
 #[derive(Debug)]
-pub struct Stage<'c> {
+pub struct PendingClaim<'c> {
     paper: String,
     claim: &'c Claim,
     budget: u64,
-    table: Table,
+    table: Dependencies,
     remaining: Remaining<'c>,
 }
 
@@ -40,12 +40,12 @@ enum Remaining<'c> {
     /// Nothing.
     Nothing(Finding),
     /// The search for a correction of what is refuted, and its net; and what is known of the parts of a conjunction.
-    Correction(Box<Meant<'c>>, Box<RefutedStatement>, Vec<String>),
+    Correction(Box<ElaboratedClaim<'c>>, Box<RefutedStatement>, Vec<String>),
     /// What is left of each reading of a sentence, by name and words.
-    Readings(Vec<(String, String, Stage<'c>)>),
+    Readings(Vec<(String, String, PendingClaim<'c>)>),
 }
 
-impl<'c> Stage<'c> {
+impl<'c> PendingClaim<'c> {
     /// Decides a claim with this budget of work, in the units of [`work`]. A claim that makes the engine panic is undecided,
     /// with the panic's message as the reason: it takes no other claim with it.
     ///
@@ -57,13 +57,17 @@ impl<'c> Stage<'c> {
         claim: &'c Claim,
     ) -> Result<Self, Box<DerivationError>> {
         stack::deep(|| {
-            let meant = Meant::own(claim);
-            let table = meant
+            let elaborated = ElaboratedClaim::own(claim);
+            let table = elaborated
                 .as_ref()
-                .map(|meant| table::of(&meant.claim, meant.statement, &meant.core))
+                .map(|elaborated| {
+                    dependencies::of(&elaborated.claim, elaborated.statement, &elaborated.core)
+                })
                 .unwrap_or_default();
             // What a panic leaves half done are values of the closure's own, and memory of formulas already evaluated.
-            let decided = catch_unwind(AssertUnwindSafe(|| decided(paper, claim, meant, budget)));
+            let decided = catch_unwind(AssertUnwindSafe(|| {
+                decided(paper, claim, elaborated, budget)
+            }));
             let remaining = match decided {
                 Ok(decided) => decided?,
                 Err(panic) => Remaining::Nothing(panicked(&*panic)),
@@ -119,8 +123,8 @@ impl Remaining<'_> {
     fn finding(self, claim: &Claim, budget: u64) -> Result<Finding, Box<DerivationError>> {
         match self {
             Self::Nothing(finding) => Ok(finding),
-            Self::Correction(meant, refuted, parts) => {
-                let statement = meant.statement;
+            Self::Correction(elaborated, refuted, parts) => {
+                let statement = elaborated.statement;
                 let parts = conjunction::part_by_part(claim, statement, parts, budget / 50);
                 let correcting = correct(claim, statement, budget / 5);
                 let refuted = RefutedStatement {
@@ -129,10 +133,10 @@ impl Remaining<'_> {
                     steps: [refuted.steps, parts].concat(),
                     ..*refuted
                 };
-                Ok(net::refuted(refuted, &meant, budget / 5))
+                Ok(net::refuted(refuted, &elaborated, budget / 5))
             }
             Self::Readings(all) => {
-                let complete = |(name, says, stage): (String, String, Stage<'_>)| -> Result<_, Box<DerivationError>> {
+                let complete = |(name, says, stage): (String, String, PendingClaim<'_>)| -> Result<_, Box<DerivationError>> {
                     let outcome = stage.complete()?;
                     Ok(ReadingOutcome {
                         name,
@@ -166,7 +170,7 @@ fn told(
 fn record(
     paper: &str,
     claim: &Claim,
-    table: Table,
+    table: Dependencies,
     needed: &[Option<bool>],
     author_note: Option<String>,
 ) -> ClaimRecord {
@@ -202,7 +206,7 @@ fn panicked(panic: &(dyn Any + Send)) -> Finding {
 fn decided<'c>(
     paper: &str,
     claim: &'c Claim,
-    meant: Option<Meant<'c>>,
+    elaborated: Option<ElaboratedClaim<'c>>,
     budget: u64,
 ) -> Result<Remaining<'c>, Box<DerivationError>> {
     check_author_note(claim)?;
@@ -215,10 +219,10 @@ fn decided<'c>(
     let Some(statement) = &claim.statement else {
         return Ok(Remaining::Nothing(Finding::Definition));
     };
-    if !claim.sought.is_empty() {
-        return sought::decided(claim, statement, budget).map(Remaining::Nothing);
+    if !claim.existentials.is_empty() {
+        return existential::decided(claim, statement, budget).map(Remaining::Nothing);
     }
-    stated(claim, statement, meant, budget)
+    stated(claim, statement, elaborated, budget)
 }
 
 /// What is found of a claim without that anything is decided.
@@ -242,7 +246,7 @@ fn undisputed(claim: &Claim) -> Option<Finding> {
 fn stated<'c>(
     claim: &'c Claim,
     statement: &'c Written,
-    meant: Option<Meant<'c>>,
+    elaborated: Option<ElaboratedClaim<'c>>,
     budget: u64,
 ) -> Result<Remaining<'c>, Box<DerivationError>> {
     let undecided = |why: String| Ok(Remaining::Nothing(Finding::undecided(why)));
@@ -260,16 +264,16 @@ fn stated<'c>(
         Ok(Err(fault)) => return Err(Box::new(fault.into_error(&statement.origin))),
         Err(spent) => return undecided(spent.to_string()),
     };
-    let Some(meant) = meant else {
+    let Some(elaborated) = elaborated else {
         return undecided(
             "the statement was decided, and cannot be read again to be judged".into(),
         );
     };
-    let weighed = provenance::weigh(claim, statement, decision, budget / 5);
-    Ok(match conclude(claim, statement, weighed) {
-        Conclusion::Proved(proved) => Remaining::Nothing(net::proved(proved, &meant)),
-        Conclusion::Refuted(refuted) => Remaining::Correction(Box::new(meant), refuted, parts),
-        Conclusion::Vacuous(empty) => Remaining::Nothing(net::vacuous(empty, &meant)),
+    let minimized = provenance::minimize_hypotheses(claim, statement, decision, budget / 5);
+    Ok(match conclude(claim, statement, minimized) {
+        Conclusion::Proved(proved) => Remaining::Nothing(net::proved(proved, &elaborated)),
+        Conclusion::Refuted(refuted) => Remaining::Correction(Box::new(elaborated), refuted, parts),
+        Conclusion::Vacuous(empty) => Remaining::Nothing(net::vacuous(empty, &elaborated)),
         Conclusion::Undecided(open) => Remaining::Nothing(Finding::Undecided(open)),
     })
 }
@@ -279,11 +283,11 @@ fn read<'c>(
     paper: &str,
     claim: &'c Claim,
     budget: u64,
-) -> Result<Vec<(String, String, Stage<'c>)>, Box<DerivationError>> {
+) -> Result<Vec<(String, String, PendingClaim<'c>)>, Box<DerivationError>> {
     let readings = claim.readings.iter();
     readings
         .map(|reading| {
-            let stage = Stage::verdict(budget, paper, &reading.claim)?;
+            let stage = PendingClaim::verdict(budget, paper, &reading.claim)?;
             Ok((reading.name.clone(), reading.says.clone(), stage))
         })
         .collect()
@@ -330,7 +334,7 @@ mod tests {
         let mut stages = paper
             .claims
             .iter()
-            .map(|claim| Stage::verdict(1_000_000, "p", claim).unwrap());
+            .map(|claim| PendingClaim::verdict(1_000_000, "p", claim).unwrap());
         let (right, slip) = (stages.next().unwrap(), stages.next().unwrap());
         assert!(!right.seeks_correction());
         assert_eq!(right.complete().unwrap().verdict(), Verdict::Holds);
@@ -352,7 +356,7 @@ mod tests {
             assert_eq!(finding.verdict(claim.entry.kind), Verdict::Undecided);
             assert_eq!(finding.steps(), ["the engine failed on this claim: why"]);
         }
-        let stage = Stage::verdict(1_000_000, "p", claim).unwrap();
+        let stage = PendingClaim::verdict(1_000_000, "p", claim).unwrap();
         assert_eq!(stage.complete().unwrap().verdict(), Verdict::Holds);
     }
 }

@@ -16,7 +16,7 @@ use torse_core::{BuiltIn, Node, Statement, Term};
 use torse_numbers::planted::{Planted, planted};
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Bound, Interval, SymbolKind};
-use torse_syntax::derivation::{Claim, Sought, Written};
+use torse_syntax::derivation::{Claim, Existential, Written};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Connective, Operator, Place, Relation};
 
@@ -27,13 +27,13 @@ pub(super) fn put_in(
     statement: &Written,
 ) -> Result<Statement, Fault> {
     let mut witnesses = vec![];
-    for sought in &claim.sought {
+    for existential in &claim.existentials {
         let place = Place::default();
-        let within = |fault: Fault| fault.within(&sought.origin);
-        let Some(witness) = &sought.witness else {
+        let within = |fault: Fault| fault.within(&existential.origin);
+        let Some(witness) = &existential.witness else {
             let what = format!(
                 "no witness is given for `{}`, and none was found",
-                sought.name
+                existential.name
             );
             return Err(within(Fault::limit(place, what)));
         };
@@ -44,8 +44,8 @@ pub(super) fn put_in(
                         cosines, exponentials and lengths";
             return Err(Fault::limit(place, what).within(&witness.origin));
         }
-        refuse(&claim.sought, &[&term]).map_err(|f| f.within(&witness.origin))?;
-        witnesses.push((sought.name.as_str(), term));
+        refuse(&claim.existentials, &[&term]).map_err(|f| f.within(&witness.origin))?;
+        witnesses.push((existential.name.as_str(), term));
     }
     let within = |fault: Fault| fault.within(&statement.origin);
     let body = elaborator
@@ -57,13 +57,13 @@ pub(super) fn put_in(
     }
     let mut members = vec![];
     let mut inhabited = true;
-    for (sought, (_, witness)) in claim.sought.iter().zip(&witnesses) {
-        let Some(SymbolKind::Real(interval)) = claim.declarations.symbol(&sought.name) else {
+    for (existential, (_, witness)) in claim.existentials.iter().zip(&witnesses) {
+        let Some(SymbolKind::Real(interval)) = claim.declarations.symbol(&existential.name) else {
             continue;
         };
         inhabited &= is_inhabited(interval);
         members.extend(between(interval, witness));
-        for relation in interval.relations(&sought.name) {
+        for relation in interval.relations(&existential.name) {
             let statement = elaborator.statement_where(&relation.expr, &witnesses);
             members.push(statement.map_err(|f| f.within(&relation.origin))?);
         }
@@ -85,11 +85,11 @@ pub(super) fn put_in(
 }
 
 /// Fails where one of the names that a claim seeks occurs.
-pub(super) fn refuse(sought: &[Sought], terms: &[&Term]) -> Result<(), Fault> {
+pub(super) fn refuse(existential: &[Existential], terms: &[&Term]) -> Result<(), Fault> {
     for term in terms {
         let mut found = None;
         term.declared_names(&mut |name: &Arc<str>| {
-            if sought.iter().any(|s| *s.name == **name) {
+            if existential.iter().any(|s| *s.name == **name) {
                 found.get_or_insert_with(|| name.to_string());
             }
         });
@@ -109,7 +109,7 @@ fn premise_is_free(elaborator: &Elaborator<'_>, claim: &Claim, statement: &Writt
         return false;
     };
     let premise = elaborator.statement(premise);
-    premise.is_ok_and(|premise| refuse(&claim.sought, &premise.terms()).is_ok())
+    premise.is_ok_and(|premise| refuse(&claim.existentials, &premise.terms()).is_ok())
 }
 
 fn denies(statement: &Statement) -> bool {

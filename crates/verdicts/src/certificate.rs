@@ -12,7 +12,7 @@ use torse_syntax::notation::Formula;
 /// What a verdict rests on.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Grounds<P = Polynomial> {
+pub enum DecisionCertificate<P = Polynomial> {
     /// A proof.
     Proof {
         /// What must not vanish for it to say something, as factors of which none divides another.
@@ -24,7 +24,7 @@ pub enum Grounds<P = Polynomial> {
     Refutation(Refuted<P>),
 }
 
-impl Grounds {
+impl DecisionCertificate {
     /// Those of a decision that has some.
     #[must_use]
     pub fn of(decision: &Decision) -> Option<Self> {
@@ -57,13 +57,13 @@ impl Grounds {
 
     /// The same in plain polynomials, as it is checked and written.
     #[must_use]
-    pub fn plain(&self) -> Grounds<torse_certificate::Polynomial> {
+    pub fn plain(&self) -> DecisionCertificate<torse_certificate::Polynomial> {
         match self {
-            Self::Proof { conditions, of } => Grounds::Proof {
+            Self::Proof { conditions, of } => DecisionCertificate::Proof {
                 conditions: conditions.iter().map(plain).collect(),
                 of: of.map(&plain),
             },
-            Self::Refutation(refuted) => Grounds::Refutation(refuted.map(&plain)),
+            Self::Refutation(refuted) => DecisionCertificate::Refutation(refuted.map(&plain)),
         }
     }
 }

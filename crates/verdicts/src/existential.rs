@@ -5,8 +5,8 @@
 //! is false of every number of the declared intervals, which is a claim of its own, about that point, and proved.
 
 use crate::conclusion::{Conclusion, conclude};
+use crate::elaborated_claim::ElaboratedClaim;
 use crate::finding::Finding;
-use crate::meant::Meant;
 use crate::statement::{EmptyDomain, ProvedStatement, RefutedStatement, UndecidedStatement};
 use crate::{condition, net, provenance};
 use std::sync::Arc;
@@ -14,7 +14,7 @@ use torse_algebra::work::{self, Spent};
 use torse_certificate::Proof;
 use torse_certificate::proof::Emptiness;
 use torse_prove::decide::Decision;
-use torse_prove::{decide_statement, sought};
+use torse_prove::{decide_statement, existential};
 use torse_syntax::derivation::{Claim, DerivationError, Hypothesis, Provenance, Written};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Connective, Expr, Node};
@@ -29,7 +29,7 @@ pub(crate) fn decided(
     statement: &Written,
     budget: u64,
 ) -> Result<Finding, Box<DerivationError>> {
-    let found = work::within(budget / 5, || sought::witnessed(claim, statement));
+    let found = work::within(budget / 5, || existential::witnessed(claim, statement));
     let found = match known(statement, found)? {
         Ok(found) => found,
         Err(limit) => return Ok(Finding::undecided(limit)),
@@ -49,27 +49,27 @@ pub(crate) fn decided(
         let why = "the witness has no value at some of the integers";
         return Ok(Finding::undecided(why));
     }
-    let Some(meant) = Meant::new(own, statement) else {
+    let Some(elaborated) = ElaboratedClaim::new(own, statement) else {
         let why = "the statement with its witness cannot be read again to be judged";
         return Ok(Finding::undecided(why));
     };
-    let weighed = provenance::weigh(own, statement, decision, budget / 5);
+    let minimized = provenance::minimize_hypotheses(own, statement, decision, budget / 5);
     // Where the witness fails another one may not.
-    let reasons = weighed.decision.reasons();
-    Ok(match conclude(own, statement, weighed) {
+    let reasons = minimized.decision.reasons();
+    Ok(match conclude(own, statement, minimized) {
         Conclusion::Proved(proved) => {
             let steps = [steps, reasons].concat();
-            net::proved(ProvedStatement { steps, ..proved }, &meant)
+            net::proved(ProvedStatement { steps, ..proved }, &elaborated)
         }
         Conclusion::Refuted(refuted) => {
             match without_witness(*refuted, claim, statement, budget / 5) {
-                Ok(refuted) => net::refuted(refuted, &meant, budget / 5),
+                Ok(refuted) => net::refuted(refuted, &elaborated, budget / 5),
                 Err(why) => Finding::undecided(why),
             }
         }
         Conclusion::Vacuous(empty) => {
             let steps = [steps, empty.steps].concat();
-            net::vacuous(EmptyDomain { steps }, &meant)
+            net::vacuous(EmptyDomain { steps }, &elaborated)
         }
         Conclusion::Undecided(open) => Finding::Undecided(UndecidedStatement {
             steps: [steps, open.steps].concat(),
@@ -93,7 +93,7 @@ fn known<T>(
 
 /// The claim with witnesses for all that it seeks, as its verdict was found with; the claim itself if it gives them all.
 pub(crate) fn witnessed(claim: &Claim, statement: &Written, budget: u64) -> Claim {
-    let found = work::within(budget, || sought::witnessed(claim, statement));
+    let found = work::within(budget, || existential::witnessed(claim, statement));
     match found {
         Ok(Ok(Some(found))) => found.claim,
         _ => claim.clone(),
@@ -140,7 +140,7 @@ fn without_witness(
     let unknown =
         || format!("the witness fails {point}; that no other one will do there is not shown");
     let mut there = claim.clone();
-    there.sought.clear();
+    there.existentials.clear();
     for (name, value) in &at {
         let formula = Formula {
             text: format!("{name} == {value}"),
@@ -170,7 +170,7 @@ fn without_witness(
     {
         return Err(unknown());
     }
-    let names: Vec<&str> = claim.sought.iter().map(|s| s.name.as_str()).collect();
+    let names: Vec<&str> = claim.existentials.iter().map(|s| s.name.as_str()).collect();
     let denied = notation::text(&denied.expr);
     let mut steps = refuted.steps;
     steps.push(format!(
@@ -182,7 +182,7 @@ fn without_witness(
         steps,
         difference: None,
         derived: None,
-        grounds: None,
+        certificate: None,
         ..refuted
     })
 }

@@ -5,8 +5,8 @@
 
 use serde::Serialize;
 use torse_prove::evidence::Evidence;
-use torse_syntax::words::{Flag, Kind, Verdict};
-use torse_verdicts::claim_record::SaidBy;
+use torse_syntax::taxonomy::{Flag, Kind, Verdict};
+use torse_verdicts::claim_record::HypothesisSource;
 use torse_verdicts::consequences::{Consequence, Fate};
 use torse_verdicts::outcome::Outcome;
 use torse_verdicts::repair;
@@ -102,7 +102,7 @@ pub fn distant_survivors(count: usize) -> String {
 #[must_use]
 pub fn verdict_on(outcome: &Outcome) -> Term {
     let term = verdict(outcome.verdict());
-    let printed = |from: &SaidBy| matches!(from, SaidBy::Printed { .. });
+    let printed = |from: &HypothesisSource| matches!(from, HypothesisSource::Printed { .. });
     let assumes = outcome.claim.assumed.iter().any(|h| printed(&h.from));
     match (outcome.verdict(), outcome.claim.kind == Kind::Remark) {
         (Verdict::Holds, true) => Term {
@@ -445,7 +445,7 @@ pub struct Rule {
 pub const RULES: [Rule; 7] = [
     Rule {
         name: "Equality is decided, never sampled",
-        statement: "The formulas live in the ring of polynomials with rational coefficients in π, the parameters, the variable x and the pair s = sin(πx/2), c = cos(πx/2), modulo s² + c² = 1. Because π is transcendental, and x is algebraically independent of s and c, this ring embeds in the ring of functions: a zero normal form proves an identity, and a normal form other than zero disproves it.",
+        statement: "The formulas live in the ring of polynomials with rational coefficients in π, the parameters, the variable x and the pair s = sin(πx/2), c = cos(πx/2), modulo s² + c² = 1. Reason π is transcendental, and x is algebraically independent of s and c, this ring embeds in the ring of functions: a zero normal form proves an identity, and a normal form other than zero disproves it.",
     },
     Rule {
         name: "Every division is recorded",

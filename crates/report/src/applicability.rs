@@ -5,7 +5,7 @@
 
 use crate::text::{name, visible};
 use serde::Serialize;
-use torse_syntax::words::{Kind, Verdict};
+use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_verdicts::outcome::Outcome;
 
 /// Whether a construction can be used, best first.
@@ -53,12 +53,12 @@ pub struct Construction {
     /// The identifier for links of the first of its claims.
     pub anchor: String,
     /// The claims that decide the answer: their names and identifiers for links.
-    pub because: Vec<Because>,
+    pub because: Vec<Reason>,
 }
 
 /// A claim that decides an answer.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Because {
+pub struct Reason {
     /// The name of the claim.
     pub name: String,
     /// Its identifier for links.
@@ -175,7 +175,7 @@ fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<Construc
         label: answer.label(),
         anchor: (*first).clone(),
         because: because
-            .map(|(_, claim, anchor)| Because {
+            .map(|(_, claim, anchor)| Reason {
                 name: visible(name(&claim.claim.id)),
                 anchor: (*anchor).clone(),
             })

@@ -7,11 +7,11 @@ use torse_syntax::derivation::schema::figure::{self as schema, ColourName, Named
 /// Deals out the numbers of the palette: a layer has the number it asks for, else that of its round in a loop,
 /// else the next that is free.
 #[derive(Default)]
-pub(crate) struct Dealer {
+pub(crate) struct PaletteCycle {
     next: usize,
 }
 
-impl Dealer {
+impl PaletteCycle {
     /// The palette number of a layer.
     pub fn deal(&mut self, layer: &Layer) -> usize {
         let number = match (layer.style.colour, layer.round) {

@@ -26,7 +26,11 @@ struct Vector {
 
 /// The point with its vectors different from zero and from each other, as far as `fails` allows.
 #[must_use]
-pub fn livened(point: Point, declarations: &Declarations, fails: &dyn Fn(&Point) -> bool) -> Point {
+pub fn make_nondegenerate(
+    point: Point,
+    declarations: &Declarations,
+    fails: &dyn Fn(&Point) -> bool,
+) -> Point {
     let vectors = vectors(&point, declarations);
     let mut point = point;
     let mut tries = 0;
@@ -159,7 +163,7 @@ mod tests {
     fn no_plane_is_zero_and_no_two_are_one() {
         let declarations = declared(&[("d", 4), ("h", 4)]);
         let zero = point(&[("d", &[0, 0, 0, 0]), ("h", &[0, 0, 0, 0])]);
-        let found = livened(zero, &declarations, &|_| true);
+        let found = make_nondegenerate(zero, &declarations, &|_| true);
         assert_eq!(found, point(&[("d", &[1, 0, 0, 0]), ("h", &[0, 1, 0, 0])]));
     }
 
@@ -167,12 +171,13 @@ mod tests {
     fn one_of_several_points_is_the_origin_and_a_direction_alone_is_not_zero() {
         let several = declared(&[("o", 3), ("p", 3), ("q", 3)]);
         let start = point(&[("o", &[0, 0, 0]), ("p", &[1, 0, 0]), ("q", &[1, 0, 0])]);
-        let found = livened(start, &several, &|_| true);
+        let found = make_nondegenerate(start, &several, &|_| true);
         let moved = point(&[("o", &[0, 0, 0]), ("p", &[1, 0, 0]), ("q", &[0, 1, 0])]);
         assert_eq!(found, moved);
-        let alone = livened(point(&[("g", &[0, 0, 0])]), &declared(&[("g", 3)]), &|_| {
-            true
-        });
+        let alone =
+            make_nondegenerate(point(&[("g", &[0, 0, 0])]), &declared(&[("g", 3)]), &|_| {
+                true
+            });
         assert_eq!(alone, point(&[("g", &[1, 0, 0])]));
     }
 
@@ -180,6 +185,9 @@ mod tests {
     fn what_would_not_fail_stays() {
         let declarations = declared(&[("d", 4)]);
         let zero = point(&[("d", &[0, 0, 0, 0])]);
-        assert_eq!(livened(zero.clone(), &declarations, &|_| false), zero);
+        assert_eq!(
+            make_nondegenerate(zero.clone(), &declarations, &|_| false),
+            zero
+        );
     }
 }

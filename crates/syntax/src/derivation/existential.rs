@@ -14,7 +14,7 @@ use toml::Spanned;
 
 /// A number of which a claim says that there is one.
 #[derive(Debug, Clone)]
-pub struct Sought {
+pub struct Existential {
     /// The symbol that stands for it.
     pub name: String,
     /// What it is, if the claim says it.
@@ -24,13 +24,13 @@ pub struct Sought {
 }
 
 /// The entries of `exists` that are well formed.
-pub(super) fn sought(
+pub(super) fn existentials(
     source: &Arc<Source>,
     declarations: &Declarations,
     entries: &[Spanned<String>],
     errors: &mut Errors,
-) -> Vec<Sought> {
-    let mut found: Vec<Sought> = vec![];
+) -> Vec<Existential> {
+    let mut found: Vec<Existential> = vec![];
     for text in entries {
         let Some(formula) = errors.keep(written(source, text)) else {
             continue;
@@ -69,7 +69,7 @@ pub(super) fn sought(
             expr,
             origin: origin.clone(),
         });
-        found.push(Sought {
+        found.push(Existential {
             name,
             witness,
             origin: origin.clone(),
