@@ -57,7 +57,7 @@ fn a_composed_claim_is_a_function_of_its_seed() {
 #[cfg(debug_assertions)]
 mod mistakes {
     use super::SEED;
-    use torse_numbers::planted::{Planted, with};
+    use torse_numbers::fault_injection::{InjectedFault, with};
     use torse_tests::composed::claim;
     use torse_tests::composed::tally::{Answer, answer, semantics_alone};
 
@@ -67,26 +67,26 @@ mod mistakes {
     #[test]
     fn mistakes_of_the_engine_are_seen_in_composed_statements() {
         for fault in [
-            Planted::CosineRate,
-            Planted::AngleSum,
-            Planted::LowerEndForgotten,
-            Planted::EmptySumHasTerm,
-            Planted::SecondHalfIgnored,
-            Planted::RootSignIgnored,
-            Planted::ConditionDropped,
-            Planted::OrdersByMaximum,
-            Planted::DefinitionOutsideScope,
-            Planted::LeftOutNotMoved,
-            Planted::MovedNotSeen,
-            Planted::OrderForgotten,
-            Planted::EndsExchanged,
-            Planted::StepFactorsExchanged,
-            Planted::ImplicationReversed,
-            Planted::SizeAsItself,
-            Planted::PrimesOnce,
-            Planted::ProductAsSum,
-            Planted::CaseForgotten,
-            Planted::StaleMemory,
+            InjectedFault::CosineRate,
+            InjectedFault::AngleSum,
+            InjectedFault::LowerEndForgotten,
+            InjectedFault::EmptySumHasTerm,
+            InjectedFault::SecondHalfIgnored,
+            InjectedFault::RootSignIgnored,
+            InjectedFault::ConditionDropped,
+            InjectedFault::OrdersByMaximum,
+            InjectedFault::DefinitionOutsideScope,
+            InjectedFault::LeftOutNotMoved,
+            InjectedFault::MovedNotSeen,
+            InjectedFault::OrderForgotten,
+            InjectedFault::EndsExchanged,
+            InjectedFault::StepFactorsExchanged,
+            InjectedFault::ImplicationReversed,
+            InjectedFault::SizeAsItself,
+            InjectedFault::PrimesOnce,
+            InjectedFault::ProductAsSum,
+            InjectedFault::CaseForgotten,
+            InjectedFault::StaleMemory,
         ] {
             let is_seen = |number: &u64| {
                 let made = claim(SEED, *number);
@@ -102,7 +102,9 @@ mod mistakes {
         const CLAIMS: u64 = 120;
         let (clean, wrong) = semantics_alone(SEED, CLAIMS);
         assert_eq!(wrong, Vec::<String>::new());
-        let (alike, _) = with(Planted::StreamDegenerate, || semantics_alone(SEED, CLAIMS));
+        let (alike, _) = with(InjectedFault::StreamDegenerate, || {
+            semantics_alone(SEED, CLAIMS)
+        });
         assert!(alike + CLAIMS / 10 <= clean, "{clean} and {alike}");
     }
 }

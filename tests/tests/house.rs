@@ -168,7 +168,7 @@ fn an_import_against_the_direction_is_seen() {
 
 /// Whether a source names what makes a fault.
 fn plants(text: &str) -> bool {
-    text.match_indices("planted::").any(|(at, _)| {
+    text.match_indices("fault_injection::").any(|(at, _)| {
         let rest = text.get(at..).unwrap_or("");
         let import = rest.split([';', '(']).next().unwrap_or("");
         let mut names = tokens(import).into_iter();
@@ -190,15 +190,19 @@ fn no_limit_is_thrown() {
         let words = ["resume_unwind", "panic_any", "catch_unwind"];
         words.iter().any(|word| text[..tests].contains(word))
     });
-    assert_eq!(found, [crates().join("verdicts/src/stage.rs")]);
+    assert_eq!(found, [crates().join("verdicts/src/pending_claim.rs")]);
 }
 
 #[test]
 fn only_tests_can_plant_faults() {
-    assert!(plants("use torse_numbers::planted::{Planted, with};"));
-    assert!(plants("torse_numbers::planted::with(fault, || ())"));
-    assert!(plants("use torse_numbers::planted::*;"));
-    assert!(!plants("use torse_numbers::planted::{Planted, planted};"));
+    assert!(plants(
+        "use torse_numbers::fault_injection::{InjectedFault, with};"
+    ));
+    assert!(plants("torse_numbers::fault_injection::with(fault, || ())"));
+    assert!(plants("use torse_numbers::fault_injection::*;"));
+    assert!(!plants(
+        "use torse_numbers::fault_injection::{InjectedFault, injected};"
+    ));
     let mut asking = 0;
     for room in built() {
         let mut files = vec![];
@@ -206,7 +210,7 @@ fn only_tests_can_plant_faults() {
         for file in files {
             let text = fs::read_to_string(&file).unwrap();
             assert!(!plants(&text), "{}", file.display());
-            asking += usize::from(text.contains("planted::"));
+            asking += usize::from(text.contains("fault_injection::"));
         }
     }
     assert!(asking > 10, "{asking}");

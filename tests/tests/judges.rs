@@ -14,7 +14,7 @@ use serde_json::json;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use torse_numbers::planted::{Planted, with};
+use torse_numbers::fault_injection::{InjectedFault, with};
 use torse_syntax::derivation;
 use torse_syntax::formula::parse;
 use torse_tests::dump;
@@ -194,17 +194,17 @@ fn deliberate_mistakes_of_reading_and_rounding_are_seen() {
         json!([text, tree]).to_string()
     };
     for (fault, text) in [
-        (Planted::DifferenceFromTheRight, "a - b - c"),
-        (Planted::SignBeforePower, "-x^2"),
-        (Planted::DecimalsForgotten, "agrees(x, 0.10)"),
+        (InjectedFault::DifferenceFromTheRight, "a - b - c"),
+        (InjectedFault::SignBeforePower, "-x^2"),
+        (InjectedFault::DecimalsForgotten, "agrees(x, 0.10)"),
     ] {
         let wrong = with(fault, || tree(text));
         assert!(!judged("trees.py", &["compare"], &[wrong]).0, "{fault:?}");
     }
     for fault in [
-        Planted::OuterDeclarationKept,
-        Planted::HypothesisLeftOut,
-        Planted::OpenEndClosed,
+        InjectedFault::OuterDeclarationKept,
+        InjectedFault::HypothesisLeftOut,
+        InjectedFault::OpenEndClosed,
     ] {
         let claims: Vec<String> = with(fault, claims)
             .iter()
@@ -215,7 +215,7 @@ fn deliberate_mistakes_of_reading_and_rounding_are_seen() {
             "{fault:?}"
         );
     }
-    let lines: Vec<String> = with(Planted::RoundedInward, || {
+    let lines: Vec<String> = with(InjectedFault::RoundedInward, || {
         let lines = (0..400).map(|number| dump::ball::line(SEED, number).to_string());
         lines.collect()
     });

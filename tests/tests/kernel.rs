@@ -9,8 +9,8 @@ use std::time::Duration;
 use torse_prove::evidence;
 use torse_rocq::coqc::{Accepted, Coqc, Limits};
 use torse_rocq::folder::Folder;
+use torse_rocq::script_search;
 use torse_rocq::task::{Evidence, Finding};
-use torse_rocq::trial;
 use torse_syntax::derivation::{Claim, load};
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::engine::decide_claim;
@@ -19,7 +19,7 @@ use torse_verdicts::mutants::refuted;
 /// So many changed statements are put to the kernel.
 const WANTED: usize = 200;
 /// The most of one claim.
-const MOST: usize = 4;
+const MAX: usize = 4;
 /// The longest time for one script, in seconds: the proofs of the statements as they were take less.
 const SECONDS: u64 = 10;
 
@@ -79,7 +79,7 @@ fn the_proofs_of_true_statements_do_not_prove_what_the_engine_refutes() {
             if outcome.verdict() != Verdict::Holds {
                 continue;
             }
-            for (place, (claim, _)) in refuted(claim, MOST).enumerate() {
+            for (place, (claim, _)) in refuted(claim, MAX).enumerate() {
                 changed.push((format!("{id}.changed{place}"), claim, evidence));
             }
         }
@@ -98,7 +98,8 @@ fn the_proofs_of_true_statements_do_not_prove_what_the_engine_refutes() {
     let scratch = tempfile::tempdir().unwrap();
     coqc.library(scratch.path(), limits, &|| ()).unwrap();
     let failing =
-        trial::failing(&coqc, &folder, scratch.path(), SECONDS, limits, &|_, _| ()).unwrap();
+        script_search::failing(&coqc, &folder, scratch.path(), SECONDS, limits, &|_, _| ())
+            .unwrap();
     let proved = folder.theorems.iter().filter(|t| t.rests_on.is_none());
     let stated: BTreeSet<String> = proved.map(|t| t.name()).collect();
     // That no values meet the premises says nothing of the proof.

@@ -18,7 +18,7 @@ const SEED: u64 = 1;
 /// How many claims of a kind.
 const CLAIMS: u64 = 500;
 /// How many in a hundred may stay open.
-const MOST_OPEN: u64 = 10;
+const MAX_OPEN: u64 = 10;
 
 /// How many in a hundred the semantics has to decide by itself: fewer where a claim may deny something everywhere, or
 /// speaks of functions.
@@ -43,7 +43,7 @@ fn never_wrong(kind: Kind) {
         tally.wrong[..tally.wrong.len().min(3)].join("\n")
     );
     assert!(
-        tally.open * 100 <= CLAIMS * MOST_OPEN,
+        tally.open * 100 <= CLAIMS * MAX_OPEN,
         "{} of {CLAIMS} are open, such as\n{}",
         tally.open,
         tally.undecided[..tally.undecided.len().min(3)].join("\n")

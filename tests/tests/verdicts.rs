@@ -179,8 +179,8 @@ fn an_example_survives_a_wrong_theorem_where_its_wrong_term_vanishes() {
 
 /// A condition, or its beginning and its length.
 fn shown(condition: &str) -> String {
-    const LONGEST: usize = 120;
-    match condition.char_indices().nth(LONGEST) {
+    const MAX_CHARS: usize = 120;
+    match condition.char_indices().nth(MAX_CHARS) {
         None => condition.to_owned(),
         Some((end, _)) => {
             let start = condition.get(..end).unwrap_or_default();

@@ -24,6 +24,6 @@ pub use polynomial::angles::Finest;
 pub use sturm::SturmSequence;
 pub use symbol::{Angle, Exponent, Symbol, Unit};
 pub use torse_numbers::{
-    Affine, Ball, ExactError, Integer, Rational, Scalar, ZeroTest, affine, ball, planted, rational,
-    scalar, work,
+    Affine, Ball, ExactError, Integer, Rational, Scalar, ZeroTest, affine, ball, fault_injection,
+    rational, scalar, work,
 };

@@ -14,7 +14,7 @@ fn exponent([a, b, c]: [(i64, i64); 3]) -> Fraction {
 }
 
 fn finest(value: &Fraction) -> Fraction {
-    Finest::of(value.symbols().iter()).write(value).unwrap()
+    Finest::new(value.symbols().iter()).write(value).unwrap()
 }
 
 fn coefficients() -> impl Strategy<Value = [(i64, i64); 3]> {

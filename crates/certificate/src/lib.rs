@@ -19,13 +19,13 @@
 //! |---|---|---|
 //! | `identity` | the difference vanishes, by its normal form or as a series of symbolic degree | [`identity::Identity`] |
 //! | `combination` | the difference is a sum of multiples of equations | [`identity::Combination`] |
-//! | `forced` | the difference can be nothing but zero: between two signs, by its square, or beside factors that do not vanish | [`forced::Forced`] |
+//! | `forced` | the difference can be nothing but zero: between two signs, by its square, or beside factors that do not vanish | [`zero_by_sign::ZeroBySign`] |
 //! | `order` | the difference has a sign: certificates with boxes, squares, factors, rays | [`order::Order`], [`sign::Sign`] |
 //! | `excluded` | hypotheses say that the difference is not zero | [`order::Excluded`] |
 //! | `enclosure` | printed numbers are the values, rounded or cut off | [`enclosure::Enclosure`] |
 //! | `nonnegative`, `powers` | properties of a basis at every degree | [`family`] |
 //! | `wronskians` | total positivity at some degrees, by positive determinants on cells | [`wronskian`] |
-//! | `on` | a proof with its ground: eliminated symbols, constraints, conditions | [`proof::ground::Ground`] |
+//! | `on` | a proof with its ground: eliminated symbols, constraints, conditions | [`proof::assumptions::Assumptions`] |
 //! | `both`, `clauses`, `parts`, `instances` | conjunctions, of halves, clauses, parts of the domain, values of integers | [`proof::Proof`] |
 //! | `alternative`, `conclusion` | one part of `or`, perhaps where the others fail; the end of `implies` | [`proof::Proof`] |
 //! | `exists` | `not p` by a point | [`proof::refutation::Refuted`] |
@@ -37,7 +37,6 @@
 pub mod enclosure;
 pub mod evidence;
 pub mod family;
-pub mod forced;
 pub mod identity;
 pub mod number;
 pub mod order;
@@ -49,6 +48,7 @@ pub mod sign;
 pub mod symbol;
 mod text;
 pub mod wronskian;
+pub mod zero_by_sign;
 
 pub use evidence::Evidence;
 pub use polynomial::Polynomial;

@@ -306,14 +306,14 @@ impl Polynomial {
     /// share: those of different parts are not independent. `None` for more parts than anyone writes.
     #[must_use]
     pub fn refined(&self) -> Option<Self> {
-        const MOST: u16 = 48;
+        const MAX_EXPONENT: u16 = 48;
         let mut finest: BTreeMap<(&str, crate::symbol::Unit), u16> = BTreeMap::new();
         let mut differ = false;
         for symbol in self.symbols() {
             if let Symbol::Sine(name, angle) | Symbol::Cosine(name, angle) = symbol {
                 let known = finest.entry((name, angle.unit)).or_insert(angle.parts);
                 differ |= *known != angle.parts;
-                *known = common_multiple(*known, angle.parts).filter(|n| *n <= MOST)?;
+                *known = common_multiple(*known, angle.parts).filter(|n| *n <= MAX_EXPONENT)?;
             }
         }
         if !differ {

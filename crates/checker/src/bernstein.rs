@@ -51,7 +51,7 @@ pub fn bernstein(
     sides: &[&Symbol],
     degrees: &[u32],
 ) -> Option<BTreeMap<Vec<u32>, Polynomial>> {
-    const MOST: usize = 40_000;
+    const MAX_COEFFICIENTS: usize = 40_000;
     let mut forms: BTreeMap<Vec<u32>, Polynomial> = BTreeMap::new();
     for (monomial, coefficient) in polynomial.terms() {
         let power = |side: &&Symbol| {
@@ -75,7 +75,7 @@ pub fn bernstein(
                 *slot = slot.plus(&coefficient.scaled(&share));
             }
         }
-        if next.len() > MOST {
+        if next.len() > MAX_COEFFICIENTS {
             return None;
         }
         forms = next;

@@ -5,8 +5,8 @@
 //! coefficient is not zero. Several `given` equations determine as many symbols where their determinant is not zero.
 
 use super::apart::Apart;
+use super::assumptions::{Compared, Domain, Met};
 use super::gap::{CheckError, Unsupported, Wrong};
-use super::ground::{Compared, Domain, Met};
 use super::quotient::Quotient;
 use super::sign::Signs;
 use super::value::determinant;
@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_certificate::number::order;
 use torse_certificate::polynomial::Polynomial;
-use torse_certificate::proof::ground::{Determining, Signed};
+use torse_certificate::proof::assumptions::{Determining, Signed};
 use torse_certificate::ratio::Constraint;
 use torse_certificate::sign::Sign;
 use torse_certificate::symbol::Symbol;
@@ -132,7 +132,7 @@ impl Domain<'_> {
         let given: Vec<&Compared> = known.iter().filter(|c| c.source == Source::Given).collect();
         let mut values = BTreeMap::new();
         for determined in &group.values {
-            let value = Quotient::of(&determined.value, self.work)?;
+            let value = Quotient::from_ratio(&determined.value, self.work)?;
             values.insert(determined.symbol.clone(), value);
         }
         let distinct: BTreeSet<&usize> = places.iter().collect();

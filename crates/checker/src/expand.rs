@@ -11,12 +11,12 @@ use torse_certificate::polynomial::Polynomial;
 use torse_certificate::symbol::Symbol;
 use torse_core::{BuiltIn, Family, Node, Points, Term};
 use torse_numbers::Affine;
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::rational::integer;
 use torse_syntax::formula::Operator;
 
 /// The longest sum, the largest exponent and order, the highest degree above the seeds.
-const MOST: i64 = 64;
+const MAX_STEPS: i64 = 64;
 const MAX_DEGREE: i64 = 24;
 /// How deep terms may nest.
 const MAX_DEPTH: u32 = 400;
@@ -191,7 +191,7 @@ impl<'a> Expander<'a> {
             } => {
                 let low = self.integer(low, "the bound of a sum", scope)?;
                 let high = self.integer(high, "the bound of a sum", scope)?;
-                if high.saturating_sub(low) > MOST {
+                if high.saturating_sub(low) > MAX_STEPS {
                     return Err(Unsupported::Large);
                 }
                 let zero = Value::Number(Quotient::default());
@@ -209,7 +209,7 @@ impl<'a> Expander<'a> {
             } => {
                 let low = self.integer(low, "the bound of a product", scope)?;
                 let high = self.integer(high, "the bound of a product", scope)?;
-                if high.saturating_sub(low) > MOST {
+                if high.saturating_sub(low) > MAX_STEPS {
                     return Err(Unsupported::Large);
                 }
                 let one = Value::Number(Quotient::number(integer(1)));
@@ -290,7 +290,7 @@ impl<'a> Expander<'a> {
         let mut value = self.term(left, scope)?;
         while let Some((operator, right)) = rights.pop() {
             value = match operator {
-                Operator::Subtract if planted(Planted::DifferenceReadAsSum) => {
+                Operator::Subtract if injected(InjectedFault::DifferenceReadAsSum) => {
                     value.plus(&self.term(right, scope)?, self.work)?
                 }
                 Operator::Add => value.plus(&self.term(right, scope)?, self.work)?,
@@ -304,7 +304,7 @@ impl<'a> Expander<'a> {
                     let exponent = self.integer(right, "an exponent", scope)?;
                     let size = u32::try_from(exponent.unsigned_abs()).ok();
                     let size = size
-                        .filter(|n| i64::from(*n) <= MOST)
+                        .filter(|n| i64::from(*n) <= MAX_STEPS)
                         .ok_or(Unsupported::Large)?;
                     let power = value.number()?.power(size, self.work)?;
                     let one = Quotient::number(integer(1));
@@ -492,7 +492,7 @@ impl<'a> Expander<'a> {
         if order < 0 {
             return Err(Unsupported::Undefined("a derivative of negative order"));
         }
-        if order > MOST {
+        if order > MAX_STEPS {
             return Err(Unsupported::Large);
         }
         // No text can write the sign.

@@ -17,7 +17,7 @@ use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
 /// The highest powers.
-const MOST: u32 = 64;
+const MAX_POWER: u32 = 64;
 
 /// The integral of a function of the variable between two ends.
 pub fn between(
@@ -79,7 +79,7 @@ fn antiderivative(
                 }
             }
         }
-        if power.max(sine).max(cosine) > MOST {
+        if power.max(sine).max(cosine) > MAX_POWER {
             return Err(Unsupported::Large);
         }
         let x = Quotient::from(Polynomial::symbol(variable.clone()));

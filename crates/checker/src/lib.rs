@@ -6,12 +6,12 @@
 //! nothing against the proof.
 
 mod apart;
+mod assumptions;
 mod bernstein;
 mod eliminated;
 mod expand;
 mod functions;
 mod gap;
-mod ground;
 mod integral;
 mod point;
 mod printed;
@@ -26,7 +26,7 @@ mod variation;
 
 pub use gap::{CheckError, Unsupported, Work, Wrong};
 
-use ground::Domain;
+use assumptions::Domain;
 use point::At;
 use sign::Signs;
 use std::cell::Cell;

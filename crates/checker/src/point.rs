@@ -36,7 +36,7 @@ impl<'a> At<'a> {
             .map(|(name, n)| (Symbol::named(name), Quotient::number(integer(*n))))
             .collect();
         for value in point.at.iter().chain(&point.others) {
-            let number = Quotient::of(&value.value, work)?;
+            let number = Quotient::from_ratio(&value.value, work)?;
             let twice = values.insert(value.symbol.clone(), number.clone());
             if twice.is_some_and(|before| before != number) {
                 return Err(Wrong::Outside.into());
@@ -285,8 +285,8 @@ impl<'a> At<'a> {
                 let mut same = true;
                 for ((a, b), (c, d)) in sides.iter().zip(left.iter().zip(right)) {
                     same = same
-                        && a.equals(&Quotient::of(c, self.work)?, self.work)?
-                        && b.equals(&Quotient::of(d, self.work)?, self.work)?;
+                        && a.equals(&Quotient::from_ratio(c, self.work)?, self.work)?
+                        && b.equals(&Quotient::from_ratio(d, self.work)?, self.work)?;
                 }
                 Ok(same)
             }

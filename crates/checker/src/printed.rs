@@ -83,7 +83,7 @@ pub fn same_values(
         return Ok(false);
     }
     for (value, entry) in values.iter().zip(&enclosure.entries) {
-        if !value.equals(&Quotient::of(&entry.value, work)?, work)? {
+        if !value.equals(&Quotient::from_ratio(&entry.value, work)?, work)? {
             return Ok(false);
         }
     }

@@ -166,7 +166,7 @@ impl Quotient {
     }
 
     /// The quotient of a proof.
-    pub fn of(ratio: &Ratio<Polynomial>, work: &Work) -> Result<Self, Unsupported> {
+    pub fn from_ratio(ratio: &Ratio<Polynomial>, work: &Work) -> Result<Self, Unsupported> {
         let below = Self::from(ratio.below.clone());
         Self::from(ratio.above.clone()).over(&below, work)
     }

@@ -1,7 +1,7 @@
 //! Ranges of single symbols, as the hypotheses bound them, and of the tangents of half angles.
 
+use super::assumptions::{Compared, Met};
 use super::gap::{Unsupported, Work};
-use super::ground::{Compared, Met};
 use super::quotient::Quotient;
 use std::cell::RefCell;
 use std::cmp::Ordering;
@@ -35,7 +35,7 @@ pub struct Ranges {
 
 impl Ranges {
     /// From comparisons that are linear in one symbol and speak of no other.
-    pub fn of(all: &[Compared], work: &Work) -> Result<Self, Unsupported> {
+    pub fn from_comparisons(all: &[Compared], work: &Work) -> Result<Self, Unsupported> {
         let mut ranges = Self::default();
         for compared in all {
             ranges.add(compared, work)?;

@@ -4,13 +4,13 @@
 //! ([`torse_core::Claim::rooted`]); the checker makes that claim itself. A value v may take the place of w if v^2 is r,
 //! where squares of other roots are their radicands, and v is not negative. And w is zero only where r is.
 
+use super::assumptions::Domain;
 use super::gap::{CheckError, Unsupported, Wrong};
-use super::ground::Domain;
 use super::quotient::Quotient;
 use super::sign::Signs;
 use std::sync::Arc;
 use torse_certificate::polynomial::Polynomial;
-use torse_certificate::proof::ground::Signed;
+use torse_certificate::proof::assumptions::Signed;
 use torse_certificate::symbol::Symbol;
 use torse_core::Hypothesis;
 
@@ -42,7 +42,7 @@ impl Domain<'_> {
                 .ok_or(Unsupported::Large)
         })?;
         self.note(&met);
-        let value = Quotient::of(&determined.value, work)?;
+        let value = Quotient::from_ratio(&determined.value, work)?;
         let square = value.times(&value, work)?;
         let difference = square.minus(&radicand, work)?.above;
         if !self.reduced(&difference, place)?.is_zero(work)? {

@@ -1,8 +1,8 @@
 //! Certificates of sign: the equation multiplied out, the coordinates, the pieces, and every Bernstein coefficient.
 
+use super::assumptions::{Compared, Domain};
 use super::bernstein::{Sides, bernstein, by_rays, every_face, fills};
 use super::gap::{CheckError, Unsupported, Wrong};
-use super::ground::{Compared, Domain};
 use super::quotient::Quotient;
 use super::range::Ranges;
 use std::cmp::Ordering;
@@ -36,7 +36,7 @@ impl<'a> Signs<'a> {
         groups: usize,
     ) -> Result<Self, CheckError> {
         let (own, gap) = domain.constraints(groups)?;
-        let ranges = Ranges::of(&own, domain.work)?;
+        let ranges = Ranges::from_comparisons(&own, domain.work)?;
         Ok(Self {
             domain,
             constraints,
@@ -51,7 +51,7 @@ impl<'a> Signs<'a> {
     fn known(&self, place: usize) -> Result<&Constraint<Polynomial>, CheckError> {
         let work = self.domain.work;
         let constraint = self.constraints.get(place).ok_or(Wrong::Kind)?;
-        let value = Quotient::of(&constraint.value, work)?;
+        let value = Quotient::from_ratio(&constraint.value, work)?;
         let mut known = false;
         for own in &self.own {
             if own.relation == constraint.relation && own.difference.equals(&value, work)? {
@@ -376,8 +376,8 @@ impl<'a> Signs<'a> {
                         return Err(self.left(symbol));
                     }
                     let (a, b) = (
-                        Quotient::of(&lower.value, work)?,
-                        Quotient::of(&upper.value, work)?,
+                        Quotient::from_ratio(&lower.value, work)?,
+                        Quotient::from_ratio(&upper.value, work)?,
                     );
                     let width = b.minus(&a, work)?.times(&own(symbol), work)?;
                     let value = a.plus(&width, work)?;
@@ -398,7 +398,7 @@ impl<'a> Signs<'a> {
                         true => own(symbol),
                         false => own(symbol).negated(),
                     };
-                    let value = Quotient::of(&end.value, work)?.plus(&t, work)?;
+                    let value = Quotient::from_ratio(&end.value, work)?.plus(&t, work)?;
                     put(polynomials, &|s| (s == symbol).then(|| value.clone()))?;
                     bounds.rays.insert(symbol.clone());
                     bounds.open &= !end.closed;

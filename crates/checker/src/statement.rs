@@ -1,23 +1,23 @@
 //! Proofs of single statements on their ground: equations, order, printed decimals.
 
+use super::assumptions::{Compared, Domain};
 use super::gap::{CheckError, Unsupported, Wrong};
-use super::ground::{Compared, Domain};
 use super::printed;
 use super::quotient::Quotient;
 use super::sign::Signs;
 use super::variation;
 use torse_certificate::enclosure::Enclosure;
-use torse_certificate::forced::{Forced, Zero};
 use torse_certificate::identity::{Combination, Equations, Identity, Vanishing};
 use torse_certificate::order::{Excluded, Order};
 use torse_certificate::polynomial::Polynomial;
 use torse_certificate::proof::Proof;
-use torse_certificate::proof::ground::Ground;
+use torse_certificate::proof::assumptions::Assumptions;
+use torse_certificate::zero_by_sign::{Zero, ZeroBySign};
 use torse_core::{FamilyProperty, Statement};
 use torse_syntax::formula::Relation;
 
 /// A single statement by its proof.
-pub fn check(domain: &Domain<'_>, ground: &Ground<Polynomial>) -> Result<(), CheckError> {
+pub fn check(domain: &Domain<'_>, ground: &Assumptions<Polynomial>) -> Result<(), CheckError> {
     domain.take_apart(&ground.apart, &ground.constraints)?;
     match (&domain.claim.statement, &ground.proof) {
         (
@@ -39,7 +39,7 @@ pub fn check(domain: &Domain<'_>, ground: &Ground<Polynomial>) -> Result<(), Che
             match proof {
                 Proof::Identity(_) => identity(domain, *relation, &differences)?,
                 Proof::Combination(own) => combination(domain, *relation, &differences, own)?,
-                Proof::Forced(own) => forced(domain, ground, *relation, &differences, own)?,
+                Proof::ZeroBySign(own) => forced(domain, ground, *relation, &differences, own)?,
                 Proof::Order(own) => order(domain, ground, *relation, &differences, own)?,
                 Proof::Excluded(own) => excluded(domain, *relation, &differences, own)?,
                 _ => return Err(Wrong::Kind.into()),
@@ -168,10 +168,10 @@ fn assumed(
 /// Every difference can be nothing but zero.
 fn forced(
     domain: &Domain<'_>,
-    ground: &Ground<Polynomial>,
+    ground: &Assumptions<Polynomial>,
     relation: Relation,
     differences: &[Quotient],
-    own: &Forced<Polynomial>,
+    own: &ZeroBySign<Polynomial>,
 ) -> Result<(), CheckError> {
     if relation != Relation::Equal || own.entries.len() != differences.len() {
         return Err(Wrong::Kind.into());
@@ -235,7 +235,7 @@ fn proportional(domain: &Domain<'_>, a: &Polynomial, b: &Polynomial) -> Result<b
 /// A relation by signs.
 fn order(
     domain: &Domain<'_>,
-    ground: &Ground<Polynomial>,
+    ground: &Assumptions<Polynomial>,
     relation: Relation,
     differences: &[Quotient],
     own: &Order<Polynomial>,

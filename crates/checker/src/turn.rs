@@ -13,7 +13,7 @@ pub type Pair = (Polynomial, Polynomial);
 pub const STRANGE: Unsupported = Unsupported::Construct("the sine of this angle");
 
 /// The largest multiple of a part of an angle.
-const MOST: i64 = 24;
+const MAX_MULTIPLE: i64 = 24;
 
 /// `(sin, cos)` of an angle in radians: rational multiples of variables and of pi times them, and of pi/12.
 pub fn sine_cosine(angle: &Polynomial, work: &Work) -> Result<Pair, Unsupported> {
@@ -43,7 +43,7 @@ fn multiples(name: &std::sync::Arc<str>, unit: Unit, times: &Rational) -> Option
     let parts = u16::try_from(times.denom()).ok()?;
     let count = i64::try_from(times.numer()).ok()?;
     let size = u16::try_from(count.abs()).ok()?;
-    if count.abs() > MOST {
+    if count.abs() > MAX_MULTIPLE {
         return None;
     }
     let angle = Angle { unit, parts };

@@ -1,8 +1,8 @@
 //! Variation diminution at some degrees, by positive Wronskians.
 
+use super::assumptions::Domain;
 use super::expand::Expander;
 use super::gap::{CheckError, Unsupported, Wrong};
-use super::ground::Domain;
 use super::quotient::Quotient;
 use super::value::Value;
 use torse_certificate::polynomial::Polynomial;

@@ -64,7 +64,7 @@ impl Audit {
         let ids = ids.filter(|claim| wanted(claim));
         let ids: Vec<&str> = ids.map(|claim| claim.entry.id.get_ref().as_str()).collect();
         let looked_at = selection::only(&papers, &ids);
-        let run = Run::of(&looked_at, self.budget, &mut mistakes);
+        let run = Run::new(&looked_at, self.budget, &mut mistakes);
         let pairs = pairs(&looked_at, &run);
         let progress = Progress::new("auditing", pairs.len());
         let found = audit(&papers, &pairs, || progress.step());

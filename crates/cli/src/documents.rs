@@ -121,12 +121,12 @@ fn put(
     write_file(&path, &bytes)?;
     Ok(Some(Known {
         manuscript: fingerprint,
-        file: digest::of([bytes.as_slice()]),
+        file: digest::digest([bytes.as_slice()]),
     }))
 }
 
 /// The digest of a file; that of no bytes at all where there is none, which no PDF has.
 fn of(path: &Path) -> String {
     let bytes = std::fs::read(path).unwrap_or_default();
-    digest::of([bytes.as_slice()])
+    digest::digest([bytes.as_slice()])
 }

@@ -83,7 +83,7 @@ impl Erratum {
         selection::paper(&papers, &self.paper)?;
         let wanted = |paper: &Paper| paper.head.id == self.paper;
         let papers: Vec<Paper> = papers.into_iter().filter(wanted).collect();
-        let mut run = Run::of(&papers, self.budget, &mut mistakes);
+        let mut run = Run::new(&papers, self.budget, &mut mistakes);
         if self.verify {
             run.restore(&papers, self.budget, &mut mistakes);
         }
@@ -111,6 +111,6 @@ impl Erratum {
             written.push_str(&format!("{}  {verdict}\n", restored.claim));
         }
         terminal::print(&written)?;
-        Ok(Exit::of(run.outcomes(), &[]))
+        Ok(Exit::from_outcomes(run.outcomes(), &[]))
     }
 }

@@ -39,7 +39,10 @@ pub enum Exit {
 
 impl Exit {
     /// The code for these outcomes, of which those with an id among `named` were asked for by that id.
-    pub fn of<'a>(outcomes: impl IntoIterator<Item = &'a Outcome>, named: &[String]) -> Self {
+    pub fn from_outcomes<'a>(
+        outcomes: impl IntoIterator<Item = &'a Outcome>,
+        named: &[String],
+    ) -> Self {
         let of = |outcome: &Outcome| match outcome.verdict() {
             _ if outcome.contradiction().is_some() => Exit::Contradiction,
             _ if !outcome.as_expected() => Exit::Differs,

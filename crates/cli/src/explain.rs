@@ -9,7 +9,7 @@ use crate::{selection, terminal, watchdog};
 use clap::Args;
 use comfy_table::ColumnConstraint;
 use torse_prove::evidence::Witness;
-use torse_report::{counted, difference, glossary, point, rests};
+use torse_report::{counted, dependency_groups, difference, glossary, point};
 use torse_syntax::derivation::Paper;
 use torse_syntax::notation::Formula;
 use torse_syntax::taxonomy::Verdict;
@@ -60,7 +60,7 @@ impl Explain {
             return Ok(mistakes.tell(Exit::BadData));
         }
         let paper = selection::select_one(&papers, &self.name)?;
-        let run = Run::of(std::slice::from_ref(&paper), self.budget, &mut mistakes);
+        let run = Run::new(std::slice::from_ref(&paper), self.budget, &mut mistakes);
         let kernel = self.kernel.accepted(std::slice::from_ref(&paper), &run);
         for paper in &run.papers {
             for outcome in &paper.claims {
@@ -111,7 +111,7 @@ impl Explain {
         let assumed = outcome.claim.assumed.iter();
         let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
         note.list("assuming", assumed.map(|h| self.cut(&h.formula.text)));
-        self.rests(&mut note, outcome);
+        self.dependency_groups(&mut note, outcome);
         note.option("copy at hand", outcome.claim.garbled.as_deref());
         note.option("note", outcome.claim.note.as_deref());
         note.list("uses", outcome.claim.uses.iter().cloned());
@@ -159,8 +159,8 @@ impl Explain {
         }
     }
 
-    fn rests(&self, note: &mut Note, outcome: &Outcome) {
-        for group in rests(outcome) {
+    fn dependency_groups(&self, note: &mut Note, outcome: &Outcome) {
+        for group in dependency_groups(outcome) {
             note.list(group.label, group.lines.iter().map(|line| self.cut(line)));
         }
     }
@@ -176,7 +176,7 @@ impl Explain {
             let assumed = of.claim.assumed.iter();
             let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
             note.list("assuming", assumed.map(|h| self.cut(&h.formula.text)));
-            self.rests(note, of);
+            self.dependency_groups(note, of);
             note.list("on condition", self.formulas(of.conditions()));
             note.list("steps", counted(&of.steps()).into_iter());
             add_witness(note, of);
@@ -232,7 +232,7 @@ pub fn short_note(outcome: &Outcome) -> String {
     let assumed = outcome.claim.assumed.iter();
     let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
     note.list("assuming", assumed.map(|h| h.formula.text.clone()));
-    for group in rests(outcome) {
+    for group in dependency_groups(outcome) {
         note.list(group.label, group.lines.into_iter());
     }
     note.gap();
@@ -420,7 +420,7 @@ impl Resting {
         }
         let ids = resting(&outcome.claim.id, &users);
         let ids: Vec<&str> = ids.into_iter().map(|(id, _)| id).collect();
-        let run = Run::of(&selection::only(papers, &ids), budget, mistakes);
+        let run = Run::new(&selection::only(papers, &ids), budget, mistakes);
         let all: Vec<&Outcome> = std::iter::once(outcome).chain(run.outcomes()).collect();
         let rows = consequences(&outcome.claim.id, &all)
             .into_iter()

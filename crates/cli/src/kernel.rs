@@ -36,7 +36,7 @@ impl Kernel {
             if theorem.rests_on.is_some() && !accepted.has_section(&theorem.section) {
                 continue;
             }
-            let accepted = accepted.has(theorem, &fingerprints.of(theorem));
+            let accepted = accepted.has(theorem, &fingerprints.fingerprint(theorem));
             *fresh.entry(&theorem.id).or_insert(true) &= accepted;
         }
         for missing in &folder.missing {

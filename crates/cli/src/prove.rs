@@ -20,7 +20,7 @@ use torse_rocq::merge;
 use torse_rocq::solutions::{Solved, solutions};
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::theorem::Theorem;
-use torse_rocq::{printed, script, trial};
+use torse_rocq::{printed, script, script_search};
 use torse_syntax::derivation::{Claim, Paper};
 use torse_verdicts::certificate::DecisionCertificate;
 use torse_verdicts::outcome::Outcome;
@@ -89,7 +89,7 @@ impl Prove {
             true => Some(Coqc::find()?),
             false => None,
         };
-        let run = Run::of(&papers, self.budget, &mut mistakes);
+        let run = Run::new(&papers, self.budget, &mut mistakes);
         watchdog::finished();
         let findings = findings(&papers, &run);
         let unread = |reason| Failure::ReadProofs {
@@ -266,7 +266,8 @@ impl Prove {
                 unkept.get_or_insert(failure);
             }
         };
-        let failing = trial::failing(coqc, folder, scratch, seconds, self.limits(), &found)?;
+        let failing =
+            script_search::failing(coqc, folder, scratch, seconds, self.limits(), &found)?;
         let unkept = unkept.into_inner().unwrap_or_else(PoisonError::into_inner);
         unkept.map_or(Ok(failing), Err)
     }
@@ -278,7 +279,7 @@ impl Prove {
         let old = Accepted::read(&self.out).filter(|old| old.coq == coqc.version);
         let known = |theorem: &Theorem| {
             let old = old.as_ref();
-            old.is_some_and(|old| old.has(theorem, &prints.of(theorem)))
+            old.is_some_and(|old| old.has(theorem, &prints.fingerprint(theorem)))
         };
         let proved: BTreeSet<String> = folder
             .theorems
@@ -313,7 +314,7 @@ impl Prove {
                 for theorem in &alone.theorems {
                     let name = theorem.name();
                     if names.contains(&name) && !failing.contains_key(&name) {
-                        accepted.theorems.insert(name, prints.of(theorem));
+                        accepted.theorems.insert(name, prints.fingerprint(theorem));
                     }
                 }
                 self.write(ACCEPTED, &json(&*accepted))
@@ -366,7 +367,7 @@ impl Prove {
         for theorem in &folder.theorems {
             let place = match answers.get(&theorem.name()) {
                 Some(Answer::Accepted) => {
-                    let print = fingerprints.of(theorem);
+                    let print = fingerprints.fingerprint(theorem);
                     accepted.insert(theorem.name(), print);
                     // What is printed is said apart: it follows from what is proved.
                     if theorem.rests_on.is_some() {

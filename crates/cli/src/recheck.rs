@@ -46,7 +46,7 @@ impl Replay {
     /// Decides, judges again, prints the counts and every contradiction.
     pub fn run(&self) -> Result<Exit, Failure> {
         let (papers, mut mistakes) = self.derivations.select(&self.names)?;
-        let run = Run::of(&papers, self.budget, &mut mistakes);
+        let run = Run::new(&papers, self.budget, &mut mistakes);
         let judged = again(&papers, &run.papers);
         watchdog::finished();
         let mut counts = [0_usize; 4];

@@ -62,7 +62,7 @@ impl Report {
         for paper in &papers {
             check_slug(&paper.head.id)?;
         }
-        let mut run = Run::of(&papers, self.budget, &mut mistakes);
+        let mut run = Run::new(&papers, self.budget, &mut mistakes);
         run.restore(&papers, self.budget, &mut mistakes);
         let evaluated = figures::evaluated(&papers, &mut mistakes);
         watchdog::finished();
@@ -103,7 +103,7 @@ impl Report {
         progress.finish();
         written.extend(names.iter().map(|name| self.line(name)));
         terminal::print(&written.concat())?;
-        Ok(Exit::of(run.outcomes(), &[]))
+        Ok(Exit::from_outcomes(run.outcomes(), &[]))
     }
 
     fn wants(&self, slug: &str) -> bool {

@@ -38,7 +38,7 @@ pub struct Run {
 impl Run {
     /// Decides all claims of `papers`, of all papers at once, and then seeks corrections of those that are refuted. Claims whose formulas make no sense are mistakes of theirs,
     /// and have no outcome.
-    pub fn of(papers: &[Paper], budget: Budget, mistakes: &mut Diagnostics) -> Self {
+    pub fn new(papers: &[Paper], budget: Budget, mistakes: &mut Diagnostics) -> Self {
         let claims: Vec<_> = papers
             .iter()
             .flat_map(|paper| paper.claims.iter().map(|claim| (&paper.head.id, claim)))

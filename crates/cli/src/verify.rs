@@ -74,10 +74,10 @@ impl Verify {
         }
         let (papers, mut mistakes) = self.derivations.select(&self.names)?;
         let before = self.against.as_deref().map(Verdicts::read).transpose()?;
-        let run = Run::of(&papers, self.budget, &mut mistakes);
+        let run = Run::new(&papers, self.budget, &mut mistakes);
         figures::evaluated(&papers, &mut mistakes);
         watchdog::finished();
-        let mut exit = Exit::of(run.outcomes(), &self.names);
+        let mut exit = Exit::from_outcomes(run.outcomes(), &self.names);
         let json = match (self.format, &before) {
             (Format::Text, None) => String::new(),
             _ => self.json(&papers, &run)?,

@@ -72,7 +72,7 @@ impl Watch<'_> {
             .into_iter()
             .filter(|paper| !old(&paper.head.id))
             .collect();
-        let run = Run::of(&papers, self.budget, &mut mistakes);
+        let run = Run::new(&papers, self.budget, &mut mistakes);
         figures::evaluated(&papers, &mut mistakes);
         let mut all: BTreeMap<String, PaperOutcome> = known
             .drain(..)

@@ -28,7 +28,7 @@ pub fn is_linear(form: &Term, symbols: &BTreeSet<Arc<str>>) -> bool {
         seen: 0,
         depth: 0,
     };
-    degrees.of(form).is_some_and(|degree| degree <= 1)
+    degrees.degree(form).is_some_and(|degree| degree <= 1)
 }
 
 /// Bounds of the degree in some symbols together.
@@ -43,7 +43,7 @@ struct Degrees<'a> {
 
 impl Degrees<'_> {
     /// A bound of the degree of every entry; none where the term is not seen to be a polynomial.
-    fn of(&mut self, term: &Term) -> Option<u32> {
+    fn degree(&mut self, term: &Term) -> Option<u32> {
         self.seen += 1;
         if self.seen > MAX_PARTS || self.depth >= MAX_DEPTH {
             return None;
@@ -68,12 +68,12 @@ impl Degrees<'_> {
                 self.without(indices)?;
                 Some(self.of_name(&points.name))
             }
-            Node::Negative(inner) | Node::Opened { body: inner, .. } => self.of(inner),
+            Node::Negative(inner) | Node::Opened { body: inner, .. } => self.degree(inner),
             Node::Binary(..) => self.chain(term),
             Node::List(items) => self.most(items),
             Node::Entry(of, indices) => {
                 self.without(indices)?;
-                self.of(of)
+                self.degree(of)
             }
             Node::Product { .. } | Node::Integral { .. } => None,
             Node::Sum {
@@ -84,16 +84,16 @@ impl Degrees<'_> {
             } => {
                 self.without([low, high])?;
                 self.variables.insert(index.number(), 0);
-                self.of(term)
+                self.degree(term)
             }
             Node::Let {
                 variable,
                 value,
                 body,
             } => {
-                let degree = self.of(value)?;
+                let degree = self.degree(value)?;
                 self.variables.insert(variable.number(), degree);
-                self.of(body)
+                self.degree(body)
             }
             Node::Derivative {
                 variable,
@@ -105,7 +105,7 @@ impl Degrees<'_> {
                 // The coefficients of a polynomial are differentiated one by one.
                 self.without([order, at])?;
                 self.variables.insert(variable.number(), 0);
-                self.of(body)
+                self.degree(body)
             }
             Node::Basis {
                 family,
@@ -131,9 +131,9 @@ impl Degrees<'_> {
             rights.push((*operator, b));
             left = a;
         }
-        let mut degree = self.of(left)?;
+        let mut degree = self.degree(left)?;
         while let Some((operator, right)) = rights.pop() {
-            let other = self.of(right)?;
+            let other = self.degree(right)?;
             degree = match operator {
                 Operator::Add | Operator::Subtract => degree.max(other),
                 Operator::Multiply => degree.checked_add(other)?,
@@ -147,14 +147,14 @@ impl Degrees<'_> {
 
     fn applied(&mut self, function: BuiltIn, arguments: &[Term]) -> Option<u32> {
         match (function, arguments) {
-            (BuiltIn::Dot | BuiltIn::Cross, [a, b]) => self.of(a)?.checked_add(self.of(b)?),
-            (BuiltIn::Transpose, [matrix]) => self.of(matrix),
+            (BuiltIn::Dot | BuiltIn::Cross, [a, b]) => self.degree(a)?.checked_add(self.degree(b)?),
+            (BuiltIn::Transpose, [matrix]) => self.degree(matrix),
             (BuiltIn::Solve, [matrix, right]) => {
                 self.without([matrix])?;
-                self.of(right)
+                self.degree(right)
             }
             // A derivative by a symbol has no higher degree in any.
-            (BuiltIn::Coefficients, [forms, _]) => self.of(forms),
+            (BuiltIn::Coefficients, [forms, _]) => self.degree(forms),
             _ => self.without(arguments),
         }
     }
@@ -163,7 +163,7 @@ impl Degrees<'_> {
     fn most<'t>(&mut self, terms: impl IntoIterator<Item = &'t Term>) -> Option<u32> {
         let mut most = 0;
         for term in terms {
-            most = most.max(self.of(term)?);
+            most = most.max(self.degree(term)?);
         }
         Some(most)
     }

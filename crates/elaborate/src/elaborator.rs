@@ -20,7 +20,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_core::{Family, Node, Points, Set, Statement, Term, Variable, stack};
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Declarations, Definition, SymbolKind};
 use torse_syntax::fault::{Fault, Problem};
@@ -287,7 +287,7 @@ impl<'a> Elaborator<'a> {
                             Statement::Join(Connective::And, Box::new(before), Box::new(link))
                         }
                     });
-                    if !planted(Planted::ChainFromFirst) {
+                    if !injected(InjectedFault::ChainFromFirst) {
                         left = right;
                     }
                 }
@@ -306,7 +306,7 @@ impl<'a> Elaborator<'a> {
                     }
                 };
                 let (a, b) = match *connective == Connective::Implies
-                    && planted(Planted::ImplicationReversed)
+                    && injected(InjectedFault::ImplicationReversed)
                 {
                     true => (b, a),
                     false => (a, b),
@@ -348,7 +348,7 @@ impl<'a> Elaborator<'a> {
             return term(Node::Variable(variable.clone()));
         }
         if let Some(definition) = self.declarations.definition(name) {
-            let outside = match planted(Planted::DefinitionOutsideScope) {
+            let outside = match injected(InjectedFault::DefinitionOutsideScope) {
                 true => Scope::default(),
                 false => scope.outside(),
             };
@@ -387,7 +387,7 @@ impl<'a> Elaborator<'a> {
             && let Some(parameter) = function.parameters.first().cloned()
         {
             let order = i64::try_from(name.len() - base.len()).unwrap_or(i64::MAX);
-            let order = if planted(Planted::PrimesOnce) {
+            let order = if injected(InjectedFault::PrimesOnce) {
                 1
             } else {
                 order
@@ -536,7 +536,7 @@ impl<'a> Elaborator<'a> {
             ));
         }
         let mut values = values;
-        if planted(Planted::ArgumentsExchanged) {
+        if injected(InjectedFault::ArgumentsExchanged) {
             values.reverse();
         }
         // Variables of their own: no value can mention the parameter of another one.

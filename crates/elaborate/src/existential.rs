@@ -13,7 +13,7 @@ use num_traits::Signed;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_core::{BuiltIn, Node, Statement, Term};
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Bound, Interval, SymbolKind};
 use torse_syntax::derivation::{Claim, Existential, Written};
@@ -161,7 +161,7 @@ fn between(interval: &Interval, witness: &Term) -> Vec<Statement> {
     let compared = |closed: bool, left: Term, right: Term| Statement::Compare {
         relation: match closed {
             true => Relation::AtMost,
-            false if planted(Planted::OpenEndIncluded) => Relation::AtMost,
+            false if injected(InjectedFault::OpenEndIncluded) => Relation::AtMost,
             false => Relation::Less,
         },
         left,

@@ -6,7 +6,7 @@ use crate::function::Function;
 use torse_syntax::derivation::schema::figure::Shape;
 
 /// The most samples of one layer.
-const MOST_SAMPLES: u64 = 250_000;
+const MAX_SAMPLES: u64 = 250_000;
 
 /// The points of a layer.
 pub(crate) struct Samples {
@@ -86,8 +86,8 @@ pub(crate) fn parameters(layer: &Layer) -> Result<[Vec<f64>; 2], PlateError> {
         .map(|r| u64::from(r.samples.unwrap_or(default)))
         .collect();
     let wanted = counts.iter().product();
-    if wanted > MOST_SAMPLES {
-        let (formula, most) = (layer.formula.clone(), MOST_SAMPLES);
+    if wanted > MAX_SAMPLES {
+        let (formula, most) = (layer.formula.clone(), MAX_SAMPLES);
         return Err(PlateError::Samples {
             formula,
             wanted,

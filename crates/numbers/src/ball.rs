@@ -24,7 +24,7 @@ mod pi;
 mod text;
 mod trigonometry;
 
-use crate::planted::{Planted, planted};
+use crate::fault_injection::{InjectedFault, injected};
 use crate::rational::{Integer, Rational};
 use crate::rational::{ceiling_quotient, floor_quotient};
 use crate::scalar::{ExactError, Scalar, ZeroTest};
@@ -299,7 +299,7 @@ impl Ball {
         let lo = floor_root(&self.lo);
         let below = floor_root(&self.hi);
         let exact = &below * &below == &self.hi << self.bits;
-        let hi = if exact || planted(Planted::RoundedInward) {
+        let hi = if exact || injected(InjectedFault::RoundedInward) {
             below
         } else {
             below + 1

@@ -8,7 +8,7 @@
 
 pub mod affine;
 pub mod ball;
-pub mod planted;
+pub mod fault_injection;
 pub mod rational;
 pub mod scalar;
 pub mod stack;

@@ -12,13 +12,13 @@ use thiserror::Error;
 use crate::{colour::Colour, error::FigureError, ink::label};
 
 /// Most sliders of one picture.
-pub const MOST_SLIDERS: usize = 8;
+pub const MAX_SLIDERS: usize = 8;
 
 /// Highest exponent of a slider value in a monomial.
 pub const HIGHEST_EXPONENT: u32 = 24;
 
 /// Most points of all nets together, so that a page which carries them stays small.
-pub const MOST_POINTS: usize = 60_000;
+pub const MAX_POINTS: usize = 60_000;
 
 /// A quantity that the reader sets.
 #[derive(Debug, Clone, PartialEq)]
@@ -230,11 +230,11 @@ impl Interactive {
         ambient: Ambient,
         parts: Vec<Part>,
     ) -> Result<Self, InteractiveError> {
-        count("sliders", sliders.len(), 1, MOST_SLIDERS)?;
-        count("monomials", monomials.len(), 1, MOST_POINTS)?;
-        count("parts", parts.len(), 1, MOST_POINTS)?;
+        count("sliders", sliders.len(), 1, MAX_SLIDERS)?;
+        count("monomials", monomials.len(), 1, MAX_POINTS)?;
+        count("parts", parts.len(), 1, MAX_POINTS)?;
         let nets = parts.iter().flat_map(|part| &part.nets);
-        count("points", nets.map(Vec::len).sum(), 1, MOST_POINTS)?;
+        count("points", nets.map(Vec::len).sum(), 1, MAX_POINTS)?;
         check_sliders(&sliders)?;
         check_monomials(&monomials, sliders.len())?;
         for (number, part) in parts.iter().enumerate() {
@@ -559,7 +559,7 @@ mod tests {
 
     #[test]
     fn too_many_points_are_refused() {
-        let many = part(vec![vec![[0.0; 3]; MOST_POINTS + 1]], Shape::Points);
+        let many = part(vec![vec![[0.0; 3]; MAX_POINTS + 1]], Shape::Points);
         assert!(matches!(
             refused(vec![slider("a")], vec![vec![0]], many),
             InteractiveError::Count { what: "points", .. }

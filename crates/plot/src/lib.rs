@@ -46,8 +46,8 @@ pub use flat::{Aspect, Axis, Frame, GuideAxis, Layer, Plot};
 pub use ink::markup::label_html;
 pub use ink::scene::Place;
 pub use interactive::{
-    Ambient, HIGHEST_EXPONENT, Interactive, InteractiveError, MOST_POINTS, MOST_SLIDERS, Part,
-    Shape, Slider,
+    Ambient, HIGHEST_EXPONENT, Interactive, InteractiveError, MAX_POINTS, MAX_SLIDERS, Part, Shape,
+    Slider,
 };
 pub use legend::{Legend, Marker};
 pub use picture::{Content, Figure, Panel, Picture, Size};
@@ -55,4 +55,4 @@ pub use space::{
     Border, Bounds, Camera, Grid, Paint, Scale, Solid, Stage, Surface, SurfaceLines, View,
     WORK_LIMIT,
 };
-pub use torse::{MOST_MONOMIALS, Monomial, Quotient, Rulings, Torse, TorsePiece};
+pub use torse::{MAX_MONOMIALS, Monomial, Quotient, Rulings, Torse, TorsePiece};

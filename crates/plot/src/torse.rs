@@ -8,7 +8,7 @@ use crate::interactive::{HIGHEST_EXPONENT, InteractiveError, Slider, check_slide
 use crate::{colour::Colour, ink::label};
 
 /// Most monomials of all formulas together, so that a page which carries them stays small.
-pub const MOST_MONOMIALS: usize = 20_000;
+pub const MAX_MONOMIALS: usize = 20_000;
 
 /// How the rulings of a piece are given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,13 +78,13 @@ impl Torse {
         view: [f64; 2],
         pieces: Vec<TorsePiece>,
     ) -> Result<Self, InteractiveError> {
-        count("sliders", sliders.len(), 1, crate::MOST_SLIDERS)?;
+        count("sliders", sliders.len(), 1, crate::MAX_SLIDERS)?;
         count("pieces", pieces.len(), 1, 8)?;
         let formulas = pieces
             .iter()
             .flat_map(|piece| piece.curves.iter().flatten());
         let sizes = formulas.flat_map(Quotient::sums).map(<[Monomial]>::len);
-        count("monomials", sizes.sum(), 1, MOST_MONOMIALS)?;
+        count("monomials", sizes.sum(), 1, MAX_MONOMIALS)?;
         check_sliders(&sliders)?;
         for (number, piece) in pieces.iter().enumerate() {
             label::parse(&piece.label)?;

@@ -30,7 +30,7 @@ const MAX_TERMS: usize = 400;
 ///     name("a") * r.clone() + name("b") * s.clone() - name("e"),
 ///     name("c") * r.clone() + name("d") * s.clone() - name("f"),
 /// ];
-/// let unknowns: Vec<Unknown> = [&r, &s].into_iter().filter_map(Unknown::of).collect();
+/// let unknowns: Vec<Unknown> = [&r, &s].into_iter().filter_map(Unknown::from_fraction).collect();
 /// let determinant = name("a") * name("d") - name("b") * name("c");
 /// let rule = determinant * s.clone() - (name("a") * name("f") - name("c") * name("e"));
 /// assert!(multipliers(&[rule], &forms, &unknowns).is_some());

@@ -1,8 +1,8 @@
 //! Deciding one comparison, or another statement without structure, on a domain without alternatives: symbolically, or
 //! where a symbolic degree cannot be carried at small values of the integers.
 
-use crate::case::{Ground, RootsAre, Solving, written};
 use crate::combination::multipliers;
+use crate::context::{ProofContext, RootMode, SolvePolicy, written};
 use crate::decide::contradiction::contradiction;
 use crate::decide::domain::{Constraint, Domain};
 use crate::decide::value::Proof;
@@ -14,12 +14,12 @@ use crate::roots;
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Fraction, Polynomial, Symbol, work};
 use torse_certificate::Refuted;
 use torse_certificate::identity::{Combination, Equations, Vanishing};
 use torse_certificate::proof::Emptiness;
-use torse_certificate::proof::ground::Sharpness;
+use torse_certificate::proof::assumptions::Sharpness;
 use torse_certificate::sign::Sign;
 use torse_core::{self as core};
 use torse_elaborate::Elaborator;
@@ -34,7 +34,7 @@ pub(crate) struct Decider<'a> {
     pub claim: core::Claim,
     pub(crate) elaborator: Rc<Elaborator<'a>>,
     /// The domain with no integer fixed and roots as symbols, once it was made: every part of a statement starts from it.
-    ground: OnceCell<Ground<'a>>,
+    ground: OnceCell<ProofContext<'a>>,
 }
 
 impl<'a> Decider<'a> {
@@ -92,22 +92,26 @@ impl<'a> Decider<'a> {
         instances::assignments(&integers, declarations)
     }
 
-    fn ground(&self, instance: &Instance) -> Result<Ground<'a>, Fault> {
+    fn ground(&self, instance: &Instance) -> Result<ProofContext<'a>, Fault> {
         if !instance.is_empty() {
-            return self.ground_where(instance, RootsAre::Symbols);
+            return self.ground_where(instance, RootMode::Symbols);
         }
         if let Some(known) = self.ground.get() {
             return Ok(known.clone());
         }
-        let made = self.ground_where(instance, RootsAre::Symbols)?;
+        let made = self.ground_where(instance, RootMode::Symbols)?;
         // What a job that is over came to would be that of all later parts.
         work::check().map_err(|limit| Fault::limit(Place::default(), limit.to_string()))?;
         Ok(self.ground.get_or_init(|| made).clone())
     }
 
-    fn ground_where(&self, instance: &Instance, roots: RootsAre) -> Result<Ground<'a>, Fault> {
+    fn ground_where(
+        &self,
+        instance: &Instance,
+        roots: RootMode,
+    ) -> Result<ProofContext<'a>, Fault> {
         let fixed = instances::fixed(instance);
-        Ground::with_roots(&self.claim, Rc::clone(&self.elaborator), &fixed, roots)
+        ProofContext::with_roots(&self.claim, Rc::clone(&self.elaborator), &fixed, roots)
     }
 
     /// A statement that is no conjunction and no negation.
@@ -195,7 +199,7 @@ impl<'a> Decider<'a> {
         statement: &core::Statement,
         instance: &Instance,
         by: Vanishing,
-    ) -> Option<(Ground<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
+    ) -> Option<(ProofContext<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
         let core::Statement::Compare {
             relation: Relation::Equal,
             left,
@@ -211,7 +215,8 @@ impl<'a> Decider<'a> {
         }
         let fixed = instances::fixed(instance);
         let elaborator = Rc::clone(&self.elaborator);
-        let ground = Ground::assumed(&self.claim, elaborator, &fixed, Solving::Always).ok()?;
+        let ground =
+            ProofContext::assumed(&self.claim, elaborator, &fixed, SolvePolicy::Always).ok()?;
         let (forms, unknowns) = (
             ground.given(&self.claim).ok()?,
             ground.unknowns(&self.claim).ok()?,
@@ -249,13 +254,14 @@ impl<'a> Decider<'a> {
         &self,
         statement: &core::Statement,
         instance: &Instance,
-    ) -> Option<(Ground<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
+    ) -> Option<(ProofContext<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
         if !self.claim.unknowns.is_empty() {
             return None;
         }
         let fixed = instances::fixed(instance);
         let elaborator = Rc::clone(&self.elaborator);
-        let ground = Ground::assumed(&self.claim, elaborator, &fixed, Solving::Safely).ok()?;
+        let ground =
+            ProofContext::assumed(&self.claim, elaborator, &fixed, SolvePolicy::Safely).ok()?;
         let Ok(Statement::Compare {
             relation: Relation::Equal,
             left,
@@ -284,7 +290,7 @@ impl<'a> Decider<'a> {
         let decision = self.on_ground(statement, instance, ground)?;
         let decision = self.split(statement, instance, decision, splits);
         if rooted && matches!(decision, Decision::Open { .. }) {
-            let ground = self.ground_where(instance, RootsAre::Solved);
+            let ground = self.ground_where(instance, RootMode::Solved);
             let again = ground.and_then(|ground| self.on_ground(statement, instance, ground));
             if let Ok(decided @ (Decision::Proven(_) | Decision::Refuted(_))) = again {
                 return Ok(decided);
@@ -297,7 +303,7 @@ impl<'a> Decider<'a> {
         &self,
         statement: &core::Statement,
         instance: &Instance,
-        mut ground: Ground<'_>,
+        mut ground: ProofContext<'_>,
     ) -> Result<Decision, Fault> {
         let names: Vec<String> = self
             .claim
@@ -389,13 +395,13 @@ impl<'a> Decider<'a> {
 
 /// A proof on its ground.
 fn proved(
-    ground: Ground<'_>,
+    ground: ProofContext<'_>,
     proof: Proof,
     (conditions, (nonzero, apart)): (Vec<Polynomial>, Nonzero),
     ranges: Vec<Sharpness<Polynomial>>,
 ) -> Decision {
     Decision::Proven(Proof::On(Box::new(
-        torse_certificate::proof::ground::Ground {
+        torse_certificate::proof::assumptions::Assumptions {
             constraints: written(&ground.domain.constraints),
             eliminated: ground.eliminated,
             proof,
@@ -507,7 +513,7 @@ fn divides(condition: &Polynomial, divisor: &Polynomial) -> bool {
 }
 
 /// The divisors, factor by factor, with radicands for roots, which vanish where these do.
-fn unrooted(divisors: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
+fn unrooted(divisors: &[Polynomial], ground: &ProofContext<'_>) -> Vec<Polynomial> {
     let roots = &ground.domain.roots;
     let plain: Vec<Polynomial> = divisors.iter().map(|p| roots::unrooted(p, roots)).collect();
     conditions::separated(&plain)
@@ -515,7 +521,7 @@ fn unrooted(divisors: &[Polynomial], ground: &Ground<'_>) -> Vec<Polynomial> {
 
 /// The conditions, factor by factor, that neither the hypotheses state nor the domain implies: divisors of the statement, and
 /// those of eliminations, of which what they made of the claim says nothing.
-fn open_conditions(mut conditions: Vec<Polynomial>, ground: &Ground<'_>) -> Vec<Polynomial> {
+fn open_conditions(mut conditions: Vec<Polynomial>, ground: &ProofContext<'_>) -> Vec<Polynomial> {
     let domain = &ground.domain;
     let pivots = &domain.pivots;
     let settled = |p: &Polynomial| {
@@ -525,7 +531,7 @@ fn open_conditions(mut conditions: Vec<Polynomial>, ground: &Ground<'_>) -> Vec<
     };
     conditions.retain(|p| !settled(p));
     conditions.extend(ground.splits.iter().cloned());
-    conditions.retain(|_| !planted(Planted::ConditionDropped));
+    conditions.retain(|_| !injected(InjectedFault::ConditionDropped));
     conditions.sort();
     conditions.dedup();
     conditions

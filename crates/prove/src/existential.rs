@@ -4,7 +4,7 @@
 //! linear. What the equations leave free is zero, or the point of its interval that is easiest to name. Nothing is believed of a
 //! witness: the claim is decided with it in its place ([`torse_core`]).
 
-use crate::case::Case;
+use crate::context::PreparedClaim;
 use crate::evaluate::linear::{linear_form, solve_for};
 use crate::evaluate::value::Statement;
 use crate::formula;
@@ -46,7 +46,7 @@ pub fn witnessed(claim: &Claim, statement: &Written) -> Result<Option<Found>, Fa
         .retain(|existential| existential.witness.is_some());
     let symbols = open.iter().map(|s| Symbol::named(&s.name));
     let symbols: Vec<Unknown> = symbols.filter_map(Unknown::new).collect();
-    let case = Case::new(&free, statement, BTreeMap::new())?;
+    let case = PreparedClaim::new(&free, statement, BTreeMap::new())?;
     let mut forms = vec![];
     equations(&case.statement, &symbols, &mut forms);
     let mut values: BTreeMap<Symbol, Fraction> = BTreeMap::new();

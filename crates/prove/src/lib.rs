@@ -5,9 +5,10 @@
 //! leads from exact values back to a formula as one would write it by hand.
 #![warn(missing_docs)]
 
-mod alternatives;
-pub mod case;
+mod case_split;
 pub mod combination;
+mod connectives;
+pub mod context;
 pub mod decide;
 mod decider;
 pub mod evaluate;
@@ -15,9 +16,8 @@ pub mod evidence;
 pub mod existential;
 pub mod formula;
 pub mod ideal;
-mod parts;
+pub mod probabilistic_refuter;
 pub mod roots;
-pub mod sample;
 mod split;
 pub mod statement;
 pub mod unknown;

@@ -12,7 +12,7 @@
 //! | open, or no point | refuted | refuted |
 //! | refuted | | refuted |
 
-use crate::case::{Ground, RootsAre};
+use crate::context::{ProofContext, RootMode};
 use crate::decide::value::Proof;
 use crate::decide::{Decision, instances};
 use crate::decider::{Decider, Instance};
@@ -134,8 +134,8 @@ impl Decider<'_> {
         let fixed = instances::fixed(instance);
         let elaborator = Rc::clone(&self.elaborator);
         let zeros = std::slice::from_ref(zero);
-        let roots = RootsAre::Symbols;
-        let ground = Ground::where_zero(&self.claim, elaborator, &fixed, roots, zeros)?;
+        let roots = RootMode::Symbols;
+        let ground = ProofContext::where_zero(&self.claim, elaborator, &fixed, roots, zeros)?;
         self.on_ground(statement, instance, ground)
     }
 }

@@ -4,11 +4,11 @@
 //! decided part by part, and `not p` is proved by one point at which p fails. Every other statement is decided
 //! symbolically, or, where a symbolic degree cannot be carried, at small values of the integers.
 
-use crate::alternatives;
+use crate::case_split;
+use crate::connectives::DisjunctiveDomain;
 use crate::decide::value::plain;
 use crate::decide::{self, Decision};
 use crate::evidence::Witness;
-use crate::parts::Parts;
 use std::rc::Rc;
 use torse_core::{self as core, stack};
 use torse_elaborate::Elaborator;
@@ -84,10 +84,10 @@ fn prepared<T>(
         let what = format!("a statement that compares more than {MAX_SIDES} formulas");
         return Err(Fault::limit(Place::default(), what).within(&statement.origin));
     }
-    alternatives::spend_on_domain(core.hypotheses.len())
+    case_split::spend_on_domain(core.hypotheses.len())
         .map_err(|limit| Fault::limit(Place::default(), limit.to_string()))?;
     then(&Prepared {
-        parts: Parts::of(alternatives::parts(&core), &elaborator, &statement.origin),
+        parts: DisjunctiveDomain::new(case_split::parts(&core), &elaborator, &statement.origin),
         statement: core.statement,
         written: &statement.expr,
         origin: &statement.origin,
@@ -97,7 +97,7 @@ fn prepared<T>(
 
 /// A statement that is ready to be decided: its domain is made once for all of its parts.
 pub struct Prepared<'a> {
-    parts: Parts<'a>,
+    parts: DisjunctiveDomain<'a>,
     statement: core::Statement,
     written: &'a Expr,
     origin: &'a Origin,

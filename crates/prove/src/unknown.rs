@@ -31,7 +31,7 @@ impl Unknown {
 
     /// The unknown that a fraction is, if it is just one.
     #[must_use]
-    pub fn of(value: &Fraction) -> Option<Self> {
+    pub fn from_fraction(value: &Fraction) -> Option<Self> {
         let polynomial = value.as_polynomial()?;
         match (polynomial.symbols(), polynomial.len()) {
             ([symbol], 1) if *value == Fraction::symbol(symbol.clone()) => {

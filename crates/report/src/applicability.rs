@@ -66,7 +66,7 @@ pub struct Reason {
 }
 
 /// The constructions of `claims` in the order of the paper; `anchors` holds their identifiers for links.
-pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Vec<Construction> {
+pub(crate) fn constructions(claims: &[Outcome], anchors: &[String]) -> Vec<Construction> {
     let mut groups: Vec<(String, Vec<(&Outcome, &String)>)> = Vec::new();
     for (claim, anchor) in claims.iter().zip(anchors) {
         let Some(title) = title(claim) else { continue };

@@ -50,7 +50,7 @@ pub struct Reworded {
 pub(crate) fn reworded(outcome: &Outcome, faults: &[PaperFault]) -> Option<Reworded> {
     let mut changes = faults.iter().flat_map(|fault| &fault.changes);
     let change = changes.find(|change| change.claim == outcome.claim.id)?;
-    let names = Names::of(outcome);
+    let names = Names::new(outcome);
     let [printed, reads] = compared(&visible(&change.printed), &visible(&change.reads), &names);
     Some(Reworded { printed, reads })
 }
@@ -101,7 +101,7 @@ fn rank(outcome: &Outcome) -> usize {
 }
 
 /// The corrections of a paper.
-pub(crate) fn of(
+pub(crate) fn corrections(
     paper: &PaperOutcome,
     anchors: &[String],
     accepted: &BTreeSet<String>,
@@ -109,7 +109,7 @@ pub(crate) fn of(
     let claims = &paper.claims;
     let view = |(position, (resting, falling)): (usize, (usize, usize))| {
         let claim = claims.get(position)?;
-        let names = Names::of(claim);
+        let names = Names::new(claim);
         let prose = |text: &str| spans(&visible(text), &names);
         let parsed = claim.parsed();
         Some(Corrected {

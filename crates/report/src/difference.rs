@@ -4,7 +4,7 @@
 const MARKS: [char; 2] = ['»', '«'];
 
 /// Lines of more words and signs are not compared.
-const MOST: usize = 3_000;
+const MAX_TERMS: usize = 3_000;
 
 /// Both lines with what differs marked, word by word and sign by sign.
 ///
@@ -15,7 +15,7 @@ const MOST: usize = 3_000;
 #[must_use]
 pub fn difference(old: &str, new: &str) -> [String; 2] {
     let (old, new) = (tokens(old), tokens(new));
-    if old.len().max(new.len()) > MOST {
+    if old.len().max(new.len()) > MAX_TERMS {
         return [old.concat(), new.concat()];
     }
     let mut kept_old = vec![false; old.len()];

@@ -7,12 +7,12 @@ use sha2::{Digest as _, Sha256};
 /// ```
 /// use torse_report::digest;
 ///
-/// let parts = |parts: &[&'static str]| digest::of(parts.iter().map(|part| part.as_bytes()));
+/// let parts = |parts: &[&'static str]| digest::digest(parts.iter().map(|part| part.as_bytes()));
 /// assert_eq!(parts(&["ab", "c"]).len(), 64);
 /// assert_ne!(parts(&["ab", "c"]), parts(&["a", "bc"]));
 /// ```
 #[must_use]
-pub fn of<'a>(parts: impl IntoIterator<Item = &'a [u8]>) -> String {
+pub fn digest<'a>(parts: impl IntoIterator<Item = &'a [u8]>) -> String {
     let mut digest = Sha256::new();
     for part in parts {
         digest.update((part.len() as u64).to_be_bytes());

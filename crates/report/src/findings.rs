@@ -10,7 +10,7 @@ use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
 
 /// Of what is printed, no more than this many characters is quoted.
-const LONGEST_QUOTATION: usize = 300;
+const MAX_QUOTATION_LENGTH: usize = 300;
 
 /// The verdicts that a reader must know of, graver ones first.
 const TOLD: [Verdict; 5] = [
@@ -43,7 +43,7 @@ pub struct Finding {
 /// The findings about `claims`, graver verdicts first and then in file order.
 ///
 /// `anchors` holds the claims' identifiers for links, by position.
-pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
+pub(crate) fn collect_findings(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
     let mut findings = Vec::new();
     for verdict in TOLD {
         for (claim, anchor) in claims.iter().zip(anchors) {
@@ -62,19 +62,19 @@ pub fn findings_in_words(claims: &[Outcome]) -> BTreeMap<String, String> {
         .iter()
         .filter(|claim| TOLD.contains(&claim.verdict()));
     let found = told.map(|outcome| {
-        let told = in_full(outcome, &Names::of(outcome));
+        let told = in_full(outcome, &Names::new(outcome));
         (visible(&outcome.claim.id), in_words(&told))
     });
     found.collect()
 }
 
 fn in_full(outcome: &Outcome, names: &Names) -> Prose {
-    spans(&visible(&sentence::of(outcome)), names)
+    spans(&visible(&sentence::short_sentence(outcome)), names)
 }
 
 /// The finding about a claim.
 pub(crate) fn about(outcome: &Outcome, anchor: &str) -> Finding {
-    let names = Names::of(outcome);
+    let names = Names::new(outcome);
     Finding {
         id: visible(&outcome.claim.id),
         name: visible(name(&outcome.claim.id)),
@@ -82,7 +82,7 @@ pub(crate) fn about(outcome: &Outcome, anchor: &str) -> Finding {
         at: visible(&plain(&outcome.claim.at)),
         verdict: glossary::verdict(outcome.verdict()),
         printed: spans(
-            &visible(&beginning(&outcome.claim.printed, LONGEST_QUOTATION)),
+            &visible(&beginning(&outcome.claim.printed, MAX_QUOTATION_LENGTH)),
             &names,
         ),
         text: in_full(outcome, &names),

@@ -150,12 +150,12 @@ pub fn denied(outcome: &Outcome) -> bool {
 }
 
 /// Formulas of more characters than this that nobody printed are counted, not written.
-const LONGEST_DERIVED: usize = 240;
+const MAX_DERIVED_LENGTH: usize = 240;
 
 /// What stands in the place of a condition or another derived formula that nobody would read: how many terms it has.
 #[must_use]
 pub fn long(text: &str) -> Option<String> {
-    if text.chars().count() <= LONGEST_DERIVED {
+    if text.chars().count() <= MAX_DERIVED_LENGTH {
         return None;
     }
     let terms = terms(text);

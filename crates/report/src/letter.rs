@@ -83,7 +83,7 @@ pub struct ItemChange {
 }
 
 /// The letter about a paper.
-pub(crate) fn of(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Letter {
+pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Letter {
     let claims = &paper.claims;
     let ranks: BTreeMap<&str, usize> = ranked(claims)
         .into_iter()
@@ -171,10 +171,10 @@ fn told(fault: &PaperFault, shows: &[&Outcome]) -> Item {
     let find = |id: &str| shows.iter().find(|outcome| outcome.claim.id == id);
     let mut names = shows
         .first()
-        .map(|claim| Names::of(claim))
+        .map(|claim| Names::new(claim))
         .unwrap_or_default();
     for claim in shows.iter().skip(1) {
-        names.extend(Names::of(claim));
+        names.extend(Names::new(claim));
     }
     let several = fault.changes.len() > 1;
     let mut before = None;
@@ -234,7 +234,7 @@ fn told(fault: &PaperFault, shows: &[&Outcome]) -> Item {
 
 /// The item of a refuted statement of which no fault is told.
 fn untold(outcome: &Outcome) -> Item {
-    let names = Names::of(outcome);
+    let names = Names::new(outcome);
     let formula = (outcome.correction()).map(|repair| correction(outcome.parsed(), repair, &names));
     let told = match (
         &outcome.claim.author_note,
@@ -271,13 +271,13 @@ fn place(outcome: &Outcome) -> Prose {
 }
 
 /// A counterexample of more characters is left to the report.
-const LONGEST_COUNTEREXAMPLE: usize = 400;
+const MAX_COUNTEREXAMPLE_LENGTH: usize = 400;
 
 /// Where a formula of the paper fails; none where that cannot be told in names that the paper has. The formulas of sentences
 /// are ours, and what they come to at a point tells an author nothing.
 fn counterexample(outcome: &Outcome) -> Option<Prose> {
     let witness = outcome.witness()?;
-    let names = Names::of(outcome);
+    let names = Names::new(outcome);
     let stated = outcome.parsed()?;
     let of_the_paper = names.are_of_the_paper(&stated.text)
         && sentence::point(witness).all(|(name, _)| names.are_of_the_paper(name));
@@ -288,7 +288,7 @@ fn counterexample(outcome: &Outcome) -> Option<Prose> {
         && plain_value(&witness.left)
         && plain_value(&witness.right);
     let why = told.then(|| sentence::counterexample(outcome)).flatten()?;
-    if why.chars().count() > LONGEST_COUNTEREXAMPLE {
+    if why.chars().count() > MAX_COUNTEREXAMPLE_LENGTH {
         return None;
     }
     // Two sides of one name would be told to differ from themselves.

@@ -17,6 +17,7 @@
 pub mod applicability;
 mod base64;
 pub mod corrections;
+mod dependencies;
 #[cfg(test)]
 mod derived;
 mod difference;
@@ -33,7 +34,6 @@ mod letter;
 mod manuscript;
 mod math;
 pub mod model;
-mod rests;
 mod sentence;
 mod source;
 pub mod summary_page;
@@ -45,6 +45,7 @@ mod view;
 mod world;
 mod write;
 
+pub use dependencies::{DependencyGroup, dependency_groups};
 pub use difference::difference;
 pub use erratum::{erratum_latex, erratum_markdown};
 pub use error::ReportError;
@@ -56,7 +57,6 @@ pub use json::{finding_json, verdicts_json, verdicts_json_with_kernel};
 pub use letter::{Envelope, Item, ItemChange, Letter};
 pub use manuscript::Manuscript;
 pub use math::{Mathematics, Piece, Prose, Span, in_words, plain};
-pub use rests::{Rests, rests};
 pub use sentence::{failure_in_full, point};
 pub use source::Source;
 pub use tally::{Remarks, Row, Tally};

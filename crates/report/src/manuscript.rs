@@ -143,7 +143,7 @@ impl Manuscript {
         ];
         let templates = TEMPLATES.map(|(name, text)| [name.as_bytes(), text.as_bytes()]);
         let files = (self.files.iter()).map(|(name, bytes)| [name.as_bytes(), bytes.as_slice()]);
-        digest::of(
+        digest::digest(
             fixed
                 .into_iter()
                 .chain(templates.into_iter().chain(files).flatten()),

@@ -15,16 +15,16 @@ use torse_verdicts::judged::{ConditionCheck, Net};
 use torse_verdicts::outcome::Outcome;
 
 /// Exact values of more characters than this are told by their decimals.
-const LONGEST_EXACT_VALUE: usize = 24;
+const MAX_EXACT_VALUE_LENGTH: usize = 24;
 
 /// Sides of more characters than this are called left and right side.
-const LONGEST_SIDE: usize = 48;
+const MAX_SIDE_LENGTH: usize = 48;
 
 /// Points and conditions of more characters than this are left to the claim's own section.
-const LONGEST_LIST: usize = 110;
+const MAX_LIST_LENGTH: usize = 110;
 
 /// The sentence about a claim, with a full stop.
-pub(crate) fn of(outcome: &Outcome) -> String {
+pub(crate) fn short_sentence(outcome: &Outcome) -> String {
     let told = outcome.claim.author_note.as_deref().map(sentence);
     match outcome.verdict() {
         Verdict::Misprint | Verdict::False if outcome.correction().is_some() => {
@@ -123,7 +123,7 @@ fn repaired(repair: &Correction) -> String {
 /// Where a refuted statement fails and by how much; none where nothing is known of it. A point of many symbols is left to
 /// the claim's own section.
 pub(crate) fn failure(outcome: &Outcome) -> Option<String> {
-    failure_with(outcome, LONGEST_LIST)
+    failure_with(outcome, MAX_LIST_LENGTH)
 }
 
 /// The same with the whole point, however many symbols there are.
@@ -175,7 +175,7 @@ fn compared(
 ) -> String {
     let name = |side: &Expr, otherwise: &str| {
         let text = text(side);
-        match text.chars().count() <= LONGEST_SIDE {
+        match text.chars().count() <= MAX_SIDE_LENGTH {
             true => format!("`{text}`"),
             false => otherwise.to_owned(),
         }
@@ -307,7 +307,7 @@ pub(crate) fn denied(outcome: &Outcome) -> Option<String> {
     let statement = outcome.parsed().and_then(|of| expression(&of.text))?;
     let so = opposite(&statement).map(|so| text(&so));
     Some(match so {
-        Some(so) if so.chars().count() <= LONGEST_LIST => format!("{place}`{so}` everywhere"),
+        Some(so) if so.chars().count() <= MAX_LIST_LENGTH => format!("{place}`{so}` everywhere"),
         _ => format!("{place}the opposite is true everywhere"),
     })
 }
@@ -376,7 +376,7 @@ fn fails_at(witness: &Witness, place: &str) -> String {
 }
 
 fn told(exact: &str, decimals: &str) -> String {
-    match exact.chars().count() <= LONGEST_EXACT_VALUE || decimals.is_empty() {
+    match exact.chars().count() <= MAX_EXACT_VALUE_LENGTH || decimals.is_empty() {
         true => format!("`{exact}`"),
         false => decimal(decimals),
     }
@@ -392,5 +392,5 @@ fn conjunction(formulas: &[Formula]) -> Option<String> {
 }
 
 fn short(list: String) -> Option<String> {
-    (list.chars().count() <= LONGEST_LIST).then_some(list)
+    (list.chars().count() <= MAX_LIST_LENGTH).then_some(list)
 }

@@ -15,7 +15,7 @@ use torse_verdicts::consequences::{Fate, consequences, resting, users};
 use torse_verdicts::outcome::Outcome;
 
 /// The most sentences about single statements.
-const MOST: usize = 5;
+const MAX_ROWS: usize = 5;
 
 /// What a reader must know, in a minute.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -44,7 +44,7 @@ pub struct Point {
 }
 
 /// The report of `claims` in a minute; `anchors` holds their identifiers for links, by position.
-pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Short {
+pub(crate) fn summarize(claims: &[Outcome], anchors: &[String]) -> Short {
     let uses = claims
         .iter()
         .map(|of| (of.claim.id.as_str(), of.claim.uses.as_slice()));
@@ -91,7 +91,7 @@ pub(crate) fn of(claims: &[Outcome], anchors: &[String]) -> Short {
         let follows = followers.contains(claim.claim.id.as_str());
         let new = !told_already && !follows && claim.claim.garbled.is_none();
         // One point for one theorem or example.
-        if points.len() < MOST && new && groups.remove(&group(claim)).is_some() {
+        if points.len() < MAX_ROWS && new && groups.remove(&group(claim)).is_some() {
             let more = siblings_of.get(&group(claim)).copied().unwrap_or(0);
             points.push(point(claim, anchor, (resting, falling, more), claims));
         }
@@ -149,8 +149,8 @@ fn theorem_on(outcome: &Outcome, claims: &[Outcome]) -> Option<(String, Prose)> 
 }
 
 /// Formulas of more letters than this are left to the corrections: true ones, and those that are printed.
-const LONGEST_TRUE: usize = 320;
-const LONGEST_PRINTED: usize = 130;
+const MAX_TRUE_LENGTH: usize = 320;
+const MAX_PRINTED_LENGTH: usize = 130;
 
 fn point(
     outcome: &Outcome,
@@ -159,7 +159,7 @@ fn point(
     claims: &[Outcome],
 ) -> Point {
     let (resting, falling, more) = weight;
-    let names = Names::of(outcome);
+    let names = Names::new(outcome);
     let (label, formula) = match (outcome.correction(), outcome.parsed()) {
         (Some(repair), parsed) => {
             let view = correction(parsed, repair, &names);
@@ -209,8 +209,8 @@ fn point(
         formula: formula.filter(|view| {
             let letters = view.math.as_ref().map(|math| math.text.chars().count());
             let longest = match outcome.correction() {
-                Some(_) => LONGEST_TRUE,
-                None => LONGEST_PRINTED,
+                Some(_) => MAX_TRUE_LENGTH,
+                None => MAX_PRINTED_LENGTH,
             };
             letters.is_some_and(|letters| letters <= longest)
         }),

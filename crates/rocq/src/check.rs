@@ -1,7 +1,7 @@
 //! The files that describe all others: what the kernel is asked about them, and their list.
 
-use crate::chapter::comment;
 use crate::modules;
+use crate::section::comment;
 use std::collections::BTreeMap;
 
 /// The file that asks for the axioms of all theorems.

@@ -1,7 +1,7 @@
 //! Closed forms of the definitions that statements of a section share: each is computed once, in a file that all proofs of
 //! the section use. The tactic `stage` of a script looks there first, and computes what it does not find.
 
-use crate::chapter::{comment, imports};
+use crate::section::{comment, imports};
 use crate::shared::{DEFINITIONS, Definition, Shared};
 use std::collections::BTreeSet;
 

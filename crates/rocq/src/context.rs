@@ -425,7 +425,7 @@ pub struct Used {
 impl Used {
     /// What occurs in a term.
     #[must_use]
-    pub fn of(term: &Term) -> Self {
+    pub fn from_term(term: &Term) -> Self {
         let mut used = Self::default();
         term.declared_names(&mut |name| {
             used.symbols.insert(Arc::clone(name));

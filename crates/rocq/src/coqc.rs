@@ -7,7 +7,7 @@ use crate::folder::{ACCEPTED, Folder};
 use crate::library::{self, LIBRARY};
 use crate::printed::{self, FOLLOWS, FUNCTIONS, JETS};
 use crate::theorem::Theorem;
-use crate::{modules, queue};
+use crate::{modules, scheduler};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::{self, Read};
@@ -143,7 +143,7 @@ impl Fingerprints {
 
     /// The digest of one theorem.
     #[must_use]
-    pub fn of(&self, theorem: &Theorem) -> String {
+    pub fn fingerprint(&self, theorem: &Theorem) -> String {
         let shared = self.0.clone();
         let own = shared.and(&theorem.says).and(&theorem.proof);
         // What follows from another statement was accepted beside that one, by a tactic of its own.
@@ -299,7 +299,7 @@ impl Coqc {
         };
         let files = LIBRARY.map(|(path, _)| path).into_iter();
         let jobs: Vec<_> = files.zip(library::needs()).collect();
-        queue::worked(&jobs, limits.at_once, &|path| compile(path))?;
+        scheduler::worked(&jobs, limits.at_once, &|path| compile(path))?;
         compile(FOLLOWS.0)?;
         compile(FUNCTIONS.0)?;
         compile(JETS.0)
@@ -458,7 +458,7 @@ pub(crate) fn each_section<T: Send>(
     let jobs: Vec<_> = jobs
         .map(|(section, need)| (section, need.into_iter().collect()))
         .collect();
-    queue::worked(&jobs, at_once, &|section| {
+    scheduler::worked(&jobs, at_once, &|section| {
         let result = work(section);
         done();
         result

@@ -387,7 +387,11 @@ fn is_positive(term: &Term) -> bool {
 /// Whether something occurs that is not smooth wherever it is defined: roots, and powers with symbols in the exponent, of
 /// what may depend on the variable.
 fn rough(term: &Term, variable: &Variable) -> bool {
-    let depends = |part: &Term| crate::context::Used::of(part).variables.contains(variable);
+    let depends = |part: &Term| {
+        crate::context::Used::from_term(part)
+            .variables
+            .contains(variable)
+    };
     let own = match &*term.node {
         Node::Apply(BuiltIn::SquareRoot | BuiltIn::Norm, _) => {
             !term.parts().iter().all(|a| is_positive(a))

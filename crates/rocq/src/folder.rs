@@ -10,7 +10,7 @@ use crate::script::{self, scripts};
 use crate::shared::Shared;
 use crate::task::{Evidence, Finding, Goal, goals};
 use crate::theorem::Theorem;
-use crate::{chapter, check, closed};
+use crate::{check, closed, section};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -96,7 +96,7 @@ pub enum Layout {
 impl Layout {
     fn shared(self, goals: &[Goal]) -> Shared {
         match self {
-            Self::Together => Shared::of(goals),
+            Self::Together => Shared::from_goals(goals),
             Self::Apart => Shared::default(),
         }
     }
@@ -188,7 +188,7 @@ impl Folder {
                 Ok(found) => {
                     for goal in found {
                         sections
-                            .entry(chapter::section(&goal.at))
+                            .entry(section::section(&goal.at))
                             .or_default()
                             .push(goal);
                     }
@@ -210,7 +210,7 @@ impl Folder {
             let shared = self.layout.shared(&goals);
             self.files.insert(
                 format!("{path}.v"),
-                chapter::statements(slug, &section, &goals, &shared),
+                section::statements(slug, &section, &goals, &shared),
             );
             let printed = self.printed(slug, prefix, &section, &goals);
             let (mut proved, mut followed) = (vec![], vec![]);
@@ -237,7 +237,7 @@ impl Folder {
                     id: goal.id.clone(),
                     role: goal.role,
                     evidence: goal.evidence,
-                    says: chapter::statement(goal, &goal.definitions()),
+                    says: section::statement(goal, &goal.definitions()),
                     proof,
                     rests_on: None,
                 });
@@ -259,21 +259,21 @@ impl Folder {
                     id: goal.id.clone(),
                     role: goal.role,
                     evidence: goal.evidence,
-                    says: chapter::statement(printed, &printed.definitions()),
+                    says: section::statement(printed, &printed.definitions()),
                     proof: printed::module(prefix, &section, printed, goal, &scripts),
-                    rests_on: Some(chapter::statement(goal, &goal.definitions())),
+                    rests_on: Some(section::statement(goal, &goal.definitions())),
                 });
             }
             if !proved.is_empty() {
                 let proved: Vec<&str> = proved.iter().map(String::as_str).collect();
                 let staged = closed::staged(proved.iter().copied());
                 let forms = closed::file(prefix, &section, &shared, &staged);
-                let uses = chapter::uses(prefix, &section, &shared, forms.is_some());
+                let uses = section::uses(prefix, &section, &shared, forms.is_some());
                 if let Some(forms) = forms {
                     self.files.insert(format!("{path}{CLOSED}"), forms);
                 }
                 self.files
-                    .insert(format!("{path}{PROOFS}"), chapter::proofs(&uses, &proved));
+                    .insert(format!("{path}{PROOFS}"), section::proofs(&uses, &proved));
             }
             if !followed.is_empty() {
                 let modules: Vec<&str> = followed.iter().map(|t| t.proof.as_str()).collect();
@@ -307,7 +307,7 @@ impl Folder {
             let shared = self.layout.shared(&printed);
             self.files.insert(
                 format!("{prefix}/{section}{PRINTED}.v"),
-                chapter::statements(slug, section, &printed, &shared),
+                section::statements(slug, section, &printed, &shared),
             );
         }
         let named = printed.into_iter();

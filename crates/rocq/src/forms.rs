@@ -73,7 +73,7 @@ impl Context<'_> {
     /// Along equations: the unknowns are functions of the symbol.
     fn coefficient_along(&mut self, form: &Term, symbol: &Term) -> Result<Code, Untranslatable> {
         // The functions of a statement are not arguments of its definitions.
-        if self.is_in_definition() || !Used::of(form).variables.is_empty() {
+        if self.is_in_definition() || !Used::from_term(form).variables.is_empty() {
             return Err(Untranslatable::Theory(
                 "coefficients along given equations, in a definition or below a binder",
             ));

@@ -25,7 +25,7 @@ fn collect_indexing(term: &Term, found: &mut BTreeSet<Variable>) {
         found.extend(
             indices
                 .iter()
-                .flat_map(|index| Used::of(index).variables.into_iter()),
+                .flat_map(|index| Used::from_term(index).variables.into_iter()),
         );
     }
     for part in term.parts() {

@@ -6,13 +6,13 @@
 //! order. A difference that it does not bridge is a fault of one of the two writers, and no theorem. Where functions are declared, what is
 //! proved is about numbers; see the module `jets`.
 
-use crate::chapter::comment;
 use crate::check::PROOFS;
 use crate::proposition::Proposition;
 use crate::script::Script;
+use crate::section::comment;
 use crate::task::{Goal, Role};
 use crate::theorem::Theorem;
-use crate::{by_hand, jets};
+use crate::{jets, manual_proofs};
 
 /// The end of the names of sections of statements that are written from the tree.
 pub const PRINTED: &str = "_printed";
@@ -123,7 +123,7 @@ fn tactics(proved: &str, says: &str, printed: &Goal, core: &Goal) -> String {
         "instance" => "met",
         _ => "refuted",
     };
-    if let Some(script) = by_hand::printed(printed, name) {
+    if let Some(script) = manual_proofs::printed(printed, name) {
         return script.replace(PROVED_THERE, proved);
     }
     let (printed, core) = (&printed.proposition, &core.proposition);

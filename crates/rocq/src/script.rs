@@ -16,7 +16,7 @@
 //!
 //! Every theorem with premises has a second one, `met`: values at which all premises are true.
 
-use crate::by_hand;
+use crate::manual_proofs;
 use crate::point::{Choice, first_values, point, solved_point, value_at};
 use crate::shared::literals;
 use crate::solved::{Known, bound, known, value};
@@ -46,7 +46,7 @@ pub fn scripts(goal: &Goal, which: usize) -> Option<Vec<Script>> {
     let Some(place) = which.checked_sub(1) else {
         let mut scripts = first_scripts(goal);
         for script in &mut scripts {
-            if let Some(tactics) = by_hand::tactics(goal, script.name) {
+            if let Some(tactics) = manual_proofs::tactics(goal, script.name) {
                 script.tactics = tactics;
             }
         }
@@ -141,7 +141,7 @@ fn first_scripts(goal: &Goal) -> Vec<Script> {
 }
 
 /// What is costly to compute as often as a definition occurs.
-const COSTLY: [&str; 3] = ["Derive", "inverse ", "solve "];
+const SLOW_TACTICS: [&str; 3] = ["Derive", "inverse ", "solve "];
 
 /// The tactics for a statement about what `given` equations determine. Where the proof of the verdict has the values of the
 /// unknowns it is shown that the equations have no others; else they are solved. The last one closes the goals that are left.
@@ -211,7 +211,7 @@ fn inverts(goal: &Goal) -> bool {
 /// The definitions computed one after the other, and the last one where it stands; none where nothing in them is costly.
 fn staged(goal: &Goal, what: &str) -> Option<String> {
     let definitions = &goal.proposition.definitions;
-    let costly = |(_, text): &(String, String)| COSTLY.iter().any(|word| text.contains(word));
+    let costly = |(_, text): &(String, String)| SLOW_TACTICS.iter().any(|word| text.contains(word));
     let ((last, _), others) = definitions.split_last()?;
     if others.is_empty() || !definitions.iter().any(costly) {
         return None;

@@ -69,7 +69,7 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
 impl Shared {
     /// What these goals have in common.
     #[must_use]
-    pub fn of(goals: &[Goal]) -> Self {
+    pub fn from_goals(goals: &[Goal]) -> Self {
         let modules: Vec<Vec<Own<'_>>> = goals.iter().map(own).collect();
         let mut count: BTreeMap<(&str, &str), usize> = BTreeMap::new();
         for own in modules.iter().flatten() {

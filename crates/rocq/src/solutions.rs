@@ -1,6 +1,6 @@
 //! The values of unknowns in the proof of a verdict.
 
-use torse_certificate::proof::ground::{Determining, Ground};
+use torse_certificate::proof::assumptions::{Assumptions, Determining};
 use torse_certificate::{Polynomial, Proof, Symbol};
 
 /// An unknown with its value, a fraction, in the notation of the derivation files.
@@ -46,7 +46,7 @@ pub fn solutions(proof: &Proof<Polynomial>) -> Vec<Solved> {
     }
 }
 
-fn of_ground(ground: &Ground<Polynomial>) -> Vec<Solved> {
+fn of_ground(ground: &Assumptions<Polynomial>) -> Vec<Solved> {
     let given = ground
         .eliminated
         .iter()

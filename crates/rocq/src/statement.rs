@@ -1,14 +1,14 @@
 //! Claims as propositions: all symbols bound, then their declared sets, the hypotheses, the definedness of all terms and
 //! the conditions of the verdict as premises, then what is said.
 
-use crate::along::functions;
 use crate::binder::Binder;
 use crate::code::Code;
 use crate::context::Context;
 use crate::domain::{binders, domain};
 use crate::gap::Untranslatable;
+use crate::implicit_derivative::functions;
 use crate::proposition::Proposition;
-use crate::said::{defined, said};
+use crate::translation::{defined, translate_statement};
 use torse_core::{Claim, Node, Statement, Term};
 
 /// The proposition of a claim under conditions.
@@ -21,12 +21,16 @@ pub fn proposition(claim: &Claim, conditions: &[Statement]) -> Result<Propositio
     let mut premises = domain(&context)?;
     for hypothesis in &claim.hypotheses {
         premises.extend(defined(&mut context, [&hypothesis.statement])?);
-        premises.push(said(&mut context, &hypothesis.statement, claim)?);
+        premises.push(translate_statement(
+            &mut context,
+            &hypothesis.statement,
+            claim,
+        )?);
     }
     premises.extend(defined(&mut context, [&claim.statement])?);
     for condition in conditions {
         premises.extend(defined(&mut context, [condition])?);
-        premises.push(said(&mut context, condition, claim)?);
+        premises.push(translate_statement(&mut context, condition, claim)?);
     }
     let mut kept: Vec<Code> = vec![];
     for premise in premises {
@@ -36,7 +40,7 @@ pub fn proposition(claim: &Claim, conditions: &[Statement]) -> Result<Propositio
             kept.push(premise);
         }
     }
-    let conclusion = said(&mut context, &claim.statement, claim)?;
+    let conclusion = translate_statement(&mut context, &claim.statement, claim)?;
     let functions = functions(&mut context, claim)?;
     binders.extend(functions.binders);
     kept.extend(functions.premises);

@@ -118,7 +118,7 @@ impl Context<'_> {
             Node::Apply(function, arguments) => self.applied(*function, arguments),
             Node::Opened { name, body, .. } => {
                 let address = Arc::as_ptr(&term.node).addr();
-                let used = Used::of(body);
+                let used = Used::from_term(body);
                 let body = body.clone();
                 let head = self.define(address, name, &used, &[], &[], |context, _| {
                     context.value(&body)

@@ -4,7 +4,7 @@
 //! enclosed where they cannot ([`Reals`](crate::Reals)), and on quotients of polynomials
 //! ([`Polynomials`](crate::Polynomials)), which turn a statement at fixed small degrees into an identity.
 
-use crate::gap::{Gap, Work};
+use crate::no_value::{NoValue, Work};
 use std::fmt::Debug;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
@@ -51,8 +51,8 @@ pub trait Arithmetic {
     /// `a + b`.
     ///
     /// # Errors
-    /// [`Gap::Unknown`] for too much work.
-    fn plus(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, Gap>;
+    /// [`NoValue::Unknown`] for too much work.
+    fn plus(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, NoValue>;
 
     /// `-a`.
     fn negated(&self, a: &Self::Number) -> Self::Number;
@@ -60,32 +60,32 @@ pub trait Arithmetic {
     /// `a * b`.
     ///
     /// # Errors
-    /// [`Gap::Unknown`] for too much work or numbers that grow too large.
-    fn times(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, Gap>;
+    /// [`NoValue::Unknown`] for too much work or numbers that grow too large.
+    fn times(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, NoValue>;
 
     /// `a / b`.
     ///
     /// # Errors
-    /// [`Gap::Undefined`] if b is zero, [`Gap::Unknown`] if that is not known.
-    fn over(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, Gap>;
+    /// [`NoValue::Undefined`] if b is zero, [`NoValue::Unknown`] if that is not known.
+    fn over(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, NoValue>;
 
     /// The root that is not negative.
     ///
     /// # Errors
-    /// [`Gap::Undefined`] for negative numbers, [`Gap::Unknown`] if the sign is not known.
-    fn square_root(&self, a: &Self::Number) -> Result<Self::Number, Gap>;
+    /// [`NoValue::Undefined`] for negative numbers, [`NoValue::Unknown`] if the sign is not known.
+    fn square_root(&self, a: &Self::Number) -> Result<Self::Number, NoValue>;
 
     /// `(sin a, cos a)` of an angle in radians.
     ///
     /// # Errors
-    /// [`Gap::Unknown`] where they cannot be expressed.
-    fn sine_cosine(&self, a: &Self::Number) -> Result<(Self::Number, Self::Number), Gap>;
+    /// [`NoValue::Unknown`] where they cannot be expressed.
+    fn sine_cosine(&self, a: &Self::Number) -> Result<(Self::Number, Self::Number), NoValue>;
 
     /// The exponential of a.
     ///
     /// # Errors
-    /// [`Gap::Unknown`] where it cannot be expressed.
-    fn exponential(&self, a: &Self::Number) -> Result<Self::Number, Gap>;
+    /// [`NoValue::Unknown`] where it cannot be expressed.
+    fn exponential(&self, a: &Self::Number) -> Result<Self::Number, NoValue>;
 
     /// Whether the number is zero; `None` if that is not known.
     fn is_zero(&self, a: &Self::Number) -> Option<bool>;
@@ -99,8 +99,13 @@ pub trait Arithmetic {
     /// How a compares with b; where numbers satisfy their equations only nearly, those that differ by little count as open.
     ///
     /// # Errors
-    /// [`Gap::Unknown`] for too much work.
-    fn compare(&self, a: &Self::Number, b: &Self::Number, _near: bool) -> Result<Comparison, Gap> {
+    /// [`NoValue::Unknown`] for too much work.
+    fn compare(
+        &self,
+        a: &Self::Number,
+        b: &Self::Number,
+        _near: bool,
+    ) -> Result<Comparison, NoValue> {
         let gap = self.minus(a, b)?;
         Ok(match self.is_zero(&gap) {
             Some(true) => Comparison::Equal,
@@ -129,7 +134,7 @@ pub trait Arithmetic {
     ///
     /// # Errors
     /// As [`Arithmetic::plus`].
-    fn minus(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, Gap> {
+    fn minus(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, NoValue> {
         self.plus(a, &self.negated(b))
     }
 }

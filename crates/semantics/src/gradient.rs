@@ -4,15 +4,15 @@
 //! the chain. Numbers that nothing changes have no rates and cost what they cost in the arithmetic that is extended.
 
 use crate::arithmetic::Arithmetic;
-use crate::gap::{Gap, Work};
 use crate::name::Name;
+use crate::no_value::{NoValue, Work};
 use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use torse_numbers::Rational;
 
-type Outcome<A> = Result<Gradient<<A as Arithmetic>::Number>, Gap>;
+type Outcome<A> = Result<Gradient<<A as Arithmetic>::Number>, NoValue>;
 
 /// A value, and how it changes with some numbers. A copy costs little.
 #[derive(Debug, Clone, PartialEq)]
@@ -204,7 +204,7 @@ impl<A: Arithmetic> Gradients<A> {
         &self,
         xs: &[(Variable, A::Number)],
         ys: &[(Variable, A::Number)],
-    ) -> Result<Vec<(Variable, A::Number)>, Gap> {
+    ) -> Result<Vec<(Variable, A::Number)>, NoValue> {
         let mut all = Vec::with_capacity(xs.len().max(ys.len()));
         let (mut xs, mut ys) = (xs.iter().peekable(), ys.iter().peekable());
         loop {
@@ -343,7 +343,7 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
         self.chain(root, &rate, a)
     }
 
-    fn sine_cosine(&self, a: &Self::Number) -> Result<(Self::Number, Self::Number), Gap> {
+    fn sine_cosine(&self, a: &Self::Number) -> Result<(Self::Number, Self::Number), NoValue> {
         let (sine, cosine) = self.base.sine_cosine(&a.value)?;
         if a.change.is_none() {
             return Ok((Gradient::constant(sine), Gradient::constant(cosine)));

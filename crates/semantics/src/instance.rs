@@ -6,8 +6,8 @@
 
 use crate::arithmetic::Arithmetic;
 use crate::domain::Domain;
-use crate::gap::{Gap, Undefined, Unknown, Work};
 use crate::name::Name;
+use crate::no_value::{NoValue, Undefined, Unknown, Work};
 use crate::polynomial::{Polynomials, Quotient};
 use crate::tree::{Reading, Values};
 use std::collections::BTreeMap;
@@ -54,11 +54,11 @@ pub enum Identity {
     Open(Unknown),
 }
 
-impl From<Gap> for Identity {
-    fn from(gap: Gap) -> Self {
+impl From<NoValue> for Identity {
+    fn from(gap: NoValue) -> Self {
         match gap {
-            Gap::Undefined(why) => Self::Undefined(why),
-            Gap::Unknown(why) => Self::Open(why),
+            NoValue::Undefined(why) => Self::Undefined(why),
+            NoValue::Unknown(why) => Self::Open(why),
         }
     }
 }
@@ -158,13 +158,13 @@ pub fn identity(reading: &Reading<'_>, instance: &Instance, work: &Work) -> Iden
 }
 
 /// The differences of two sides.
-type Gaps<'g> = dyn Fn(&Expr, &Expr) -> Result<Vec<Quotient>, Gap> + 'g;
+type Gaps<'g> = dyn Fn(&Expr, &Expr) -> Result<Vec<Quotient>, NoValue> + 'g;
 
 fn decide(
     reading: &Reading<'_>,
     polynomials: &Polynomials<'_>,
     gaps: &Gaps<'_>,
-) -> Result<Identity, Gap> {
+) -> Result<Identity, NoValue> {
     for (relation, left, right) in &Domain::new(reading).constraints {
         for gap in gaps(left, right)? {
             // An open condition on symbols leaves a function that is not zero somewhere different from zero.

@@ -4,9 +4,9 @@
 //! is equality of exact numbers. Enclosed numbers are called equal if their difference is enclosed within `2^-128` times the
 //! larger of 1 and the sides: for two formulas that are no identity an agreement that no chance explains, but no proof.
 
-use crate::gap::{Unknown, Work};
 use crate::judgement::Judgement;
 use crate::name::Name;
+use crate::no_value::{Unknown, Work};
 use crate::real::{Real, Reals};
 use crate::residue::{Residue, Residues};
 use crate::tree::{At, Given, Reading, Values, joined};

@@ -1,6 +1,6 @@
 //! What a statement can be at a point.
 
-use crate::gap::{Gap, Undefined, Unknown};
+use crate::no_value::{NoValue, Undefined, Unknown};
 use std::fmt;
 
 /// What a statement is at a point.
@@ -31,7 +31,7 @@ impl fmt::Display for Judgement {
 }
 
 impl Judgement {
-    pub(crate) fn of(truth: Option<bool>) -> Self {
+    pub(crate) fn from_truth(truth: Option<bool>) -> Self {
         match truth {
             Some(true) => Self::True,
             Some(false) => Self::False,
@@ -58,16 +58,16 @@ impl Judgement {
         match (self, other) {
             (Self::Undefined(why), _) | (_, Self::Undefined(why)) => Self::Undefined(why),
             (Self::Unknown(why), _) | (_, Self::Unknown(why)) => Self::Unknown(why),
-            (a, b) => Self::of(join(a.decided(), b.decided())),
+            (a, b) => Self::from_truth(join(a.decided(), b.decided())),
         }
     }
 }
 
-impl From<Gap> for Judgement {
-    fn from(gap: Gap) -> Self {
+impl From<NoValue> for Judgement {
+    fn from(gap: NoValue) -> Self {
         match gap {
-            Gap::Undefined(why) => Self::Undefined(why),
-            Gap::Unknown(why) => Self::Unknown(why),
+            NoValue::Undefined(why) => Self::Undefined(why),
+            NoValue::Unknown(why) => Self::Unknown(why),
         }
     }
 }

@@ -4,7 +4,7 @@
 //! divides by nothing, and solutions follow by Cramer's rule from determinants.
 
 use crate::arithmetic::Arithmetic;
-use crate::gap::{Gap, Undefined, Unknown};
+use crate::no_value::{NoValue, Undefined, Unknown};
 use crate::series::Series;
 
 /// The largest matrix.
@@ -32,11 +32,11 @@ fn is_unit<A: Arithmetic>(x: &Series<A::Number>, a: &A) -> bool {
 /// The determinant.
 ///
 /// # Errors
-/// [`Gap::Unknown`] for large matrices and such as are not square.
-pub fn determinant<A: Arithmetic>(rows: &Rows<A>, a: &A) -> Result<Series<A::Number>, Gap> {
+/// [`NoValue::Unknown`] for large matrices and such as are not square.
+pub fn determinant<A: Arithmetic>(rows: &Rows<A>, a: &A) -> Result<Series<A::Number>, NoValue> {
     check_size(rows.len(), MAX_SIZE)?;
     if rows.iter().any(|row| row.len() != rows.len()) {
-        return Err(Gap::shape("a matrix that is not square"));
+        return Err(NoValue::shape("a matrix that is not square"));
     }
     let mut rest = rows.clone();
     let mut product = Series::integer(1, a);
@@ -65,7 +65,7 @@ pub fn determinant<A: Arithmetic>(rows: &Rows<A>, a: &A) -> Result<Series<A::Num
                 let pairs = others.iter().zip(tail);
                 pairs
                     .map(|(x, y)| x.minus(&factor.times(y, a)?, a))
-                    .collect::<Result<Vec<_>, Gap>>()
+                    .collect::<Result<Vec<_>, NoValue>>()
             })
             .collect::<Result<_, _>>()?;
     }
@@ -73,7 +73,7 @@ pub fn determinant<A: Arithmetic>(rows: &Rows<A>, a: &A) -> Result<Series<A::Num
 }
 
 /// The determinant, expanded along its first row.
-fn expanded<A: Arithmetic>(rows: &Rows<A>, a: &A) -> Result<Series<A::Number>, Gap> {
+fn expanded<A: Arithmetic>(rows: &Rows<A>, a: &A) -> Result<Series<A::Number>, NoValue> {
     check_size(rows.len(), MAX_EXPANDED)?;
     let Some((first, rest)) = rows.split_first() else {
         return Ok(Series::integer(1, a));
@@ -102,14 +102,18 @@ fn without<T: Clone>(row: &[T], column: usize) -> Vec<T> {
 /// The X with `matrix * X = right`: by elimination, or by Cramer's rule where no pivot is known.
 ///
 /// # Errors
-/// [`Undefined::ZeroDivisor`] for a singular matrix, [`Gap::Unknown`] where that is not known.
-pub fn solution<A: Arithmetic>(matrix: &Rows<A>, right: &Rows<A>, a: &A) -> Result<Rows<A>, Gap> {
+/// [`Undefined::ZeroDivisor`] for a singular matrix, [`NoValue::Unknown`] where that is not known.
+pub fn solution<A: Arithmetic>(
+    matrix: &Rows<A>,
+    right: &Rows<A>,
+    a: &A,
+) -> Result<Rows<A>, NoValue> {
     if right.len() != matrix.len() {
-        return Err(Gap::shape("the right side to the matrix"));
+        return Err(NoValue::shape("the right side to the matrix"));
     }
     check_size(matrix.len(), MAX_SIZE)?;
     if matrix.iter().any(|row| row.len() != matrix.len()) {
-        return Err(Gap::shape("a matrix that is not square"));
+        return Err(NoValue::shape("a matrix that is not square"));
     }
     match eliminated(matrix, right, a)? {
         Some(solution) => Ok(solution),
@@ -122,7 +126,7 @@ fn eliminated<A: Arithmetic>(
     matrix: &Rows<A>,
     right: &Rows<A>,
     a: &A,
-) -> Result<Option<Rows<A>>, Gap> {
+) -> Result<Option<Rows<A>>, NoValue> {
     let size = matrix.len();
     let mut rest: Rows<A> = matrix
         .iter()
@@ -173,7 +177,7 @@ fn by_determinants<A: Arithmetic>(
     matrix: &Rows<A>,
     right: &Rows<A>,
     a: &A,
-) -> Result<Rows<A>, Gap> {
+) -> Result<Rows<A>, NoValue> {
     let size = matrix.len();
     let whole = determinant(matrix, a)?;
     if whole.is_zero(a) == Some(true) {
@@ -213,7 +217,7 @@ pub fn identity<A: Arithmetic>(size: usize, a: &A) -> Rows<A> {
 ///
 /// # Errors
 /// As [`solution`].
-pub fn inverse<A: Arithmetic>(matrix: &Rows<A>, a: &A) -> Result<Rows<A>, Gap> {
+pub fn inverse<A: Arithmetic>(matrix: &Rows<A>, a: &A) -> Result<Rows<A>, NoValue> {
     solution(matrix, &identity(matrix.len(), a), a)
 }
 
@@ -226,7 +230,7 @@ pub fn solved_columns<A: Arithmetic>(
     columns: &Rows<A>,
     right: &Rows<A>,
     a: &A,
-) -> Result<Option<Rows<A>>, Gap> {
+) -> Result<Option<Rows<A>>, NoValue> {
     let height = columns.first().map_or(0, Vec::len);
     let all = || columns.iter().chain(right);
     let mut rest: Rows<A> = (0..height)

@@ -6,9 +6,9 @@
 use crate::branches::branches;
 use crate::domain::Domain;
 use crate::domain::point::Point;
-use crate::gap::Unknown;
 use crate::judgement::Judgement;
-use crate::survey::{COSTLY, Ground, HOPELESS, Judged, Seen, Survey};
+use crate::no_value::Unknown;
+use crate::survey::{Ground, Judged, MAX_COSTLY_POINTS, MAX_POINTS_WITHOUT_VALUE, Seen, Survey};
 use crate::tree::Reading;
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::formula::{Expr, Node, Relation};
@@ -99,7 +99,7 @@ fn generic<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> Tally {
         // What they find false, and what they cannot tell, is for exact numbers, but where those would cost too much too.
         let tally = walked(&survey.by_residues(), judged, wanted);
         let enough = tally.holding >= wanted || (tally.single && tally.holding > 0);
-        let costly = tally.exhausted || tally.costly >= COSTLY;
+        let costly = tally.exhausted || tally.costly >= MAX_COSTLY_POINTS;
         if tally.failing.is_none() && tally.open == tally.costly && (enough || costly) {
             return tally;
         }
@@ -171,7 +171,7 @@ fn walked<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> Tally {
     let mut tally = Tally::default();
     tally.attempts = survey.walk(judged, &mut |seen| {
         tally.count(seen);
-        let hopeless = tally.holding == 0 && tally.found >= HOPELESS;
+        let hopeless = tally.holding == 0 && tally.found >= MAX_POINTS_WITHOUT_VALUE;
         let unseen = matches!(survey.ground, Ground::Residues) && tally.open > tally.costly;
         let enough = tally.single || tally.decided() >= wanted;
         !(enough || hopeless || unseen || tally.failing.is_some())

@@ -3,7 +3,7 @@
 //! So a polynomial at a rational point is decided exactly, and `sin(pi/2*x)` at 0 or 1 as well, and `exp(x)` at 0.
 
 use crate::arithmetic::{Arithmetic, Comparison};
-use crate::gap::{Gap, Undefined, Unknown, Work};
+use crate::no_value::{NoValue, Undefined, Unknown, Work};
 use dashu_int::ops::{BitTest, SquareRoot};
 use num_traits::{One, Signed, Zero};
 use std::borrow::Cow;
@@ -249,7 +249,7 @@ impl Arithmetic for Reals<'_> {
         Real::exact(Rational::zero(), Rational::one())
     }
 
-    fn plus(&self, a: &Real, b: &Real) -> Result<Real, Gap> {
+    fn plus(&self, a: &Real, b: &Real) -> Result<Real, NoValue> {
         // Nothing is done where a side is zero, or a factor one.
         if is_known_zero(a) {
             return Ok(b.clone());
@@ -275,7 +275,7 @@ impl Arithmetic for Reals<'_> {
         }
     }
 
-    fn times(&self, a: &Real, b: &Real) -> Result<Real, Gap> {
+    fn times(&self, a: &Real, b: &Real) -> Result<Real, NoValue> {
         if is_known_zero(a) || is_known_zero(b) {
             return Ok(Rational::zero().into());
         }
@@ -302,7 +302,7 @@ impl Arithmetic for Reals<'_> {
         Ok((&*a.enclosure(self.bits) * &*b.enclosure(self.bits)).into())
     }
 
-    fn over(&self, a: &Real, b: &Real) -> Result<Real, Gap> {
+    fn over(&self, a: &Real, b: &Real) -> Result<Real, NoValue> {
         self.work.spend(2)?;
         match b.is_zero() {
             None => return Err(Unknown::Precision.into()),
@@ -326,7 +326,7 @@ impl Arithmetic for Reals<'_> {
             .map_err(|_| Unknown::Precision.into())
     }
 
-    fn square_root(&self, a: &Real) -> Result<Real, Gap> {
+    fn square_root(&self, a: &Real) -> Result<Real, NoValue> {
         self.work.spend(4)?;
         if a.sign() == Some(Ordering::Less) {
             return Err(Undefined::NegativeRoot.into());
@@ -338,7 +338,7 @@ impl Arithmetic for Reals<'_> {
         root.map(Real::from).map_err(|_| Unknown::Precision.into())
     }
 
-    fn sine_cosine(&self, a: &Real) -> Result<(Real, Real), Gap> {
+    fn sine_cosine(&self, a: &Real) -> Result<(Real, Real), NoValue> {
         self.work.spend(16)?;
         let turns = match a.parts() {
             Some((rational, turns)) if rational.is_zero() => turns,
@@ -360,7 +360,7 @@ impl Arithmetic for Reals<'_> {
         ))
     }
 
-    fn exponential(&self, a: &Real) -> Result<Real, Gap> {
+    fn exponential(&self, a: &Real) -> Result<Real, NoValue> {
         if is_known_zero(a) {
             return Ok(Rational::one().into());
         }
@@ -386,7 +386,7 @@ impl Arithmetic for Reals<'_> {
 
     /// A difference of exact numbers is exact. Enclosed numbers are the same as far as one can see if their difference is
     /// enclosed within `2^-128` times the larger of 1 and the sides.
-    fn compare(&self, x: &Real, y: &Real, near: bool) -> Result<Comparison, Gap> {
+    fn compare(&self, x: &Real, y: &Real, near: bool) -> Result<Comparison, NoValue> {
         let gap = self.minus(x, y)?;
         let size = || {
             let one = Ball::from_rational(&integer(1), 8);

@@ -6,7 +6,7 @@
 //! are follows from the value by the usual rules, and an integral is a fixed combination of two values of the integrand.
 
 use crate::arithmetic::Arithmetic;
-use crate::gap::{Gap, Undefined, Work};
+use crate::no_value::{NoValue, Undefined, Work};
 use crate::residue::field;
 use torse_numbers::Rational;
 use torse_numbers::rational::{self, ratio};
@@ -86,7 +86,7 @@ impl Arithmetic for Scrambled<'_> {
         Class(1_415_926_535_897_932_384)
     }
 
-    fn plus(&self, a: &Class, b: &Class) -> Result<Class, Gap> {
+    fn plus(&self, a: &Class, b: &Class) -> Result<Class, NoValue> {
         self.work.spend(1)?;
         Ok(Class(field::sum(a.0, b.0)))
     }
@@ -95,28 +95,28 @@ impl Arithmetic for Scrambled<'_> {
         Class(field::negative(a.0))
     }
 
-    fn times(&self, a: &Class, b: &Class) -> Result<Class, Gap> {
+    fn times(&self, a: &Class, b: &Class) -> Result<Class, NoValue> {
         self.work.spend(1)?;
         Ok(Class(field::product(a.0, b.0)))
     }
 
-    fn over(&self, a: &Class, b: &Class) -> Result<Class, Gap> {
+    fn over(&self, a: &Class, b: &Class) -> Result<Class, NoValue> {
         self.work.spend(2)?;
         let inverse = field::inverse(b.0).ok_or(Undefined::ZeroDivisor)?;
         Ok(Class(field::product(a.0, inverse)))
     }
 
-    fn square_root(&self, a: &Class) -> Result<Class, Gap> {
+    fn square_root(&self, a: &Class) -> Result<Class, NoValue> {
         self.work.spend(1)?;
         Ok(scrambled(*a, SALTS[0]))
     }
 
-    fn sine_cosine(&self, a: &Class) -> Result<(Class, Class), Gap> {
+    fn sine_cosine(&self, a: &Class) -> Result<(Class, Class), NoValue> {
         self.work.spend(1)?;
         Ok((scrambled(*a, SALTS[1]), scrambled(*a, SALTS[2])))
     }
 
-    fn exponential(&self, a: &Class) -> Result<Class, Gap> {
+    fn exponential(&self, a: &Class) -> Result<Class, NoValue> {
         self.work.spend(1)?;
         Ok(scrambled(*a, SALTS[3]))
     }

@@ -6,7 +6,7 @@
 //! of its own, one level up: its coefficients are series in the outer ones.
 
 use crate::arithmetic::Arithmetic;
-use crate::gap::{Gap, Undefined, Unknown};
+use crate::no_value::{NoValue, Undefined, Unknown};
 use std::rc::Rc;
 use torse_numbers::Rational;
 
@@ -24,7 +24,7 @@ pub enum Series<N> {
     },
 }
 
-type Outcome<N> = Result<Series<N>, Gap>;
+type Outcome<N> = Result<Series<N>, NoValue>;
 
 impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
     /// The rational number q.
@@ -246,7 +246,7 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
     }
 
     /// `(sin, cos)`: from `s' = c f'` and `c' = -s f'`.
-    pub fn sine_cosine<A: Arithmetic<Number = N>>(&self, a: &A) -> Result<(Self, Self), Gap> {
+    pub fn sine_cosine<A: Arithmetic<Number = N>>(&self, a: &A) -> Result<(Self, Self), NoValue> {
         let (level, terms) = match self {
             Self::Number(x) => {
                 let (sine, cosine) = a.sine_cosine(x)?;

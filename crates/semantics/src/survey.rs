@@ -5,10 +5,10 @@ use crate::domain::constraints::is_equations;
 use crate::domain::draft::Draft;
 use crate::domain::point::{check_sets, completed};
 use crate::domain::stream::Stream;
-use crate::gap::{Undefined, Work};
 use crate::judge::Judge;
 use crate::judgement::Judgement;
 use crate::name::Name;
+use crate::no_value::{Undefined, Work};
 use crate::residue::Residues;
 use crate::residue::domain::{Drawn, drawn};
 use crate::tree::Reading;
@@ -19,11 +19,11 @@ use torse_syntax::formula::{Connective, Expr, Node};
 const ATTEMPTS_PER_POINT: u64 = 12;
 const LEAST_ATTEMPTS: u64 = 60;
 /// No further points are drawn if none of the first so many lies in the domain.
-const NOWHERE: u64 = 150;
+const MAX_UNDEFINED_DRAWS: u64 = 150;
 /// No further points are drawn if what is looked for is seen at none of the first so many of the domain.
-pub(crate) const HOPELESS: u64 = 40;
+pub(crate) const MAX_POINTS_WITHOUT_VALUE: u64 = 40;
 /// No further points are drawn if each of the first so many costs more than its share.
-pub(crate) const COSTLY: u64 = 3;
+pub(crate) const MAX_COSTLY_POINTS: u64 = 3;
 /// Every how many-th point lies at the edges of the declared sets: where a statement holds, and where a condition fails.
 const EDGES: u64 = 6;
 const EDGES_BEYOND: u64 = 2;
@@ -148,8 +148,8 @@ impl<'a> Survey<'a> {
         let (mut costly, mut nowhere) = (0, true);
         for attempt in 0..self.attempts {
             let available = self.share.min(self.work.left());
-            let hopeless =
-                (attempt == COSTLY && costly == COSTLY) || (attempt == NOWHERE && nowhere);
+            let hopeless = (attempt == MAX_COSTLY_POINTS && costly == MAX_COSTLY_POINTS)
+                || (attempt == MAX_UNDEFINED_DRAWS && nowhere);
             if available == 0 || hopeless {
                 return attempt;
             }
@@ -297,7 +297,7 @@ impl<'a> Survey<'a> {
                         found = judgement == Judgement::False;
                         judged += 1;
                     }
-                    !found && judged < HOPELESS
+                    !found && judged < MAX_POINTS_WITHOUT_VALUE
                 });
                 found
             };

@@ -4,7 +4,7 @@
 //! for all. The number 0 fits every shape.
 
 use crate::arithmetic::Arithmetic;
-use crate::gap::Gap;
+use crate::no_value::NoValue;
 use crate::series::Series;
 use std::fmt::Debug;
 
@@ -17,7 +17,7 @@ pub enum Value<N> {
     Many(Vec<Value<N>>),
 }
 
-type Outcome<N> = Result<Value<N>, Gap>;
+type Outcome<N> = Result<Value<N>, NoValue>;
 /// Numbers of two sides that stand at the same place.
 type Pairs<N> = Vec<(Series<N>, Series<N>)>;
 
@@ -25,11 +25,11 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
     /// The number.
     ///
     /// # Errors
-    /// [`Gap::Unknown`] for vectors.
-    pub fn number(self) -> Result<Series<N>, Gap> {
+    /// [`NoValue::Unknown`] for vectors.
+    pub fn number(self) -> Result<Series<N>, NoValue> {
         match self {
             Self::Number(number) => Ok(number),
-            Self::Many(_) => Err(Gap::shape("a vector where a number is needed")),
+            Self::Many(_) => Err(NoValue::shape("a vector where a number is needed")),
         }
     }
 
@@ -44,21 +44,21 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
     /// The entries of a vector of numbers.
     ///
     /// # Errors
-    /// [`Gap::Unknown`] for numbers and matrices.
-    pub fn entries(self) -> Result<Vec<Series<N>>, Gap> {
+    /// [`NoValue::Unknown`] for numbers and matrices.
+    pub fn entries(self) -> Result<Vec<Series<N>>, NoValue> {
         match self {
             Self::Many(items) => items.into_iter().map(Self::number).collect(),
-            Self::Number(_) => Err(Gap::shape("a number where a vector is needed")),
+            Self::Number(_) => Err(NoValue::shape("a number where a vector is needed")),
         }
     }
 
     /// The rows of a matrix, all of one length.
     ///
     /// # Errors
-    /// [`Gap::Unknown`] for anything else.
-    pub fn rows(self) -> Result<Vec<Vec<Series<N>>>, Gap> {
+    /// [`NoValue::Unknown`] for anything else.
+    pub fn rows(self) -> Result<Vec<Vec<Series<N>>>, NoValue> {
         let Self::Many(rows) = self else {
-            return Err(Gap::shape("a number where a matrix is needed"));
+            return Err(NoValue::shape("a number where a matrix is needed"));
         };
         let rows: Vec<Vec<Series<N>>> = rows
             .into_iter()
@@ -66,7 +66,7 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
             .collect::<Result<_, _>>()?;
         let width = rows.first().map_or(0, Vec::len);
         if rows.iter().any(|row| row.len() != width) {
-            return Err(Gap::shape("a list of rows of different lengths"));
+            return Err(NoValue::shape("a list of rows of different lengths"));
         }
         Ok(rows)
     }
@@ -85,7 +85,7 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
     ///
     /// # Errors
     /// That of `change`.
-    pub fn each(&self, change: &impl Fn(&Series<N>) -> Result<Series<N>, Gap>) -> Outcome<N> {
+    pub fn each(&self, change: &impl Fn(&Series<N>) -> Result<Series<N>, NoValue>) -> Outcome<N> {
         Ok(match self {
             Self::Number(number) => Self::Number(change(number)?),
             Self::Many(items) => Self::Many(
@@ -100,8 +100,12 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
     /// The pairs of numbers of two values of one shape; 0 fits every shape.
     ///
     /// # Errors
-    /// [`Gap::Unknown`] for other shapes.
-    pub fn pairs<A: Arithmetic<Number = N>>(&self, other: &Self, a: &A) -> Result<Pairs<N>, Gap> {
+    /// [`NoValue::Unknown`] for other shapes.
+    pub fn pairs<A: Arithmetic<Number = N>>(
+        &self,
+        other: &Self,
+        a: &A,
+    ) -> Result<Pairs<N>, NoValue> {
         let zero = || Series::integer(0, a);
         match (self, other) {
             (Self::Number(x), Self::Number(y)) => Ok(vec![(x.clone(), y.clone())]),
@@ -123,14 +127,14 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
                     .collect::<Result<_, _>>()?;
                 Ok(pairs.concat())
             }
-            _ => Err(Gap::shape("one side to the other")),
+            _ => Err(NoValue::shape("one side to the other")),
         }
     }
 
     /// `self + other`, entry by entry; 0 fits every shape.
     ///
     /// # Errors
-    /// [`Gap::Unknown`] for different shapes, and the gaps of arithmetic.
+    /// [`NoValue::Unknown`] for different shapes, and the gaps of arithmetic.
     pub fn plus<A: Arithmetic<Number = N>>(&self, other: &Self, a: &A) -> Outcome<N> {
         match (self, other) {
             (Self::Number(x), Self::Number(y)) => Ok(Self::Number(x.plus(y, a)?)),
@@ -145,7 +149,7 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
                     .map(|(x, y)| x.plus(y, a))
                     .collect::<Result<_, _>>()?,
             )),
-            _ => Err(Gap::shape("a summand to the other")),
+            _ => Err(NoValue::shape("a summand to the other")),
         }
     }
 
@@ -160,7 +164,7 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
     /// `self * other`: a number times anything, a matrix times a vector or a matrix.
     ///
     /// # Errors
-    /// [`Gap::Unknown`] for shapes that do not fit, and the gaps of arithmetic.
+    /// [`NoValue::Unknown`] for shapes that do not fit, and the gaps of arithmetic.
     pub fn times<A: Arithmetic<Number = N>>(&self, other: &Self, a: &A) -> Outcome<N> {
         match (self, other) {
             (Self::Number(x), many) | (many, Self::Number(x)) => many.each(&|y| x.times(y, a)),
@@ -176,7 +180,7 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
                     columns
                         .iter()
                         .map(|column| dot(row, column, a))
-                        .collect::<Result<Vec<_>, Gap>>()
+                        .collect::<Result<Vec<_>, NoValue>>()
                 };
                 Ok(Self::matrix(
                     rows.iter().map(row).collect::<Result<_, _>>()?,
@@ -189,14 +193,14 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
 /// `sum of x_i y_i`.
 ///
 /// # Errors
-/// [`Gap::Unknown`] for different lengths, and the gaps of arithmetic.
+/// [`NoValue::Unknown`] for different lengths, and the gaps of arithmetic.
 pub fn dot<A: Arithmetic>(
     xs: &[Series<A::Number>],
     ys: &[Series<A::Number>],
     a: &A,
-) -> Result<Series<A::Number>, Gap> {
+) -> Result<Series<A::Number>, NoValue> {
     if xs.len() != ys.len() {
-        return Err(Gap::shape("a vector to the other"));
+        return Err(NoValue::shape("a vector to the other"));
     }
     let mut pairs = xs.iter().zip(ys);
     pairs.try_fold(Series::integer(0, a), |sum, (x, y)| {

@@ -2,10 +2,10 @@
 
 use crate::domain::Domain;
 use crate::domain::point::{Outside, Point, check_hypotheses, check_sets};
-use crate::gap::Work;
 use crate::judge::Judge;
 use crate::judgement::Judgement;
 use crate::name::Name;
+use crate::no_value::Work;
 use crate::real::{Real, Reals};
 use crate::residue::{Residue, Residues};
 use crate::tree::{Reading, Values};

@@ -6,7 +6,7 @@
 use torse_algebra::Ball;
 use torse_algebra::rational::{integer, to_f64};
 use torse_algebra::{Fraction, Rational};
-use torse_prove::case::solve_given;
+use torse_prove::context::solve_given;
 use torse_prove::decide::order::enclosure;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::quantity::Quantity;

@@ -27,7 +27,7 @@ pub enum DecisionCertificate<P = Polynomial> {
 impl DecisionCertificate {
     /// Those of a decision that has some.
     #[must_use]
-    pub fn of(decision: &Decision) -> Option<Self> {
+    pub fn from_decision(decision: &Decision) -> Option<Self> {
         match decision {
             Decision::Proven(proof) => Some(Self::Proof {
                 conditions: decision.conditions()?,

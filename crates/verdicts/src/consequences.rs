@@ -27,7 +27,7 @@ pub enum Fate {
 impl Fate {
     /// The fate that a verdict means.
     #[must_use]
-    pub fn of(verdict: Verdict) -> Self {
+    pub fn from_verdict(verdict: Verdict) -> Self {
         match verdict {
             Verdict::Holds | Verdict::Definition | Verdict::Reproduced => Self::Survives,
             Verdict::Conditional => Self::SurvivesIf,
@@ -117,7 +117,7 @@ pub fn consequences(id: &str, outcomes: &[&Outcome]) -> Vec<Consequence> {
         .into_iter()
         .filter_map(|(user, through)| {
             let outcome = by_id.get(user)?;
-            let fate = Fate::of(outcome.verdict());
+            let fate = Fate::from_verdict(outcome.verdict());
             let conditions = match fate {
                 Fate::SurvivesIf => outcome.conditions().to_vec(),
                 _ => vec![],

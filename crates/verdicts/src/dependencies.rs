@@ -73,7 +73,7 @@ impl Family {
 
 /// What a statement on the domain of a claim rests on; `core` is both in core terms.
 #[must_use]
-pub fn of(claim: &Claim, statement: &Written, core: &core::Claim) -> Dependencies {
+pub fn find_dependencies(claim: &Claim, statement: &Written, core: &core::Claim) -> Dependencies {
     let mut walk = Walk {
         declarations: &claim.declarations,
         own: claim.entry.local.keys().map(|head| name_of(head)).collect(),

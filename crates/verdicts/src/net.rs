@@ -70,8 +70,8 @@ pub(crate) fn proved(statement: ProvedStatement, elaborated: &ElaboratedClaim<'_
         );
     };
     let verdict = statement.verdict(elaborated.claim.entry.kind);
-    let net =
-        Case::new(&own, &ALWAYS, statement.certificate.excepted()).proof(&statement.conditions);
+    let net = PreparedClaim::new(&own, &ALWAYS, statement.certificate.excepted())
+        .proof(&statement.conditions);
     let replay = |statement: &ProvedStatement| replay::proof(statement, &own).map(Some);
     finding(verdict, statement, net, replay, |judged| {
         Finding::Proved(Box::new(judged))
@@ -86,7 +86,7 @@ pub(crate) fn refuted(
     budget: u64,
 ) -> Finding {
     let verdict = statement.verdict();
-    let net = Case::new(elaborated, &ALWAYS, vec![]).refutation(&statement);
+    let net = PreparedClaim::new(elaborated, &ALWAYS, vec![]).refutation(&statement);
     let replay =
         |statement: &RefutedStatement| replay::refutation(statement, elaborated, budget).map(Some);
     finding(verdict, statement, net, replay, |judged| {
@@ -96,7 +96,7 @@ pub(crate) fn refuted(
 
 /// Judges that a domain has no points.
 pub(crate) fn vacuous(statement: EmptyDomain, elaborated: &ElaboratedClaim<'_>) -> Finding {
-    let net = Case::new(elaborated, &ALWAYS, vec![]).nowhere();
+    let net = PreparedClaim::new(elaborated, &ALWAYS, vec![]).nowhere();
     finding(
         Verdict::Vacuous,
         statement,
@@ -166,19 +166,19 @@ pub fn judged(
         Finding::Proved(judged) => {
             let proved = &judged.statement;
             let own = elaborated.without_unneeded(&proved.needed)?;
-            let case = Case::new(&own, effort, proved.certificate.excepted());
+            let case = PreparedClaim::new(&own, effort, proved.certificate.excepted());
             Some(case.proof(&proved.conditions))
         }
         Finding::Refuted(judged) => {
-            Some(Case::new(&elaborated, effort, vec![]).refutation(&judged.statement))
+            Some(PreparedClaim::new(&elaborated, effort, vec![]).refutation(&judged.statement))
         }
-        Finding::Vacuous(_) => Some(Case::new(&elaborated, effort, vec![]).nowhere()),
+        Finding::Vacuous(_) => Some(PreparedClaim::new(&elaborated, effort, vec![]).nowhere()),
         _ => None,
     }
 }
 
 /// A statement about the domain of a claim, to be judged.
-struct Case<'a> {
+struct PreparedClaim<'a> {
     claim: &'a Claim,
     statement: &'a Written,
     core: &'a core::Claim,
@@ -188,7 +188,7 @@ struct Case<'a> {
     excepted: Vec<(Formula, prove::Witness)>,
 }
 
-impl<'a> Case<'a> {
+impl<'a> PreparedClaim<'a> {
     fn new(
         elaborated: &'a ElaboratedClaim<'_>,
         effort: &'a Effort,
@@ -394,7 +394,7 @@ impl<'a> Case<'a> {
             net.why = Some("the correction cannot be read back".to_owned());
             return Ok(net);
         };
-        let case = Case {
+        let case = PreparedClaim {
             core: corrected,
             statement,
             seed: self.seed.clone(),
@@ -457,7 +457,7 @@ impl<'a> Case<'a> {
             expr: inner.clone(),
             origin: self.statement.origin.clone(),
         };
-        let case = Case {
+        let case = PreparedClaim {
             core: &core,
             statement: &statement,
             seed: self.seed.clone(),

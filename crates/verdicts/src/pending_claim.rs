@@ -61,7 +61,11 @@ impl<'c> PendingClaim<'c> {
             let table = elaborated
                 .as_ref()
                 .map(|elaborated| {
-                    dependencies::of(&elaborated.claim, elaborated.statement, &elaborated.core)
+                    dependencies::find_dependencies(
+                        &elaborated.claim,
+                        elaborated.statement,
+                        &elaborated.core,
+                    )
                 })
                 .unwrap_or_default();
             // What a panic leaves half done are values of the closure's own, and memory of formulas already evaluated.

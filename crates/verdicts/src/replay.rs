@@ -48,7 +48,7 @@ pub(crate) fn refutation(
         let own = || {
             let written = condition::written(&correction.statement, claim.entry.id.get_ref())?;
             let decided = work::within(budget, || decide_statement(claim, &written));
-            let certificate = DecisionCertificate::of(&decided.ok()?.ok()?)?;
+            let certificate = DecisionCertificate::from_decision(&decided.ok()?.ok()?)?;
             let core = torse_elaborate::elaborate(claim, &written).ok()?;
             Some(checked(&core, &written.origin, &certificate))
         };

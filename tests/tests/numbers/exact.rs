@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::LazyLock;
 use torse_geometry::{Ball, Fraction};
-use torse_prove::case::solve_given;
+use torse_prove::context::solve_given;
 use torse_prove::decide::order::enclosure;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::quantity::Quantity;

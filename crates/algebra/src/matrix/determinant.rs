@@ -1,7 +1,7 @@
 //! Determinants and the adjugate.
 
 use super::{Matrix, MatrixError, Ring};
-use crate::planted::{Planted, planted};
+use crate::fault_injection::{InjectedFault, injected};
 use crate::scalar::Scalar;
 use std::collections::BTreeMap;
 
@@ -40,7 +40,8 @@ impl<T: Ring> Matrix<T> {
                 for (j, entry) in row.iter().enumerate().filter(|(j, _)| set >> j & 1 == 0) {
                     let product = entry.clone() * minor.clone();
                     let to_the_right = (set >> j).count_ones();
-                    let term = if to_the_right % 2 == 0 || planted(Planted::DeterminantWithoutSigns)
+                    let term = if to_the_right % 2 == 0
+                        || injected(InjectedFault::DeterminantWithoutSigns)
                     {
                         product
                     } else {

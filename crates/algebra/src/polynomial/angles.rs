@@ -20,7 +20,7 @@ use std::sync::Arc;
 /// let (sine, _) = angle.sine_cosine()?;
 /// let (half_sine, half_cosine) = half.sine_cosine()?;
 /// let product = Fraction::integer(2) * half_sine * half_cosine;
-/// let finest = Finest::of([sine.symbols(), product.symbols()].concat().iter());
+/// let finest = Finest::new([sine.symbols(), product.symbols()].concat().iter());
 /// assert!(finest.write(&sine).is_some_and(|s| s.is_identical(&product)));
 /// # use torse_algebra::Scalar as _;
 /// # Ok::<(), torse_algebra::ExactError>(())
@@ -39,7 +39,7 @@ enum Divided {
 
 impl Divided {
     /// What is divided in this symbol, and into how many parts.
-    fn of(symbol: &Symbol) -> Option<(Self, u16)> {
+    fn new(symbol: &Symbol) -> Option<(Self, u16)> {
         match symbol {
             Symbol::Sin(name, angle) | Symbol::Cos(name, angle) => {
                 Some((Self::Angle(Arc::clone(name), angle.unit), angle.parts))
@@ -54,10 +54,10 @@ impl Finest {
     /// What these symbols need; nothing for a variable whose parts have no common part that is coarse enough to be
     /// written in.
     #[must_use]
-    pub fn of<'s>(symbols: impl Iterator<Item = &'s Symbol>) -> Self {
+    pub fn new<'s>(symbols: impl Iterator<Item = &'s Symbol>) -> Self {
         // The least common multiple, and whether it differs from any of the parts.
         let mut all: BTreeMap<Divided, (u64, bool)> = BTreeMap::new();
-        for (divided, parts) in symbols.filter_map(Divided::of) {
+        for (divided, parts) in symbols.filter_map(Divided::new) {
             let parts = u64::from(parts);
             let (finest, mixed) = all.entry(divided).or_insert((parts, false));
             *mixed |= *finest != parts;
@@ -83,7 +83,7 @@ impl Finest {
     /// The value of a symbol in the finest parts, for one that stands in a coarser part.
     #[must_use]
     pub fn value(&self, symbol: &Symbol) -> Option<Polynomial> {
-        let (divided, own) = Divided::of(symbol)?;
+        let (divided, own) = Divided::new(symbol)?;
         let parts = *self.0.get(&divided)?;
         if parts == own || !parts.is_multiple_of(own) {
             return None;

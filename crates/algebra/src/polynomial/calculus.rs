@@ -1,7 +1,7 @@
 //! Derivation: partial derivatives by a variable, with the chain rule for its sine, cosine and exponentials.
 
 use super::Polynomial;
-use crate::planted::{Planted, planted};
+use crate::fault_injection::{InjectedFault, injected};
 use crate::rational::Rational;
 use crate::symbol::{Symbol, Unit};
 use std::sync::Arc;
@@ -50,7 +50,11 @@ impl Polynomial {
             let (inner, angle, sign) = match symbol {
                 Symbol::Sin(name, angle) => (Symbol::Cos(Arc::clone(name), *angle), *angle, 1),
                 Symbol::Cos(name, angle) => {
-                    let sign = if planted(Planted::CosineRate) { 1 } else { -1 };
+                    let sign = if injected(InjectedFault::CosineRate) {
+                        1
+                    } else {
+                        -1
+                    };
                     (Symbol::Sin(Arc::clone(name), *angle), *angle, sign)
                 }
                 Symbol::Exp(exponent) => {

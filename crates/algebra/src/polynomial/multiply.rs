@@ -111,7 +111,7 @@ impl Mul for &Polynomial {
             terms(&Words, &highest, (&rows_a, a), (&rows_b, b))
         } else if let Some((a, b)) = DoubleWords::factors(a, b) {
             terms(&DoubleWords, &highest, (&rows_a, a), (&rows_b, b))
-        } else if let Some(kind) = Quotients::new(self, other) {
+        } else if let Some(kind) = Quotients::if_faster(self, other) {
             let (a, b) = (Quotients::factors(self), Quotients::factors(other));
             terms(&kind, &highest, (&rows_a, a), (&rows_b, b))
         } else {

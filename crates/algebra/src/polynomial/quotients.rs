@@ -66,7 +66,7 @@ fn length(p: &Polynomial) -> usize {
 impl Quotients {
     /// The arithmetic for the product of `a` and `b`, if it promises to be faster than integers over the
     /// common denominator.
-    pub(super) fn new(a: &Polynomial, b: &Polynomial) -> Option<Self> {
+    pub(super) fn if_faster(a: &Polynomial, b: &Polynomial) -> Option<Self> {
         let products = a.len().saturating_mul(b.len());
         let common = a.body.denominator.bit_len() + b.body.denominator.bit_len();
         if common <= MAX_BITS || products < PRODUCTS_PER_TERM * (a.len() + b.len()) {
@@ -76,11 +76,11 @@ impl Quotients {
         // denominator of the fraction.
         let own = common.saturating_mul(2 * (trial(a) + trial(b)));
         let integers = length(a).saturating_mul(length(b));
-        (own.saturating_mul(MARGIN) <= integers).then(|| Self::of(a, b))
+        (own.saturating_mul(MARGIN) <= integers).then(|| Self::new(a, b))
     }
 
     /// The arithmetic for the product of `a` and `b`, fast or not.
-    pub(super) fn of(a: &Polynomial, b: &Polynomial) -> Self {
+    pub(super) fn new(a: &Polynomial, b: &Polynomial) -> Self {
         Self {
             common: &a.body.denominator * &b.body.denominator,
         }

@@ -5,7 +5,7 @@
 //! theorems, a part of a variable as a symbol of its own, and the exact values at multiples of 15 degrees.
 
 use super::Polynomial;
-use crate::planted::{Planted, planted};
+use crate::fault_injection::{InjectedFault, injected};
 use crate::rational::{Rational, integer, ratio, remainder};
 use crate::scalar::{ExactError, Scalar, ZeroTest};
 use crate::symbol::{Angle, Symbol, Unit};
@@ -22,7 +22,7 @@ type Pair = (Polynomial, Polynomial);
 
 /// (sin, cos) of the sum of two angles.
 fn sum_of_angles((s1, c1): &Pair, (s2, c2): &Pair) -> Pair {
-    if planted(Planted::AngleSum) {
+    if injected(InjectedFault::AngleSum) {
         return (&(s1 * c2) + &(c1 * s2), &(c1 * c2) + &(s1 * s2));
     }
     (&(s1 * c2) + &(c1 * s2), &(c1 * c2) - &(s1 * s2))

@@ -1,19 +1,19 @@
 //! A proof of a statement, as a tree that follows the statement.
 
-pub mod ground;
+pub mod assumptions;
 pub mod refutation;
 
 use crate::enclosure::Enclosure;
 use crate::evidence::Evidence;
 use crate::family::{Nonnegative, Powers};
-use crate::forced::Forced;
 use crate::identity::{Combination, Identity};
 use crate::order::{Excluded, Order};
 use crate::polynomial::Polynomial;
 use crate::ratio::{Constraint, Ratio};
 use crate::sign::Sign;
 use crate::wronskian::Wronskians;
-use ground::{Elimination, Ground, Sharpness};
+use crate::zero_by_sign::ZeroBySign;
+use assumptions::{Assumptions, Elimination, Sharpness};
 use refutation::Refuted;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -27,7 +27,7 @@ pub enum Proof<P> {
     /// An equation: the difference is a combination of equations.
     Combination(Combination<P>),
     /// An equation: the difference can be nothing but zero.
-    Forced(Forced<P>),
+    ZeroBySign(ZeroBySign<P>),
     /// A relation of order, by signs.
     Order(Box<Order<P>>),
     /// `!=`, by hypotheses.
@@ -41,7 +41,7 @@ pub enum Proof<P> {
     /// A basis diminishes variation at some degrees.
     Wronskians(Wronskians),
     /// A proof with the ground on which it stands.
-    On(Box<Ground<P>>),
+    On(Box<Assumptions<P>>),
     /// Both halves of `and`.
     Both(Box<Proof<P>>, Box<Proof<P>>),
     /// On all parts into which alternatives among the hypotheses cut the domain.
@@ -127,7 +127,7 @@ impl<P> Proof<P> {
         match self {
             Self::Identity(proof) => Proof::Identity(proof.map(change)),
             Self::Combination(proof) => Proof::Combination(proof.map(change)),
-            Self::Forced(proof) => Proof::Forced(proof.map(change)),
+            Self::ZeroBySign(proof) => Proof::ZeroBySign(proof.map(change)),
             Self::Order(proof) => Proof::Order(Box::new(proof.map(change))),
             Self::Excluded(proof) => Proof::Excluded(proof.map(change)),
             Self::Enclosure(proof) => Proof::Enclosure(proof.map(change)),
@@ -193,7 +193,7 @@ impl<P> Proof<P> {
         match self {
             Self::Identity(proof) => proof.by.evidence(),
             Self::Combination(proof) => proof.by.evidence(),
-            Self::Forced(proof) => proof.evidence(),
+            Self::ZeroBySign(proof) => proof.evidence(),
             Self::Order(_) | Self::Excluded(_) | Self::Wronskians(_) => Evidence::Inequality,
             Self::Enclosure(proof) if proof.is_exact() => Evidence::Identity,
             Self::Enclosure(_) => Evidence::Enclosure,
@@ -217,7 +217,7 @@ impl<P> Proof<P> {
         let mut all: Vec<&P> = match self {
             Self::Identity(proof) => proof.divisors.iter().collect(),
             Self::Combination(proof) => proof.divisors.iter().collect(),
-            Self::Forced(proof) => proof.divisors.iter().collect(),
+            Self::ZeroBySign(proof) => proof.divisors.iter().collect(),
             Self::Order(proof) => proof.divisors.iter().collect(),
             Self::Excluded(proof) => proof.divisors.iter().collect(),
             Self::On(ground) => ground.conditions.iter().collect(),
@@ -274,7 +274,7 @@ impl<P> Proof<P> {
                 let used = order.signs.iter().flat_map(|sign| sign.constraints());
                 found.extend(used.filter_map(|place| constraints.get(place)));
             }
-            Self::Forced(forced) => {
+            Self::ZeroBySign(forced) => {
                 let used = forced.signs().flat_map(Sign::constraints);
                 found.extend(used.filter_map(|place| constraints.get(place)));
             }
@@ -329,7 +329,7 @@ impl Proof<Polynomial> {
         match self {
             Self::Identity(proof) => proof.steps(),
             Self::Combination(proof) => proof.steps(),
-            Self::Forced(proof) => proof.steps(),
+            Self::ZeroBySign(proof) => proof.steps(),
             Self::Order(proof) => proof.steps(),
             Self::Excluded(proof) => proof.steps(),
             Self::Enclosure(proof) => proof.steps(),

@@ -29,7 +29,7 @@ use super::remembered::{Question, answer};
 use super::tables::{differences, newton};
 use super::{MAX_DEGREE, Unfit};
 use std::cmp::Ordering;
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::rational::integer;
 use torse_numbers::{Ball, Rational};
 
@@ -95,7 +95,7 @@ impl<'a> Front<'a> {
             exact: self.exact.clone(),
             from: from.clone(),
             cell: cell.clone(),
-            mistaken: planted(Planted::CoefficientUnlooked),
+            mistaken: injected(InjectedFault::CoefficientUnlooked),
         };
         answer(question, || self.evaluated(from, cell))
     }
@@ -165,7 +165,8 @@ impl<'a> Front<'a> {
                         let coefficient = Ball::dot(weights.iter().zip(&values), BITS);
                         (&coefficient - &error).sign() == Some(Ordering::Greater)
                     };
-                    if !table.iter().all(positive) && !planted(Planted::CoefficientUnlooked) {
+                    if !table.iter().all(positive) && !injected(InjectedFault::CoefficientUnlooked)
+                    {
                         return Err(self.sign(rank, cell));
                     }
                 }

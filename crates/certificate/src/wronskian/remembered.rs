@@ -13,7 +13,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use torse_numbers::Rational;
 
 /// The most answers that are kept; what comes later is evaluated every time.
-const MOST: usize = 1024;
+const MAX_REMEMBERED: usize = 1024;
 
 /// All that the answer depends on.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -43,7 +43,7 @@ pub(super) fn answer(
             Some((_, answer)) => Arc::clone(answer),
             None => {
                 let answer = Answer::default();
-                if all.len() < MOST {
+                if all.len() < MAX_REMEMBERED {
                     all.push((question, Arc::clone(&answer)));
                 }
                 answer

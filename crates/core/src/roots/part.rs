@@ -4,7 +4,7 @@ use crate::{Node, Term};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::sync::Arc;
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 
 /// The longest key.
 const MAX_KEY: usize = 60_000;
@@ -22,7 +22,7 @@ pub(super) fn mentions(term: &Term, number: u32) -> bool {
         }
         pending.extend(term.parts());
         if let Node::Basis { family, .. } = &*term.node
-            && !planted(Planted::SeedOverlooked)
+            && !injected(InjectedFault::SeedOverlooked)
         {
             pending.extend(family.formulas());
         }

@@ -299,7 +299,7 @@ impl Reader {
         match value.into_inner() {
             DeValue::String(text) => {
                 let text = Spanned::new(span, text.into_owned());
-                let origin = Origin::of(&self.source, &text);
+                let origin = Origin::from_spanned(&self.source, &text);
                 self.formula(&origin, text.get_ref(), text.span().start)
             }
             DeValue::Integer(number) => {
@@ -411,7 +411,7 @@ impl Reader {
             let place = value.span();
             if let DeValue::String(text) = value.get_ref() {
                 let text = Spanned::new(place, text.clone().into_owned());
-                let origin = Origin::of(&self.source, &text);
+                let origin = Origin::from_spanned(&self.source, &text);
                 self.constants.insert(name, (origin, text.into_inner()));
             } else {
                 plain.push((name, value));

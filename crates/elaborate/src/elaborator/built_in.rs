@@ -7,7 +7,7 @@ use std::sync::Arc;
 use torse_core::{
     BuiltIn, Degrees, Family, FamilyProperty, Node, Printed, Statement, Term, Variable,
 };
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::{Rational, rational};
 use torse_syntax::derivation::declarations::Basis;
 use torse_syntax::fault::{Fault, Problem};
@@ -58,7 +58,7 @@ impl Elaborator<'_> {
             return self.family(basis, name.place);
         };
         quantified(declared, name.place, scope)?;
-        if planted(Planted::PropertyOutsideScope) {
+        if injected(InjectedFault::PropertyOutsideScope) {
             return self.family_of(basis, declared, &Scope::default());
         }
         let family = self.family_of(basis, declared, &scope.outside())?;
@@ -137,21 +137,23 @@ impl Elaborator<'_> {
                 };
                 let variable = self.fresh(name);
                 let mut inside = scope.with_local(name, &variable, Local::Index);
-                if planted(Planted::IndexCaptured) {
+                if injected(InjectedFault::IndexCaptured) {
                     inside = inside.with_global(name, &variable);
                 }
-                if planted(Planted::IndexNotSeen) {
+                if injected(InjectedFault::IndexNotSeen) {
                     inside = scope.clone();
                 }
                 let (low, high) = (self.term_in(low, scope)?, self.term_in(high, scope)?);
                 let (index, term) = (variable, self.term_in(term, &inside)?);
                 let node = match name_of_fold {
-                    _ if name_of_fold == "sum" || planted(Planted::ProductAsSum) => Node::Sum {
-                        index,
-                        low,
-                        high,
-                        term,
-                    },
+                    _ if name_of_fold == "sum" || injected(InjectedFault::ProductAsSum) => {
+                        Node::Sum {
+                            index,
+                            low,
+                            high,
+                            term,
+                        }
+                    }
                     _ => Node::Product {
                         index,
                         low,
@@ -166,7 +168,7 @@ impl Elaborator<'_> {
             ("integral", [body, variable, low, high]) => {
                 let (low, high) = (self.term_in(low, scope)?, self.term_in(high, scope)?);
                 let bound = self.bound(variable, scope, Use::Derivative)?;
-                let (low, high) = match planted(Planted::EndsExchanged) {
+                let (low, high) = match injected(InjectedFault::EndsExchanged) {
                     true => (high, low),
                     false => (low, high),
                 };
@@ -196,7 +198,7 @@ impl Elaborator<'_> {
                         place,
                     )
                 };
-                let inside = match planted(Planted::MovedNotSeen) {
+                let inside = match injected(InjectedFault::MovedNotSeen) {
                     true => scope,
                     false => &bound.scope,
                 };
@@ -261,7 +263,7 @@ impl Elaborator<'_> {
             // The absolute value is the root of the square.
             ("abs", [x]) => {
                 let x = self.term_in(x, scope)?;
-                if planted(Planted::SizeAsItself) {
+                if injected(InjectedFault::SizeAsItself) {
                     return Ok(Meaning::Term(x));
                 }
                 let square = self.made(Node::Binary(Operator::Multiply, x.clone(), x), place);
@@ -307,13 +309,15 @@ impl Elaborator<'_> {
         scope: &Scope,
     ) -> Outcome<Meaning> {
         let order = match rest.get(1) {
-            Some(order) if !planted(Planted::OrderForgotten) => self.term_in(order, scope)?,
+            Some(order) if !injected(InjectedFault::OrderForgotten) => {
+                self.term_in(order, scope)?
+            }
             _ => self.made(Node::Number(rational::integer(1)), place),
         };
         if let Meaning::Function(function) = self.open(inner, scope)? {
             let parameter = match rest.first().map(|e| (&e.node, e.place)) {
                 None => function.parameters.first(),
-                Some(_) if planted(Planted::FirstParameter) => function.parameters.first(),
+                Some(_) if injected(InjectedFault::FirstParameter) => function.parameters.first(),
                 Some((formula::Node::Name(name), _)) => {
                     function.parameters.iter().find(|p| p.name() == name)
                 }
@@ -364,7 +368,7 @@ impl Elaborator<'_> {
             self.made(node, place)
         };
         let above = joined(match name {
-            "cosh" if !planted(Planted::CoshAsDifference) => Operator::Add,
+            "cosh" if !injected(InjectedFault::CoshAsDifference) => Operator::Add,
             _ => Operator::Subtract,
         });
         let below = match name {
@@ -445,7 +449,7 @@ fn printed_numbers(printed: &Expr) -> Outcome<Vec<Printed>> {
         let (value, decimals) =
             found.ok_or_else(|| wrong(item.place, "a formula", "a printed number"))?;
         Ok(Printed {
-            value: match negative && !planted(Planted::PrintedSignLost) {
+            value: match negative && !injected(InjectedFault::PrintedSignLost) {
                 true => -value,
                 false => value,
             },

@@ -5,7 +5,7 @@
 
 use super::{Outcome, wrong};
 use torse_core::Statement;
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Connective, Expr, Place};
 
@@ -26,7 +26,7 @@ pub(super) fn opposite(statement: Statement, tree: &Expr) -> Outcome<Statement> 
         },
         Statement::Join(connective, a, b) => {
             let (connective, a) = match connective {
-                Connective::And if planted(Planted::DenialOfBoth) => {
+                Connective::And if injected(InjectedFault::DenialOfBoth) => {
                     (Connective::And, opposite(*a, tree)?)
                 }
                 Connective::And => (Connective::Or, opposite(*a, tree)?),

@@ -4,7 +4,7 @@ use super::binders::{Local, Scope};
 use super::{Elaborator, Meaning, Outcome, counted, wrong};
 use std::sync::Arc;
 use torse_core::{Family, Node, Points, Statement, Variable};
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Basis, SymbolKind};
 use torse_syntax::fault::{Fault, Problem};
@@ -135,7 +135,7 @@ impl Elaborator<'_> {
                     },
                 ));
             }
-            let outside = match planted(Planted::LeftOutNotMoved) {
+            let outside = match injected(InjectedFault::LeftOutNotMoved) {
                 true => Scope::default(),
                 false => scope.outside(),
             };
@@ -228,7 +228,7 @@ impl Elaborator<'_> {
             };
             Ok(self.made(node, written.expr.place))
         };
-        let (a, b) = match planted(Planted::StepFactorsExchanged) {
+        let (a, b) = match injected(InjectedFault::StepFactorsExchanged) {
             true => (&basis.step.1, &basis.step.0),
             false => (&basis.step.0, &basis.step.1),
         };

@@ -8,7 +8,7 @@ use super::{Faulty, in_file_order};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_algebra::{Affine, Fraction, Symbol};
-use torse_prove::case::solve_given;
+use torse_prove::context::solve_given;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::quantity::Quantity;
 use torse_prove::evaluate::value::Value;
@@ -64,8 +64,10 @@ impl<'a> Environment<'a> {
         let all = |texts: &[Text]| -> Faulty<Vec<Written>> {
             texts.iter().map(|text| parsed(self.source, text)).collect()
         };
-        let solution = solve_given(&all(given)?, &all(unknowns)?, &self.evaluator())
-            .map_err(|fault| Box::new(fault.into_error(&Origin::of(self.source, text))))?;
+        let solution =
+            solve_given(&all(given)?, &all(unknowns)?, &self.evaluator()).map_err(|fault| {
+                Box::new(fault.into_error(&Origin::from_spanned(self.source, text)))
+            })?;
         self.solved.extend(solution);
         Ok(())
     }
@@ -236,7 +238,7 @@ pub(super) fn complaint(
     text: &Text,
     message: impl Into<String>,
 ) -> DerivationError {
-    let origin = Origin::of(source, text);
+    let origin = Origin::from_spanned(source, text);
     let place = Place {
         start: 0,
         end: text.get_ref().len(),

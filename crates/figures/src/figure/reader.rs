@@ -66,7 +66,7 @@ impl<'e> Reader<'e> {
     /// The value of `formula`, a part of a text of the file.
     pub fn part(&self, text: &Text, formula: &str) -> Faulty<Value> {
         let offset = text.get_ref().find(formula).unwrap_or(0);
-        let origin = Origin::of(self.source, text).after(offset);
+        let origin = Origin::from_spanned(self.source, text).after(offset);
         let expr = formula::parse(formula)
             .map_err(|error| Box::new(DerivationError::syntax(&origin, &error)))?;
         self.evaluated(&Written { expr, origin })

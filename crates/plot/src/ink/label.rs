@@ -77,7 +77,7 @@ const FUNCTIONS: &[&str] = &[
 const MEDIUM: f64 = 0.20;
 const THICK: f64 = 0.26;
 const THIN: f64 = 0.16;
-const DEEPEST: usize = 2;
+const MAX_DEPTH: usize = 2;
 
 /// Parse a label; the error names the byte at fault.
 pub(crate) fn parse(label: &str) -> Result<Vec<Node>, FigureError> {
@@ -227,7 +227,7 @@ impl Parser<'_> {
 
     /// The scripts that follow a base, in either order.
     fn scripts(&mut self, at: usize, first: char, depth: usize) -> Result<Node, FigureError> {
-        if depth == DEEPEST {
+        if depth == MAX_DEPTH {
             return self.fault(at, LabelProblem::TooDeep);
         }
         let mut found: [Option<Vec<Node>>; 2] = [None, None];

@@ -11,7 +11,7 @@ use crate::space::view::Scale;
 const BAR: f64 = 13.0;
 const GAP: f64 = 16.0;
 const STRIPES: usize = 96;
-const LONGEST: f64 = 230.0;
+const MAX_BAR_LENGTH: f64 = 230.0;
 
 /// A measured scale bar.
 pub(crate) struct ScaleBar<'a> {
@@ -31,7 +31,7 @@ impl<'a> ScaleBar<'a> {
         range: [f64; 2],
         room: f64,
     ) -> Result<ScaleBar<'a>, FigureError> {
-        let length = (0.8 * room).min(LONGEST);
+        let length = (0.8 * room).min(MAX_BAR_LENGTH);
         let ticks = Ticks::new(range[0], range[1], length / 40.0);
         let mut labels = 0.0f64;
         for label in &ticks.labels {

@@ -8,7 +8,7 @@
 use super::order::{enclosure, truth};
 use super::value::{Proof, quotient};
 use super::{Decision, Refutation};
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Rational};
 use torse_certificate::enclosure::{Agreeing, Agreement, Enclosure};
@@ -35,7 +35,7 @@ fn agreement(value: &Fraction, printed: &Printed, decimals: u32) -> Option<Optio
     let below = |value: Fraction, bound: &Rational, relation: Relation| {
         truth(&(value - Fraction::from(bound.clone())), relation)
     };
-    let half = match planted(Planted::RoundingTooWide) {
+    let half = match injected(InjectedFault::RoundingTooWide) {
         true => unit.clone(),
         false => &unit / integer(2),
     };

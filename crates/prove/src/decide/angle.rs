@@ -140,7 +140,7 @@ impl Domain<'_> {
     /// is no help.
     #[must_use]
     pub fn parts(&self, polynomial: &Polynomial) -> Vec<Domain<'_>> {
-        let finest = Finest::of(polynomial.symbols().iter());
+        let finest = Finest::new(polynomial.symbols().iter());
         let mut cut: Vec<(&str, Angle)> = vec![];
         for symbol in polynomial.symbols() {
             if let Symbol::Sin(name, angle) | Symbol::Cos(name, angle) = symbol

@@ -2,10 +2,10 @@
 
 use super::domain::{Constraint, Domain};
 use super::order::truth;
-use super::sign::{Sign, of};
+use super::sign::{Sign, sign};
 use super::value::quotient;
 use num_traits::Signed;
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::rational::integer;
 use torse_algebra::{Affine, Polynomial, Rational};
 use torse_certificate::proof::Emptiness;
@@ -72,12 +72,12 @@ fn fails(domain: &Domain<'_>, number: usize, c: &Constraint) -> bool {
     }
     let mut others = domain.clone();
     others.constraints.remove(number);
-    let sign = c.value.as_polynomial().and_then(|p| of(p, &others));
+    let sign = c.value.as_polynomial().and_then(|p| sign(p, &others));
     match c.relation {
         Relation::Less => matches!(sign, Some(Sign::Positive | Sign::Nonnegative)),
         Relation::AtMost => sign == Some(Sign::Positive),
         Relation::Greater => matches!(sign, Some(Sign::Negative | Sign::Nonpositive)),
-        Relation::AtLeast if planted(Planted::ClosedEndExcluded) => {
+        Relation::AtLeast if injected(InjectedFault::ClosedEndExcluded) => {
             matches!(sign, Some(Sign::Negative | Sign::Nonpositive))
         }
         Relation::AtLeast => sign == Some(Sign::Negative),

@@ -4,7 +4,7 @@ use crate::decide::interval::{Bound, Interval, Part};
 use crate::decide::order::order;
 use crate::decide::root::Root;
 use std::cmp::Ordering;
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 use torse_syntax::formula::Relation;
@@ -49,7 +49,7 @@ impl Constraint {
         let slope = Fraction::from(slope);
         let relation = match order(&slope)? {
             Ordering::Equal => return None,
-            Ordering::Greater if planted(Planted::BoundReversed) => self.relation.mirrored(),
+            Ordering::Greater if injected(InjectedFault::BoundReversed) => self.relation.mirrored(),
             Ordering::Less => self.relation.mirrored(),
             Ordering::Greater => self.relation,
         };
@@ -68,7 +68,7 @@ pub struct Domain<'a> {
     /// The eliminated symbols with their values.
     pub solved: Vec<(Symbol, Fraction)>,
     /// The factors of divisors of eliminations that may vanish, with the values of what was eliminated since: they are not zero
-    /// at the points that are looked at here ([`Ground::splits`](crate::case::Ground::splits)).
+    /// at the points that are looked at here ([`ProofContext::splits`](crate::context::ProofContext::splits)).
     pub pivots: Vec<Polynomial>,
     /// Divisors of the statement: it says nothing where one vanishes, so no point there refutes it.
     pub divisors: Vec<Polynomial>,

@@ -5,11 +5,11 @@
 //! degrees the series cancel for every degree or not at all (see [`crate::evaluate::series`]).
 
 use super::domain::Domain;
-use super::forced::forced;
 use super::value::Proof;
+use super::zero_by_sign::forced;
 use super::{Decision, Refutation, witness};
 use crate::evaluate::Evaluator;
-use crate::evaluate::value::{NOWHERE, Value};
+use crate::evaluate::value::{UNPLACED, Value};
 use crate::{ideal, roots};
 use torse_algebra::{Fraction, Polynomial};
 use torse_certificate::identity::{Combination, Equations, Identity, Vanishing};
@@ -34,7 +34,7 @@ pub fn decide(
         let difference = x.minus(y);
         if difference
             .vanishes()
-            .map_err(|e| Fault::exact(NOWHERE, e))?
+            .map_err(|e| Fault::exact(UNPLACED, e))?
         {
             conditions.extend(difference.conditions());
             conditions.extend(x.conditions());
@@ -55,7 +55,7 @@ pub fn decide(
     };
     let Some(plain) = difference.as_fraction() else {
         return Err(Fault::limit(
-            NOWHERE,
+            UNPLACED,
             "two sums of symbolic degree do not cancel",
         ));
     };
@@ -68,7 +68,7 @@ pub fn decide(
     };
     let (Some(lefts), Some(rights)) = (sides(left), sides(right)) else {
         return Err(Fault::limit(
-            NOWHERE,
+            UNPLACED,
             "two sums of symbolic degree do not cancel",
         ));
     };
@@ -91,7 +91,7 @@ pub fn decide(
         Some(point) => Decision::Refuted(Box::new(Refutation::at(point).with_sides(lefts, rights))),
         None => follows_from_several(left, right, domain, evaluator)
             .map(Proof::Combination)
-            .or_else(|| forced(left, right, domain).map(Proof::Forced))
+            .or_else(|| forced(left, right, domain).map(Proof::ZeroBySign))
             .map_or_else(no_difference_found, Decision::Proven),
     })
 }

@@ -160,7 +160,7 @@ impl Domain<'_> {
     }
 
     fn ordered_exponentials(&self, symbols: &[Symbol]) -> Vec<Constraint> {
-        let finest = Finest::of(symbols.iter());
+        let finest = Finest::new(symbols.iter());
         let mut exponents: Vec<&Exponent> = symbols
             .iter()
             .filter_map(|symbol| match symbol {
@@ -184,7 +184,7 @@ impl Domain<'_> {
                 };
                 let [first, second] = [first.over(parts), second.over(parts)];
                 let gap = &first.polynomial() - &second.polynomial();
-                let relation = match sign::of(&gap, self) {
+                let relation = match sign::sign(&gap, self) {
                     Some(Sign::Positive) => Relation::Greater,
                     Some(Sign::Nonnegative) => Relation::AtLeast,
                     Some(Sign::Negative) => Relation::Less,

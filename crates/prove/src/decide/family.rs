@@ -16,7 +16,7 @@ use super::value::{Proof, quotient};
 use super::witness::{self, Point};
 use super::{Decision, Refutation};
 use crate::evaluate::Evaluator;
-use crate::evaluate::value::NOWHERE;
+use crate::evaluate::value::UNPLACED;
 use torse_algebra::{Fraction, Matrix, Polynomial, Symbol};
 use torse_certificate::family::{Nonnegative, Part};
 use torse_certificate::point::{Comparison, Counterexample, Failure};
@@ -247,7 +247,8 @@ pub fn independent(
     evaluator: &Evaluator<'_>,
 ) -> Result<Decision, Fault> {
     let (step, seeds) = family(basis, evaluator)?;
-    let not_polynomial = || Fault::limit(NOWHERE, "the functions of the family are no polynomials");
+    let not_polynomial =
+        || Fault::limit(UNPLACED, "the functions of the family are no polynomials");
     let mut tried = vec![];
     for raise in 0..DEGREES {
         let degree = basis.degree + raise;

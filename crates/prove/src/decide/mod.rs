@@ -15,7 +15,6 @@ pub mod domain;
 pub mod equality;
 pub mod exponential;
 pub mod family;
-mod forced;
 pub mod instances;
 pub mod interval;
 pub mod nondegenerate;
@@ -28,17 +27,18 @@ pub mod value;
 pub mod variation;
 pub mod witness;
 mod wronskian;
+mod zero_by_sign;
 
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{Statement, Value};
 use crate::evidence::Witness;
 use domain::{Constraint, Domain};
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Fraction, Polynomial};
 use torse_certificate::Refuted;
 use torse_certificate::point::Counterexample;
 use torse_certificate::proof::Emptiness;
-use torse_certificate::proof::ground::Sharpness;
+use torse_certificate::proof::assumptions::Sharpness;
 use torse_core::FamilyProperty;
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Connective, Relation};
@@ -345,7 +345,7 @@ pub(crate) fn comparisons(statement: &Statement) -> Vec<(&Value, &Value)> {
 
 /// A conjunction of decisions, neither of which is a refutation unless the second is.
 pub(crate) fn both(first: Decision, second: Decision) -> Decision {
-    if planted(Planted::SecondHalfIgnored) {
+    if injected(InjectedFault::SecondHalfIgnored) {
         return first;
     }
     match (first, second) {

@@ -43,7 +43,7 @@ pub fn order(value: &Fraction) -> Option<Ordering> {
     if !symbols.iter().all(Symbol::is_number) {
         return None;
     }
-    let value = Finest::of(symbols.iter()).write(value)?;
+    let value = Finest::new(symbols.iter()).write(value)?;
     if value.is_zero() {
         return Some(Ordering::Equal);
     }

@@ -15,7 +15,7 @@ use std::sync::Arc;
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
 use torse_certificate::Ratio;
-use torse_certificate::proof::ground::Sharpness;
+use torse_certificate::proof::assumptions::Sharpness;
 use torse_syntax::derivation::declarations::{Bound, Interval, SymbolKind};
 use torse_syntax::formula::{Connective, Relation};
 
@@ -179,7 +179,7 @@ fn failure(
         .at(name, &value.clone().into())
         .ok()?;
     let polynomial = at.as_polynomial()?.clone();
-    let (moved, coordinates) = Coordinates::of(&[&polynomial], domain)?;
+    let (moved, coordinates) = Coordinates::new(&[&polynomial], domain)?;
     let moved = moved.into_iter().next()?;
     let sides: Vec<&Symbol> = coordinates.sides.iter().map(|side| &side.symbol).collect();
     // Only independent real coordinates lead back to a point: no integers, no sine beside its cosine, no exponential, no

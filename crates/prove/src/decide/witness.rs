@@ -11,7 +11,7 @@ use super::nondegenerate::make_nondegenerate;
 use super::order::truth;
 use super::value::{fraction, plain_symbol, quotient};
 use std::collections::BTreeMap;
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Fraction, Polynomial, Symbol, Unit};
 use torse_certificate::Ratio;
 use torse_certificate::point::{Comparison, Counterexample, Failure, Value};
@@ -104,7 +104,7 @@ pub fn find(
         .constraints
         .iter()
         .chain(&domain.defined)
-        .filter(|_| !planted(Planted::WitnessAnywhere))
+        .filter(|_| !injected(InjectedFault::WitnessAnywhere))
         .map(|c| (c.value.clone(), c.relation))
         .collect();
     let recorded = also.iter().flat_map(|f| f.conditions());

@@ -29,7 +29,7 @@ pub(super) fn in_finest(left: Value, right: Value, place: Place) -> Result<(Valu
             .flat_map(Series::parts)
             .for_each(&mut look);
     }
-    let finest = Finest::of(angles.iter());
+    let finest = Finest::new(angles.iter());
     if finest.is_empty() {
         return Ok((left, right));
     }

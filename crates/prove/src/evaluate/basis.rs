@@ -3,10 +3,10 @@
 use super::quantity::Quantity;
 use super::series::{Axis, Series, Target};
 use super::value::Value;
-use super::{Environment, Evaluator, counted, wrong_type};
+use super::{Environment, Evaluator, indexed_recurrence, wrong_type};
 use std::rc::Rc;
 use std::sync::Arc;
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Affine, Fraction};
 use torse_core::{Family, Term};
 use torse_syntax::fault::{Fault, Problem};
@@ -40,7 +40,7 @@ impl Evaluator<'_> {
         }
         let power = degree.clone() - Affine::number(i64::from(family.degree));
         if let Some(n) = power.as_number() {
-            let n = match planted(Planted::DegreeBelowSeeds) {
+            let n = match injected(InjectedFault::DegreeBelowSeeds) {
                 true => n.max(0),
                 false => n,
             };
@@ -106,7 +106,7 @@ impl Evaluator<'_> {
         family: &Family,
         values: &[Fraction],
     ) -> Result<((Fraction, Fraction), Vec<Fraction>), Fault> {
-        self.seeds(family, values, super::value::NOWHERE, &Environment::new())
+        self.seeds(family, values, super::value::UNPLACED, &Environment::new())
     }
 
     /// Step factors and seeds at the arguments (variable first, then shape parameters).
@@ -120,7 +120,7 @@ impl Evaluator<'_> {
         let bound = self.arguments(family, values, outside);
         let one = |term: &Term| self.factor(term, place, &bound);
         if family.counters.is_some() {
-            return Err(counted::refused(family, place));
+            return Err(indexed_recurrence::refused(family, place));
         }
         let seeds = family
             .seeds

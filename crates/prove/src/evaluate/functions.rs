@@ -3,7 +3,7 @@
 use super::quantity::Quantity;
 use super::value::{Statement, Value};
 use super::{Environment, Evaluator, linear, symbolic_degree, wrong_type};
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Polynomial, Rational};
 use torse_core::{BuiltIn, Printed, Term, Variable};
@@ -259,7 +259,7 @@ impl Evaluator<'_> {
         let name = self.differential(variable.name(), enclosing);
         let mut inner = bound.clone();
         inner.insert(variable.number(), Fraction::named(&name).into());
-        if planted(Planted::ValueBeforeDerivative) {
+        if injected(InjectedFault::ValueBeforeDerivative) {
             inner.insert(variable.number(), self.number(at, bound)?.into());
         }
         self.derivatives.set(enclosing + 1);

@@ -15,8 +15,8 @@ use super::quantity::Quantity;
 use super::value::Value;
 use super::{Environment, Evaluator, angles};
 use std::collections::{BTreeMap, BTreeSet};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::matrix::Matrix;
-use torse_algebra::planted::{Planted, planted};
 use torse_algebra::{Fraction, Polynomial, Symbol};
 use torse_core::{Term, Variable};
 use torse_syntax::fault::Fault;
@@ -58,7 +58,7 @@ impl Evaluator<'_> {
             self.placed(&whole, &name, &end, place)
         };
         let (from, to) = (at(low)?, at(high)?);
-        if planted(Planted::LowerEndForgotten) {
+        if injected(InjectedFault::LowerEndForgotten) {
             return Ok(to);
         }
         let values = to.entries().into_iter().zip(from.entries());

@@ -120,7 +120,7 @@ pub(super) fn solve(rows: &[Vec<Fraction>], right: &Value, place: Place) -> Resu
 pub(super) fn coefficients(forms: &Value, unknowns: &Value, place: Place) -> Result<Value, Fault> {
     let mut symbols = vec![];
     for unknown in unknowns.entries() {
-        let symbol = unknown.as_fraction().and_then(Unknown::of);
+        let symbol = unknown.as_fraction().and_then(Unknown::from_fraction);
         symbols.push(symbol.ok_or_else(|| wrong_type(place, "a formula", "a plain symbol"))?);
     }
     let mut rows = vec![];

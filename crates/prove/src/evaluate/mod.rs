@@ -7,10 +7,10 @@
 mod angles;
 mod arithmetic;
 pub mod basis;
-mod counted;
 mod each;
 mod functions;
 mod index;
+mod indexed_recurrence;
 mod integral;
 pub mod linear;
 mod memory;
@@ -162,7 +162,8 @@ impl<'a> Evaluator<'a> {
     /// start, except where sines and cosines need them.
     #[must_use]
     pub fn sampling(&self) -> Self {
-        let at_sample = |f: &Fraction| crate::sample::at_sample(f).unwrap_or_else(|| f.clone());
+        let at_sample =
+            |f: &Fraction| crate::probabilistic_refuter::at_sample(f).unwrap_or_else(|| f.clone());
         let fixed = self
             .fixed
             .iter()
@@ -436,7 +437,7 @@ impl<'a> Evaluator<'a> {
         }
         let replaced = self.sampled && !self.in_angle.get();
         let number = if replaced {
-            crate::sample::value(&symbol)
+            crate::probabilistic_refuter::value(&symbol)
         } else {
             None
         };
@@ -454,7 +455,7 @@ impl<'a> Evaluator<'a> {
     /// The value at the sample point, when sampling.
     fn at_sample(&self, value: Fraction) -> Fraction {
         if self.sampled && !self.in_angle.get() {
-            return crate::sample::at_sample(&value).unwrap_or(value);
+            return crate::probabilistic_refuter::at_sample(&value).unwrap_or(value);
         }
         value
     }

@@ -12,7 +12,7 @@ use super::series::{polynomial_of, with_index};
 use super::value::Value;
 use super::{Environment, Evaluator};
 use num_traits::Zero;
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
 use torse_core::{Term, Variable};
 use torse_syntax::fault::Fault;
@@ -95,7 +95,7 @@ impl Evaluator<'_> {
             with_index(g, index, &form).ok()
         };
         let at = |g: &Fraction, form: Affine| with_index(g, index, &form).ok();
-        let high = match planted(Planted::LastFactorForgotten) {
+        let high = match injected(InjectedFault::LastFactorForgotten) {
             true => high.clone() - Affine::number(1),
             false => high.clone(),
         };

@@ -8,7 +8,7 @@ use super::quantity::Quantity;
 use super::series::{Axis, Series, Target, here, split, with_index};
 use super::value::{Value, Vector};
 use super::{Environment, Evaluator, fitted, refilled, wrong_type};
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Affine, Fraction};
 use torse_core::{BuiltIn, Node, Term, Variable};
 use torse_syntax::fault::Fault;
@@ -39,7 +39,7 @@ impl Evaluator<'_> {
             ));
         }
         let mut total: Option<Value> = None;
-        let length = match planted(Planted::EmptySumHasTerm) {
+        let length = match injected(InjectedFault::EmptySumHasTerm) {
             true => length.max(0),
             false => length,
         };
@@ -136,7 +136,7 @@ impl Evaluator<'_> {
         // The index may count the coefficients, and nothing else: a step, a seed or a degree that depends on it makes
         // another operator of every term.
         let depends = series.axes.iter().any(|axis| axis.depends_on(index));
-        if depends && !planted(Planted::IndexLeftFree) {
+        if depends && !injected(InjectedFault::IndexLeftFree) {
             return Err(refused());
         }
         let (position, axis) = bearer(&series.axes, index).ok_or_else(refused)?;

@@ -111,4 +111,4 @@ impl From<Fraction> for Value {
 }
 
 /// A place for values that no text wrote.
-pub const NOWHERE: Place = Place { start: 0, end: 0 };
+pub const UNPLACED: Place = Place { start: 0, end: 0 };

@@ -32,7 +32,7 @@ pub fn expression(value: &Fraction) -> Expr {
     if value.as_polynomial().is_some() {
         return expression_of(value.numerator());
     }
-    sum(vec![ratio(&Factored::of(value.numerator()), &below, None)])
+    sum(vec![ratio(&Factored::new(value.numerator()), &below, None)])
 }
 
 /// The polynomial as a formula.
@@ -51,7 +51,7 @@ pub fn expression_of(p: &Polynomial) -> Expr {
     if let Some(terms) = points::combination(p, &one) {
         return sum(terms);
     }
-    let factored = Factored::of(p);
+    let factored = Factored::new(p);
     let plain = shape(p);
     let short = sum(vec![ratio(&factored, &one, None)]);
     // Pulling out a mere number must pay.

@@ -23,7 +23,7 @@ pub(super) struct Factored {
 
 impl Factored {
     /// Factors a polynomial.
-    pub fn of(p: &Polynomial) -> Self {
+    pub fn new(p: &Polynomial) -> Self {
         let (content, primitive) = p.primitive();
         let mut result = Self {
             content,
@@ -52,7 +52,7 @@ impl Factored {
             factors: vec![],
         };
         for (factor, exponent) in factors {
-            let own = Self::of(factor);
+            let own = Self::new(factor);
             let times = usize::try_from(exponent).unwrap_or(usize::MAX);
             result.content *= num_traits::pow(own.content, times);
             for (part, more) in own.factors {

@@ -18,14 +18,14 @@ use torse_algebra::{Polynomial, Rational};
 /// A number and factors with exponents whose product a polynomial is; the factors are not always irreducible.
 #[must_use]
 pub fn factored(polynomial: &Polynomial) -> (Rational, Vec<(Polynomial, u32)>) {
-    let factored = factor::Factored::of(polynomial);
+    let factored = factor::Factored::new(polynomial);
     (factored.content, factored.factors)
 }
 
 /// Factors of a polynomial, without exponents and constants; not always irreducible ones.
 #[must_use]
 pub fn factors(polynomial: &Polynomial) -> Vec<Polynomial> {
-    let factored = factor::Factored::of(polynomial);
+    let factored = factor::Factored::new(polynomial);
     factored
         .factors
         .into_iter()

@@ -33,7 +33,7 @@ pub(super) fn combination(p: &Polynomial, below: &Factored) -> Option<Vec<Summan
         .flat_map(|family| best(family, below))
         .collect();
     if !rest.is_zero() {
-        all.push(ratio(&Factored::of(&rest), below, None));
+        all.push(ratio(&Factored::new(&rest), below, None));
     }
     Some(positive_first(all))
 }
@@ -90,7 +90,7 @@ fn best(family: &[Weighted], below: &Factored) -> Vec<Summand> {
     // With positive coefficients it is a blend of points, else a point and a vector, from either end.
     let blend = family
         .iter()
-        .all(|(_, c)| Factored::of(c).content.is_positive());
+        .all(|(_, c)| Factored::new(c).content.is_positive());
     let share = total
         .exact_quotient(&below.expanded())
         .and_then(|q| q.as_constant());
@@ -194,7 +194,7 @@ fn weighted(mut parts: Vec<(Target, Polynomial)>, below: &Factored) -> Vec<Summa
         return vec![];
     }
     if let [(target, c)] = parts.as_slice() {
-        return vec![placed(&Factored::of(c), below, target)];
+        return vec![placed(&Factored::new(c), below, target)];
     }
     let common = parts.iter().fold(Polynomial::zero(), |g, (_, c)| g.gcd(c));
     let quotients: Option<Vec<Polynomial>> = parts
@@ -208,7 +208,7 @@ fn weighted(mut parts: Vec<(Target, Polynomial)>, below: &Factored) -> Vec<Summa
             parts.iter().map(|(_, c)| c.clone()).collect(),
         ),
     };
-    let mut common = Factored::of(&common);
+    let mut common = Factored::new(&common);
     // The number before the bracket is positive, the signs are inside.
     let content = content(&quotients);
     let sign = common.content.signum() * below.content.signum();
@@ -217,7 +217,7 @@ fn weighted(mut parts: Vec<(Target, Polynomial)>, below: &Factored) -> Vec<Summa
     let terms = parts
         .iter()
         .zip(&quotients)
-        .map(|((target, _), c)| placed(&Factored::of(&c.scaled(&inner)), &one, target));
+        .map(|((target, _), c)| placed(&Factored::new(&c.scaled(&inner)), &one, target));
     let mut terms = positive_first(terms.collect());
     if common.content.is_one() && common.factors.is_empty() && below.factors.is_empty() {
         return terms;

@@ -101,7 +101,7 @@ fn collected(p: &Polynomial) -> Option<Expr> {
         if coefficient.is_zero() {
             continue;
         }
-        let mut factored = Factored::of(coefficient);
+        let mut factored = Factored::new(coefficient);
         if exponent == 0 && factored.factors.len() == 1 && factored.content.abs().is_one() {
             // Nothing to gain from brackets around the part without pi.
             all.extend(terms(coefficient));

@@ -11,7 +11,7 @@ use crate::decide::domain::Domain;
 use crate::decide::root::Root;
 use crate::decide::sign;
 use square::root_of;
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Fraction, Polynomial};
 use torse_certificate::sign::Sign;
 
@@ -71,7 +71,7 @@ fn as_multiple(radicand: &Fraction, roots: &[&Root], domain: &Domain<'_>) -> Opt
     }
     [value.clone(), -value].into_iter().find_map(|value| {
         let product = value.numerator() * &value.denominator();
-        let shown = match planted(Planted::RootSignIgnored) {
+        let shown = match injected(InjectedFault::RootSignIgnored) {
             true => product.power(2),
             false => product,
         };

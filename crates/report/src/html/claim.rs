@@ -91,7 +91,7 @@ fn write_inside(out: &mut String, page: &Page<'_>, claim: &ClaimView) -> fmt::Re
     }
     text(out, "copy at hand", claim.garbled.as_ref())?;
     text(out, "note", claim.note.as_ref())?;
-    rests(out, &claim.rests)?;
+    dependency_groups(out, &claim.rests)?;
     references(out, "rests on", &claim.uses)?;
     references(out, "used by", &claim.used_by)?;
     consequences(out, &claim.consequences, claim.distant_survivors.as_deref())?;
@@ -165,7 +165,7 @@ fn readings(out: &mut String, readings: &[ReadingView]) -> fmt::Result {
 }
 
 /// What the statement rests on.
-fn rests(out: &mut String, groups: &[RestsView]) -> fmt::Result {
+fn dependency_groups(out: &mut String, groups: &[RestsView]) -> fmt::Result {
     if groups.is_empty() {
         return Ok(());
     }

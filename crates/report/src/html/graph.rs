@@ -82,8 +82,8 @@ fn middle(of: &Placed<'_>) -> usize {
 }
 
 fn shortened(name: &str) -> String {
-    const LONGEST: usize = 19;
-    match name.char_indices().nth(LONGEST) {
+    const MAX_NAME_CHARS: usize = 19;
+    match name.char_indices().nth(MAX_NAME_CHARS) {
         Some((end, _)) => format!("{}…", name.get(..end).unwrap_or(name)),
         None => name.to_owned(),
     }

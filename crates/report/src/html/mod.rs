@@ -101,7 +101,7 @@ fn pictures(
         let alt = report.figures.get(position).map_or("", |shown| &shown.alt);
         let alt = Text(alt).to_string();
         let element = match drawing {
-            Some(drawing) => drawing.written(&mut shelf, files.of(position), &alt),
+            Some(drawing) => drawing.written(&mut shelf, files.pieces(position), &alt),
             None => {
                 let source = picture::data_uri(&figure.image);
                 format!("<img src=\"{source}\" alt=\"{alt}\" loading=\"lazy\">")

@@ -11,13 +11,13 @@ use crate::difference::common;
 use torse_syntax::formula::{Connective, Expr, Node, Operator};
 
 /// Formulas of more nodes than this are not compared.
-const MOST_NODES: usize = 3_000;
+const MAX_NODES: usize = 3_000;
 
 /// The printed formula and the corrected one, both in the notation of the files, as boxes with what changed marked; none
 /// where one of them cannot be read.
 pub(crate) fn changed(printed: &str, corrected: &str, names: &Names) -> Option<[Shown; 2]> {
     let (old, new) = (tidy(&expression(printed)?), tidy(&expression(corrected)?));
-    let (old, new) = match old.size().max(new.size()) > MOST_NODES {
+    let (old, new) = match old.size().max(new.size()) > MAX_NODES {
         true => (old, new),
         false => {
             let pair = compare(&old, &new);

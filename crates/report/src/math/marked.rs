@@ -13,12 +13,12 @@ use super::{Mathematics, Names, Prose, Span};
 use crate::difference::common;
 
 /// Sentences of more words and formulas, and formulas of more boxes, are not compared.
-const MOST: usize = 2_000;
+const MAX_TOKENS: usize = 2_000;
 
 /// A sentence as printed and as it is to be read, what differs marked in both.
 pub(crate) fn compared(printed: &str, reads: &str, names: &Names) -> [Prose; 2] {
     let (old, new) = (atoms(printed, names), atoms(reads, names));
-    if old.len().max(new.len()) > MOST {
+    if old.len().max(new.len()) > MAX_TOKENS {
         return [prose(&old), prose(&new)];
     }
     let (mut shown_old, mut shown_new) = (vec![], vec![]);
@@ -393,7 +393,7 @@ fn script(old: Option<&Node>, new: Option<&Node>) -> Option<ScriptPair> {
 }
 
 fn rows(old: &[Node], new: &[Node]) -> Pair {
-    if old.len().max(new.len()) > MOST {
+    if old.len().max(new.len()) > MAX_TOKENS {
         return replaced(&Node::Row(old.to_vec()), &Node::Row(new.to_vec()));
     }
     // Of a few boxes, such as indices, each is compared with that in its place.

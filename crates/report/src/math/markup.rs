@@ -23,7 +23,7 @@ pub(super) fn boxes(text: &str) -> Node {
 }
 
 /// More brackets than this within each other are left as signs.
-const DEEPEST: usize = 40;
+const MAX_DEPTH: usize = 40;
 
 struct Reader<'a> {
     rest: &'a str,
@@ -118,7 +118,7 @@ impl<'a> Reader<'a> {
     }
 
     fn group(&mut self, closing: char) -> Node {
-        if self.depth >= DEEPEST {
+        if self.depth >= MAX_DEPTH {
             return Node::Row(vec![]);
         }
         self.depth += 1;

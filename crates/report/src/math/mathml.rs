@@ -5,7 +5,7 @@ use super::node::{Face, Fence, Mark, Node};
 /// The formula as elements between which a line may be broken: before relations, plus and minus, within brackets and
 /// between factors where a piece would be long.
 pub(super) fn pieces(node: &Node) -> Vec<String> {
-    let cuts = finest(node, LONGEST);
+    let cuts = finest(node, MAX_LINE_WIDTH);
     let last = cuts.len().saturating_sub(1);
     let piece = |(number, piece): (usize, &Vec<Node>)| {
         let mut out = String::from("<math>");
@@ -58,10 +58,10 @@ fn factors(piece: Vec<Node>, longest: usize) -> Vec<Vec<Node>> {
 }
 
 /// Pieces wider than about so many letters are cut within their brackets.
-const LONGEST: usize = 26;
+const MAX_LINE_WIDTH: usize = 26;
 
 /// Brackets are opened to this depth.
-const DEEPEST: usize = 4;
+const MAX_DEPTH: usize = 4;
 
 /// The boxes of a formula in pieces: cut before relations, plus and minus, and within brackets where a piece is wider than
 /// `longest` letters.
@@ -71,7 +71,7 @@ pub(super) fn cuts(node: &Node, longest: usize) -> Vec<Vec<Node>> {
         other => vec![other.clone()],
     };
     let mut list = vec![nodes];
-    for _ in 0..DEEPEST {
+    for _ in 0..MAX_DEPTH {
         let mut cut = Vec::new();
         for piece in list {
             let parts = split(piece);

@@ -22,7 +22,7 @@ pub(crate) struct Names {
 
 impl Names {
     /// The names of a claim and of its readings.
-    pub(crate) fn of(outcome: &Outcome) -> Self {
+    pub(crate) fn new(outcome: &Outcome) -> Self {
         let mut names = Names::default();
         names.add(&outcome.claim.table);
         for reading in outcome.readings() {

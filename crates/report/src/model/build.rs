@@ -4,9 +4,9 @@ use super::{
     ClaimView, ConsequenceView, FigureView, FormulaView, ReadingView, Reference, Report, RestsView,
     Section, Side, WitnessView,
 };
+use crate::dependencies::{concerns, said_by};
 use crate::glossary;
 use crate::math::{Names, Prose, plain, spans};
-use crate::rests::{concerns, said_by};
 use crate::source::Source;
 use crate::tally::Tally;
 use crate::text::{
@@ -64,11 +64,11 @@ impl Report {
             venue: visible(&paper.venue),
             source: None,
             tally: Tally::new(&paper.claims),
-            short: summary_page::of(&paper.claims, &builder.anchors),
-            constructions: applicability::of(&paper.claims, &builder.anchors),
-            letter: letter::of(paper, accepted),
-            corrections: corrections::of(paper, &builder.anchors, accepted),
-            findings: findings::of(&paper.claims, &builder.anchors),
+            short: summary_page::summarize(&paper.claims, &builder.anchors),
+            constructions: applicability::constructions(&paper.claims, &builder.anchors),
+            letter: letter::letter(paper, accepted),
+            corrections: corrections::corrections(paper, &builder.anchors, accepted),
+            findings: findings::collect_findings(&paper.claims, &builder.anchors),
             unexpected: paper
                 .claims
                 .iter()
@@ -149,7 +149,7 @@ impl<'a> Builder<'a> {
     }
 
     fn claim(&self, position: usize, outcome: &Outcome, accepted: &BTreeSet<String>) -> ClaimView {
-        let names = Names::of(outcome);
+        let names = Names::new(outcome);
         let prose = |text: &str| spans(&visible(text), &names);
         let option = |text: Option<&str>| text.map(prose);
         let (here, elsewhere) = self.figures_of(position, &outcome.claim.id);
@@ -354,7 +354,7 @@ fn notation(claims: &[Outcome]) -> Vec<Prose> {
     let mut seen = BTreeSet::new();
     let mut list = Vec::new();
     for outcome in claims {
-        let names = Names::of(outcome);
+        let names = Names::new(outcome);
         let table = &outcome.claim.table;
         for of in table.definitions.iter().filter(|of| !of.own) {
             if seen.insert((of.head.text.clone(), of.body.text.clone())) {
@@ -388,7 +388,7 @@ fn notation(claims: &[Outcome]) -> Vec<Prose> {
 
 fn reading(reading: &ReadingOutcome) -> ReadingView {
     let of = &reading.outcome;
-    let names = Names::of(of);
+    let names = Names::new(of);
     ReadingView {
         name: spans(&visible(&reading.name), &names),
         says: spans(&visible(&reading.says), &names),

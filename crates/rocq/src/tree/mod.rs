@@ -9,12 +9,12 @@
 //! `function` what is applied, `defined` where all terms have values (`ranges` of indices, `applied` of functions and their derivatives), `said` what is said, and `sentence` puts them
 //! together. The rules are those of `derivations/SEMANTICS.md`, in its order.
 
-mod along;
 mod applied;
 mod basis;
 mod defined;
 mod forms;
 mod function;
+mod implicit_derivative;
 mod integer;
 mod kinds;
 mod moving;
@@ -23,9 +23,9 @@ mod property;
 mod ranges;
 mod reach;
 mod rough;
-mod said;
 mod scope;
 mod sentence;
+mod translation;
 mod value;
 mod writer;
 

@@ -3,8 +3,8 @@
 
 use super::kinds::Kind;
 use super::premises::Premises;
-use super::said::{all_of, compare};
 use super::scope::{Scope, words};
+use super::translation::{all_of, compare};
 use super::writer::{Writer, fresh};
 use crate::code::{Code, Level};
 use crate::gap::Untranslatable;

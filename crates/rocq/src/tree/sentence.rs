@@ -3,8 +3,8 @@
 
 use super::premises::Premises;
 use super::reach::{Bound, Names, Reach};
-use super::said::{Domain, all_of};
 use super::scope::{Scope, words};
+use super::translation::{Domain, all_of};
 use super::writer::{Writer, fresh};
 use crate::binder::Binder;
 use crate::code::{Code, Level};
@@ -56,12 +56,12 @@ pub fn sentence(
         let mut needed = Premises::default();
         writer.statement_defined(condition, &scope, &mut needed)?;
         premises.extend(needed.into_vec());
-        premises.push(writer.said(condition, &scope, None)?);
+        premises.push(writer.translate_statement(condition, &scope, None)?);
     }
     let denied =
         |writer: &mut Writer<'_>, inner: &Expr, scope: &Scope| subject.denied(writer, inner, scope);
     let domain = Domain { denied: &denied };
-    let said = writer.said(statement, &scope, Some(&domain))?;
+    let said = writer.translate_statement(statement, &scope, Some(&domain))?;
     let conclusion = match sought.as_slice() {
         [] => said,
         _ => there_are(writer, claim, &sought, of_sought, said)?,
@@ -273,7 +273,7 @@ impl<'c> Subject<'c> {
             let mut needed = Premises::default();
             writer.statement_defined(hypothesis, &Scope::default(), &mut needed)?;
             premises.extend(needed.into_vec());
-            premises.push(writer.said(hypothesis, &Scope::default(), None)?);
+            premises.push(writer.translate_statement(hypothesis, &Scope::default(), None)?);
         }
         Ok(premises)
     }
@@ -290,7 +290,7 @@ impl<'c> Subject<'c> {
         writer.statement_defined(inner, scope, &mut needed)?;
         premises.extend(needed.into_vec());
         let alongs = writer.alongs.len();
-        let conclusion = writer.said(inner, scope, None)?;
+        let conclusion = writer.translate_statement(inner, scope, None)?;
         if writer.alongs.len() > alongs {
             return Err(Untranslatable::Theory(
                 "denials of coefficients along given equations",

@@ -5,10 +5,10 @@ use crate::support::{LIMITS, accepts_all, coqc, with_library};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_rocq::folder::Folder;
+use torse_rocq::script_search;
 use torse_rocq::solutions::Solved;
 use torse_rocq::task::{Evidence, Finding};
 use torse_rocq::theorem::Theorem;
-use torse_rocq::trial;
 use torse_syntax::derivation::{Claim, LoadError, Source, paper};
 use torse_syntax::taxonomy::Verdict;
 
@@ -232,7 +232,8 @@ fn false_coefficients_are_rejected_with_the_scripts_of_the_true_ones() {
     let folder = folder(&claims(&statements), Verdict::Holds);
     assert_eq!(proved(&folder).count(), PAIRS.len(), "{:?}", folder.missing);
     let scratch = with_library(&coqc);
-    let failing = trial::failing(&coqc, &folder, scratch.path(), 60, LIMITS, &|_, _| ()).unwrap();
+    let failing =
+        script_search::failing(&coqc, &folder, scratch.path(), 60, LIMITS, &|_, _| ()).unwrap();
     let wanted: BTreeSet<String> = proved(&folder).map(|t| t.name()).collect();
     // What is printed follows all the same.
     let found: BTreeSet<String> = failing.keys().cloned().collect();
@@ -266,6 +267,7 @@ fn wrong_values_of_unknowns_prove_nothing() {
     };
     let folder = Folder::new(&[("p".to_owned(), vec![finding])], &BTreeMap::new());
     let scratch = with_library(&coqc);
-    let failing = trial::failing(&coqc, &folder, scratch.path(), 60, LIMITS, &|_, _| ()).unwrap();
+    let failing =
+        script_search::failing(&coqc, &folder, scratch.path(), 60, LIMITS, &|_, _| ()).unwrap();
     assert_eq!(failing.len(), 1);
 }

@@ -8,8 +8,8 @@ use std::sync::Arc;
 use torse_rocq::coqc::Answer;
 use torse_rocq::folder::{Folder, Layout};
 use torse_rocq::script::OTHERS;
+use torse_rocq::script_search;
 use torse_rocq::task::{Evidence, Finding};
-use torse_rocq::trial;
 use torse_syntax::derivation::{Claim, LoadError, Source, paper};
 use torse_syntax::taxonomy::Verdict;
 
@@ -168,7 +168,8 @@ fn false_statements_are_rejected_with_the_scripts_of_the_true_ones() {
     let claims = claims(&statements);
     let folder = folder(&claims, |place| PAIRS[place].2);
     let scratch = with_library(&coqc);
-    let failing = trial::failing(&coqc, &folder, scratch.path(), 20, LIMITS, &|_, _| ()).unwrap();
+    let failing =
+        script_search::failing(&coqc, &folder, scratch.path(), 20, LIMITS, &|_, _| ()).unwrap();
     // What is printed may follow all the same from what is not proved.
     let core = folder.theorems.iter().filter(|t| t.rests_on.is_none());
     let wanted: BTreeSet<String> = core.map(|t| t.name()).collect();
@@ -286,7 +287,7 @@ fn other_scripts_prove_what_follows_from_equations_and_nothing_else() {
         );
         let scratch = with_library(&coqc);
         let failing =
-            trial::failing(&coqc, &folder, scratch.path(), 40, LIMITS, &|_, _| ()).unwrap();
+            script_search::failing(&coqc, &folder, scratch.path(), 40, LIMITS, &|_, _| ()).unwrap();
         let failing: Vec<&String> = failing.keys().collect();
         assert_eq!(failing, ["P/Section_1.c1"], "{which}");
     }

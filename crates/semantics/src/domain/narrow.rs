@@ -4,8 +4,8 @@
 //! This finds points sooner and excludes none: whether all hypotheses are true is asked of every point all the same.
 
 use super::constraints::Constraint;
-use crate::gap::Work;
 use crate::name::Name;
+use crate::no_value::Work;
 use crate::real::Reals;
 use crate::tree::{Reading, Values};
 use std::collections::{BTreeMap, BTreeSet};

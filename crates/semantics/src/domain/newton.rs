@@ -5,9 +5,9 @@ use super::Domain;
 use super::stream::Stream;
 use crate::arithmetic::Arithmetic;
 use crate::expansion::{Expanded, Slope};
-use crate::gap::Gap;
 use crate::gradient::{Gradient, Gradients};
 use crate::name::Name;
+use crate::no_value::NoValue;
 use crate::tree::{Reading, Values};
 use num_traits::Zero;
 use std::cell::RefCell;
@@ -32,7 +32,7 @@ pub(crate) fn expanded<A: Arithmetic>(
     base: A,
     value: &dyn Fn(&Name) -> Option<A::Number>,
     moves: &dyn Fn(&Name) -> bool,
-) -> Result<Expanded<A::Number>, Gap> {
+) -> Result<Expanded<A::Number>, NoValue> {
     let gradients = Gradients::new(base);
     let known = RefCell::new(BTreeMap::new());
     let values = |name: &Name| {
@@ -69,7 +69,7 @@ pub(crate) fn differences<A: Arithmetic>(
     equations: &[Equation<'_>],
     a: &A,
     value: &dyn Fn(&Name) -> Option<A::Number>,
-) -> Result<Vec<A::Number>, Gap> {
+) -> Result<Vec<A::Number>, NoValue> {
     let values = Values {
         number: value,
         near: false,

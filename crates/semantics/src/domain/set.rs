@@ -2,7 +2,7 @@
 
 use super::stream::Stream;
 use crate::arithmetic::Arithmetic;
-use crate::gap::Work;
+use crate::no_value::Work;
 use crate::real::{Real, Reals};
 use std::cmp::Ordering;
 use torse_numbers::Rational;

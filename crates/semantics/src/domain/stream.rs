@@ -1,7 +1,7 @@
 //! A source of choices without state: each is a function of the seed, the number of the attempt and a label.
 
 use crate::name::Name;
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 
 /// The choices of one attempt.
 #[derive(Debug, Clone)]
@@ -88,7 +88,7 @@ impl Stream {
         let Ok(modulus @ 1..) = u64::try_from(count) else {
             return 0;
         };
-        if planted(Planted::StreamDegenerate) {
+        if injected(InjectedFault::StreamDegenerate) {
             return 0;
         }
         let choice = mixed(hashed(self.start, label.as_bytes())) % modulus;

@@ -2,7 +2,7 @@
 
 use super::Quotient;
 use super::sum::{Sum, Variable};
-use crate::gap::{Gap, Unknown, Work};
+use crate::no_value::{NoValue, Unknown, Work};
 use num_traits::Signed;
 use std::collections::BTreeMap;
 use torse_numbers::rational::integer;
@@ -11,9 +11,9 @@ use torse_numbers::rational::integer;
 const MAX_MULTIPLE: i64 = 24;
 
 /// The exponential of a quotient.
-pub(super) fn of(exponent: &Quotient, work: &Work) -> Result<Quotient, Gap> {
+pub(super) fn exponential_quotient(exponent: &Quotient, work: &Work) -> Result<Quotient, NoValue> {
     let unknown = || {
-        Gap::from(Unknown::NotCovered {
+        NoValue::from(Unknown::NotCovered {
             what: "the exponential of this formula",
         })
     };

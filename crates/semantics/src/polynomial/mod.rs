@@ -5,8 +5,8 @@ mod sum;
 mod turn;
 
 use crate::arithmetic::Arithmetic;
-use crate::gap::{Gap, Undefined, Unknown, Work};
 use crate::name::Name;
+use crate::no_value::{NoValue, Undefined, Unknown, Work};
 use num_traits::{One, Signed, Zero};
 use sum::{Sum, Variable};
 use torse_numbers::rational::integer;
@@ -51,7 +51,7 @@ impl Quotient {
     }
 
     /// With a constant denominator divided out, and zero over one.
-    fn tidy(above: Sum, below: Sum) -> Result<Self, Gap> {
+    fn tidy(above: Sum, below: Sum) -> Result<Self, NoValue> {
         match below.as_constant() {
             Some(number) if number.is_zero() => Err(Undefined::ZeroDivisor.into()),
             Some(number) if number.is_one() => Ok(above.into()),
@@ -61,7 +61,7 @@ impl Quotient {
         }
     }
 
-    fn plus(&self, other: &Self, work: &Work) -> Result<Self, Gap> {
+    fn plus(&self, other: &Self, work: &Work) -> Result<Self, NoValue> {
         work.spend(u64::try_from(self.above.len() + other.above.len()).unwrap_or(u64::MAX))?;
         if self.below == other.below {
             return Self::tidy(self.above.plus(&other.above), self.below.clone());
@@ -78,14 +78,14 @@ impl Quotient {
         }
     }
 
-    fn times(&self, other: &Self, work: &Work) -> Result<Self, Gap> {
+    fn times(&self, other: &Self, work: &Work) -> Result<Self, NoValue> {
         Self::tidy(
             self.above.times(&other.above, work)?,
             self.below.times(&other.below, work)?,
         )
     }
 
-    fn over(&self, other: &Self, work: &Work) -> Result<Self, Gap> {
+    fn over(&self, other: &Self, work: &Work) -> Result<Self, NoValue> {
         Self::tidy(
             self.above.times(&other.below, work)?,
             self.below.times(&other.above, work)?,
@@ -118,7 +118,7 @@ impl Arithmetic for Polynomials<'_> {
         Sum::variable(Variable::Pi).into()
     }
 
-    fn plus(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, Gap> {
+    fn plus(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, NoValue> {
         a.plus(b, self.work)
     }
 
@@ -126,24 +126,24 @@ impl Arithmetic for Polynomials<'_> {
         a.negated()
     }
 
-    fn times(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, Gap> {
+    fn times(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, NoValue> {
         a.times(b, self.work)
     }
 
-    fn over(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, Gap> {
+    fn over(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, NoValue> {
         a.over(b, self.work)
     }
 
-    fn square_root(&self, a: &Quotient) -> Result<Quotient, Gap> {
+    fn square_root(&self, a: &Quotient) -> Result<Quotient, NoValue> {
         root(a, self.work)
     }
 
-    fn sine_cosine(&self, a: &Quotient) -> Result<(Quotient, Quotient), Gap> {
+    fn sine_cosine(&self, a: &Quotient) -> Result<(Quotient, Quotient), NoValue> {
         turn::sine_cosine(a, self.work)
     }
 
-    fn exponential(&self, a: &Quotient) -> Result<Quotient, Gap> {
-        exponential::of(a, self.work)
+    fn exponential(&self, a: &Quotient) -> Result<Quotient, NoValue> {
+        exponential::exponential_quotient(a, self.work)
     }
 
     fn is_zero(&self, a: &Quotient) -> Option<bool> {
@@ -160,8 +160,8 @@ impl Arithmetic for Polynomials<'_> {
 }
 
 /// The square root of a rational number that is not negative: `sqrt(p/q) = sqrt(p q)/q`, squares pulled out.
-fn root(value: &Quotient, work: &Work) -> Result<Quotient, Gap> {
-    let large = || Gap::from(Unknown::Large { what: "a root" });
+fn root(value: &Quotient, work: &Work) -> Result<Quotient, NoValue> {
+    let large = || NoValue::from(Unknown::Large { what: "a root" });
     let number = value.as_constant().ok_or(Unknown::NotCovered {
         what: "a square root of a formula",
     })?;

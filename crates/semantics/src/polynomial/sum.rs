@@ -5,8 +5,8 @@
 //! `sin^2 = 1 - cos^2` and `sqrt(p)^2 = p` applied to every monomial a polynomial without terms is zero as a function,
 //! and no other one is: the remaining monomials are independent over the rational numbers.
 
-use crate::gap::{Gap, Work};
 use crate::name::Name;
+use crate::no_value::{NoValue, Work};
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;
 use torse_numbers::Rational;
@@ -129,7 +129,7 @@ impl Sum {
         Self(self.terms().map(term).collect())
     }
 
-    pub fn times(&self, other: &Self, work: &Work) -> Result<Self, Gap> {
+    pub fn times(&self, other: &Self, work: &Work) -> Result<Self, NoValue> {
         let products = self.len().saturating_mul(other.len());
         work.spend(u64::try_from(products).unwrap_or(u64::MAX))?;
         let mut sum = Self::default();

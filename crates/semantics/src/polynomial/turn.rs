@@ -2,7 +2,7 @@
 
 use super::Quotient;
 use super::sum::{Angle, Sum, Variable};
-use crate::gap::{Gap, Unknown, Work};
+use crate::no_value::{NoValue, Unknown, Work};
 use num_traits::One;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
@@ -14,9 +14,9 @@ type Pair = (Quotient, Quotient);
 
 /// `(sin, cos)` of an angle in radians: integer multiples of variables and of their quarter turns, and
 /// multiples of pi/12.
-pub(super) fn sine_cosine(angle: &Quotient, work: &Work) -> Result<Pair, Gap> {
+pub(super) fn sine_cosine(angle: &Quotient, work: &Work) -> Result<Pair, NoValue> {
     let unknown = || {
-        Gap::from(Unknown::NotCovered {
+        NoValue::from(Unknown::NotCovered {
             what: "sine or cosine of this angle",
         })
     };
@@ -44,7 +44,7 @@ pub(super) fn sine_cosine(angle: &Quotient, work: &Work) -> Result<Pair, Gap> {
 }
 
 /// `sin(a + b) = sin a cos b + cos a sin b`, `cos(a + b) = cos a cos b - sin a sin b`.
-fn added(a: &Pair, b: &Pair, work: &Work) -> Result<Pair, Gap> {
+fn added(a: &Pair, b: &Pair, work: &Work) -> Result<Pair, NoValue> {
     let sine = a.0.times(&b.1, work)?.plus(&a.1.times(&b.0, work)?, work)?;
     let product = a.0.times(&b.0, work)?;
     let cosine = a.1.times(&b.1, work)?.plus(&product.negated(), work)?;
@@ -56,7 +56,7 @@ fn multiple(
     variable: &dyn Fn(fn(crate::name::Name, Angle) -> Variable) -> Variable,
     times: &Rational,
     work: &Work,
-) -> Result<Option<Pair>, Gap> {
+) -> Result<Option<Pair>, NoValue> {
     let whole = times
         .is_integer()
         .then(|| i64::try_from(&times.to_integer()).ok())
@@ -79,7 +79,7 @@ fn multiple(
 }
 
 /// `(sin, cos)` of this multiple of pi.
-fn constant(multiple: &Rational, work: &Work) -> Result<Option<Pair>, Gap> {
+fn constant(multiple: &Rational, work: &Work) -> Result<Option<Pair>, NoValue> {
     let twelfths = multiple * integer(12);
     if !twelfths.is_integer() {
         return Ok(None);
@@ -95,7 +95,7 @@ fn constant(multiple: &Rational, work: &Work) -> Result<Option<Pair>, Gap> {
 }
 
 /// `sin(n pi/12)`.
-fn sine_of_twelfths(n: i64, work: &Work) -> Result<Quotient, Gap> {
+fn sine_of_twelfths(n: i64, work: &Work) -> Result<Quotient, NoValue> {
     let n = n.rem_euclid(24);
     if n > 12 {
         return Ok(sine_of_twelfths(n - 12, work)?.negated());

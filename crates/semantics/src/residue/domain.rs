@@ -7,9 +7,9 @@ use crate::domain::constraints::is_equations;
 use crate::domain::draft::Draft;
 use crate::domain::point::check_sets;
 use crate::domain::sort::sorted;
-use crate::gap::{Unknown, Work};
 use crate::judge::Judge;
 use crate::judgement::Judgement;
+use crate::no_value::{Unknown, Work};
 
 /// What came of drawing a point.
 pub(crate) enum Drawn<'d, 'a> {

@@ -20,7 +20,7 @@ pub(crate) mod field;
 mod point;
 
 use crate::arithmetic::Arithmetic;
-use crate::gap::{Gap, Undefined, Unknown, Work};
+use crate::no_value::{NoValue, Undefined, Unknown, Work};
 use crate::real::Real;
 use field::{ORDER, PRIME, ROOT};
 use torse_numbers::Rational;
@@ -49,7 +49,7 @@ pub(crate) struct Residues<'a> {
     pub work: &'a Work,
 }
 
-fn missing() -> Gap {
+fn missing() -> NoValue {
     Unknown::NotCovered {
         what: "a number without a residue",
     }
@@ -57,7 +57,7 @@ fn missing() -> Gap {
 }
 
 impl Residue {
-    fn class(self) -> Result<u64, Gap> {
+    fn class(self) -> Result<u64, NoValue> {
         match self {
             Self::Class(class) => Ok(class),
             Self::Missing => Err(missing()),
@@ -103,7 +103,7 @@ impl Arithmetic for Residues<'_> {
 
     // As for exact numbers, nothing is spent where a summand is zero or a factor zero or one.
 
-    fn plus(&self, a: &Residue, b: &Residue) -> Result<Residue, Gap> {
+    fn plus(&self, a: &Residue, b: &Residue) -> Result<Residue, NoValue> {
         let (a, b) = (a.class()?, b.class()?);
         if a != 0 && b != 0 {
             self.work.spend(1)?;
@@ -118,7 +118,7 @@ impl Arithmetic for Residues<'_> {
         }
     }
 
-    fn times(&self, a: &Residue, b: &Residue) -> Result<Residue, Gap> {
+    fn times(&self, a: &Residue, b: &Residue) -> Result<Residue, NoValue> {
         let (a, b) = (a.class()?, b.class()?);
         if a > 1 && b > 1 {
             self.work.spend(1)?;
@@ -126,7 +126,7 @@ impl Arithmetic for Residues<'_> {
         Ok(Residue::Class(field::product(a, b)))
     }
 
-    fn over(&self, a: &Residue, b: &Residue) -> Result<Residue, Gap> {
+    fn over(&self, a: &Residue, b: &Residue) -> Result<Residue, NoValue> {
         self.work.spend(2)?;
         let inverse = field::inverse(b.class()?).ok_or(Undefined::ZeroDivisor)?;
         Ok(Residue::Class(field::product(a.class()?, inverse)))
@@ -134,7 +134,7 @@ impl Arithmetic for Residues<'_> {
 
     /// Of squares of rational numbers alone: which of two residues with the same square is the positive root cannot be
     /// told.
-    fn square_root(&self, a: &Residue) -> Result<Residue, Gap> {
+    fn square_root(&self, a: &Residue) -> Result<Residue, NoValue> {
         self.work.spend(4)?;
         let root = field::simple(a.class()?, LARGEST_PART * LARGEST_PART / 2);
         let root = root.and_then(|(u, v)| ratio(square_root(u)?, square_root(v)?));
@@ -142,7 +142,7 @@ impl Arithmetic for Residues<'_> {
     }
 
     /// Of rational multiples of pi: `sin a = (w - 1/w)/(2 i)` and `cos a = (w + 1/w)/2` with a root of unity w.
-    fn sine_cosine(&self, a: &Residue) -> Result<(Residue, Residue), Gap> {
+    fn sine_cosine(&self, a: &Residue) -> Result<(Residue, Residue), NoValue> {
         self.work.spend(16)?;
         let pi = field::inverse(PI).ok_or_else(missing)?;
         let turns = field::simple(field::product(a.class()?, pi), LARGEST_PART);
@@ -163,7 +163,7 @@ impl Arithmetic for Residues<'_> {
     }
 
     /// Of zero alone.
-    fn exponential(&self, a: &Residue) -> Result<Residue, Gap> {
+    fn exponential(&self, a: &Residue) -> Result<Residue, NoValue> {
         match a.class()? {
             0 => Ok(Residue::Class(1)),
             _ => Err(missing()),
@@ -252,7 +252,7 @@ mod tests {
     fn what_has_no_residue_is_not_guessed() {
         let work = Work::new(1_000_000);
         let a = Residues { work: &work };
-        let missing = |found: Result<Residue, Gap>| assert_eq!(found, Err(missing()));
+        let missing = |found: Result<Residue, NoValue>| assert_eq!(found, Err(missing()));
         let two = a.rational(&integer(2));
         missing(a.square_root(&two));
         missing(a.square_root(&a.rational(&integer(-4))));

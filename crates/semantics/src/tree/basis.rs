@@ -3,8 +3,8 @@
 use super::environment::{Environment, Part};
 use super::evaluate::{Evaluator, Outcome};
 use crate::arithmetic::Arithmetic;
-use crate::gap::{Gap, Undefined, Unknown};
 use crate::name::Name;
+use crate::no_value::{NoValue, Undefined, Unknown};
 use crate::series::Series;
 use crate::value::Value;
 use std::rc::Rc;
@@ -37,7 +37,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             && dimension.is_some_and(|n| n > 1);
         let (indices, entry) = indices.split_at(indices.len() - usize::from(has_entry));
         if !ranges.is_empty() && indices.len() != ranges.len() {
-            return Err(Gap::shape("a number of indices"));
+            return Err(NoValue::shape("a number of indices"));
         }
         let indices = indices.iter().map(|i| self.integer(i, "an index", place));
         let indices: Vec<i64> = indices.collect::<Result<_, _>>()?;
@@ -59,7 +59,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         name: &str,
         ranges: &[(Affine, Affine)],
         indices: &[i64],
-    ) -> Result<(), Gap> {
+    ) -> Result<(), NoValue> {
         for (index, (low, high)) in indices.iter().zip(ranges) {
             let (low, high) = (self.form(low)?, self.form(high)?);
             if !(low..=high).contains(index) {
@@ -76,7 +76,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// The value of an index form at the point.
-    pub(super) fn form(&self, form: &Affine) -> Result<i64, Gap> {
+    pub(super) fn form(&self, form: &Affine) -> Result<i64, NoValue> {
         let large = || Unknown::Large { what: "a bound" };
         let mut total = form.constant();
         for (name, multiple) in form.multiples() {
@@ -113,7 +113,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         place: &Place<'a, A>,
     ) -> Outcome<A> {
         let [index, degree] = indices else {
-            return Err(Gap::shape("a number of indices"));
+            return Err(NoValue::shape("a number of indices"));
         };
         let mut values = vec![];
         for argument in arguments {
@@ -133,9 +133,9 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         basis: &'a Basis,
         from: usize,
         place: &Place<'a, A>,
-    ) -> Result<Vec<Value<A::Number>>, Gap> {
+    ) -> Result<Vec<Value<A::Number>>, NoValue> {
         if from > basis.parameters.len() + 1 {
-            return Err(Gap::shape("a number of arguments"));
+            return Err(NoValue::shape("a number of arguments"));
         }
         let names = std::iter::once(&basis.variable).chain(&basis.parameters);
         let outside = place.outside();
@@ -153,7 +153,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         degree: i64,
         arguments: Vec<Value<A::Number>>,
         place: &Place<'a, A>,
-    ) -> Result<Row<A>, Gap> {
+    ) -> Result<Row<A>, NoValue> {
         let least = i64::from(basis.degree);
         if degree < least || (basis.is_list && degree != least) {
             return Err(Undefined::BelowSeeds {
@@ -168,7 +168,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
         let outside = place.outside();
         let Some(first) = basis.seeds.first() else {
-            return Err(Gap::shape("a basis without functions"));
+            return Err(NoValue::shape("a basis without functions"));
         };
         let parts = || {
             let steps = [&basis.step.0, &basis.step.1];
@@ -191,7 +191,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         basis: &'a Basis,
         degree: i64,
         inside: &Place<'a, A>,
-    ) -> Result<Vec<Series<A::Number>>, Gap> {
+    ) -> Result<Vec<Series<A::Number>>, NoValue> {
         let a = self.arithmetic;
         let _deeper = self.deeper()?;
         let seeds = basis.seeds.iter();

@@ -5,7 +5,7 @@
 use super::environment::{Chain, Environment, Moved, Part};
 use super::evaluate::Evaluator;
 use crate::arithmetic::Arithmetic;
-use crate::gap::{Gap, Undefined, Unknown};
+use crate::no_value::{NoValue, Undefined, Unknown};
 use crate::series::Series;
 use crate::value::Value;
 use std::rc::Rc;
@@ -67,7 +67,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         &self,
         tree: &'a Expr,
         place: &Place<'a, A>,
-    ) -> Result<Option<Function<'a, A>>, Gap> {
+    ) -> Result<Option<Function<'a, A>>, NoValue> {
         match &tree.node {
             Node::Name(name) => self.named_function(name, place),
             Node::Call(head, arguments) => {
@@ -95,7 +95,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         &self,
         name: &'a str,
         place: &Place<'a, A>,
-    ) -> Result<Option<Function<'a, A>>, Gap> {
+    ) -> Result<Option<Function<'a, A>>, NoValue> {
         if place.local(name).is_some() {
             return Ok(None);
         }
@@ -137,7 +137,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         inner: &'a Expr,
         rest: &'a [Expr],
         place: &Place<'a, A>,
-    ) -> Result<Option<Function<'a, A>>, Gap> {
+    ) -> Result<Option<Function<'a, A>>, NoValue> {
         let Some(function) = self.function(inner, place)? else {
             return Ok(None);
         };
@@ -149,7 +149,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         let by = match rest.first().map(|name| &name.node) {
             None => Some(0),
             Some(Node::Name(name)) => parameters.iter().position(|p| p == name),
-            Some(_) => return Err(Gap::shape("a formula to differentiate by")),
+            Some(_) => return Err(NoValue::shape("a formula to differentiate by")),
         };
         if let Some(parameter) = by {
             return Ok(Some(Rc::new(Closure::ByParameter {
@@ -172,13 +172,17 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// A name by which something is differentiated or integrated.
-    pub(super) fn variable(&self, name: &'a Expr, place: &Place<'a, A>) -> Result<&'a str, Gap> {
+    pub(super) fn variable(
+        &self,
+        name: &'a Expr,
+        place: &Place<'a, A>,
+    ) -> Result<&'a str, NoValue> {
         let Node::Name(name) = &name.node else {
-            return Err(Gap::shape("a formula where a name is needed"));
+            return Err(NoValue::shape("a formula where a name is needed"));
         };
         if let Some(local) = place.local(name) {
             return match local.is_index {
-                true => Err(Gap::shape("an index where a variable is needed")),
+                true => Err(NoValue::shape("an index where a variable is needed")),
                 false => Ok(name),
             };
         }
@@ -208,10 +212,10 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         name: &'a Expr,
         point: &'a Expr,
         place: &Place<'a, A>,
-    ) -> Result<Place<'a, A>, Gap> {
+    ) -> Result<Place<'a, A>, NoValue> {
         let value = self.value(point, place)?;
         let Node::Name(name) = &name.node else {
-            return Err(Gap::shape("a formula where a name is needed"));
+            return Err(NoValue::shape("a formula where a name is needed"));
         };
         if let Some(local) = place.local(name) {
             return Ok(place.with_local(name, value, local.is_index));
@@ -230,7 +234,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         &self,
         function: &Closure<'a, A::Number>,
         mut arguments: Vec<Value<A::Number>>,
-    ) -> Result<Value<A::Number>, Gap> {
+    ) -> Result<Value<A::Number>, NoValue> {
         match function {
             Closure::Body { definition, moved } => self.called(definition, moved, arguments),
             Closure::ByParameter {
@@ -239,7 +243,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                 order,
             } => {
                 let slot = arguments.get(*parameter).cloned();
-                let slot = slot.ok_or_else(|| Gap::shape("a number of arguments"))?;
+                let slot = slot.ok_or_else(|| NoValue::shape("a number of arguments"))?;
                 self.derivative(*order, &slot.number()?, |moved| {
                     if let Some(slot) = arguments.get_mut(*parameter) {
                         *slot = Value::Number(moved);
@@ -261,7 +265,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             }),
             Closure::Given { name } => {
                 let [argument] = arguments.as_slice() else {
-                    return Err(Gap::shape("a number of arguments"));
+                    return Err(NoValue::shape("a number of arguments"));
                 };
                 self.smooth_value(name, &argument.clone().number()?)
             }
@@ -276,8 +280,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         &self,
         order: i64,
         point: &Series<A::Number>,
-        inside: impl FnOnce(Series<A::Number>) -> Result<Value<A::Number>, Gap>,
-    ) -> Result<Value<A::Number>, Gap> {
+        inside: impl FnOnce(Series<A::Number>) -> Result<Value<A::Number>, NoValue>,
+    ) -> Result<Value<A::Number>, NoValue> {
         let a = self.arithmetic;
         let what = "the order of a derivative";
         if order < 0 {
@@ -299,8 +303,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     /// Runs `inside` with a level of its own, and checks that its result has none as high.
     pub(super) fn at_new_level(
         &self,
-        inside: impl FnOnce(usize) -> Result<Value<A::Number>, Gap>,
-    ) -> Result<Value<A::Number>, Gap> {
+        inside: impl FnOnce(usize) -> Result<Value<A::Number>, NoValue>,
+    ) -> Result<Value<A::Number>, NoValue> {
         let outer = self.level.get();
         self.level.set(outer + 1);
         let value = inside(outer + 1);
@@ -312,7 +316,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
 
     /// Fails where an infinitesimal above this level occurs: it was to be gone. This never happens unless the evaluator is
     /// wrong.
-    fn check_levels(&self, value: &Value<A::Number>, most: usize) -> Result<(), Gap> {
+    fn check_levels(&self, value: &Value<A::Number>, most: usize) -> Result<(), NoValue> {
         match value.numbers().iter().all(|series| series.level() <= most) {
             true => Ok(()),
             false => Err(Unknown::Confused.into()),
@@ -320,6 +324,6 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 }
 
-fn no_variable() -> Gap {
-    Gap::shape("a name that is no variable")
+fn no_variable() -> NoValue {
+    NoValue::shape("a name that is no variable")
 }

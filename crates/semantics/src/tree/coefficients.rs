@@ -6,8 +6,8 @@
 use super::environment::{Environment, Part};
 use super::evaluate::{Evaluator, Given, Outcome};
 use crate::arithmetic::Arithmetic;
-use crate::gap::{Gap, Undefined, Unknown};
 use crate::linear;
+use crate::no_value::{NoValue, Undefined, Unknown};
 use crate::series::Series;
 use crate::value::{Value, transposed};
 use torse_syntax::derivation::declarations::SymbolKind;
@@ -16,7 +16,7 @@ use torse_syntax::formula::{Connective, Expr, Node, Relation};
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 type Numbers<A> = Vec<Series<<A as Arithmetic>::Number>>;
 /// What forms are worth in an environment.
-type Values<'v, 'a, A> = dyn Fn(&Place<'a, A>) -> Result<Numbers<A>, Gap> + 'v;
+type Values<'v, 'a, A> = dyn Fn(&Place<'a, A>) -> Result<Numbers<A>, NoValue> + 'v;
 /// A number of the point: of which symbol, and which of its numbers.
 type Moving<'a> = (&'a str, Part);
 
@@ -71,7 +71,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         order: usize,
         place: &Place<'a, A>,
         value: &Values<'_, 'a, A>,
-    ) -> Result<(Numbers<A>, Numbers<A>), Gap> {
+    ) -> Result<(Numbers<A>, Numbers<A>), NoValue> {
         let a = self.arithmetic;
         let own = self.symbol(symbol, part, place)?;
         let mut second = vec![];
@@ -92,7 +92,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         part: &Moving<'a>,
         place: &Place<'a, A>,
         value: &Values<'_, 'a, A>,
-    ) -> Result<Numbers<A>, Gap> {
+    ) -> Result<Numbers<A>, NoValue> {
         let (first, second) = self.rates(part, 2, place, value)?;
         for coefficient in &second {
             match coefficient.is_zero(self.arithmetic) {
@@ -104,7 +104,11 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(first)
     }
 
-    fn unknowns(&self, given: &Given<'a>, place: &Place<'a, A>) -> Result<Vec<Moving<'a>>, Gap> {
+    fn unknowns(
+        &self,
+        given: &Given<'a>,
+        place: &Place<'a, A>,
+    ) -> Result<Vec<Moving<'a>>, NoValue> {
         let mut all = vec![];
         for unknown in &given.unknowns {
             all.extend(self.moving_parts(unknown, &place.outside())?);
@@ -118,7 +122,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         given: &Given<'a>,
         moving: &[Moving<'a>],
         place: &Place<'a, A>,
-    ) -> Result<Vec<Numbers<A>>, Gap> {
+    ) -> Result<Vec<Numbers<A>>, NoValue> {
         let a = self.arithmetic;
         let free = self.unknowns(given, place)?;
         if moving.iter().any(|part| free.contains(part)) {
@@ -140,7 +144,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             }
             Ok(gaps)
         };
-        let columns = |parts: &[Moving<'a>]| -> Result<Vec<Numbers<A>>, Gap> {
+        let columns = |parts: &[Moving<'a>]| -> Result<Vec<Numbers<A>>, NoValue> {
             let each = parts
                 .iter()
                 .map(|part| self.rates(part, 1, &outside, &gaps));
@@ -156,7 +160,11 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// The equations that a hypothesis consists of, be it the name of a definition.
-    fn equations(&self, tree: &'a Expr, all: &mut Vec<(&'a Expr, &'a Expr)>) -> Result<(), Gap> {
+    fn equations(
+        &self,
+        tree: &'a Expr,
+        all: &mut Vec<(&'a Expr, &'a Expr)>,
+    ) -> Result<(), NoValue> {
         match &tree.node {
             Node::Join(Connective::And, a, b) => {
                 self.equations(a, all)?;
@@ -187,8 +195,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         &self,
         tree: &'a Expr,
         place: &Place<'a, A>,
-    ) -> Result<Vec<Moving<'a>>, Gap> {
-        let none = || Gap::shape("a formula where a symbol is needed");
+    ) -> Result<Vec<Moving<'a>>, NoValue> {
+        let none = || NoValue::shape("a formula where a symbol is needed");
         match &tree.node {
             Node::List(items) => {
                 let items = items.iter().map(|item| self.moving_parts(item, place));

@@ -11,8 +11,8 @@ use super::judge::Reading;
 use super::outline::{Outline, Piece, word};
 use crate::domain::set;
 use crate::domain::stream::Stream;
-use crate::gap::Gap;
 use crate::name::Name;
+use crate::no_value::NoValue;
 use crate::scrambled::{Class, Scrambled};
 use crate::value::Value;
 use std::cell::RefCell;
@@ -133,8 +133,8 @@ impl<'s, 'e> Compared<'s, 'e> {
     /// The value of a formula where nothing is bound, as the statement reads it.
     ///
     /// # Errors
-    /// [`Gap`] where it has no value, or none that is known.
-    pub fn value(&self, tree: &'s Expr) -> Result<Value<Class>, Gap> {
+    /// [`NoValue`] where it has no value, or none that is known.
+    pub fn value(&self, tree: &'s Expr) -> Result<Value<Class>, NoValue> {
         self.statement.value(tree, &Environment::outermost())
     }
 
@@ -154,7 +154,7 @@ impl<'s, 'e> Compared<'s, 'e> {
     }
 
     /// The unknowns of the given equations.
-    pub fn unknowns(&self) -> Vec<Result<Value<Class>, Gap>> {
+    pub fn unknowns(&self) -> Vec<Result<Value<Class>, NoValue>> {
         let outermost = Environment::outermost();
         let all = self.reading.unknowns();
         all.map(|tree| self.hypotheses.value(tree, &outermost))

@@ -7,9 +7,9 @@ use super::environment::{Environment, Part};
 use super::jets::{Jets, Smooth};
 use super::memory::Memory;
 use crate::arithmetic::Arithmetic;
-use crate::gap::{Gap, Undefined, Unknown};
 use crate::judgement::Judgement;
 use crate::name::Name;
+use crate::no_value::{NoValue, Undefined, Unknown};
 use crate::series::Series;
 use crate::value::Value;
 use std::cell::{Cell, RefCell};
@@ -122,7 +122,7 @@ impl Drop for Deeper {
     }
 }
 
-pub(super) type Outcome<A> = Result<Value<<A as Arithmetic>::Number>, Gap>;
+pub(super) type Outcome<A> = Result<Value<<A as Arithmetic>::Number>, NoValue>;
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 
 impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
@@ -165,7 +165,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         }
     }
 
-    pub(super) fn deeper(&self) -> Result<Deeper, Gap> {
+    pub(super) fn deeper(&self) -> Result<Deeper, NoValue> {
         let depth = self.depth.get();
         if depth >= MAX_DEPTH {
             let what = "the depth of a formula";
@@ -182,7 +182,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
                 self.slipped(value)
             }
             Meaning::Value(value) => Ok(value),
-            Meaning::Statement(_) => Err(Gap::shape("a statement where a number is needed")),
+            Meaning::Statement(_) => Err(NoValue::shape("a statement where a number is needed")),
         }
     }
 
@@ -190,7 +190,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         &self,
         tree: &'a Expr,
         place: &Place<'a, A>,
-    ) -> Result<Series<A::Number>, Gap> {
+    ) -> Result<Series<A::Number>, NoValue> {
         self.value(tree, place)?.number()
     }
 
@@ -200,11 +200,11 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         tree: &'a Expr,
         what: &'static str,
         place: &Place<'a, A>,
-    ) -> Result<i64, Gap> {
+    ) -> Result<i64, NoValue> {
         self.whole(&self.number(tree, place)?, what)
     }
 
-    fn whole(&self, value: &Series<A::Number>, what: &'static str) -> Result<i64, Gap> {
+    fn whole(&self, value: &Series<A::Number>, what: &'static str) -> Result<i64, NoValue> {
         // What varies with the variable of a derivative is no integer near the point.
         let number = value.as_number().ok_or(Undefined::NotDifferentiable)?;
         let rational = self.arithmetic.as_rational(number);
@@ -224,7 +224,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         &self,
         tree: &'a Expr,
         place: &Place<'a, A>,
-    ) -> Result<Meaning<A::Number>, Gap> {
+    ) -> Result<Meaning<A::Number>, NoValue> {
         let _deeper = self.deeper()?;
         let a = self.arithmetic;
         Ok(Meaning::Value(match &tree.node {
@@ -248,18 +248,18 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
     pub(super) fn named_value(&self, name: &'a str, place: &Place<'a, A>) -> Outcome<A> {
         match self.named(name, place)? {
             Meaning::Value(value) => Ok(value),
-            Meaning::Statement(_) => Err(Gap::shape("a statement where a number is needed")),
+            Meaning::Statement(_) => Err(NoValue::shape("a statement where a number is needed")),
         }
     }
 
     /// What a name stands for: a binder, a moved symbol, a definition, a symbol, `pi`.
-    fn named(&self, name: &'a str, place: &Place<'a, A>) -> Result<Meaning<A::Number>, Gap> {
+    fn named(&self, name: &'a str, place: &Place<'a, A>) -> Result<Meaning<A::Number>, NoValue> {
         if let Some(local) = place.local(name) {
             return Ok(Meaning::Value(local.value.clone()));
         }
         if let Some(definition) = self.declarations.definition(name) {
             if !definition.parameters.is_empty() {
-                return Err(Gap::shape("a function where a number is needed"));
+                return Err(NoValue::shape("a function where a number is needed"));
             }
             let body = &definition.body.expr;
             let outside = place.outside();
@@ -275,7 +275,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
                 Value::vector((1..=*dimension).map(coordinate).collect::<Result<_, _>>()?)
             }
             Some(SymbolKind::Family { .. }) => {
-                return Err(Gap::shape("a family where a number is needed"));
+                return Err(NoValue::shape("a family where a number is needed"));
             }
             None if name == "pi" => Value::Number(Series::Number(self.arithmetic.pi())),
             None => return Err(no_value(name)),
@@ -288,7 +288,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         name: &'a str,
         part: &Part,
         place: &Place<'a, A>,
-    ) -> Result<Series<A::Number>, Gap> {
+    ) -> Result<Series<A::Number>, NoValue> {
         if !place.moved.is_empty()
             && let Some(moved) = place.moved(name, part)
         {
@@ -326,7 +326,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         head: &'a Expr,
         arguments: &'a [Expr],
         place: &Place<'a, A>,
-    ) -> Result<Meaning<A::Number>, Gap> {
+    ) -> Result<Meaning<A::Number>, NoValue> {
         if let Node::Index(family, indices) = &head.node
             && let Node::Name(name) = &family.node
             && let Some(basis) = self.basis_named(name, place)
@@ -344,10 +344,10 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
             && let Some(definition) = self.definition_named(name, place)
             && definition.indexed
         {
-            return Err(Gap::shape("a family at arguments in round brackets"));
+            return Err(NoValue::shape("a family at arguments in round brackets"));
         }
         let function = self.function(head, place)?;
-        let function = function.ok_or_else(|| Gap::shape("a number at arguments"))?;
+        let function = function.ok_or_else(|| NoValue::shape("a number at arguments"))?;
         let arguments = arguments.iter().map(|argument| self.value(argument, place));
         let arguments = arguments.collect::<Result<_, _>>()?;
         Ok(Meaning::Value(self.apply(&function, arguments)?))
@@ -369,7 +369,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         arguments: Vec<Value<A::Number>>,
     ) -> Outcome<A> {
         if arguments.len() != definition.parameters.len() {
-            return Err(Gap::shape("a number of arguments"));
+            return Err(NoValue::shape("a number of arguments"));
         }
         let outside = Environment {
             local: super::environment::Chain::new(),
@@ -423,7 +423,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         for index in indices {
             let index = self.integer(index, "an index", place)?;
             let Value::Many(items) = value else {
-                return Err(Gap::shape("an entry of a number"));
+                return Err(NoValue::shape("an entry of a number"));
             };
             let position = index.checked_sub(1).and_then(|p| usize::try_from(p).ok());
             let found = position.and_then(|p| items.get(p).cloned());
@@ -519,7 +519,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
     }
 }
 
-pub(super) fn no_value(name: &str) -> Gap {
+pub(super) fn no_value(name: &str) -> NoValue {
     Unknown::NoValue {
         name: name.to_owned(),
     }

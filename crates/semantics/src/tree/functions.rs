@@ -3,8 +3,8 @@
 use super::environment::Environment;
 use super::evaluate::{Evaluator, Meaning, Outcome};
 use crate::arithmetic::Arithmetic;
-use crate::gap::{Gap, Undefined, Unknown};
 use crate::linear;
+use crate::no_value::{NoValue, Undefined, Unknown};
 use crate::series::Series;
 use crate::value::{Value, dot, transposed};
 use std::ops::RangeInclusive;
@@ -29,7 +29,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         name: &str,
         arguments: &'a [Expr],
         place: &Place<'a, A>,
-    ) -> Result<Meaning<A::Number>, Gap> {
+    ) -> Result<Meaning<A::Number>, NoValue> {
         let a = self.arithmetic;
         let value = |tree: &'a Expr| self.value(tree, place);
         let number = |tree: &'a Expr| self.number(tree, place);
@@ -114,7 +114,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                 Value::matrix(linear::identity(usize::try_from(n).unwrap_or(0), a))
             }
             ("coefficients", [forms, symbols]) => self.coefficients(forms, symbols, place)?,
-            _ => return Err(Gap::shape("a number of arguments to the function")),
+            _ => return Err(NoValue::shape("a number of arguments to the function")),
         }))
     }
 
@@ -125,7 +125,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         high: &'a Expr,
         [what, bound]: [&'static str; 2],
         place: &Place<'a, A>,
-    ) -> Result<RangeInclusive<i64>, Gap> {
+    ) -> Result<RangeInclusive<i64>, NoValue> {
         let low = self.integer(low, bound, place)?;
         let high = self.integer(high, bound, place)?;
         if high.saturating_sub(low) >= MAX_TERMS {
@@ -141,7 +141,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         what: &'static str,
         most: i64,
         place: &Place<'a, A>,
-    ) -> Result<i64, Gap> {
+    ) -> Result<i64, NoValue> {
         match self.integer(tree, what, place)? {
             n if n < 0 => Err(Undefined::Negative { what }.into()),
             n if n > most => Err(Unknown::Large { what }.into()),
@@ -150,7 +150,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// `(exp(x) + exp(-x))/2`, `(exp(x) - exp(-x))/2`, and their quotient.
-    fn hyperbolic(&self, name: &str, x: &Number<A>) -> Result<Number<A>, Gap> {
+    fn hyperbolic(&self, name: &str, x: &Number<A>) -> Result<Number<A>, NoValue> {
         let a = self.arithmetic;
         let (up, down) = (x.exponential(a)?, x.negated(a).exponential(a)?);
         let two = Series::integer(2, a);
@@ -162,7 +162,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// `n (n-1) ... (n-j+1) / j!`, 0 for a negative j.
-    fn binomial(&self, n: &Number<A>, j: i64) -> Result<Number<A>, Gap> {
+    fn binomial(&self, n: &Number<A>, j: i64) -> Result<Number<A>, NoValue> {
         let a = self.arithmetic;
         if j < 0 {
             return Ok(Series::integer(0, a));
@@ -181,7 +181,9 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     fn cross(&self, x: &[Number<A>], y: &[Number<A>]) -> Outcome<A> {
         let a = self.arithmetic;
         let ([x1, x2, x3], [y1, y2, y3]) = (x, y) else {
-            return Err(Gap::shape("a cross product of vectors of other lengths"));
+            return Err(NoValue::shape(
+                "a cross product of vectors of other lengths",
+            ));
         };
         let minor = |p: &Number<A>, q: &Number<A>, r: &Number<A>, s: &Number<A>| {
             p.times(q, a)?.minus(&r.times(s, a)?, a)
@@ -207,9 +209,11 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 }
 
-fn index_name(index: &Expr) -> Result<&str, Gap> {
+fn index_name(index: &Expr) -> Result<&str, NoValue> {
     match &index.node {
         Node::Name(name) => Ok(name),
-        _ => Err(Gap::shape("a formula where the name of an index is needed")),
+        _ => Err(NoValue::shape(
+            "a formula where the name of an index is needed",
+        )),
     }
 }

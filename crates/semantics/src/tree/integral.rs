@@ -13,7 +13,7 @@
 
 use super::evaluate::{Evaluator, Outcome};
 use crate::arithmetic::{Arithmetic, Comparison};
-use crate::gap::{Gap, Undefined, Unknown};
+use crate::no_value::{NoValue, Undefined, Unknown};
 use crate::series::Series;
 use crate::value::Value;
 use torse_numbers::Rational;
@@ -61,7 +61,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// Fails where the integrand is seen to have no value.
-    fn look(&self, at: &dyn Fn(&Rational) -> Outcome<A>) -> Result<(), Gap> {
+    fn look(&self, at: &dyn Fn(&Rational) -> Outcome<A>) -> Result<(), NoValue> {
         let mut before: Option<Vec<(usize, Option<bool>)>> = None;
         for step in 0..=2 * LOOKED_AT {
             let share = Rational::new(step.into(), (2 * LOOKED_AT).into());
@@ -72,7 +72,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             match value {
                 Ok(_) => {}
                 // A root may begin there with all its values, and only its rates by the outer variable are missing.
-                Err(Gap::Undefined(Undefined::NotDifferentiable)) if self.level.get() > 0 => {
+                Err(NoValue::Undefined(Undefined::NotDifferentiable)) if self.level.get() > 0 => {
                     return Err(Unknown::Precision.into());
                 }
                 Err(gap) => return Err(gap),
@@ -109,7 +109,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         pieces: i64,
         order: u16,
         body: &dyn Fn(Number<A>) -> Outcome<A>,
-    ) -> Result<Option<Value<A::Number>>, Gap> {
+    ) -> Result<Option<Value<A::Number>>, NoValue> {
         let a = self.arithmetic;
         let part = |n: i64| Rational::new(n.into(), (2 * pieces).into());
         let half = part(1);
@@ -141,9 +141,9 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             let rest = match share(somewhere, order + 1, &[order + 1]) {
                 Ok(rest) => rest,
                 // Too little is known of a number of the whole piece.
-                Err(Gap::Unknown(Unknown::Precision)) => return Ok(None),
+                Err(NoValue::Unknown(Unknown::Precision)) => return Ok(None),
                 // What is undefined at a number of which only the piece is known need not be so anywhere.
-                Err(Gap::Undefined(_)) => return Ok(None),
+                Err(NoValue::Undefined(_)) => return Ok(None),
                 Err(gap) => return Err(gap),
             };
             let small = |x: &&Number<A>| x.all(&|number| a.is_negligible(number));

@@ -8,9 +8,9 @@ use super::statement::joined;
 use crate::arithmetic::Arithmetic;
 use crate::domain::set;
 use crate::domain::stream::Stream;
-use crate::gap::{Gap, Unknown};
 use crate::judgement::Judgement;
 use crate::name::Name;
+use crate::no_value::{NoValue, Unknown};
 use crate::real::Real;
 use crate::series::Series;
 use crate::value::Value;
@@ -165,7 +165,7 @@ impl<'a> Reading<'a> {
         tree: &Expr,
         arithmetic: &A,
         values: Values<'_, A::Number>,
-    ) -> Result<Value<A::Number>, Gap> {
+    ) -> Result<Value<A::Number>, NoValue> {
         self.at(arithmetic, values)
             .value(tree, &Environment::outermost())
     }
@@ -176,7 +176,7 @@ impl<'a> Reading<'a> {
         equations: &[(&Expr, &Expr)],
         a: &A,
         values: Values<'_, A::Number>,
-    ) -> Result<Vec<A::Number>, Gap> {
+    ) -> Result<Vec<A::Number>, NoValue> {
         let (at, outermost) = (self.at(a, values), Environment::outermost());
         let mut gaps = vec![];
         for (left, right) in equations {
@@ -194,7 +194,7 @@ impl<'a> Reading<'a> {
         tree: &Expr,
         arithmetic: &A,
         number: &dyn Fn(&Name) -> Option<A::Number>,
-    ) -> Result<Vec<Name>, Gap> {
+    ) -> Result<Vec<Name>, NoValue> {
         let values = Values {
             number,
             near: false,
@@ -332,7 +332,7 @@ fn is_member<'a, A: Arithmetic>(
     name: &'a str,
     interval: &Interval,
     place: &Place<'a, A>,
-) -> Result<Judgement, Gap> {
+) -> Result<Judgement, NoValue> {
     let a = at.arithmetic;
     let value = Value::Number(at.symbol(name, &Part::Whole, place)?);
     let mut all = Judgement::True;
@@ -349,7 +349,7 @@ fn is_member<'a, A: Arithmetic>(
         let number = Series::rational(&end.value.rational, a).plus(&turns, a)?;
         let relation = if end.closed { closed } else { open };
         let inside = at.related(relation, &value, &Value::Number(number))?;
-        all = joined(Connective::And, all, Judgement::of(inside));
+        all = joined(Connective::And, all, Judgement::from_truth(inside));
     }
     Ok(all)
 }

@@ -7,7 +7,7 @@
 use super::environment::Environment;
 use super::evaluate::Evaluator;
 use crate::arithmetic::Arithmetic;
-use crate::gap::Gap;
+use crate::no_value::NoValue;
 use crate::series::Series;
 use crate::value::Value;
 use torse_numbers::Rational;
@@ -20,7 +20,7 @@ pub enum Piece<T, N> {
     /// What joins or compares, or names a property.
     Word(String),
     /// A side, with the formula where it stands under no binder.
-    Value(Option<T>, Result<Value<N>, Gap>),
+    Value(Option<T>, Result<Value<N>, NoValue>),
 }
 
 /// Words and values.
@@ -163,7 +163,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         basis: &'a Basis,
         place: &Place<'a, A>,
         all: &mut Pieces<'a, A>,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), NoValue> {
         let arguments = self.left_out(basis, 0, place)?;
         let row = self.row(name, basis, i64::from(basis.degree), arguments, place)?;
         let ands = row.iter().skip(1);
@@ -184,7 +184,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         (basis, degrees): (&'a Basis, &'a [Expr]),
         place: &Place<'a, A>,
         all: &mut Pieces<'a, A>,
-    ) -> Result<(), Gap> {
+    ) -> Result<(), NoValue> {
         let degrees = degrees
             .iter()
             .map(|degree| self.integer(degree, "a degree", place));
@@ -214,7 +214,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// The number that an end of an interval is.
-    pub(super) fn end(&self, bound: &Bound) -> Result<Value<A::Number>, Gap> {
+    pub(super) fn end(&self, bound: &Bound) -> Result<Value<A::Number>, NoValue> {
         let a = self.arithmetic;
         let turns = Series::Number(a.pi()).times(&Series::rational(&bound.value.turns, a), a)?;
         let rational = Series::rational(&bound.value.rational, a);

@@ -9,9 +9,9 @@ use super::evaluate::Evaluator;
 use super::statement::both;
 use crate::arithmetic::{Arithmetic, Comparison};
 use crate::domain::stream::Stream;
-use crate::gap::{Gap, Unknown};
 use crate::judgement::Judgement;
 use crate::linear;
+use crate::no_value::{NoValue, Unknown};
 use crate::series::Series;
 use crate::value::Value;
 use torse_numbers::Rational;
@@ -54,14 +54,16 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         family: &'a Expr,
         degrees: &'a [Expr],
         place: &Place<'a, A>,
-    ) -> Result<Judgement, Gap> {
+    ) -> Result<Judgement, NoValue> {
         let Node::Name(name) = &family.node else {
-            return Err(Gap::shape("a formula where the name of a basis is needed"));
+            return Err(NoValue::shape(
+                "a formula where the name of a basis is needed",
+            ));
         };
         let basis = self.declarations.basis(name);
-        let basis = &**basis.ok_or_else(|| Gap::shape("a name that is no basis"))?;
+        let basis = &**basis.ok_or_else(|| NoValue::shape("a name that is no basis"))?;
         if !place.moved.is_empty() && place.moved.iter().any(|m| m.symbol == basis.variable) {
-            return Err(Gap::shape("a value for the variable of a basis"));
+            return Err(NoValue::shape("a value for the variable of a basis"));
         }
         let shaped = Shaped {
             name,
@@ -79,7 +81,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                 let to = self.integer(to, what, place)?;
                 from..=to.min(from + 2 * DEGREES)
             }
-            _ => return Err(Gap::shape("a number of arguments")),
+            _ => return Err(NoValue::shape("a number of arguments")),
         };
         let mut all = Some(true);
         for degree in degrees {
@@ -90,7 +92,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             };
             all = both(all, found);
         }
-        Ok(Judgement::of(all))
+        Ok(Judgement::from_truth(all))
     }
 
     /// The functions at a value of the variable.
@@ -99,7 +101,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         shaped: &Shaped<'a, '_, A>,
         degree: i64,
         variable: Series<A::Number>,
-    ) -> Result<Vec<Series<A::Number>>, Gap> {
+    ) -> Result<Vec<Series<A::Number>>, NoValue> {
         let mut arguments = vec![Value::Number(variable)];
         arguments.extend(shaped.parameters.iter().cloned());
         let row = self.row(shaped.name, shaped.basis, degree, arguments, shaped.place)?;
@@ -107,14 +109,14 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// The ends of the declared set of the variable, and whether they belong to it.
-    fn ends(&self, basis: &'a Basis) -> Result<Ends<A>, Gap> {
+    fn ends(&self, basis: &'a Basis) -> Result<Ends<A>, NoValue> {
         let a = self.arithmetic;
         let interval = match self.declarations.symbol(&basis.variable) {
             Some(SymbolKind::Real(interval)) => Some(interval),
             _ => None,
         };
         let end = |number: Option<&'a Bound>, formula: Option<&'a End>| {
-            Ok::<_, Gap>(match (number, formula) {
+            Ok::<_, NoValue>(match (number, formula) {
                 (Some(bound), _) => Some((self.constant(&bound.value)?, bound.closed)),
                 (None, Some(end)) => {
                     let value = self.number(&end.formula.expr, &Environment::outermost())?;
@@ -146,7 +148,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         })
     }
 
-    fn constant(&self, constant: &Constant) -> Result<Series<A::Number>, Gap> {
+    fn constant(&self, constant: &Constant) -> Result<Series<A::Number>, NoValue> {
         let a = self.arithmetic;
         let turns = Series::Number(a.pi()).times(&Series::rational(&constant.turns, a), a)?;
         Series::rational(&constant.rational, a).plus(&turns, a)
@@ -157,13 +159,17 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         &self,
         [(low, _), (high, _)]: &[(Series<A::Number>, bool); 2],
         share: &Rational,
-    ) -> Result<Series<A::Number>, Gap> {
+    ) -> Result<Series<A::Number>, NoValue> {
         let a = self.arithmetic;
         let way = high.minus(low, a)?.times(&Series::rational(share, a), a)?;
         low.plus(&way, a)
     }
 
-    fn is_nonnegative(&self, shaped: &Shaped<'a, '_, A>, degree: i64) -> Result<Option<bool>, Gap> {
+    fn is_nonnegative(
+        &self,
+        shaped: &Shaped<'a, '_, A>,
+        degree: i64,
+    ) -> Result<Option<bool>, NoValue> {
         let ends = self.ends(shaped.basis)?;
         let closed = ends.iter().filter(|(_, closed)| *closed);
         let mut values: Vec<_> = closed.map(|(value, _)| value.clone()).collect();
@@ -183,7 +189,11 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// Functions are independent if the determinant of their values at as many arguments is not zero.
-    fn is_independent(&self, shaped: &Shaped<'a, '_, A>, degree: i64) -> Result<Option<bool>, Gap> {
+    fn is_independent(
+        &self,
+        shaped: &Shaped<'a, '_, A>,
+        degree: i64,
+    ) -> Result<Option<bool>, NoValue> {
         let ends = self.ends(shaped.basis)?;
         let mut all = Some(false);
         for trial in 0..3 {
@@ -207,12 +217,14 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     /// as many arguments as there are functions is zero, each time that arguments are drawn. Of independent functions that
     /// happens by an accident alone, whose chance is about the degree of the functions divided by the number of arguments that
     /// may be drawn, each time.
-    pub(crate) fn are_dependent(&self, family: &'a Expr, degree: i64) -> Result<bool, Gap> {
+    pub(crate) fn are_dependent(&self, family: &'a Expr, degree: i64) -> Result<bool, NoValue> {
         let Node::Name(name) = &family.node else {
-            return Err(Gap::shape("a formula where the name of a basis is needed"));
+            return Err(NoValue::shape(
+                "a formula where the name of a basis is needed",
+            ));
         };
         let basis = self.declarations.basis(name);
-        let basis = &**basis.ok_or_else(|| Gap::shape("a name that is no basis"))?;
+        let basis = &**basis.ok_or_else(|| NoValue::shape("a name that is no basis"))?;
         let place = Environment::outermost();
         let shaped = Shaped {
             name,
@@ -239,7 +251,11 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(true)
     }
 
-    fn is_diminishing(&self, shaped: &Shaped<'a, '_, A>, degree: i64) -> Result<Option<bool>, Gap> {
+    fn is_diminishing(
+        &self,
+        shaped: &Shaped<'a, '_, A>,
+        degree: i64,
+    ) -> Result<Option<bool>, NoValue> {
         let a = self.arithmetic;
         let ends = self.ends(shaped.basis)?;
         let mut rows = vec![];

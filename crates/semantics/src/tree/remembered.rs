@@ -4,12 +4,12 @@ use super::environment::{Environment, Moved, Part};
 use super::evaluate::{Evaluator, Meaning, Outcome};
 use super::memory::{Key, keep, reached};
 use crate::arithmetic::Arithmetic;
-use crate::gap::Gap;
+use crate::no_value::NoValue;
 use crate::series::Series;
 use crate::value::Value;
 use std::collections::BTreeSet;
 use std::rc::Rc;
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_syntax::formula::Expr;
 
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
@@ -45,7 +45,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     fn key(&self, tree: &'a Expr, reached: &BTreeSet<&'a str>, place: &Place<'a, A>) -> Key {
         let mut seen: Vec<(&str, &Part)> = vec![];
         let mut serials = vec![];
-        if planted(Planted::StaleMemory) {
+        if injected(InjectedFault::StaleMemory) {
             return self.marked(tree, serials);
         }
         for moved in place.moved.iter() {
@@ -81,8 +81,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         &self,
         body: &'a Expr,
         place: &Place<'a, A>,
-        evaluate: impl FnOnce() -> Result<Meaning<A::Number>, Gap>,
-    ) -> Result<Meaning<A::Number>, Gap> {
+        evaluate: impl FnOnce() -> Result<Meaning<A::Number>, NoValue>,
+    ) -> Result<Meaning<A::Number>, NoValue> {
         if !self.remembers() {
             return evaluate();
         }
@@ -128,8 +128,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         (degree, arguments): (i64, Vec<Value<A::Number>>),
         outside: &Place<'a, A>,
         parts: impl FnOnce() -> Vec<&'a Expr>,
-        evaluate: impl FnOnce(&[Value<A::Number>]) -> Result<Rc<[Series<A::Number>]>, Gap>,
-    ) -> Result<Rc<[Series<A::Number>]>, Gap> {
+        evaluate: impl FnOnce(&[Value<A::Number>]) -> Result<Rc<[Series<A::Number>]>, NoValue>,
+    ) -> Result<Rc<[Series<A::Number>]>, NoValue> {
         if !self.remembers() {
             return evaluate(&arguments);
         }

@@ -7,7 +7,7 @@
 use super::environment::Environment;
 use super::evaluate::Evaluator;
 use crate::arithmetic::{Arithmetic, Comparison};
-use crate::gap::Gap;
+use crate::no_value::NoValue;
 use crate::series::Series;
 use crate::value::Value;
 use torse_syntax::formula::{Expr, Node, Operator};
@@ -93,7 +93,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// What a leaf with a slip is worth: one more, or one more in its first entry.
-    pub(super) fn slipped(&self, value: Value<A::Number>) -> Result<Value<A::Number>, Gap> {
+    pub(super) fn slipped(&self, value: Value<A::Number>) -> Result<Value<A::Number>, NoValue> {
         let a = self.arithmetic;
         Ok(match value {
             Value::Number(number) => Value::Number(number.plus(&Series::integer(1, a), a)?),
@@ -107,7 +107,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         })
     }
 
-    fn are_apart(&self, x: &Value<A::Number>, y: &Value<A::Number>) -> Result<bool, Gap> {
+    fn are_apart(&self, x: &Value<A::Number>, y: &Value<A::Number>) -> Result<bool, NoValue> {
         for (x, y) in x.pairs(y, self.arithmetic)? {
             if let (Some(x), Some(y)) = (x.as_number(), y.as_number()) {
                 let comparison = self.arithmetic.compare(x, y, self.point.near)?;

@@ -10,8 +10,8 @@ use super::evaluate::{Evaluator, no_value};
 use super::jets::Smooth;
 use crate::arithmetic::Arithmetic;
 use crate::domain::stream::Stream;
-use crate::gap::{Gap, Unknown};
 use crate::name::Name;
+use crate::no_value::{NoValue, Unknown};
 use crate::series::Series;
 use crate::value::Value;
 use std::rc::Rc;
@@ -28,7 +28,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         &self,
         name: &'a str,
         argument: &Series<A::Number>,
-    ) -> Result<Value<A::Number>, Gap> {
+    ) -> Result<Value<A::Number>, NoValue> {
         let a = self.arithmetic;
         let known = self.smooth.borrow().get(name).cloned();
         let function = match known {
@@ -61,7 +61,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         })
     }
 
-    fn interpolated(&self, name: &'a str) -> Result<Smooth<A::Number>, Gap> {
+    fn interpolated(&self, name: &'a str) -> Result<Smooth<A::Number>, NoValue> {
         let a = self.arithmetic;
         let dimension = self.declarations.function(name).flatten();
         let coordinates: Vec<Option<u8>> = match dimension {
@@ -127,7 +127,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         order: usize,
         place: &str,
         coordinate: Option<u8>,
-    ) -> Result<Series<A::Number>, Gap> {
+    ) -> Result<Series<A::Number>, NoValue> {
         let text = format!("{function}{}({place})", "'".repeat(order));
         let declared: Arc<str> = Arc::from(text.as_str());
         let name = match coordinate {
@@ -152,7 +152,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 }
 
-fn not_placed() -> Gap {
+fn not_placed() -> NoValue {
     let what = "a function at two places that may be one";
     Unknown::NotCovered { what }.into()
 }
@@ -171,13 +171,13 @@ fn divided_differences<A: Arithmetic>(
     nodes: &[Series<A::Number>],
     derivatives: &[Vec<Series<A::Number>>],
     a: &A,
-) -> Result<Vec<Series<A::Number>>, Gap> {
+) -> Result<Vec<Series<A::Number>>, NoValue> {
     let place_of: Vec<usize> = derivatives
         .iter()
         .enumerate()
         .flat_map(|(place, all)| all.iter().map(move |_| place))
         .collect();
-    let derivative = |place: usize, order: usize| -> Result<Series<A::Number>, Gap> {
+    let derivative = |place: usize, order: usize| -> Result<Series<A::Number>, NoValue> {
         let all = derivatives.get(place);
         let value = all.and_then(|all| all.get(order)).ok_or_else(not_placed)?;
         let factorial: Rational = (1..=order)

@@ -6,8 +6,8 @@
 use super::environment::Environment;
 use super::evaluate::{Evaluator, Meaning};
 use crate::arithmetic::{Arithmetic, Comparison};
-use crate::gap::{Gap, Unknown};
 use crate::judgement::Judgement;
+use crate::no_value::{NoValue, Unknown};
 use crate::value::Value;
 use torse_numbers::rational::integer;
 use torse_numbers::{Integer, Rational};
@@ -49,7 +49,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     pub(super) fn truth(&self, tree: &'a Expr, place: &Place<'a, A>) -> Judgement {
         match self.meaning(tree, place) {
             Ok(Meaning::Statement(judgement)) => judgement,
-            Ok(Meaning::Value(_)) => Gap::shape("a number where a statement is needed").into(),
+            Ok(Meaning::Value(_)) => NoValue::shape("a number where a statement is needed").into(),
             Err(gap) => gap.into(),
         }
     }
@@ -60,7 +60,11 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     /// A comparison, a denial, or statements that are joined.
-    pub(super) fn statement(&self, tree: &'a Expr, place: &Place<'a, A>) -> Result<Judgement, Gap> {
+    pub(super) fn statement(
+        &self,
+        tree: &'a Expr,
+        place: &Place<'a, A>,
+    ) -> Result<Judgement, NoValue> {
         match &tree.node {
             Node::Compare(first, rest) => self.compared(first, rest, place),
             Node::Not(inner) => {
@@ -81,7 +85,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                 }
                 Ok(all)
             }
-            _ => Err(Gap::shape("a formula where a statement is needed")),
+            _ => Err(NoValue::shape("a formula where a statement is needed")),
         }
     }
 
@@ -91,7 +95,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         first: &'a Expr,
         rest: &'a [(Relation, Expr)],
         place: &Place<'a, A>,
-    ) -> Result<Judgement, Gap> {
+    ) -> Result<Judgement, NoValue> {
         let mut all = Some(true);
         let (mut left_tree, mut left) = (first, self.value(first, place)?);
         for (relation, right_tree) in rest {
@@ -109,7 +113,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             all = both(all, found);
             (left_tree, left) = (right_tree, right);
         }
-        Ok(Judgement::of(all))
+        Ok(Judgement::from_truth(all))
     }
 
     /// Whether two formulas that have values are the same functions of the same rational numbers, so that enclosures of both
@@ -150,12 +154,12 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         relation: Relation,
         left: &Value<A::Number>,
         right: &Value<A::Number>,
-    ) -> Result<Option<bool>, Gap> {
+    ) -> Result<Option<bool>, NoValue> {
         let a = self.arithmetic;
         let mut all = vec![];
         for (x, y) in left.pairs(right, a)? {
             let (Some(x), Some(y)) = (x.as_number(), y.as_number()) else {
-                return Err(Gap::shape("an infinitesimal to a comparison"));
+                return Err(NoValue::shape("an infinitesimal to a comparison"));
             };
             all.push(a.compare(x, y, self.point.near)?);
         }
@@ -167,7 +171,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             return match relation {
                 Relation::Equal => Ok(equal()),
                 Relation::Different => Ok(equal().map(|e| !e)),
-                _ => Err(Gap::shape("an order of vectors")),
+                _ => Err(NoValue::shape("an order of vectors")),
             };
         };
         Ok(match relation {
@@ -186,11 +190,11 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         name: &str,
         arguments: &'a [Expr],
         place: &Place<'a, A>,
-    ) -> Result<Judgement, Gap> {
+    ) -> Result<Judgement, NoValue> {
         match (name, arguments) {
             ("agrees", [value, printed]) => {
                 let value = self.value(value, place)?;
-                Ok(Judgement::of(self.agrees(&value, printed)?))
+                Ok(Judgement::from_truth(self.agrees(&value, printed)?))
             }
             ("fails", [inner]) => {
                 if (self.point.failing)(inner) {
@@ -205,21 +209,21 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                 }
             }
             (_, [family, degrees @ ..]) => self.property(name, family, degrees, place),
-            _ => Err(Gap::shape("a number of arguments")),
+            _ => Err(NoValue::shape("a number of arguments")),
         }
     }
 
     /// Every entry is its printed number, rounded to as many digits as are printed, or cut off there.
-    fn agrees(&self, value: &Value<A::Number>, printed: &Expr) -> Result<Option<bool>, Gap> {
+    fn agrees(&self, value: &Value<A::Number>, printed: &Expr) -> Result<Option<bool>, NoValue> {
         let items = match &printed.node {
             Node::List(items) => items.as_slice(),
             _ => std::slice::from_ref(printed),
         };
         let printed: Option<Vec<Printed>> = items.iter().map(Printed::new).collect();
-        let printed = printed.ok_or_else(|| Gap::shape("a formula for a printed number"))?;
+        let printed = printed.ok_or_else(|| NoValue::shape("a formula for a printed number"))?;
         let values = value.numbers();
         if values.len() != printed.len() {
-            return Err(Gap::shape("the printed numbers to the value"));
+            return Err(NoValue::shape("the printed numbers to the value"));
         }
         // An integer among decimals is read with as many digits as the decimal that has the fewest.
         let decimals = printed.iter().map(|p| p.decimals).filter(|d| *d > 0);
@@ -227,7 +231,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         let mut all = Some(true);
         for (value, printed) in values.into_iter().zip(&printed) {
             let value = value.as_number();
-            let value = value.ok_or_else(|| Gap::shape("an infinitesimal"))?;
+            let value = value.ok_or_else(|| NoValue::shape("an infinitesimal"))?;
             all = both(all, self.agrees_with(value, printed, fewest)?);
         }
         Ok(all)
@@ -238,7 +242,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         value: &A::Number,
         printed: &Printed,
         fewest: u32,
-    ) -> Result<Option<bool>, Gap> {
+    ) -> Result<Option<bool>, NoValue> {
         let a = self.arithmetic;
         let compared = |q: Rational| a.compare(value, &a.rational(&q), false);
         let decimals = match printed.decimals {

@@ -66,7 +66,7 @@ const MAX_DIGITS: u8 = 30;
 
 /// Reads a sentence.
 pub(super) fn author_note(source: &Arc<Source>, text: &Text) -> Result<AuthorNote, LoadError> {
-    let origin = Origin::of(source, text);
+    let origin = Origin::from_spanned(source, text);
     let wrong = |start: usize, end: usize, message: String| {
         let error = DerivationError::at(&origin, Place { start, end }, message)
             .with_help("a hole is `{formula}`, `{formula : 3}` for three digits, `{formula : percent}` or `{cosine : degrees}`; braces between dollar signs are mathematics");

@@ -17,7 +17,7 @@ use crate::taxonomy::{Flag, Kind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use toml::Spanned;
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 
 /// The most readings of a sentence: each is decided as a claim of its own.
 const MAX_READINGS: usize = 16;
@@ -110,7 +110,8 @@ impl Claim {
             .chain(holes)
             .chain(witnesses);
         let figure = self.figure.as_ref();
-        self.declarations.rest_on_wrong(formulas.map(|w| &w.expr))
+        self.declarations
+            .depends_on_invalid(formulas.map(|w| &w.expr))
             || figure.is_some_and(|figure| figure.declarations.any_wrong())
             || self.readings.iter().any(|r| r.claim.rests_on_wrong())
     }
@@ -221,7 +222,7 @@ fn formulas(
         uses: vec![],
         figure: None,
         declarations,
-        origin: Origin::of(source, &entry.id),
+        origin: Origin::from_spanned(source, &entry.id),
         entry,
         example: Arc::new([]),
     }
@@ -247,7 +248,7 @@ fn hypotheses(
             provenance,
         });
     }
-    if planted(Planted::HypothesisLeftOut) {
+    if injected(InjectedFault::HypothesisLeftOut) {
         found.pop();
     }
     found
@@ -271,7 +272,7 @@ fn read_as(entry: &ClaimEntry, reading: &ReadingEntry) -> ClaimEntry {
 /// Fields that want each other, or exclude each other.
 fn check_fields(source: &Arc<Source>, entry: &ClaimEntry, errors: &mut Errors) {
     let mut wrong = |text: &Spanned<String>, message: &str, help: &str| {
-        let origin = Origin::of(source, text);
+        let origin = Origin::from_spanned(source, text);
         let error = DerivationError::at(&origin, whole(text), message).with_help(help);
         errors.0.push(LoadError::Derivation(Box::new(error)));
     };

@@ -73,7 +73,7 @@ pub(super) fn corrigenda(
     let made = |(source, entry): &(Arc<Source>, CorrigendumEntry)| {
         let says = errors.keep(author_note(source, &entry.says));
         let mut wrong = |text: &Spanned<String>, message: String, help: &str| {
-            let origin = Origin::of(source, text);
+            let origin = Origin::from_spanned(source, text);
             let error = DerivationError::at(&origin, whole(text), message).with_help(help);
             errors.0.push(LoadError::Derivation(Box::new(error)));
         };

@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use toml::Spanned;
 use torse_numbers::Affine;
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 
 /// What a declared symbol stands for.
 #[derive(Debug, Clone)]
@@ -237,7 +237,7 @@ impl Declarations {
         errors: &mut Errors,
     ) {
         for (name, entry) in table {
-            if planted(Planted::OuterDeclarationKept) && self.symbols.contains_key(name) {
+            if injected(InjectedFault::OuterDeclarationKept) && self.symbols.contains_key(name) {
                 continue;
             }
             if let Some(dimension) = &entry.function {
@@ -248,7 +248,7 @@ impl Declarations {
                     }
                     Err(error) => {
                         errors.0.push(error);
-                        self.spoil([name.clone()]);
+                        self.mark_invalid([name.clone()]);
                     }
                 }
                 continue;
@@ -257,7 +257,7 @@ impl Declarations {
                 Ok(found) => found,
                 Err(error) => {
                     errors.0.push(error);
-                    self.spoil([name.clone()]);
+                    self.mark_invalid([name.clone()]);
                     continue;
                 }
             };
@@ -286,7 +286,8 @@ impl Declarations {
     ) {
         for (name, text) in table {
             let at = |message: String| {
-                let error = DerivationError::at(&Origin::of(source, text), whole(text), message);
+                let error =
+                    DerivationError::at(&Origin::from_spanned(source, text), whole(text), message);
                 LoadError::Derivation(Box::new(error))
             };
             let inside = text.get_ref().strip_prefix('$');
@@ -317,13 +318,13 @@ impl Declarations {
                     self.wrong.remove(name);
                     self.bases.insert(name.clone(), Arc::new(basis));
                 }
-                None => self.spoil([name.clone()]),
+                None => self.mark_invalid([name.clone()]),
             }
         }
     }
 
     /// Marks names whose declaration is wrong.
-    pub(super) fn spoil(&mut self, names: impl IntoIterator<Item = String>) {
+    pub(super) fn mark_invalid(&mut self, names: impl IntoIterator<Item = String>) {
         self.wrong.extend(names);
     }
 
@@ -333,7 +334,10 @@ impl Declarations {
     }
 
     /// Whether formulas mention a declaration that is wrong, be it through others.
-    pub(super) fn rest_on_wrong<'e>(&'e self, formulas: impl Iterator<Item = &'e Expr>) -> bool {
+    pub(super) fn depends_on_invalid<'e>(
+        &'e self,
+        formulas: impl Iterator<Item = &'e Expr>,
+    ) -> bool {
         if self.wrong.is_empty() {
             return false;
         }
@@ -436,7 +440,7 @@ fn basis(source: &Arc<Source>, name: &str, entry: &BasisEntry) -> Result<Basis, 
     let variable = at(entry.variable.span());
     check_name(&variable, name)?;
     for name in std::iter::once(&entry.variable).chain(&entry.parameters) {
-        check_name(&Origin::of(source, name), name.get_ref())?;
+        check_name(&Origin::from_spanned(source, name), name.get_ref())?;
     }
     let is_list = entry.step.is_empty() && entry.index.is_none() && entry.order.is_none();
     let zero = || Written {
@@ -462,17 +466,20 @@ fn basis(source: &Arc<Source>, name: &str, entry: &BasisEntry) -> Result<Basis, 
         (None, None) => None,
         (Some(index), Some(order)) => {
             for name in [index, order] {
-                check_name(&Origin::of(source, name), name.get_ref())?;
+                check_name(&Origin::from_spanned(source, name), name.get_ref())?;
             }
             if index.get_ref() == order.get_ref() {
                 let message = "`index` and `order` are two names".to_owned();
-                return Err(complaint(&Origin::of(source, order), message));
+                return Err(complaint(&Origin::from_spanned(source, order), message));
             }
             Some((index.get_ref().clone(), order.get_ref().clone()))
         }
         (Some(one), None) | (None, Some(one)) => {
             let message = "a step that depends on index and degree needs both `index` and `order`";
-            return Err(complaint(&Origin::of(source, one), message.to_owned()));
+            return Err(complaint(
+                &Origin::from_spanned(source, one),
+                message.to_owned(),
+            ));
         }
     };
     let seeds = entry.seeds.iter().map(|text| written(source, text));
@@ -561,7 +568,7 @@ fn symbol_kind(
         return Err(complaint(&origin, message));
     }
     if let Some(text) = &entry.integer {
-        let origin = Origin::of(source, text);
+        let origin = Origin::from_spanned(source, text);
         let (least, most) = integer_range(text.get_ref()).ok_or_else(|| {
             complaint(
                 &origin,
@@ -582,7 +589,7 @@ fn symbol_kind(
             match integer_range(text.get_ref()) {
                 Some((Some(least), Some(most))) => ranges.push((least, most)),
                 _ => {
-                    let origin = Origin::of(source, text);
+                    let origin = Origin::from_spanned(source, text);
                     return Err(complaint(
                         &origin,
                         format!("`{}` is no index range: write `0..k`", text.get_ref()),

@@ -21,7 +21,7 @@ pub(super) fn add_definitions(
         let definition = definition(source, head, text);
         match errors.keep(definition) {
             Some((name, definition)) => declarations.define(name, definition),
-            None => declarations.spoil([name_of(head)]),
+            None => declarations.mark_invalid([name_of(head)]),
         }
     }
 }

@@ -62,7 +62,7 @@ pub(super) fn own_figure(
         errors.0.push(table::complaint(source, range, message));
         return None;
     };
-    let origin = Origin::of(source, &id);
+    let origin = Origin::from_spanned(source, &id);
     errors.keep(folder::check_id(source, &id, slug))?;
     let claims = entry.claims.iter().map(|c| c.get_ref().clone()).collect();
     Some(figure(

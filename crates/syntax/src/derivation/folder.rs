@@ -56,7 +56,7 @@ pub fn check_name(source: &Arc<Source>, name: &Spanned<String>) -> Result<(), Lo
     if plain && path.components().count() > 0 && path.components().all(inside) {
         return Ok(());
     }
-    let origin = Origin::of(source, name);
+    let origin = Origin::from_spanned(source, name);
     let message = format!("`{}` is no file below the paper's folder", name.get_ref());
     let error = DerivationError::at(&origin, whole(name), message)
         .with_help("`claims` lists files of this folder, such as `claims.toml`");
@@ -84,6 +84,7 @@ pub fn check_id(source: &Arc<Source>, id: &Spanned<String>, slug: &str) -> Resul
     let help = format!(
         "an id is `{slug}/` and words of letters, digits, `-` and `_`, with points between: `{slug}/eq-2.1`"
     );
-    let error = DerivationError::at(&Origin::of(source, id), whole(id), message).with_help(help);
+    let error =
+        DerivationError::at(&Origin::from_spanned(source, id), whole(id), message).with_help(help);
     Err(LoadError::Derivation(Box::new(error)))
 }

@@ -6,7 +6,7 @@ use super::written::Written;
 use crate::formula::{Expr, Node, Relation, parse};
 use std::sync::Arc;
 use toml::Spanned;
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::{Rational, rational};
 
 /// The number `rational + pi * turns`.
@@ -108,7 +108,7 @@ pub(super) fn interval(
     symbol: &str,
     text: &Spanned<String>,
 ) -> Result<Interval, LoadError> {
-    let origin = Origin::of(source, text);
+    let origin = Origin::from_spanned(source, text);
     let wrong = || {
         let message = format!(
             "`{}` is no interval: write `[-1, 1]`, `(0, inf)`, `[0, c]` and so on",
@@ -165,7 +165,7 @@ fn parts(text: &str) -> Option<([&str; 2], [bool; 2], usize)> {
     let before = text.len() - text.trim_start().len();
     let left = match inside.chars().next()? {
         '[' => true,
-        '(' => planted(Planted::OpenEndClosed),
+        '(' => injected(InjectedFault::OpenEndClosed),
         _ => return None,
     };
     let right = match inside.chars().next_back()? {

@@ -166,13 +166,13 @@ impl Reading {
     ) {
         let errors = &mut self.errors;
         let (symbols, unread) = table::table(source, sections.remove("symbols"), errors);
-        declarations.spoil(unread);
+        declarations.mark_invalid(unread);
         declarations.add_symbols(source, &symbols, None, errors);
         let (bases, unread) = table::table(source, sections.remove("basis"), errors);
-        declarations.spoil(unread);
+        declarations.mark_invalid(unread);
         declarations.add_bases(source, &bases, errors);
         let (definitions, unread) = table::table(source, sections.remove("define"), errors);
-        declarations.spoil(unread.iter().map(|head| name_of(head)));
+        declarations.mark_invalid(unread.iter().map(|head| name_of(head)));
         add_definitions(declarations, source, &definitions, errors);
         let (displays, _) = table::table(source, sections.remove("display"), errors);
         declarations.add_displays(source, &displays, errors);
@@ -252,7 +252,7 @@ impl Reading {
     fn add_id(&mut self, source: &Arc<Source>, id: &Spanned<String>) {
         if !self.ids.insert(id.get_ref().clone()) {
             let message = format!("the id `{}` is used twice", id.get_ref());
-            let origin = Origin::of(source, id);
+            let origin = Origin::from_spanned(source, id);
             let error = DerivationError::at(&origin, Place { start: 0, end: 1 }, message);
             self.errors.0.push(LoadError::Derivation(Box::new(error)));
         }

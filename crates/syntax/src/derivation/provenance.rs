@@ -67,7 +67,7 @@ impl Quote {
         Self {
             words: words.get_ref().clone(),
             claim: within.map_or_else(|| own.to_owned(), |id| id.get_ref().clone()),
-            origin: Origin::of(source, words),
+            origin: Origin::from_spanned(source, words),
         }
     }
 
@@ -90,7 +90,7 @@ pub(super) fn provenance(
 ) -> Provenance {
     let wrong = |text: Option<&Text>, message: &str, help: &str| {
         let (origin, place) = match text {
-            Some(text) => (Origin::of(source, text), whole(text)),
+            Some(text) => (Origin::from_spanned(source, text), whole(text)),
             None => (
                 Origin::range(source, place.start, place.end),
                 Place::default(),

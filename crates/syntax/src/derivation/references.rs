@@ -38,7 +38,7 @@ pub(super) fn resolve(
             let id = used.get_ref();
             if !known(id) {
                 let help = "`uses` takes full ids, such as `gbt-developable/eq-2.2`";
-                let origin = Origin::of(&claim.origin.source, used);
+                let origin = Origin::from_spanned(&claim.origin.source, used);
                 let message = format!("no claim has the id `{id}`");
                 errors.0.push(wrong(&origin, whole(used), message, help));
             }
@@ -75,7 +75,7 @@ fn part(claim: &Claim, ids: &BTreeSet<String>, errors: &mut Errors) {
     };
     let (id, origin) = (
         claim.entry.id.get_ref(),
-        Origin::of(&claim.origin.source, sentence),
+        Origin::from_spanned(&claim.origin.source, sentence),
     );
     let name = sentence.get_ref();
     let rest = id.strip_prefix(name.as_str());

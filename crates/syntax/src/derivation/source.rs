@@ -43,7 +43,7 @@ pub struct Origin {
 impl Origin {
     /// The origin of a string value of a file.
     #[must_use]
-    pub fn of(source: &Arc<Source>, text: &Spanned<String>) -> Self {
+    pub fn from_spanned(source: &Arc<Source>, text: &Spanned<String>) -> Self {
         let range = text.span();
         let written = source.text.get(range.clone()).unwrap_or("");
         let inside = written

@@ -25,7 +25,7 @@ pub fn parsed(
     source: &Arc<Source>,
     text: &Spanned<String>,
 ) -> Result<Written, Box<DerivationError>> {
-    let origin = Origin::of(source, text);
+    let origin = Origin::from_spanned(source, text);
     match parse(text.get_ref()) {
         Ok(expr) => Ok(Written { expr, origin }),
         Err(error) => Err(Box::new(DerivationError::syntax(&origin, &error))),

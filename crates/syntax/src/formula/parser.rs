@@ -11,7 +11,7 @@ use super::hints;
 use super::token::{Placed, Token, tokens};
 use num_traits::Zero;
 use std::sync::Arc;
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::{Integer, Rational};
 
 /// How deep brackets and prefixes may nest.
@@ -283,7 +283,7 @@ impl Parser {
 
     fn sum(&mut self) -> Parsed {
         let signs = |parser: &mut Self| parser.operator([Operator::Add, Operator::Subtract]);
-        if planted(Planted::DifferenceFromTheRight) {
+        if injected(InjectedFault::DifferenceFromTheRight) {
             let left = self.product()?;
             return match signs(self) {
                 Some(sign) => Tree::binary(sign, left, self.sum()?),
@@ -301,7 +301,9 @@ impl Parser {
     fn prefixed(&mut self) -> Parsed {
         let start = self.place();
         let base = match self.sign("-") {
-            true if planted(Planted::SignBeforePower) => Tree::negative(start, self.postfixed()?)?,
+            true if injected(InjectedFault::SignBeforePower) => {
+                Tree::negative(start, self.postfixed()?)?
+            }
             true => return Tree::negative(start, self.deeper(Self::prefixed)?),
             false => self.postfixed()?,
         };
@@ -471,6 +473,7 @@ fn number(text: &str) -> Node {
     let value = Rational::new(numerator, Integer::from(10).pow(fraction.len()));
     Node::Number {
         value,
-        decimals: (text.contains('.') && !planted(Planted::DecimalsForgotten)).then_some(decimals),
+        decimals: (text.contains('.') && !injected(InjectedFault::DecimalsForgotten))
+            .then_some(decimals),
     }
 }

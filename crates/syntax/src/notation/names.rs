@@ -37,7 +37,7 @@ pub(super) enum Word<'a> {
 
 impl<'a> Name<'a> {
     /// Takes `name` apart.
-    pub fn of(name: &'a str) -> Self {
+    pub fn new(name: &'a str) -> Self {
         let body = name.trim_end_matches('\'');
         let primes = name.len() - body.len();
         let mut parts = body.split('_');
@@ -65,7 +65,7 @@ impl<'a> Name<'a> {
 
 impl<'a> Word<'a> {
     /// Sorts a word.
-    pub fn of(word: &'a str) -> Self {
+    pub fn new(word: &'a str) -> Self {
         if let Some(letter) = greek::by_name(word) {
             Self::Greek(letter)
         } else if FUNCTIONS.contains(&word) {
@@ -100,10 +100,10 @@ mod tests {
             subscripts: vec!["1"],
             primes: 2,
         };
-        assert_eq!(Name::of("mu1''"), mu);
-        assert_eq!(Name::of("p0_u").subscripts, ["0", "u"]);
-        assert_eq!(Name::of("p0u").stem, "p0u");
-        assert_eq!(Name::of("_x").stem, "_x");
+        assert_eq!(Name::new("mu1''"), mu);
+        assert_eq!(Name::new("p0_u").subscripts, ["0", "u"]);
+        assert_eq!(Name::new("p0u").stem, "p0u");
+        assert_eq!(Name::new("_x").stem, "_x");
     }
 
     #[test]

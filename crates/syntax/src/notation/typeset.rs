@@ -49,14 +49,14 @@ pub(super) trait Typeset {
 
     /// A name with more primes and subscripts than it has itself.
     fn decorated(&self, name: &str, primes: usize, indices: &[String]) -> String {
-        let name = Name::of(name);
-        self.with_parts(self.word(&Word::of(name.stem)), &name, primes, indices)
+        let name = Name::new(name);
+        self.with_parts(self.word(&Word::new(name.stem)), &name, primes, indices)
     }
 
     /// A name at the head of a call: a word is then an operator.
     fn function(&self, name: &str) -> String {
-        let name = Name::of(name);
-        let stem = match Word::of(name.stem) {
+        let name = Name::new(name);
+        let stem = match Word::new(name.stem) {
             Word::Text(word) => self.operator(word),
             word => self.word(&word),
         };
@@ -74,7 +74,7 @@ pub(super) trait Typeset {
         let words = name
             .subscripts
             .iter()
-            .map(|part| self.word(&Word::of(part)));
+            .map(|part| self.word(&Word::new(part)));
         let below: Vec<String> = words.chain(indices.iter().cloned()).collect();
         self.attached(&stem, name.primes + primes, &below.join(", "), "")
     }
@@ -144,7 +144,7 @@ impl<T: Typeset> Notation for T {
         let above = self.write(exponent).text;
         // sin^2 (x)
         if let (Some((name, arguments)), Some(_)) = (named_call(base), plain_integer(exponent))
-            && let Word::Function(_) = Word::of(name)
+            && let Word::Function(_) = Word::new(name)
         {
             let head = self.attached(&self.function(name), 0, "", &above);
             let arguments = self.round(&self.listed(arguments));

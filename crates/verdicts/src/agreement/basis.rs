@@ -5,7 +5,7 @@ use super::terms::{Number, Terms};
 use std::rc::Rc;
 use std::sync::Arc;
 use torse_core::{Family, Variable, stack};
-use torse_semantics::{Class, Gap, Series, Undefined, Unknown, Value};
+use torse_semantics::{Class, NoValue, Series, Undefined, Unknown, Value};
 
 /// The highest degree.
 const MAX_DEGREE: i64 = 60;
@@ -18,7 +18,7 @@ impl Terms<'_> {
         degree: i64,
         arguments: Vec<Value<Class>>,
         scope: &Scope<'_>,
-    ) -> Result<Rc<[Series<Class>]>, Gap> {
+    ) -> Result<Rc<[Series<Class>]>, NoValue> {
         if degree < i64::from(family.degree) {
             return Err(Undefined::BelowSeeds {
                 name: family.name.to_string(),
@@ -56,7 +56,7 @@ impl Terms<'_> {
         degree: i64,
         (variables, arguments): (&[Variable], &[Value<Class>]),
         scope: &Scope<'_>,
-    ) -> Result<Vec<Series<Class>>, Gap> {
+    ) -> Result<Vec<Series<Class>>, NoValue> {
         if let (Some((variable, variables)), Some((argument, arguments))) =
             (variables.split_first(), arguments.split_first())
         {
@@ -76,7 +76,7 @@ impl Terms<'_> {
                         factors
                             .get(part)
                             .cloned()
-                            .ok_or_else(|| Gap::shape("a step"))
+                            .ok_or_else(|| NoValue::shape("a step"))
                     })
                 });
                 row = next.collect::<Result<_, _>>()?;
@@ -86,12 +86,12 @@ impl Terms<'_> {
         for k in i64::from(family.degree) + 1..=degree {
             let next = (0..=k).map(|i| {
                 let Some((index, order)) = &family.counters else {
-                    return Err(Gap::shape("a step"));
+                    return Err(NoValue::shape("a step"));
                 };
                 let scope = scope.with(order, self.integer_value(k));
                 let scope = scope.with(index, self.integer_value(i));
                 self.next(&row, i, &|part| {
-                    let factor = factors.get(part).ok_or_else(|| Gap::shape("a step"))?;
+                    let factor = factors.get(part).ok_or_else(|| NoValue::shape("a step"))?;
                     self.number(factor, &scope)
                 })
             });

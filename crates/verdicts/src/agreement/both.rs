@@ -4,7 +4,7 @@ use super::outline::CoreOutline;
 use super::terms::Terms;
 use torse_core::{Node, Term};
 use torse_semantics::tree::{Compared, Piece, TreeOutline};
-use torse_semantics::{Class, Gap, Unknown, Value};
+use torse_semantics::{Class, NoValue, Unknown, Value};
 use torse_syntax::derivation::Claim;
 use torse_syntax::formula::{self, Expr};
 use torse_syntax::notation;
@@ -19,10 +19,10 @@ pub(super) struct Missing {
 }
 
 impl Missing {
-    fn new(reading: &str, gap: &Gap, other_has_value: bool) -> Self {
+    fn new(reading: &str, gap: &NoValue, other_has_value: bool) -> Self {
         let is_fact = matches!(
             gap,
-            Gap::Undefined(_) | Gap::Unknown(Unknown::NoValue { .. })
+            NoValue::Undefined(_) | NoValue::Unknown(Unknown::NoValue { .. })
         );
         Self {
             why: format!("{reading} {gap}"),
@@ -78,8 +78,8 @@ impl<'s> Both<'_, 's, '_> {
     /// Whether two values are the same: why that is not seen, or an error where they are not.
     pub fn same(
         &self,
-        text: &Result<Value<Class>, Gap>,
-        own: &Result<Value<Class>, Gap>,
+        text: &Result<Value<Class>, NoValue>,
+        own: &Result<Value<Class>, NoValue>,
     ) -> Result<Option<Missing>, ()> {
         match (text, own) {
             (Ok(text), Ok(own)) if are_same(text, own) => Ok(None),

@@ -7,7 +7,7 @@ use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_core::{BuiltIn, Node, Source, Statement, Term};
 use torse_semantics::{
-    Class, Gap, Name, Series, Undefined, Unknown, Value, dot, linear, transposed,
+    Class, Name, NoValue, Series, Undefined, Unknown, Value, dot, linear, transposed,
 };
 use torse_syntax::formula::{Connective, Relation};
 
@@ -49,7 +49,9 @@ impl Terms<'_> {
             (BuiltIn::Cross, [x, y]) => {
                 let (x, y) = (entries(x)?, entries(y)?);
                 let ([x1, x2, x3], [y1, y2, y3]) = (x.as_slice(), y.as_slice()) else {
-                    return Err(Gap::shape("a cross product of vectors of other lengths"));
+                    return Err(NoValue::shape(
+                        "a cross product of vectors of other lengths",
+                    ));
                 };
                 let minor = |p: &Series<Class>, q: &Series<Class>, r: &Series<Class>, s| {
                     p.times(q, a)?.minus(&r.times(s, a)?, a)
@@ -81,7 +83,7 @@ impl Terms<'_> {
             (BuiltIn::Coefficients, [forms, symbols]) => {
                 self.coefficients(forms, symbols, scope)?
             }
-            _ => return Err(Gap::shape("a number of arguments to the function")),
+            _ => return Err(NoValue::shape("a number of arguments to the function")),
         })
     }
 
@@ -92,7 +94,7 @@ impl Terms<'_> {
         what: &'static str,
         most: i64,
         scope: &Scope<'_>,
-    ) -> Result<i64, Gap> {
+    ) -> Result<i64, NoValue> {
         match self.integer(term, what, scope)? {
             n if n < 0 => Err(Undefined::Negative { what }.into()),
             n if n > most => Err(Unknown::Large { what }.into()),
@@ -141,7 +143,7 @@ impl Terms<'_> {
                 // In the equations nothing is put in.
                 let plain = Terms::new(a, self.point(), None);
                 let gaps = |scope: &Scope<'_>| plain.gaps(claim, scope);
-                let by = |names: &[Name]| -> Result<Vec<Row>, Gap> {
+                let by = |names: &[Name]| -> Result<Vec<Row>, NoValue> {
                     let rates = names.iter().map(|n| plain.rates(n, 1, &outermost, &gaps));
                     rates.map(|rates| Ok(rates?.0)).collect()
                 };
@@ -170,8 +172,8 @@ impl Terms<'_> {
         name: &Name,
         order: usize,
         scope: &Scope<'_>,
-        value: &dyn Fn(&Scope<'_>) -> Result<Row, Gap>,
-    ) -> Result<(Row, Row), Gap> {
+        value: &dyn Fn(&Scope<'_>) -> Result<Row, NoValue>,
+    ) -> Result<(Row, Row), NoValue> {
         let a = self.arithmetic;
         let level = scope.level + 1;
         let own = self.symbol(name.clone(), scope)?.shifted(level, order, a);
@@ -181,7 +183,7 @@ impl Terms<'_> {
     }
 
     /// The differences of the sides of the given equations.
-    fn gaps(&self, claim: &torse_core::Claim, scope: &Scope<'_>) -> Result<Row, Gap> {
+    fn gaps(&self, claim: &torse_core::Claim, scope: &Scope<'_>) -> Result<Row, NoValue> {
         let given = claim.hypotheses.iter();
         let given = given.filter(|h| h.source == Source::Given);
         let mut pending: Vec<&Statement> = given.rev().map(|h| &h.statement).collect();
@@ -206,8 +208,8 @@ impl Terms<'_> {
     }
 
     /// The numbers of a point that a list of symbols, coordinates and members consists of.
-    fn names(&self, term: &Term, scope: &Scope<'_>) -> Result<Vec<Name>, Gap> {
-        let none = || Gap::shape("a formula where a symbol is needed");
+    fn names(&self, term: &Term, scope: &Scope<'_>) -> Result<Vec<Name>, NoValue> {
+        let none = || NoValue::shape("a formula where a symbol is needed");
         Ok(match &*term.node {
             Node::List(items) => {
                 let names = items.iter().map(|item| self.names(item, scope));

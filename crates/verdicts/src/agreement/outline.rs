@@ -5,7 +5,7 @@ use std::sync::Arc;
 use torse_algebra::{Rational, rational};
 use torse_core::{Family, FamilyProperty, Node, Printed, Statement, Term};
 use torse_semantics::tree::{BASIS_AT, BASIS_DEGREES, Outline, Piece, printed_number, word};
-use torse_semantics::{Class, Gap, Series, Value};
+use torse_semantics::{Class, NoValue, Series, Value};
 use torse_syntax::formula::Place;
 
 /// Words and values of core terms.
@@ -57,7 +57,7 @@ pub(super) fn outline<'c>(statement: &'c Statement, at: &Terms<'_>) -> CoreOutli
                         let term = basis_function(family, i, degree);
                         at.value(&term)?.number()
                     });
-                    let row = row.collect::<Result<Vec<Series<Class>>, Gap>>();
+                    let row = row.collect::<Result<Vec<Series<Class>>, NoValue>>();
                     all.push(Piece::Value(None, row.map(Value::vector)));
                 }
             }

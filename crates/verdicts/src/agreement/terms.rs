@@ -13,7 +13,9 @@ use std::sync::Arc;
 use torse_algebra::rational::integer;
 use torse_algebra::{Affine, Rational};
 use torse_core::{BuiltIn, Claim, Node, Points, Term, Variable, stack};
-use torse_semantics::{Arithmetic, Class, Gap, Name, Scrambled, Series, Undefined, Unknown, Value};
+use torse_semantics::{
+    Arithmetic, Class, Name, NoValue, Scrambled, Series, Undefined, Unknown, Value,
+};
 use torse_syntax::formula::Operator;
 
 /// How deep terms may be nested: as deep as can be written.
@@ -26,8 +28,8 @@ const MAX_ORDER: i64 = 40;
 /// The most derivatives that are remembered.
 const MAX_RATES: usize = 48;
 
-pub(super) type Outcome = Result<Value<Class>, Gap>;
-pub(super) type Number = Result<Series<Class>, Gap>;
+pub(super) type Outcome = Result<Value<Class>, NoValue>;
+pub(super) type Number = Result<Series<Class>, NoValue>;
 
 /// The functions of one basis at one degree and one tuple of arguments.
 pub(super) type Row = (
@@ -100,11 +102,16 @@ impl<'a> Terms<'a> {
     }
 
     /// The integer that a term is worth.
-    pub fn integer(&self, term: &Term, what: &'static str, scope: &Scope<'_>) -> Result<i64, Gap> {
+    pub fn integer(
+        &self,
+        term: &Term,
+        what: &'static str,
+        scope: &Scope<'_>,
+    ) -> Result<i64, NoValue> {
         self.whole(&self.number(term, scope)?, what)
     }
 
-    fn whole(&self, value: &Series<Class>, what: &'static str) -> Result<i64, Gap> {
+    fn whole(&self, value: &Series<Class>, what: &'static str) -> Result<i64, NoValue> {
         // What varies with the variable of a derivative is no integer near the point.
         let number = value.as_number().ok_or(Undefined::NotDifferentiable)?;
         let rational = self.arithmetic.as_rational(number);
@@ -300,7 +307,7 @@ impl<'a> Terms<'a> {
     }
 
     /// The value of an index form at the point.
-    fn form(&self, form: &Affine) -> Result<i64, Gap> {
+    fn form(&self, form: &Affine) -> Result<i64, NoValue> {
         let what = "a bound";
         let mut total = form.constant();
         for (name, multiple) in form.multiples() {
@@ -364,7 +371,7 @@ impl<'a> Terms<'a> {
         for index in indices {
             let index = self.integer(index, "an index", scope)?;
             let Value::Many(items) = value else {
-                return Err(Gap::shape("an entry of a number"));
+                return Err(NoValue::shape("an entry of a number"));
             };
             let position = index.checked_sub(1).and_then(|p| usize::try_from(p).ok());
             let found = position.and_then(|p| items.get(p).cloned());
@@ -379,7 +386,7 @@ impl<'a> Terms<'a> {
         low: &Term,
         high: &Term,
         scope: &Scope<'_>,
-    ) -> Result<RangeInclusive<i64>, Gap> {
+    ) -> Result<RangeInclusive<i64>, NoValue> {
         let low = self.integer(low, "a bound", scope)?;
         let high = self.integer(high, "a bound", scope)?;
         if high.saturating_sub(low) >= MAX_TERMS {
@@ -436,7 +443,7 @@ impl<'a> Terms<'a> {
     }
 }
 
-fn outside(name: &str, index: i64, low: i64, high: i64) -> Gap {
+fn outside(name: &str, index: i64, low: i64, high: i64) -> NoValue {
     Undefined::IndexOutside {
         name: name.to_owned(),
         index,
@@ -446,7 +453,7 @@ fn outside(name: &str, index: i64, low: i64, high: i64) -> Gap {
     .into()
 }
 
-fn no_value(name: &str) -> Gap {
+fn no_value(name: &str) -> NoValue {
     Unknown::NoValue {
         name: name.to_owned(),
     }

@@ -21,7 +21,7 @@ pub struct Formulas<'a> {
 
 impl<'a> Formulas<'a> {
     /// The formulas of this claim.
-    pub fn of(claim: &'a Claim) -> Self {
+    pub fn new(claim: &'a Claim) -> Self {
         let heads = claim.entry.local.keys();
         let heads = heads.map(|head| head.split_once('(').map_or(head.as_str(), |(name, _)| name));
         let narrows = |name: &str| {

@@ -131,7 +131,9 @@ pub(super) fn coordinate(subject: &Subject<'_>) -> Vec<Sign> {
         });
     });
     match entries.len() {
-        1 if !subject.print.says(&WORDS) && !Print::of(&subject.claim.entry.at).says(&WORDS) => {
+        1 if !subject.print.says(&WORDS)
+            && !Print::from_text(&subject.claim.entry.at).says(&WORDS) =>
+        {
             let entries = entries.iter().map(ToString::to_string).collect();
             listed(Flag::OneCoordinate, "one entry of a vector alone", entries)
         }

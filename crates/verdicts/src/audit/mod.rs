@@ -80,7 +80,7 @@ pub fn audit<'a>(
             *together.entry(whole).or_default() += parts::relations_of(claim);
         }
     }
-    let setting = Setting::of(papers);
+    let setting = Setting::new(papers);
     let audited = |(claim, outcome): &(&'a Claim, &'a Outcome)| {
         let whole = claim.whole().and_then(|id| together.get(id.as_str()));
         let signs = stack::deep(|| signs(claim, outcome, &setting, whole.copied()));
@@ -128,9 +128,9 @@ fn signs_of<'a>(
     let subject = Subject {
         claim,
         outcome,
-        formulas: Formulas::of(claim),
-        print: Print::of(&claim.entry.printed),
-        context: Print::of(&setting.prints(stands)),
+        formulas: Formulas::new(claim),
+        print: Print::from_text(&claim.entry.printed),
+        context: Print::from_text(&setting.prints(stands)),
         rests_on: setting.rests_on(stands),
         relations_of_all_parts: of_all_parts.unwrap_or_else(|| parts::relations_of(claim)),
     };

@@ -131,7 +131,7 @@ pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
     let shown: BTreeSet<&str> = shown.collect();
     let reached: BTreeSet<&str> = written.iter().map(|name| stem(name)).collect();
     let declared: BTreeSet<&str> = declarations.names().map(stem).collect();
-    let printed = Print::of(explained(&subject.claim.entry.printed));
+    let printed = Print::from_text(explained(&subject.claim.entry.printed));
     let printed = printed.names.iter().map(String::as_str);
     let lacks = printed.filter(|name| {
         declared.contains(name) && !reached.contains(name) && !shown.contains(*name)

@@ -11,7 +11,7 @@ use torse_syntax::taxonomy::Flag;
 /// The relations that a claim states or assumes; a definition that it uses, a property in a word, and an end of a range count
 /// as one.
 pub(super) fn relations_of(claim: &Claim) -> usize {
-    let formulas = Formulas::of(claim);
+    let formulas = Formulas::new(claim);
     let mut count = 0;
     for expr in &formulas.own {
         every(expr, &mut |part| count += relations(part));

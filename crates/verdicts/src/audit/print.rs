@@ -57,7 +57,7 @@ const REFERENCES: [&str; 19] = [
 
 impl Print {
     /// Takes a printed sentence apart.
-    pub fn of(printed: &str) -> Self {
+    pub fn from_text(printed: &str) -> Self {
         let mut print = Self {
             words: printed.to_lowercase(),
             ..Self::default()

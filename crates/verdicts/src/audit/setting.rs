@@ -11,7 +11,7 @@ pub(super) struct Setting<'a> {
 
 impl<'a> Setting<'a> {
     /// Of these papers.
-    pub fn of(papers: &'a [Paper]) -> Self {
+    pub fn new(papers: &'a [Paper]) -> Self {
         let mut claims: BTreeMap<&str, Vec<&Claim>> = BTreeMap::new();
         for claim in papers.iter().flat_map(|paper| &paper.claims) {
             let whole = claim.whole().map(String::as_str);

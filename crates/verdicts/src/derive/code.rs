@@ -18,7 +18,7 @@ pub(super) struct Code {
 }
 
 impl Code {
-    pub fn of(derivation: &Derivation) -> Self {
+    pub fn from_derivation(derivation: &Derivation) -> Self {
         let named = |formula: &Expr| (formula.clone(), Expr::name(&variable(formula)));
         let points: Vec<(Expr, Expr)> = derivation.points.iter().map(named).collect();
         let lines = derivation.lines.iter();
@@ -87,7 +87,7 @@ fn texts(items: &[(Expr, Expr)]) -> String {
 
 /// A function on doubles: one coordinate of the points in, one coordinate of the results out.
 pub(super) fn rust(derivation: &Derivation) -> String {
-    let code = Code::of(derivation);
+    let code = Code::from_derivation(derivation);
     let names = |items: &[(Expr, Expr)]| listed(items.iter().map(|(_, v)| notation::rust(v)));
     let numbers = derivation.degrees.iter().chain(&derivation.parameters);
     let numbers = numbers.map(|n| format!("{}: f64", notation::rust(&Expr::name(n))));
@@ -140,7 +140,7 @@ const IMPORTED: [&str; 9] = [
 
 /// A module that defines every symbol and computes the results symbolically.
 pub(super) fn sympy(derivation: &Derivation) -> String {
-    let code = Code::of(derivation);
+    let code = Code::from_derivation(derivation);
     let points = code.points.iter().map(|(_, name)| notation::text(name));
     let mut body = symbols(&derivation.degrees, "integer=True, positive=True");
     body += &symbols(&derivation.parameters, "real=True");

@@ -11,7 +11,7 @@ use torse_prove::decide::interval::exact;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::quantity::Quantity;
 use torse_prove::evaluate::series::{Axis, Series, Target, here};
-use torse_prove::evaluate::value::NOWHERE;
+use torse_prove::evaluate::value::UNPLACED;
 use torse_prove::formula;
 use torse_syntax::derivation::declarations::{Basis, Declarations, SymbolKind};
 use torse_syntax::formula::{Expr, Node, Operator, Relation};
@@ -199,7 +199,7 @@ impl<'a> Family<'a> {
             .collect();
         self.evaluator
             .elaborator()
-            .family(&self.name, NOWHERE)
+            .family(&self.name, UNPLACED)
             .and_then(|family| self.evaluator.family(&family, &values))
             .map_err(|fault| DeriveError::Basis {
                 name: self.name.clone(),
@@ -230,7 +230,7 @@ impl<'a> Family<'a> {
     /// The names that must not be given to anything else.
     pub fn names(&self) -> Result<Names, DeriveError> {
         let variable = std::iter::once(self.basis.variable.clone());
-        Ok(Names::of(variable.chain(self.symbols()?)))
+        Ok(Names::new(variable.chain(self.symbols()?)))
     }
 
     /// The curve of this degree over these points, with these names for the shape parameters.

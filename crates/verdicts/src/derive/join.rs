@@ -20,7 +20,7 @@ use std::sync::Arc;
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
 use torse_prove::decide::conditions::separated;
 use torse_prove::evaluate::linear::solve_for;
-use torse_prove::evaluate::value::NOWHERE;
+use torse_prove::evaluate::value::UNPLACED;
 use torse_prove::formula;
 use torse_prove::unknown::Unknown;
 use torse_syntax::derivation::declarations::Declarations;
@@ -201,7 +201,7 @@ fn linear(
     let unknown = |j: usize| second.point(End::Start, j).symbols();
     let unknowns = (0..rows.len()).flat_map(unknown).filter_map(Unknown::new);
     let unknowns: Vec<Unknown> = unknowns.collect();
-    let solution = solve_for(&forms, &unknowns, NOWHERE).map_err(|fault| DeriveError::Open {
+    let solution = solve_for(&forms, &unknowns, UNPLACED).map_err(|fault| DeriveError::Open {
         reason: fault.problem.to_string(),
     })?;
     let (mut lines, mut divisors, mut points) = (vec![], vec![], vec![]);

@@ -10,7 +10,7 @@ pub(super) struct Names {
 
 impl Names {
     /// Starts with the names of the family.
-    pub fn of(taken: impl IntoIterator<Item = String>) -> Self {
+    pub fn new(taken: impl IntoIterator<Item = String>) -> Self {
         Self {
             taken: taken.into_iter().collect(),
         }
@@ -38,7 +38,7 @@ mod tests {
 
     #[test]
     fn a_taken_name_gets_zeros() {
-        let mut names = Names::of(["m".to_owned(), "a11".to_owned()]);
+        let mut names = Names::new(["m".to_owned(), "a11".to_owned()]);
         assert_eq!(names.fresh("m"), "m0");
         assert_eq!(names.fresh("m"), "m00");
         assert_eq!(names.fresh("a11"), "a011");

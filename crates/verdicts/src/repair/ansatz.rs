@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 use torse_algebra::Fraction;
 use torse_algebra::mersenne::{minus, plus, times};
 use torse_algebra::rational::integer;
-use torse_prove::case::Case;
+use torse_prove::context::PreparedClaim;
 use torse_prove::decide_statement;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::value::Value;
@@ -44,8 +44,8 @@ struct Shape {
 /// Searches the printed side in its own terms.
 #[must_use]
 pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
-    let subject = Subject::of(claim, statement)?;
-    let case = Case::new(claim, statement, BTreeMap::new()).ok()?;
+    let subject = Subject::from_claim(claim, statement)?;
+    let case = PreparedClaim::new(claim, statement, BTreeMap::new()).ok()?;
     let wanted = single(other_side(&case.statement, &subject.path)?)?;
     let mut atoms = Atoms::default();
     let printed = atoms.expanded(&subject.formula)?;

@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_algebra::rational::to_f64;
 use torse_algebra::{Rational, Symbol};
-use torse_prove::case::Case;
+use torse_prove::context::PreparedClaim;
 use torse_prove::decide_statement;
 use torse_syntax::derivation::declarations::{Declarations, Definition};
 use torse_syntax::derivation::{Claim, Written};
@@ -223,7 +223,7 @@ fn functions(claim: &Claim, statement: &Written, data: [&Datum; 2]) -> Option<Ve
         declarations.define(name.to_owned(), definition);
     }
     let changed = with(claim, declarations);
-    let case = Case::new(&changed, statement, BTreeMap::new()).ok()?;
+    let case = PreparedClaim::new(&changed, statement, BTreeMap::new()).ok()?;
     let [s, t] = names.map(Symbol::named);
     rates(&case.statement, [&s, &t])
 }

@@ -5,7 +5,7 @@
 
 use super::alphabet::Alphabet;
 use super::edit::{Change, Edit, text};
-use super::throughout;
+use super::global_edits;
 use std::sync::Arc;
 use torse_algebra::Rational;
 use torse_algebra::rational::{integer, ratio};
@@ -14,7 +14,7 @@ use torse_syntax::formula::{Expr, Node, Operator};
 /// All formulas one edit away.
 #[must_use]
 pub fn single(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
-    let mut result = throughout::edits(expr, alphabet);
+    let mut result = global_edits::edits(expr, alphabet);
     result.extend(local(expr, alphabet));
     result.extend(scaled(expr, alphabet));
     inside(expr, alphabet, &mut result);

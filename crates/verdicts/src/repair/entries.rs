@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_algebra::mersenne::{minus, times};
 use torse_algebra::rational::integer;
-use torse_prove::case::Case;
+use torse_prove::context::PreparedClaim;
 use torse_prove::decide_statement;
 use torse_prove::evaluate::Evaluator;
 use torse_syntax::derivation::{Claim, Written};
@@ -47,7 +47,7 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<DataCorrection> {
     let (name, printed) = sides(&statement.expr)?;
     let body = &claim.declarations.definition(name)?.body.expr;
     let rows = square(body)?;
-    let case = Case::new(claim, statement, BTreeMap::new()).ok()?;
+    let case = PreparedClaim::new(claim, statement, BTreeMap::new()).ok()?;
     let at = |expr: &Expr| residues(expr, &case.evaluator);
     let wanted = at(printed)?;
     let entries: Vec<Vec<Vec<u64>>> = rows

@@ -7,7 +7,6 @@
 //! ([`subject`]) or beside the formula ([`across`]). A wrong value may be the right value of other data, and a wrong
 //! determinant that of another matrix: see [`data`] and [`entries`].
 
-pub mod across;
 pub(crate) mod alphabet;
 pub mod ansatz;
 pub mod arguments;
@@ -16,6 +15,8 @@ pub mod data;
 pub mod edit;
 pub mod edits;
 pub mod entries;
+pub mod global_edits;
+pub mod move_factor;
 pub mod names;
 mod rates;
 pub mod repeated;
@@ -24,7 +25,6 @@ pub mod slips;
 pub mod subject;
 pub mod target;
 mod terms;
-pub mod throughout;
 
 use crate::condition::nonzero;
 use crate::correction::Correction;
@@ -34,7 +34,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use subject::Subject;
 use target::Target;
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_prove::decide_statement;
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Expr, Node, Relation};
@@ -69,7 +69,7 @@ pub fn is_sought(kind: Kind) -> bool {
 /// Searches a correction of a refuted statement.
 #[must_use]
 pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
-    let subject = Subject::of(claim, statement)?;
+    let subject = Subject::from_claim(claim, statement)?;
     let printed = &subject.formula;
     let target = Target::new(claim, statement, &subject)?;
     let alphabet = alphabet::alphabet(claim, &statement.expr, printed);
@@ -81,7 +81,7 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
         .take_while(|_| target.within_budget())
     {
         let agreement = target.agreement(&subject.side(&edit.expr));
-        if agreement.everywhere || planted(Planted::CorrectionUnproved) {
+        if agreement.everywhere || injected(InjectedFault::CorrectionUnproved) {
             once.push((edit.clone(), vec![edit.change.to_string()]));
         }
         singles.push((agreement.entries, edit));
@@ -170,8 +170,10 @@ fn moved(
     let comparison = parent.iter().try_fold(&statement.expr, |e, position| {
         e.parts().into_iter().nth(*position)
     })?;
-    let (left, right) = across::sides(comparison)?;
-    let candidates = target.apart(MAX_ELSEWHERE / 3, || across::moved(left, right, target));
+    let (left, right) = move_factor::sides(comparison)?;
+    let candidates = target.apart(MAX_ELSEWHERE / 3, || {
+        move_factor::moved(left, right, target)
+    });
     let mut found = candidates.into_iter().filter_map(|moved| {
         let equation = Node::Compare(moved.left.into(), vec![(Relation::Equal, moved.right)]);
         let expr = placed(&statement.expr, parent, Expr::made(equation));
@@ -197,7 +199,7 @@ fn provable(claim: &Claim, statement: &Written, expr: &Expr) -> Option<Vec<Formu
     let decided = decide_statement(claim, &trial).ok();
     match decided.and_then(|decision| decision.conditions()) {
         Some(conditions) => Some(conditions.iter().map(nonzero).collect()),
-        None if planted(Planted::CorrectionUnproved) => Some(vec![]),
+        None if injected(InjectedFault::CorrectionUnproved) => Some(vec![]),
         None => None,
     }
 }

@@ -10,7 +10,7 @@ use torse_algebra::mersenne::{self, PRIME, inverse, minus, plus, times};
 use torse_algebra::{Fraction, Integer, Polynomial, Rational, Symbol};
 
 /// The largest numerator and denominator that are read out of a residue.
-const MOST: u64 = 1 << 29;
+const MAX_PART: u64 = 1 << 29;
 
 /// The residue of a power; of a negative one where the base is not zero.
 #[must_use]
@@ -39,12 +39,12 @@ pub fn of_rational(value: &Rational) -> Option<u64> {
 pub fn to_rational(residue: u64) -> Option<Rational> {
     let (mut above, mut rest) = (i128::from(PRIME), i128::from(residue));
     let (mut before, mut below) = (0_i128, 1_i128);
-    while rest > i128::from(MOST) {
+    while rest > i128::from(MAX_PART) {
         let quotient = above / rest;
         (above, rest) = (rest, above - quotient * rest);
         (before, below) = (below, before - quotient * below);
     }
-    if below == 0 || below.unsigned_abs() > u128::from(MOST) {
+    if below == 0 || below.unsigned_abs() > u128::from(MAX_PART) {
         return None;
     }
     Some(Rational::new(Integer::from(rest), Integer::from(below)))

@@ -18,11 +18,11 @@ const FIVES: Cost = 3;
 /// Any number of few digits.
 const FEW_DIGITS: Cost = 5;
 /// The largest round number, in fives.
-const MOST_FIVES: i64 = 20;
+const MAX_FIVES: i64 = 20;
 /// The largest number of few digits, in tenths.
-const MOST_TENTHS: i64 = 2_000;
+const MAX_TENTHS: i64 = 2_000;
 /// The largest integer of few digits.
-const MOST_UNITS: i64 = 1_000;
+const MAX_UNITS: i64 = 1_000;
 
 /// The numbers that a slip may have turned into this one, with the cost of the slip; `others` are the
 /// numbers printed elsewhere in the example.
@@ -53,7 +53,7 @@ pub fn slips(value: &Rational, others: &[Rational]) -> BTreeMap<Rational, Cost> 
         add(other.clone(), COPIED);
         add(-other.clone(), COPIED + 1);
     }
-    for fives in -MOST_FIVES..=MOST_FIVES {
+    for fives in -MAX_FIVES..=MAX_FIVES {
         let cost = if fives % 2 == 0 { TENS } else { FIVES };
         add(integer(5 * fives), cost);
     }
@@ -64,8 +64,8 @@ pub fn slips(value: &Rational, others: &[Rational]) -> BTreeMap<Rational, Cost> 
 #[must_use]
 pub fn few_digits(value: &Rational, others: &[Rational]) -> BTreeMap<Rational, Cost> {
     let mut read = slips(value, others);
-    let tenths = (-MOST_TENTHS..=MOST_TENTHS).filter_map(|n| ratio(n, 10));
-    let units = (-MOST_UNITS..=MOST_UNITS).map(integer);
+    let tenths = (-MAX_TENTHS..=MAX_TENTHS).filter_map(|n| ratio(n, 10));
+    let units = (-MAX_UNITS..=MAX_UNITS).map(integer);
     for number in tenths.chain(units).filter(|n| n != value) {
         read.entry(number).or_insert(FEW_DIGITS);
     }

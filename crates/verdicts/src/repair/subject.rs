@@ -39,7 +39,7 @@ struct Unfolded {
 impl Subject {
     /// The printed side of the first equality of the statement that does not hold.
     #[must_use]
-    pub fn of(claim: &Claim, statement: &Written) -> Option<Self> {
+    pub fn from_claim(claim: &Claim, statement: &Written) -> Option<Self> {
         let mut path = vec![];
         let mut expr = &statement.expr;
         while let Node::Join(Connective::And, a, b) = &expr.node {

@@ -4,13 +4,13 @@ use super::subject::Subject;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 use torse_algebra::Fraction;
-use torse_prove::case::Case;
+use torse_prove::context::PreparedClaim;
 use torse_prove::decide::domain::Constraint;
 use torse_prove::decide::order::truth;
 use torse_prove::evaluate::Evaluator;
 use torse_prove::evaluate::quantity::Quantity;
 use torse_prove::evaluate::value::{Statement, Value};
-use torse_prove::sample;
+use torse_prove::probabilistic_refuter;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::Expr;
@@ -66,16 +66,17 @@ impl<'a> Target<'a> {
                 })
                 .collect();
             // An assumption may fix an integer: then there is one instance.
-            let spread = Case::new(claim, statement, fixed)
+            let spread = PreparedClaim::new(claim, statement, fixed)
                 .ok()
                 .filter(|case| case.domain.constraints.iter().all(Self::possible));
             let alone = integers.is_empty() || spread.is_none();
-            let case = spread.or_else(|| Case::new(claim, statement, BTreeMap::new()).ok())?;
+            let case =
+                spread.or_else(|| PreparedClaim::new(claim, statement, BTreeMap::new()).ok())?;
             let left = other_side(&case.statement, &subject.path)?;
             let values = left
                 .entries()
                 .into_iter()
-                .map(|q| q.as_fraction().and_then(sample::at_sample))
+                .map(|q| q.as_fraction().and_then(probabilistic_refuter::at_sample))
                 .collect::<Option<Vec<_>>>()?;
             // Candidates differ from the printed formula in few places.
             let evaluator = case.evaluator.sampling();
@@ -154,7 +155,7 @@ impl<'a> Target<'a> {
         self.terms
             .set(self.terms.get().saturating_add(terms as u64));
         let agree = |(q, wanted): &(&Quantity, &Fraction)| {
-            let at_sample = q.as_fraction().and_then(sample::at_sample);
+            let at_sample = q.as_fraction().and_then(probabilistic_refuter::at_sample);
             at_sample.is_some_and(|found| found == **wanted)
         };
         (entries.len() == other.len()).then(|| entries.into_iter().zip(other).filter(agree).count())

@@ -7,7 +7,7 @@ use torse_certificate::identity::Combination;
 use torse_certificate::order::Order;
 use torse_certificate::point::{Counterexample, Failure};
 use torse_certificate::proof::Proof;
-use torse_certificate::proof::ground::{Determining, Ground, Signed};
+use torse_certificate::proof::assumptions::{Assumptions, Determining, Signed};
 use torse_certificate::proof::refutation::Refuted;
 use torse_certificate::sign::{Certificate, Coordinate, Factor, Shown, Sign};
 use torse_certificate::wronskian::{Cell, Exchange, Wronskians};
@@ -50,7 +50,7 @@ fn proof(found: &mut Found) -> &mut Proof<P> {
     }
 }
 
-pub(crate) fn ground(found: &mut Found) -> &mut Ground<P> {
+pub(crate) fn ground(found: &mut Found) -> &mut Assumptions<P> {
     match proof(found) {
         Proof::On(ground) => ground,
         other => panic!("{other:?}"),

@@ -2,19 +2,19 @@
 
 use crate::claim;
 use torse_checker::{CheckError, Work};
-use torse_numbers::planted::{Planted, with};
+use torse_numbers::fault_injection::{InjectedFault, with};
 use torse_prove::decide_statement;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::certificate::DecisionCertificate;
 use torse_verdicts::engine::decide_claim;
 
 /// What the checker says, without the mistake, of what the prover finds with it.
-fn caught(fault: Planted, lines: &str) -> Result<(), CheckError> {
+fn caught(fault: InjectedFault, lines: &str) -> Result<(), CheckError> {
     let claim = claim(lines);
     let statement = claim.statement.clone().unwrap();
     let decision = with(fault, || decide_statement(&claim, &statement)).unwrap();
-    let certificate =
-        DecisionCertificate::of(&decision).unwrap_or_else(|| panic!("{fault:?}: {decision:?}"));
+    let certificate = DecisionCertificate::from_decision(&decision)
+        .unwrap_or_else(|| panic!("{fault:?}: {decision:?}"));
     let core = torse_elaborate::elaborate(&claim, &statement).unwrap();
     let work = Work::new(torse_checker::WORK);
     match certificate.plain() {
@@ -31,31 +31,37 @@ fn caught(fault: Planted, lines: &str) -> Result<(), CheckError> {
 fn the_checker_sees_mistakes_of_the_prover() {
     for (fault, lines) in [
         (
-            Planted::RangeForgotten,
+            InjectedFault::RangeForgotten,
             "assume = ['x == a']\nstates = 'a >= 0'",
         ),
         (
-            Planted::ConditionDropped,
+            InjectedFault::ConditionDropped,
             "given = ['a*b == a']\nsolve_for = ['b']\nstates = 'b == 1'",
         ),
         (
-            Planted::AssumptionReversed,
+            InjectedFault::AssumptionReversed,
             "assume = ['a + b >= 1']\nstates = 'a + b <= 1'",
         ),
         (
-            Planted::BoundReversed,
+            InjectedFault::BoundReversed,
             "assume = ['a >= 1']\nstates = 'a - x <= 1'",
         ),
         (
-            Planted::WitnessAnywhere,
+            InjectedFault::WitnessAnywhere,
             "assume = ['a^3 > 1']\nstates = 'a > 1/2'",
         ),
-        (Planted::RoundingTooWide, "states = 'agrees(pi, 3.15)'"),
         (
-            Planted::CosineRate,
+            InjectedFault::RoundingTooWide,
+            "states = 'agrees(pi, 3.15)'",
+        ),
+        (
+            InjectedFault::CosineRate,
             "states = 'D(cos(pi/2*x), x) == pi/2*sin(pi/2*x)'",
         ),
-        (Planted::SecondHalfIgnored, "states = 'a == a and a == b'"),
+        (
+            InjectedFault::SecondHalfIgnored,
+            "states = 'a == a and a == b'",
+        ),
     ] {
         let said = caught(fault, lines);
         assert!(
@@ -71,7 +77,7 @@ fn a_mistake_of_the_checker_contradicts_the_prover() {
     let clean = decide_claim("proofs", &claim).unwrap();
     assert_eq!(clean.verdict(), Verdict::Holds);
     assert!(clean.replay().unwrap().replayed);
-    let faulty = with(Planted::DifferenceReadAsSum, || {
+    let faulty = with(InjectedFault::DifferenceReadAsSum, || {
         decide_claim("proofs", &claim)
     })
     .unwrap();

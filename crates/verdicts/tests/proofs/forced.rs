@@ -2,16 +2,16 @@
 
 use crate::damaged::{ground, more, order, rejected};
 use crate::{Found, found, tried};
-use torse_certificate::forced::{Forced, Zero};
 use torse_certificate::proof::Proof;
 use torse_certificate::sign::{Along, Shown, Sign, Squares};
+use torse_certificate::zero_by_sign::{Zero, ZeroBySign};
 use torse_certificate::{Polynomial, Symbol};
 use torse_checker::{CheckError, Wrong};
 use torse_verdicts::certificate::DecisionCertificate;
 
-fn forced(found: &mut Found) -> &mut Forced<Polynomial> {
+fn forced(found: &mut Found) -> &mut ZeroBySign<Polynomial> {
     match &mut ground(found).proof {
-        Proof::Forced(own) => own,
+        Proof::ZeroBySign(own) => own,
         other => panic!("{other:?}"),
     }
 }

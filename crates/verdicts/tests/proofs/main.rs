@@ -70,7 +70,7 @@ fn tried(lines: &str) -> Option<Found> {
     Some(Found {
         core: torse_elaborate::elaborate(&claim, &statement).unwrap(),
         origin: statement.origin,
-        certificate: DecisionCertificate::of(&decision)?.plain(),
+        certificate: DecisionCertificate::from_decision(&decision)?.plain(),
     })
 }
 

@@ -5,7 +5,7 @@
 use crate::common;
 
 use torse_elaborate::elaborate;
-use torse_numbers::planted::{Planted, with};
+use torse_numbers::fault_injection::{InjectedFault, with};
 use torse_syntax::derivation::Claim;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::agreement::{Agreement, agreement};
@@ -38,64 +38,64 @@ step = ['1 - x', 'x']
 "#;
 
 /// A fault, the fields of a claim that uses the construct, and a part of what is said of it.
-const CASES: [(Planted, &str, &str); 12] = [
+const CASES: [(InjectedFault, &str, &str); 12] = [
     (
-        Planted::OrdersByMaximum,
+        InjectedFault::OrdersByMaximum,
         "states = 'D(D(f(u*v), v), u) == 0'",
         "`D(D(f(u*v), v), u)`",
     ),
     (
-        Planted::PropertyOutsideScope,
+        InjectedFault::PropertyOutsideScope,
         "states = 'at(nonnegative(A), c, 1/2)'",
         "a side of `nonnegative",
     ),
     (
-        Planted::DefinitionOutsideScope,
+        InjectedFault::DefinitionOutsideScope,
         "states = 'b + D(G, x) == b'",
         "`D(G, x)`",
     ),
     (
-        Planted::IndexCaptured,
+        InjectedFault::IndexCaptured,
         "states = 'sum(a, 1, 2, G) == 3*x'",
         "`sum(a, 1, 2, G)`",
     ),
     (
-        Planted::LeftOutNotMoved,
+        InjectedFault::LeftOutNotMoved,
         "states = 'at(B[0,1], x, 1/2) == B[0,1]'",
         "`at(B[0,1], x, 1/2)`",
     ),
     (
-        Planted::SeedOverlooked,
+        InjectedFault::SeedOverlooked,
         "states = 'sqrt(B[0,1](x)) == at(sqrt(B[0,1](x)), m, 2)'",
         "one reading has no value",
     ),
     (
-        Planted::DenialOfBoth,
+        InjectedFault::DenialOfBoth,
         "states = 'not (a == 0 and b == 0) implies a*b != 0'",
         "another statement",
     ),
     (
-        Planted::ChainFromFirst,
+        InjectedFault::ChainFromFirst,
         "assume = ['a < b < c']\nstates = 'a < c'",
         "in hypothesis 1, `b`",
     ),
     (
-        Planted::PrimesOnce,
+        InjectedFault::PrimesOnce,
         "states = \"F''(a, b) == 2*a*b\"",
         "`F''(a, b)`",
     ),
     (
-        Planted::EndsExchanged,
+        InjectedFault::EndsExchanged,
         "states = 'integral(x, x, 0, 1) == -1/2'",
         "`integral(x, x, 0, 1)`",
     ),
     (
-        Planted::FirstParameter,
+        InjectedFault::FirstParameter,
         "states = 'D(F, t)(a, b) == 2*a*b'",
         "`D(F, t)(a, b)`",
     ),
     (
-        Planted::OpenEndIncluded,
+        InjectedFault::OpenEndIncluded,
         "exists = ['r == 1']\nstates = 'r == 1'",
         "another statement",
     ),
@@ -106,7 +106,7 @@ fn claim(lines: &str) -> Claim {
     paper.claims.into_iter().next().unwrap()
 }
 
-fn compared(claim: &Claim, fault: Option<Planted>) -> Agreement {
+fn compared(claim: &Claim, fault: Option<InjectedFault>) -> Agreement {
     let statement = claim.statement.as_ref().unwrap();
     let elaborated = || elaborate(claim, statement).unwrap();
     // The root of a formula becomes a symbol where it is compared.

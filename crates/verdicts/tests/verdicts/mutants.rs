@@ -9,7 +9,7 @@ use torse_verdicts::mutants::{Survival, Survivor, survivors};
 /// Every so many claims are tried.
 const STRIDE: usize = 12;
 /// The most slips in one claim.
-const MOST: usize = 24;
+const MAX_MUTANTS: usize = 24;
 
 /// Survivors and the number of changed statements over a sample of the identities that hold.
 fn sampled() -> (Vec<(String, Survivor)>, usize) {
@@ -30,7 +30,7 @@ fn sampled() -> (Vec<(String, Survivor)>, usize) {
             decide_claim(&paper.head.id, c).is_ok_and(|o| o.verdict() == Verdict::Holds)
         };
         for claim in sample.filter(holds) {
-            let (survivors, count) = survivors(claim, MOST);
+            let (survivors, count) = survivors(claim, MAX_MUTANTS);
             decided += count;
             let id = claim.entry.id.get_ref();
             found.extend(survivors.into_iter().map(|s| (id.clone(), s)));

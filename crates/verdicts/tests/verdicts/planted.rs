@@ -1,11 +1,11 @@
 //! Deliberate mistakes of the engine, one at a time, and what catches each.
 //!
-//! For every [`Planted`] there is a claim whose verdict changes with it: the prover alone says something else. What a
+//! For every [`InjectedFault`] there is a claim whose verdict changes with it: the prover alone says something else. What a
 //! user sees is then never the wrong verdict. There are mistakes with debug assertions alone: a release has none to choose.
 #![cfg(debug_assertions)]
 use crate::common;
 
-use torse_numbers::planted::{Planted, with};
+use torse_numbers::fault_injection::{InjectedFault, with};
 use torse_prove::decide::Decision;
 use torse_prove::decide_statement;
 use torse_syntax::derivation::Claim;
@@ -49,16 +49,21 @@ enum Caught {
     NotNetted,
 }
 
-struct Case {
-    fault: Planted,
+struct PreparedClaim {
+    fault: InjectedFault,
     lines: &'static str,
     /// The verdict without the fault.
     right: Verdict,
     caught: Caught,
 }
 
-const fn case(fault: Planted, lines: &'static str, right: Verdict, caught: Caught) -> Case {
-    Case {
+const fn case(
+    fault: InjectedFault,
+    lines: &'static str,
+    right: Verdict,
+    caught: Caught,
+) -> PreparedClaim {
+    PreparedClaim {
         fault,
         lines,
         right,
@@ -66,207 +71,207 @@ const fn case(fault: Planted, lines: &'static str, right: Verdict, caught: Caugh
     }
 }
 
-const CASES: &[Case] = &[
+const CASES: &[PreparedClaim] = &[
     case(
-        Planted::LowerEndForgotten,
+        InjectedFault::LowerEndForgotten,
         "states = 'integral(2*x + 1, x, 1, b) == b^2 + b'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::LastFactorForgotten,
+        InjectedFault::LastFactorForgotten,
         "states = 'product(i, 1, n, (i + 1)/i) == n'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::RangeForgotten,
+        InjectedFault::RangeForgotten,
         "assume = ['x == a']\nstates = 'a >= 0'",
         Holds,
         Caught::Net,
     ),
     case(
-        Planted::ConditionDropped,
+        InjectedFault::ConditionDropped,
         "given = ['a*b == a']\nsolve_for = ['b']\nstates = 'b == 1'",
         Conditional,
         Caught::Net,
     ),
     case(
-        Planted::AssumptionReversed,
+        InjectedFault::AssumptionReversed,
         "assume = ['a + b >= 1']\nstates = 'a + b <= 1'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::BoundReversed,
+        InjectedFault::BoundReversed,
         "assume = ['a >= 1']\nstates = 'a - x <= 1'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::CertificateSign,
+        InjectedFault::CertificateSign,
         "assume = ['s + t >= 1/2']\nstates = 's + t >= 1'",
         False,
         Caught::Replay,
     ),
     case(
-        Planted::ZeroTakenForPositive,
+        InjectedFault::ZeroTakenForPositive,
         "states = '1 - x > 0'",
         False,
         Caught::Replay,
     ),
     case(
-        Planted::IndexLeftFree,
+        InjectedFault::IndexLeftFree,
         "states = 'sum(i, 0, n, B[i,n](i*x)) == 1'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::DegreeBelowSeeds,
+        InjectedFault::DegreeBelowSeeds,
         "states = 'G[0,1](x) == (1 - x)^2'",
         Undecided,
         Caught::NotNetted,
     ),
     case(
-        Planted::EmptySumHasTerm,
+        InjectedFault::EmptySumHasTerm,
         "states = 'sum(i, 1, 0, a) == a'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::ValueBeforeDerivative,
+        InjectedFault::ValueBeforeDerivative,
         "let = { \"F(a)\" = 'D(a^2, a)' }\nstates = 'F(3) == 0'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::PowerWithoutFactor,
+        InjectedFault::PowerWithoutFactor,
         "states = 'at(D(sum(i, 0, n, B[i,n](x)*P[i]), x), x, 0) == P[1] - P[0]'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::CosineRate,
+        InjectedFault::CosineRate,
         "states = 'D(cos(x), x) == sin(x)'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::AngleSum,
+        InjectedFault::AngleSum,
         "states = 'cos(2*x) == 1'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::DeterminantWithoutSigns,
+        InjectedFault::DeterminantWithoutSigns,
         "states = 'det([[a, 1], [1, a]]) == a^2 + 1'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::SecondHalfIgnored,
+        InjectedFault::SecondHalfIgnored,
         "states = 'a == a and a == b'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::ClosedEndExcluded,
+        InjectedFault::ClosedEndExcluded,
         "assume = ['a <= 0', 'a >= 0']\nstates = 'a == 1'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::WitnessAnywhere,
+        InjectedFault::WitnessAnywhere,
         "assume = ['a^3 > 1']\nstates = 'a > 1/2'",
         Undecided,
         Caught::Net,
     ),
     case(
-        Planted::RoundingTooWide,
+        InjectedFault::RoundingTooWide,
         "states = 'agrees(pi, 3.15)'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::CoefficientUnlooked,
+        InjectedFault::CoefficientUnlooked,
         "states = 'variation_diminishing(H, 1, 2)'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::RootSignIgnored,
+        InjectedFault::RootSignIgnored,
         "states = 'sqrt(a^2) == a'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::CorrectionUnproved,
+        InjectedFault::CorrectionUnproved,
         "kind = 'identity'\nstates = 'a*b + 1 == a*b + 2*a'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::IndexNotSeen,
+        InjectedFault::IndexNotSeen,
         "states = 'sum(a, 1, 2, a) == 2*a'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::MovedNotSeen,
+        InjectedFault::MovedNotSeen,
         "states = 'at(a^2, a, 3) == a^2'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::OrderForgotten,
+        InjectedFault::OrderForgotten,
         "states = 'D(a^3, a, 2) == 3*a^2'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::StepFactorsExchanged,
+        InjectedFault::StepFactorsExchanged,
         "states = 'B[0,1](x) == x'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::ImplicationReversed,
+        InjectedFault::ImplicationReversed,
         "states = 'a >= 0 implies a >= 1'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::CoshAsDifference,
+        InjectedFault::CoshAsDifference,
         "states = 'cosh(a) == sinh(a)'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::SizeAsItself,
+        InjectedFault::SizeAsItself,
         "states = 'abs(a) == a'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::ArgumentsExchanged,
+        InjectedFault::ArgumentsExchanged,
         "let = { \"F(u, v)\" = 'u - v' }\nstates = 'F(a, b) == b - a'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::ProductAsSum,
+        InjectedFault::ProductAsSum,
         "states = 'product(i, 1, 2, a) == 2*a'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::PrintedSignLost,
+        InjectedFault::PrintedSignLost,
         "states = 'agrees(pi, -3.14)'",
         False,
         Caught::Net,
     ),
     case(
-        Planted::CaseForgotten,
+        InjectedFault::CaseForgotten,
         "assume = ['a*(b^2 - 2) == 0']\nstates = 'cos(a) == 1'",
         Conditional,
         Caught::Net,
@@ -313,7 +318,7 @@ fn every_planted_fault_changes_a_verdict_and_is_caught() {
             _ => None,
         };
         // A wrong correction leaves the verdict of the prover as it is.
-        let changed = alone.0 != alone.1 || case.fault == Planted::CorrectionUnproved;
+        let changed = alone.0 != alone.1 || case.fault == InjectedFault::CorrectionUnproved;
         if clean != case.right || !changed || caught != Some(case.caught) {
             wrong.push(format!(
                 "{:?}: {:?} without, prover {alone:?}, then {:?} {:?} {:?}",
@@ -333,7 +338,10 @@ fn a_memory_that_forgets_nothing_contradicts_what_is_right() {
     let claim = claim("let = { F = 'a*x' }\nstates = 'at(F, a, 1) + at(F, a, 2) == 3*x'");
     let clean = decide_claim("planted", &claim).unwrap();
     assert_eq!((clean.verdict(), clean.contradiction()), (Holds, None));
-    let faulty = with(Planted::StaleMemory, || decide_claim("planted", &claim)).unwrap();
+    let faulty = with(InjectedFault::StaleMemory, || {
+        decide_claim("planted", &claim)
+    })
+    .unwrap();
     assert_eq!(faulty.verdict(), Undecided);
     assert!(faulty.contradiction().is_some(), "{:?}", faulty.steps());
 }

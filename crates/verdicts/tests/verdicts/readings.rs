@@ -39,7 +39,7 @@ fn readings_with_different_verdicts_accuse_nobody() {
         found.steps()[0],
         "read as “literal” (the literal one): it is false"
     );
-    assert_eq!(Fate::of(found.verdict()), Fate::Open);
+    assert_eq!(Fate::from_verdict(found.verdict()), Fate::Open);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::elaborator::Outcome;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use torse_core::{Node, Term};
-use torse_numbers::planted::{Planted, planted};
+use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::{Rational, rational};
 use torse_syntax::derivation::declarations::{Bound, Declarations, Interval, SymbolKind};
 use torse_syntax::formula::{self, Expr, Operator};
@@ -30,7 +30,7 @@ impl At {
     /// How often the derivatives around it may differentiate the argument, all together.
     pub(super) fn order(&self) -> usize {
         let orders = self.orders.values();
-        if planted(Planted::OrdersByMaximum) {
+        if injected(InjectedFault::OrdersByMaximum) {
             return orders.copied().max().unwrap_or(0);
         }
         orders.fold(0, |sum: usize, order| sum.saturating_add(*order))

@@ -8,7 +8,7 @@ use crate::decide::order::order;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use torse_algebra::bernstein::{BernsteinForm, Term};
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::rational::integer;
 use torse_algebra::rational_box::RationalBox;
 use torse_algebra::work::{self, Spent};
@@ -171,7 +171,7 @@ impl Spread {
                 all.into_iter().flatten().collect()
             });
         let faces: Vec<Vec<Face>> = faces.collect();
-        if every_face_positive(&positive, &faces) || planted(Planted::ZeroTakenForPositive) {
+        if every_face_positive(&positive, &faces) || injected(InjectedFault::ZeroTakenForPositive) {
             Shown::Positive
         } else {
             Shown::Nonnegative

@@ -19,7 +19,7 @@ use crate::decide::domain::{Constraint, Domain};
 use crate::decide::order::truth;
 use crate::decide::value::plain_symbol;
 use std::collections::BTreeMap;
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::rational::integer;
 use torse_algebra::rational_box::RationalBox;
 use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
@@ -110,7 +110,7 @@ pub fn assumed(domain: &Domain<'_>) -> Vec<(Polynomial, bool)> {
     let oriented = domain.constraints.iter().filter_map(|c| {
         // The product with the denominator has the sign of the quotient.
         let mut product = c.value.numerator() * &c.value.denominator();
-        if planted(Planted::AssumptionReversed) {
+        if injected(InjectedFault::AssumptionReversed) {
             product = -product;
         }
         match c.relation {
@@ -146,7 +146,7 @@ pub(super) fn written(
             all.push(&assumed.get(number)?.0);
         }
     }
-    let (_, coordinates) = Coordinates::of(&all, domain)?;
+    let (_, coordinates) = Coordinates::new(&all, domain)?;
     let square = |(multiple, root): &(Rational, Polynomial)| written::Square {
         multiple: multiple.clone(),
         root: root.clone(),
@@ -273,7 +273,7 @@ fn check_pieces(
             numbers.push(number);
         }
     }
-    let (moved, coordinates) = Coordinates::of(&all, domain).ok_or(CertificateError::Domain)?;
+    let (moved, coordinates) = Coordinates::new(&all, domain).ok_or(CertificateError::Domain)?;
     let pieces = certificate.pieces.len();
     if !fills(&certificate.pieces, coordinates.sides.len()) {
         return Err(CertificateError::NotFilled { pieces });

@@ -46,8 +46,11 @@ impl Coordinates {
     /// Polynomials in the coordinates of their common domain, each with the sign of the given one; `None`
     /// if some symbol has no bound.
     #[must_use]
-    pub fn of(polynomials: &[&Polynomial], domain: &Domain<'_>) -> Option<(Vec<Polynomial>, Self)> {
-        let finest = Finest::of(polynomials.iter().flat_map(|p| p.symbols()));
+    pub fn new(
+        polynomials: &[&Polynomial],
+        domain: &Domain<'_>,
+    ) -> Option<(Vec<Polynomial>, Self)> {
+        let finest = Finest::new(polynomials.iter().flat_map(|p| p.symbols()));
         let mut moved: Vec<Polynomial> = polynomials
             .iter()
             .map(|p| p.substituted(|symbol| finest.value(symbol)))

@@ -22,7 +22,7 @@ use super::domain::Domain;
 use super::value::Proof as Whole;
 use super::{Decision, Refutation, witness};
 use crate::evaluate::quantity::Quantity;
-use crate::evaluate::value::{NOWHERE, Value};
+use crate::evaluate::value::{UNPLACED, Value};
 use certificate::CertificateError;
 use torse_algebra::{Fraction, Integer, Polynomial, Symbol};
 use torse_certificate::identity::{Identity, Vanishing};
@@ -63,7 +63,7 @@ impl Sign {
 
 /// A sign of the polynomial on the whole domain, if one can be proved this way.
 #[must_use]
-pub fn of(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Sign> {
+pub fn sign(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Sign> {
     proof(polynomial, domain).map(|(sign, _)| sign)
 }
 
@@ -83,7 +83,7 @@ pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proo
 
 /// That the polynomial is zero or more, if that can be proved: one that is zero everywhere is zero or less as well.
 fn not_negative(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proof)> {
-    match Proof::of(polynomial, domain) {
+    match Proof::find(polynomial, domain) {
         Some(proof) if proof.strict() => Some((Sign::Positive, proof)),
         Some(proof) => Some((Sign::Nonnegative, proof)),
         None => Proof::of_equations(polynomial, domain),
@@ -99,7 +99,7 @@ fn not_positive(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, P
 /// The same by inequalities alone.
 fn without_equations(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proof)> {
     let shown = |polynomial: &Polynomial| {
-        let proof = Proof::of(polynomial, domain)?;
+        let proof = Proof::find(polynomial, domain)?;
         Some((proof.strict(), proof))
     };
     let (strict, weak) = match shown(polynomial) {
@@ -193,7 +193,7 @@ pub fn compare(
     };
     let (Some(x), Some(y)) = (x.as_fraction(), y.as_fraction()) else {
         return Err(Fault::limit(
-            NOWHERE,
+            UNPLACED,
             "an order relation of symbolic degree",
         ));
     };

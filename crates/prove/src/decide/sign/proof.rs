@@ -39,7 +39,7 @@ pub enum Shown {
 
 impl Proof {
     /// A proof that the polynomial is zero or more; one that it is more if there is one.
-    pub(super) fn of(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Self> {
+    pub(super) fn find(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Self> {
         let proof = |shown| Self {
             polynomial: polynomial.clone(),
             shown,

@@ -9,7 +9,7 @@ use super::squares::squares;
 use crate::decide::domain::Domain;
 use crate::decide::order::truth;
 use crate::formula::factors;
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::rational::integer;
 use torse_algebra::{Polynomial, Rational, Symbol};
 use torse_syntax::formula::Relation;
@@ -55,7 +55,7 @@ pub fn prove(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Certificate
                 return best;
             }
             let mut rest = polynomial - &value.scaled(&multiple);
-            if planted(Planted::CertificateSign) {
+            if injected(InjectedFault::CertificateSign) {
                 rest = polynomial + &value.scaled(&multiple);
             }
             if let Some(mut found) = direct(&rest, domain, &[]) {
@@ -294,7 +294,7 @@ fn direct(
     // Assumptions that say something about the symbols of the rest, and only about bounded ones.
     let useful = |value: &Polynomial| {
         let shared = value.symbols().iter().any(|s| rest.symbols().contains(s));
-        shared && Coordinates::of(&[value], domain).is_some()
+        shared && Coordinates::new(&[value], domain).is_some()
     };
     let numbers: Vec<usize> = assumed
         .iter()
@@ -309,7 +309,7 @@ fn direct(
             .filter_map(|n| assumed.get(*n))
             .map(|(value, _)| value),
     );
-    let (mut moved, coordinates) = Coordinates::of(&all, domain)?;
+    let (mut moved, coordinates) = Coordinates::new(&all, domain)?;
     let target = moved.remove(0);
     let bounds = numbers
         .into_iter()

@@ -1,7 +1,7 @@
 //! One shift operator `(a + b E)^n S(E)` with a symbolic power n.
 
 use super::polynomial_of;
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Affine, ExactError, Fraction};
 
 /// What the coefficients of an [`Axis`] are applied to.
@@ -53,7 +53,7 @@ impl Axis {
     /// `power * rate (a + b E)^(power - 1) seeds`: what the rate of change of the step contributes to a
     /// derivation of the whole.
     fn moved(&self, rate: &[Fraction; 2]) -> Self {
-        let power: Fraction = match planted(Planted::PowerWithoutFactor) {
+        let power: Fraction = match injected(InjectedFault::PowerWithoutFactor) {
             true => Fraction::integer(1),
             false => polynomial_of(&self.power).into(),
         };

@@ -42,7 +42,7 @@ pub(super) fn value(expr: &Expr) -> Fraction {
 }
 
 /// The value of a text.
-pub(super) fn of(text: &str) -> Fraction {
+pub(super) fn evaluated(text: &str) -> Fraction {
     value(&parse(text).unwrap())
 }
 

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// Most bytes of all pixels of a page; where the finest do not fit, fewer in coarser colours are taken.
-const MOST_BYTES: usize = 420_000;
+const MAX_BYTES: usize = 420_000;
 
 /// A drawing that can stand in a page.
 pub(super) struct Drawing {
@@ -66,12 +66,12 @@ impl Files {
         };
         let fine = [(4, 4), (3, 6), (2, 8)].into_iter().map(of);
         let fits =
-            |files: &Files| files.0.iter().flatten().map(Vec::len).sum::<usize>() <= MOST_BYTES;
+            |files: &Files| files.0.iter().flatten().map(Vec::len).sum::<usize>() <= MAX_BYTES;
         fine.into_iter().find(fits).unwrap_or_else(|| of((2, 14)))
     }
 
     /// The files of the drawing with this number.
-    pub fn of(&self, drawing: usize) -> &[Vec<u8>] {
+    pub fn pieces(&self, drawing: usize) -> &[Vec<u8>] {
         self.0.get(drawing).map_or(&[], Vec::as_slice)
     }
 }

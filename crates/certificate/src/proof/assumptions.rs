@@ -12,7 +12,7 @@ use torse_numbers::Rational;
 
 /// A proof on the domain of a claim, where eliminated symbols have their values.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Ground<P> {
+pub struct Assumptions<P> {
     /// The symbols that equations determine, in the order in which they were eliminated.
     pub eliminated: Vec<Elimination<P>>,
     /// All hypotheses that eliminated nothing, and what eliminated symbols left behind: their ranges.
@@ -105,10 +105,10 @@ pub enum Sharpness<P> {
     },
 }
 
-impl<P> Ground<P> {
+impl<P> Assumptions<P> {
     /// The same in other polynomials.
-    pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Ground<Q> {
-        Ground {
+    pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Assumptions<Q> {
+        Assumptions {
             eliminated: self.eliminated.iter().map(|e| e.map(change)).collect(),
             constraints: self.constraints.iter().map(|c| c.map(change)).collect(),
             proof: self.proof.map(change),

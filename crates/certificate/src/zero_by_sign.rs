@@ -7,7 +7,7 @@ use serde::Serialize;
 
 /// Each difference is zero, one entry after the other.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Forced<P> {
+pub struct ZeroBySign<P> {
     /// Why, entry by entry.
     pub entries: Vec<Zero<P>>,
     /// What was divided by on the way.
@@ -38,10 +38,10 @@ pub enum Zero<P> {
     },
 }
 
-impl<P> Forced<P> {
+impl<P> ZeroBySign<P> {
     /// The same in other polynomials.
-    pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Forced<Q> {
-        Forced {
+    pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> ZeroBySign<Q> {
+        ZeroBySign {
             entries: self.entries.iter().map(|zero| zero.map(change)).collect(),
             divisors: self.divisors.iter().map(change).collect(),
         }

@@ -1,6 +1,6 @@
 //! Statements by their structure: conjunctions part by part, denials by one point, alternatives by one of them.
 
-use crate::alternatives;
+use crate::case_split;
 use crate::decide::value::Proof;
 use crate::decide::{self, Decision};
 use crate::decider::Decider;
@@ -13,15 +13,15 @@ use torse_syntax::fault::Fault;
 use torse_syntax::formula::Connective;
 
 /// The domain of a claim, cut into parts without alternatives.
-pub(crate) struct Parts<'a> {
+pub(crate) struct DisjunctiveDomain<'a> {
     deciders: Vec<Decider<'a>>,
     elaborator: Rc<Elaborator<'a>>,
     /// Where the statement is written.
     origin: &'a Origin,
 }
 
-impl<'a> Parts<'a> {
-    pub fn of(
+impl<'a> DisjunctiveDomain<'a> {
+    pub fn new(
         claims: Vec<core::Claim>,
         elaborator: &Rc<Elaborator<'a>>,
         origin: &'a Origin,
@@ -70,7 +70,7 @@ impl<'a> Parts<'a> {
                     None => self.everywhere(statement),
                 }
             }
-            core::Statement::Join(Connective::Or, ..) => match alternatives::clauses(statement) {
+            core::Statement::Join(Connective::Or, ..) => match case_split::clauses(statement) {
                 Some(clauses) => {
                     let clauses = clauses.iter().map(|clause| self.alternative(clause));
                     conjoined(clauses, Proof::Clauses)
@@ -163,13 +163,12 @@ impl<'a> Parts<'a> {
         }
         let mut there = vec![];
         for part in &self.deciders {
-            let Some(claims) = alternatives::under(&part.claim, premises, truth, self.origin)
-            else {
+            let Some(claims) = case_split::under(&part.claim, premises, truth, self.origin) else {
                 return Ok(None);
             };
             there.extend(claims);
         }
-        let there = Parts::of(there, &self.elaborator, self.origin);
+        let there = DisjunctiveDomain::new(there, &self.elaborator, self.origin);
         Ok(Some(match there.decide(conclusion) {
             // No point, or none at which the premises are so: the second is a proof.
             Ok(Decision::Vacuous(emptiness)) => match self.everywhere(conclusion)? {

@@ -22,7 +22,7 @@ impl Writer<'_> {
     ///
     /// # Errors
     /// [`Untranslatable`] for what has no translation.
-    pub fn said(
+    pub fn translate_statement(
         &mut self,
         expr: &Expr,
         scope: &Scope,
@@ -44,7 +44,10 @@ impl Writer<'_> {
                 all_of(parts)
             }
             Node::Join(connective, a, b) => {
-                let (a, b) = (self.said(a, scope, None)?, self.said(b, scope, None)?);
+                let (a, b) = (
+                    self.translate_statement(a, scope, None)?,
+                    self.translate_statement(b, scope, None)?,
+                );
                 Ok(match connective {
                     Connective::Implies => {
                         let text = format!("{} -> {}", a.below(Level::Open), b.within(Level::Open));
@@ -54,7 +57,7 @@ impl Writer<'_> {
                 })
             }
             Node::Not(inner) => {
-                let inner = self.said(inner, scope, None)?;
+                let inner = self.translate_statement(inner, scope, None)?;
                 Ok(Code::new(format!("~ ({})", inner.text()), Level::Relation))
             }
             Node::Name(name) if !scope.locals.contains_key(name) => {
@@ -62,7 +65,7 @@ impl Writer<'_> {
                 let definition = definition.filter(|d| d.parameters.is_empty());
                 let definition = definition
                     .ok_or_else(|| Untranslatable::Unread(format!("`{name}` is no statement")))?;
-                self.said(&definition.body.expr, &scope.outside(), domain)
+                self.translate_statement(&definition.body.expr, &scope.outside(), domain)
             }
             Node::Call(head, arguments) => {
                 let name = self.names.built_in(head, &scope.bound());
@@ -71,7 +74,7 @@ impl Writer<'_> {
                         let reach = self.reach(inner, scope);
                         let binding = self.binding(variable, &reach, scope)?;
                         let (value, _) = self.argument(point, binding.kind, scope)?;
-                        let body = self.said(inner, &binding.scope, None)?;
+                        let body = self.translate_statement(inner, &binding.scope, None)?;
                         Ok(put_in(
                             &binding.name,
                             binding.kind.rocq_type(),
@@ -134,7 +137,7 @@ impl Writer<'_> {
                 }
             }
             _ => {
-                parts.push(self.said(expr, scope, domain)?);
+                parts.push(self.translate_statement(expr, scope, domain)?);
                 Ok(())
             }
         }

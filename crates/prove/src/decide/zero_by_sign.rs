@@ -10,7 +10,7 @@ use super::witness;
 use crate::evaluate::value::Value;
 use crate::ideal;
 use torse_algebra::{Fraction, Polynomial};
-use torse_certificate::forced::{Forced, Zero};
+use torse_certificate::zero_by_sign::{Zero, ZeroBySign};
 use torse_syntax::formula::Relation;
 
 /// The most terms of a difference whose square is looked at.
@@ -23,7 +23,7 @@ pub(super) fn forced(
     left: &Value,
     right: &Value,
     domain: &Domain<'_>,
-) -> Option<Forced<Polynomial>> {
+) -> Option<ZeroBySign<Polynomial>> {
     if domain.constraints.is_empty() {
         return None;
     }
@@ -35,7 +35,7 @@ pub(super) fn forced(
     }
     conditions.sort();
     conditions.dedup();
-    Some(Forced {
+    Some(ZeroBySign {
         entries,
         divisors: witness::nonconstant(conditions),
     })

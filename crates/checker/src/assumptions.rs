@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 use torse_certificate::polynomial::Polynomial;
-use torse_certificate::proof::ground::{Determining, Elimination, Ground};
+use torse_certificate::proof::assumptions::{Assumptions, Determining, Elimination};
 use torse_certificate::symbol::Symbol;
 use torse_core::{self as core, Hypothesis, Set, Source, Statement};
 use torse_numbers::rational::integer;
@@ -92,7 +92,7 @@ impl<'a> Domain<'a> {
     pub fn new(
         claim: &'a core::Claim,
         (conditions, zeros): (&'a [Polynomial], &'a [Polynomial]),
-        ground: Option<&'a Ground<Polynomial>>,
+        ground: Option<&'a Assumptions<Polynomial>>,
         integers: &BTreeMap<String, i64>,
         work: &'a Work,
     ) -> Self {
@@ -142,7 +142,7 @@ impl<'a> Domain<'a> {
         for group in first.iter().rev() {
             let mut own = vec![];
             for determined in &group.values {
-                let value = Quotient::of(&determined.value, self.work)?;
+                let value = Quotient::from_ratio(&determined.value, self.work)?;
                 let put = |symbol: &Symbol| values.get(symbol).cloned();
                 own.push((determined.symbol.clone(), value.replaced(&put, self.work)?));
             }

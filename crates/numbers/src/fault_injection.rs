@@ -1,13 +1,13 @@
 //! Faults planted on purpose, to see that each is caught.
 //!
-//! A tool that says "proved" has to show what happens when it errs. Each [`Planted`] names one deliberate mistake of an
-//! engine like this one; the place where it would be made asks [`planted`]. They can be made with debug assertions alone, in
+//! A tool that says "proved" has to show what happens when it errs. Each [`InjectedFault`] names one deliberate mistake of an
+//! engine like this one; the place where it would be made asks [`injected`]. They can be made with debug assertions alone, in
 //! what tests are built from, and only [`with`] makes one, which nothing but tests calls. In a release the answer is the
 //! constant `false` and nothing of them is left in the program.
 
 /// A deliberate mistake.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Planted {
+pub enum InjectedFault {
     /// A symbol that is eliminated leaves its declared range behind nowhere.
     RangeForgotten,
     /// The conditions of a proof are dropped.
@@ -124,13 +124,13 @@ pub enum Planted {
 
 #[cfg(debug_assertions)]
 thread_local! {
-    static CHOSEN: std::cell::Cell<Option<Planted>> = const { std::cell::Cell::new(None) };
+    static CHOSEN: std::cell::Cell<Option<InjectedFault>> = const { std::cell::Cell::new(None) };
 }
 
 /// Whether this mistake is to be made on this thread.
 #[cfg(debug_assertions)]
 #[must_use]
-pub fn planted(fault: Planted) -> bool {
+pub fn injected(fault: InjectedFault) -> bool {
     CHOSEN.get() == Some(fault)
 }
 
@@ -138,13 +138,13 @@ pub fn planted(fault: Planted) -> bool {
 #[cfg(not(debug_assertions))]
 #[inline(always)]
 #[must_use]
-pub const fn planted(_: Planted) -> bool {
+pub const fn injected(_: InjectedFault) -> bool {
     false
 }
 
 /// Makes one mistake, and no other, wherever it can be made while the job is done on this thread.
 #[cfg(debug_assertions)]
-pub fn with<T>(fault: Planted, job: impl FnOnce() -> T) -> T {
+pub fn with<T>(fault: InjectedFault, job: impl FnOnce() -> T) -> T {
     let before = CHOSEN.replace(Some(fault));
     let done = job();
     CHOSEN.set(before);

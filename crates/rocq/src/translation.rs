@@ -46,7 +46,7 @@ fn conjuncts(statement: &Statement) -> Vec<&Statement> {
 }
 
 /// What a statement says.
-pub(crate) fn said(
+pub(crate) fn translate_statement(
     context: &mut Context<'_>,
     statement: &Statement,
     claim: &Claim,
@@ -63,7 +63,7 @@ pub(crate) fn said(
             // `and` is written without brackets, whichever way it was read.
             let mut parts = vec![];
             for part in [a, b].into_iter().flat_map(|part| conjuncts(part)) {
-                parts.push(said(context, part, claim)?);
+                parts.push(translate_statement(context, part, claim)?);
             }
             let last = parts
                 .pop()
@@ -73,7 +73,10 @@ pub(crate) fn said(
             }))
         }
         Statement::Join(connective, a, b) => {
-            let (a, b) = (said(context, a, claim)?, said(context, b, claim)?);
+            let (a, b) = (
+                translate_statement(context, a, claim)?,
+                translate_statement(context, b, claim)?,
+            );
             Ok(match connective {
                 Connective::And | Connective::Or => Code::infix_right(&a, "\\/", &b, Level::Either),
                 Connective::Implies => {
@@ -95,11 +98,11 @@ pub(crate) fn said(
             let mut premises = domain(context)?;
             for hypothesis in &inner.hypotheses {
                 premises.extend(defined(context, [&hypothesis.statement])?);
-                premises.push(said(context, &hypothesis.statement, &inner)?);
+                premises.push(translate_statement(context, &hypothesis.statement, &inner)?);
             }
             premises.extend(defined(context, [&inner.statement])?);
             let (alongs, unclear) = (context.alongs().len(), context.unclear_forms(false));
-            let conclusion = said(context, &inner.statement, &inner)?;
+            let conclusion = translate_statement(context, &inner.statement, &inner)?;
             if context.alongs().len() > alongs {
                 return Err(Untranslatable::Theory(
                     "denials of coefficients along given equations",

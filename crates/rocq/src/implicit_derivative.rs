@@ -127,7 +127,7 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
                     "coefficients along what is more than equations",
                 ));
             }
-            let defined = crate::said::defined(context, [&hypothesis.statement])?;
+            let defined = crate::translation::defined(context, [&hypothesis.statement])?;
             let moves = |text: &str| {
                 let moving = along.moved.iter().map(|(declared, _)| declared);
                 moving.chain([&along.symbol]).any(|declared| {
@@ -141,7 +141,8 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
                 ));
             }
             let before = context.moved(along.moved.clone());
-            let equations = crate::said::said(context, &hypothesis.statement, claim);
+            let equations =
+                crate::translation::translate_statement(context, &hypothesis.statement, claim);
             context.moved(before);
             let text = format!("forall {} : R, {}", along.variable, equations?.text());
             all.premises.push(Code::new(text, Level::Open));

@@ -16,14 +16,14 @@ use crate::decide::value::{plain_symbol, quotient};
 use crate::evaluate::Evaluator;
 use crate::evaluate::linear::solve_for;
 use crate::evaluate::series::polynomial_of;
-use crate::evaluate::value::{NOWHERE, Statement, Value};
+use crate::evaluate::value::{Statement, UNPLACED, Value};
 use crate::roots::{self, Resolved};
 use crate::unknown::Unknown;
 use std::collections::BTreeMap;
 use std::rc::Rc;
-use torse_algebra::planted::{Planted, planted};
+use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Fraction, Polynomial, Symbol};
-use torse_certificate::proof::ground::{Determined, Determining, Elimination, Signed};
+use torse_certificate::proof::assumptions::{Determined, Determining, Elimination, Signed};
 use torse_core::{self as core, Hypothesis, Source};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::declarations::SymbolKind;
@@ -36,7 +36,7 @@ const MAX_EXAMINED: usize = 40;
 
 /// The domain of a claim, with all hypotheses in force. A copy knows what was evaluated so far.
 #[derive(Clone)]
-pub struct Ground<'a> {
+pub struct ProofContext<'a> {
     /// The evaluator: eliminated symbols have their values.
     pub evaluator: Evaluator<'a>,
     /// The domain.
@@ -46,13 +46,13 @@ pub struct Ground<'a> {
     /// The factors of the divisors of eliminations that may vanish, each as it was when it was divided by: what the claim
     /// became says nothing where one of them is zero.
     pub splits: Vec<Polynomial>,
-    solving: Solving,
-    roots_solved: RootsAre,
+    solving: SolvePolicy,
+    roots_solved: RootMode,
 }
 
 /// What becomes of the equations `w^2 == r` of roots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RootsAre {
+pub enum RootMode {
     /// They stay, and w is a symbol.
     Symbols,
     /// A symbol of r in which they are linear is eliminated: for relations of order.
@@ -61,7 +61,7 @@ pub enum RootsAre {
 
 /// When an assumed equation is solved for a symbol.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Solving {
+pub enum SolvePolicy {
     /// Whenever it is linear in one.
     Always,
     /// Only where the solution divides by nothing that may vanish: what the equation says there would be lost with it. Else
@@ -70,7 +70,7 @@ pub enum Solving {
 }
 
 /// What a claim states, ready to be decided.
-pub struct Case<'a> {
+pub struct PreparedClaim<'a> {
     /// The evaluator with all hypotheses in force.
     pub evaluator: Evaluator<'a>,
     /// The domain.
@@ -79,7 +79,7 @@ pub struct Case<'a> {
     pub statement: Statement,
 }
 
-impl<'a> Case<'a> {
+impl<'a> PreparedClaim<'a> {
     /// Prepares a claim with some symbols fixed.
     ///
     /// # Errors
@@ -91,7 +91,7 @@ impl<'a> Case<'a> {
     ) -> Result<Self, Fault> {
         let elaborator = Rc::new(Elaborator::new(&claim.declarations));
         let core = elaborator.claim(claim, statement)?;
-        let ground = Ground::new(&core, elaborator, &fixed)?;
+        let ground = ProofContext::new(&core, elaborator, &fixed)?;
         let value = ground
             .evaluator
             .truth(&core.statement)
@@ -106,7 +106,7 @@ impl<'a> Case<'a> {
     }
 }
 
-impl<'a> Ground<'a> {
+impl<'a> ProofContext<'a> {
     /// The domain of a claim with some symbols fixed.
     ///
     /// # Errors
@@ -116,18 +116,18 @@ impl<'a> Ground<'a> {
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
     ) -> Result<Self, Fault> {
-        Self::with_roots(claim, elaborator, fixed, RootsAre::Symbols)
+        Self::with_roots(claim, elaborator, fixed, RootMode::Symbols)
     }
 
     /// The same with the equations of roots taken one way or the other.
     ///
     /// # Errors
-    /// As [`Ground::new`].
+    /// As [`ProofContext::new`].
     pub fn with_roots(
         claim: &core::Claim,
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
-        roots: RootsAre,
+        roots: RootMode,
     ) -> Result<Self, Fault> {
         Self::where_zero(claim, elaborator, fixed, roots, &[])
     }
@@ -135,15 +135,15 @@ impl<'a> Ground<'a> {
     /// The same at those points of the domain at which these polynomials are zero.
     ///
     /// # Errors
-    /// As [`Ground::new`].
+    /// As [`ProofContext::new`].
     pub fn where_zero(
         claim: &core::Claim,
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
-        roots: RootsAre,
+        roots: RootMode,
         zeros: &[Polynomial],
     ) -> Result<Self, Fault> {
-        let how = (Solving::Always, roots);
+        let how = (SolvePolicy::Always, roots);
         let mut ground = Self::made(claim, elaborator, fixed, how, zeros)?;
         let given = ground.given(claim)?;
         match zeros {
@@ -158,21 +158,21 @@ impl<'a> Ground<'a> {
     /// The same without the given equations.
     ///
     /// # Errors
-    /// As [`Ground::new`].
+    /// As [`ProofContext::new`].
     pub fn assumed(
         claim: &core::Claim,
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
-        solving: Solving,
+        solving: SolvePolicy,
     ) -> Result<Self, Fault> {
-        Self::made(claim, elaborator, fixed, (solving, RootsAre::Symbols), &[])
+        Self::made(claim, elaborator, fixed, (solving, RootMode::Symbols), &[])
     }
 
     fn made(
         claim: &core::Claim,
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
-        (solving, roots_solved): (Solving, RootsAre),
+        (solving, roots_solved): (SolvePolicy, RootMode),
         zeros: &[Polynomial],
     ) -> Result<Self, Fault> {
         let evaluator = Evaluator::with(elaborator);
@@ -307,14 +307,14 @@ impl<'a> Ground<'a> {
                 }
                 let relation = Relation::Equal;
                 match self.roots_solved {
-                    RootsAre::Symbols => {
+                    RootMode::Symbols => {
                         self.domain.constraints.push(Constraint { value, relation })
                     }
-                    RootsAre::Solved => self.vanishes(&value)?,
+                    RootMode::Solved => self.vanishes(&value)?,
                 }
             }
         }
-        if self.roots_solved == RootsAre::Solved {
+        if self.roots_solved == RootMode::Solved {
             // What they are the roots of is written by them now: they are symbols like all others.
             self.domain.roots.clear();
         }
@@ -412,9 +412,15 @@ impl<'a> Ground<'a> {
                     left,
                     right,
                 } => self.compare(relation.opposite(), left, right),
-                _ => Err(Fault::limit(NOWHERE, "an assumption that is no comparison")),
+                _ => Err(Fault::limit(
+                    UNPLACED,
+                    "an assumption that is no comparison",
+                )),
             },
-            _ => Err(Fault::limit(NOWHERE, "an assumption that is no comparison")),
+            _ => Err(Fault::limit(
+                UNPLACED,
+                "an assumption that is no comparison",
+            )),
         }
     }
 
@@ -427,14 +433,17 @@ impl<'a> Ground<'a> {
                 x.minus(y)
                     .as_fraction()
                     .cloned()
-                    .ok_or_else(|| Fault::limit(NOWHERE, "an assumption of symbolic degree"))
+                    .ok_or_else(|| Fault::limit(UNPLACED, "an assumption of symbolic degree"))
             })
             .collect::<Result<Vec<_>, _>>()?;
         if let (Relation::Equal, [_]) = (relation, differences.as_slice())
             && let (Some(x), Some(y)) = (plain(left), plain(right))
         {
             // `x == formula` eliminates x rather than a symbol of the formula.
-            for (unknown, value) in [(Unknown::of(&x), &y), (Unknown::of(&y), &x)] {
+            for (unknown, value) in [
+                (Unknown::from_fraction(&x), &y),
+                (Unknown::from_fraction(&y), &x),
+            ] {
                 if let Some(unknown) = unknown
                     && !unknown.occurs_in(value)
                     && self.fits(unknown.symbol(), value)
@@ -465,7 +474,7 @@ impl<'a> Ground<'a> {
                 self.constrain(sum, Relation::Greater);
                 Ok(())
             }
-            _ => Err(Fault::limit(NOWHERE, "vectors have no order")),
+            _ => Err(Fault::limit(UNPLACED, "vectors have no order")),
         }
     }
 
@@ -535,7 +544,7 @@ impl<'a> Ground<'a> {
         let settled = |(_, coefficient, _): &(Unknown, Polynomial, Fraction)| {
             coefficient.symbols().iter().all(Symbol::is_number) || self.never_zero(coefficient)
         };
-        let chosen = chosen.filter(|found| self.solving == Solving::Always || settled(found));
+        let chosen = chosen.filter(|found| self.solving == SolvePolicy::Always || settled(found));
         let Some((unknown, coefficient, solution)) = chosen else {
             // It determines no symbol rationally; points have to satisfy it all the same.
             self.constrain(value, Relation::Equal);
@@ -589,7 +598,7 @@ impl<'a> Ground<'a> {
 
     /// The domain falls into the points at which these are not zero, on which the elimination goes on, and all others.
     fn split(&mut self, open: Vec<Polynomial>) {
-        if planted(Planted::CaseForgotten) {
+        if injected(InjectedFault::CaseForgotten) {
             return;
         }
         self.domain.pivots.extend(open.iter().cloned());
@@ -691,7 +700,7 @@ impl<'a> Ground<'a> {
         let Symbol::Named(name) = symbol else {
             return;
         };
-        if planted(Planted::RangeForgotten) {
+        if injected(InjectedFault::RangeForgotten) {
             return;
         }
         let mut bounds: Vec<(Fraction, Relation)> = vec![];
@@ -751,7 +760,7 @@ impl<'a> Ground<'a> {
         };
         let symbols = self.unknowns(claim)?;
         let within = |f: Fault| f.within(&first.origin);
-        let solution = solve_for(forms, &symbols, NOWHERE).map_err(within)?;
+        let solution = solve_for(forms, &symbols, UNPLACED).map_err(within)?;
         // Where a divisor vanishes, an unknown may be what its value does not say.
         let divisors = solution.values.values().flat_map(Fraction::conditions);
         let (open, nonzero) = self.unsettled(&divisors.cloned().collect::<Vec<_>>());
@@ -816,7 +825,7 @@ fn replaced(value: &Fraction, symbol: &Symbol, by: &Fraction) -> Result<Fraction
         Symbol::Named(name) => value.at(name, by),
         _ => value.substituted(|s| (s == symbol).then(|| by.clone())),
     }
-    .map_err(|e| Fault::exact(NOWHERE, e))
+    .map_err(|e| Fault::exact(UNPLACED, e))
 }
 
 /// Coefficient and solution of `value == 0` for a symbol in which it is linear, and which stands nowhere else.
@@ -836,7 +845,7 @@ fn linear_in(value: &Fraction, unknown: &Unknown) -> Option<(Polynomial, Fractio
 }
 
 fn no_unknown() -> Fault {
-    Fault::limit(NOWHERE, "a function of unknowns in the place of one")
+    Fault::limit(UNPLACED, "a function of unknowns in the place of one")
 }
 
 /// The unknowns that terms stand for.
@@ -844,7 +853,7 @@ fn unknowns(evaluator: &Evaluator<'_>, written: &[core::Term]) -> Result<Vec<Unk
     let mut symbols = vec![];
     for unknown in written {
         for entry in evaluator.term(unknown)?.entries() {
-            let symbol = entry.as_fraction().and_then(Unknown::of);
+            let symbol = entry.as_fraction().and_then(Unknown::from_fraction);
             symbols.push(symbol.ok_or_else(|| {
                 crate::evaluate::wrong_type(unknown.place, "a formula", "an unknown such as Q[1]")
             })?);
@@ -878,10 +887,10 @@ pub fn solve_given(
             .map_err(|f| f.within(&equation.origin))?;
         equations(&statement, &mut forms).map_err(|f| f.within(&equation.origin))?;
     }
-    let solution = solve_for(&forms, &symbols, NOWHERE).map_err(|f| f.within(&first.origin))?;
+    let solution = solve_for(&forms, &symbols, UNPLACED).map_err(|f| f.within(&first.origin))?;
     if !solution.rest.is_empty() {
         let what = "the given equations contradict each other for some values";
-        return Err(Fault::limit(NOWHERE, what).within(&first.origin));
+        return Err(Fault::limit(UNPLACED, what).within(&first.origin));
     }
     Ok(solution.values)
 }
@@ -897,11 +906,9 @@ fn equations(statement: &Statement, forms: &mut Vec<Fraction>) -> Result<(), Fau
             for (x, y) in left.entries().into_iter().zip(right.entries()) {
                 let difference = x.minus(y);
                 let form = difference.as_fraction().cloned();
-                forms.push(
-                    form.ok_or_else(|| {
-                        Fault::limit(NOWHERE, "a given equation of symbolic degree")
-                    })?,
-                );
+                forms.push(form.ok_or_else(|| {
+                    Fault::limit(UNPLACED, "a given equation of symbolic degree")
+                })?);
             }
             Ok(())
         }
@@ -910,7 +917,7 @@ fn equations(statement: &Statement, forms: &mut Vec<Fraction>) -> Result<(), Fau
             equations(b, forms)
         }
         _ => Err(Fault::limit(
-            NOWHERE,
+            UNPLACED,
             "a given condition that is no equation",
         )),
     }

@@ -7,7 +7,7 @@ use torse_verdicts::outcome::Outcome;
 
 /// Lines under one label.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Rests {
+pub struct DependencyGroup {
     /// What they are.
     pub label: &'static str,
     /// The lines, plain text.
@@ -16,7 +16,7 @@ pub struct Rests {
 
 /// All that the statement rests on, in groups; empty groups are left out.
 #[must_use]
-pub fn rests(outcome: &Outcome) -> Vec<Rests> {
+pub fn dependency_groups(outcome: &Outcome) -> Vec<DependencyGroup> {
     let table = &outcome.claim.table;
     let by_role = |role: Role| outcome.claim.assumed.iter().filter(move |h| h.role == role);
     let texts = |role| by_role(role).map(|h| h.formula.text.clone()).collect();
@@ -60,7 +60,7 @@ pub fn rests(outcome: &Outcome) -> Vec<Rests> {
     ];
     let groups = groups
         .into_iter()
-        .map(|(label, lines)| Rests { label, lines });
+        .map(|(label, lines)| DependencyGroup { label, lines });
     groups.filter(|group| !group.lines.is_empty()).collect()
 }
 

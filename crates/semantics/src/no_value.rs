@@ -5,10 +5,10 @@ use std::fmt;
 
 /// Why there is no value.
 ///
-/// The two kinds are never mixed: [`Gap::Undefined`] is a fact about the term at this point, [`Gap::Unknown`] one
+/// The two kinds are never mixed: [`NoValue::Undefined`] is a fact about the term at this point, [`NoValue::Unknown`] one
 /// about this evaluator.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Gap {
+pub enum NoValue {
     /// The term is undefined at this point: the point says nothing about a statement with this term.
     Undefined(Undefined),
     /// Whether the term has a value, or which, was not found out.
@@ -104,7 +104,7 @@ pub enum Unknown {
     },
 }
 
-impl fmt::Display for Gap {
+impl fmt::Display for NoValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Undefined(why) => write!(f, "undefined: {why}"),
@@ -113,19 +113,19 @@ impl fmt::Display for Gap {
     }
 }
 
-impl From<Undefined> for Gap {
+impl From<Undefined> for NoValue {
     fn from(why: Undefined) -> Self {
         Self::Undefined(why)
     }
 }
 
-impl From<Unknown> for Gap {
+impl From<Unknown> for NoValue {
     fn from(why: Unknown) -> Self {
         Self::Unknown(why)
     }
 }
 
-impl Gap {
+impl NoValue {
     /// Operands whose shapes do not fit.
     #[must_use]
     pub fn shape(what: &'static str) -> Self {

@@ -137,7 +137,8 @@ impl Writer<'_> {
                         "equations that divide by what moves along them",
                     ));
                 }
-                let equations = self.said(equation, &along.scope(&Scope::default()), None)?;
+                let equations =
+                    self.translate_statement(equation, &along.scope(&Scope::default()), None)?;
                 let text = format!("forall {} : R, {}", along.variable, equations.text());
                 premises.push(Code::new(text, Level::Open));
             }
