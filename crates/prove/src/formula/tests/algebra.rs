@@ -1,6 +1,6 @@
 //! From algebra back to formulas: the same value, in a shape one would write by hand.
 
-use super::evaluate::{of, value};
+use super::evaluate::{evaluated, value};
 use crate::formula::{expression, expression_of};
 use proptest::prelude::*;
 use torse_algebra::Fraction;
@@ -8,7 +8,7 @@ use torse_syntax::formula::{Expr, Operator, parse};
 use torse_syntax::notation::text;
 
 fn shown(formula: &str) -> String {
-    text(&expression(&of(formula)))
+    text(&expression(&evaluated(formula)))
 }
 
 /// What is to be written as itself.
@@ -132,9 +132,9 @@ fn any_value() -> impl Strategy<Value = Expr> {
     let divisors = ["mu", "1 - mu", "k - 2", "3", "(1 + nu)*pi"];
     let parsed =
         |texts: &[&str]| -> Vec<Expr> { texts.iter().map(|text| parse(text).unwrap()).collect() };
-    let divisor = prop::probabilistic_refuter::select(parsed(&divisors));
-    prop::probabilistic_refuter::select(parsed(&atoms)).prop_recursive(4, 20, 2, move |inner| {
-        let operator = prop::probabilistic_refuter::select(vec![Add, Subtract, Multiply, Multiply]);
+    let divisor = prop::sample::select(parsed(&divisors));
+    prop::sample::select(parsed(&atoms)).prop_recursive(4, 20, 2, move |inner| {
+        let operator = prop::sample::select(vec![Add, Subtract, Multiply, Multiply]);
         prop_oneof![
             6 => (inner.clone(), operator, inner.clone()).prop_map(|(a, o, b)| a.with(o, b)),
             1 => (inner, divisor.clone()).prop_map(|(a, b)| a.with(Divide, b)),
@@ -162,15 +162,12 @@ fn any_combination() -> impl Strategy<Value = Expr> {
         "3",
         "pi^2*nu/4",
     ];
-    let difference = prop::probabilistic_refuter::select(differences.map(parsed).to_vec());
-    let coefficient = prop::probabilistic_refuter::select(coefficients.map(parsed).to_vec());
+    let difference = prop::sample::select(differences.map(parsed).to_vec());
+    let coefficient = prop::sample::select(coefficients.map(parsed).to_vec());
     let term = (coefficient.clone(), coefficient.clone(), difference)
         .prop_map(|(a, b, d)| a.with(Add, b).with(Multiply, d));
-    let divisor =
-        prop::probabilistic_refuter::select(["1", "mu - 1", "4*c", "k + pi"].map(parsed).to_vec());
-    let origin = prop::probabilistic_refuter::select(
-        ["0", "Q[1]", "2*Q[0]", "mu*Q[2]"].map(parsed).to_vec(),
-    );
+    let divisor = prop::sample::select(["1", "mu - 1", "4*c", "k + pi"].map(parsed).to_vec());
+    let origin = prop::sample::select(["0", "Q[1]", "2*Q[0]", "mu*Q[2]"].map(parsed).to_vec());
     (prop::collection::vec(term, 1..4), divisor, origin).prop_map(|(terms, divisor, origin)| {
         let vector = terms.into_iter().reduce(|a, b| a.with(Add, b)).unwrap();
         vector.with(Divide, divisor).with(Add, origin)
