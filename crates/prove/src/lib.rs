@@ -1,6 +1,6 @@
 //! From statements to decisions.
 //!
-//! [`evaluate`] turns trees into exact values (normal forms, and series of symbolic degree), [`case`] makes a
+//! [`evaluate`] turns trees into exact values (normal forms, and series of symbolic degree), [`context`] makes a
 //! claim ready, [`combination`] sees what follows from given equations unsolved, [`decide`] turns its statement into a decision, [`statement`] does all of it for a claim, [`formula`]
 //! leads from exact values back to a formula as one would write it by hand.
 #![warn(missing_docs)]

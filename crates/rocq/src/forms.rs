@@ -3,7 +3,7 @@
 //! A form in which no unknown of `given` equations occurs is differentiated as it stands, at the symbol's own value:
 //! `Derive_n (fun p0 => form) 1 p0`, in which the variable hides the symbol of its name, and for a member of a family
 //! `Derive_n (fun t => form with update1 P 2 t in place of P) 1 (P 2)`. Where unknowns occur they are functions of the
-//! symbol, see [`crate::along`].
+//! symbol, see [`crate::implicit_derivative`].
 
 use crate::code::{Code, Level};
 use crate::context::{Context, Used, Value};

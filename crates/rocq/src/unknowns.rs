@@ -1,4 +1,4 @@
-//! Unknowns as functions of a symbol, see [`crate::along`].
+//! Unknowns as functions of a symbol, see [`crate::implicit_derivative`].
 
 use crate::code::Code;
 use std::sync::Arc;

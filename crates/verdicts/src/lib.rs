@@ -1,11 +1,11 @@
 //! From claims to outcomes.
 //!
-//! [`engine`] runs all claims of a paper and makes [`outcome`]s, each a claim ([`claim_record`]) and a [`finding`], [`provenance`] says which hypotheses of ours a proof needs,
-//! the sentences of files are filled with numbers, [`table`] what a statement rests on, [`audit`] what a statement leaves
-//! out of the print, [`repair`] searches proved corrections of what
-//! is refuted, [`consequences`] says what falls with it, [`mod@derive`] derives the conditions of joins anew,
-//! [`net`] judges every verdict by the semantics before it is shown, [`replay`] has its proof ([`certificate`]) checked without
-//! search, [`mutants`] are slips made on purpose, witnesses take the place of numbers that there are, [`recheck`] does both again.
+//! [`engine`] runs all claims of a paper and makes [`outcome`]s, each a claim ([`claim_record`]) and a [`finding`].
+//! [`provenance`] says which hypotheses of ours a proof needs, [`dependencies`] what a statement rests on, [`audit`] what a
+//! statement leaves out of the print. [`repair`] searches proved corrections of what is refuted, [`consequences`] says what
+//! falls with it, [`mod@derive`] derives the conditions of joins anew. [`net`] judges every verdict by the semantics before it
+//! is shown, [`replay`] has its proof ([`certificate`]) checked without search, [`recheck`] does both again with more work.
+//! [`mutants`] are statements with one slip, for mutation testing; `existential` instantiates existential claims.
 #![warn(missing_docs)]
 
 pub mod agreement;

@@ -4,7 +4,7 @@
 //! filtered at a sample point ([`target`]) and the survivors **proved** like any statement. The smallest
 //! number of edits wins; whether another correction with as few edits exists is reported. Between one edit and two comes
 //! one slip that shows in several places ([`repeated`], [`names`], [`arguments`]), in a definition of the printed side
-//! ([`subject`]) or beside the formula ([`across`]). A wrong value may be the right value of other data, and a wrong
+//! ([`subject`]) or beside the formula ([`move_factor`]). A wrong value may be the right value of other data, and a wrong
 //! determinant that of another matrix: see [`data`] and [`entries`].
 
 pub(crate) mod alphabet;
