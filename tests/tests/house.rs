@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each room with the rooms it may use. Rooms that are planned and not built stand here as well.
-const ROOMS: [(&str, &[&str]); 18] = [
+const ROOMS: [(&str, &[&str]); 19] = [
     ("numbers", &[]),
     ("algebra", &["numbers"]),
     ("syntax", &["numbers"]),
@@ -32,7 +32,8 @@ const ROOMS: [(&str, &[&str]); 18] = [
     ("figures", &["syntax", "prove", "plot"]),
     ("designs", &["syntax", "geometry", "exchange", "plot"]),
     ("report", &["verdicts", "plot"]),
-    ("cli", &["report", "figures", "designs", "rocq"]),
+    ("torse", &["report", "figures", "designs", "rocq"]),
+    ("cli", &["torse"]),
 ];
 
 /// The rooms that a room may use, directly or through others.
@@ -137,6 +138,41 @@ fn no_source_imports_against_the_direction() {
             );
         }
     }
+}
+
+/// Whether a text uses the facade, which has the name of the house: in a manifest, or in a source.
+fn uses_facade(text: &str) -> bool {
+    let line = |line: &str| {
+        let line = line.trim_start();
+        ["torse.workspace", "torse =", "torse="]
+            .iter()
+            .any(|start| line.starts_with(start))
+            || line.starts_with("use torse::")
+            || line.contains(" torse::") && !line.starts_with("//")
+    };
+    text.lines().any(line)
+}
+
+#[test]
+fn only_doors_use_the_facade() {
+    assert!(uses_facade("[dependencies]\ntorse.workspace = true\n"));
+    assert!(uses_facade("    let decided = torse::decide(text)?;"));
+    assert!(!uses_facade(
+        "use super::torse::Moving;\nuse my_torse::decide;"
+    ));
+    let mut doors = vec![];
+    for room in built() {
+        let folder = crates().join(&room);
+        let mut files = vec![folder.join("Cargo.toml")];
+        sources(&folder.join("src"), &mut files);
+        let mut texts = files.iter().map(|file| fs::read_to_string(file).unwrap());
+        // A file of a room may have that name, too.
+        let own = folder.join("src/torse.rs").is_file() || room == "torse";
+        if !own && texts.any(|text| uses_facade(&text)) {
+            doors.push(room);
+        }
+    }
+    assert_eq!(doors, ["cli"]);
 }
 
 #[test]

@@ -1,10 +1,11 @@
 //! Verdicts compared with those of an earlier run: what differs, what is new, what is gone.
 
 use crate::exit::Failure;
-use crate::{selection, terminal};
+use crate::terminal;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use torse::selection;
 
 /// Verdicts as `verify --format json` writes them; other fields are not looked at.
 #[derive(Debug, Deserialize)]

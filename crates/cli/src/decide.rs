@@ -1,18 +1,14 @@
 //! `torse decide`: one statement from the command line, or many from standard input.
 
 use crate::exit::{Exit, Failure};
-use crate::explain::short_note;
+use crate::explain::text;
 use crate::format::Format;
 use crate::run::Budget;
 use crate::{terminal, watchdog};
 use clap::Args;
 use serde::Deserialize;
 use std::io::BufRead;
-use torse_report::finding_json;
-use torse_syntax::derivation::{DerivationError, LoadError, question};
-use torse_syntax::taxonomy::Verdict;
-use torse_verdicts::engine::decide_claim_within;
-use torse_verdicts::outcome::Outcome;
+use torse::{Decided, Verdict};
 
 /// Decide one statement: is it true, where is it false, what would be right?
 ///
@@ -55,31 +51,20 @@ struct Question {
     setting: String,
 }
 
-/// Why there is no answer.
-enum Unasked {
-    /// The statement or its setting cannot be read.
-    Load(LoadError),
-    /// It makes no sense.
-    Sense(Box<DerivationError>),
-}
-
 impl Decide {
     /// Decides and prints.
     pub fn run(&self) -> Result<Exit, Failure> {
         if self.statement == "-" {
             return self.lines();
         }
-        let outcome = match self.decided(&self.statement, &self.setting) {
-            Ok(outcome) => outcome,
-            Err(Unasked::Load(error)) => return Err(error.into()),
-            Err(Unasked::Sense(error)) => return Err(error.into()),
-        };
+        let verifier = self.budget.verifier();
+        let decided = verifier.decide(&self.statement, &self.setting)?;
         watchdog::finished();
         terminal::print(&match self.format {
-            Format::Text => short_note(&outcome),
-            Format::Json => finding_json(&outcome)?,
+            Format::Text => text(&decided.explanation()),
+            Format::Json => decided.json()?,
         })?;
-        Ok(exit(&outcome))
+        Ok(exit(&decided))
     }
 
     /// Decides every line of standard input.
@@ -106,38 +91,24 @@ impl Decide {
             }),
         };
         let decided = question.and_then(|question| {
-            let decided = self.decided(&question.states, &question.setting);
-            decided.map_err(|unasked| match unasked {
-                Unasked::Load(error) => error.to_string(),
-                Unasked::Sense(error) => error.to_string(),
-            })
+            let verifier = self.budget.verifier();
+            let decided = verifier.decide(&question.states, &question.setting);
+            decided.map_err(|error| error.to_string())
         });
         Ok(match decided {
-            Ok(outcome) => (finding_json(&outcome)?, exit(&outcome)),
+            Ok(decided) => (decided.json()?, exit(&decided)),
             Err(error) => {
                 let error = serde_json::json!({ "line": line, "error": error });
                 (format!("{error}\n"), Exit::BadData)
             }
         })
     }
-
-    fn decided(&self, states: &str, setting: &str) -> Result<Outcome, Unasked> {
-        let paper = question(states, setting).map_err(Unasked::Load)?;
-        let decide = |claim| decide_claim_within(self.budget.units(), &paper.head.id, claim);
-        let mut outcomes = paper.claims.iter().map(decide);
-        match outcomes.next() {
-            Some(outcome) => outcome.map_err(Unasked::Sense),
-            None => Err(Unasked::Load(LoadError::Empty {
-                path: "the statement".to_owned(),
-            })),
-        }
-    }
 }
 
 /// The exit code of an answer.
-fn exit(outcome: &Outcome) -> Exit {
-    match outcome.verdict() {
-        _ if outcome.contradiction().is_some() => Exit::Contradiction,
+fn exit(decided: &Decided) -> Exit {
+    match decided.verdict() {
+        _ if decided.outcome().contradiction().is_some() => Exit::Contradiction,
         Verdict::False | Verdict::Misprint => Exit::Differs,
         Verdict::Undecided | Verdict::Vacuous => Exit::Undecided,
         _ => Exit::AsExpected,

@@ -2,9 +2,10 @@
 
 use crate::diagnostics::Diagnostics;
 use crate::exit::Failure;
-use crate::{selection, terminal};
+use crate::terminal;
 use sha2::{Digest as _, Sha256};
 use std::path::{Path, PathBuf};
+use torse::selection;
 use torse_report::Source;
 use torse_syntax::derivation;
 use torse_syntax::derivation::Paper;

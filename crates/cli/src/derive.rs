@@ -2,8 +2,9 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
-use crate::{selection, terminal, watchdog};
+use crate::{terminal, watchdog};
 use clap::{Args, ValueEnum};
+use torse::selection;
 use torse_syntax::derivation::Paper;
 use torse_syntax::derivation::declarations::Declarations;
 use torse_verdicts::derive::{
@@ -83,7 +84,7 @@ impl Derive {
     /// Derives and prints.
     pub fn run(&self) -> Result<Exit, Failure> {
         let found = self.derivations.load()?;
-        let paper = selection::paper(&found.papers, &self.paper);
+        let paper = selection::paper(&found.papers, &self.paper).map_err(Failure::from);
         let derivation = match paper.and_then(|paper| self.derive(paper)) {
             // What is missing may be what is wrong.
             Err(failure) if !found.mistakes.is_empty() => {

@@ -5,9 +5,10 @@ use crate::documents::Made;
 use crate::exit::{Exit, Failure};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
-use crate::{selection, terminal, watchdog};
+use crate::{terminal, watchdog};
 use clap::Args;
 use std::path::PathBuf;
+use torse::selection;
 use torse_report::model::Report;
 use torse_report::{
     Envelope, Manuscript, ReportError, erratum_latex, erratum_markdown, glossary, write_file,

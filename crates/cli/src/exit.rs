@@ -99,24 +99,10 @@ pub enum Failure {
         /// The path.
         path: PathBuf,
     },
-    /// A name that no paper and no claim has.
-    #[error("no paper and no claim is called `{name}`")]
-    UnknownName {
-        /// The name as given.
-        name: String,
-        /// What may have been meant.
-        #[help]
-        help: String,
-    },
-    /// A name that means several claims, where one is wanted.
-    #[error("`{name}` means {} claims; one is wanted", ids.len())]
-    #[diagnostic(help("{}", ids.join("\n")))]
-    Ambiguous {
-        /// The name as given.
-        name: String,
-        /// The claims it means.
-        ids: Vec<String>,
-    },
+    /// The library has no answer.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Library(#[from] torse::Error),
     /// Verdicts of an earlier run that cannot be read.
     #[error("{} holds no verdicts: {reason}", path.display())]
     #[diagnostic(help("`--against` takes what `torse verify --format json` has written"))]
@@ -171,10 +157,6 @@ pub enum Failure {
         /// Why.
         source: PlateError,
     },
-    /// A design file, or what was asked of it.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Design(#[from] DesignFailure),
     /// The proof assistant is not there.
     #[error("`coqc` was not found")]
     #[diagnostic(help("Debian 12: `{INSTALL}` (Coq 8.16.1)"))]
@@ -214,27 +196,6 @@ pub enum Failure {
     Print(#[source] std::io::Error),
 }
 
-/// A failure of a design, with what would help.
-#[derive(Debug, Error)]
-#[error(transparent)]
-pub struct DesignFailure(pub Box<DesignError>);
-
-impl Diagnostic for DesignFailure {
-    fn help<'a>(&'a self) -> Option<Box<dyn std::fmt::Display + 'a>> {
-        let help = self.0.help()?;
-        Some(Box::new(help))
-    }
-
-    fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn Diagnostic> + 'a>> {
-        match &*self.0 {
-            DesignError::Wrong { mistakes } => Some(Box::new(
-                mistakes.iter().map(|mistake| mistake as &dyn Diagnostic),
-            )),
-            _ => None,
-        }
-    }
-}
-
 impl From<CheckError> for Failure {
     fn from(error: CheckError) -> Self {
         match error {
@@ -246,7 +207,7 @@ impl From<CheckError> for Failure {
 
 impl From<DesignError> for Failure {
     fn from(error: DesignError) -> Self {
-        Self::Design(DesignFailure(Box::new(error)))
+        Self::Library(error.into())
     }
 }
 
@@ -257,10 +218,9 @@ impl Failure {
             Failure::NoDerivations
             | Failure::NotAFolder { .. }
             | Failure::Exists { .. }
-            | Failure::UnknownName { .. }
             | Failure::Against { .. }
-            | Failure::UnknownBasis { .. }
-            | Failure::Ambiguous { .. } => Exit::Usage,
+            | Failure::UnknownBasis { .. } => Exit::Usage,
+            Failure::Library(error) => exit_of(error),
             Failure::Derive(error) => match **error {
                 DeriveError::UnknownBasis { .. }
                 | DeriveError::Order { .. }
@@ -270,12 +230,6 @@ impl Failure {
                 _ => Exit::BadData,
             },
             Failure::Load(_) | Failure::Derivation(_) | Failure::Slug { .. } => Exit::BadData,
-            Failure::Design(failure) => match failure.0.ending() {
-                Ending::Usage => Exit::Usage,
-                Ending::BadFile => Exit::BadData,
-                Ending::Output => Exit::Output,
-                Ending::Missed => Exit::Differs,
-            },
             Failure::MissingCoqc => Exit::Missing,
             Failure::ReadProofs { .. } | Failure::Unread { .. } => Exit::BadData,
             Failure::Proofs(_)
@@ -285,6 +239,21 @@ impl Failure {
             | Failure::Print(_)
             | Failure::Input(_) => Exit::Output,
         }
+    }
+}
+
+/// The exit code of an error of the library.
+fn exit_of(error: &torse::Error) -> Exit {
+    match error {
+        torse::Error::UnknownName { .. } | torse::Error::Ambiguous { .. } => Exit::Usage,
+        torse::Error::Load(_) | torse::Error::Formula(_) => Exit::BadData,
+        torse::Error::Design(failure) => match failure.0.ending() {
+            Ending::Usage => Exit::Usage,
+            Ending::BadFile => Exit::BadData,
+            Ending::Output => Exit::Output,
+            Ending::Missed => Exit::Differs,
+        },
+        _ => Exit::Output,
     }
 }
 

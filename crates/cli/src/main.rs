@@ -1,7 +1,7 @@
 //! The `torse` command: arguments in, verdicts, explanations and reports out.
 //!
 //! One file a subcommand; no mathematics. Derivation files come from [`derivations`], the claims that
-//! the user names from [`selection`], outcomes from [`mod@run`]; [`exit`] says which exit code means what.
+//! the user names from [`torse::selection`], outcomes from [`mod@run`]; [`exit`] says which exit code means what.
 
 mod audit;
 mod baseline;
@@ -25,7 +25,6 @@ mod prove;
 mod recheck;
 mod report;
 mod run;
-mod selection;
 mod terminal;
 mod verdicts;
 mod verify;

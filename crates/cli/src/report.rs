@@ -7,11 +7,12 @@ use crate::figures::{Evaluated, FOLDER as FIGURES};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
-use crate::{documents, erratum, figures, selection, terminal, watchdog};
+use crate::{documents, erratum, figures, terminal, watchdog};
 use clap::Args;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use torse::selection;
 use torse_report::model::Report as Model;
 use torse_report::{
     Envelope, FigureImage, Manuscript, Source, gallery, html_page, landing_page, verdict_lines,

@@ -43,14 +43,24 @@ pub fn finished() {
     *deciding() = None;
 }
 
-/// Decides one claim under the eyes of the guard.
-pub fn named<T>(id: &str, decide: impl FnOnce() -> T) -> T {
+/// A claim is being decided.
+pub fn begin(id: &str) {
     if let Some(claims) = &mut *deciding() {
         claims.insert(id.to_owned());
     }
-    let decided = decide();
+}
+
+/// It is decided.
+pub fn end(id: &str) {
     if let Some(claims) = &mut *deciding() {
         claims.remove(id);
     }
-    decided
+}
+
+/// Does something for a claim or a figure under the eyes of the guard.
+pub fn named<T>(id: &str, job: impl FnOnce() -> T) -> T {
+    begin(id);
+    let done = job();
+    end(id);
+    done
 }

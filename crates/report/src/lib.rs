@@ -12,13 +12,15 @@
 //! - [`verdicts_json`] is the interface that other programs read;
 //! - [`write_file`] puts bytes in place whole or not at all.
 //!
+//! The first two need the feature `pdf`, which brings the typesetter; everything else does without.
+//!
 //! Every output is a function of its arguments alone: the same bytes on every run.
 
 pub mod applicability;
 mod base64;
 pub mod corrections;
 mod dependencies;
-#[cfg(test)]
+#[cfg(all(test, feature = "pdf"))]
 mod derived;
 mod difference;
 pub mod digest;
@@ -31,6 +33,7 @@ pub mod glossary;
 mod html;
 mod json;
 mod letter;
+#[cfg(feature = "pdf")]
 mod manuscript;
 mod math;
 pub mod model;
@@ -39,9 +42,11 @@ mod source;
 pub mod summary_page;
 mod tally;
 mod text;
+#[cfg(feature = "pdf")]
 mod typeset;
 mod verdict_lines;
 mod view;
+#[cfg(feature = "pdf")]
 mod world;
 mod write;
 
@@ -55,12 +60,14 @@ pub use gallery::gallery;
 pub use html::{html_page, landing_page};
 pub use json::{finding_json, verdicts_json, verdicts_json_with_kernel};
 pub use letter::{Envelope, Item, ItemChange, Letter};
+#[cfg(feature = "pdf")]
 pub use manuscript::Manuscript;
 pub use math::{Mathematics, Piece, Prose, Span, in_words, plain};
 pub use sentence::{failure_in_full, point};
 pub use source::Source;
 pub use tally::{Remarks, Row, Tally};
 pub use text::counted;
+#[cfg(feature = "pdf")]
 pub use typeset::Typeset;
 pub use verdict_lines::verdict_lines;
 pub use write::write_file;

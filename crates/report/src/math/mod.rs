@@ -81,6 +81,18 @@ pub type Prose = Vec<Span>;
 const WIDTHS: [usize; 4] = [usize::MAX, 90, 45, 20];
 
 impl Mathematics {
+    /// A formula in the notation of the derivation files, on lines of its own; none for a text that is no formula.
+    ///
+    /// ```
+    /// let half = torse_report::Mathematics::read("x/2").ok_or("a formula")?;
+    /// assert_eq!(half.latex, r"\frac{x}{2}");
+    /// # Ok::<(), &str>(())
+    /// ```
+    #[must_use]
+    pub fn read(formula: &str) -> Option<Self> {
+        Some(Self::display(&read(formula, &Names::default())?))
+    }
+
     /// A formula within a sentence.
     pub(crate) fn inline(node: &Node) -> Self {
         /// One of more letters may be wider than what is left of a line, and than the line.

@@ -89,6 +89,22 @@ pub fn load_all(folder: &Path) -> Result<Loaded, LoadError> {
     Ok(reading.loaded(papers))
 }
 
+/// Loads the paper of one folder, that with a `paper.toml`. It stands for itself: what it says of other papers cannot be
+/// looked up.
+///
+/// # Errors
+/// The first mistake.
+pub fn open(folder: &Path) -> Result<Paper, LoadError> {
+    let real = folder.canonicalize();
+    let real = real.map_err(|error| LoadError::Unreadable {
+        path: folder.display().to_string(),
+        reason: error.to_string(),
+    })?;
+    let slug = real.file_name().unwrap_or_default().to_string_lossy();
+    let above = real.parent().unwrap_or(&real);
+    paper(|name| folder::read(above, &slug, name))
+}
+
 /// Loads one paper through `read`, which returns a file of its folder.
 ///
 /// # Errors

@@ -31,7 +31,7 @@ pub use error::{DerivationError, LoadError, LookAlike};
 pub use existential::Existential;
 pub use figure::Figure;
 pub use folder::MAX_BYTES;
-pub use load::{Loaded, load, load_all, paper};
+pub use load::{Loaded, load, load_all, open, paper};
 pub use look_alikes::name_taken_for;
 pub use paper::Paper;
 pub use provenance::{Hypothesis, Provenance, Quote};

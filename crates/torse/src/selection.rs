@@ -1,19 +1,22 @@
-//! The claims that the user names.
+//! The claims that a name means.
 //!
 //! A name is a paper (`gbt-developable`), a claim (`gbt-developable/thm-4.c`), or what the ids of several
 //! claims begin with, up to the end of a word: `gbt-developable/thm-4` means `thm-4.a`, `thm-4.b` and
 //! `thm-4.c`, and not `thm-40`.
 
-use crate::exit::Failure;
+use crate::error::Error;
 use torse_syntax::derivation::{Claim, Paper};
 
 /// The claims of `papers` that one of `names` means, or all if there is none, in file order; figures of our own only with
 /// the whole of their paper. A name may mean what was left out because it is wrong.
+///
+/// # Errors
+/// [`Error::UnknownName`] for a name that means nothing.
 pub fn select(
     papers: Vec<Paper>,
     names: &[String],
     left_out: &[String],
-) -> Result<Vec<Paper>, Failure> {
+) -> Result<Vec<Paper>, Error> {
     for name in names {
         let mut known = ids(&papers).chain(left_out.iter().map(String::as_str));
         if !known.any(|id| means(name, id)) {
@@ -41,6 +44,7 @@ pub fn select(
 }
 
 /// The papers with just the claims of these ids.
+#[must_use]
 pub fn only(papers: &[Paper], ids: &[&str]) -> Vec<Paper> {
     let kept = papers.iter().map(|paper| {
         let wanted = |claim: &&Claim| ids.contains(&claim.entry.id.get_ref().as_str());
@@ -56,7 +60,10 @@ pub fn only(papers: &[Paper], ids: &[&str]) -> Vec<Paper> {
 }
 
 /// The one claim that `name` means, with its paper's other claims left out.
-pub fn select_one(papers: &[Paper], name: &str) -> Result<Paper, Failure> {
+///
+/// # Errors
+/// [`Error::UnknownName`], or [`Error::Ambiguous`] for the beginning of several ids.
+pub fn select_one(papers: &[Paper], name: &str) -> Result<Paper, Error> {
     let meant: Vec<&str> = match ids(papers).find(|id| *id == name) {
         Some(exact) => vec![exact],
         None => ids(papers).filter(|id| means(name, id)).collect(),
@@ -65,7 +72,7 @@ pub fn select_one(papers: &[Paper], name: &str) -> Result<Paper, Failure> {
         [] | [_] => only(papers, &meant)
             .pop()
             .ok_or_else(|| unknown(papers, name)),
-        several => Err(Failure::Ambiguous {
+        several => Err(Error::Ambiguous {
             name: name.to_owned(),
             ids: several.iter().map(|id| (*id).to_owned()).collect(),
         }),
@@ -73,16 +80,22 @@ pub fn select_one(papers: &[Paper], name: &str) -> Result<Paper, Failure> {
 }
 
 /// The paper with this slug.
-pub fn paper<'p>(papers: &'p [Paper], slug: &str) -> Result<&'p Paper, Failure> {
+///
+/// # Errors
+/// [`Error::UnknownName`].
+pub fn paper<'p>(papers: &'p [Paper], slug: &str) -> Result<&'p Paper, Error> {
     let found = papers.iter().find(|paper| paper.head.id == slug);
-    found.ok_or_else(|| Failure::UnknownName {
+    found.ok_or_else(|| Error::UnknownName {
         name: slug.to_owned(),
         help: format!("the papers are {}", slugs(papers)),
     })
 }
 
 /// Fails unless every name is the slug of a paper.
-pub fn check_papers(papers: &[Paper], names: &[String]) -> Result<(), Failure> {
+///
+/// # Errors
+/// [`Error::UnknownName`] for the first that is none.
+pub fn check_papers(papers: &[Paper], names: &[String]) -> Result<(), Error> {
     names
         .iter()
         .try_for_each(|name| paper(papers, name).map(|_| ()))
@@ -96,6 +109,7 @@ fn ids(papers: &[Paper]) -> impl Iterator<Item = &str> {
 }
 
 /// Whether a name means the claim of this id.
+#[must_use]
 pub fn means(name: &str, id: &str) -> bool {
     let name = name.strip_suffix('/').unwrap_or(name);
     match id.strip_prefix(name) {
@@ -109,19 +123,16 @@ fn slugs(papers: &[Paper]) -> String {
     slugs.join(", ")
 }
 
-fn unknown(papers: &[Paper], name: &str) -> Failure {
+fn unknown(papers: &[Paper], name: &str) -> Error {
     let names = ids(papers).chain(papers.iter().map(|paper| paper.head.id.as_str()));
     let nearest = names.min_by_key(|known| distance(known, name));
     // Half of the letters wrong is no slip of the pen.
     let meant = nearest.filter(|known| 2 * distance(known, name) <= known.chars().count());
     let help = match meant {
         Some(known) => format!("did you mean `{known}`?"),
-        None => format!(
-            "`torse verify` lists all claims; the papers are {}",
-            slugs(papers)
-        ),
+        None => format!("the papers are {}", slugs(papers)),
     };
-    Failure::UnknownName {
+    Error::UnknownName {
         name: name.to_owned(),
         help,
     }

@@ -1,0 +1,183 @@
+//! One statement, decided.
+
+use crate::error::Error;
+use crate::explanation::{Explanation, short};
+use crate::verifier::Verifier;
+use torse_prove::evidence::Witness;
+use torse_report::{Mathematics, finding_json, glossary};
+use torse_syntax::derivation::{LoadError, question};
+use torse_syntax::taxonomy::Verdict;
+use torse_verdicts::outcome::Outcome;
+
+/// Decides one statement about real numbers: is it true for all values for which it has a meaning?
+///
+/// # Errors
+/// [`Error::Load`] for a statement that cannot be read, [`Error::Formula`] for one that makes no sense, each with its
+/// place.
+///
+/// ```
+/// assert_eq!(torse::decide("sin(x)^2 + cos(x)^2 == 1")?.is_true(), Some(true));
+/// let wrong = torse::decide("(a + b)^2 == a^2 + b^2")?;
+/// assert_eq!(wrong.is_true(), Some(false));
+/// let at = wrong.witness().ok_or("it is refuted by a point")?.at.clone();
+/// assert_eq!(at, [("a".to_owned(), "1".to_owned()), ("b".to_owned(), "1".to_owned())]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn decide(statement: &str) -> Result<Decided, Error> {
+    decide_where(statement, "")
+}
+
+/// Decides one statement in a setting: declarations, definitions and hypotheses with semicolons between, such as
+/// `x in [0, 1]; n in 0..; p: vector 3; f: function 1; H(t) := t^2; a > 0`.
+///
+/// # Errors
+/// As [`decide`].
+///
+/// ```
+/// use torse::Verdict;
+/// assert_eq!(torse::decide_where("x^2 > 0", "x != 0")?.verdict(), Verdict::Holds);
+/// let sum = torse::decide_where("sum(i, 0, n, binom(n, i)*x^i*(1 - x)^(n - i)) == 1", "n in 0..")?;
+/// assert_eq!(sum.is_true(), Some(true));
+/// // It needs a condition that nobody has stated, so it is neither true nor false.
+/// let root = torse::decide("sqrt(x^2) == x")?;
+/// assert_eq!((root.verdict(), root.is_true()), (Verdict::Conditional, None));
+/// # Ok::<(), torse::Error>(())
+/// ```
+pub fn decide_where(statement: &str, setting: &str) -> Result<Decided, Error> {
+    Verifier::new().decide(statement, setting)
+}
+
+impl Verifier<'_> {
+    /// Decides one statement in a setting, as [`decide_where`].
+    ///
+    /// # Errors
+    /// As [`decide`], and [`Error::Cancelled`].
+    ///
+    /// ```
+    /// use torse::{Verifier, WorkBudget};
+    /// let hasty = Verifier::new().with_budget(WorkBudget::new(1));
+    /// assert_eq!(hasty.decide("(a + b)^9 == (b + a)^9", "")?.is_true(), None);
+    /// # Ok::<(), torse::Error>(())
+    /// ```
+    pub fn decide(&self, statement: &str, setting: &str) -> Result<Decided, Error> {
+        let paper = question(statement, setting)?;
+        let claim = paper.claims.first().ok_or_else(|| LoadError::Empty {
+            path: "the statement".to_owned(),
+        })?;
+        let outcome = self.claim(&paper.head.id, claim)?;
+        Ok(Decided { outcome })
+    }
+}
+
+/// What is true of a statement, and why.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Decided {
+    outcome: Outcome,
+}
+
+impl Decided {
+    /// The verdict.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        self.outcome.verdict()
+    }
+
+    /// Whether it is true; none where that is not decided, needs a condition, or says nothing at all.
+    #[must_use]
+    pub fn is_true(&self) -> Option<bool> {
+        match self.verdict() {
+            Verdict::Holds => Some(true),
+            Verdict::False | Verdict::Misprint => Some(false),
+            _ => None,
+        }
+    }
+
+    /// The verdict in a word: `holds`, `conditional`, `misprint`, `false`, `undecided`, `vacuous`.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        glossary::verdict(self.verdict()).key
+    }
+
+    /// What the verdict rests on, in a word: `identity`, `witness` and others.
+    #[must_use]
+    pub fn evidence(&self) -> Option<&'static str> {
+        self.outcome.evidence().map(|of| glossary::evidence(of).key)
+    }
+
+    /// The statement as it was understood.
+    #[must_use]
+    pub fn statement(&self) -> Option<&str> {
+        self.outcome.parsed().map(|formula| formula.text.as_str())
+    }
+
+    /// A point at which it fails, with the values of both sides there.
+    #[must_use]
+    pub fn witness(&self) -> Option<&Witness> {
+        self.outcome.witness()
+    }
+
+    /// The statement with the smallest change that makes it true, where that was found and proved.
+    #[must_use]
+    pub fn corrected(&self) -> Option<&str> {
+        let correction = self.outcome.correction()?;
+        Some(&correction.statement.text)
+    }
+
+    /// The conditions under which it is true, where it needs some.
+    #[must_use]
+    pub fn conditions(&self) -> Vec<&str> {
+        let conditions = self.outcome.conditions().iter();
+        conditions.map(|formula| formula.text.as_str()).collect()
+    }
+
+    /// Whether a checker that does not search accepts the proof; none where there is no proof.
+    #[must_use]
+    pub fn is_replayed(&self) -> Option<bool> {
+        self.outcome.replay().map(|replay| replay.replayed)
+    }
+
+    /// The steps of the decision, in words.
+    #[must_use]
+    pub fn steps(&self) -> Vec<String> {
+        self.outcome.steps()
+    }
+
+    /// All of it, labelled.
+    #[must_use]
+    pub fn explanation(&self) -> Explanation {
+        short(&self.outcome)
+    }
+
+    /// One object of JSON on a line, with the fields of a claim of `torse verify --format json`.
+    ///
+    /// # Errors
+    /// [`Error::Report`] when the serialiser fails, which strings give it no reason to.
+    pub fn json(&self) -> Result<String, Error> {
+        Ok(finding_json(&self.outcome)?)
+    }
+
+    /// The statement as LaTeX mathematics, without dollar signs.
+    ///
+    /// ```
+    /// let decided = torse::decide("x/2 + x/2 == x")?;
+    /// let latex = decided.latex().unwrap_or_default();
+    /// assert!(latex.contains(r"\frac"), "{latex}");
+    /// # Ok::<(), torse::Error>(())
+    /// ```
+    #[must_use]
+    pub fn latex(&self) -> Option<String> {
+        Some(Mathematics::read(self.statement()?)?.latex)
+    }
+
+    /// The statement as MathML, in pieces between which a line may be broken.
+    #[must_use]
+    pub fn mathml(&self) -> Option<Vec<String>> {
+        Some(Mathematics::read(self.statement()?)?.mathml)
+    }
+
+    /// The finding with all its parts.
+    #[must_use]
+    pub fn outcome(&self) -> &Outcome {
+        &self.outcome
+    }
+}

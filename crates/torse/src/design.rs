@@ -1,0 +1,277 @@
+//! Designs: files with control data of developables, or texts that stand for them.
+
+use crate::error::Error;
+use std::path::Path;
+use torse_designs as rooms;
+use torse_designs::eval::{At, Row, eval};
+use torse_designs::fold::{FoldReport, fold_text};
+use torse_designs::inspect::{Report, inspect, inspect_quickly, inspect_within, table};
+use torse_designs::listing::{FileListing, list};
+use torse_designs::unroll::{Demand, FlatPiece, Summary, drawing, unroll};
+use torse_exchange::{Drawing, LengthUnit, dxf, svg};
+use torse_geometry::prelude::{Budget, Connected, Rail, Sheet};
+use torse_plot::Picture;
+
+/// Finds the developable surface between two curves: with tangent planes that touch both.
+///
+/// # Errors
+/// [`Error::Geometry`] for curves of which nothing can be made.
+///
+/// ```
+/// use torse::geometry::prelude::Rail;
+/// let chine = Rail::bezier(&[[0.0, 0.0, 0.0], [2.0, 3.0, 0.0], [6.0, 0.0, 0.0]])?;
+/// let deck = Rail::bezier(&[[0.5, 0.0, 2.0], [3.0, 2.0, 3.0], [6.0, -1.0, 2.0]])?;
+/// let sheet = torse::connect(&chine, &deck)?.sheet.ok_or("no developable touches both")?;
+/// let flat = sheet.unroll(64, 1e-6)?;
+/// assert!(flat.errors().outline <= 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn connect(first: &Rail, second: &Rail) -> Result<Connected, Error> {
+    Ok(Sheet::between(first, second)?)
+}
+
+/// Lists the curves, faces and meshes of a file of another program: STEP, IGES, DXF, SVG, CSV, OBJ, STL. `unit` is that of
+/// a file that states none.
+///
+/// # Errors
+/// [`Error::Design`] for a file that cannot be read.
+///
+/// ```
+/// let table = "x [mm],y,z\n0,0,0\n10,0,0\n20,5,0\n";
+/// let listing = torse::contents("line.csv", table.as_bytes(), None)?;
+/// assert_eq!(listing.curves.len(), 1);
+/// # Ok::<(), torse::Error>(())
+/// ```
+pub fn contents(name: &str, bytes: &[u8], unit: Option<&LengthUnit>) -> Result<FileListing, Error> {
+    let listing = list(name, bytes, unit);
+    let failed = |reason| rooms::DesignError::Listing {
+        path: name.to_owned(),
+        reason,
+    };
+    Ok(listing.map_err(failed)?)
+}
+
+/// A design that was read: points, curves, patches and chains of them, in millimetres.
+///
+/// ```
+/// let design = torse::Design::read("cone.toml", r#"
+///     [curves.rim]
+///     arc = { centre = [0, 0, 0], from = [30, 0, 0], to = [0, 30, 0] }
+///     [patches.cone]
+///     cone = "rim"
+///     apex = [0, 0, 40]
+///     range = [1, 0.5]
+/// "#)?;
+/// assert!(design.inspect()?.missed.is_empty());
+/// let pattern = design.unroll()?;
+/// // A sector of an annulus of radii 50 and 25.
+/// let exact = std::f64::consts::PI * (30.0 * 50.0 - 15.0 * 25.0) / 4.0;
+/// assert!((pattern.area() - exact).abs() < 1e-9);
+/// assert!(pattern.dxf()?.starts_with("  0\nSECTION"));
+/// # Ok::<(), torse::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Design {
+    read: rooms::Design,
+}
+
+/// The flat pattern of a design.
+#[derive(Debug, Clone)]
+pub struct Pattern {
+    pieces: Vec<FlatPiece>,
+    drawing: Drawing,
+    summary: Summary,
+}
+
+impl Design {
+    /// Reads a design file.
+    ///
+    /// # Errors
+    /// [`Error::Design`] with everything that is wrong in it.
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, Error> {
+        Ok(Self {
+            read: rooms::load(path.as_ref())?,
+        })
+    }
+
+    /// Reads the text of a design that names no other files.
+    ///
+    /// # Errors
+    /// As [`Design::open`].
+    ///
+    /// ```
+    /// let wrong = torse::Design::read("cone.toml", "[points]\nA = [0, 0]\n").unwrap_err();
+    /// let place = wrong.place().ok_or("a mistake has a place")?;
+    /// assert_eq!((place.line, place.column), (2, 5));
+    /// # Ok::<(), &str>(())
+    /// ```
+    pub fn read(name: &str, text: &str) -> Result<Self, Error> {
+        Ok(Self {
+            read: rooms::read(name, text)?,
+        })
+    }
+
+    /// Reads the text of a design; `files` gives the bytes of the files that it names, or says why it has none.
+    ///
+    /// # Errors
+    /// As [`Design::open`].
+    pub fn read_with(
+        name: &str,
+        text: &str,
+        files: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+    ) -> Result<Self, Error> {
+        Ok(Self {
+            read: rooms::read_with(name, text, files)?,
+        })
+    }
+
+    /// Its name: that of the file without the ending.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.read.name
+    }
+
+    /// Its title.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        &self.read.title
+    }
+
+    /// The names of its patches and surfaces.
+    #[must_use]
+    pub fn names(&self) -> Vec<String> {
+        self.read.names()
+    }
+
+    /// Measures it: can it be made? With bounds and proofs.
+    ///
+    /// # Errors
+    /// [`Error::Design`] for a patch that has no value where one is needed.
+    pub fn inspect(&self) -> Result<Report, Error> {
+        Ok(inspect(&self.read)?)
+    }
+
+    /// The same with another budget for bounds and proofs.
+    ///
+    /// # Errors
+    /// As [`Design::inspect`].
+    pub fn inspect_within(&self, budget: Budget) -> Result<Report, Error> {
+        Ok(inspect_within(&self.read, budget)?)
+    }
+
+    /// Measures only, without bounds and proofs.
+    ///
+    /// # Errors
+    /// As [`Design::inspect`].
+    pub fn inspect_quickly(&self) -> Result<Report, Error> {
+        Ok(inspect_quickly(&self.read)?)
+    }
+
+    /// Unrolls it, if it is developable.
+    ///
+    /// # Errors
+    /// [`Error::Design`] for what is not developable, has its edge of regression inside, or crosses itself.
+    pub fn unroll(&self) -> Result<Pattern, Error> {
+        self.unroll_as(&Demand::default())
+    }
+
+    /// Unrolls it with these wishes.
+    ///
+    /// # Errors
+    /// As [`Design::unroll`], and for a piece that is not there.
+    pub fn unroll_as(&self, demand: &Demand) -> Result<Pattern, Error> {
+        let pieces = unroll(&self.read, demand)?;
+        Ok(Pattern {
+            drawing: drawing(&self.read, &pieces)?,
+            summary: Summary::of(&self.read, &pieces),
+            pieces,
+        })
+    }
+
+    /// Folds the text of a pattern file back into space and compares it with the design.
+    ///
+    /// # Errors
+    /// [`Error::Design`] for a file that is no pattern.
+    pub fn fold(&self, name: &str, pattern: &str) -> Result<FoldReport, Error> {
+        Ok(fold_text(&self.read, name, pattern)?)
+    }
+
+    /// Points, normals and curvatures of all patches, or of one.
+    ///
+    /// # Errors
+    /// [`Error::Design`] for a patch that is not there, or a place without a value.
+    pub fn eval(&self, patch: Option<&str>, at: &At) -> Result<Vec<Row>, Error> {
+        Ok(eval(&self.read, patch, at)?)
+    }
+
+    /// The bytes of a file with this ending, one of [`ENDINGS`](torse_designs::export::ENDINGS): a pattern, a mesh or a CAD
+    /// model.
+    ///
+    /// # Errors
+    /// [`Error::Design`] for what cannot be written so.
+    pub fn export(&self, ending: &'static str, demand: &Demand) -> Result<Vec<u8>, Error> {
+        Ok(rooms::export::bytes(&self.read, ending, demand)?)
+    }
+
+    /// A picture of it with its pattern.
+    ///
+    /// # Errors
+    /// [`Error::Design`] for what cannot be drawn.
+    pub fn picture(&self) -> Result<Picture, Error> {
+        Ok(rooms::draw::picture(&self.read, &Demand::default())?)
+    }
+
+    /// The design with all its parts.
+    #[must_use]
+    pub fn parts(&self) -> &rooms::Design {
+        &self.read
+    }
+}
+
+impl Pattern {
+    /// The area of all pieces.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.pieces.iter().map(|piece| piece.flat.area()).sum()
+    }
+
+    /// The pieces, each with its outline, its rulings and its errors.
+    #[must_use]
+    pub fn pieces(&self) -> &[FlatPiece] {
+        &self.pieces
+    }
+
+    /// What the pattern promises.
+    #[must_use]
+    pub fn summary(&self) -> &Summary {
+        &self.summary
+    }
+
+    /// The lines of the drawing, by layers.
+    #[must_use]
+    pub fn drawing(&self) -> &Drawing {
+        &self.drawing
+    }
+
+    /// The pattern as a DXF file.
+    ///
+    /// # Errors
+    /// [`Error::Design`] for what DXF cannot hold.
+    pub fn dxf(&self) -> Result<String, Error> {
+        Ok(dxf(&self.drawing).map_err(rooms::DesignError::from)?)
+    }
+
+    /// The pattern as an SVG file.
+    ///
+    /// # Errors
+    /// [`Error::Design`] for what SVG cannot hold.
+    pub fn svg(&self) -> Result<String, Error> {
+        Ok(svg(&self.drawing).map_err(rooms::DesignError::from)?)
+    }
+}
+
+/// The report of [`Design::inspect`] as a text for people.
+#[must_use]
+pub fn report_text(report: &Report) -> String {
+    table(report)
+}

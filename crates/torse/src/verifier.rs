@@ -1,0 +1,287 @@
+//! Deciding claims: verdicts first, corrections of what is refuted after them.
+
+use crate::error::Error;
+use crate::progress::{Event, Observer, Pass, unobserved};
+use rayon::prelude::*;
+use std::fmt;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+use torse_syntax::derivation::{Claim, DerivationError, Paper};
+use torse_verdicts::engine::{STANDARD_WORK, decide_claim_within};
+use torse_verdicts::faults::faults;
+use torse_verdicts::outcome::{Outcome, PaperOutcome};
+use torse_verdicts::pending_claim::PendingClaim;
+use torse_verdicts::restore::restore;
+
+/// The most work on a claim, in units of one product of coefficients. What needs more is undecided, and says so: a verdict
+/// is the same on every machine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct WorkBudget(u64);
+
+impl WorkBudget {
+    /// Many times what the hardest claims of the papers take.
+    pub const STANDARD: Self = Self(STANDARD_WORK);
+
+    /// So many units.
+    #[must_use]
+    pub const fn new(units: u64) -> Self {
+        Self(units)
+    }
+
+    /// How many units.
+    #[must_use]
+    pub const fn units(self) -> u64 {
+        self.0
+    }
+}
+
+impl Default for WorkBudget {
+    fn default() -> Self {
+        Self::STANDARD
+    }
+}
+
+/// Who decides: with which budget, watched by whom.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use std::sync::atomic::{AtomicUsize, Ordering};
+/// use torse::{Error, Event, Paper, Verifier, WorkBudget};
+///
+/// let paper = Paper::read(|name| match name {
+///     "paper.toml" => Some("[paper]\nid = 'p'\ntitle = ''\nauthors = ''\nvenue = ''\nclaims = ['c.toml']".to_owned()),
+///     "c.toml" => Some("[[claim]]\nid = 'p/1'\nat = ''\nkind = 'identity'\nprinted = '2 + 2 = 4'\nstates = '2 + 2 == 4'".to_owned()),
+///     _ => None,
+/// })?;
+/// let done = AtomicUsize::new(0);
+/// let count = |event: Event<'_>| {
+///     if matches!(event, Event::ClaimEnds { .. }) {
+///         done.fetch_add(1, Ordering::Relaxed);
+///     }
+///     ControlFlow::Continue(())
+/// };
+/// let verifier = Verifier::new().with_budget(WorkBudget::new(1_000_000)).observed_by(&count);
+/// assert!(paper.verify_by(&verifier)?.mistakes.is_empty());
+/// assert_eq!(done.into_inner(), 1);
+///
+/// let stop = |_: Event<'_>| ControlFlow::Break(());
+/// let ended = paper.verify_by(&Verifier::new().observed_by(&stop));
+/// assert!(matches!(ended, Err(Error::Cancelled)));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct Verifier<'o> {
+    budget: WorkBudget,
+    observer: Observer<'o>,
+}
+
+impl fmt::Debug for Verifier<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut shown = formatter.debug_struct("Verifier");
+        shown.field("budget", &self.budget).finish_non_exhaustive()
+    }
+}
+
+impl Default for Verifier<'_> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// What was found of papers.
+#[derive(Debug, Clone, Default)]
+#[non_exhaustive]
+pub struct Verification {
+    /// The papers with their decided claims, in file order.
+    pub papers: Vec<PaperOutcome>,
+    /// Formulas that make no sense, in file order: their claims have no outcome.
+    pub mistakes: Vec<DerivationError>,
+}
+
+impl Verification {
+    /// All outcomes, in file order.
+    pub fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
+        self.papers.iter().flat_map(|paper| &paper.claims)
+    }
+}
+
+impl<'o> Verifier<'o> {
+    /// With [`WorkBudget::STANDARD`], watched by nobody.
+    #[must_use]
+    pub fn new() -> Self {
+        Self {
+            budget: WorkBudget::STANDARD,
+            observer: &unobserved,
+        }
+    }
+
+    /// With this budget.
+    #[must_use]
+    pub fn with_budget(self, budget: WorkBudget) -> Self {
+        Self { budget, ..self }
+    }
+
+    /// Watched, and if need be ended, by this callback.
+    #[must_use]
+    pub fn observed_by<'n>(self, observer: Observer<'n>) -> Verifier<'n> {
+        Verifier {
+            budget: self.budget,
+            observer,
+        }
+    }
+
+    /// Decides one claim of the paper with this slug, on the thread that calls.
+    ///
+    /// # Errors
+    /// [`Error::Formula`] where a formula makes no sense, [`Error::Cancelled`].
+    pub fn claim(&self, slug: &str, claim: &Claim) -> Result<Outcome, Error> {
+        let watch = Watch::new(self.observer);
+        let pass = Pass::Deciding;
+        let id = claim.entry.id.get_ref();
+        watch.tell(Event::ClaimBegins { pass, id });
+        watch.go_on()?;
+        let outcome = decide_claim_within(self.budget.units(), slug, claim)?;
+        watch.tell(Event::ClaimEnds { pass, id });
+        Ok(outcome)
+    }
+
+    /// Decides all claims of `papers`, of all papers at once and on all threads, and then searches corrections of those
+    /// that are refuted.
+    ///
+    /// # Errors
+    /// [`Error::Cancelled`] alone: formulas that make no sense are [`Verification::mistakes`].
+    pub fn verify(&self, papers: &[Paper]) -> Result<Verification, Error> {
+        let watch = Watch::new(self.observer);
+        let claims: Vec<(&str, &Claim)> = papers
+            .iter()
+            .flat_map(|paper| {
+                paper
+                    .claims
+                    .iter()
+                    .map(|claim| (paper.head.id.as_str(), claim))
+            })
+            .collect();
+        let pass = Pass::Deciding;
+        watch.tell(Event::Begins {
+            pass,
+            claims: claims.len(),
+        });
+        let stages: Vec<Option<Result<PendingClaim<'_>, _>>> = claims
+            .par_iter()
+            // A claim takes from microseconds to a second: each may go to whoever is free.
+            .with_max_len(1)
+            .map(|(slug, claim)| {
+                watch.claim(pass, claim, || {
+                    PendingClaim::verdict(self.budget.units(), slug, claim)
+                })
+            })
+            .collect();
+        watch.tell(Event::Ends { pass });
+        watch.go_on()?;
+        let refuted = |stage: &Option<Result<PendingClaim<'_>, _>>| matches!(stage, Some(Ok(stage)) if stage.seeks_correction());
+        let pass = Pass::Correcting;
+        watch.tell(Event::Begins {
+            pass,
+            claims: stages.iter().filter(|stage| refuted(stage)).count(),
+        });
+        let decided: Vec<Option<Result<Outcome, _>>> = claims
+            .par_iter()
+            .zip(stages)
+            .with_max_len(1)
+            .map(|((_, claim), stage)| {
+                let seeks = refuted(&stage);
+                let complete = || Some(stage?.and_then(PendingClaim::complete));
+                match seeks {
+                    true => watch.claim(pass, claim, complete).flatten(),
+                    false => complete(),
+                }
+            })
+            .collect();
+        watch.tell(Event::Ends { pass });
+        watch.go_on()?;
+        Ok(verification(papers, decided))
+    }
+
+    /// Decides the claims in which faults show once more, with all corrections of their paper in force:
+    /// [`PaperOutcome::restored`].
+    pub fn restore(&self, papers: &[Paper], verification: &mut Verification) {
+        for (paper, outcome) in papers.iter().zip(&mut verification.papers) {
+            match restore(self.budget.units(), paper, outcome) {
+                Ok(restored) => outcome.restored = restored,
+                Err(error) => verification.mistakes.push(*error),
+            }
+        }
+    }
+}
+
+/// Puts outcomes, in file order, into their papers.
+fn verification(
+    papers: &[Paper],
+    decided: Vec<Option<Result<Outcome, Box<DerivationError>>>>,
+) -> Verification {
+    let mut decided = decided.into_iter().flatten();
+    let mut made = Verification::default();
+    for paper in papers {
+        let mut outcomes = Vec::with_capacity(paper.claims.len());
+        for decision in decided.by_ref().take(paper.claims.len()) {
+            match decision {
+                Ok(outcome) => outcomes.push(outcome),
+                Err(error) => made.mistakes.push(*error),
+            }
+        }
+        let faults = faults(paper, &outcomes).unwrap_or_else(|error| {
+            made.mistakes.push(*error);
+            vec![]
+        });
+        made.papers.push(PaperOutcome {
+            slug: paper.head.id.clone(),
+            title: paper.head.title.clone(),
+            authors: paper.head.authors.clone(),
+            venue: paper.head.venue.clone(),
+            claims: outcomes,
+            faults,
+            restored: vec![],
+        });
+    }
+    made
+}
+
+/// The observer, and whether it has ended the work.
+struct Watch<'o> {
+    observer: Observer<'o>,
+    ended: AtomicBool,
+}
+
+impl<'o> Watch<'o> {
+    fn new(observer: Observer<'o>) -> Self {
+        Self {
+            observer,
+            ended: AtomicBool::new(false),
+        }
+    }
+
+    fn tell(&self, event: Event<'_>) {
+        if (self.observer)(event) == ControlFlow::Break(()) {
+            self.ended.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Fails once the work was ended.
+    fn go_on(&self) -> Result<(), Error> {
+        match self.ended.load(Ordering::Relaxed) {
+            true => Err(Error::Cancelled),
+            false => Ok(()),
+        }
+    }
+
+    /// Does something for a claim, unless the work was ended.
+    fn claim<T>(&self, pass: Pass, claim: &Claim, job: impl FnOnce() -> T) -> Option<T> {
+        let id = claim.entry.id.get_ref();
+        self.go_on().ok()?;
+        self.tell(Event::ClaimBegins { pass, id });
+        self.go_on().ok()?;
+        let done = job();
+        self.tell(Event::ClaimEnds { pass, id });
+        Some(done)
+    }
+}
