@@ -21,8 +21,12 @@ fn tracked() -> Vec<(String, u64)> {
     let Ok(listed) = listed else { return vec![] };
     let names = String::from_utf8(listed.stdout).unwrap();
     let names = names.split_terminator('\0');
-    let sized =
-        names.filter_map(|name| Some((name.to_owned(), root.join(name).metadata().ok()?.len())));
+    let sized = names.filter_map(|name| {
+        Some((
+            name.to_owned(),
+            root.join(name).symlink_metadata().ok()?.len(),
+        ))
+    });
     sized.collect()
 }
 

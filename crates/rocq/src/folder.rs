@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// The page that says how to check and what to trust.
-pub const README: &str = include_str!("../../../proofs/README.md");
+pub const README: &str = include_str!("../proofs/README.md");
 
 /// The file with the theorems whose proof script is known not to find a proof, and why.
 pub const UNPROVED: &str = "unproved.json";

@@ -10,18 +10,18 @@ use std::sync::LazyLock;
 
 /// The files of scripts, a paper each.
 const FILES: [&str; 8] = [
-    include_str!("../../../proofs/manual/bezier.v"),
-    include_str!("../../../proofs/manual/gbt-developable.v"),
-    include_str!("../../../proofs/manual/gbt-surfaces.v"),
-    include_str!("../../../proofs/manual/hermite-developable.v"),
-    include_str!("../../../proofs/manual/hyperbolic.v"),
-    include_str!("../../../proofs/manual/splines.v"),
-    include_str!("../../../proofs/manual/torses.v"),
-    include_str!("../../../proofs/manual/trigonometric.v"),
+    include_str!("../proofs/manual/bezier.v"),
+    include_str!("../proofs/manual/gbt-developable.v"),
+    include_str!("../proofs/manual/gbt-surfaces.v"),
+    include_str!("../proofs/manual/hermite-developable.v"),
+    include_str!("../proofs/manual/hyperbolic.v"),
+    include_str!("../proofs/manual/splines.v"),
+    include_str!("../proofs/manual/torses.v"),
+    include_str!("../proofs/manual/trigonometric.v"),
 ];
 
 /// The file of the tactics that several scripts use.
-const SHARED: &str = include_str!("../../../proofs/manual/shared.v");
+const SHARED: &str = include_str!("../proofs/manual/shared.v");
 
 /// Scripts by the claim and the name of the theorem.
 type Scripts = BTreeMap<(&'static str, &'static str), String>;

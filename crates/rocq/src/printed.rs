@@ -18,18 +18,15 @@ use crate::{jets, manual_proofs};
 pub const PRINTED: &str = "_printed";
 
 /// The tactic, as a file of the folder. Nothing is proved with it but what is printed.
-pub const FOLLOWS: (&str, &str) = (
-    "Torse/Follows.v",
-    include_str!("../../../proofs/Torse/Follows.v"),
-);
+pub const FOLLOWS: (&str, &str) = ("Torse/Follows.v", include_str!("../proofs/Torse/Follows.v"));
 
 /// What is used besides where functions are declared.
-pub const JETS: (&str, &str) = ("Torse/Jets.v", include_str!("../../../proofs/Torse/Jets.v"));
+pub const JETS: (&str, &str) = ("Torse/Jets.v", include_str!("../proofs/Torse/Jets.v"));
 
 /// What a declared function is, as a file of the folder: statements that have one use it.
 pub const FUNCTIONS: (&str, &str) = (
     "Torse/Functions.v",
-    include_str!("../../../proofs/Torse/Functions.v"),
+    include_str!("../proofs/Torse/Functions.v"),
 );
 
 /// Whether a proof needs it.
