@@ -36,6 +36,9 @@ const ROOMS: [(&str, &[&str]); 19] = [
     ("cli", &["torse"]),
 ];
 
+/// Doors that are built apart, by their folders beside the rooms: they see the facade alone.
+const DOORS: [&str; 1] = ["python"];
+
 /// The rooms that a room may use, directly or through others.
 fn within_reach(room: &str) -> BTreeSet<&'static str> {
     let own = ROOMS.iter().find(|(name, _)| *name == room);
@@ -173,6 +176,23 @@ fn only_doors_use_the_facade() {
         }
     }
     assert_eq!(doors, ["cli"]);
+}
+
+#[test]
+fn doors_that_are_built_apart_see_the_facade_alone() {
+    for door in DOORS {
+        let folder = crates().join("..").join(door);
+        let mut files = vec![folder.join("Cargo.toml")];
+        sources(&folder.join("src"), &mut files);
+        assert!(files.len() > 1, "{door}");
+        for file in files {
+            let text = fs::read_to_string(&file).unwrap();
+            for prefix in ["torse_", "torse-"] {
+                let named: Vec<&str> = named(&text, prefix).collect();
+                assert_eq!(named, [""; 0], "{}", file.display());
+            }
+        }
+    }
 }
 
 #[test]

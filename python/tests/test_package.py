@@ -1,0 +1,23 @@
+import doctest
+import inspect
+from pathlib import Path
+
+import torse
+from torse import _statements
+
+
+def test_examples_of_the_documentation_run():
+    for module in (torse, _statements):
+        failed, tried = doctest.testmod(module)
+        assert tried > 0 and failed == 0
+
+
+def test_stubs_have_what_the_package_has():
+    stubs = (Path(torse.__file__).parent / "__init__.pyi").read_text()
+    for name in torse.__all__:
+        assert name in stubs, name
+        value = getattr(torse, name)
+        if inspect.isclass(value) and value.__module__.startswith("torse._"):
+            own = [own for own in vars(value) if not own.startswith("_")]
+            missing = [own for own in own if f"def {own}(" not in stubs and f"    {own}:" not in stubs]
+            assert not missing, (name, missing)

@@ -1,0 +1,64 @@
+import pytest
+import torse
+
+sympy = pytest.importorskip("sympy")
+
+
+def test_a_true_statement_is_true():
+    found = torse.decide("sin(x)^2 + cos(x)^2 == 1")
+    assert found
+    assert found.verdict == "holds" and found.replayed
+    assert "sin" in found._repr_latex_() and "<math" in found._repr_html_()
+
+
+def test_a_false_statement_has_an_exact_counterexample():
+    found = torse.decide("(a + b)^2 == a^2 + b^2")
+    assert not found
+    assert found.witness == {"at": {"a": "1", "b": "1"}, "left": "4", "right": "2"}
+    assert torse.equal("a^2 + 2*a*b + b^2", "(a + b)^2")
+
+
+def test_what_is_not_decided_is_neither_true_nor_false():
+    found = torse.decide("(a + b)^9 == (b + a)^9", budget=1)
+    assert found.is_true is None
+    with pytest.raises(torse.UndecidedError, match="undecided"):
+        bool(found)
+    # It needs a condition that nobody has stated.
+    with pytest.raises(torse.UndecidedError, match="conditional"):
+        bool(torse.decide("sqrt(x^2) == x"))
+    assert torse.decide("sqrt(x^2) == x", where="x >= 0")
+
+
+def test_a_mistake_has_its_place():
+    with pytest.raises(torse.TorseError) as raised:
+        torse.decide("x + == 1")
+    assert (raised.value.file, raised.value.line) == ("the statement", 7) or raised.value.line is not None
+    assert raised.value.column is not None
+
+
+def test_terms_of_sympy_are_compared():
+    x, y = sympy.symbols("x y", real=True)
+    assert torse.equal((x + y) ** 3, sympy.expand((x + y) ** 3))
+    assert not torse.equal((x + y) ** 3, x**3 + y**3)
+    assert torse.equal(sympy.sin(2 * x), 2 * sympy.sin(x) * sympy.cos(x))
+    assert torse.equal(x / 3 - sympy.Rational(1, 7), (7 * x - 3) / 21)
+    assert torse.equal(-((-x) ** 2), -(x**2))
+    assert torse.equal(1 / sympy.sqrt(1 + x**2), (1 + x**2) ** sympy.Rational(-1, 2))
+
+
+def test_what_sympy_assumes_of_a_symbol_is_a_hypothesis():
+    x = sympy.symbols("x", positive=True)
+    n, k = sympy.symbols("n k", integer=True, nonnegative=True)
+    assert torse.equal(sympy.sqrt(x**2), x)
+    assert torse.decide(sympy.Gt(x + 1, 1, evaluate=False))
+    t = sympy.symbols("t")
+    sums = sympy.Sum(sympy.binomial(n, k) * t**k * (1 - t) ** (n - k), (k, 0, n))
+    assert torse.equal(sums, 1)
+    # What is said beats what is assumed.
+    assert not torse.decide("x > 0", where="x in [-1, 1]")
+
+
+@pytest.mark.parametrize("term", [0.5, None, [1], sympy.Float(0.5), sympy.I, sympy.Function("f")(sympy.Symbol("x"))])
+def test_what_has_no_exact_meaning_is_refused(term):
+    with pytest.raises((TypeError, ValueError)):
+        torse.equal(term, 1)

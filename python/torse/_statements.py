@@ -1,0 +1,74 @@
+"""One statement: decided, explained, shown."""
+
+from . import _html, _sympy, _torse
+
+
+class Decided:
+    """What is true of a statement, and why.
+
+    It is true or false only where that is decided: `bool` raises `UndecidedError` for a statement that is undecided, needs a
+    condition, or says nothing.
+    """
+
+    def __init__(self, found):
+        self._found = found
+
+    verdict = property(lambda self: self._found.verdict, doc="`holds`, `conditional`, `misprint`, `false`, `undecided`, `vacuous`")
+    is_true = property(lambda self: self._found.is_true, doc="True, False, or None where that is not decided")
+    evidence = property(lambda self: self._found.evidence, doc="what the verdict rests on, in a word")
+    statement = property(lambda self: self._found.statement, doc="the statement as it was understood")
+    corrected = property(lambda self: self._found.corrected, doc="the smallest change that makes it true, proved, or None")
+    conditions = property(lambda self: self._found.conditions, doc="under which it is true, where it needs some")
+    replayed = property(lambda self: self._found.replayed, doc="whether a checker without search accepts the proof, or None")
+    steps = property(lambda self: self._found.steps, doc="the steps of the decision, in words")
+    witness = property(
+        lambda self: self._found.witness,
+        doc="a point at which it fails: {'at': {name: value}, 'left': ..., 'right': ...}, exact values as texts, or None",
+    )
+    explanation = property(lambda self: self._found.explanation, doc="all of it: groups of (label, text)")
+
+    def json(self):
+        """One object of JSON, as a line of `torse decide - --format json`."""
+        return self._found.json()
+
+    def __bool__(self):
+        return bool(self._found)
+
+    def __repr__(self):
+        return f"<{self.verdict}: {self.statement}>"
+
+    def __str__(self):
+        return _html.text(self.explanation)
+
+    def _repr_latex_(self):
+        latex = self._found.latex
+        return f"$\\displaystyle {latex}$" if latex else None
+
+    def _repr_html_(self):
+        formula = self._found.mathml
+        shown = f"<p><math display='block'>{formula}</math></p>" if formula else ""
+        return shown + _html.table(self.explanation)
+
+
+def decide(statement, where="", budget=None):
+    """Decides one statement about real numbers.
+
+    `statement` is a text in the notation of torse, or a relation of SymPy. `where` declares names and states hypotheses, with
+    semicolons between: `"x in [0, 1]; n in 0..; a > 0"`; or it is a list of such texts and relations of SymPy. Names that are
+    not declared are real numbers. `budget` bounds the work; what needs more is undecided.
+    """
+    text, assumed = _sympy.statement(statement)
+    return Decided(_torse.decide(text, _sympy.setting(where, assumed), budget))
+
+
+def equal(left, right, where="", budget=None):
+    """Decides whether two terms, texts or expressions of SymPy, are equal for all values for which they have a meaning.
+
+    >>> import torse
+    >>> bool(torse.equal("(a + b)^2", "a^2 + 2*a*b + b^2"))
+    True
+    """
+    left, of_left = _sympy.term(left)
+    right, of_right = _sympy.term(right)
+    setting = _sympy.setting(where, {**of_left, **of_right})
+    return Decided(_torse.decide(f"({left}) == ({right})", setting, budget))
