@@ -1,6 +1,6 @@
 //! Why a file cannot be written.
 
-use crate::read::ReadError;
+use crate::read::error::ReadError;
 use std::path::PathBuf;
 use torse_geometry::GeometryError;
 

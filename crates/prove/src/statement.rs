@@ -61,7 +61,7 @@ fn prepared<T>(
         .rooted(&statement.origin)
         .map_err(|fault| fault.within(&statement.origin))?;
     let mut declarations = None;
-    for name in rooted.roots() {
+    for (name, _) in rooted.roots() {
         let set = rooted.symbols.get(name).cloned();
         let known = declarations.take();
         let known = known.unwrap_or_else(|| Declarations::clone(&claim.declarations));

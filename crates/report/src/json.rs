@@ -28,7 +28,7 @@ use torse_verdicts::outcome::Outcome;
 /// `totals` counts: the `claims`, remarks of ours left out, by their `verdicts`; and the `remarks` (`total`, `proved`).
 ///
 /// `net` says what was tried: whether the verdict is `netted`, the points that were `tried` and those at which it was
-/// `decided`, the `instances` that are identities, `why` it is not netted, and for each of the `conditions` what the
+/// `decided`, what is true on the thin parts of its domain that are `unvisited`, the `instances` that are identities, `why` it is not netted, and for each of the `conditions` what the
 /// statement is where it fails: the points `tried`, how many are `holding`, `failing` and `undefined`, and a point at
 /// which the condition is needed, `needed_at`. The net of a `correction` has the same fields.
 ///

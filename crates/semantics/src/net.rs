@@ -45,10 +45,10 @@ pub struct Tally {
     pub single: bool,
     /// Whether the budget was spent.
     pub exhausted: bool,
-    /// The thin parts of the domain that the text shows, and those of them on which the statement was decided at a point.
+    /// How many thin parts of the domain the text shows.
     pub branches: u64,
-    /// See [`Tally::branches`].
-    pub visited: u64,
+    /// What is true on those of them on which the statement was decided at no point.
+    pub unvisited: Vec<Expr>,
 }
 
 impl Tally {
@@ -135,7 +135,9 @@ fn visit(tally: &mut Tally, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str
             decided.is_none() && seen < STARTS
         });
         tally.branches += 1;
-        tally.visited += u64::from(decided.is_some());
+        if decided.is_none() {
+            tally.unvisited.push(branch.inside);
+        }
         if tally.failing.is_some() {
             return;
         }

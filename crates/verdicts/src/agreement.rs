@@ -27,7 +27,7 @@ use self::terms::Terms;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use torse_core::{self as core, Term};
+use torse_core as core;
 use torse_semantics::tree::{Assignment, Compared, Reading};
 use torse_semantics::{Name, Scrambled, Value, Work};
 use torse_syntax::derivation::{Claim, Written};
@@ -114,7 +114,7 @@ struct Case<'a> {
 impl Case<'_> {
     /// Every symbol has the set that is declared.
     fn declared(&self) -> Result<(), String> {
-        let roots: BTreeSet<&Arc<str>> = self.core.roots().collect();
+        let roots: BTreeSet<&Arc<str>> = self.core.roots().map(|(name, _)| name).collect();
         for (name, set) in &self.core.symbols {
             if roots.contains(name) {
                 continue;
@@ -159,7 +159,7 @@ impl Case<'_> {
             claim: self.claim,
         };
         // What the engine named has the value of its text.
-        for (name, root) in self.roots() {
+        for (name, root) in self.core.roots() {
             if let Some(Some(tree)) = self.made.get(name) {
                 let value = plain.value(root).and_then(|value| value.number());
                 let value = value.and_then(|x| x.square_root(&arithmetic));
@@ -219,12 +219,5 @@ impl Case<'_> {
             }
         }
         Ok(open)
-    }
-
-    fn roots(&self) -> impl Iterator<Item = (&Arc<str>, &Term)> {
-        self.core
-            .hypotheses
-            .iter()
-            .filter_map(core::Hypothesis::root)
     }
 }

@@ -38,6 +38,12 @@ impl DecisionCertificate {
         }
     }
 
+    /// Whether it proves the statement without a condition.
+    #[must_use]
+    pub fn is_unconditional_proof(&self) -> bool {
+        matches!(self, Self::Proof { conditions, .. } if conditions.is_empty())
+    }
+
     /// The points at which the statement fails because a condition does, each with the condition.
     #[must_use]
     pub fn excepted(&self) -> Vec<(Formula, Witness)> {

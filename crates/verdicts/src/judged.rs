@@ -24,6 +24,8 @@ pub struct Net {
     pub tried: u64,
     /// Points of the domain at which the statement was decided as the verdict says.
     pub decided: u64,
+    /// What is true on thin parts of the domain that the text shows and on which no point was decided.
+    pub unvisited: Vec<String>,
     /// Small instances that are identities; they are looked for by `torse recheck` alone.
     pub instances: u64,
     /// Why it is not netted.
@@ -42,6 +44,7 @@ impl Net {
             netted: false,
             tried: 0,
             decided: 0,
+            unvisited: vec![],
             instances: 0,
             why: Some(why.to_owned()),
             conditions: vec![],
@@ -70,6 +73,7 @@ impl Net {
             netted: true,
             tried,
             decided: 1,
+            unvisited: vec![],
             instances: 0,
             why: None,
             conditions: vec![],

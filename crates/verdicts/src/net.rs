@@ -11,6 +11,9 @@
 //! not pass as an accusation of the paper either. Such a condition is reported as not seen to be needed
 //! ([`ConditionCheck::seen_needed`]), the steps of the verdict say so, and the verdict is not netted.
 //!
+//! **Thin parts.** The text shows where a statement may fail though it holds elsewhere ([`Tally::branches`]). Where the statement
+//! was decided at no point of such a part, and the checker accepts no proof that the part is empty, the net names the part.
+//!
 //! **What is shown.** An accusation is shown only with a point that was put into the text: where its witness cannot be read or
 //! judged, and no other point is found, the claim is undecided. So is one of which no point is found at which all of its
 //! terms have values, for a proof says nothing then.
@@ -18,23 +21,26 @@
 //! **Corrections** are proofs, with conditions of their own, and judged like proofs.
 
 use crate::agreement::{Agreement, agreement};
+use crate::certificate::DecisionCertificate;
 use crate::elaborated_claim::ElaboratedClaim;
 use crate::finding::Finding;
 use crate::judged::{ConditionCheck, Judged, MIN_VIOLATING_POINTS, Net, Replay};
 use crate::outcome::Outcome;
 use crate::statement::{Contradiction, EmptyDomain, ProvedStatement, RefutedStatement};
 use crate::{condition, provenance, replay};
+use std::sync::Arc;
+use torse_algebra::rational::integer;
 use torse_algebra::work;
 use torse_core as core;
-use torse_prove::{self as prove, a_point_of};
+use torse_prove::{self as prove, a_point_of, decide_statement};
 use torse_semantics::tree::Reading;
 use torse_semantics::{
     Identity, Judgement, Outside, Tally, Witness, Work, beyond, check_witness, identity, instances,
     tally,
 };
 use torse_syntax::derivation::{Claim, Written};
-use torse_syntax::formula::{Expr, Node};
-use torse_syntax::notation::Formula;
+use torse_syntax::formula::{Connective, Expr, Node, Relation};
+use torse_syntax::notation::{self, Formula};
 use torse_syntax::taxonomy::Verdict;
 
 /// How much is tried before a verdict is believed. All of it counts work, so that the answer is the same on every
@@ -53,6 +59,9 @@ pub struct Effort {
     pub seed: &'static str,
 }
 
+/// The work that the proof that a thin part of a domain is empty may take.
+const EMPTINESS_WORK: u64 = 5_000_000;
+
 /// What every verdict has to pass before it is shown.
 pub const ALWAYS: Effort = Effort {
     points: 20,
@@ -70,7 +79,7 @@ pub(crate) fn proved(statement: ProvedStatement, elaborated: &ElaboratedClaim<'_
         );
     };
     let verdict = statement.verdict(elaborated.claim.entry.kind);
-    let net = PreparedClaim::new(&own, &ALWAYS, statement.certificate.excepted())
+    let net = JudgedStatement::new(&own, &ALWAYS, statement.certificate.excepted())
         .proof(&statement.conditions);
     let replay = |statement: &ProvedStatement| replay::proof(statement, &own).map(Some);
     finding(verdict, statement, net, replay, |judged| {
@@ -86,7 +95,7 @@ pub(crate) fn refuted(
     budget: u64,
 ) -> Finding {
     let verdict = statement.verdict();
-    let net = PreparedClaim::new(elaborated, &ALWAYS, vec![]).refutation(&statement);
+    let net = JudgedStatement::new(elaborated, &ALWAYS, vec![]).refutation(&statement);
     let replay =
         |statement: &RefutedStatement| replay::refutation(statement, elaborated, budget).map(Some);
     finding(verdict, statement, net, replay, |judged| {
@@ -96,7 +105,7 @@ pub(crate) fn refuted(
 
 /// Judges that a domain has no points.
 pub(crate) fn vacuous(statement: EmptyDomain, elaborated: &ElaboratedClaim<'_>) -> Finding {
-    let net = PreparedClaim::new(elaborated, &ALWAYS, vec![]).nowhere();
+    let net = JudgedStatement::new(elaborated, &ALWAYS, vec![]).nowhere();
     finding(
         Verdict::Vacuous,
         statement,
@@ -166,19 +175,19 @@ pub fn judged(
         Finding::Proved(judged) => {
             let proved = &judged.statement;
             let own = elaborated.without_unneeded(&proved.needed)?;
-            let case = PreparedClaim::new(&own, effort, proved.certificate.excepted());
+            let case = JudgedStatement::new(&own, effort, proved.certificate.excepted());
             Some(case.proof(&proved.conditions))
         }
         Finding::Refuted(judged) => {
-            Some(PreparedClaim::new(&elaborated, effort, vec![]).refutation(&judged.statement))
+            Some(JudgedStatement::new(&elaborated, effort, vec![]).refutation(&judged.statement))
         }
-        Finding::Vacuous(_) => Some(PreparedClaim::new(&elaborated, effort, vec![]).nowhere()),
+        Finding::Vacuous(_) => Some(JudgedStatement::new(&elaborated, effort, vec![]).nowhere()),
         _ => None,
     }
 }
 
 /// A statement about the domain of a claim, to be judged.
-struct PreparedClaim<'a> {
+struct JudgedStatement<'a> {
     claim: &'a Claim,
     statement: &'a Written,
     core: &'a core::Claim,
@@ -188,7 +197,7 @@ struct PreparedClaim<'a> {
     excepted: Vec<(Formula, prove::Witness)>,
 }
 
-impl<'a> PreparedClaim<'a> {
+impl<'a> JudgedStatement<'a> {
     fn new(
         elaborated: &'a ElaboratedClaim<'_>,
         effort: &'a Effort,
@@ -236,6 +245,11 @@ impl<'a> PreparedClaim<'a> {
     /// A proof under conditions, at points of the domain.
     fn proof(&self, conditions: &[Formula]) -> Result<Net, Objection> {
         let uncompared = self.agrees()?;
+        Ok(self.proof_at_points(conditions)?.unless(uncompared))
+    }
+
+    /// The same, where the core terms were compared with the text before.
+    fn proof_at_points(&self, conditions: &[Formula]) -> Result<Net, Objection> {
         let read: Option<Vec<Written>> = conditions.iter().map(|c| self.read(c)).collect();
         let Some(read) = read else {
             return Ok(Net::uncovered("a condition that cannot be read back"));
@@ -254,24 +268,65 @@ impl<'a> PreparedClaim<'a> {
         let enough = tally.holding >= self.effort.points || (tally.single && tally.holding > 0);
         let unneeded = conditions.iter().find(|sides| !sides.seen_needed());
         let why = match (enough, unneeded) {
+            (false, _) => Some(why_few(&tally)),
             (true, _) if useless.is_some() => useless,
-            (true, None) => None,
             (true, Some(sides)) => Some(format!(
                 "no point was found at which the condition {} is needed",
                 sides.condition
             )),
-            (false, _) => Some(why_few(&tally)),
+            (true, None) => None,
         };
-        let net = Net {
+        Ok(Net {
             netted: why.is_none(),
             tried: tally.attempts,
             decided: tally.holding,
+            unvisited: self.unvisited(&tally),
             instances,
             why,
             conditions,
             correction: None,
-        };
-        Ok(net.unless(uncompared))
+        })
+    }
+
+    /// What is true on the thin parts of the domain on which no point was decided; those that are proved to be empty are
+    /// left out.
+    fn unvisited(&self, tally: &Tally) -> Vec<String> {
+        let parts = tally.unvisited.iter();
+        let open = parts.filter(|inside| !self.is_nowhere(inside));
+        open.map(notation::text).collect()
+    }
+
+    /// Whether the checker accepts a proof that a statement is true at no point of the domain: of its denial, of an order
+    /// where it is an equation, or of a contradiction under it.
+    fn is_nowhere(&self, inside: &Expr) -> bool {
+        let (zero, one) = (Expr::number(&integer(0)), Expr::number(&integer(1)));
+        let absurd = Expr::made(Node::Compare(Arc::new(zero), vec![(Relation::Equal, one)]));
+        let (premise, absurd) = (Arc::new(inside.clone()), Arc::new(absurd));
+        let mut denials = vec![
+            Expr::made(Node::Not(Arc::clone(&premise))),
+            Expr::made(Node::Join(Connective::Implies, premise, absurd)),
+        ];
+        if let Node::Compare(left, rest) = &inside.node
+            && let [(Relation::Equal, right)] = rest.as_slice()
+        {
+            let ordered = [Relation::Greater, Relation::Less].map(|relation| {
+                Expr::made(Node::Compare(left.clone(), vec![(relation, right.clone())]))
+            });
+            denials.extend(ordered);
+        }
+        denials
+            .iter()
+            .any(|denial| self.is_replayed(denial) == Some(true))
+    }
+
+    /// Whether the checker accepts an unconditional proof of a statement about the same domain.
+    fn is_replayed(&self, statement: &Expr) -> Option<bool> {
+        let written = self.read(&notation::formula(statement))?;
+        let decided = work::within(EMPTINESS_WORK, || decide_statement(self.claim, &written));
+        let certificate = DecisionCertificate::from_decision(&decided.ok()?.ok()?)?;
+        let core = torse_elaborate::elaborate(self.claim, &written).ok()?;
+        let accepted = replay::check(&core, &written.origin, &certificate).ok()?;
+        Some(certificate.is_unconditional_proof() && accepted.is_whole())
     }
 
     /// Fails unless the statement has a value somewhere on the domain: where the points that were drawn do not tell, at the one
@@ -394,7 +449,7 @@ impl<'a> PreparedClaim<'a> {
             net.why = Some("the correction cannot be read back".to_owned());
             return Ok(net);
         };
-        let case = PreparedClaim {
+        let case = JudgedStatement {
             core: corrected,
             statement,
             seed: self.seed.clone(),
@@ -457,14 +512,14 @@ impl<'a> PreparedClaim<'a> {
             expr: inner.clone(),
             origin: self.statement.origin.clone(),
         };
-        let case = PreparedClaim {
+        let case = JudgedStatement {
             core: &core,
             statement: &statement,
             seed: self.seed.clone(),
             excepted: vec![],
             ..*self
         };
-        let found = case.proof(&[]);
+        let found = case.proof_at_points(&[]);
         found.map_err(|found| found.about("what it denies is not shown"))
     }
 

@@ -23,7 +23,7 @@ pub(crate) fn proof(
     proved: &ProvedStatement,
     elaborated: &ElaboratedClaim<'_>,
 ) -> Result<Replay, String> {
-    checked(
+    check(
         &elaborated.core,
         &elaborated.statement.origin,
         &proved.certificate,
@@ -42,7 +42,7 @@ pub(crate) fn refutation(
     let Some(certificate) = &refuted.certificate else {
         return Ok(Replay::beyond("that there is no other number"));
     };
-    let mut replay = checked(&elaborated.core, &elaborated.statement.origin, certificate)?;
+    let mut replay = check(&elaborated.core, &elaborated.statement.origin, certificate)?;
     if let Some(correction) = refuted.correction() {
         let claim = &elaborated.claim;
         let own = || {
@@ -50,7 +50,7 @@ pub(crate) fn refutation(
             let decided = work::within(budget, || decide_statement(claim, &written));
             let certificate = DecisionCertificate::from_decision(&decided.ok()?.ok()?)?;
             let core = torse_elaborate::elaborate(claim, &written).ok()?;
-            Some(checked(&core, &written.origin, &certificate))
+            Some(check(&core, &written.origin, &certificate))
         };
         let none = || Ok(Replay::beyond("the correction was not proved again"));
         let own = own().unwrap_or_else(none);
@@ -60,8 +60,11 @@ pub(crate) fn refutation(
     Ok(replay)
 }
 
-/// What the checker says.
-fn checked(
+/// What the checker says of a proof or a refutation.
+///
+/// # Errors
+/// What is wrong with it.
+pub(crate) fn check(
     core: &core::Claim,
     origin: &Origin,
     certificate: &DecisionCertificate,

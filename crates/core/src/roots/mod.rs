@@ -69,10 +69,9 @@ impl Claim {
         })
     }
 
-    /// The symbols that stand for roots, those first of which others are made.
-    pub fn roots(&self) -> impl Iterator<Item = &Arc<str>> {
-        let own = self.hypotheses.iter().filter(|h| h.source == Source::Root);
-        own.filter_map(|h| Some(h.root()?.0))
+    /// The symbols that stand for roots, each with its radicand, those first of which others are made.
+    pub fn roots(&self) -> impl Iterator<Item = (&Arc<str>, &Term)> {
+        self.hypotheses.iter().filter_map(Hypothesis::root)
     }
 }
 

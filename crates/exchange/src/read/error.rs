@@ -1,6 +1,6 @@
 //! Why a file cannot be read.
 
-use super::FileKind;
+use super::kind::FileKind;
 use std::fmt;
 use torse_geometry::GeometryError;
 

@@ -26,10 +26,10 @@
 mod csv;
 mod decimal;
 pub(crate) mod dxf;
-mod error;
+pub(crate) mod error;
 mod iges;
 mod imported;
-mod kind;
+pub(crate) mod kind;
 mod obj;
 mod step;
 mod stl;

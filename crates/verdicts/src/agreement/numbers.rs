@@ -48,12 +48,7 @@ impl Numbers<'_, '_> {
 
     /// The value of a name that the engine made: the root of its square, or what its text is worth.
     fn made_value(&self, name: &Arc<str>) -> Option<Value<Class>> {
-        let mut roots = self
-            .core
-            .hypotheses
-            .iter()
-            .filter_map(core::Hypothesis::root);
-        if let Some((_, radicand)) = roots.find(|(own, _)| *own == name) {
+        if let Some((_, radicand)) = self.core.roots().find(|(own, _)| *own == name) {
             let values = |name: &Name| self.number(name);
             let radicand = Terms::new(self.arithmetic, &values, None).value(radicand);
             let root = radicand.ok()?.number().ok()?.square_root(self.arithmetic);
