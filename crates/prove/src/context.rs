@@ -6,24 +6,20 @@
 //! divisor of its value. Since derivatives are taken by variables of their own, putting values in for symbols changes
 //! the meaning of nothing.
 
-use crate::decide::conditions;
+use crate::decide::domain::branch::{Branch, Cases, Divisors, Equation, written};
 use crate::decide::domain::{Constraint, Domain};
 use crate::decide::exponential;
-use crate::decide::interval::Interval;
 use crate::decide::root::Root;
-use crate::decide::sign;
-use crate::decide::value::{plain_symbol, quotient};
+use crate::decide::value::plain_symbol;
 use crate::evaluate::Evaluator;
 use crate::evaluate::linear::solve_for;
-use crate::evaluate::series::polynomial_of;
 use crate::evaluate::value::{Statement, UNPLACED, Value};
 use crate::roots::{self, Resolved};
 use crate::unknown::Unknown;
 use std::collections::BTreeMap;
 use std::rc::Rc;
-use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Fraction, Polynomial, Symbol};
-use torse_certificate::proof::assumptions::{Determined, Determining, Elimination, Signed};
+use torse_certificate::proof::assumptions::{Determining, Signed};
 use torse_core::{self as core, Hypothesis, Source};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::declarations::SymbolKind;
@@ -31,21 +27,11 @@ use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Connective, Relation};
 
-/// Divisors of more terms than this are not examined for their sign.
-const MAX_EXAMINED: usize = 40;
-
 /// The domain of a claim, with all hypotheses in force. A copy knows what was evaluated so far.
 #[derive(Clone)]
 pub struct ProofContext<'a> {
-    /// The evaluator: eliminated symbols have their values.
-    pub evaluator: Evaluator<'a>,
-    /// The domain.
-    pub domain: Domain<'a>,
-    /// How symbols were eliminated, in this order.
-    pub eliminated: Vec<Elimination<Polynomial>>,
-    /// The factors of the divisors of eliminations that may vanish, each as it was when it was divided by: what the claim
-    /// became says nothing where one of them is zero.
-    pub splits: Vec<Polynomial>,
+    /// What the hypotheses made of the domain.
+    pub branch: Branch<'a>,
     solving: SolvePolicy,
     roots_solved: RootMode,
 }
@@ -93,13 +79,14 @@ impl<'a> PreparedClaim<'a> {
         let core = elaborator.claim(claim, statement)?;
         let ground = ProofContext::new(&core, elaborator, &fixed)?;
         let value = ground
+            .branch
             .evaluator
             .truth(&core.statement)
             .map_err(|f| f.within(&statement.origin))?;
-        let mut domain = ground.domain;
+        let mut domain = ground.branch.domain;
         domain.order_exponentials(&exponential::symbols_of(&value));
         Ok(Self {
-            evaluator: ground.evaluator,
+            evaluator: ground.branch.evaluator,
             domain,
             statement: value,
         })
@@ -177,15 +164,12 @@ impl<'a> ProofContext<'a> {
     ) -> Result<Self, Fault> {
         let evaluator = Evaluator::with(elaborator);
         let mut ground = Self {
-            domain: Domain::new(evaluator.declarations),
-            evaluator: evaluator.fixing(fixed),
-            eliminated: vec![],
-            splits: vec![],
+            branch: Branch::new(evaluator.fixing(fixed)),
             solving,
             roots_solved,
         };
         for (name, value) in fixed {
-            ground.keep_range(&Symbol::named(name), value);
+            ground.branch.keep_range(&Symbol::named(name), value);
         }
         let hypotheses = claim.hypotheses.iter();
         let assumed = hypotheses.filter(|h| h.source == Source::Assume);
@@ -198,7 +182,7 @@ impl<'a> ProofContext<'a> {
             .iter()
             .try_for_each(|zero| ground.vanishes(&zero.clone().into()))?;
         ground.assume_all(equations)?;
-        if ground.domain.pivots.is_empty() {
+        if ground.branch.domain.pivots().is_empty() {
             roots = ground.resolve(roots)?;
         }
         ground.constrain_roots(&roots)?;
@@ -210,24 +194,25 @@ impl<'a> ProofContext<'a> {
         &mut self,
         hypotheses: Vec<&'h Hypothesis>,
     ) -> Result<Vec<&'h Hypothesis>, Fault> {
-        self.domain.roots.clear();
+        self.branch.domain.roots.clear();
         for hypothesis in &hypotheses {
             let Some((name, radicand)) = hypothesis.root() else {
                 continue;
             };
             let symbol = Symbol::named(name);
-            let value = self.evaluator.term(radicand);
-            let (false, Some(radicand)) =
-                (self.is_solved(&symbol), value.ok().as_ref().and_then(plain))
-            else {
+            let value = self.branch.evaluator.term(radicand);
+            let (false, Some(radicand)) = (
+                self.branch.is_solved(&symbol),
+                value.ok().as_ref().and_then(plain),
+            ) else {
                 continue;
             };
-            match roots::resolved(&radicand, &self.domain) {
+            match roots::resolved(&radicand, &self.branch.domain) {
                 Some(found) => self.take_root(&symbol, &radicand, found)?,
-                None => self.domain.roots.push(Root { symbol, radicand }),
+                None => self.branch.domain.roots.push(Root { symbol, radicand }),
             }
         }
-        while let Some((root, found)) = roots::resolved_by_others(&self.domain) {
+        while let Some((root, found)) = roots::resolved_by_others(&self.branch.domain) {
             self.take_root(&root.symbol, &root.radicand, found)?;
         }
         self.see_positive_roots();
@@ -239,14 +224,10 @@ impl<'a> ProofContext<'a> {
         Ok(hypotheses.into_iter().filter(open).collect())
     }
 
-    fn is_solved(&self, symbol: &Symbol) -> bool {
-        self.domain.solved.iter().any(|(known, _)| known == symbol)
-    }
-
     /// Whether a root was given a value as such.
     fn has_root_value(&self, root: &Symbol) -> bool {
         let root = plain_symbol(root);
-        self.eliminated.iter().any(|elimination| {
+        self.branch.eliminated().iter().any(|elimination| {
             let mut values = elimination.values.iter();
             matches!(elimination.by, Determining::Root(_)) && values.any(|v| v.symbol == root)
         })
@@ -261,24 +242,26 @@ impl<'a> ProofContext<'a> {
     ) -> Result<(), Fault> {
         let rooted = Signed {
             sign: found.sign,
-            constraints: written(&self.domain.constraints),
+            constraints: written(&self.branch.domain.constraints),
         };
         let value = found.value.under(radicand.conditions());
         let unknown = Unknown::new(symbol.clone()).ok_or_else(no_unknown)?;
-        let value = self.eliminate(&unknown, &value)?;
-        let by = Determining::Root(Box::new(rooted));
-        self.eliminated_by(vec![(symbol.clone(), value)], by);
+        let _ = self
+            .branch
+            .solve(&[(unknown, value)], Equation::Root(Box::new(rooted)))?;
         Ok(())
     }
 
     /// Roots are positive where their radicands do not vanish.
     fn see_positive_roots(&mut self) {
-        for root in self.domain.roots.clone() {
+        for root in self.branch.domain.roots.clone() {
             let own = Polynomial::symbol(root.symbol.clone());
-            if !self.domain.assumes_nonzero(&own) && self.never_zero(root.radicand.numerator()) {
+            if !self.branch.domain.assumes_nonzero(&own)
+                && self.branch.never_zero(root.radicand.numerator())
+            {
                 let radicand = root.radicand.numerator().clone();
-                self.domain.positive_radicands.push(radicand);
-                self.domain.constraints.push(Constraint {
+                self.branch.domain.positive_radicands.push(radicand);
+                self.branch.domain.constraints.push(Constraint {
                     value: own.into(),
                     relation: Relation::Greater,
                 });
@@ -293,30 +276,32 @@ impl<'a> ProofContext<'a> {
             let Some((name, _)) = hypothesis.root() else {
                 continue;
             };
-            let statement = self.evaluator.truth(&hypothesis.statement);
+            let statement = self.branch.evaluator.truth(&hypothesis.statement);
             let mut forms = vec![];
             statement
                 .and_then(|statement| equations(&statement, &mut forms))
                 .map_err(within)?;
             for form in forms {
-                let value = self.resolved(&form)?;
+                let value = self.branch.resolved(&form)?;
                 let symbol = Symbol::named(name);
-                if !self.is_solved(&symbol) {
+                if !self.branch.is_solved(&symbol) {
                     let own = Fraction::symbol(symbol).under(value.conditions());
-                    self.evaluator.fix(name.to_string(), own);
+                    self.branch.evaluator.fix(name.to_string(), own);
                 }
                 let relation = Relation::Equal;
                 match self.roots_solved {
-                    RootMode::Symbols => {
-                        self.domain.constraints.push(Constraint { value, relation })
-                    }
+                    RootMode::Symbols => self
+                        .branch
+                        .domain
+                        .constraints
+                        .push(Constraint { value, relation }),
                     RootMode::Solved => self.vanishes(&value)?,
                 }
             }
         }
         if self.roots_solved == RootMode::Solved {
             // What they are the roots of is written by them now: they are symbols like all others.
-            self.domain.roots.clear();
+            self.branch.domain.roots.clear();
         }
         Ok(())
     }
@@ -329,7 +314,7 @@ impl<'a> ProofContext<'a> {
         let hypotheses = claim.hypotheses.iter();
         let mut forms = vec![];
         for hypothesis in hypotheses.filter(|h| h.source == Source::Given) {
-            let statement = self.evaluator.truth(&hypothesis.statement);
+            let statement = self.branch.evaluator.truth(&hypothesis.statement);
             let taken = statement.and_then(|statement| equations(&statement, &mut forms));
             taken.map_err(|f| f.within(&hypothesis.origin))?;
         }
@@ -341,17 +326,13 @@ impl<'a> ProofContext<'a> {
     /// # Errors
     /// [`Fault`] for what is no symbol.
     pub fn unknowns(&self, claim: &core::Claim) -> Result<Vec<Unknown>, Fault> {
-        unknowns(&self.evaluator, &claim.unknowns)
+        unknowns(&self.branch.evaluator, &claim.unknowns)
     }
 
     /// The ranges of integers whose ends name other integers are constraints.
     fn bound_integers(&mut self, claim: &core::Claim, fixed: &BTreeMap<String, Fraction>) {
         for (name, set) in &claim.symbols {
-            let eliminated = self
-                .domain
-                .solved
-                .iter()
-                .any(|(s, _)| *s == Symbol::named(name));
+            let eliminated = self.branch.is_solved(&Symbol::named(name));
             let SymbolKind::Integer { least, most } = set else {
                 continue;
             };
@@ -360,7 +341,8 @@ impl<'a> ProofContext<'a> {
                 .chain(most)
                 .any(|form| form.as_number().is_none());
             if dependent && !eliminated && !fixed.contains_key(&**name) {
-                self.keep_range(&Symbol::named(name), &Fraction::named(name));
+                self.branch
+                    .keep_range(&Symbol::named(name), &Fraction::named(name));
             }
         }
     }
@@ -374,6 +356,7 @@ impl<'a> ProofContext<'a> {
                 let of_exponents = hypothesis.statement.of_exponents();
                 let said = of_exponents.as_ref().unwrap_or(&hypothesis.statement);
                 let taken = self
+                    .branch
                     .evaluator
                     .truth(said)
                     .and_then(|statement| self.assume(&statement));
@@ -448,14 +431,10 @@ impl<'a> ProofContext<'a> {
                     && !unknown.occurs_in(value)
                     && self.fits(unknown.symbol(), value)
                 {
-                    if self.ends_the_branch(&unknown, value) {
-                        return Ok(());
-                    }
-                    let value = self.eliminate(&unknown, value)?;
-                    self.eliminated_by(
-                        vec![(unknown.symbol().clone(), value)],
-                        Determining::Assumed { nonzero: vec![] },
-                    );
+                    let solution = [(unknown, value.clone())];
+                    let _ = self
+                        .branch
+                        .solve(&solution, Equation::Assumed(Divisors::default()))?;
                     return Ok(());
                 }
             }
@@ -463,7 +442,7 @@ impl<'a> ProofContext<'a> {
         match (relation, differences.as_slice()) {
             (Relation::Equal, _) => differences.iter().try_for_each(|d| self.vanishes(d)),
             (_, [value]) => {
-                self.constrain(value.clone(), relation);
+                self.branch.constrain(value.clone(), relation);
                 Ok(())
             }
             // Vectors differ where the sum of the squares of the differences is positive.
@@ -471,43 +450,24 @@ impl<'a> ProofContext<'a> {
                 let sum = differences
                     .iter()
                     .fold(Fraction::zero(), |sum, d| sum + d.clone() * d.clone());
-                self.constrain(sum, Relation::Greater);
+                self.branch.constrain(sum, Relation::Greater);
                 Ok(())
             }
             _ => Err(Fault::limit(UNPLACED, "vectors have no order")),
         }
     }
 
-    /// Adds a constraint, and that it is defined.
-    fn constrain(&mut self, value: Fraction, relation: Relation) {
-        self.differ_from_zero(value.conditions());
-        self.domain.constraints.push(Constraint { value, relation });
-    }
-
-    /// A hypothesis holds only where it is defined.
-    fn differ_from_zero(&mut self, divisors: &[Polynomial]) {
-        for divisor in divisors {
-            let value = Fraction::from(divisor.clone());
-            let relation = Relation::Different;
-            let constraint = Constraint { value, relation };
-            let known = |c: &Constraint| c.relation == relation && c.value.numerator() == divisor;
-            if !self.domain.constraints.iter().any(known) {
-                self.domain.constraints.push(constraint);
-            }
-        }
-    }
-
     /// Takes an equation `value == 0`: eliminates a symbol in which it is linear.
     fn vanishes(&mut self, value: &Fraction) -> Result<(), Fault> {
-        let value = self.resolved(value)?;
-        self.differ_from_zero(value.conditions());
+        let value = self.branch.resolved(value)?;
+        self.branch.differ_from_zero(value.conditions());
         if value.is_zero() {
             return Ok(());
         }
         if value.numerator().as_constant().is_some()
             || value.symbols().iter().all(Symbol::is_number)
         {
-            self.constrain(value, Relation::Equal);
+            self.branch.constrain(value, Relation::Equal);
             return Ok(());
         }
         let candidates: Vec<(Unknown, Polynomial, Fraction)> = value
@@ -522,7 +482,7 @@ impl<'a> ProofContext<'a> {
             .collect();
         // Where the coefficient is zero, the equation says that the rest is.
         let zero = |coefficient: &Polynomial| {
-            let equations = self.domain.constraints.iter();
+            let equations = self.branch.domain.constraints.iter();
             let mut equations = equations.filter(|c| c.relation == Relation::Equal);
             equations.any(|c| coefficient.exact_quotient(c.value.numerator()).is_some())
         };
@@ -538,16 +498,21 @@ impl<'a> ProofContext<'a> {
         let chosen = candidates
             .iter()
             .find(constant)
-            .or_else(|| candidates.iter().find(|(_, c, _)| self.never_zero(c)))
+            .or_else(|| {
+                candidates
+                    .iter()
+                    .find(|(_, c, _)| self.branch.never_zero(c))
+            })
             .or_else(|| candidates.first())
             .cloned();
         let settled = |(_, coefficient, _): &(Unknown, Polynomial, Fraction)| {
-            coefficient.symbols().iter().all(Symbol::is_number) || self.never_zero(coefficient)
+            coefficient.symbols().iter().all(Symbol::is_number)
+                || self.branch.never_zero(coefficient)
         };
         let chosen = chosen.filter(|found| self.solving == SolvePolicy::Always || settled(found));
         let Some((unknown, coefficient, solution)) = chosen else {
             // It determines no symbol rationally; points have to satisfy it all the same.
-            self.constrain(value, Relation::Equal);
+            self.branch.constrain(value, Relation::Equal);
             return Ok(());
         };
         let own = Polynomial::symbol(unknown.symbol().clone());
@@ -556,87 +521,19 @@ impl<'a> ProofContext<'a> {
             .as_constant()
             .is_some_and(|c| c != Polynomial::zero().leading_coefficient())
             || coefficient.symbols().iter().all(Symbol::is_number)
-            || self.domain.assumes_nonzero(&coefficient);
-        let implied = plainly || self.never_zero(&coefficient);
-        // What the elimination rewrites says nothing of its divisor afterwards.
-        let (open, nonzero) = match implied {
-            true if plainly => (vec![], vec![]),
-            true => (vec![], self.signed(std::slice::from_ref(&coefficient))),
-            false => self.unsettled(std::slice::from_ref(&coefficient)),
+            || self.branch.domain.assumes_nonzero(&coefficient);
+        let implied = plainly || self.branch.never_zero(&coefficient);
+        // Found before the solution is put in: what that makes of the hypotheses says nothing of its divisor.
+        let divisors = match plainly {
+            true => Divisors::default(),
+            false => self.branch.divisor(&coefficient),
         };
-        if self.ends_the_branch(&unknown, &solution) {
-            return Ok(());
-        }
-        let value = self.eliminate(&unknown, &solution)?;
-        let by = Determining::Assumed { nonzero };
-        self.eliminated_by(vec![(unknown.symbol().clone(), value)], by);
-        if coefficient.as_constant().is_none() {
-            match implied {
-                true => self.differ_from_zero(&[coefficient]),
-                false => self.split(open),
-            }
+        let solution = [(unknown, solution)];
+        let cases = self.branch.solve(&solution, Equation::Assumed(divisors))?;
+        if implied && cases != Cases::Nowhere && coefficient.as_constant().is_none() {
+            self.branch.differ_from_zero(&[coefficient]);
         }
         Ok(())
-    }
-
-    /// Whether an elimination makes a divisor of an earlier one zero: then there is no point at which the divisor is not, and
-    /// a constraint that holds nowhere says so.
-    fn ends_the_branch(&mut self, unknown: &Unknown, value: &Fraction) -> bool {
-        let Ok(value) = self.resolved(value) else {
-            return false;
-        };
-        let vanishes = |pivot: &Polynomial| {
-            let there = replaced(&pivot.clone().into(), unknown.symbol(), &value);
-            there.is_ok_and(|pivot| pivot.is_zero())
-        };
-        let ends = self.domain.pivots.iter().any(vanishes);
-        if ends {
-            self.constrain(Fraction::zero(), Relation::Different);
-        }
-        ends
-    }
-
-    /// The domain falls into the points at which these are not zero, on which the elimination goes on, and all others.
-    fn split(&mut self, open: Vec<Polynomial>) {
-        if injected(InjectedFault::CaseForgotten) {
-            return;
-        }
-        self.domain.pivots.extend(open.iter().cloned());
-        self.splits.extend(open);
-    }
-
-    /// The factors of divisors of an elimination that may vanish as far as is known now, and the signs of the others.
-    fn unsettled(&self, divisors: &[Polynomial]) -> (Vec<Polynomial>, Vec<Signed<Polynomial>>) {
-        let vanishes = |divisor: &Polynomial| {
-            let ordered = self.domain.with_ordered_exponentials(divisor.symbols());
-            divisor.len() > MAX_EXAMINED
-                || !ordered.assumes_nonzero(divisor) && !sign::never_zero(divisor, &ordered)
-        };
-        let factors = conditions::separated(divisors).into_iter();
-        let (open, settled): (Vec<_>, Vec<_>) = factors.partition(vanishes);
-        let nonzero = self.signed(&settled);
-        (open, nonzero)
-    }
-
-    /// The signs of divisors that do not vanish, where no hypothesis says so.
-    fn signed(&self, divisors: &[Polynomial]) -> Vec<Signed<Polynomial>> {
-        let signed = |divisor: &Polynomial| {
-            let ordered = self.domain.with_ordered_exponentials(divisor.symbols());
-            if ordered.assumes_nonzero(divisor) {
-                return None;
-            }
-            Some(Signed {
-                sign: sign::positive(divisor, &ordered)?,
-                constraints: written(&ordered.constraints),
-            })
-        };
-        divisors.iter().filter_map(signed).collect()
-    }
-
-    /// Whether a divisor is known to vanish nowhere on the domain; long ones are not examined.
-    fn never_zero(&self, divisor: &Polynomial) -> bool {
-        divisor.len() <= MAX_EXAMINED
-            && (self.domain.assumes_nonzero(divisor) || sign::never_zero(divisor, &self.domain))
     }
 
     /// Whether a symbol may be replaced by the value: an integer only by an integer form.
@@ -650,106 +547,7 @@ impl<'a> ProofContext<'a> {
     }
 
     fn is_integer(&self, symbol: &Symbol) -> bool {
-        self.domain.is_integer(symbol)
-    }
-
-    /// Keeps how symbols were eliminated.
-    fn eliminated_by(&mut self, values: Vec<(Symbol, Fraction)>, by: Determining<Polynomial>) {
-        let values = values.iter().map(|(symbol, value)| Determined {
-            symbol: plain_symbol(symbol),
-            value: quotient(value),
-        });
-        let values = values.collect();
-        self.eliminated.push(Elimination { values, by });
-    }
-
-    /// Replaces a symbol everywhere, and leaves behind what bound it. The value, with those of symbols that were
-    /// eliminated before put in.
-    fn eliminate(&mut self, unknown: &Unknown, value: &Fraction) -> Result<Fraction, Fault> {
-        let symbol = unknown.symbol();
-        let value = self.resolved(value)?;
-        let put = |f: &Fraction| replaced(f, symbol, &value);
-        for constraint in &mut self.domain.constraints {
-            constraint.value = put(&constraint.value)?;
-        }
-        for (_, solved) in &mut self.domain.solved {
-            *solved = put(solved)?;
-        }
-        for root in &mut self.domain.roots {
-            root.radicand = put(&root.radicand)?;
-        }
-        self.domain
-            .roots
-            .retain(|root| root.symbol != *symbol && !mentions(&root.radicand, &root.symbol));
-        for pivot in &mut self.domain.pivots {
-            *pivot = put(&pivot.clone().into())?.numerator().clone();
-        }
-        self.keep_range(symbol, &value);
-        self.domain.solved.push((symbol.clone(), value.clone()));
-        for (symbol, value) in self.domain.solved.clone() {
-            match &symbol {
-                Symbol::Named(name) => self.evaluator.fix(name.to_string(), value),
-                _ => self.evaluator.determine([(symbol, value)]),
-            }
-        }
-        Ok(value)
-    }
-
-    /// The declared range of a symbol as constraints on the value that replaces it.
-    fn keep_range(&mut self, symbol: &Symbol, value: &Fraction) {
-        let Symbol::Named(name) = symbol else {
-            return;
-        };
-        if injected(InjectedFault::RangeForgotten) {
-            return;
-        }
-        let mut bounds: Vec<(Fraction, Relation)> = vec![];
-        match self.domain.declarations.symbol(name) {
-            Some(SymbolKind::Real(interval)) => {
-                let interval = Interval::from(&**interval);
-                bounds.extend(interval.lower.map(|b| match b.closed {
-                    true => (value.clone() - b.value, Relation::AtLeast),
-                    false => (value.clone() - b.value, Relation::Greater),
-                }));
-                bounds.extend(interval.upper.map(|b| match b.closed {
-                    true => (value.clone() - b.value, Relation::AtMost),
-                    false => (value.clone() - b.value, Relation::Less),
-                }));
-            }
-            Some(SymbolKind::Integer { least, most }) => {
-                let form = |form| Fraction::from(polynomial_of(form));
-                bounds.extend(
-                    least
-                        .iter()
-                        .map(|l| (value.clone() - form(l), Relation::AtLeast)),
-                );
-                bounds.extend(
-                    most.iter()
-                        .map(|m| (value.clone() - form(m), Relation::AtMost)),
-                );
-            }
-            _ => {}
-        }
-        // A bound may itself be in terms of symbols that have values.
-        for (bound, relation) in bounds {
-            let bound = self.resolved(&bound).unwrap_or(bound);
-            self.domain.constraints.push(Constraint {
-                value: bound,
-                relation,
-            });
-        }
-    }
-
-    /// The value with all eliminated and fixed symbols put in.
-    fn resolved(&self, value: &Fraction) -> Result<Fraction, Fault> {
-        let mut solved = self.domain.solved.iter();
-        let value = solved.try_fold(value.clone(), |value, (symbol, by)| {
-            replaced(&value, symbol, by)
-        })?;
-        let mut fixed = self.evaluator.fixed().iter();
-        fixed.try_fold(value, |value, (name, by)| {
-            replaced(&value, &Symbol::named(name), by)
-        })
+        self.branch.domain.is_integer(symbol)
     }
 
     /// Solves the given equations for their unknowns; what is left of them is assumed.
@@ -763,32 +561,20 @@ impl<'a> ProofContext<'a> {
         let solution = solve_for(forms, &symbols, UNPLACED).map_err(within)?;
         // Where a divisor vanishes, an unknown may be what its value does not say.
         let divisors = solution.values.values().flat_map(Fraction::conditions);
-        let (open, nonzero) = self.unsettled(&divisors.cloned().collect::<Vec<_>>());
-        self.split(open);
-        let mut values = vec![];
-        for (symbol, value) in &solution.values {
+        let divisors = self.branch.divisors(&divisors.cloned().collect::<Vec<_>>());
+        let values = solution.values.iter().map(|(symbol, value)| {
             let unknown = Unknown::new(symbol.clone()).ok_or_else(no_unknown)?;
-            let value = self.eliminate(&unknown, value).map_err(within)?;
-            values.push((symbol.clone(), value));
-        }
+            Ok((unknown, value.clone()))
+        });
+        let values = values.collect::<Result<Vec<_>, Fault>>()?;
         let places = solution.used.clone();
-        self.eliminated_by(values, Determining::Given { places, nonzero });
+        let equation = Equation::Given { places, divisors };
+        let _ = self.branch.solve(&values, equation).map_err(within)?;
         solution
             .rest
             .iter()
             .try_for_each(|form| self.vanishes(form).map_err(within))
     }
-}
-
-/// The constraints as parts of a proof.
-pub(crate) fn written(
-    constraints: &[Constraint],
-) -> Vec<torse_certificate::Constraint<Polynomial>> {
-    let constraint = |c: &Constraint| torse_certificate::Constraint {
-        value: quotient(&c.value),
-        relation: c.relation,
-    };
-    constraints.iter().map(constraint).collect()
 }
 
 /// Whether an equation is part of a hypothesis.
@@ -806,26 +592,6 @@ fn plain(value: &Value) -> Option<Fraction> {
         Value::Scalar(q) => q.as_fraction().cloned(),
         _ => None,
     }
-}
-
-/// Whether a symbol occurs in a value: as itself, under a sine or cosine, in an index or in a divisor.
-fn mentions(value: &Fraction, symbol: &Symbol) -> bool {
-    let inside =
-        |s: &Symbol| s == symbol || matches!(symbol, Symbol::Named(name) if s.depends_on(name));
-    let recorded = value.conditions().iter().flat_map(|p| p.symbols());
-    value.symbols().iter().chain(recorded).any(inside)
-}
-
-/// The value with a symbol replaced, wherever it stands.
-fn replaced(value: &Fraction, symbol: &Symbol, by: &Fraction) -> Result<Fraction, Fault> {
-    if !mentions(value, symbol) {
-        return Ok(value.clone());
-    }
-    match symbol {
-        Symbol::Named(name) => value.at(name, by),
-        _ => value.substituted(|s| (s == symbol).then(|| by.clone())),
-    }
-    .map_err(|e| Fault::exact(UNPLACED, e))
 }
 
 /// Coefficient and solution of `value == 0` for a symbol in which it is linear, and which stands nowhere else.

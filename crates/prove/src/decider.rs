@@ -2,8 +2,9 @@
 //! where a symbolic degree cannot be carried at small values of the integers.
 
 use crate::combination::multipliers;
-use crate::context::{ProofContext, RootMode, SolvePolicy, written};
+use crate::context::{ProofContext, RootMode, SolvePolicy};
 use crate::decide::contradiction::contradiction;
+use crate::decide::domain::branch::written;
 use crate::decide::domain::{Constraint, Domain};
 use crate::decide::value::Proof;
 use crate::decide::{self, Decision, conditions, equality, exponential, instances, sign, witness};
@@ -50,8 +51,8 @@ impl<'a> Decider<'a> {
     pub fn brings_no_divisors(&self) -> bool {
         let ground = self.ground(&Instance::new());
         ground.is_ok_and(|g| {
-            let mut solved = g.domain.solved.iter();
-            g.domain.pivots.is_empty() && solved.all(|(_, v)| v.conditions().is_empty())
+            let mut solved = g.branch.domain.solved().iter();
+            g.branch.domain.pivots().is_empty() && solved.all(|(_, v)| v.conditions().is_empty())
         })
     }
 
@@ -59,10 +60,10 @@ impl<'a> Decider<'a> {
     pub fn anywhere(&self, statement: &core::Statement) -> Option<Refuted<Polynomial>> {
         let at = |instance: &Instance| {
             let ground = self.ground(instance).ok()?;
-            let value = ground.evaluator.truth(statement).ok()?;
-            let mut point = decide::sampled(&value, &ground.domain)?;
+            let value = ground.branch.evaluator.truth(statement).ok()?;
+            let mut point = decide::sampled(&value, &ground.branch.domain)?;
             let own = point.counterexample_mut();
-            witness::complete(own, &self.claim, instance, &ground.domain);
+            witness::complete(own, &self.claim, instance, &ground.branch.domain);
             Some(match instance.is_empty() {
                 true => point,
                 false => Refuted::Instance {
@@ -221,7 +222,8 @@ impl<'a> Decider<'a> {
             ground.given(&self.claim).ok()?,
             ground.unknowns(&self.claim).ok()?,
         );
-        let Ok(Statement::Compare { left, right, .. }) = ground.evaluator.truth(statement) else {
+        let Ok(Statement::Compare { left, right, .. }) = ground.branch.evaluator.truth(statement)
+        else {
             return None;
         };
         let pairs = left.entries().into_iter().zip(right.entries());
@@ -266,11 +268,11 @@ impl<'a> Decider<'a> {
             relation: Relation::Equal,
             left,
             right,
-        }) = ground.evaluator.truth(statement)
+        }) = ground.branch.evaluator.truth(statement)
         else {
             return None;
         };
-        let (domain, evaluator) = (&ground.domain, &ground.evaluator);
+        let (domain, evaluator) = (&ground.branch.domain, &ground.branch.evaluator);
         let combination = equality::follows(&left, &right, domain, evaluator)
             .or_else(|| equality::follows_from_several(&left, &right, domain, evaluator))?;
         let open = open_conditions(unrooted(&combination.divisors, &ground), &ground);
@@ -285,8 +287,8 @@ impl<'a> Decider<'a> {
         instance: &Instance,
     ) -> Result<Decision, Fault> {
         let ground = self.ground(instance)?;
-        let rooted = !ground.domain.roots.is_empty();
-        let splits = ground.splits.clone();
+        let rooted = !ground.branch.domain.roots.is_empty();
+        let splits = ground.branch.splits().to_vec();
         let decision = self.on_ground(statement, instance, ground)?;
         let decision = self.split(statement, instance, decision, splits);
         if rooted && matches!(decision, Decision::Open { .. }) {
@@ -312,33 +314,38 @@ impl<'a> Decider<'a> {
             .map(ToString::to_string)
             .filter(|name| !instance.contains_key(name))
             .collect();
-        if let Some(emptiness) = contradiction(&ground.domain, &names) {
+        if let Some(emptiness) = contradiction(&ground.branch.domain, &names) {
             // Where a divisor of the elimination vanishes, the constraints may say something else.
-            return Ok(match ground.splits.is_empty() {
+            return Ok(match ground.branch.splits().is_empty() {
                 true => Decision::Vacuous(emptiness),
                 false => proved(
                     ground.clone(),
                     Proof::Nowhere(emptiness),
-                    (ground.splits, (vec![], vec![])),
+                    (ground.branch.splits().to_vec(), (vec![], vec![])),
                     vec![],
                 ),
             });
         }
-        let value = ground.evaluator.truth(statement)?;
+        let value = ground.branch.evaluator.truth(statement)?;
         ground
+            .branch
             .domain
             .order_exponentials(&exponential::symbols_of(&value));
-        let mut decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
+        let mut decision = decide::decide(&value, &ground.branch.domain, &ground.branch.evaluator)?;
         if decision.is_refuted() {
             // A point at which some other part of the claim is undefined refutes nothing.
-            match ground.evaluator.truth(&self.claim.statement) {
+            match ground.branch.evaluator.truth(&self.claim.statement) {
                 Ok(whole) => {
                     let divisors = divisors(&whole);
-                    let defined = index_ranges(&whole, &self.claim, &ground.evaluator);
+                    let defined = index_ranges(&whole, &self.claim, &ground.branch.evaluator);
                     if !divisors.is_empty() || !defined.is_empty() {
-                        ground.domain.divisors = divisors;
-                        ground.domain.defined = defined;
-                        decision = decide::decide(&value, &ground.domain, &ground.evaluator)?;
+                        ground.branch.domain.divisors = divisors;
+                        ground.branch.domain.defined = defined;
+                        decision = decide::decide(
+                            &value,
+                            &ground.branch.domain,
+                            &ground.branch.evaluator,
+                        )?;
                     }
                 }
                 Err(fault) if undefined(&fault) => return Err(fault),
@@ -354,7 +361,7 @@ impl<'a> Decider<'a> {
             Decision::Proven(proof) => proof,
             Decision::Refuted(mut refutation) => {
                 let point = refutation.refuted.counterexample_mut();
-                witness::complete(point, &self.claim, instance, &ground.domain);
+                witness::complete(point, &self.claim, instance, &ground.branch.domain);
                 return Ok(Decision::Refuted(refutation));
             }
             other => return Ok(other),
@@ -363,19 +370,22 @@ impl<'a> Decider<'a> {
         let met = unrooted(&met, &ground);
         let conditions = open_conditions(met.clone(), &ground);
         if !conditions.is_empty()
-            && let Some((unsolved, combination, weaker)) =
-                self.unsolved(statement, instance, equality::vanishing(&ground.evaluator))
+            && let Some((unsolved, combination, weaker)) = self.unsolved(
+                statement,
+                instance,
+                equality::vanishing(&ground.branch.evaluator),
+            )
             && weaker
                 .iter()
                 .all(|condition| conditions.contains(condition))
             && weaker.len() < conditions.len()
         {
-            let nonzero = nonzero(met, &weaker, &unsolved.domain);
+            let nonzero = nonzero(met, &weaker, &unsolved.branch.domain);
             let combination = Proof::Combination(combination);
             return Ok(proved(unsolved, combination, (weaker, nonzero), vec![]));
         }
         if !conditions.is_empty()
-            && !ground.eliminated.is_empty()
+            && !ground.branch.eliminated().is_empty()
             && let Some((kept, combination, weaker)) = self.uneliminated(statement, instance)
             && weaker
                 .iter()
@@ -383,12 +393,12 @@ impl<'a> Decider<'a> {
             && weaker.len() < conditions.len()
         {
             let met = unrooted(&combination.divisors, &kept);
-            let nonzero = nonzero(met, &weaker, &kept.domain);
+            let nonzero = nonzero(met, &weaker, &kept.branch.domain);
             let combination = Proof::Combination(combination);
             return Ok(proved(kept, combination, (weaker, nonzero), vec![]));
         }
-        let ranges = decide::ranges(&value, &ground.domain, &ground.evaluator)?;
-        let nonzero = nonzero(met, &conditions, &ground.domain);
+        let ranges = decide::ranges(&value, &ground.branch.domain, &ground.branch.evaluator)?;
+        let nonzero = nonzero(met, &conditions, &ground.branch.domain);
         Ok(proved(ground, proof, (conditions, nonzero), ranges))
     }
 }
@@ -402,8 +412,8 @@ fn proved(
 ) -> Decision {
     Decision::Proven(Proof::On(Box::new(
         torse_certificate::proof::assumptions::Assumptions {
-            constraints: written(&ground.domain.constraints),
-            eliminated: ground.eliminated,
+            constraints: written(&ground.branch.domain.constraints),
+            eliminated: ground.branch.eliminated().to_vec(),
             proof,
             conditions,
             nonzero,
@@ -514,7 +524,7 @@ fn divides(condition: &Polynomial, divisor: &Polynomial) -> bool {
 
 /// The divisors, factor by factor, with radicands for roots, which vanish where these do.
 fn unrooted(divisors: &[Polynomial], ground: &ProofContext<'_>) -> Vec<Polynomial> {
-    let roots = &ground.domain.roots;
+    let roots = &ground.branch.domain.roots;
     let plain: Vec<Polynomial> = divisors.iter().map(|p| roots::unrooted(p, roots)).collect();
     conditions::separated(&plain)
 }
@@ -522,15 +532,15 @@ fn unrooted(divisors: &[Polynomial], ground: &ProofContext<'_>) -> Vec<Polynomia
 /// The conditions, factor by factor, that neither the hypotheses state nor the domain implies: divisors of the statement, and
 /// those of eliminations, of which what they made of the claim says nothing.
 fn open_conditions(mut conditions: Vec<Polynomial>, ground: &ProofContext<'_>) -> Vec<Polynomial> {
-    let domain = &ground.domain;
-    let pivots = &domain.pivots;
+    let domain = &ground.branch.domain;
+    let pivots = domain.pivots();
     let settled = |p: &Polynomial| {
         pivots.iter().any(|pivot| divides(p, pivot))
             || domain.assumes_nonzero(p)
             || sign::never_zero(&domain.without_assumed(p), domain)
     };
     conditions.retain(|p| !settled(p));
-    conditions.extend(ground.splits.iter().cloned());
+    conditions.extend(ground.branch.splits().iter().cloned());
     conditions.retain(|_| !injected(InjectedFault::ConditionDropped));
     conditions.sort();
     conditions.dedup();

@@ -1,5 +1,7 @@
 //! Where a statement is meant to hold: the declared ranges of its symbols and its assumptions.
 
+pub mod branch;
+
 use crate::decide::interval::{Bound, Interval, Part};
 use crate::decide::order::order;
 use crate::decide::root::Root;
@@ -66,10 +68,10 @@ pub struct Domain<'a> {
     /// The hypotheses that eliminated no symbol, and what eliminated symbols left behind.
     pub constraints: Vec<Constraint>,
     /// The eliminated symbols with their values.
-    pub solved: Vec<(Symbol, Fraction)>,
+    solved: Vec<(Symbol, Fraction)>,
     /// The factors of divisors of eliminations that may vanish, with the values of what was eliminated since: they are not zero
-    /// at the points that are looked at here ([`ProofContext::splits`](crate::context::ProofContext::splits)).
-    pub pivots: Vec<Polynomial>,
+    /// at the points that are looked at here ([`branch::Branch::splits`]).
+    pivots: Vec<Polynomial>,
     /// Divisors of the statement: it says nothing where one vanishes, so no point there refutes it.
     pub divisors: Vec<Polynomial>,
     /// Where the terms of the statement have values, as far as no divisor says it: their indices are in their ranges.
@@ -125,6 +127,18 @@ fn closed(n: i64) -> Option<Bound> {
 }
 
 impl Domain<'_> {
+    /// The eliminated symbols with their values. [`branch::Branch::solve`] alone adds one.
+    #[must_use]
+    pub fn solved(&self) -> &[(Symbol, Fraction)] {
+        &self.solved
+    }
+
+    /// The divisors of eliminations that may vanish; they do not at the points of this domain.
+    #[must_use]
+    pub fn pivots(&self) -> &[Polynomial] {
+        &self.pivots
+    }
+
     /// The interval in which a symbol is declared to live, whatever is assumed; integers from their bounds.
     #[must_use]
     pub fn declared(&self, name: &str) -> Interval {

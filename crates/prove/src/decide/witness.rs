@@ -108,12 +108,16 @@ pub fn find(
         .map(|c| (c.value.clone(), c.relation))
         .collect();
     let recorded = also.iter().flat_map(|f| f.conditions());
-    let divisors = domain.pivots.iter().chain(&domain.divisors).chain(recorded);
+    let divisors = domain
+        .pivots()
+        .iter()
+        .chain(&domain.divisors)
+        .chain(recorded);
     constraints.extend(divisors.map(|p| (p.clone().into(), Relation::Different)));
     let mut everything = vec![difference];
     everything.extend(also);
     everything.extend(constraints.iter().map(|(value, _)| value));
-    everything.extend(domain.solved.iter().map(|(_, value)| value));
+    everything.extend(domain.solved().iter().map(|(_, value)| value));
     let mut symbols = free_symbols(&everything);
     let symbolic = |s: &Symbol| matches!(s, Symbol::Indexed(_, index) if index.iter().any(|i| i.as_number().is_none()));
     if symbols.iter().any(symbolic) {
@@ -149,7 +153,7 @@ pub fn find(
     let point = found.then(|| std::mem::take(&mut search.point))?;
     let fails = |point: &Point| search.fails_at(difference, &constraints, point);
     let mut point = make_nondegenerate(point, domain.declarations, &fails);
-    for (symbol, value) in &domain.solved {
+    for (symbol, value) in domain.solved() {
         let value = at_point(value, &point)?;
         point.insert(symbol.clone(), value);
     }
@@ -170,7 +174,7 @@ fn bounding_integers(symbols: &mut Vec<Symbol>, domain: &Domain<'_>) {
         for form in least.iter().chain(most) {
             for (other, _) in form.multiples() {
                 let other = Symbol::named(other);
-                let eliminated = domain.solved.iter().any(|(s, _)| *s == other);
+                let eliminated = domain.solved().iter().any(|(s, _)| *s == other);
                 if !eliminated && !symbols.contains(&other) {
                     // Parameters come before points.
                     symbols.insert(0, other);
@@ -263,7 +267,7 @@ impl Search<'_> {
     /// integer.
     fn integers_in_range(&self, point: &Point) -> bool {
         let mut all = point.clone();
-        for (symbol, value) in &self.domain.solved {
+        for (symbol, value) in self.domain.solved() {
             let Some(value) = at_point(value, point) else {
                 return false;
             };

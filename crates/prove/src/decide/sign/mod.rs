@@ -201,7 +201,7 @@ pub fn compare(
     let opposite = relation.opposite();
     let divisors = || witness::nonconstant(difference.conditions().to_vec());
     if relation == Relation::Different
-        && domain.pivots.is_empty()
+        && domain.pivots().is_empty()
         && domain.assumes_nonzero(difference.numerator())
     {
         return Ok(Decision::Proven(Whole::Excluded(Excluded {
