@@ -81,18 +81,21 @@ impl<'a> DisjunctiveDomain<'a> {
         }
     }
 
-    /// A proof without the conditions that only say where its own terms are defined: those that no eliminated symbol
-    /// brought in.
+    /// A proof without the conditions that only say where the terms of the statement are defined: those that no eliminated
+    /// symbol brought in, neither one of the domain nor one of what the statement assumes itself.
     fn everywhere_defined(&self, decision: Decision) -> Decision {
-        match decision {
-            Decision::Proven(proof)
-                if !proof.conditions().is_empty()
-                    && self.deciders.iter().all(Decider::brings_no_divisors) =>
-            {
-                Decision::Proven(Proof::Defined(Box::new(proof)))
+        let Decision::Proven(proof) = decision else {
+            return decision;
+        };
+        let deciders = self.deciders.iter().map(Decider::undivided_eliminations);
+        let most = deciders.collect::<Option<Vec<usize>>>();
+        let most = most.and_then(|counts| counts.into_iter().max());
+        Decision::Proven(match most {
+            Some(most) if !proof.conditions().is_empty() && eliminates_no_more(&proof, most) => {
+                Proof::Defined(Box::new(proof))
             }
-            other => other,
-        }
+            _ => proof,
+        })
     }
 
     /// Alternatives: proved if one is, or one is where all others fail. A denial among them is true or false of the whole
@@ -183,6 +186,17 @@ impl<'a> DisjunctiveDomain<'a> {
             Err(fault) => return Err(fault),
         }))
     }
+}
+
+/// Whether no part of a proof eliminates more than this many times, and none tells the points apart at which a divisor vanishes.
+fn eliminates_no_more(proof: &Proof, most: usize) -> bool {
+    let own = match proof {
+        Proof::Split(_) => false,
+        Proof::On(ground) => ground.eliminated.len() <= most,
+        _ => true,
+    };
+    let parts = proof.parts();
+    own && parts.into_iter().all(|part| eliminates_no_more(part, most))
 }
 
 /// Whether something is denied of the whole domain.

@@ -47,13 +47,13 @@ impl<'a> Decider<'a> {
         }
     }
 
-    /// Whether no eliminated symbol brought in a divisor.
-    pub fn brings_no_divisors(&self) -> bool {
-        let ground = self.ground(&Instance::new());
-        ground.is_ok_and(|g| {
-            let mut solved = g.branch.domain.solved().iter();
-            g.branch.domain.pivots().is_empty() && solved.all(|(_, v)| v.conditions().is_empty())
-        })
+    /// How many eliminations the domain takes, if none of them brings in a divisor.
+    pub fn undivided_eliminations(&self) -> Option<usize> {
+        let branch = self.ground(&Instance::new()).ok()?.branch;
+        let mut solved = branch.domain.solved().iter();
+        let undivided =
+            branch.domain.pivots().is_empty() && solved.all(|(_, v)| v.conditions().is_empty());
+        undivided.then(|| branch.eliminated().len())
     }
 
     /// A point of the domain at which both sides of the first comparison are defined.

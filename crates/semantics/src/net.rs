@@ -45,6 +45,8 @@ pub struct Tally {
     pub single: bool,
     /// Whether the budget was spent.
     pub exhausted: bool,
+    /// The parts p of `fails(p)` of which no point was found at which they are false.
+    pub unshown: Vec<Expr>,
     /// How many thin parts of the domain the text shows.
     pub branches: u64,
     /// What is true on those of them on which the statement was decided at no point.
@@ -86,6 +88,9 @@ pub fn tally(
         failing: survey.settled(reading.tree()),
     };
     let mut tally = generic(&survey, &judged, wanted);
+    let denied = survey.denied(reading.tree()).into_iter();
+    let unshown = denied.filter(|tree| !judged.fails(tree));
+    tally.unshown = unshown.cloned().collect();
     if tally.failing.is_none() && tally.holding > 0 && !tally.single && tally.costly == 0 {
         visit(&mut tally, &domain, &judged, seed);
     }

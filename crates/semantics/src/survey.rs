@@ -74,7 +74,8 @@ impl<'a> Judged<'a> {
         }
     }
 
-    fn fails(&self, tree: &Expr) -> bool {
+    /// Whether a point is known at which this part of the statement is false.
+    pub fn fails(&self, tree: &Expr) -> bool {
         self.failing.contains(&std::ptr::from_ref(tree).addr())
     }
 }
@@ -309,7 +310,7 @@ impl<'a> Survey<'a> {
     }
 
     /// What is said to fail somewhere.
-    fn denied(&self, statement: &'a Expr) -> Vec<&'a Expr> {
+    pub fn denied(&self, statement: &'a Expr) -> Vec<&'a Expr> {
         let mut pending = vec![(statement, MAX_OPENED)];
         let mut denied = vec![];
         while let Some((tree, depth)) = pending.pop() {

@@ -61,6 +61,28 @@ impl DecisionCertificate {
         excepted.map(point).collect()
     }
 
+    /// The points at which the parts p of `fails(p)` are false.
+    #[must_use]
+    pub fn denials(&self) -> Vec<Witness> {
+        fn collect(proof: &Proof<Polynomial>, found: &mut Vec<Witness>) {
+            if let Proof::Exists(refuted) = proof {
+                let refutation = Refutation {
+                    refuted: Refuted::clone(refuted),
+                    sides: None,
+                };
+                found.push(refutation.witness());
+            }
+            for part in proof.parts() {
+                collect(part, found);
+            }
+        }
+        let mut found = vec![];
+        if let Self::Proof { of, .. } = self {
+            collect(of, &mut found);
+        }
+        found
+    }
+
     /// The same in plain polynomials, as it is checked and written.
     #[must_use]
     pub fn plain(&self) -> DecisionCertificate<torse_certificate::Polynomial> {

@@ -79,7 +79,8 @@ pub(crate) fn proved(statement: ProvedStatement, elaborated: &ElaboratedClaim<'_
         );
     };
     let verdict = statement.verdict(elaborated.claim.entry.kind);
-    let net = JudgedStatement::new(&own, &ALWAYS, statement.certificate.excepted())
+    let net = JudgedStatement::new(&own, &ALWAYS)
+        .with_points_of(&statement.certificate)
         .proof(&statement.conditions);
     let replay = |statement: &ProvedStatement| replay::proof(statement, &own).map(Some);
     finding(verdict, statement, net, replay, |judged| {
@@ -95,7 +96,7 @@ pub(crate) fn refuted(
     budget: u64,
 ) -> Finding {
     let verdict = statement.verdict();
-    let net = JudgedStatement::new(elaborated, &ALWAYS, vec![]).refutation(&statement);
+    let net = JudgedStatement::new(elaborated, &ALWAYS).refutation(&statement);
     let replay =
         |statement: &RefutedStatement| replay::refutation(statement, elaborated, budget).map(Some);
     finding(verdict, statement, net, replay, |judged| {
@@ -105,7 +106,7 @@ pub(crate) fn refuted(
 
 /// Judges that a domain has no points.
 pub(crate) fn vacuous(statement: EmptyDomain, elaborated: &ElaboratedClaim<'_>) -> Finding {
-    let net = JudgedStatement::new(elaborated, &ALWAYS, vec![]).nowhere();
+    let net = JudgedStatement::new(elaborated, &ALWAYS).nowhere();
     finding(
         Verdict::Vacuous,
         statement,
@@ -175,13 +176,14 @@ pub fn judged(
         Finding::Proved(judged) => {
             let proved = &judged.statement;
             let own = elaborated.without_unneeded(&proved.needed)?;
-            let case = JudgedStatement::new(&own, effort, proved.certificate.excepted());
+            let case = JudgedStatement::new(&own, effort);
+            let case = case.with_points_of(&proved.certificate);
             Some(case.proof(&proved.conditions))
         }
         Finding::Refuted(judged) => {
-            Some(JudgedStatement::new(&elaborated, effort, vec![]).refutation(&judged.statement))
+            Some(JudgedStatement::new(&elaborated, effort).refutation(&judged.statement))
         }
-        Finding::Vacuous(_) => Some(JudgedStatement::new(&elaborated, effort, vec![]).nowhere()),
+        Finding::Vacuous(_) => Some(JudgedStatement::new(&elaborated, effort).nowhere()),
         _ => None,
     }
 }
@@ -195,21 +197,29 @@ struct JudgedStatement<'a> {
     effort: &'a Effort,
     /// Conditions of the proof with points at which the statement fails because they do: nothing is believed of these.
     excepted: Vec<(Formula, prove::Witness)>,
+    /// Points at which the proof says that the parts p of `fails(p)` are false: nothing is believed of these.
+    denials: Vec<prove::Witness>,
 }
 
 impl<'a> JudgedStatement<'a> {
-    fn new(
-        elaborated: &'a ElaboratedClaim<'_>,
-        effort: &'a Effort,
-        excepted: Vec<(Formula, prove::Witness)>,
-    ) -> Self {
+    fn new(elaborated: &'a ElaboratedClaim<'_>, effort: &'a Effort) -> Self {
         Self {
             claim: &elaborated.claim,
             statement: elaborated.statement,
             core: &elaborated.core,
             seed: format!("{}{}", effort.seed, elaborated.claim.entry.id.get_ref()),
             effort,
-            excepted,
+            excepted: vec![],
+            denials: vec![],
+        }
+    }
+
+    /// The same with the points that a proof knows.
+    fn with_points_of(self, certificate: &DecisionCertificate) -> Self {
+        Self {
+            excepted: certificate.excepted(),
+            denials: certificate.denials(),
+            ..self
         }
     }
 
@@ -259,6 +269,7 @@ impl<'a> JudgedStatement<'a> {
             return Err(format!("it is false at {point}").into());
         }
         self.is_somewhere(&tally)?;
+        self.fails_somewhere(&tally)?;
         let instances = self.instances(&read)?;
         let conditions: Vec<ConditionCheck> = conditions
             .iter()
@@ -286,6 +297,25 @@ impl<'a> JudgedStatement<'a> {
             conditions,
             correction: None,
         })
+    }
+
+    /// Fails unless each part p of `fails(p)` was seen to be false at a point of the domain: at one that was drawn, or at one that
+    /// the prover knows, put into the text like the witness of an accusation.
+    fn fails_somewhere(&self, tally: &Tally) -> Result<(), Objection> {
+        let is_false_at = |denied: &Expr, known: &prove::Witness| {
+            let numbers = known.at.iter();
+            let numbers = numbers.map(|(name, value)| (name.as_str(), value.as_str()));
+            check_witness(self.claim, denied, numbers) == Witness::Refutes
+        };
+        for denied in &tally.unshown {
+            if !self.denials.iter().any(|known| is_false_at(denied, known)) {
+                return Err(Objection::Unseen(format!(
+                    "no point was seen at which {} is false",
+                    notation::text(denied)
+                )));
+            }
+        }
+        Ok(())
     }
 
     /// What is true on the thin parts of the domain on which no point was decided; those that are proved to be empty are
@@ -454,6 +484,7 @@ impl<'a> JudgedStatement<'a> {
             statement,
             seed: self.seed.clone(),
             excepted: vec![],
+            denials: vec![],
             ..*self
         };
         let found = case
@@ -517,6 +548,7 @@ impl<'a> JudgedStatement<'a> {
             statement: &statement,
             seed: self.seed.clone(),
             excepted: vec![],
+            denials: vec![],
             ..*self
         };
         let found = case.proof_at_points(&[]);

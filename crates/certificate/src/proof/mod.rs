@@ -170,7 +170,8 @@ impl<P> Proof<P> {
     }
 
     /// The proofs that this one is made of, directly.
-    fn parts(&self) -> Vec<&Self> {
+    #[must_use]
+    pub fn parts(&self) -> Vec<&Self> {
         match self {
             Self::On(ground) => vec![&ground.proof],
             Self::Both(first, second) => vec![first, second],

@@ -27,18 +27,46 @@ use torse_syntax::formula::Relation;
 /// The degrees that are looked at one by one.
 pub(super) const DEGREES: u8 = 4;
 
-/// The seeds and step of a family as formulas of its own symbols.
+/// The seeds and step of a family as formulas of its variable and of the values that its shape parameters have on the domain:
+/// a hypothesis may have given a parameter a value.
 pub(super) fn family(
     basis: &Family,
     evaluator: &Evaluator<'_>,
 ) -> Result<([Fraction; 2], Vec<Fraction>), Fault> {
-    let own: Vec<Fraction> = basis
-        .variables
-        .iter()
-        .map(|variable| Fraction::named(variable.name()))
-        .collect();
+    let variable = basis.variables.iter().take(1);
+    let variable = variable.map(|variable| Fraction::named(variable.name()));
+    let value = |name: &str| {
+        let value = evaluator.fixed().get(name).cloned();
+        value.unwrap_or_else(|| Fraction::named(name))
+    };
+    let own: Vec<Fraction> = variable.chain(basis.parameters().map(value)).collect();
     let ((a, b), seeds) = evaluator.family(basis, &own)?;
     Ok(([a, b], seeds))
+}
+
+/// Whether the domain says something of the variable of a family. A property speaks of all values in the declared set of the
+/// variable, whatever the hypotheses say of the symbol of that name.
+pub(super) fn restricts_variable(basis: &Family, domain: &Domain<'_>) -> bool {
+    let variable = basis.variable();
+    let occurs = |value: &Fraction| {
+        let recorded = value.conditions().iter().flat_map(|p| p.symbols());
+        let mut symbols = value.symbols().into_iter().chain(recorded.cloned());
+        symbols.any(|symbol| symbol.depends_on(variable))
+    };
+    let constraints = domain.constraints.iter().map(|c| &c.value);
+    let solved = domain.solved().iter();
+    let is_solved = domain
+        .solved()
+        .iter()
+        .any(|(symbol, _)| symbol.depends_on(variable));
+    let roots = domain.roots.iter().map(|root| &root.radicand);
+    let pivots = domain.pivots().iter().flat_map(|p| p.symbols());
+    is_solved
+        || constraints
+            .chain(solved.map(|(_, value)| value))
+            .chain(roots)
+            .any(occurs)
+        || pivots.into_iter().any(|symbol| symbol.depends_on(variable))
 }
 
 /// Decides whether every function of every degree is nonnegative on the domain.
@@ -288,11 +316,22 @@ pub fn independent(
     })
 }
 
-/// Simple shape parameters, corners first.
+/// Simple shape parameters, corners first; none where a hypothesis gives one of them a value that is no number.
 pub(super) fn parameter_points(basis: &Family, domain: &Domain<'_>) -> Vec<Point> {
     let mut points = vec![Point::new()];
     for name in basis.parameters() {
         let symbol = Symbol::named(name);
+        let mut solved = domain.solved().iter();
+        if let Some((_, value)) = solved.find(|(own, _)| *own == symbol) {
+            if value
+                .as_polynomial()
+                .and_then(Polynomial::as_constant)
+                .is_none()
+            {
+                return vec![];
+            }
+            continue;
+        }
         let interval = domain.interval(&symbol);
         let ends = [interval.lower, interval.upper].into_iter().flatten();
         let mut values: Vec<Fraction> = ends.filter(|b| b.closed).map(|b| b.value).collect();

@@ -172,6 +172,16 @@ pub fn decide(
         Statement::Family {
             property,
             family: basis,
+        } if family::restricts_variable(basis, domain) => Ok(Decision::Open {
+            reason: format!(
+                "a hypothesis speaks of {}, the variable of the basis",
+                basis.variable()
+            ),
+            tried: vec![],
+        }),
+        Statement::Family {
+            property,
+            family: basis,
         } => match property {
             FamilyProperty::Nonnegative => family::nonnegative(basis, domain, evaluator),
             FamilyProperty::Independent => family::independent(basis, domain, evaluator),
