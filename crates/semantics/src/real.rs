@@ -18,7 +18,7 @@ const MAX_EXACT_BITS: usize = 3000;
 /// Equal enclosures differ by at most two to the minus this, relative to the larger of 1 and the sides.
 const AGREEMENT_BITS: usize = 128;
 /// At a point that satisfies its hypotheses only nearly, different numbers differ by at least two to the minus this.
-const SLACK_BITS: usize = 64;
+pub(crate) const SLACK_BITS: usize = 64;
 /// The largest integer part of an enclosed number, in bits.
 const MAX_SIZE_BITS: u64 = 20_000;
 

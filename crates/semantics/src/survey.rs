@@ -359,6 +359,8 @@ fn undefined_hypothesis(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> 
             _ => return None,
         }
     }
-    draft.look(|values| check_sets(declarations, values)).ok()?;
+    draft
+        .look(|values| check_sets(declarations, values, false))
+        .ok()?;
     undefined
 }

@@ -216,7 +216,7 @@ pub fn check(reading: &Reading<'_>, point: &Point) -> Result<Judgement, Outside>
         fails: &|_| false,
         work: &work,
     };
-    check_sets(reading.declarations(), &point.values)?;
+    check_sets(reading.declarations(), &point.values, point.near)?;
     check_hypotheses(&judge, &Domain::new(reading), |_| false)?;
     let grounds = judge.evaluators();
     Ok(grounds.along(&judge, reading.given(), None).statement())

@@ -328,9 +328,13 @@ pub(crate) fn negated(
                 tried: vec![],
             },
         },
-        Decision::Proven(_) => Decision::Open {
-            reason: "the negated statement is proved under conditions only".to_owned(),
-            tried: vec![],
+        // Where a condition fails the negated statement may fail: the proof knows a point, or it does not.
+        Decision::Proven(proof) => match proof.excepted().into_iter().next() {
+            Some((_, refuted)) => Decision::Proven(Proof::Exists(Box::new(refuted.clone()))),
+            None => Decision::Open {
+                reason: "the negated statement is proved under conditions only".to_owned(),
+                tried: vec![],
+            },
         },
         undecided @ (Decision::Open { .. } | Decision::Vacuous(_)) => undecided,
     }

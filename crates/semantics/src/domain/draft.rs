@@ -62,7 +62,7 @@ impl<'a> Draft<'a> {
         let drawn = match (name, set.unwrap_or(declared)) {
             (Name::Symbol(_), SymbolKind::Real(interval)) => {
                 let drawn = set::in_interval(interval, &self.stream, &label);
-                if set::contains(interval, &drawn) != Some(true) {
+                if set::contains(interval, &drawn, false) != Some(true) {
                     // The ends are exchanged, or one point is left and does not belong to the interval.
                     self.empty.set(true);
                     return None;

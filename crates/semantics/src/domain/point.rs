@@ -56,15 +56,17 @@ pub enum Outside {
     },
 }
 
-/// Whether every number lies in its declared set; the name of the first that does not, or is not known to.
+/// Whether every number lies in its declared set, where they satisfy equations only nearly also if they are moved a little; the
+/// name of the first that does not, or is not known to.
 pub(crate) fn check_sets(
     declarations: &Declarations,
     values: &BTreeMap<Name, Real>,
+    near: bool,
 ) -> Result<(), Outside> {
     for (name, value) in values {
         let inside = match declarations.symbol(name.declared()) {
             None => false,
-            Some(SymbolKind::Real(interval)) => set::contains(interval, value) == Some(true),
+            Some(SymbolKind::Real(interval)) => set::contains(interval, value, near) == Some(true),
             Some(SymbolKind::Integer { least, most }) => {
                 is_in_range(value, least.as_ref(), most.as_ref(), values)
             }
@@ -140,8 +142,12 @@ pub(crate) fn completed(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> 
         work,
     };
     // The sets first: they cost nothing.
-    draft.look(|values| check_sets(declarations, values)).ok()?;
+    draft
+        .look(|values| check_sets(declarations, values, near))
+        .ok()?;
     check_hypotheses(&judge, domain, |h| !near && is_equations(declarations, h)).ok()?;
-    draft.look(|values| check_sets(declarations, values)).ok()?;
+    draft
+        .look(|values| check_sets(declarations, values, near))
+        .ok()?;
     (!draft.empty.get()).then_some(near)
 }

@@ -3,7 +3,7 @@
 use super::stream::Stream;
 use crate::arithmetic::Arithmetic;
 use crate::no_value::Work;
-use crate::real::{Real, Reals};
+use crate::real::{Real, Reals, SLACK_BITS};
 use std::cmp::Ordering;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
@@ -140,8 +140,9 @@ pub(crate) fn integer_between(
     }
 }
 
-/// Whether a number lies in an interval; `None` if that is not known.
-pub(crate) fn contains(interval: &Interval, number: &Real) -> Option<bool> {
+/// Whether a number lies in an interval; `None` if that is not known. One that satisfies equations only nearly is in there only if
+/// it is not nearly an open end: the number that satisfies them may be the end.
+pub(crate) fn contains(interval: &Interval, number: &Real, near: bool) -> Option<bool> {
     let work = Work::new(8);
     let reals = Reals {
         bits: 1024,
@@ -150,7 +151,11 @@ pub(crate) fn contains(interval: &Interval, number: &Real) -> Option<bool> {
     let inside = |bound: &Option<Bound>, outside: Ordering| match bound {
         None => Some(true),
         Some(bound) => {
-            let sign = reals.minus(number, &value(bound)).ok()?.sign()?;
+            let gap = reals.minus(number, &value(bound)).ok()?;
+            let sign = gap.sign()?;
+            if near && !bound.closed && sign != outside && gap.ball(1024).is_within(SLACK_BITS) {
+                return None;
+            }
             Some(sign != outside && (bound.closed || sign.is_ne()))
         }
     };

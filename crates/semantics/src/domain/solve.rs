@@ -23,6 +23,9 @@ use torse_numbers::{Integer, Rational};
 const BITS: usize = 640;
 /// An equation holds nearly if its sides differ by at most two to the minus this.
 const NEAR_BITS: usize = 400;
+/// The last round moves no number by more than two to the minus this: where an equation comes nearer to true without end, as
+/// `tanh(x) == 1` does, its sides are soon as near, and no solution is.
+const SETTLED_BITS: usize = 100;
 /// A rounded number is taken for a simple rational one if they differ by at most two to the minus this, and the
 /// denominator has at most so many bits.
 const SNAP_BITS: usize = 380;
@@ -73,16 +76,17 @@ pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Opti
         .ok()
     };
     let values = || differences(reading, &equations, &Reals { bits: BITS, work }, &value).ok();
-    let mut rounded = false;
+    let (mut rounded, mut settled) = (false, false);
     let (mut places, mut lapses) = (0, 0);
     // What one step determined, where all equations are linear.
     let mut determined: Option<Vec<Name>> = None;
     for round in 0..ROUNDS {
-        let found = |gaps: &[&Real]| {
-            solved(gaps, rounded).map(|solved| match solved {
-                Solved::Exactly => solved,
-                Solved::Nearly => snapped(domain, &equations, draft, work).unwrap_or(solved),
-            })
+        let found = |gaps: &[&Real]| match solved(gaps, rounded)? {
+            Solved::Nearly => match snapped(domain, &equations, draft, work) {
+                None => settled.then_some(Solved::Nearly),
+                exactly => exactly,
+            },
+            exactly => Some(exactly),
         };
         // The values alone cost a fraction of the rates, which are not needed where the equations hold. Numbers that
         // were drawn by chance do not satisfy them.
@@ -119,14 +123,21 @@ pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Opti
             changes(domain, expanded, stream, &unknowns, &reals, &is_near)
         };
         let (used, changes) = match changes(&some) {
-            Some(changes) => (some, changes),
-            None => {
+            Some(changes) if !changes.is_empty() || draft.rounded().is_empty() => (some, changes),
+            _ => {
                 let all = expanded(&|_| true)?;
                 let changes = changes(&all)?;
                 (all, changes)
             }
         };
         determined = (round == 0 && used.is_linear()).then(|| changes.keys().cloned().collect());
+        settled = match changes.is_empty() {
+            // Of rounded numbers the rates may be lost in the rounding, and say nothing of where a zero is.
+            true => draft.rounded().is_empty(),
+            false => changes
+                .values()
+                .all(|change| is_within(change, SETTLED_BITS)),
+        };
         for (name, change) in changes {
             let moved = reals.plus(&draft.value(&name)?, &change).ok()?;
             let exact = match &moved {
@@ -232,8 +243,13 @@ fn simple(q: &Rational) -> Option<Rational> {
 }
 
 fn is_near(gap: &Real) -> bool {
-    match gap {
-        Real::Rational(gap) => gap.numer().abs() << NEAR_BITS <= *gap.denom(),
-        _ => gap.ball(BITS).is_within(NEAR_BITS),
+    is_within(gap, NEAR_BITS)
+}
+
+/// Whether the size of a number is at most two to the minus `bits`.
+fn is_within(number: &Real, bits: usize) -> bool {
+    match number {
+        Real::Rational(number) => number.numer().abs() << bits <= *number.denom(),
+        _ => number.ball(BITS).is_within(bits),
     }
 }

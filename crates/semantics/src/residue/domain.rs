@@ -43,7 +43,7 @@ pub(crate) fn drawn<'d, 'a>(
     let declarations = domain.reading.declarations();
     let outside = || {
         draft
-            .look(|values| check_sets(declarations, values))
+            .look(|values| check_sets(declarations, values, false))
             .is_err()
     };
     if outside() {

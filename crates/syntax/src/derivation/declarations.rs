@@ -573,7 +573,7 @@ fn symbol_kind(
             complaint(
                 &origin,
                 format!(
-                    "`{}` is no integer range: write `>= 2` or `0..k`",
+                    "`{}` is no integer range: write `>= 2`, `<= 5` or `0..k`",
                     text.get_ref()
                 ),
             )
@@ -608,7 +608,7 @@ fn symbol_kind(
     found(SymbolKind::Real(Box::new(interval(source, name, text)?)))
 }
 
-/// `>= 2`, `0..k`.
+/// `>= 2`, `<= 5`, `0..k`.
 fn integer_range(text: &str) -> Option<(Option<Affine>, Option<Affine>)> {
     let form = |text: &str| affine_of(&parse(text).ok()?);
     if let Some((low, high)) = text.split_once("..") {
@@ -616,6 +616,9 @@ fn integer_range(text: &str) -> Option<(Option<Affine>, Option<Affine>)> {
     }
     if let Some(low) = text.trim().strip_prefix(">=") {
         return Some((Some(form(low)?), None));
+    }
+    if let Some(high) = text.trim().strip_prefix("<=") {
+        return Some((None, Some(form(high)?)));
     }
     text.trim().is_empty().then_some((None, None))
 }

@@ -199,8 +199,8 @@ fn parameters(head: &str) -> Vec<String> {
     names.map(|name| name.trim().to_owned()).collect()
 }
 
-/// The names that stand for numbers, without those that a sum, product or integral binds and without functions that are
-/// called.
+/// The names that stand for numbers, without those that a sum or product binds and without functions that are called. The
+/// variable of an integral is a declared symbol, like that of a derivative.
 fn free_numbers(formula: &Expr, bound: &[String], found: &mut BTreeSet<String>) {
     match &formula.node {
         Node::Name(name) => {
@@ -219,7 +219,6 @@ fn free_numbers(formula: &Expr, bound: &[String], found: &mut BTreeSet<String>) 
             };
             let binder = match called {
                 "sum" | "product" => arguments.first(),
-                "integral" => arguments.get(1),
                 _ => None,
             };
             let mut inner = bound.to_vec();
@@ -230,7 +229,11 @@ fn free_numbers(formula: &Expr, bound: &[String], found: &mut BTreeSet<String>) 
                 free_numbers(argument, &inner, found);
             }
         }
-        Node::Index(_, indices) => {
+        Node::Index(indexed, indices) => {
+            // The name of a family or a vector is declared.
+            if !matches!(indexed.node, Node::Name(_)) {
+                free_numbers(indexed, bound, found);
+            }
             for index in indices {
                 free_numbers(index, bound, found);
             }
@@ -258,10 +261,11 @@ mod tests {
     fn what_is_used_as_a_number_and_not_declared_is_a_number() {
         assert_eq!(names("sin(x)^2 + cos(x)^2 == 1", ""), ["x"]);
         assert_eq!(names("sum(i, 0, n, q^i) == 1", "n in 0.."), ["q"]);
+        assert_eq!(names("transpose([[a, b]])[2, 1] == p[1]", ""), ["a", "b"]);
         assert_eq!(names("H(1) == a", "H(t) := t*b"), ["a", "b"]);
         assert_eq!(
             names("integral(t^2, t, 0, c) == pi", "x in [a, 1]; y > 0"),
-            ["a", "c", "y"]
+            ["a", "c", "t", "y"]
         );
     }
 
