@@ -19,7 +19,7 @@ fn decided(declarations: &str, lines: &str) -> Result<Outcome, String> {
 /// The verdict is one of these, and no level contradicts another. A condition is right only with a point at which it fails
 /// and the statement fails beside it.
 #[track_caller]
-fn found(declarations: &str, lines: &str, accepted: &[Verdict]) -> Outcome {
+pub(super) fn found(declarations: &str, lines: &str, accepted: &[Verdict]) -> Outcome {
     let found = decided(declarations, lines).unwrap_or_else(|error| panic!("{lines}: {error}"));
     assert!(found.contradiction().is_none(), "{lines}: {found:#?}");
     assert!(accepted.contains(&found.verdict()), "{lines}: {found:#?}");

@@ -8,6 +8,7 @@ use crate::common;
 mod accused;
 mod adversary;
 mod conditions;
+mod denied;
 mod proved;
 
 use torse_syntax::taxonomy::Verdict;
