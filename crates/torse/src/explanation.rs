@@ -151,6 +151,9 @@ impl Cut {
             glossary::evidence_on(outcome).map(|of| format!("{}. {}", of.label, of.meaning)),
         );
         note.option("replayed", replayed(outcome));
+        let unvisited = outcome.net().map(|net| net.unvisited.iter());
+        let unvisited = unvisited.into_iter().flatten();
+        note.list("not tried where", unvisited.map(|part| self.cut(part)));
         note.option("kernel", kernel.then_some(ACCEPTED));
         note.list("steps", counted(&outcome.steps()).into_iter());
         note.whole()
@@ -171,18 +174,7 @@ impl Cut {
             }
             None => note.add("printed", &outcome.claim.printed),
         }
-        match (outcome.parsed(), outcome.correction()) {
-            (Some(parsed), Some(correction)) => {
-                let [understood, corrected] = difference(
-                    &parsed.text.replace("[]", ""),
-                    &correction.statement.text.replace("[]", ""),
-                );
-                note.add("understood", &self.cut(&understood));
-                note.add("corrected", &self.cut(&corrected));
-                note.list("by", edits(correction));
-            }
-            (parsed, _) => note.option("understood", self.formula(parsed)),
-        }
+        add_statement(note, "understood", outcome, |text| self.cut(text));
     }
 
     fn dependency_groups(&self, note: &mut Note, outcome: &Outcome) {
@@ -242,15 +234,7 @@ pub fn short(outcome: &Outcome) -> Explanation {
             .map(|formula| formula.text.clone())
             .collect()
     };
-    match (outcome.parsed(), outcome.correction()) {
-        (Some(parsed), Some(correction)) => {
-            let [stated, corrected] = difference(&parsed.text, &correction.statement.text);
-            note.add("stated", &stated);
-            note.add("corrected", &corrected);
-            note.list("by", edits(correction));
-        }
-        (parsed, _) => note.option("stated", parsed.map(|formula| formula.text.clone())),
-    }
+    add_statement(&mut note, "stated", outcome, str::to_owned);
     note.list("on condition", texts(outcome.conditions()).into_iter());
     note.gap();
     add_witness(&mut note, outcome);
@@ -269,6 +253,26 @@ pub fn short(outcome: &Outcome) -> Explanation {
     note.option("replayed", replayed(outcome));
     note.list("steps", counted(&outcome.steps()).into_iter());
     note.whole()
+}
+
+/// The statement as it is understood, and what corrects it, what differs marked.
+fn add_statement(
+    note: &mut Note,
+    label: &'static str,
+    outcome: &Outcome,
+    shown: impl Fn(&str) -> String,
+) {
+    // A vector of any dimension is its own coordinate.
+    let plain = |formula: &Formula| formula.text.replace("[]", "");
+    match (outcome.parsed(), outcome.correction()) {
+        (Some(parsed), Some(correction)) => {
+            let [stated, corrected] = difference(&plain(parsed), &plain(&correction.statement));
+            note.add(label, &shown(&stated));
+            note.add("corrected", &shown(&corrected));
+            note.list("by", edits(correction));
+        }
+        (parsed, _) => note.option(label, parsed.map(|formula| shown(&plain(formula)))),
+    }
 }
 
 /// The one sentence that matters: the fault of which the authors are told, what the file found, or where the statement fails.
@@ -314,18 +318,17 @@ fn true_forms(paper: &PaperOutcome, outcome: &Outcome) -> Vec<String> {
 /// What the checker of proofs found.
 fn replayed(outcome: &Outcome) -> Option<String> {
     let replay = outcome.replay()?;
+    let sentence = |subject: &str, why: Option<&String>| match why {
+        None => format!("a checker without search accepts {subject}"),
+        Some(why) => format!("the checker cannot follow {subject}: {why}"),
+    };
+    let proof = sentence("the proof", replay.why.as_ref());
     let correction = replay.correction.as_ref();
-    let correction = correction.map(|own| match &own.why {
-        None => "; the proof of the correction too".to_owned(),
-        Some(why) => format!("; the proof of the correction is not: {why}"),
-    });
-    Some(match &replay.why {
-        None => {
-            let done = "yes: a checker without search accepts the proof";
-            format!("{done}{}", correction.unwrap_or_default())
-        }
-        Some(why) => format!("no: {why}{}", correction.unwrap_or_default()),
-    })
+    let correction =
+        correction.map(|own| sentence("the proof of the correction", own.why.as_ref()));
+    let whole = if replay.is_whole() { "yes" } else { "no" };
+    let sentences: Vec<String> = std::iter::once(proof).chain(correction).collect();
+    Some(format!("{whole}: {}", sentences.join("; ")))
 }
 
 fn verdict(outcome: &Outcome) -> String {
