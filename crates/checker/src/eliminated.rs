@@ -90,7 +90,20 @@ impl Domain<'_> {
             may_vanish = Some(slope);
         }
         let Some(slope) = may_vanish else {
-            return Err(wrong().into());
+            // Nothing is brought to lowest terms here: `(x - 1)*(x/x) == 0` determines x, and is not linear in it.
+            let cancels = |c: &&Compared| {
+                let difference = &c.difference;
+                c.relation == Relation::Equal
+                    && linear(&difference.above, symbol).is_none()
+                    && difference
+                        .below
+                        .iter()
+                        .any(|(factor, _)| inside(factor, symbol) || factor.degree_in(symbol) > 0)
+            };
+            return Err(match known.iter().find(cancels) {
+                Some(_) => Unsupported::Construct("an equation of which a factor cancels").into(),
+                None => wrong().into(),
+            });
         };
         Err(signed.may_vanish(&slope))
     }

@@ -422,6 +422,8 @@ impl<'a> ProofContext<'a> {
         if let (Relation::Equal, [_]) = (relation, differences.as_slice())
             && let (Some(x), Some(y)) = (plain(left), plain(right))
         {
+            self.branch.differ_from_zero(x.conditions());
+            self.branch.differ_from_zero(y.conditions());
             // `x == formula` eliminates x rather than a symbol of the formula.
             for (unknown, value) in [
                 (Unknown::from_fraction(&x), &y),

@@ -270,6 +270,7 @@ impl<'a> JudgedStatement<'a> {
         }
         self.is_somewhere(&tally)?;
         self.fails_somewhere(&tally)?;
+        self.says_something(&tally, conditions)?;
         let instances = self.instances(&read)?;
         let conditions: Vec<ConditionCheck> = conditions
             .iter()
@@ -316,6 +317,29 @@ impl<'a> JudgedStatement<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Fails for an implication whose premise was true at no point at which the conditions of its proof are: it says nothing
+    /// there, and the conditions may be the opposite of what it concludes.
+    fn says_something(&self, tally: &Tally, conditions: &[Formula]) -> Result<(), Objection> {
+        let Node::Join(Connective::Implies, premise, _) = &self.statement.expr.node else {
+            return Ok(());
+        };
+        let premise = notation::text(premise);
+        let is_unvisited = || {
+            tally
+                .unvisited
+                .iter()
+                .any(|part| notation::text(part) == premise)
+        };
+        if conditions.is_empty() || !is_unvisited() {
+            return Ok(());
+        }
+        let conditions: Vec<&str> = conditions.iter().map(|own| own.text.as_str()).collect();
+        Err(Objection::Unseen(format!(
+            "it is proved under the condition {}, and no point was seen at which that and its premise are true",
+            conditions.join(" and ")
+        )))
     }
 
     /// What is true on the thin parts of the domain on which no point was decided; those that are proved to be empty are

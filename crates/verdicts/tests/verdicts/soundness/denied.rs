@@ -134,3 +134,30 @@ fn an_equation_that_comes_nearer_to_true_without_end_has_no_solution() {
         &[Conditional],
     );
 }
+
+#[test]
+fn a_factor_that_cancels_in_a_hypothesis_does_not_vanish() {
+    let unit = "[symbols]\nx = { in = \"[0, 1]\" }\ny = { in = \"(-1, 1)\" }\n";
+    for (assumed, states) in [
+        ("(x - 1)*(x/x) == 0", "x == 1"),
+        ("(abs(x) - 1)*(x/x) == 0", "x == 1"),
+    ] {
+        let lines = format!("assume = ['{assumed}']\nstates = '{states}'");
+        found(unit, &lines, &[Holds]);
+    }
+    found(
+        unit,
+        "assume = ['(y/y)*(y - 0) == 0']\nstates = 'y == 1'",
+        &[Vacuous, Undecided],
+    );
+}
+
+#[test]
+fn a_condition_that_denies_the_conclusion_is_no_condition() {
+    let vectors = "[symbols]\np = { vector = 3 }\nq = { vector = 3 }\nr = { vector = 3 }\n";
+    found(
+        vectors,
+        "states = 'dot(p, q) == dot(p, r) and cross(p, q) == cross(p, r) and norm(p) > 0 implies q == r'",
+        &[Holds, Undecided],
+    );
+}
