@@ -62,6 +62,11 @@ impl Elaborator<'_> {
             return self.family_of(basis, declared, &Scope::default());
         }
         let family = self.family_of(basis, declared, &scope.outside())?;
+        let is_defined = |name| self.declarations.definition(name).is_some();
+        if family.parameters().any(is_defined) {
+            let what = "a property of a basis of which a shape parameter is a definition";
+            return Err(Fault::limit(name.place, what));
+        }
         let fixed: Vec<(&Variable, &Variable)> = family
             .variables
             .iter()

@@ -63,6 +63,14 @@ fn a_shape_parameter_has_the_value_that_a_hypothesis_gives_it() {
 }
 
 #[test]
+fn a_shape_parameter_that_is_a_definition_is_no_number_of_the_point() {
+    for states in ["nonnegative(A)", "fails(nonnegative(A))"] {
+        let lines = format!("let = {{ c = '1' }}\nstates = '{states}'");
+        found(SHAPED, &lines, &[Undecided]);
+    }
+}
+
+#[test]
 fn a_property_of_a_basis_is_about_all_values_of_its_variable() {
     for assumed in ["x > 1/2", "x == 1/2", "c == x", "x >= c"] {
         let lines = format!("assume = ['{assumed}', 'c < 3/2']\nstates = 'nonnegative(A)'");
