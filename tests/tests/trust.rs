@@ -96,6 +96,11 @@ fn every_row_of_a_table_has_as_many_cells_as_the_others() {
         "derivations/README.md",
         "derivations/COVERAGE.md",
         "designs/README.md",
+        "docs/README.md",
+        "docs/commands.md",
+        "docs/glossary.md",
+        "docs/reports.md",
+        "docs/verdicts.md",
     ];
     for page in pages.into_iter().chain(more) {
         let text = fs::read_to_string(root().join(page)).unwrap();

@@ -268,7 +268,21 @@ fn no_condition_of_the_papers_was_seen_to_be_superfluous() {
     }
 }
 
-/// The rows of the status table of the README, from the computed verdicts.
+/// The papers of others.
+const OF_OTHERS: [&str; 3] = ["gbt-developable", "gbt-surfaces", "hermite-developable"];
+
+fn claims_of(slug: &str) -> impl Iterator<Item = &'static Outcome> {
+    let paper = PAPERS.iter().find(|paper| paper.slug == slug).unwrap();
+    paper.claims.iter()
+}
+
+/// How many claims of a paper have this verdict, our remarks not among them.
+fn count(slug: &str, verdict: Verdict) -> usize {
+    let claims = claims_of(slug).filter(|c| c.claim.kind != Kind::Remark);
+    claims.filter(|c| c.verdict() == verdict).count()
+}
+
+/// The rows of the table of `docs/verdicts.md`, from the computed verdicts.
 fn status_table() -> String {
     const ORDER: [(Verdict, &str); 12] = [
         (Verdict::Holds, "holds"),
@@ -284,15 +298,9 @@ fn status_table() -> String {
         (Verdict::Reproduced, "reproduced"),
         (Verdict::Partial, "partial"),
     ];
-    let papers = ["gbt-developable", "gbt-surfaces", "hermite-developable"];
-    let count = |slug: &str, verdict: Verdict| {
-        let paper = PAPERS.iter().find(|p| p.slug == slug).unwrap();
-        let claims = paper.claims.iter().filter(|c| c.claim.kind != Kind::Remark);
-        claims.filter(|c| c.verdict() == verdict).count()
-    };
+    let papers = OF_OTHERS;
     let remarks = |slug: &str| {
-        let paper = PAPERS.iter().find(|p| p.slug == slug).unwrap();
-        let remarks = paper.claims.iter().filter(|c| c.claim.kind == Kind::Remark);
+        let remarks = claims_of(slug).filter(|c| c.claim.kind == Kind::Remark);
         remarks.count()
     };
     let mut lines = vec![
@@ -317,12 +325,66 @@ fn status_table() -> String {
 }
 
 #[test]
-fn the_status_table_of_the_readme_is_the_computed_one() {
-    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+fn the_page_of_verdicts_counts_the_computed_ones() {
+    let page = std::fs::read_to_string(root().join("docs/verdicts.md")).unwrap();
+    let table = status_table();
     assert!(
-        readme.contains(&status_table()),
-        "write this into README.md:\n{}",
-        status_table()
+        page.contains(&table),
+        "write into docs/verdicts.md:\n{table}"
+    );
+}
+
+/// The claims whose refutations the Rocq kernel accepted, by the last table of `torse report`, whose verdicts have to be
+/// today's.
+fn refutations_accepted_by_the_kernel() -> usize {
+    let table = std::fs::read_to_string(root().join("reports/verdicts.csv")).unwrap();
+    let rows = table.lines().skip(1).map(|line| line.split(',').collect());
+    let rows: BTreeMap<&str, Vec<&str>> = rows.map(|row: Vec<&str>| (row[0], row)).collect();
+    let refuted = OF_OTHERS.into_iter().flat_map(claims_of).filter(|outcome| {
+        let word = serde_json::to_value(outcome.verdict()).unwrap();
+        let row = &rows[outcome.claim.id.as_str()];
+        assert_eq!(word, row[1], "reports/verdicts.csv: {}", outcome.claim.id);
+        matches!(outcome.verdict(), Verdict::Misprint | Verdict::False) && row[5] == "yes"
+    });
+    refuted.count()
+}
+
+/// The numbers of the README, from the computed verdicts.
+fn numbers_of_the_readme() -> String {
+    let of = |verdict: Verdict| -> usize {
+        let counts = OF_OTHERS.into_iter().map(|slug| count(slug, verdict));
+        counts.sum()
+    };
+    let claims = OF_OTHERS.into_iter().flat_map(claims_of);
+    let all = claims.filter(|c| c.claim.kind != Kind::Remark).count();
+    let (holds, conditional) = (of(Verdict::Holds), of(Verdict::Conditional));
+    let (misprints, wrong) = (of(Verdict::Misprint), of(Verdict::False));
+    let refuted = misprints + wrong;
+    let kernel = refutations_accepted_by_the_kernel();
+    let undecided = of(Verdict::Undecided);
+    let others = all - holds - conditional - refuted - undecided;
+    [
+        "| of these papers | |".to_owned(),
+        "|---|---:|".to_owned(),
+        format!("| statements, formulas and figures | {all} |"),
+        format!("| hold as printed | {holds} |"),
+        format!("| hold under a condition that the print leaves out | {conditional} |"),
+        format!("| are false as printed; a small correction is proved | {misprints} |"),
+        format!("| are false, with an exact counterexample | {wrong} |"),
+        format!("| of these {refuted} refutations, accepted by the Rocq kernel | {kernel} |"),
+        format!("| could not be decided | {undecided} |"),
+        format!("| are definitions, figures, readings that differ, or lack data | {others} |"),
+    ]
+    .join("\n")
+}
+
+#[test]
+fn the_numbers_of_the_readme_are_the_computed_ones() {
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let numbers = numbers_of_the_readme();
+    assert!(
+        readme.contains(&numbers),
+        "write into README.md:\n{numbers}"
     );
 }
 

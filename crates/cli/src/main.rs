@@ -36,11 +36,11 @@ use exit::{Exit, Failure};
 use std::process::ExitCode;
 use std::time::Duration;
 
-/// Proves, corrects and illustrates the mathematics of developable and shape-adjustable surfaces.
+/// Finds and corrects errors in published formulas, with proofs, and unrolls surfaces to patterns.
 ///
-/// Papers are folders of derivation files: each claim of a paper is stated there as a formula, and is
-/// decided by exact computation. Verdicts are never typed in: they are computed on every run.
-/// Designs are files with control data of developables: they are measured, unrolled, exported and drawn.
+/// A paper is a folder of derivation files, which state each claim as a formula. torse decides claims by exact
+/// computation; it computes every verdict anew on every run. A design is a file with control data of developable
+/// surfaces, which torse measures, unrolls, exports and draws.
 #[derive(Parser)]
 #[command(name = "torse", version, max_term_width = 100, after_help = EXAMPLES, after_long_help = LONG_EXAMPLES)]
 struct Arguments {
@@ -87,19 +87,19 @@ Examples:
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
   torse unroll DESIGN.toml --to part.dxf the flat pattern, for the cutter
 
-Exit codes (of several that apply, the uppermost):
-  6  a verdict and its replay, or the kernel, contradict each other: the claim is `undecided`, with
-     \"internal contradiction\"
-  2  the command line cannot be followed: an unknown name, a missing folder
+Exit codes (if several apply, the first of this list):
+  6  two checks of a verdict contradict each other (prover, second evaluator, replay, kernel): the claim is
+     `undecided`, with \"internal contradiction\"
+  2  the command line is wrong: an unknown name, a missing folder
   4  a derivation or design file is wrong: all mistakes are shown with file, line and column, and the claims
-     that are right are decided all the same
+     without a mistake are decided all the same
   5  an output could not be made or written
-  8  the time limit (`--time-limit SECONDS`) has ended the run, without verdicts
-  7  a program that was asked for is missing (coqc)
-  1  a verdict differs from what its derivation file expects, or from an earlier run; a flag is open; a design
+  8  the time limit (`--time-limit SECONDS`) ended the run, without verdicts
+  7  a required program is missing (coqc)
+  1  a verdict differs from its derivation file or from an earlier run; a flag of the audit is open; a design
      misses a tolerance
   3  a claim named by its full id is undecided
-  0  every verdict is as expected (or nothing is said about it)
+  0  every verdict is as expected, or nothing was expected
 
 Colours and progress are for terminals only; NO_COLOR=1 turns colours off there too.";
 
@@ -150,11 +150,11 @@ impl Command {
     }
 }
 
-/// Seconds: a hundred times what the three papers take.
+/// Seconds: a hundred times the time for the three papers.
 const TIME_LIMIT: u64 = 3600;
 
-/// Bytes of the stack of every thread that computes. Formulas are bounded in height and definitions in depth, and their
-/// product fits; memory is taken only as far as a stack grows.
+/// Bytes of the stack of every computing thread. The height of formulas and the depth of definitions are bounded, and
+/// their product fits; memory is used only as far as a stack grows.
 const STACK: usize = 256 * 1024 * 1024;
 
 fn run(arguments: &Arguments) -> Exit {
@@ -167,10 +167,17 @@ fn run(arguments: &Arguments) -> Exit {
 }
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
-    // A claim that panics is undecided and says why; the place in our code says nothing to the user.
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) if error.use_stderr() => {
+            terminal::remark(&terminal::usage(&error));
+            return Exit::Usage.into();
+        }
+        Err(help) => help.exit(),
+    };
+    // If a claim panics, it is undecided, with the reason; the place in our code would not help the user.
     std::panic::set_hook(Box::new(|_| {}));
-    // There is one pool, made here; were there one already, its threads would do.
+    // There is one pool, made here; if there is one already, its threads suffice.
     let _ = rayon::ThreadPoolBuilder::new()
         .stack_size(STACK)
         .build_global();
@@ -182,7 +189,7 @@ fn main() -> ExitCode {
     match exit {
         Ok(exit) => exit.into(),
         Err(reason) => {
-            terminal::remark(&format!("torse cannot go on: {reason}\n"));
+            terminal::remark(&format!("torse failed: {reason}\n"));
             ExitCode::from(101)
         }
     }

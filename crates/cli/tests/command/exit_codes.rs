@@ -1,4 +1,4 @@
-//! One table of exit codes: the README's is that of `torse --help`.
+//! One table of exit codes: that of `docs/commands.md` is that of `torse --help`.
 
 use crate::support::torse;
 use std::fs;
@@ -25,11 +25,14 @@ fn by_help() -> Vec<(u8, String)> {
     rows
 }
 
-/// Those of the README's table.
-fn by_readme() -> Vec<(u8, String)> {
-    let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../README.md"));
-    let readme = readme.unwrap();
-    let table = readme.split_once("| exit code |").unwrap().1;
+/// Those of the table of `docs/commands.md`.
+fn by_page() -> Vec<(u8, String)> {
+    let page = fs::read_to_string(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../docs/commands.md"
+    ));
+    let page = page.unwrap();
+    let table = page.split_once("| exit code |").unwrap().1;
     let rows = table
         .lines()
         .skip(2)
@@ -40,9 +43,9 @@ fn by_readme() -> Vec<(u8, String)> {
 }
 
 #[test]
-fn the_readme_has_the_exit_codes_of_the_help_in_its_order_and_words() {
+fn the_page_of_commands_has_the_exit_codes_of_the_help_in_its_order_and_words() {
     let table = by_help();
     let codes: Vec<u8> = table.iter().map(|(code, _)| *code).collect();
     assert_eq!(codes, [6, 2, 4, 5, 8, 7, 1, 3, 0]);
-    assert_eq!(by_readme(), table);
+    assert_eq!(by_page(), table);
 }
