@@ -168,7 +168,7 @@ impl PyDesign {
         let known = ENDINGS.iter().find(|known| **known == ending);
         let Some(ending) = known else {
             let all = ENDINGS.join(", ");
-            return Err(PyValueError::new_err(format!("the endings are {all}")));
+            return Err(PyValueError::new_err(format!("the extensions are {all}")));
         };
         let bytes = py.detach(|| self.0.export(ending, &Demand::default()));
         bytes.map_err(|error| raised(py, &error))

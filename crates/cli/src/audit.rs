@@ -17,18 +17,18 @@ use torse_syntax::taxonomy::Flag;
 use torse_verdicts::audit::{Audited, audit};
 use torse_verdicts::outcome::Outcome;
 
-/// Look for signs that statements are not what the papers print.
+/// Flag signs that statements are not what the papers print.
 ///
-/// A side that is compared with itself, a number of the print that the statement has not, one degree for all: each such
-/// sign is a flag. A flag is mended, or answered in the file of the claim by words of the paper (`answers`). The exit code is
-/// 1 when a flag is open, and 4 when an answer is to no flag.
+/// Flags are signs such as a side that is compared with itself, a printed number that the statement lacks, or one
+/// degree for all. Correct the statement, or answer the flag in the file of the claim with words of the paper
+/// (`answers`). The exit code is 1 if a flag is open, and 4 if an answer belongs to no flag.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Audit {
-    /// Papers, claims, or beginnings of ids
+    /// Papers, claims, or prefixes of ids
     #[arg(value_name = "PAPER|ID")]
     names: Vec<String>,
-    /// A table for readers, or JSON for programs
+    /// Print a table, or JSON for programs
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     #[command(flatten)]
@@ -43,7 +43,7 @@ Examples:
   torse audit gbt-developable/thm-4 --format json";
 
 impl Audit {
-    /// Decides, looks, prints the open flags and the answers.
+    /// Decides, audits, and prints the open flags and the answers.
     pub fn run(&self) -> Result<Exit, Failure> {
         let Found {
             papers,
@@ -51,7 +51,7 @@ impl Audit {
             mut mistakes,
         } = self.derivations.load()?;
         selection::select(papers.clone(), &self.names, &left_out)?;
-        // A part is looked at together with its sentence.
+        // A part is audited together with its sentence.
         let wanted = |claim: &Claim| {
             let id = claim.whole().unwrap_or(claim.entry.id.get_ref());
             let named = |claim: &Claim| {
@@ -133,7 +133,7 @@ fn classes<'a>(found: &'a [Audited<'a>]) -> Classes<'a> {
 fn text(found: &[Audited<'_>]) -> String {
     let mut text = String::new();
     let mut table = terminal::table();
-    table.set_header(["claim", "flag", "what is to be seen"]);
+    table.set_header(["claim", "flag", "sign"]);
     let mut open = 0;
     for audited in found {
         for sign in &audited.open {

@@ -1,4 +1,4 @@
-//! Verdicts compared with those of an earlier run: what differs, what is new, what is gone.
+//! Compares verdicts with those of an earlier run: changed, new and removed ones.
 
 use crate::exit::Failure;
 use crate::terminal;
@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use torse::selection;
 
-/// Verdicts as `verify --format json` writes them; other fields are not looked at.
+/// Verdicts as `verify --format json` writes them; other fields are ignored.
 #[derive(Debug, Deserialize)]
 pub struct Verdicts {
     claims: Vec<Claim>,
@@ -22,7 +22,7 @@ struct Claim {
 }
 
 impl Claim {
-    fn told(&self) -> String {
+    fn describe(&self) -> String {
         let evidence = self.evidence.as_ref().map(|e| format!(" ({e})"));
         let condition = self.condition.as_ref().map(|c| format!(", if {c}"));
         let [evidence, condition] = [evidence, condition].map(Option::unwrap_or_default);
@@ -31,7 +31,7 @@ impl Claim {
 }
 
 impl Verdicts {
-    /// The verdicts of a file.
+    /// Reads the verdicts of a file.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let unreadable = |reason: String| Failure::Against {
             path: path.to_owned(),
@@ -41,23 +41,24 @@ impl Verdicts {
         Self::parse(&text).map_err(|error| unreadable(error.to_string()))
     }
 
-    /// The verdicts of a text.
+    /// Parses verdicts.
     pub fn parse(text: &str) -> Result<Self, serde_json::Error> {
         serde_json::from_str(text)
     }
 
-    /// The claims that one of these names means, or all if there is none.
+    /// Returns the claims that one of these names refers to, or all if there are no names.
     pub fn named(mut self, names: &[String]) -> Self {
-        let meant = |claim: &Claim| names.iter().any(|name| selection::means(name, &claim.id));
-        self.claims.retain(|claim| names.is_empty() || meant(claim));
+        let is_named = |claim: &Claim| names.iter().any(|name| selection::means(name, &claim.id));
+        self.claims
+            .retain(|claim| names.is_empty() || is_named(claim));
         self
     }
 }
 
-/// A claim with what it was and what it is; none where it is new or gone.
+/// A claim with its old and its new verdict; none if it is new or removed.
 type Difference = (String, Option<String>, Option<String>);
 
-/// What differs, by id.
+/// Returns the differences, by id.
 pub fn differences(before: &Verdicts, now: &Verdicts) -> Vec<Difference> {
     let by_id = |of: &'_ Verdicts| -> BTreeMap<String, Claim> {
         let pairs = of
@@ -69,13 +70,13 @@ pub fn differences(before: &Verdicts, now: &Verdicts) -> Vec<Difference> {
     let (before, now) = (by_id(before), by_id(now));
     let ids: BTreeSet<&String> = before.keys().chain(now.keys()).collect();
     let changed = ids.into_iter().filter(|id| before.get(*id) != now.get(*id));
-    let told = |of: Option<&Claim>| of.map(Claim::told);
+    let describe = |of: Option<&Claim>| of.map(Claim::describe);
     changed
-        .map(|id| (id.clone(), told(before.get(id)), told(now.get(id))))
+        .map(|id| (id.clone(), describe(before.get(id)), describe(now.get(id))))
         .collect()
 }
 
-/// The table of differences, or that there are none.
+/// Writes the table of differences, or that there are none.
 pub fn text(differences: &[Difference]) -> String {
     if differences.is_empty() {
         return "no verdict, evidence or condition differs\n".to_owned();

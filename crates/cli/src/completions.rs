@@ -5,7 +5,7 @@ use crate::terminal;
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 
-/// Write the completions of a shell to standard output.
+/// Print the completions for a shell.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Completions {

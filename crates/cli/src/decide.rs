@@ -12,22 +12,23 @@ use torse::{Decided, Verdict};
 
 /// Decide one statement: is it true, where is it false, what would be right?
 ///
-/// Names that are not declared are real numbers. `--where` declares others, defines functions and adds hypotheses, separated
-/// by semicolons: `x in [0, 1]`, `n in 0..`, `p: vector 3`, `f: function 1`, `H(t) := t^2`, `a > 0`.
+/// Undeclared names are real numbers. `--where` declares other symbols, defines functions and adds hypotheses,
+/// separated by semicolons: `x in [0, 1]`, `n in 0..`, `p: vector 3`, `f: function 1`, `H(t) := t^2`, `a > 0`.
 ///
-/// With `-` in place of the statement each line of standard input is one: a statement, or an object of JSON with `states` and
-/// `where`; each gives a line of JSON, that of `verify --format json`, or an `error`. The exit code is 0 for a true
-/// statement, 1 for a false one, 3 for one that is not decided, 4 for one that makes no sense; of many the gravest.
+/// If the statement is `-`, each line of standard input is a statement, or a JSON object with `states` and `where`. For
+/// each line torse prints a line of JSON as in `verify --format json`, or an `error`. The exit code is 0 for a true
+/// statement, 1 for a false one, 3 for one that is not decided, 4 for one that makes no sense; for several, the
+/// gravest.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Decide {
-    /// The statement, or - for statements from standard input
+    /// The statement, or - to read statements from standard input
     #[arg(value_name = "STATEMENT")]
     statement: String,
-    /// Declarations, definitions and hypotheses
+    /// Add declarations, definitions and hypotheses
     #[arg(long = "where", value_name = "SETTING", default_value = "")]
     setting: String,
-    /// For people or for programs
+    /// Print text, or JSON for programs
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Format,
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! Where the derivation files are.
+//! Finds the derivation files.
 
 use crate::diagnostics::Diagnostics;
 use crate::exit::Failure;
@@ -11,26 +11,26 @@ use torse_syntax::derivation;
 use torse_syntax::derivation::Paper;
 use torse_syntax::derivation::schema::PaperHead;
 
-/// What a folder of derivations holds.
+/// The contents of a folder of derivations.
 pub struct Found {
     /// The papers.
     pub papers: Vec<Paper>,
-    /// The ids of claims and figures that are wrong, or rest on what is.
+    /// The ids of claims and figures that are wrong, or use something wrong.
     pub left_out: Vec<String>,
-    /// What is wrong.
+    /// The mistakes.
     pub mistakes: Diagnostics,
 }
 
 /// The option that names the folder of derivations.
 #[derive(clap::Args)]
 pub struct Derivations {
-    /// The folder of derivation files [default: `derivations` here or in the nearest folder above]
+    /// Read derivation files from this folder [default: `derivations` here or in the nearest folder above]
     #[arg(long = "derivations", value_name = "DIR")]
     folder: Option<PathBuf>,
 }
 
 impl Derivations {
-    /// The papers of the folder, in the order of their names, with all that is well formed in them.
+    /// Reads the papers of the folder, in the order of their names, with everything in them that is well formed.
     pub fn load(&self) -> Result<Found, Failure> {
         let loaded = derivation::load_all(&self.find()?)?;
         let mut mistakes = Diagnostics::default();
@@ -49,14 +49,14 @@ impl Derivations {
         })
     }
 
-    /// The same with just the claims that the user names.
+    /// Reads the claims that the user names.
     pub fn select(&self, names: &[String]) -> Result<(Vec<Paper>, Diagnostics), Failure> {
         let found = self.load()?;
         let papers = selection::select(found.papers, names, &found.left_out)?;
         Ok((papers, found.mistakes))
     }
 
-    /// Where a new paper belongs: the folder that is named, or the one that is found, or `derivations` here.
+    /// Returns the folder for a new paper: the one that is named, or the one that is found, or `derivations` here.
     pub fn place(&self) -> Result<PathBuf, Failure> {
         match &self.folder {
             Some(path) if path.exists() => self.find(),
@@ -68,7 +68,7 @@ impl Derivations {
         }
     }
 
-    /// What a report about a paper of the folder is made from.
+    /// Returns the source of a report about a paper of the folder.
     pub fn source(&self, paper: &PaperHead) -> Result<Source, Failure> {
         let folder = self.find()?.join(&paper.id);
         let unread = |path: &Path| {
@@ -105,7 +105,7 @@ impl Derivations {
     }
 }
 
-/// Whether a folder above is a folder of derivations, and not just called like one.
+/// Whether a folder above is a folder of derivations, and does not only have the name.
 fn holds_a_paper(folder: &Path) -> bool {
     std::fs::read_dir(folder).is_ok_and(|entries| {
         entries

@@ -14,31 +14,31 @@ use torse_verdicts::derive::{
 
 /// Derive formulas of a basis family for every degree at once.
 ///
-/// The family is any `[basis.NAME]` of a derivation file. Without `--join`, the derivatives at both ends
-/// of a curve; with it, the control points of the next curve or plane family that make the join. Degrees
-/// and shape parameters stay symbols. What must not vanish is said with the result.
+/// The family is any `[basis.NAME]` of a derivation file. Without `--join`, the result is the derivatives at both ends
+/// of a curve; with it, the control points of the next curve or plane family. Degrees and shape parameters stay
+/// symbols. The result lists the divisors that must not vanish.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Derive {
     /// The paper whose file declares the basis
     #[arg(value_name = "PAPER")]
     paper: String,
-    /// The basis: NAME of `[basis.NAME]`
+    /// The basis, NAME in `[basis.NAME]`
     #[arg(value_name = "BASIS")]
     basis: String,
-    /// The highest derivative; with `--join c` the order of continuity
+    /// Set the highest derivative; with `--join c`, the order of continuity
     #[arg(long, value_name = "N", default_value_t = 3)]
     order: u8,
-    /// The degree, for a basis whose step depends on the index, or for short formulas; a symbol if left out
+    /// Set the degree; required for a basis whose step depends on the index [default: a symbol]
     #[arg(long, value_name = "K")]
     degree: Option<u8>,
-    /// Curves with a weight for every point
+    /// Give every point a weight
     #[arg(long)]
     rational: bool,
     /// Solve for the next control points of a join instead
     #[arg(long, value_enum, value_name = "CONDITION")]
     join: Option<Join>,
-    /// How to write the result
+    /// Set the language of the result
     #[arg(long, value_enum, default_value_t = Output::Text)]
     language: Output,
     #[command(flatten)]
@@ -86,7 +86,7 @@ impl Derive {
         let found = self.derivations.load()?;
         let paper = selection::paper(&found.papers, &self.paper).map_err(Failure::from);
         let derivation = match paper.and_then(|paper| self.derive(paper)) {
-            // What is missing may be what is wrong.
+            // A missing basis may be one with a mistake.
             Err(failure) if !found.mistakes.is_empty() => {
                 terminal::complain(&failure);
                 return Ok(found.mistakes.tell(failure.exit()));
@@ -121,7 +121,7 @@ impl Derive {
     }
 }
 
-/// The declarations of the paper, or of a file of its claims, that know the basis.
+/// Returns the declarations, of the paper or of a claim file, that contain the basis.
 fn declaring<'p>(paper: &'p Paper, basis: &str) -> Option<&'p Declarations> {
     scopes(paper).find(|scope| scope.basis(basis).is_some())
 }

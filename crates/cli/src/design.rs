@@ -14,70 +14,72 @@ use torse_designs::unroll::{Demand, Flattening, Summary, drawing, unroll};
 use torse_designs::{Design, DesignError, draw, load, load_from};
 use torse_exchange::{FileKind, LengthUnit, MAX_FILE_BYTES, dxf, svg, write_file};
 
-/// How an answer is shown.
+/// The format of the answer.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {
-    /// For people
+    /// Text
     Text,
-    /// For programs, identical bytes on every run
+    /// JSON, identical bytes on every run
     Json,
 }
 
-/// Measure a design: can it be made? Or list what is in a file of another program.
+/// Measure a design: can it be made? Or list the contents of a file of another program.
 ///
-/// Tells of every patch whether it is developable and regular, how far the edge of regression is, how long its rulings
-/// are, how far it twists and how tightly it bends; of every joint how smooth it is and with which beta values. Ends with
-/// 1 when a tolerance of the file is missed. Of a STEP, IGES, DXF, SVG, CSV, OBJ or STL file it lists curves, faces and meshes.
+/// For each patch, torse shows whether it is developable and regular, the distance of the edge of regression, the
+/// lengths of its rulings, its twist and its smallest radius; for each joint, its continuity and beta values. The exit
+/// code is 1 if a tolerance of the file is missed. For a STEP, IGES, DXF, SVG, CSV, OBJ or STL file, torse lists
+/// curves, faces and meshes.
 #[derive(Args)]
 pub struct Inspect {
     /// The design file, or a file of another program; - for standard input
     design: PathBuf,
-    /// The unit of a file of another program that states none: mm, cm, m, in, ft, ..
+    /// Set the unit of a file of another program that has none: mm, cm, m, in, ft, ...
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     unit: Option<LengthUnit>,
     /// Measure only, without bounds and proofs
     #[arg(long)]
     quick: bool,
-    /// How the answer is shown
+    /// Set the format of the answer
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 }
 
 /// Unroll a design to a flat pattern, DXF or SVG.
 ///
-/// Refuses, with exit code 1 and without a file, what is not developable within tolerance, has its edge of regression
-/// inside, or an outline that crosses itself.
+/// torse refuses a surface that is not developable within tolerance, contains its edge of regression, or has an outline
+/// that crosses itself: it writes no file, and the exit code is 1.
 #[derive(Args)]
 pub struct Unroll {
     /// The design file
     design: PathBuf,
-    /// Where the pattern goes: a file ending in .dxf or .svg; - for standard output, with --as
+    /// Write the pattern to this .dxf or .svg file, or to standard output if it is - (with --as)
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
-    /// The format, where the name of the file does not end in it: dxf or svg
+    /// Set the format, dxf or svg, if the file name has no such extension
     #[arg(long, value_name = "ENDING")]
     r#as: Option<String>,
     #[command(flatten)]
     pattern: Pattern,
-    /// How the answer is shown
+    /// Set the format of the answer
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 }
 
-/// What is asked of a pattern.
+/// Options of a pattern.
 #[derive(Args)]
 struct Pattern {
-    /// Flatten also what is not developable, as long as no line loses more than this share of its length; the file says so
+    /// Unroll even a surface that is not developable, if no line changes its length by more than this share; the file
+    /// says so
     #[arg(long, value_name = "STRAIN", default_value_t = 0.0)]
     allow_strain: f64,
-    /// Which development is made of what is not exactly developable: both edges keep their lengths, or one of them keeps
-    /// its length and curvature, or neither
+    /// Choose how to unroll a surface that is not exactly developable: both edges keep their lengths, one of them keeps
+    /// its length and curvature, or neither does
     #[arg(long, value_name = "NAME", value_parser = development, default_value = "edges")]
     development: Flattening,
-    /// Rulings shown of each patch
+    /// Draw this many rulings of each patch
     #[arg(long, value_name = "NUMBER")]
     rulings: Option<usize>,
-    /// One chain or patch alone
+    /// Use only this chain or patch
     #[arg(long, value_name = "NAME")]
     only: Option<String>,
 }
@@ -93,7 +95,7 @@ impl Pattern {
     }
 }
 
-/// A development by its name.
+/// Finds a way to unroll by its name.
 fn development(name: &str) -> Result<Flattening, String> {
     let known = Flattening::ALL.iter().find(|(own, _)| *own == name);
     known.map(|(_, development)| *development).ok_or_else(|| {
@@ -104,53 +106,54 @@ fn development(name: &str) -> Result<Flattening, String> {
 
 /// Fold a pattern file back into space and compare it with its design.
 ///
-/// Reads outline, rulings and bend angles from the DXF or SVG file alone. Ends with 1 when the folded points miss the design.
+/// torse reads outline, rulings and bend angles from the DXF or SVG file alone. The exit code is 1 if the folded points
+/// miss the design.
 #[derive(Args)]
 pub struct Fold {
     /// The design file
     design: PathBuf,
-    /// The pattern, as `unroll` writes it: a DXF or SVG file
+    /// Read this pattern, a DXF or SVG file written by `unroll`
     #[arg(long, value_name = "FILE")]
     pattern: PathBuf,
-    /// How the answer is shown
+    /// Set the format of the answer
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 }
 
-/// Write a design as a pattern, a mesh or a CAD model, by the ending of the file.
+/// Write a design as a pattern, a mesh or a CAD model; the file extension chooses.
 ///
-/// Endings: .dxf .svg (flat pattern); .stl .obj .ply .3mf .glb (mesh, a solid where the design has a thickness); .step
-/// .stp .iges .igs (surfaces, exact where they are rational, else within the tolerance `surface`).
+/// Extensions: .dxf .svg (flat pattern); .stl .obj .ply .3mf .glb (mesh, a solid if the design has a thickness); .step
+/// .stp .iges .igs (surfaces, exact if they are rational, otherwise within the tolerance `surface`).
 #[derive(Args)]
 pub struct Export {
     /// The design file
     design: PathBuf,
-    /// The file to write; - for standard output, with --as
+    /// Write this file, or to standard output if it is - (with --as)
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
-    /// The format, where the name of the file does not end in it
+    /// Set the format if the file name has no known extension
     #[arg(long, value_name = "ENDING")]
     r#as: Option<String>,
     #[command(flatten)]
     pattern: Pattern,
 }
 
-/// Points, normals and curvatures of the patches, and where they lie on the pattern.
+/// Evaluate patches: points, normals, curvatures, and places on the pattern.
 #[derive(Args)]
 #[command(group = clap::ArgGroup::new("where").required(true))]
 pub struct Eval {
     /// The design file
     design: PathBuf,
-    /// A place on the patch: ruling and share of the ruling, both from 0 to 1; may be given several times
+    /// Evaluate at this place: ruling and share of the ruling, both from 0 to 1; repeatable
     #[arg(long, value_name = "U,V", value_parser = place, group = "where")]
     at: Vec<[f64; 2]>,
-    /// So many equal steps from ruling to ruling and along the rulings
+    /// Evaluate on a grid with this many equal steps across and along the rulings
     #[arg(long, value_name = "MxN", value_parser = grid, group = "where")]
     grid: Option<(usize, usize)>,
-    /// One patch alone
+    /// Use only this patch
     #[arg(long, value_name = "NAME")]
     patch: Option<String>,
-    /// How the answer is shown
+    /// Set the format of the answer
     #[arg(long, value_enum, default_value_t = Table::Csv)]
     format: Table,
 }
@@ -158,18 +161,18 @@ pub struct Eval {
 /// How numbers are shown.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Table {
-    /// Comma-separated values with a head
+    /// Comma-separated values with a header
     Csv,
     /// A list of objects
     Json,
 }
 
-/// Draw a design and its pattern: PNG, SVG, or a page to turn it.
+/// Draw a design and its pattern: PNG, SVG, or an interactive page; the file extension chooses.
 #[derive(Args)]
 pub struct Draw {
     /// The design file
     design: PathBuf,
-    /// Where the picture goes: a file ending in .png, .svg or .html
+    /// Write the picture to this .png, .svg or .html file
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
     #[command(flatten)]
@@ -177,30 +180,30 @@ pub struct Draw {
 }
 
 fn place(text: &str) -> Result<[f64; 2], String> {
-    let wanted = || "two numbers are wanted: 0.5,0.25".to_owned();
+    let wanted = || "expected two numbers, such as 0.5,0.25".to_owned();
     let (u, v) = text.split_once(',').ok_or_else(wanted)?;
     let number = |part: &str| part.trim().parse::<f64>().map_err(|_| wanted());
     Ok([number(u)?, number(v)?])
 }
 
 fn grid(text: &str) -> Result<(usize, usize), String> {
-    let wanted = || "two numbers of steps are wanted: 32x4".to_owned();
+    let wanted = || "expected two numbers of steps, such as 32x4".to_owned();
     let (m, n) = text.split_once('x').ok_or_else(wanted)?;
     let number = |part: &str| part.trim().parse::<usize>().map_err(|_| wanted());
     Ok((number(m)?, number(n)?))
 }
 
 fn unit(text: &str) -> Result<LengthUnit, String> {
-    let wanted = || format!("`{text}` is no unit of length: mm, cm, m, in, ft and others are");
+    let wanted = || format!("unknown unit of length `{text}`: use mm, cm, m, in, ft, ...");
     LengthUnit::named(text).ok_or_else(wanted)
 }
 
-/// Standard input, or output, where a file is wanted.
+/// Whether a path stands for standard input or output.
 fn is_standard(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
-/// The design of a file.
+/// Reads the design of a file.
 fn design(path: &Path) -> Result<Design, Failure> {
     if is_standard(path) {
         return Ok(load_from(Path::new("stdin"), std::io::stdin().lock())?);
@@ -208,7 +211,7 @@ fn design(path: &Path) -> Result<Design, Failure> {
     Ok(load(path)?)
 }
 
-/// Writes a file whole or not at all; - is standard output.
+/// Writes a file whole or not at all; - means standard output.
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     if is_standard(path) {
         let mut output = std::io::stdout().lock();
@@ -219,7 +222,7 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Shows an answer: beside the file, where that went to standard output.
+/// Shows an answer; on standard error if the file went to standard output.
 fn answer(file: &Path, text: &str) -> Result<(), Failure> {
     if is_standard(file) {
         remark(text);
@@ -228,7 +231,7 @@ fn answer(file: &Path, text: &str) -> Result<(), Failure> {
     print(text)
 }
 
-/// The format of a file that is written: its ending, or what `--as` says.
+/// Returns the format of a written file: its extension, or the value of `--as`.
 fn format_of(
     path: &Path,
     named: Option<&str>,
@@ -238,7 +241,7 @@ fn format_of(
     Ok(ending(name.as_deref().unwrap_or(path), known)?)
 }
 
-/// 0 when everything demanded is met, else 1.
+/// Returns 0 if every tolerance is met, else 1.
 fn met(missed: &[String]) -> Exit {
     if missed.is_empty() {
         Exit::AsExpected
@@ -278,13 +281,13 @@ impl Inspect {
 }
 
 impl Inspect {
-    /// What is in a file of another program; nothing for a design.
+    /// Lists a file of another program; none for a design.
     fn listing(&self) -> Result<Option<FileListing>, Failure> {
         if is_standard(&self.design) {
             return Ok(None);
         }
         let Ok(file) = std::fs::File::open(&self.design) else {
-            // What is wrong with it is told where a design is read.
+            // Reading the design reports the error.
             return Ok(None);
         };
         let most = u64::try_from(MAX_FILE_BYTES).unwrap_or(u64::MAX);
@@ -303,7 +306,7 @@ impl Inspect {
 }
 
 impl Unroll {
-    /// Writes the pattern and says what it promises.
+    /// Writes the pattern and prints its accuracy.
     pub fn run(&self) -> Result<Exit, Failure> {
         let ending = format_of(&self.to, self.r#as.as_deref(), PATTERNS)?;
         let design = design(&self.design)?;

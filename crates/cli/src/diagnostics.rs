@@ -1,10 +1,10 @@
-//! What is wrong with the derivation files: each mistake is told once, of very many the first, and the rest goes on.
+//! Collects mistakes in derivation files: each is shown once, up to a maximum number, while the run goes on.
 
 use crate::exit::{Exit, Failure};
 use crate::terminal;
 use std::collections::BTreeSet;
 
-/// The most mistakes that are shown. Each is set with the lines around it, which takes time in long files.
+/// Maximum number of mistakes that are shown. Each is shown with the lines around it, which takes time in long files.
 const MAX_SHOWN: usize = 100;
 
 /// Diagnostics of derivation files, in the order in which they were found.
@@ -17,7 +17,7 @@ pub struct Diagnostics {
 }
 
 impl Diagnostics {
-    /// Adds a mistake, unless it is known: a wrong definition is met by every claim that uses it.
+    /// Adds a mistake, unless it was added before: every claim that uses a wrong definition reports it.
     pub fn add(&mut self, mistake: impl Into<Failure>) {
         if self.texts.len() >= MAX_SHOWN {
             self.further += 1;
@@ -34,12 +34,12 @@ impl Diagnostics {
         self.texts.is_empty()
     }
 
-    /// Tells all of them, and says how the run ends.
+    /// Shows all of them, and returns the exit code of the run.
     pub fn tell(&self, exit: Exit) -> Exit {
         self.texts.iter().for_each(|text| terminal::remark(text));
         if self.further > 0 {
             let further = self.further;
-            terminal::remark(&format!("{further} further messages are not shown"));
+            terminal::remark(&format!("  × {further} further mistakes are not shown\n"));
         }
         match self.is_empty() {
             true => exit,

@@ -1,8 +1,8 @@
-//! The documents of a report: made side by side, and of the PDFs only those are set whose manuscripts changed.
+//! The documents of a report, made in parallel; a PDF is set only if its manuscript changed.
 //!
-//! Beside the documents lies a list that has, of each PDF, the fingerprint of its manuscript and the digest of the
-//! file. A PDF is left as it is when both fit: equal manuscripts give equal documents, and a file that somebody changed,
-//! cut off or took away does not have its digest.
+//! A list beside the documents has the fingerprint of the manuscript and the digest of the file for each PDF. A PDF is
+//! kept if both agree: equal manuscripts give equal documents, and a file that was changed, truncated or removed has
+//! another digest.
 
 use crate::exit::Failure;
 use crate::terminal::Progress;
@@ -52,7 +52,7 @@ impl<'a> Document<'a> {
     }
 }
 
-/// What is known of a PDF that was written.
+/// The entry of a written PDF.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 struct Known {
     /// The fingerprint of its manuscript.
@@ -79,7 +79,7 @@ pub fn write(
             Ok(known)
         })
         .collect();
-    // Collected first, so that the first failure told is always the same.
+    // Collected first, so that the first failure shown is always the same.
     for (document, known) in documents.iter().zip(written) {
         if let Some(known) = known? {
             list.insert(document.name.clone(), known);
@@ -98,7 +98,7 @@ fn known(folder: &Path) -> List {
     serde_json::from_slice(&list).unwrap_or_default()
 }
 
-/// Sees to it that the document is in the folder; returns what is to be known of it, if it was made from a manuscript.
+/// Writes the document unless it is up to date; returns its entry, if it was made from a manuscript.
 fn put(
     folder: &Path,
     document: &Document,

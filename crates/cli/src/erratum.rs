@@ -17,25 +17,25 @@ use torse_syntax::derivation::Paper;
 
 /// Write the corrections of a paper as TeX, PDF and Markdown, ready to be sent to its authors or journal.
 ///
-/// Each fault has one item: the place, what is wrong in a sentence, what is printed, what is to be read instead, with
-/// what changes framed, and an exact counterexample. Conditions that the text should state, and what may be a slip of the
-/// copy at hand, have parts of their own. A paper without a fault gets a letter that says so.
+/// Each fault has one item: its place, the fault in one sentence, the printed text and what it should say, with changes
+/// framed, and an exact counterexample. Conditions that the text should state, and possible faults of our copy, have
+/// parts of their own. For a paper without a fault, the letter says so.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Erratum {
     /// The paper
     #[arg(value_name = "PAPER")]
     paper: String,
-    /// The folder to write to; it is made if need be
+    /// Write to this folder; it is created if necessary
     #[arg(long, value_name = "DIR", default_value = "reports")]
     out: PathBuf,
-    /// Decide the statements once more with all corrections of the letter in force, and say what holds then
+    /// Decide all statements again with all corrections of the letter in force, and say what holds then
     #[arg(long)]
     verify: bool,
-    /// Who writes the letter; without a name every page says that it is a draft
+    /// Sign the letter with this name; without it every page says that it is a draft
     #[arg(long, value_name = "NAME")]
     sender: Option<String>,
-    /// The date to be written on the letter
+    /// Date the letter
     #[arg(long, value_name = "DATE")]
     date: Option<String>,
     #[command(flatten)]
@@ -89,7 +89,7 @@ impl Erratum {
             run.restore(&papers, self.budget, &mut mistakes);
         }
         watchdog::finished();
-        // A letter without a correction that belongs into it would not be one.
+        // A letter must not leave out a correction.
         if !mistakes.is_empty() {
             return Ok(mistakes.tell(Exit::BadData));
         }

@@ -1,4 +1,4 @@
-//! How a run ends: exit codes, and the failures behind them.
+//! Exit codes, and the failures behind them.
 
 use miette::Diagnostic;
 use std::path::PathBuf;
@@ -14,7 +14,7 @@ use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::derive::DeriveError;
 use torse_verdicts::outcome::Outcome;
 
-/// The exit codes of the command, the least grave first: of several that apply the gravest is the code.
+/// The exit codes of the command, the least grave first; if several apply, the gravest is returned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Exit {
     /// 0: every verdict is the expected one, or none is expected.
@@ -92,7 +92,7 @@ pub enum Failure {
         /// The path as given.
         path: PathBuf,
     },
-    /// Something is where a new folder should be.
+    /// A file or folder already has the name of a new folder.
     #[error("{} exists", path.display())]
     #[diagnostic(help("nothing is overwritten: take another name"))]
     Exists {
@@ -109,7 +109,7 @@ pub enum Failure {
     Against {
         /// The path as given.
         path: PathBuf,
-        /// What is wrong.
+        /// The mistakes.
         reason: String,
     },
     /// Standard input cannot be read, or is no text.
@@ -134,7 +134,7 @@ pub enum Failure {
         /// The bases that it has.
         known: Vec<String>,
     },
-    /// Nothing can be derived.
+    /// The derivation failed.
     #[error("nothing can be derived: {0}")]
     Derive(Box<DeriveError>),
     /// The id of a paper would lead a file astray.
@@ -157,14 +157,14 @@ pub enum Failure {
         /// Why.
         source: PlateError,
     },
-    /// The proof assistant is not there.
+    /// The proof assistant is not installed.
     #[error("`coqc` was not found")]
     #[diagnostic(help("Debian 12: `{INSTALL}` (Coq 8.16.1)"))]
     MissingCoqc,
     /// Proofs could not be checked, or not be written.
     #[error("the proofs cannot be checked: {0}")]
     Proofs(CheckError),
-    /// A file of the folder of proofs is not what it should be.
+    /// A file of the folder of proofs cannot be used.
     #[error("{} cannot be read: {reason}", path.display())]
     #[diagnostic(help("remove it: `torse prove --try` writes it anew"))]
     ReadProofs {
@@ -173,7 +173,7 @@ pub enum Failure {
         /// Why.
         reason: String,
     },
-    /// The developable of a figure makes no CAD file.
+    /// The developable surface of a figure cannot be written as a CAD file.
     #[error("figure `{figure}`: {source}")]
     Step {
         /// The figure.
@@ -182,7 +182,7 @@ pub enum Failure {
         #[source]
         source: ExchangeError,
     },
-    /// A derivation file that was read a moment ago is not there any more.
+    /// A derivation file disappeared during the run.
     #[error("{} cannot be read", path.display())]
     Unread {
         /// The path.
@@ -191,7 +191,7 @@ pub enum Failure {
         #[source]
         source: std::io::Error,
     },
-    /// The terminal, or what stands in for it, took no more.
+    /// The output could not be written.
     #[error("cannot write the output")]
     Print(#[source] std::io::Error),
 }

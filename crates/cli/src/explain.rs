@@ -1,4 +1,4 @@
-//! `torse explain`: one claim like a referee's note.
+//! `torse explain`: one claim, as in a referee's report.
 
 use crate::derivations::{Derivations, Found};
 use crate::exit::{Exit, Failure};
@@ -13,16 +13,15 @@ use torse::{Explanation, selection};
 
 /// Explain one claim: what is printed, how it was understood, what is true, and why.
 ///
-/// A refuted claim comes with an exact counterexample, the difference of both sides, and the derived right
-/// side; where a small correction was proved, with that. Explaining is no judging: the exit code is 0
-/// whatever the verdict.
+/// For a refuted claim, torse shows an exact counterexample, the difference of both sides, the derived right side, and
+/// a small correction if one was proved. The exit code is 0 for every verdict.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Explain {
-    /// The claim's id, or the beginning of one id only
+    /// The claim's id, or a prefix of only one id
     #[arg(value_name = "ID")]
     name: String,
-    /// The most characters of a formula to show
+    /// Show at most this many characters of a formula
     #[arg(long, value_name = "CHARACTERS", default_value_t = 2000)]
     longest: usize,
     #[command(flatten)]

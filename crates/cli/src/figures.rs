@@ -1,7 +1,7 @@
-//! The figures of the derivation files: drawn in parallel, and only those that changed.
+//! Draws the figures of the derivation files in parallel, and only those that changed.
 //!
-//! Beside the files of the figures lies a list of their fingerprints. A figure whose fingerprint is in the list and
-//! whose files are there is read instead of drawn: equal fingerprints mean equal pictures.
+//! A list of fingerprints lies beside the files of the figures. A figure whose fingerprint is in the list and whose
+//! files exist is read instead of drawn: equal fingerprints mean equal pictures.
 
 use crate::diagnostics::Diagnostics;
 use crate::exit::Failure;
@@ -25,7 +25,7 @@ pub const FOLDER: &str = "figures";
 /// The list of fingerprints in a folder of figures.
 const LIST: &str = "fingerprints.json";
 
-/// The fingerprints that a folder of figures knows: none if it has no list, or one that cannot be read.
+/// Reads the fingerprints of a folder of figures; none if it has no list, or one that cannot be read.
 pub fn known(folder: &Path) -> Fingerprints {
     let list = std::fs::read(folder.join(LIST)).unwrap_or_default();
     serde_json::from_slice(&list).unwrap_or_default()
@@ -46,8 +46,8 @@ pub struct Evaluated<'a> {
     plate: Plate,
 }
 
-/// The figures of each paper, evaluated and not drawn. What is wrong with their formulas is added to the mistakes, and the
-/// figure left out.
+/// Evaluates the figures of each paper without drawing them. Errors in their formulas are added to the mistakes, and
+/// the figure is left out.
 pub fn evaluated<'a>(papers: &'a [Paper], mistakes: &mut Diagnostics) -> Vec<Vec<Evaluated<'a>>> {
     let of_papers: Vec<Vec<&Figure>> = papers.iter().map(|p| p.figures().collect()).collect();
     let evaluate = |entry: &&'a Figure| {
@@ -58,7 +58,7 @@ pub fn evaluated<'a>(papers: &'a [Paper], mistakes: &mut Diagnostics) -> Vec<Vec
         .par_iter()
         .map(|figures| figures.par_iter().map(evaluate).collect())
         .collect();
-    // Collected first, so that mistakes are always told in the same order.
+    // Collected first, so that mistakes are always shown in the same order.
     let mut kept = vec![];
     for figures in evaluated {
         let mut own = vec![];
@@ -81,7 +81,7 @@ pub struct Shown {
     pub fingerprint: String,
 }
 
-/// The figures of a paper, in its order, with their files in `folder`; one step of progress each.
+/// Returns the figures of a paper, in its order, with their files in `folder`; each is one step of progress.
 pub fn shown(
     figures: &[Evaluated],
     folder: &Path,
@@ -97,11 +97,11 @@ pub fn shown(
             shown
         })
         .collect();
-    // Collected first, so that the first failure told is always the same.
+    // Collected first, so that the first failure shown is always the same.
     shown.into_iter().collect()
 }
 
-/// A figure with its files in `folder`: drawn, unless an equal one was drawn before.
+/// Returns a figure with its files in `folder`; draws it, unless an equal one was drawn before.
 fn one(
     Evaluated { entry, plate }: &Evaluated,
     folder: &Path,
@@ -144,17 +144,18 @@ fn one(
     Ok(Shown { image, fingerprint })
 }
 
-/// The names of a figure's files in its folder.
+/// Returns the names of a figure's files in its folder.
 pub fn files(name: &str) -> [String; 2] {
     [format!("{name}.png"), format!("{name}.svg")]
 }
 
-/// The name of the CAD file of a figure with a developable.
+/// Returns the name of the CAD file of a figure with a developable surface.
 pub fn cad_file(name: &str) -> String {
     format!("{name}.step")
 }
 
-/// Writes the developable as a CAD file, unless an equal figure `kept` one; returns its place from the folder above.
+/// Writes the developable surface as a CAD file, unless an equal figure `kept` one; returns its path from the folder
+/// above.
 fn solid(
     torse: &Torse,
     id: &str,
@@ -174,7 +175,7 @@ fn solid(
     Ok(format!("{FOLDER}/{file}"))
 }
 
-/// The drawing from the folder, if both files are there.
+/// Reads the drawing from the folder, if both files exist.
 fn drawn_before(folder: &Path, name: &str) -> Option<String> {
     let [png, svg] = files(name).map(|file| folder.join(file));
     match png.is_file() {

@@ -1,8 +1,8 @@
-//! In what form a command answers.
+//! Formats of answers.
 
 use clap::ValueEnum;
 
-/// The form of an answer.
+/// The format of an answer.
 #[derive(Clone, Copy, ValueEnum)]
 pub enum Format {
     Text,

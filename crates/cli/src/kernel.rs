@@ -11,20 +11,20 @@ use torse_syntax::derivation::Paper;
 /// The option that names the folder of the kernel's proofs.
 #[derive(Debug, clap::Args)]
 pub struct Kernel {
-    /// The folder of the proofs for the Rocq kernel; what its accepted.json says counts while statements, proofs and library
-    /// are the same
+    /// Read proofs for the Rocq kernel from this folder; its accepted.json counts as long as statements, proofs and
+    /// library are unchanged
     #[arg(long = "kernel", value_name = "DIR", default_value = "proofs")]
     kernel: PathBuf,
 }
 
 impl Kernel {
-    /// The ids of the claims of a run all of whose theorems were accepted as they are written now. A claim with one theorem
-    /// that has no proof is not among them.
+    /// Returns the ids of the claims of a run all of whose theorems were accepted in their present form. A claim with a
+    /// theorem without a proof is not among them.
     pub fn accepted(&self, papers: &[Paper], run: &Run) -> BTreeSet<String> {
         let Some(accepted) = Accepted::read(&self.kernel) else {
             return BTreeSet::new();
         };
-        // A list that cannot be read says of no theorem that it has no proof: what was accepted is known by its digest.
+        // If the list cannot be read, no theorem counts as unproved: accepted theorems have their digests.
         let unproved = unproved(&self.kernel).unwrap_or_default();
         let findings = findings(papers, run);
         let chosen = chosen(&self.kernel);
@@ -32,7 +32,7 @@ impl Kernel {
         let fingerprints = accepted.fingerprints();
         let mut fresh: BTreeMap<&str, bool> = BTreeMap::new();
         for theorem in &folder.theorems {
-            // Of a section of which no printed statement was asked about, what is proved says it.
+            // If no printed statement of a section was checked, the proved lemmas count.
             if theorem.rests_on.is_some() && !accepted.has_section(&theorem.section) {
                 continue;
             }

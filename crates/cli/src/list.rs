@@ -9,20 +9,20 @@ use serde::Serialize;
 use torse_report::{ReportError, glossary};
 use torse_syntax::derivation::Paper;
 
-/// List papers and claims with their kinds and places; nothing is decided.
+/// List papers and claims with their kinds and places, without deciding them.
 ///
-/// A line for each claim: its id, its kind, where the paper has it. With `--papers` a line for each paper, with the number
-/// of its claims. `--format json` gives an object of JSON on each line.
+/// Each claim has a line with its id, its kind and its place in the paper. With `--papers`, each paper has a line with
+/// the number of its claims. `--format json` prints a JSON object on each line.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct List {
     /// Papers, claims, or beginnings of ids [default: all]
     #[arg(value_name = "PAPER|ID")]
     names: Vec<String>,
-    /// A line for each paper
+    /// Print a line for each paper
     #[arg(long)]
     papers: bool,
-    /// For people or for programs
+    /// Print text, or JSON for programs
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Format,
     #[command(flatten)]
@@ -35,7 +35,7 @@ Examples:
   torse list gbt-surfaces/thm-2
   torse list --format json";
 
-/// A claim in a line of JSON.
+/// A line of JSON about a claim.
 #[derive(Serialize)]
 struct ClaimLine<'a> {
     id: &'a str,
@@ -45,7 +45,7 @@ struct ClaimLine<'a> {
     uses: &'a [String],
 }
 
-/// A paper in a line of JSON.
+/// A line of JSON about a paper.
 #[derive(Serialize)]
 struct PaperLine<'a> {
     paper: &'a str,

@@ -1,4 +1,4 @@
-//! `torse new`: a folder of derivation files to begin from.
+//! `torse new`: a folder of derivation files to start from.
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
@@ -12,14 +12,14 @@ const FILES: [(&str, &str); 2] = [
     ("claims.toml", include_str!("new/claims.toml")),
 ];
 
-/// Write a folder that verifies, to begin from.
+/// Write a folder of derivation files to start from.
 ///
-/// It holds a basis with a shape parameter, two curves, four claims about them and a figure, with comments that
-/// say what to change. Nothing that exists is overwritten.
+/// It contains a basis with a shape parameter, two curves, four claims about them and a figure, with comments that say
+/// what to change. Existing files are never overwritten.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct New {
-    /// The name of the folder: small letters, digits and hyphens
+    /// The name of the folder: lower-case letters, digits and hyphens
     #[arg(value_name = "PAPER", value_parser = name)]
     paper: String,
     #[command(flatten)]
@@ -31,7 +31,7 @@ Examples:
   torse new my-paper
   torse new my-paper --derivations my-papers && torse verify my-paper --derivations my-papers";
 
-/// A name that can begin an id and be the name of a report.
+/// Checks that a name can begin an id and be the name of a report.
 fn name(text: &str) -> Result<String, String> {
     let known = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
     let hyphen = text.starts_with('-') || text.ends_with('-');
@@ -42,7 +42,7 @@ fn name(text: &str) -> Result<String, String> {
 }
 
 impl New {
-    /// Writes the files and says which.
+    /// Writes the files and lists them.
     pub fn run(&self) -> Result<Exit, Failure> {
         let folder = self.derivations.place()?.join(&self.paper);
         if folder.exists() {

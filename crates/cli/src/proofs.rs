@@ -1,4 +1,4 @@
-//! `torse verify --proofs DIR`: what each verdict rests on, written for other programs.
+//! `torse verify --proofs DIR`: the proofs of verdicts, written for other programs.
 //!
 //! One file a paper, `DIR/PAPER.json`: an object whose `claims` are those with a proof or a refutation, in file order. A claim
 //! has its `id`, the `reading` of the sentence that it is about (or null), what it `states`, the `verdict`, whether the proof
@@ -29,7 +29,7 @@ struct Claim<'a> {
     rests_on: DecisionCertificate<Polynomial>,
 }
 
-/// Writes a file a paper. All of them are made before the first is written, and each appears whole.
+/// Writes a file for each paper. All of them are made before the first is written, and each appears whole.
 pub fn write(folder: &Path, papers: &[PaperOutcome]) -> Result<(), Failure> {
     let made = papers.iter().map(|paper| {
         let mut claims = vec![];

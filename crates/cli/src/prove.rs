@@ -27,44 +27,44 @@ use torse_verdicts::outcome::Outcome;
 
 /// Why theorems have no proof, by name.
 type Unproved = BTreeMap<String, String>;
-/// Which script proves a theorem where it is not the first.
+/// The script that proves a theorem, if it is not the first.
 type Chosen = BTreeMap<String, usize>;
-/// Keeps which theorems of a section were tried, and what fails of them.
+/// Stores which theorems of a section were tried, and the failures.
 type Keep<'a> = &'a (dyn Fn(&[String], &Unproved) -> Result<(), Failure> + Sync);
 
 /// Write statements and proofs of verdicts for the Rocq kernel, and have them checked.
 ///
-/// For each claim with a verdict a statement in the order of the print, with all that has to be defined as premises,
-/// and a proof in another file. `--check` runs coqc (Coq 8.16.1: apt-get install coq libcoq-coquelicot) and keeps in
-/// accepted.json what the kernel accepted. A rejected proof contradicts a verdict: the exit code is 6.
+/// For each claim with a verdict, torse writes a statement in the order of the print, with the definedness of its terms
+/// as premises, and a proof in another file. `--check` runs coqc (Coq 8.16.1: apt-get install coq libcoq-coquelicot)
+/// and records accepted proofs in accepted.json. A rejected proof contradicts a verdict: the exit code is 6.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Prove {
-    /// Papers, claims, or beginnings of ids
+    /// Papers, claims, or prefixes of ids
     #[arg(value_name = "PAPER|ID")]
     names: Vec<String>,
-    /// The folder to write
+    /// Write to this folder
     #[arg(long, value_name = "DIR", default_value = "proofs")]
     out: PathBuf,
-    /// Run coqc on everything that is written
+    /// Run coqc on all files
     #[arg(long)]
     check: bool,
-    /// With `--check`: leave out what the kernel accepted as it stands
+    /// With `--check`: skip theorems that the kernel accepted and that did not change
     #[arg(long, requires = "check")]
     changed: bool,
-    /// With `--check`: have the separate checker coqchk read all compiled files as well, which takes up to an hour
+    /// With `--check`: also run the separate checker coqchk on all compiled files, which takes up to an hour
     #[arg(long, requires = "check", conflicts_with = "changed")]
     thorough: bool,
-    /// Find out which scripts prove their theorems, for so many seconds each; the others are left out from then on
+    /// Search for scripts that prove their theorems, for this many seconds each; the others are left out from then on
     #[arg(long = "try", value_name = "SECONDS", num_args = 0..=1, default_missing_value = "20")]
     attempt: Option<u64>,
-    /// How many coqc run at once
+    /// Run this many coqc at once
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u8).range(1..))]
     jobs: u8,
-    /// The longest time for one file, in seconds
+    /// Limit the time for one file, in seconds
     #[arg(long, value_name = "SECONDS", default_value_t = 600)]
     file_limit: u64,
-    /// The most memory for one coqc, in megabytes
+    /// Limit the memory of one coqc, in megabytes
     #[arg(long, value_name = "MB", default_value_t = 4000)]
     memory: u64,
     #[command(flatten)]
@@ -81,10 +81,10 @@ Examples:
   torse prove --derivations my-papers --out my-proofs --try --check";
 
 impl Prove {
-    /// Decides, writes, checks; prints what has a proof, and why the rest has none.
+    /// Decides, writes and checks; prints the theorems with a proof, and why others have none.
     pub fn run(&self) -> Result<Exit, Failure> {
         let (papers, mut mistakes) = self.derivations.select(&self.names)?;
-        // Before minutes are spent on verdicts.
+        // Fails before minutes are spent on verdicts.
         let coqc = match self.check || self.attempt.is_some() {
             true => Some(Coqc::find()?),
             false => None,
@@ -116,11 +116,11 @@ impl Prove {
         let mut exit = Exit::AsExpected;
         let mut text = written(&folder);
         if let (true, Some(coqc)) = (self.check, &coqc) {
-            let (told, found) = match self.changed {
+            let (summary, found) = match self.changed {
                 true => self.checked_anew(coqc, &folder)?,
                 false => self.checked(coqc, &folder)?,
             };
-            text.push_str(&told);
+            text.push_str(&summary);
             exit = found;
         }
         terminal::print(&text)?;
@@ -135,7 +135,7 @@ impl Prove {
         }
     }
 
-    /// Writes one file, unless it is there already with the same text.
+    /// Writes one file, unless it exists with the same text.
     fn write(&self, path: &str, text: &str) -> Result<(), Failure> {
         let path = self.out.join(path);
         if std::fs::read(&path).is_ok_and(|old| old == text.as_bytes()) {
@@ -144,9 +144,9 @@ impl Prove {
         Ok(write_file(&path, text.as_bytes())?)
     }
 
-    /// Removes a file that an earlier run wrote and this one would not.
+    /// Removes a file that an earlier run wrote and this one does not.
     fn remove(&self, path: &str) -> Result<(), Failure> {
-        // The list of files may have been edited: nothing outside of the folder is ours.
+        // The list of files may have been edited: only files inside the folder are ours.
         let inside = |part| matches!(part, Component::Normal(_));
         if !Path::new(path).components().all(inside) {
             return Ok(());
@@ -155,7 +155,8 @@ impl Prove {
         std::fs::remove_file(&path).map_err(|source| ReportError::Write { path, source }.into())
     }
 
-    /// A folder for whole papers has the definitions of a section once; one for some of their claims does not know the others.
+    /// A folder for whole papers has the definitions of a section once; one for some of their claims has no others to
+    /// share with.
     fn layout(&self) -> Layout {
         match self.names.iter().any(|name| name.contains('/')) {
             false => Layout::Together,
@@ -163,8 +164,8 @@ impl Prove {
         }
     }
 
-    /// Which theorems no script proves, and which scripts prove the others where it is not the first: found out anew for those
-    /// of this run. What is found out is written section by section.
+    /// Finds the theorems that no script proves, and the scripts of the others if they are not the first, for the
+    /// theorems of this run. Results are written section by section.
     fn tried(
         &self,
         coqc: &Coqc,
@@ -174,7 +175,7 @@ impl Prove {
     ) -> Result<(Unproved, Chosen), Failure> {
         let all = Folder::with_scripts(findings, &BTreeMap::new(), &BTreeMap::new(), self.layout());
         let own: BTreeSet<String> = all.theorems.iter().map(Theorem::name).collect();
-        // Without names this run knows all there is.
+        // Without names this run has all theorems.
         let kept = |name: &String| !self.names.is_empty() || own.contains(name);
         unproved.retain(|name, _| kept(name));
         chosen.retain(|name, _| kept(name));
@@ -187,7 +188,7 @@ impl Prove {
             if left.is_empty() {
                 break;
             }
-            // Only what is left is tried.
+            // Only the remaining theorems are tried.
             let known = all.theorems.iter().map(Theorem::name);
             let known = known.filter(|name| !left.contains(name));
             let known = known.map(|name| (name, String::new())).collect();
@@ -231,7 +232,7 @@ impl Prove {
         Ok(scratch)
     }
 
-    /// Tries the scripts of a folder, and tells `keep` what is found out of each section.
+    /// Tries the scripts of a folder, and passes the results of each section to `keep`.
     fn failing(
         &self,
         coqc: &Coqc,
@@ -250,7 +251,7 @@ impl Prove {
         Ok(())
     }
 
-    /// Which theorems of a folder fail within so many seconds each.
+    /// Returns the theorems of a folder that find no proof within so many seconds each.
     fn failing_within(
         &self,
         coqc: &Coqc,
@@ -272,8 +273,9 @@ impl Prove {
         unkept.map_or(Ok(failing), Err)
     }
 
-    /// Asks the kernel about what it did not accept yet as it stands, with this library, statement and proof. What is printed and
-    /// follows from what was accepted is asked about beside that, which stands as a premise; all else with its section.
+    /// Asks the kernel about theorems that it did not accept yet with this library, statement and proof. A printed
+    /// statement that follows from an accepted one is checked with that one as a premise; all others are checked with
+    /// their section.
     fn checked_anew(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
         let prints = Fingerprints::of_version(&coqc.version);
         let old = Accepted::read(&self.out).filter(|old| old.coq == coqc.version);
@@ -307,7 +309,7 @@ impl Prove {
             let scratch = self.library(coqc)?;
             let progress = Progress::new("checking what is printed", alone.sections().len());
             let accepted = Mutex::new(accepted);
-            // What was answered is kept section by section.
+            // Answers are stored section by section.
             let keep = |names: &[String], failing: &Unproved| {
                 progress.step();
                 let mut accepted = accepted.lock().unwrap_or_else(PoisonError::into_inner);
@@ -341,8 +343,8 @@ impl Prove {
             }
             return Ok((text, exit));
         }
-        let (told, found) = self.checked(coqc, &folder.of_sections(&sections))?;
-        text.push_str(&told);
+        let (summary, found) = self.checked(coqc, &folder.of_sections(&sections))?;
+        text.push_str(&summary);
         Ok((
             text,
             match exit {
@@ -352,7 +354,7 @@ impl Prove {
         ))
     }
 
-    /// Asks the kernel, keeps what it accepted, and says so.
+    /// Asks the kernel, stores the accepted theorems, and describes the result.
     fn checked(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
         let scratch = self.library(coqc)?;
         let progress = Progress::new("checking", folder.sections().len() + 1);
@@ -369,7 +371,7 @@ impl Prove {
                 Some(Answer::Accepted) => {
                     let print = fingerprints.fingerprint(theorem);
                     accepted.insert(theorem.name(), print);
-                    // What is printed is said apart: it follows from what is proved.
+                    // Printed statements are counted separately: they follow from the proved ones.
                     if theorem.rests_on.is_some() {
                         as_printed += 1;
                         continue;
@@ -410,18 +412,18 @@ impl Prove {
         let rechecked = match self.thorough {
             true => {
                 let progress = Progress::new("coqchk", 1);
-                let said = coqc.recheck(scratch.path(), self.limits(), accepted.len())?;
+                let answer = coqc.recheck(scratch.path(), self.limits(), accepted.len())?;
                 progress.finish();
-                text.push_str(match said.as_ref().map(|said| said.accepted) {
+                text.push_str(match answer.as_ref().map(|answer| answer.accepted) {
                     Some(true) => "coqchk accepts what was compiled\n",
                     Some(false) => "coqchk does not accept what was compiled\n",
                     None => "coqchk did not end within an hour\n",
                 });
-                said
+                answer
             }
             false => None,
         };
-        let doubted = rechecked.as_ref().is_some_and(|said| !said.accepted);
+        let doubted = rechecked.as_ref().is_some_and(|answer| !answer.accepted);
         let fresh = Accepted {
             coq: coqc.version.clone(),
             axioms: axioms.clone(),
@@ -429,7 +431,7 @@ impl Prove {
             theorems: accepted,
         };
         let mut fresh = self.with_others(fresh, folder);
-        // What the separate checker said holds while the theorems are the same.
+        // The answer of the separate checker is valid while the theorems are the same.
         if fresh.coqchk.is_none()
             && let Some(old) = Accepted::read(&self.out)
             && old.theorems == fresh.theorems
@@ -445,18 +447,18 @@ impl Prove {
         Ok((text, exit))
     }
 
-    /// What was accepted before, of claims that were not asked for now.
+    /// Returns the theorems accepted before, of claims that are not part of this run.
     fn with_others(&self, mut fresh: Accepted, folder: &Folder) -> Accepted {
         let old = match self.names.is_empty() && !self.changed {
             true => None,
             false => Accepted::read(&self.out).filter(|old| old.coq == fresh.coq),
         };
-        let asked: BTreeSet<String> = folder.theorems.iter().map(Theorem::name).collect();
+        let current: BTreeSet<String> = folder.theorems.iter().map(Theorem::name).collect();
         if let Some(old) = old {
             let others = old.theorems.into_iter();
             fresh
                 .theorems
-                .extend(others.filter(|(name, _)| !asked.contains(name)));
+                .extend(others.filter(|(name, _)| !current.contains(name)));
             fresh.axioms.extend(old.axioms);
             fresh.axioms.sort();
             fresh.axioms.dedup();
@@ -464,7 +466,7 @@ impl Prove {
         fresh
     }
 
-    /// What the kept answers have to do with the fresh ones.
+    /// How stored answers are combined with fresh ones.
     fn compared(&self, fresh: &Accepted) -> &'static str {
         let path = self.out.join(ACCEPTED);
         let Ok(text) = std::fs::read_to_string(path) else {
@@ -478,7 +480,7 @@ impl Prove {
     }
 }
 
-/// A folder that is removed at the end.
+/// A folder that is removed when dropped.
 fn scratch() -> Result<TempDir, Failure> {
     let made = tempfile::Builder::new().prefix("torse-prove-").tempdir();
     made.map_err(|source| {
@@ -491,7 +493,7 @@ fn json(value: &impl serde::Serialize) -> String {
     serde_json::to_string_pretty(value).map_or_else(|_| String::new(), |text| text + "\n")
 }
 
-/// The findings of all claims and readings that have outcomes, paper by paper.
+/// Returns the findings of all claims and readings that have outcomes, paper by paper.
 pub fn findings<'c>(papers: &'c [Paper], run: &Run) -> Vec<(String, Vec<Finding<'c>>)> {
     let outcomes: BTreeMap<&str, &Outcome> =
         run.outcomes().map(|o| (o.claim.id.as_str(), o)).collect();
@@ -542,7 +544,7 @@ fn finding<'c>(id: String, claim: &'c Claim, outcome: &Outcome) -> Finding<'c> {
     }
 }
 
-/// What the proof of a verdict has from `given` equations.
+/// Returns the values that the proof of a verdict obtains from `given` equations.
 fn solved(certificate: &DecisionCertificate) -> Vec<Solved> {
     match certificate.plain() {
         DecisionCertificate::Proof { of, .. } => solutions(&of),
@@ -550,7 +552,7 @@ fn solved(certificate: &DecisionCertificate) -> Vec<Solved> {
     }
 }
 
-/// What was written, by what the verdicts rest on, and why the rest was not.
+/// Describes what was written, by evidence, and why the rest was not.
 fn written(folder: &Folder) -> String {
     let mut rows: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
     for theorem in folder.theorems.iter().filter(|t| t.rests_on.is_none()) {

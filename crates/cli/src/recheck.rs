@@ -1,4 +1,4 @@
-//! `torse recheck`: verdicts judged again by the semantics.
+//! `torse recheck`: repeats the checks of verdicts with more work.
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
@@ -13,22 +13,21 @@ use torse_verdicts::judged::Net;
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 use torse_verdicts::recheck::{self, Recheck};
 
-/// Decide claims, replay their proofs, and judge every verdict again, thoroughly.
+/// Decide claims, replay their proofs, and test every verdict again with more work.
 ///
-/// A checker without search goes through the proofs; one that it rejects is a contradiction.
+/// A checker that does not search goes through the proofs; a rejected proof is a contradiction.
 ///
-/// The second judge is the semantics: it shares the core terms and the numbers with the prover and nothing else.
-/// A statement that was proved has to be true at sixty points of its domain, and an identity at small degrees; where
-/// a condition fails it has to be false or undefined somewhere; a correction is judged like a proof; a refutation has
-/// to fail at its witness. `verify` does the same with less work. The exit code is 6 when a verdict is
-/// contradicted.
+/// The second evaluator shares only parser, declarations and numbers with the prover. A proved statement must be true
+/// at sixty points of its domain, and an identity at small degrees; where a condition fails, the statement must be
+/// false or undefined somewhere; a correction is tested like a proof; a refuted statement must fail at its
+/// counterexample. `verify` does the same with less work. The exit code is 6 if a verdict is contradicted.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Replay {
-    /// Papers, claims, or beginnings of ids
+    /// Papers, claims, or prefixes of ids
     #[arg(value_name = "PAPER|ID")]
     names: Vec<String>,
-    /// List every claim with what was tried, or why it is not netted
+    /// List every claim with the tests made, or why it is not netted
     #[arg(long)]
     verbose: bool,
     #[command(flatten)]
@@ -43,7 +42,7 @@ Examples:
   torse recheck gbt-surfaces/thm-2 --verbose";
 
 impl Replay {
-    /// Decides, judges again, prints the counts and every contradiction.
+    /// Decides, checks again, and prints the counts and every contradiction.
     pub fn run(&self) -> Result<Exit, Failure> {
         let (papers, mut mistakes) = self.derivations.select(&self.names)?;
         let run = Run::new(&papers, self.budget, &mut mistakes);
@@ -52,7 +51,7 @@ impl Replay {
         let mut counts = [0_usize; 4];
         let mut rows = terminal::table();
         for (id, result) in &judged {
-            let (place, word, detail) = told(result);
+            let (place, word, detail) = describe(result);
             if let Some(count) = counts.get_mut(place) {
                 *count += 1;
             }
@@ -78,7 +77,7 @@ impl Replay {
             "{netted} netted, {contradicted} contradicted, {decided} decided and not netted, {nothing} without a verdict to judge\n"
         ));
         text.push_str(&format!(
-            "{accepted} proofs replayed by a checker without search, {beyond} out of its reach\n"
+            "{accepted} proofs replayed by the checker, {beyond} out of its reach\n"
         ));
         terminal::print(&text)?;
         Ok(mistakes.tell(match contradicted {
@@ -88,7 +87,7 @@ impl Replay {
     }
 }
 
-/// The claims that were judged again with their ids, in file order.
+/// The checked claims with their ids, in file order.
 fn again(papers: &[Paper], decided: &[PaperOutcome]) -> Vec<(String, Recheck)> {
     let claims = papers.iter().flat_map(|paper| &paper.claims);
     let outcomes = decided.iter().flat_map(|paper| &paper.claims);
@@ -107,8 +106,8 @@ fn again(papers: &[Paper], decided: &[PaperOutcome]) -> Vec<(String, Recheck)> {
     judged
 }
 
-/// The place of the count, the word, and the details of a result.
-fn told(result: &Recheck) -> (usize, &'static str, String) {
+/// Returns the position of the count, the word, and the details of a result.
+fn describe(result: &Recheck) -> (usize, &'static str, String) {
     match result {
         Recheck::Netted(net) => (0, "netted", tried(net)),
         Recheck::Contradicted { found } => (1, "contradicted", found.clone()),
@@ -120,7 +119,7 @@ fn told(result: &Recheck) -> (usize, &'static str, String) {
     }
 }
 
-/// What was tried, in words.
+/// Describes the tests, in words.
 fn tried(net: &Net) -> String {
     let counted = |count: u64, one: &str, many: &str| match count {
         1 => format!("1 {one}"),

@@ -21,21 +21,21 @@ use torse_report::{
 use torse_syntax::derivation::schema::is_plain;
 use torse_verdicts::outcome::PaperOutcome;
 
-/// Decide all claims, draw the figures, and write everything into a folder.
+/// Decide all claims, draw the figures, and write reports into a folder.
 ///
-/// The folder gets `verdicts.json`, `verdicts.csv` (a line for each claim) and `summary.pdf` over all papers, `PAPER.pdf`, `PAPER.html` and a letter of corrections
-/// (`PAPER-erratum.tex`, `.pdf`, `.md`) for each paper, `index.html`, which leads to them, the figures as PNG and SVG
-/// (developables as STEP besides) under `figures/`, and `gallery.md`, which shows them all. Naming papers leaves out the
-/// reports and figures of the others, and the pages of all; verdicts and summary are always of all. Nothing is written
-/// while a derivation file is wrong. All claims are decided anew; figures and PDFs that did not change are not drawn and
-/// set again. The same input gives the same bytes.
+/// torse writes `verdicts.json`, `verdicts.csv` (a line for each claim) and `summary.pdf` for all papers; `PAPER.pdf`,
+/// `PAPER.html` and a letter of corrections (`PAPER-erratum.tex`, `.pdf`, `.md`) for each paper; `index.html`, which
+/// links to them; the figures as PNG and SVG (developable surfaces also as STEP) in `figures/`, and `gallery.md`, which
+/// shows all of them. If you name papers, only their reports and figures are written, without `index.html` and
+/// `gallery.md`; verdicts and summary are always about all papers. If a derivation file is wrong, nothing is written.
+/// All claims are decided anew; figures and PDFs that did not change are reused. The same input gives the same bytes.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Report {
-    /// The papers to report on [default: all]
+    /// Report on these papers [default: all]
     #[arg(value_name = "PAPER")]
     papers: Vec<String>,
-    /// The folder to write to; it is made if need be
+    /// Write to this folder; it is created if necessary
     #[arg(long, value_name = "DIR", default_value = "reports")]
     out: PathBuf,
     #[command(flatten)]
@@ -67,7 +67,7 @@ impl Report {
         run.restore(&papers, self.budget, &mut mistakes);
         let evaluated = figures::evaluated(&papers, &mut mistakes);
         watchdog::finished();
-        // A report without a claim that the paper makes would not be one.
+        // A report must not leave out a claim of the paper.
         if !mistakes.is_empty() {
             return Ok(mistakes.tell(Exit::BadData));
         }
@@ -189,16 +189,16 @@ impl Report {
         documents
     }
 
-    /// The line that says that a file was written.
+    /// Returns the line for a written file.
     fn line(&self, name: impl AsRef<Path>) -> String {
         format!("{}\n", self.out.join(name).display())
     }
 }
 
-/// Names of files that are not a paper's.
+/// File names that no paper may have.
 const TAKEN: [&str; 2] = ["summary", "index"];
 
-/// How the name of a paper's letter ends.
+/// Suffix of the name of a paper's letter.
 const LETTER: &str = "-erratum";
 
 /// Fails unless `slug` can be the name of a paper's files: it stays in the folder and takes no other

@@ -1,4 +1,4 @@
-//! Deciding claims, verdicts first and corrections after them, with progress on the terminal.
+//! Decides claims, verdicts first and corrections after them, with progress on the terminal.
 
 use crate::diagnostics::Diagnostics;
 use crate::terminal::Progress;
@@ -14,7 +14,7 @@ use torse::{Event, Pass, Verification, Verifier, WorkBudget};
 /// The option that bounds the work on a claim.
 #[derive(Debug, Clone, Copy, clap::Args)]
 pub struct Budget {
-    /// The most work on a claim, in units of one product of coefficients; what needs more is undecided
+    /// Limit the work on a claim, in products of coefficients; a claim that needs more is undecided
     #[arg(long = "budget", value_name = "UNITS", default_value_t = WorkBudget::STANDARD.units())]
     units: u64,
 }
@@ -26,7 +26,7 @@ impl Budget {
     }
 }
 
-/// The outcomes of a run, and how long each claim took.
+/// The outcomes of a run, and the time for each claim.
 pub struct Run {
     /// The papers with their decided claims, in file order.
     pub papers: Vec<PaperOutcome>,
@@ -69,7 +69,7 @@ impl Run {
             .for_each(|error| mistakes.add(Box::new(error)));
     }
 
-    /// All outcomes, in file order.
+    /// Returns all outcomes, in file order.
     pub fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
         self.papers.iter().flat_map(|paper| &paper.claims)
     }

@@ -1,36 +1,37 @@
-//! What the command shows: text on standard output, complaints and progress on standard error.
+//! Output of the command: text on standard output, errors and progress on standard error.
 //!
-//! Colours are written always and taken out again by anstream where nobody would see them, so that the
-//! bytes of a redirected output do not depend on the terminal.
+//! Colours are always written, and anstream removes them if the output is not a terminal, so the bytes of a redirected
+//! output do not depend on the terminal.
 
 use crate::exit::Failure;
+use clap::error::ErrorKind;
 use comfy_table::{ContentArrangement, Table, presets};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, ThemeCharacters, ThemeStyles};
 use owo_colors::{OwoColorize, Style};
-use std::io::{ErrorKind, Write};
+use std::io::Write;
 use std::time::Duration;
 use torse_report::glossary;
 use torse_syntax::taxonomy::Verdict;
 
-/// The widest line of every text, in characters.
+/// Maximum length of a line, in characters.
 pub const WIDTH: u16 = 100;
 
-/// Writes a text to standard output; a reader who has gone is no failure.
+/// Writes a text to standard output; a closed pipe is not a failure.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut output = anstream::stdout().lock();
     let written = output
         .write_all(text.as_bytes())
         .and_then(|()| output.flush());
     match written {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Print(error)),
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::Print(error)),
         _ => Ok(()),
     }
 }
 
-/// Writes a text to standard error, for the reader beside the output proper.
+/// Writes a text to standard error.
 pub fn remark(text: &str) {
-    // Whoever closed standard error does not want to hear of it.
+    // If standard error is closed, the text is lost.
     let _ = anstream::stderr().write_all(text.as_bytes());
 }
 
@@ -39,7 +40,7 @@ pub fn complain(failure: &Failure) {
     remark(&shown(failure));
 }
 
-/// A failure as text: message, place in the file with a caret, and what would help.
+/// Writes a failure as text: message, place in the file with a caret, and help.
 pub fn shown(failure: &dyn Diagnostic) -> String {
     let theme = GraphicalTheme {
         characters: ThemeCharacters {
@@ -54,12 +55,23 @@ pub fn shown(failure: &dyn Diagnostic) -> String {
         .with_links(false);
     let mut text = String::new();
     match handler.render_report(&mut text, failure) {
-        Ok(()) => text,
+        // Related failures come below empty headings.
+        Ok(()) => text.replace("\nError: \n", "\n"),
         Err(_) => format!("{failure}\n"),
     }
 }
 
-/// A table without rules, columns two blanks apart, at most [`WIDTH`] wide.
+/// Writes an error of the command line in the style of all others.
+pub fn usage(error: &clap::Error) -> String {
+    let text = error.render().ansi().to_string();
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        return text;
+    }
+    let text = text.replacen("error:", "×", 1).replacen("tip:", "help:", 1);
+    format!("  {text}")
+}
+
+/// Makes a table without rules, with columns two blanks apart, at most [`WIDTH`] wide.
 pub fn table() -> Table {
     let mut table = Table::new();
     table
@@ -69,14 +81,14 @@ pub fn table() -> Table {
     table
 }
 
-/// The lines of a table without blanks at their ends.
+/// Returns the lines of a table without trailing blanks.
 pub fn lines(table: &Table) -> String {
     let mut text = table.trim_fmt();
     text.push('\n');
     text
 }
 
-/// A text in lines of at most [`WIDTH`], each after `indent` blanks.
+/// Breaks a text into lines of at most [`WIDTH`], each after `indent` blanks.
 pub fn paragraph(indent: u16, text: &str) -> String {
     let mut table = table();
     table.add_row([text]);
@@ -86,7 +98,7 @@ pub fn paragraph(indent: u16, text: &str) -> String {
     lines(&table)
 }
 
-/// The label of a verdict in its colour.
+/// Returns the label of a verdict in its colour.
 pub fn verdict(of: Verdict) -> String {
     let style = Style::new();
     let style = match of {
@@ -105,11 +117,11 @@ pub fn heading(text: &str) -> String {
     text.bold().to_string()
 }
 
-/// A progress bar on standard error: only on terminals, and only for work that takes its time.
+/// A progress bar on standard error: only on terminals, and only for long work.
 pub struct Progress(ProgressBar);
 
 impl Progress {
-    /// Work of `steps` steps.
+    /// Starts a bar for `steps` steps.
     pub fn new(what: &'static str, steps: usize) -> Self {
         let bar = ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template("{prefix} {bar:40} {pos}/{len} {msg}") {
@@ -119,26 +131,26 @@ impl Progress {
         Progress(bar)
     }
 
-    /// One step is done; called from any thread.
+    /// Counts one step; may be called from any thread.
     pub fn step(&self) {
         self.0.inc(1);
         self.show();
     }
 
-    /// What is being done now.
+    /// Shows the current work.
     pub fn doing(&self, what: &str) {
         self.0.set_message(what.to_owned());
         self.show();
     }
 
-    /// The bar is taken away.
+    /// Removes the bar.
     pub fn finish(&self) {
         self.0.finish_and_clear();
     }
 
     fn show(&self) {
         const LONG: Duration = Duration::from_millis(500);
-        // A bar on no terminal stays hidden whatever its target.
+        // Without a terminal the bar stays hidden, whatever its target.
         if self.0.is_hidden() && self.0.elapsed() > LONG {
             self.0.set_draw_target(ProgressDrawTarget::stderr());
         }

@@ -1,50 +1,106 @@
-//! The verdicts as text: a table a paper, counts, and the findings in full.
+//! The verdicts as text: a table for each paper, the findings in full, and a summary.
 
 use crate::terminal;
 use comfy_table::{CellAlignment, ColumnConstraint, Row};
 use std::collections::BTreeMap;
-use torse_report::{Tally, findings_in_words, glossary};
-use torse_syntax::taxonomy::Verdict;
+use torse_report::{Tally, findings_in_words, glossary, is_worked_example};
+use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
-/// The verdicts of `papers`.
+/// Writes the verdicts of `papers`, publications before worked examples, and a summary at the end.
 pub fn text(papers: &[PaperOutcome]) -> String {
     let findings: BTreeMap<String, String> = papers
         .iter()
         .flat_map(|paper| findings_in_words(&paper.claims))
         .collect();
+    let (examples, publications): (Vec<&PaperOutcome>, Vec<&PaperOutcome>) =
+        papers.iter().partition(|paper| is_worked_example(paper));
+    let papers: Vec<&PaperOutcome> = publications.into_iter().chain(examples).collect();
+    let outcomes = || papers.iter().flat_map(|paper| &paper.claims);
     let mut text = String::new();
-    for paper in papers {
+    for paper in &papers {
         text.push_str(&verdicts(paper, &findings));
         text.push('\n');
     }
-    text.push_str(&counts(papers));
-    let outcomes = || papers.iter().flat_map(|paper| &paper.claims);
     text.push_str(&in_full(outcomes(), &findings));
+    text.push_str(&by_paper(&papers));
+    text.push_str(&counts(outcomes()));
     text.push_str(&unexpected(outcomes()));
+    text.push_str(&next(outcomes()));
     text
+}
+
+/// The verdicts that have a column of their own in the summary.
+const COLUMNS: [(&str, Verdict); 6] = [
+    ("hold", Verdict::Holds),
+    ("conditional", Verdict::Conditional),
+    ("misprints", Verdict::Misprint),
+    ("false", Verdict::False),
+    ("depend", Verdict::Depends),
+    ("undecided", Verdict::Undecided),
+];
+
+/// Counts the claims of each paper by verdict, if there are several papers.
+fn by_paper(papers: &[&PaperOutcome]) -> String {
+    if papers.len() < 2 {
+        return String::new();
+    }
+    let mut table = terminal::table();
+    let names = COLUMNS.iter().map(|(name, _)| *name);
+    table.set_header(
+        ["paper", "claims"]
+            .into_iter()
+            .chain(names)
+            .chain(["other"]),
+    );
+    for paper in papers {
+        let claims = paper.claims.iter();
+        let claims: Vec<&Outcome> = claims.filter(|c| c.claim.kind != Kind::Remark).collect();
+        let counts = COLUMNS.map(|(_, of)| claims.iter().filter(|c| c.verdict() == of).count());
+        let other = claims.len() - counts.iter().sum::<usize>();
+        let numbers = counts.into_iter().chain([other]).map(number);
+        let mut cells = vec![paper.slug.clone(), claims.len().to_string()];
+        cells.extend(numbers);
+        table.add_row(cells);
+    }
+    for column in table.column_iter_mut().skip(1) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    let title = terminal::heading("Summary");
+    format!("{title}\n{}\n", terminal::lines(&table))
+}
+
+/// A number of a table; none for zero.
+fn number(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        _ => count.to_string(),
+    }
+}
+
+/// Suggests what to do next: explain the first claim that is false.
+fn next<'a>(mut outcomes: impl Iterator<Item = &'a Outcome>) -> String {
+    let wrong = outcomes.find(|o| matches!(o.verdict(), Verdict::Misprint | Verdict::False));
+    wrong.map_or_else(String::new, |outcome| {
+        format!("\nNext: torse explain {}\n", outcome.claim.id)
+    })
 }
 
 fn verdicts(paper: &PaperOutcome, findings: &BTreeMap<String, String>) -> String {
     let mut table = terminal::table();
-    table.set_header([
-        "claim",
-        "verdict",
-        "evidence",
-        "finding, or where it stands",
-    ]);
+    table.set_header(["claim", "verdict", "evidence", "finding, or place"]);
     for outcome in &paper.claims {
         let name = outcome
             .claim
             .id
             .split_once('/')
             .map_or("", |(_, name)| name);
-        let told = findings.get(&outcome.claim.id).unwrap_or(&outcome.claim.at);
+        let finding = findings.get(&outcome.claim.id).unwrap_or(&outcome.claim.at);
         let mut row = Row::from([
             name,
             &terminal::verdict(outcome.verdict()),
             evidence(outcome),
-            told,
+            finding,
         ]);
         row.max_height(1);
         table.add_row(row);
@@ -62,17 +118,13 @@ fn evidence(outcome: &Outcome) -> &'static str {
         .map_or("", |of| glossary::evidence(of).label)
 }
 
-fn counts(papers: &[PaperOutcome]) -> String {
-    let tally = Tally::new(papers.iter().flat_map(|paper| &paper.claims));
+fn counts<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
+    let tally = Tally::new(outcomes);
     let mut table = terminal::table();
     let mut header = vec!["verdict".to_owned(), "claims".to_owned()];
     header.extend(tally.evidence.iter().map(|of| of.label.to_owned()));
     header.push("no evidence".to_owned());
     table.set_header(header);
-    let number = |count: usize| match count {
-        0 => String::new(),
-        _ => count.to_string(),
-    };
     for row in &tally.rows {
         let mut cells = vec![row.verdict.label.to_owned(), number(row.count)];
         cells.extend(row.by_evidence.iter().copied().map(number));
@@ -88,7 +140,7 @@ fn counts(papers: &[PaperOutcome]) -> String {
         many => {
             let proved = tally.remarks.proved;
             format!(
-                "Besides, {}, of which {proved} hold, if need be under the conditions that are told.\n",
+                "not counted: {}; {proved} of them hold, some under conditions\n",
                 counted(many, "remark of ours")
             )
         }
@@ -106,7 +158,7 @@ fn in_full<'a>(
             let id = terminal::heading(&outcome.claim.id);
             text += &terminal::paragraph(0, &format!("{id}  {}", outcome.claim.at));
             text += &terminal::paragraph(4, finding);
-            // What an undecided claim failed at is the first of its steps.
+            // The first step of an undecided claim is the reason.
             if let (Verdict::Undecided, Some(reason)) = (outcome.verdict(), outcome.steps().first())
             {
                 text += &terminal::paragraph(4, &format!("Reason: {reason}."));
@@ -116,11 +168,11 @@ fn in_full<'a>(
     let title = terminal::heading("Findings");
     match text.is_empty() {
         true => text,
-        false => format!("\n{title} (`torse explain ID` says more)\n{text}"),
+        false => format!("{title} (`torse explain ID` shows more)\n{text}\n"),
     }
 }
 
-/// The claims whose verdicts are not what their files expect, if there are any.
+/// Lists the claims whose verdicts differ from those that their files expect, if there are any.
 pub fn unexpected<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
     let differing: Vec<String> = outcomes
         .filter(|outcome| !outcome.as_expected())
@@ -149,7 +201,7 @@ pub fn unexpected<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
 fn counted(count: usize, what: &str) -> String {
     match count {
         1 => format!("1 {what}"),
-        // The word that is counted comes first: "remarks of ours".
+        // The first word is the noun: "remarks of ours".
         _ => match what.split_once(' ') {
             Some((word, rest)) => format!("{count} {word}s {rest}"),
             None => format!("{count} {what}s"),

@@ -1,4 +1,4 @@
-//! `torse verify`: what is true of the claims.
+//! `torse verify`: the verdicts of claims.
 
 use crate::baseline::{self, Verdicts};
 use crate::derivations::Derivations;
@@ -15,29 +15,28 @@ use torse_syntax::derivation::Paper;
 
 /// Decide claims and show their verdicts.
 ///
-/// Without names, all claims of all papers. A name is a paper, a claim's id, or what several ids begin
-/// with. The exit code is 0 when every verdict is as expected, 1 when one differs from what its derivation
-/// file expects, and 3 when a claim named by its full id is undecided (in a whole paper that is no failure).
-/// When files are wrong, all mistakes are shown, those of figures too; the claims that are right are decided all the
-/// same, and the exit code is 4.
+/// Names are papers, ids of claims, or prefixes of ids; without names, torse decides all claims of all papers. The exit
+/// code is 0 if every verdict is as expected, 1 if one differs from its derivation file, and 3 if a claim named by its
+/// full id is undecided (in a whole paper that is no failure). If files are wrong, torse shows all mistakes, those of
+/// figures too, decides the claims without a mistake all the same, and ends with exit code 4.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Verify {
-    /// Papers, claims, or beginnings of ids
+    /// Papers, claims, or prefixes of ids
     #[arg(value_name = "PAPER|ID")]
     names: Vec<String>,
-    /// A table for readers, or JSON for programs
+    /// Print a table, or JSON for programs
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Show what differs from this earlier run (its JSON) instead; any difference of a verdict, its evidence or its
-    /// conditions makes the exit code 1
+    /// Show only differences from this earlier run (its JSON); the exit code is 1 if a verdict, its evidence or its
+    /// conditions differ
     #[arg(long, value_name = "FILE.json")]
     against: Option<PathBuf>,
-    /// Write what each verdict rests on into this folder, as JSON: a file a paper, whole or not at all
+    /// Write the proofs of the verdicts to this folder, as JSON, a file for each paper
     #[arg(long, value_name = "DIR")]
     proofs: Option<PathBuf>,
-    /// Verify again whenever a derivation file changes, and show what differs; Ctrl-C ends it. Only papers with changed files
-    /// are decided again
+    /// Verify again whenever a derivation file changes, and show the differences; Ctrl-C ends it. Only papers with
+    /// changed files are decided again
     #[arg(long, conflicts_with_all = ["format", "against", "proofs", "timings"])]
     watch: bool,
     /// List the ten slowest claims on standard error
@@ -62,7 +61,7 @@ Examples:
   torse verify --timings --derivations my-papers";
 
 impl Verify {
-    /// Decides, prints, and says how it went.
+    /// Decides, prints, and returns the exit code.
     pub fn run(&self) -> Result<Exit, Failure> {
         if self.watch {
             let watch = Watch {
@@ -82,7 +81,7 @@ impl Verify {
             (Format::Text, None) => String::new(),
             _ => self.json(&papers, &run)?,
         };
-        // Where nothing is right there is nothing to show.
+        // If no claim is right, there is nothing to show.
         if mistakes.is_empty() || run.outcomes().next().is_some() {
             match self.format {
                 Format::Text if before.is_some() => {}

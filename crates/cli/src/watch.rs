@@ -1,8 +1,8 @@
-//! `torse verify --watch`: the files are looked at again and again, and what changed is decided anew.
+//! `torse verify --watch`: polls the files and decides changed papers again.
 //!
 //! Files are compared by their contents, a few times a second: they are small, and this works on every system and file
-//! system. A change is taken up once two looks in a row see the same, so that half a file is not read. Papers stand for
-//! themselves: only those with a changed file are decided again. Nothing on the screen is cleared; Ctrl-C ends it.
+//! system. A change counts once two polls in a row see the same contents, so that half a file is not read. Papers are
+//! independent: only those with a changed file are decided again. The screen is not cleared; Ctrl-C ends the command.
 
 use crate::baseline::{self, Verdicts};
 use crate::derivations::Derivations;
@@ -16,7 +16,7 @@ use std::time::Duration;
 use torse_report::{ReportError, verdicts_json};
 use torse_verdicts::outcome::PaperOutcome;
 
-/// Between two looks.
+/// The time between two polls.
 const PAUSE: Duration = Duration::from_millis(250);
 
 /// What is watched.
@@ -27,17 +27,17 @@ pub struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    /// Verifies, and again after every change; it ends by a signal only, or where it cannot write.
+    /// Verifies, and again after every change; only a signal or a failed write ends it.
     pub fn run(&self) -> Result<Exit, Failure> {
         let folder = self.derivations.find()?;
-        // Before they are read, so that a change meanwhile is seen.
+        // Taken before the files are read, so that a change meanwhile is noticed.
         let mut files = Files::of(&folder);
         let mut known = vec![];
         self.verify(None, &mut known)?;
         watchdog::finished();
         terminal::print(&verdicts::text(&known))?;
         terminal::remark(&format!("watching {}; Ctrl-C ends\n", folder.display()));
-        // Of papers that could not be read after a change, too.
+        // Also of papers that could not be read after a change.
         let mut waiting = BTreeSet::new();
         loop {
             let changed = files.next_change(&folder);
@@ -45,7 +45,7 @@ impl Watch<'_> {
             terminal::print(&format!("\nchanged: {}\n", names.join(", ")))?;
             let before = verdicts_of(&known)?;
             waiting.extend(slugs(&changed));
-            // What cannot be read is told, and may be right after the next change.
+            // Errors are shown, and may be gone after the next change.
             if let Err(failure) = self.verify(Some(&waiting), &mut known) {
                 terminal::complain(&failure);
                 continue;
@@ -58,7 +58,7 @@ impl Watch<'_> {
         }
     }
 
-    /// Decides these papers, or all; what is known of the others stays.
+    /// Decides these papers, or all; results of the others are kept.
     fn verify(
         &self,
         changed: Option<&BTreeSet<String>>,
@@ -90,14 +90,14 @@ fn verdicts_of(known: &[PaperOutcome]) -> Result<Verdicts, Failure> {
     Ok(Verdicts::parse(&json).map_err(ReportError::from)?)
 }
 
-/// The folders of papers in which these files are.
+/// Returns the folders of papers that contain these files.
 fn slugs(changed: &[PathBuf]) -> BTreeSet<String> {
     let folders = changed.iter().filter_map(|path| path.iter().next());
     let folders = folders.map(|name| name.to_string_lossy().into_owned());
     folders.collect()
 }
 
-/// The derivation files of a folder, by their paths in it, with their contents.
+/// Reads the derivation files of a folder, by their paths in it.
 #[derive(PartialEq)]
 struct Files(BTreeMap<PathBuf, Vec<u8>>);
 
@@ -109,7 +109,7 @@ impl Files {
             for file in inside(&paper.path()) {
                 let path = file.path();
                 let is_data = path.extension().is_some_and(|ending| ending == "toml");
-                // A file that is being replaced may be gone for a moment: it is seen the next time.
+                // A file that is being replaced may be missing for a moment: the next poll finds it.
                 if let (true, Ok(content)) = (is_data, fs::read(&path)) {
                     let name = Path::new(&paper.file_name()).join(file.file_name());
                     files.insert(name, content);
@@ -119,7 +119,7 @@ impl Files {
         Self(files)
     }
 
-    /// Waits until some files differ, and are at rest; these are new or gone as well.
+    /// Waits until some files changed and are stable; new and removed files count too.
     fn next_change(&mut self, folder: &Path) -> Vec<PathBuf> {
         loop {
             std::thread::sleep(PAUSE);

@@ -1,4 +1,4 @@
-//! The last resort: a run that takes longer than anyone waits is ended, and the claims that it was deciding are named.
+//! The time limit: ends a run that takes too long, and names the claims that it was deciding.
 //!
 //! Verdicts never depend on the clock: a run that is ended writes none.
 
@@ -38,7 +38,7 @@ fn message(limit: Duration, claims: &BTreeSet<String>) -> String {
     )
 }
 
-/// What was asked for is decided: what is written now is written to the end.
+/// Disarms the limit: everything is decided, and writing is not interrupted.
 pub fn finished() {
     *deciding() = None;
 }

@@ -43,8 +43,8 @@ pub enum DesignError {
         /// All of it, in the order of the file.
         mistakes: Vec<DerivationError>,
     },
-    /// A file name whose ending is no format of the command.
-    #[error("{} has no ending that is known here", path.display())]
+    /// A file name whose extension is not a format of the command.
+    #[error("unknown file extension: {}", path.display())]
     Format {
         /// The file.
         path: PathBuf,
@@ -152,7 +152,7 @@ impl DesignError {
     #[must_use]
     pub fn help(&self) -> Option<String> {
         match self {
-            Self::Format { known, .. } => Some(format!("the endings are .{}", known.join(", ."))),
+            Self::Format { known, .. } => Some(format!("the extensions are .{}", known.join(", ."))),
             Self::NoSuch { known, .. } => Some(format!("there are `{}`", known.join("`, `"))),
             Self::Unroll { reason, .. } => match reason {
                 PatternError::NotDevelopable { strain, .. } => Some(format!(

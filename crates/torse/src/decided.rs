@@ -69,7 +69,7 @@ impl Verifier<'_> {
     }
 }
 
-/// What is true of a statement, and why.
+/// A decided statement.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Decided {
     outcome: Outcome,
@@ -82,7 +82,7 @@ impl Decided {
         self.outcome.verdict()
     }
 
-    /// Whether it is true; none where that is not decided, needs a condition, or says nothing at all.
+    /// Whether it is true; none if that is undecided, needs a condition, or if the statement says nothing.
     #[must_use]
     pub fn is_true(&self) -> Option<bool> {
         match self.verdict() {
@@ -98,7 +98,7 @@ impl Decided {
         glossary::verdict(self.verdict()).key
     }
 
-    /// What the verdict rests on, in a word: `identity`, `witness` and others.
+    /// The evidence, in a word: `identity`, `witness` and others.
     #[must_use]
     pub fn evidence(&self) -> Option<&'static str> {
         self.outcome.evidence().map(|of| glossary::evidence(of).key)
@@ -110,27 +110,27 @@ impl Decided {
         self.outcome.parsed().map(|formula| formula.text.as_str())
     }
 
-    /// A point at which it fails, with the values of both sides there.
+    /// A counterexample, with the values of both sides there.
     #[must_use]
     pub fn witness(&self) -> Option<&Witness> {
         self.outcome.witness()
     }
 
-    /// The statement with the smallest change that makes it true, where that was found and proved.
+    /// The statement with the smallest change that makes it true, if one was found and proved.
     #[must_use]
     pub fn corrected(&self) -> Option<&str> {
         let correction = self.outcome.correction()?;
         Some(&correction.statement.text)
     }
 
-    /// The conditions under which it is true, where it needs some.
+    /// The conditions under which it is true, if it needs any.
     #[must_use]
     pub fn conditions(&self) -> Vec<&str> {
         let conditions = self.outcome.conditions().iter();
         conditions.map(|formula| formula.text.as_str()).collect()
     }
 
-    /// Whether a checker that does not search accepts the proof; none where there is no proof.
+    /// Whether the checker accepts the proof; none if there is no proof.
     #[must_use]
     pub fn is_replayed(&self) -> Option<bool> {
         self.outcome.replay().map(|replay| replay.replayed)

@@ -1,4 +1,4 @@
-//! What can go wrong, for all doors: one error with its place.
+//! The error of the library, with its place in a text.
 
 use miette::{Diagnostic, SourceCode};
 use thiserror::Error as Failing;
@@ -18,37 +18,37 @@ pub enum Error {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Formula(#[from] Box<DerivationError>),
-    /// A name that no paper and no claim has.
+    /// No paper and no claim has this name.
     #[error("no paper and no claim is called `{name}`")]
     UnknownName {
         /// The name as given.
         name: String,
-        /// What may have been meant.
+        /// The nearest known name.
         #[help]
         help: String,
     },
-    /// A name that means several claims, where one is wanted.
-    #[error("`{name}` means {} claims; one is wanted", ids.len())]
+    /// A name matches several claims, where one is required.
+    #[error("`{name}` matches {} claims; choose one", ids.len())]
     #[diagnostic(help("{}", ids.join("\n")))]
     Ambiguous {
         /// The name as given.
         name: String,
-        /// The claims it means.
+        /// The matching claims.
         ids: Vec<String>,
     },
-    /// The callback that watched the work has ended it.
+    /// The observer ended the work.
     #[error("cancelled")]
     Cancelled,
-    /// A document cannot be made.
+    /// A document could not be made.
     #[cfg(feature = "papers")]
     #[error(transparent)]
     Report(#[from] torse_report::ReportError),
-    /// A design is wrong, or misses what is asked of it.
+    /// A design is wrong, or misses a requirement.
     #[cfg(feature = "designs")]
     #[error(transparent)]
     #[diagnostic(transparent)]
     Design(#[from] DesignFailure),
-    /// Points, planes or curves of which nothing can be made.
+    /// Nothing can be made from these points, planes or curves.
     #[cfg(feature = "geometry")]
     #[error(transparent)]
     Geometry(#[from] torse_geometry::GeometryError),
@@ -58,7 +58,7 @@ pub enum Error {
     Pattern(#[from] torse_geometry::pattern::PatternError),
 }
 
-/// Where in a text something is wrong; lines and columns are counted from one.
+/// The place of an error in a text; lines and columns are counted from one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ErrorPlace {
     /// The file, or what stands in for one, such as `the statement`.
@@ -70,7 +70,7 @@ pub struct ErrorPlace {
 }
 
 impl Error {
-    /// Where it is wrong; none where that is not a place in a text. Of several mistakes of a design, the first.
+    /// Returns the place of the error; none if it is not in a text. For several mistakes of a design, the first.
     ///
     /// ```
     /// let error = torse::decide("x + == 1").unwrap_err();
@@ -83,7 +83,7 @@ impl Error {
         place(self).or_else(|| self.related()?.find_map(place))
     }
 
-    /// What would help, if that is known.
+    /// Returns what would help, if known.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         let first = || {
@@ -95,7 +95,7 @@ impl Error {
     }
 }
 
-/// The place of the first label.
+/// Returns the place of the first label.
 fn place(diagnostic: &dyn Diagnostic) -> Option<ErrorPlace> {
     let label = diagnostic.labels()?.next()?;
     let source: &dyn SourceCode = diagnostic.source_code()?;
@@ -107,7 +107,7 @@ fn place(diagnostic: &dyn Diagnostic) -> Option<ErrorPlace> {
     })
 }
 
-/// An error of a design that shows all its mistakes, each with its place and what would help.
+/// An error of a design that shows all its mistakes, each with its place and help.
 #[cfg(feature = "designs")]
 #[derive(Debug, Failing)]
 #[error(transparent)]

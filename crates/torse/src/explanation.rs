@@ -13,7 +13,7 @@ use torse_verdicts::consequences::{consequences, resting, users};
 use torse_verdicts::correction::Correction;
 use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
 
-/// What the level *kernel* means.
+/// The meaning of the level *kernel*.
 const ACCEPTED: &str = "accepted: Rocq has proofs of the statements of this verdict (`torse prove --check` asks it again).";
 
 /// What is known of a claim, ready to be set: labels on the left, plain texts on the right, in groups.
@@ -159,7 +159,7 @@ impl Cut {
         note.whole()
     }
 
-    /// What is printed and what is to be read, or how the print was understood, what differs marked.
+    /// Adds the print and its correction, or how the print was understood, with differences marked.
     fn difference(&self, note: &mut Note, paper: &PaperOutcome, outcome: &Outcome) {
         note.gap();
         let mut changes = paper.faults.iter().flat_map(|fault| &fault.changes);
@@ -277,7 +277,7 @@ fn add_statement(
 
 /// The one sentence that matters: the fault of which the authors are told, what the file found, or where the statement fails.
 fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
-    let told = outcome
+    let note = outcome
         .claim
         .author_note
         .as_deref()
@@ -288,7 +288,7 @@ fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
         .iter()
         .find(shows)
         .filter(|fault| !fault.says.is_empty());
-    told.or_else(|| fault.map(|fault| torse_report::plain(&fault.says)))
+    note.or_else(|| fault.map(|fault| torse_report::plain(&fault.says)))
         .or_else(|| {
             let refuted = matches!(outcome.verdict(), Verdict::False | Verdict::Misprint);
             let fails = || {
@@ -303,7 +303,7 @@ fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
         .map(|text| torse_report::plain(&text))
 }
 
-/// The remarks that state what is true instead.
+/// Returns the remarks that state the true form.
 fn true_forms(paper: &PaperOutcome, outcome: &Outcome) -> Vec<String> {
     let shows = |fault: &&PaperFault| fault.shows.contains(&outcome.claim.id);
     let changes = paper
@@ -315,11 +315,11 @@ fn true_forms(paper: &PaperOutcome, outcome: &Outcome) -> Vec<String> {
     own.filter_map(|change| change.remark.clone()).collect()
 }
 
-/// What the checker of proofs found.
+/// Describes the result of the checker of proofs.
 fn replayed(outcome: &Outcome) -> Option<String> {
     let replay = outcome.replay()?;
     let sentence = |subject: &str, why: Option<&String>| match why {
-        None => format!("a checker without search accepts {subject}"),
+        None => format!("the checker accepts {subject}"),
         Some(why) => format!("the checker cannot follow {subject}: {why}"),
     };
     let proof = sentence("the proof", replay.why.as_ref());
@@ -343,7 +343,7 @@ fn verdict(outcome: &Outcome) -> String {
     }
 }
 
-/// The point at which a statement fails, with its sides there; of one that is refuted by a proof, what is proved.
+/// Adds the point at which a statement fails, with its sides there; for a refuted denial, what is proved.
 fn add_witness(note: &mut Note, outcome: &Outcome) {
     let Some(witness) = outcome.witness() else {
         return;
@@ -371,7 +371,7 @@ fn add_witness(note: &mut Note, outcome: &Outcome) {
     note.add("right there", &side(&witness.right, &witness.right_decimal));
 }
 
-/// Of what the derived formulas of a refutation are a part: one entry, or one instance of small degrees.
+/// Describes which part the derived formulas of a refutation cover: one entry, or one instance of small degrees.
 fn derived_part(outcome: &Outcome) -> String {
     let steps = outcome.steps();
     let instance = steps
@@ -394,16 +394,16 @@ fn derived_part(outcome: &Outcome) -> String {
     }
 }
 
-/// The points of any dimension of which a witness has a coordinate.
+/// Returns the points of any dimension that a counterexample gives one coordinate of.
 fn of_one_coordinate<'o>(outcome: &'o Outcome, witness: &Witness) -> Vec<&'o str> {
     let symbols = outcome.claim.table.symbols.iter();
     let of_any = symbols.filter(|symbol| symbol.set.ends_with("of any dimension"));
     let names = of_any.map(|symbol| symbol.name.as_str());
-    let told = |name: &str| {
+    let is_given = |name: &str| {
         let mut members = witness.at.iter().map(|(of, _)| of.split('[').next());
         members.any(|of| of == Some(name))
     };
-    names.filter(|name| told(name)).collect()
+    names.filter(|name| is_given(name)).collect()
 }
 
 fn side(exact: &str, decimal: &str) -> String {
@@ -415,22 +415,21 @@ fn side(exact: &str, decimal: &str) -> String {
 
 fn edits(correction: &Correction) -> impl Iterator<Item = String> {
     let unique = match correction.unique {
-        true => "no other repair with as few edits was found",
-        false => "other repairs with as few edits exist",
+        true => "no other correction with as few edits was found",
+        false => "other corrections with as few edits exist",
     };
     correction.in_words().into_iter().chain([unique.to_owned()])
 }
 
-/// The claims that rest on the explained one, as rows of the note.
+/// The claims that depend on the explained one, as rows of the note.
 pub struct Resting {
     label: &'static str,
     rows: Vec<String>,
 }
 
 impl Resting {
-    /// For a refuted claim, all that rests on it, each decided to see whether it survives; for any other
-    /// the claims that use it.
-    /// Formulas among them that make no sense are told beside.
+    /// For a refuted claim, returns all claims that depend on it, each decided to see whether it survives; for any
+    /// other claim, the claims that use it. Also returns errors of their formulas.
     pub fn on(
         outcome: &Outcome,
         papers: &[Paper],
@@ -469,7 +468,7 @@ impl Resting {
                 }
             });
         let own = Self {
-            label: "rests on it",
+            label: "depends on it",
             rows: rows.collect(),
         };
         Ok((own, verified.mistakes))

@@ -1,54 +1,54 @@
-//! What is told while claims are decided, and how that is ended.
+//! Progress of deciding claims, and how to cancel it.
 
 use std::ops::ControlFlow;
 
-/// Something has happened.
+/// An event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Event<'e> {
     /// A pass over claims begins.
     Begins {
-        /// Which one.
+        /// The pass.
         pass: Pass,
-        /// How many claims it looks at.
+        /// The number of its claims.
         claims: usize,
     },
-    /// A claim is looked at.
+    /// Work on a claim begins.
     ClaimBegins {
-        /// Which pass does.
+        /// The pass.
         pass: Pass,
         /// The claim.
         id: &'e str,
     },
-    /// The pass is done with a claim.
+    /// Work on a claim ends.
     ClaimEnds {
-        /// Which pass is.
+        /// The pass.
         pass: Pass,
         /// The claim.
         id: &'e str,
     },
-    /// The pass is over.
+    /// A pass ends.
     Ends {
-        /// Which one.
+        /// The pass.
         pass: Pass,
     },
 }
 
-/// What is done with claims, one pass after the other.
+/// The passes over claims, one after the other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Pass {
-    /// All are decided.
+    /// Decides all claims.
     Deciding,
-    /// Corrections of what is refuted are searched.
+    /// Searches for corrections of refuted claims.
     Correcting,
 }
 
-/// A callback that is told of everything, from any thread; where it breaks, no further claim is begun, and the call that it
-/// watches ends with [`Error::Cancelled`](crate::Error::Cancelled). A claim that was begun is finished.
+/// A callback for all events, from any thread. If it breaks, no further claim is begun, and the call ends with
+/// [`Error::Cancelled`](crate::Error::Cancelled). A claim that was begun is finished.
 pub type Observer<'o> = &'o (dyn Fn(Event<'_>) -> ControlFlow<()> + Sync);
 
-/// Looks away.
+/// Ignores all events.
 pub fn unobserved(_: Event<'_>) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }

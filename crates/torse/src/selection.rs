@@ -1,17 +1,16 @@
-//! The claims that a name means.
+//! Selects claims by name.
 //!
-//! A name is a paper (`gbt-developable`), a claim (`gbt-developable/thm-4.c`), or what the ids of several
-//! claims begin with, up to the end of a word: `gbt-developable/thm-4` means `thm-4.a`, `thm-4.b` and
-//! `thm-4.c`, and not `thm-40`.
+//! A name is a paper (`gbt-developable`), a claim (`gbt-developable/thm-4.c`), or a prefix of several ids that ends at
+//! the end of a word: `gbt-developable/thm-4` matches `thm-4.a`, `thm-4.b` and `thm-4.c`, but not `thm-40`.
 
 use crate::error::Error;
 use torse_syntax::derivation::{Claim, Paper};
 
-/// The claims of `papers` that one of `names` means, or all if there is none, in file order; figures of our own only with
-/// the whole of their paper. A name may mean what was left out because it is wrong.
+/// Returns the claims of `papers` that match one of `names`, or all if there are no names, in file order; our own
+/// figures are included only with their whole paper. A name may match a claim that was left out because it is wrong.
 ///
 /// # Errors
-/// [`Error::UnknownName`] for a name that means nothing.
+/// [`Error::UnknownName`] for a name without a match.
 pub fn select(
     papers: Vec<Paper>,
     names: &[String],
@@ -43,7 +42,7 @@ pub fn select(
     Ok(kept.filter(|paper| !paper.claims.is_empty()).collect())
 }
 
-/// The papers with just the claims of these ids.
+/// Returns the papers with the claims of these ids alone.
 #[must_use]
 pub fn only(papers: &[Paper], ids: &[&str]) -> Vec<Paper> {
     let kept = papers.iter().map(|paper| {
@@ -59,17 +58,17 @@ pub fn only(papers: &[Paper], ids: &[&str]) -> Vec<Paper> {
     kept.filter(|paper| !paper.claims.is_empty()).collect()
 }
 
-/// The one claim that `name` means, with its paper's other claims left out.
+/// Returns the one claim that matches `name`, without its paper's other claims.
 ///
 /// # Errors
-/// [`Error::UnknownName`], or [`Error::Ambiguous`] for the beginning of several ids.
+/// [`Error::UnknownName`], or [`Error::Ambiguous`] for a prefix of several ids.
 pub fn select_one(papers: &[Paper], name: &str) -> Result<Paper, Error> {
-    let meant: Vec<&str> = match ids(papers).find(|id| *id == name) {
+    let matching: Vec<&str> = match ids(papers).find(|id| *id == name) {
         Some(exact) => vec![exact],
         None => ids(papers).filter(|id| means(name, id)).collect(),
     };
-    match meant.as_slice() {
-        [] | [_] => only(papers, &meant)
+    match matching.as_slice() {
+        [] | [_] => only(papers, &matching)
             .pop()
             .ok_or_else(|| unknown(papers, name)),
         several => Err(Error::Ambiguous {
@@ -79,7 +78,7 @@ pub fn select_one(papers: &[Paper], name: &str) -> Result<Paper, Error> {
     }
 }
 
-/// The paper with this slug.
+/// Returns the paper with this slug.
 ///
 /// # Errors
 /// [`Error::UnknownName`].
@@ -94,7 +93,7 @@ pub fn paper<'p>(papers: &'p [Paper], slug: &str) -> Result<&'p Paper, Error> {
 /// Fails unless every name is the slug of a paper.
 ///
 /// # Errors
-/// [`Error::UnknownName`] for the first that is none.
+/// [`Error::UnknownName`] for the first that is not.
 pub fn check_papers(papers: &[Paper], names: &[String]) -> Result<(), Error> {
     names
         .iter()
@@ -108,7 +107,7 @@ fn ids(papers: &[Paper]) -> impl Iterator<Item = &str> {
         .map(|claim| claim.entry.id.get_ref().as_str())
 }
 
-/// Whether a name means the claim of this id.
+/// Whether a name matches the claim of this id.
 #[must_use]
 pub fn means(name: &str, id: &str) -> bool {
     let name = name.strip_suffix('/').unwrap_or(name);
@@ -126,9 +125,8 @@ fn slugs(papers: &[Paper]) -> String {
 fn unknown(papers: &[Paper], name: &str) -> Error {
     let names = ids(papers).chain(papers.iter().map(|paper| paper.head.id.as_str()));
     let nearest = names.min_by_key(|known| distance(known, name));
-    // Half of the letters wrong is no slip of the pen.
-    let meant = nearest.filter(|known| 2 * distance(known, name) <= known.chars().count());
-    let help = match meant {
+    let suggestion = nearest.filter(|known| is_slip(known, name));
+    let help = match suggestion {
         Some(known) => format!("did you mean `{known}`?"),
         None => format!("the papers are {}", slugs(papers)),
     };
@@ -138,9 +136,18 @@ fn unknown(papers: &[Paper], name: &str) -> Error {
     }
 }
 
-/// How many letters to insert, delete or replace to make one word of the other (Levenshtein).
+/// Whether a name may be a mistyped id: at most half of the letters differ, not counting the paper if both have the same one.
+fn is_slip(known: &str, name: &str) -> bool {
+    let (known, name) = match (known.split_once('/'), name.split_once('/')) {
+        (Some((paper, known)), Some((same, name))) if paper == same => (known, name),
+        _ => (known, name),
+    };
+    2 * distance(known, name) <= known.chars().count()
+}
+
+/// Returns how many letters to insert, delete or replace to turn one word into the other (Levenshtein).
 fn distance(a: &str, b: &str) -> usize {
-    // Longer names are nobody's ids, and the work is the product of the lengths.
+    // No id is longer, and the work is the product of the lengths.
     let b: Vec<char> = b.chars().take(200).collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();
     for (i, x) in a.chars().enumerate() {
@@ -176,6 +183,13 @@ mod tests {
             assert_eq!(distance(a, b), edits, "{a} {b}");
             assert_eq!(distance(b, a), edits, "{b} {a}");
         }
+    }
+
+    #[test]
+    fn a_name_of_the_right_paper_is_a_slip_only_if_its_own_letters_are_near() {
+        assert!(is_slip("gbt-developable/thm-4.c", "gbt-developable/thm-4c"));
+        assert!(is_slip("gbt-developable", "gbt-developabel"));
+        assert!(!is_slip("gbt-developable/fig-1", "gbt-developable/nope"));
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Deciding claims: verdicts first, corrections of what is refuted after them.
+//! Decides claims: verdicts first, corrections of refuted claims after them.
 
 use crate::error::Error;
 use crate::progress::{Event, Observer, Pass, unobserved};
@@ -13,8 +13,8 @@ use torse_verdicts::outcome::{Outcome, PaperOutcome};
 use torse_verdicts::pending_claim::PendingClaim;
 use torse_verdicts::restore::restore;
 
-/// The most work on a claim, in units of one product of coefficients. What needs more is undecided, and says so: a verdict
-/// is the same on every machine.
+/// Maximum work on a claim, in products of coefficients. A claim that needs more is undecided, with that reason: a
+/// verdict is the same on every machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct WorkBudget(u64);
 
@@ -22,13 +22,13 @@ impl WorkBudget {
     /// Many times what the hardest claims of the papers take.
     pub const STANDARD: Self = Self(STANDARD_WORK);
 
-    /// So many units.
+    /// Makes a budget of this many units.
     #[must_use]
     pub const fn new(units: u64) -> Self {
         Self(units)
     }
 
-    /// How many units.
+    /// Returns the number of units.
     #[must_use]
     pub const fn units(self) -> u64 {
         self.0
@@ -41,7 +41,7 @@ impl Default for WorkBudget {
     }
 }
 
-/// Who decides: with which budget, watched by whom.
+/// Decides claims with a budget, and reports to an observer.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -88,7 +88,7 @@ impl Default for Verifier<'_> {
     }
 }
 
-/// What was found of papers.
+/// The results for papers.
 #[derive(Debug, Clone, Default)]
 #[non_exhaustive]
 pub struct Verification {
@@ -99,14 +99,14 @@ pub struct Verification {
 }
 
 impl Verification {
-    /// All outcomes, in file order.
+    /// Returns all outcomes, in file order.
     pub fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
         self.papers.iter().flat_map(|paper| &paper.claims)
     }
 }
 
 impl<'o> Verifier<'o> {
-    /// With [`WorkBudget::STANDARD`], watched by nobody.
+    /// Makes a verifier with [`WorkBudget::STANDARD`] and no observer.
     #[must_use]
     pub fn new() -> Self {
         Self {
@@ -115,13 +115,13 @@ impl<'o> Verifier<'o> {
         }
     }
 
-    /// With this budget.
+    /// Sets the budget.
     #[must_use]
     pub fn with_budget(self, budget: WorkBudget) -> Self {
         Self { budget, ..self }
     }
 
-    /// Watched, and if need be ended, by this callback.
+    /// Sets the observer, which may end the work.
     #[must_use]
     pub fn observed_by<'n>(self, observer: Observer<'n>) -> Verifier<'n> {
         Verifier {
@@ -130,7 +130,7 @@ impl<'o> Verifier<'o> {
         }
     }
 
-    /// Decides one claim of the paper with this slug, on the thread that calls.
+    /// Decides one claim of the paper with this slug, on the calling thread.
     ///
     /// # Errors
     /// [`Error::Formula`] where a formula makes no sense, [`Error::Cancelled`].
@@ -145,8 +145,8 @@ impl<'o> Verifier<'o> {
         Ok(outcome)
     }
 
-    /// Decides all claims of `papers`, of all papers at once and on all threads, and then searches corrections of those
-    /// that are refuted.
+    /// Decides all claims of `papers`, of all papers at once and on all threads, and then searches for corrections of
+    /// refuted ones.
     ///
     /// # Errors
     /// [`Error::Cancelled`] alone: formulas that make no sense are [`Verification::mistakes`].
@@ -168,7 +168,7 @@ impl<'o> Verifier<'o> {
         });
         let stages: Vec<Option<Result<PendingClaim<'_>, _>>> = claims
             .par_iter()
-            // A claim takes from microseconds to a second: each may go to whoever is free.
+            // A claim takes from microseconds to a second: any free thread takes the next.
             .with_max_len(1)
             .map(|(slug, claim)| {
                 watch.claim(pass, claim, || {
@@ -274,7 +274,7 @@ impl<'o> Watch<'o> {
         }
     }
 
-    /// Does something for a claim, unless the work was ended.
+    /// Works on a claim, unless the work was ended.
     fn claim<T>(&self, pass: Pass, claim: &Claim, job: impl FnOnce() -> T) -> Option<T> {
         let id = claim.entry.id.get_ref();
         self.go_on().ok()?;

@@ -80,7 +80,7 @@ fn verdicts_are_judged_again_and_counted() {
         "{}",
         ran.out
     );
-    let replayed = "3 proofs replayed by a checker without search, 0 out of its reach";
+    let replayed = "3 proofs replayed by the checker, 0 out of its reach";
     assert!(ran.out.contains(replayed), "{}", ran.out);
 }
 

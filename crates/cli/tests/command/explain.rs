@@ -100,7 +100,7 @@ fn what_rests_on_a_refuted_claim_is_told_with_its_fate() {
     let ran = on(folder.path(), &["explain", "mini/wrong"]);
     for row in [
         "mini/survivor: survives",
-        "mini/fallen: falls: false as printed (rests on mini/survivor)",
+        "mini/fallen: fails too: false as printed (rests on mini/survivor)",
     ] {
         assert!(ran.out.contains(row), "{row}: {}", ran.out);
     }
@@ -155,7 +155,7 @@ readings = [
         "solved for r",
         "where y in (0, 1]; r, a real number; x in [0, 1]",
         "with c = deep + y deep = y^2",
-        "said by 0 < y <= 1: the paper, “for small y” (mini/table)",
+        "source 0 < y <= 1: the paper, “for small y” (mini/table)",
         "x < 1/2: ours, not needed, to try it",
         "copy at hand y for v",
     ] {

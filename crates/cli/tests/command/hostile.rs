@@ -244,7 +244,7 @@ fn a_file_of_many_mistakes_holds_its_text_once() {
     }
     let (code, said) = verified(mini(&claims).path());
     assert_eq!(code, Some(4));
-    assert!(said.contains("1900 further messages are not shown"));
+    assert!(said.contains("1900 further mistakes are not shown"));
 }
 
 #[test]
