@@ -1,12 +1,12 @@
-//! Why a plate cannot be made.
+//! Why a figure cannot be made.
 
 use thiserror::Error;
 use torse_plot::{FigureError, InteractiveError};
 
-/// Why a plate cannot be sampled or drawn.
+/// Why a figure cannot be sampled or drawn.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum PlateError {
-    /// A formula has a symbol that does not run.
+    /// A formula has a symbol that is not a running variable.
     #[error("`{symbol}` has no value")]
     Symbol {
         /// The symbol.
@@ -19,15 +19,15 @@ pub enum PlateError {
         formula: String,
         /// The number of the sample.
         index: usize,
-        /// What came out.
+        /// The value.
         value: f64,
     },
-    /// More samples than anyone can see.
+    /// Too many samples to be visible.
     #[error("`{formula}` wants {wanted} samples, at most {most} are taken")]
     Samples {
         /// The formula.
         formula: String,
-        /// How many were wanted.
+        /// The requested number.
         wanted: u64,
         /// The limit.
         most: u64,
@@ -38,7 +38,7 @@ pub enum PlateError {
         /// The formula.
         formula: String,
     },
-    /// The data cannot be written down.
+    /// The data cannot be serialised.
     #[error("the data of the figure cannot be written down: {0}")]
     Data(String),
     /// The drawing was refused.

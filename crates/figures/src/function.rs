@@ -31,7 +31,7 @@ struct Sum {
 }
 
 impl Function {
-    /// The formula as a function of `variables`, of which there are at most two.
+    /// Compiles the formula as a function of at most two `variables`.
     ///
     /// # Errors
     /// [`PlateError::Symbol`] if another symbol occurs.
@@ -60,7 +60,7 @@ impl Function {
         })
     }
 
-    /// The values on a grid, all of the second variable for each value of the first one.
+    /// Evaluates on a grid: all of the second variable for each value of the first one.
     #[must_use]
     pub fn grid(&self, first: &[f64], second: &[f64]) -> Vec<f64> {
         let mut values = self.numerator.grid(first, second);
@@ -72,7 +72,7 @@ impl Function {
         values
     }
 
-    /// The values along the first variable, the second one being zero.
+    /// Evaluates along the first variable, with the second one zero.
     #[must_use]
     pub fn line(&self, first: &[f64]) -> Vec<f64> {
         self.grid(first, &[0.0])
@@ -209,7 +209,7 @@ fn single(symbol: &Symbol, exponent: &Exponent) -> Result<(u16, u16), PlateError
     }
 }
 
-/// The position of an item in a list, at the end if it is new.
+/// Returns the position of an item in a list; adds it at the end if it is new.
 fn number<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
     let found = list.iter().position(|own| *own == item);
     found.unwrap_or_else(|| {
@@ -218,7 +218,7 @@ fn number<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
     })
 }
 
-/// The values of monomials at one point.
+/// Evaluates the monomials at one point.
 fn powers(monomials: &[Monomial], angles: &[Atom], at: f64) -> Vec<f64> {
     let mut atoms = vec![at];
     for atom in angles {

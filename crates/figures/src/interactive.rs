@@ -1,8 +1,8 @@
-//! Figures that a reader can move.
+//! Figures with sliders.
 //!
-//! With the sliders left symbolic, positions that are polynomials in them are split by their monomials:
-//! `position = sum over monomials of slider powers times a function of what runs`. Each of these functions is
-//! sampled once; a viewer then needs no basis, just sums.
+//! With the sliders left symbolic, positions that are polynomials in them are split by their monomials: `position = sum
+//! over monomials of slider powers times a function of the running variables`. Each of these functions is sampled once;
+//! a viewer then needs only sums, and no basis.
 
 use crate::PlateError;
 use crate::figure::{Drawing, Layer, Panel};
@@ -24,8 +24,8 @@ const SURFACE: [u64; 2] = [29, 15];
 type Split = BTreeMap<Vec<u32>, Fraction>;
 
 impl Plate {
-    /// The first panel as a picture that follows sliders; none if the figure has no sliders, or if some
-    /// position is no polynomial in them.
+    /// Returns the first panel as a picture that follows sliders; none if the figure has no sliders, or if some
+    /// position is not a polynomial in them.
     ///
     /// # Errors
     /// As [`Plate::draw`].
@@ -91,14 +91,14 @@ fn interactive(drawing: &Drawing) -> Result<Option<Interactive>, PlateError> {
         .collect::<Result<_, PlateError>>()?;
     let ambient = ambient(panel);
     let picture = Interactive::new(sliders, monomials, ambient, parts)?;
-    // The view that the printed panel has, where the file gives one.
+    // The view of the printed panel, if the file gives one.
     Ok(Some(match panel.view {
         Some(view) => picture.seen_from(view),
         None => picture,
     }))
 }
 
-/// A label in which `{name}` of a slider waits for a value: the name between two signs that a viewer looks for.
+/// Puts the name of a slider in `{name}` between two signs that a viewer replaces by the value.
 fn live(label: &str, sliders: &[&str]) -> String {
     sliders.iter().fold(label.to_owned(), |label, name| {
         label.replace(&format!("{{{name}}}"), &format!("\\mathrm{{@{name}@}}"))
@@ -124,7 +124,7 @@ fn slider(slider: &crate::figure::Slider) -> Result<Slider, PlateError> {
     })
 }
 
-/// The name of a symbol as a formula: a number at its end is a subscript.
+/// Writes the name of a symbol as a formula: a number at its end is a subscript.
 pub(crate) fn label(name: &str) -> String {
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let index = name.get(base.len()..).unwrap_or("");
@@ -139,7 +139,7 @@ pub(crate) fn label(name: &str) -> String {
     }
 }
 
-/// How the samples of a layer hang together; none for layers that a viewer does not show.
+/// Returns the shape of the samples of a layer; none for layers that a viewer does not show.
 fn part_shape(layer: &Layer) -> Result<Option<torse_plot::Shape>, PlateError> {
     let listed = layer.running.is_empty();
     Ok(match layer.shape {
@@ -168,7 +168,7 @@ fn counts(layer: &Layer) -> [u64; 2] {
     }
 }
 
-/// Every coordinate of every point by monomials; none unless all are polynomials in the sliders.
+/// Splits every coordinate of every point by monomials; none unless all are polynomials in the sliders.
 fn split_points(layer: &Layer, sliders: &[&str]) -> Option<Vec<Vec<Split>>> {
     layer
         .points
@@ -180,7 +180,7 @@ fn split_points(layer: &Layer, sliders: &[&str]) -> Option<Vec<Vec<Split>>> {
 fn split(coordinate: &Fraction, sliders: &[&str]) -> Option<Split> {
     let denominator = coordinate.denominator();
     let moves = |symbol: &Symbol| sliders.iter().any(|slider| symbol.depends_on(slider));
-    // What is divided by may run, but not follow a slider; and sliders do not turn.
+    // A divisor may depend on running variables, but not on a slider; and sliders are not angles.
     if denominator.symbols().iter().any(moves) {
         return None;
     }
@@ -209,7 +209,7 @@ fn split(coordinate: &Fraction, sliders: &[&str]) -> Option<Split> {
         .collect()
 }
 
-/// The samples of one monomial's coefficient.
+/// Samples the coefficient of one monomial.
 fn net(
     layer: &Layer,
     points: &[Vec<Split>],

@@ -1,8 +1,8 @@
 //! The figures of derivation files, sampled and drawn.
 //!
-//! A derivation file says what a figure shows in formulas ([`figure`]); each is evaluated once,
-//! exactly. Here the exact formula becomes a [`Function`] of machine numbers, its samples become layers of a plot
-//! or solids of a view, and `torse_plot` draws them. Nothing in this room knows any basis or any paper.
+//! A derivation file describes a figure in formulas ([`figure`]); each is evaluated once, exactly. Here the exact
+//! formula becomes a [`Function`] of machine numbers, its samples become layers of a plot or solids of a view, and
+//! `torse_plot` draws them. This crate knows no basis and no paper.
 //!
 //! | wanted | call |
 //! |---|---|

@@ -7,7 +7,7 @@ use crate::style::{self, PaletteCycle};
 use torse_plot::{Aspect, Axis, Colour, Frame, Layer, Line, Plot};
 use torse_syntax::derivation::schema::figure::{self as schema, Shape};
 
-/// The panel as a plot.
+/// Makes a plot of the panel.
 pub(crate) fn plot(panel: &Panel) -> Result<Plot, PlateError> {
     let titles = panel
         .axes
@@ -112,7 +112,7 @@ fn drawn(
     })
 }
 
-/// Every list of even place with the one after it, point by point.
+/// Joins every list at an even place with the next one, point by point.
 pub(crate) fn pairs<const N: usize>(lists: &[Vec<Vec<f64>>]) -> Vec<[[f64; N]; 2]> {
     lists
         .chunks(2)

@@ -1,4 +1,4 @@
-//! A plate: one figure of a paper, ready to be drawn.
+//! One figure of a paper, ready to be drawn.
 
 use crate::figure::{self, Drawing};
 use crate::{PlateError, plane, space};
@@ -6,7 +6,7 @@ use torse_plot::{Content, Figure, Panel, Picture, Size, same_scales};
 use torse_syntax::derivation::Figure as Entry;
 use torse_syntax::derivation::{DerivationError, Paper};
 
-/// Changes whenever plates are drawn in another way from the same data, so that every fingerprint does.
+/// Increase it whenever figures are drawn in another way from the same data, so that every fingerprint changes.
 const VERSION: u32 = 2;
 
 /// A figure of a derivation file with all its formulas evaluated.
@@ -17,7 +17,7 @@ pub struct Plate {
     pub(crate) torse: Option<figure::Torse>,
 }
 
-/// The plates of a paper: those of its figures, then our own.
+/// Evaluates the figures of a paper: its own, then ours.
 ///
 /// # Errors
 /// The first formula, in file order, that makes no sense.
@@ -26,7 +26,7 @@ pub fn plates(paper: &Paper) -> Result<Vec<Plate>, Box<DerivationError>> {
 }
 
 impl Plate {
-    /// The plate of a figure.
+    /// Evaluates a figure.
     ///
     /// # Errors
     /// The first formula that makes no sense.
@@ -50,7 +50,7 @@ impl Plate {
         self.drawing.id.replace('/', "-")
     }
 
-    /// What it shows, and what was assumed or replaced, for the reader of a report.
+    /// Returns the caption, and what was assumed or replaced, for the reader of a report.
     #[must_use]
     pub fn caption(&self) -> String {
         let listed = |what: &str, list: &[String]| match list {
@@ -73,12 +73,12 @@ impl Plate {
     /// Draws it.
     ///
     /// # Errors
-    /// [`PlateError`]: a formula that is infinite at a sample, and whatever the drawing room refuses.
+    /// [`PlateError`]: a formula that is infinite at a sample, and all errors of drawing.
     pub fn draw(&self) -> Result<Picture, PlateError> {
         Ok(self.figure()?.draw()?)
     }
 
-    /// Its panels, sampled; those of one entry with the same scales.
+    /// Returns its panels, sampled; those of one entry have the same scales.
     ///
     /// # Errors
     /// [`PlateError`]: a formula that is infinite at a sample, a panel with nothing in it.
@@ -120,7 +120,7 @@ impl Plate {
         })
     }
 
-    /// A number that changes with everything that determines the picture and the words around it: the FNV-1a
+    /// Returns a number that changes with everything that determines the picture and the words around it: the FNV-1a
     /// hash, 64 bits, of the exact data. Equal fingerprints mean equal pictures.
     ///
     /// # Errors

@@ -1,16 +1,16 @@
-//! Samples of a layer: its exact points at as many parameters as the eye wants.
+//! Samples of a layer: its exact points at enough parameters for a smooth picture.
 
 use crate::PlateError;
 use crate::figure::{Interval, Layer, Running};
 use crate::function::Function;
 use torse_syntax::derivation::schema::figure::Shape;
 
-/// The most samples of one layer.
+/// Maximum number of samples of one layer.
 const MAX_SAMPLES: u64 = 250_000;
 
 /// The points of a layer.
 pub(crate) struct Samples {
-    /// The points; one list for each exact point, which runs through its samples.
+    /// The points; one list for each exact point, with its samples.
     pub lists: Vec<Vec<Vec<f64>>>,
     /// Samples along the first and the second running variable.
     pub grid: [usize; 2],
@@ -18,7 +18,7 @@ pub(crate) struct Samples {
     pub shade: Option<Vec<f64>>,
 }
 
-/// Samples of a layer, `default` along each running variable where the file says nothing.
+/// Samples a layer, with `default` samples along each running variable if the file gives no number.
 pub(crate) fn samples(layer: &Layer) -> Result<Samples, PlateError> {
     let names: Vec<&str> = layer.running.iter().map(|r| r.name.as_str()).collect();
     let [first, second] = parameters(layer)?;
@@ -72,7 +72,7 @@ fn finite(layer: &Layer, index: usize, value: f64) -> Result<f64, PlateError> {
     })
 }
 
-/// The parameters of the samples along both variables; a variable that is missing is zero.
+/// Returns the parameters of the samples along both variables; a missing variable is zero.
 pub(crate) fn parameters(layer: &Layer) -> Result<[Vec<f64>; 2], PlateError> {
     let default = match layer.shape {
         Shape::Curve | Shape::Region => 161,
@@ -101,7 +101,7 @@ pub(crate) fn parameters(layer: &Layer) -> Result<[Vec<f64>; 2], PlateError> {
     Ok([along(0)?, along(1)?])
 }
 
-/// `count` parameters from end to end; one alone is the lower end.
+/// Returns `count` parameters from end to end; a single one is the lower end.
 pub(crate) fn values(running: &Running, count: u64) -> Result<Vec<f64>, PlateError> {
     let [low, high] = ends(&running.range)?;
     let steps = count.saturating_sub(1).max(1) as f64;
@@ -124,7 +124,7 @@ pub(crate) fn number(formula: &torse_algebra::Fraction) -> Result<f64, PlateErro
     Ok(value.first().copied().unwrap_or(f64::NAN))
 }
 
-/// Points with N coordinates, of which the layer has that many.
+/// Returns points with N coordinates; the layer must have that many.
 pub(crate) fn fixed<const N: usize>(points: &[Vec<f64>]) -> Vec<[f64; N]> {
     let fit = |p: &Vec<f64>| std::array::from_fn(|k| p.get(k).copied().unwrap_or(0.0));
     points.iter().map(fit).collect()

@@ -1,4 +1,4 @@
-//! Views of things in space.
+//! Views of solids.
 
 use crate::PlateError;
 use crate::figure::{Layer, Panel};
@@ -13,7 +13,7 @@ use torse_syntax::derivation::schema::figure::{self as schema, ColourName, Shape
 
 type Point = [f64; 3];
 
-/// The panel as a view.
+/// Makes a view of the panel.
 pub(crate) fn view(panel: &Panel) -> Result<View, PlateError> {
     let sides = match &panel.ranges {
         [Some(x), Some(y), Some(z)] => Some([ends(x)?, ends(y)?, ends(z)?]),
@@ -107,7 +107,7 @@ fn border(word: schema::Border) -> Border {
     }
 }
 
-/// Everything that has no area.
+/// Adds everything without area.
 fn thin(
     layer: &Layer,
     sampled: &Samples,
@@ -188,7 +188,7 @@ fn thin(
     })
 }
 
-/// The part of a plane around the box of the panel, which cuts it off: a square about the point of the plane
+/// Returns the part of a plane around the box of the panel, which clips it: a square about the point of the plane
 /// nearest to the middle of the box, as wide as the diagonal.
 fn plane(
     layer: &Layer,

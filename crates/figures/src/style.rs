@@ -1,11 +1,11 @@
-//! The words of a file for looks, as those of the drawing room.
+//! Translates the style words of a file.
 
 use crate::figure::Layer;
 use torse_plot::{Colour, Dash, Legend, Line, Marker, Place, palette};
 use torse_syntax::derivation::schema::figure::{self as schema, ColourName, NamedColour};
 
-/// Deals out the numbers of the palette: a layer has the number it asks for, else that of its round in a loop,
-/// else the next that is free.
+/// Assigns palette numbers: a layer has the number it asks for, else that of its round in a loop, else the next free
+/// one.
 #[derive(Default)]
 pub(crate) struct PaletteCycle {
     next: usize,

@@ -1,4 +1,4 @@
-//! Developables that a reader can move: their formulas as tables of machine numbers.
+//! Developable surfaces with sliders: their formulas as tables of machine numbers.
 
 use crate::PlateError;
 use crate::figure;
@@ -12,10 +12,10 @@ use torse_plot::{Monomial, Quotient, Rulings, Slider, Torse, TorsePiece, palette
 use torse_syntax::derivation::schema::figure::Rulings as Word;
 
 impl Plate {
-    /// The developable of the figure, to be moved and unrolled; none if the figure names none.
+    /// Returns the developable surface of the figure, to be moved and unrolled; none if the figure has none.
     ///
     /// # Errors
-    /// [`PlateError`]: an end of an interval that is no finite number, and whatever the drawing room refuses.
+    /// [`PlateError`]: an end of an interval that is not a finite number, and all errors of drawing.
     pub fn torse(&self) -> Result<Option<Torse>, PlateError> {
         self.torse.as_ref().map(torse).transpose()
     }
@@ -74,7 +74,7 @@ fn quotient(formula: &Fraction, variable: &str, sliders: &[&str]) -> Result<Quot
     })
 }
 
-/// The polynomial with pi and roots as machine numbers.
+/// Converts the polynomial, with pi and roots as machine numbers.
 fn sum(
     polynomial: &Polynomial,
     variable: &str,
@@ -105,7 +105,7 @@ fn sum(
                 }
                 _ => None,
             };
-            // Sliders do not turn, and nothing else is left.
+            // Sliders are not angles, and nothing else remains.
             *slot.ok_or_else(|| PlateError::Symbol {
                 symbol: symbol.to_string(),
             })? = u32::from(power);

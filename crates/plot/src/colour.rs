@@ -4,8 +4,8 @@
 //! white paper: it stays distinguishable under the common colour deficiencies. In grey print colour is gone
 //! altogether, so [`Line::nth`] pairs each colour with its own [`Dash`].
 //!
-//! Light adds linearly, screens do not: whatever mixes or averages colours here does so on the linear
-//! intensities of IEC 61966-2-1 and returns to sRGB last.
+//! Light adds linearly, sRGB values do not: colours are mixed and averaged in the linear intensities of IEC 61966-2-1
+//! and converted to sRGB last.
 
 /// An opaque sRGB colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,15 +1,15 @@
-//! Panels that are compared: one box for all of them, so that what looks larger is larger.
+//! Panels that are compared share one box, so that what looks larger is larger.
 
 use crate::error::FigureError;
 use crate::flat::Plot;
 use crate::picture::{Content, Panel};
 use crate::space::{Bounds, View};
 
-/// Gives all views among the panels the smallest box that holds each of them, and all plots the same axes. Bounds and ranges
-/// that are given stay as they are.
+/// Gives all views among the panels the smallest box that holds each of them, and all plots the same axes. Given bounds
+/// and ranges stay as they are.
 ///
 /// # Errors
-/// [`FigureError::Empty`] for a panel with nothing in it; whatever makes its extent no extent.
+/// [`FigureError::Empty`] for a panel with nothing in it; and any error of its extent.
 pub fn same_scales(panels: &mut [Panel]) -> Result<(), FigureError> {
     let mut views: Vec<&mut View> = vec![];
     let mut plots: Vec<&mut Plot> = vec![];

@@ -1,8 +1,8 @@
-//! What can be wrong with a drawing.
+//! Why a drawing is refused.
 
 use thiserror::Error;
 
-/// Why a picture was refused. Every variant names the datum at fault.
+/// Why a picture was refused. Every variant names the faulty datum.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum FigureError {
     /// A coordinate, value or normal is NaN or infinite. `index` counts the points of `what`.
@@ -64,10 +64,10 @@ pub enum FigureError {
         label: String,
         /// Byte offset of the fault.
         at: usize,
-        /// What is wrong there.
+        /// The fault.
         problem: LabelProblem,
     },
-    /// A picture with nothing in it, so that no extent can be chosen.
+    /// An empty picture, which has no extent.
     #[error("nothing to draw")]
     Empty,
     /// Rasterising would visit more samples than [`crate::WORK_LIMIT`].
@@ -89,7 +89,7 @@ pub enum FigureError {
     Png(String),
 }
 
-/// What is wrong inside a label.
+/// A fault inside a label.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum LabelProblem {
     /// A `$` without its partner.

@@ -37,7 +37,7 @@ pub struct Slider {
     pub step: f64,
 }
 
-/// Where the points live.
+/// The space of the points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ambient {
     /// In a plane: the third coordinate of every point is zero.
@@ -46,7 +46,7 @@ pub enum Ambient {
     Space,
 }
 
-/// How the points of a part hang together.
+/// How the points of a part are connected.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
     /// A shaded patch, points row by row.
@@ -78,7 +78,7 @@ pub struct Part {
     pub label: String,
     /// Its colour.
     pub colour: Colour,
-    /// How its points hang together.
+    /// How its points are connected.
     pub shape: Shape,
     /// For each monomial of the picture, in its order, the coefficients of all points.
     pub nets: Vec<Vec<[f64; 3]>>,
@@ -125,7 +125,7 @@ const USUAL_VIEW: [f64; 2] = [-60.0, 25.0];
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum InteractiveError {
-    /// Nothing to set, nothing to see, or too much of it.
+    /// Nothing to set, nothing to see, or too much of either.
     #[error("{got} {what} given, from {least} to {most} allowed")]
     Count {
         /// What was counted.
@@ -161,7 +161,7 @@ pub enum InteractiveError {
         /// Its step.
         step: f64,
     },
-    /// A monomial has not one exponent a slider, has too high ones, or is there twice.
+    /// The exponents of a monomial do not match the sliders, are too high, or occur twice.
     #[error(
         "monomial {monomial}: the exponents {exponents:?} are too many, too few, too high or repeated"
     )]
@@ -171,7 +171,7 @@ pub enum InteractiveError {
         /// Its exponents.
         exponents: Vec<u32>,
     },
-    /// A part has not one net a monomial.
+    /// The number of nets of a part differs from that of the monomials.
     #[error("part {part}: {got} nets given for {expected} monomials")]
     Nets {
         /// The part, from 0.
@@ -193,7 +193,7 @@ pub enum InteractiveError {
         /// What they should be.
         shape: Shape,
     },
-    /// A coordinate is not finite, or not zero where the plane wants it so.
+    /// A coordinate is not finite, or not zero in a plane picture.
     #[error("part {part}, net {net}, point {point}: {value:?} is not finite or leaves the plane")]
     Coordinate {
         /// The part, from 0.
@@ -249,8 +249,8 @@ impl Interactive {
         })
     }
 
-    /// The picture as it is seen at first from another direction than the usual one: azimuth and elevation in degrees, as
-    /// those of [`Camera::Angles`](crate::Camera::Angles). Angles that are no numbers change nothing.
+    /// Sets the initial direction of the view: azimuth and elevation in degrees, as in
+    /// [`Camera::Angles`](crate::Camera::Angles). NaN is ignored.
     #[must_use]
     pub fn seen_from(mut self, view: [f64; 2]) -> Self {
         if view.iter().all(|angle| angle.is_finite()) {
@@ -265,7 +265,7 @@ impl Interactive {
         self.view
     }
 
-    /// What the reader sets.
+    /// Returns the sliders.
     #[must_use]
     pub fn sliders(&self) -> &[Slider] {
         &self.sliders
@@ -277,19 +277,19 @@ impl Interactive {
         &self.monomials
     }
 
-    /// Where the points live.
+    /// Returns the space of the points.
     #[must_use]
     pub fn ambient(&self) -> Ambient {
         self.ambient
     }
 
-    /// What is seen.
+    /// Returns the visible parts.
     #[must_use]
     pub fn parts(&self) -> &[Part] {
         &self.parts
     }
 
-    /// The points of `part` at the slider `values`, in the order of the sliders; a value that is missing is 0.
+    /// Returns the points of `part` at the slider `values`, in the order of the sliders; a missing value is 0.
     #[must_use]
     pub fn points(&self, part: &Part, values: &[f64]) -> Vec<[f64; 3]> {
         let mut points = vec![[0.0; 3]; part.nets.first().map_or(0, Vec::len)];

@@ -1,8 +1,8 @@
 //! Plots of curves and shaded views of surfaces, for papers.
 //!
-//! This room draws and decides nothing: it takes samples (points, grids of vertices, values) and labels, and
-//! returns a [`Picture`], as SVG and as anti-aliased PNG with twice the pixels. The same input gives the same
-//! bytes, on every machine: type is set with embedded fonts, nothing is read from the system.
+//! This crate draws and decides nothing: it takes samples (points, grids of vertices, values) and labels, and returns a
+//! [`Picture`], as SVG and as anti-aliased PNG with twice the pixels. The same input gives the same bytes, on every
+//! machine: type is set with embedded fonts, nothing is read from the system.
 //!
 //! | wanted | call |
 //! |---|---|

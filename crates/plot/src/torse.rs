@@ -1,23 +1,24 @@
-//! Developables that follow sliders, as data for a viewer: no drawing is done here.
+//! Developable surfaces that follow sliders, as data for a viewer: nothing is drawn here.
 //!
 //! A piece is given by formulas of its planes or of its two rails, each a quotient of polynomials in one running
-//! variable, sines and cosines of its angles, and the sliders. A viewer that can differentiate such quotients knows the
-//! rulings, where they meet, and how the sheet unrolls.
+//! variable, sines and cosines of its angles, and the sliders. A viewer that can differentiate such quotients can
+//! compute the rulings, where they meet, and how the sheet unrolls.
 
 use crate::interactive::{HIGHEST_EXPONENT, InteractiveError, Slider, check_sliders, count};
 use crate::{colour::Colour, ink::label};
 
-/// Most monomials of all formulas together, so that a page which carries them stays small.
+/// Maximum number of monomials of all formulas together, so that a page with them stays small.
 pub const MAX_MONOMIALS: usize = 20_000;
 
 /// How the rulings of a piece are given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rulings {
-    /// By a plane that runs; ends are multiples of the cross product of normal and derivative, from the foot of the origin.
+    /// By a running plane; ends are multiples of the cross product of normal and derivative, from the foot of the
+    /// origin.
     Envelope,
-    /// By a plane that runs; ends are multiples of the derivative of the edge of regression, from there.
+    /// By a running plane; ends are multiples of the derivative of the edge of regression, from there.
     Tangent,
-    /// By two points that run; ends are shares of the way from the first to the second.
+    /// By two running points; ends are fractions of the way from the first to the second.
     Ruled,
 }
 
@@ -35,9 +36,9 @@ pub struct Monomial {
 /// A sum of monomials over powers of such sums.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quotient {
-    /// What is divided.
+    /// The numerator.
     pub numerator: Vec<Monomial>,
-    /// What it is divided by, each as often as its number says.
+    /// The divisors, each with its multiplicity.
     pub denominator: Vec<(Vec<Monomial>, u32)>,
 }
 
@@ -52,7 +53,7 @@ pub struct TorsePiece {
     pub over: [f64; 2],
     /// Where each ruling starts and ends.
     pub along: [f64; 2],
-    /// How far a ruling is shown from where it is counted, both ways; as far as it goes if there is none.
+    /// How far a ruling is shown in both directions; to its ends if there is no limit.
     pub limit: Option<f64>,
     /// What it is called in the legend, in the [label language](crate#labels); empty for no entry.
     pub label: String,
@@ -106,7 +107,7 @@ impl Torse {
         })
     }
 
-    /// What the reader sets.
+    /// Returns the sliders.
     #[must_use]
     pub fn sliders(&self) -> &[Slider] {
         &self.sliders

@@ -108,7 +108,7 @@
       });
       const button = document.createElement("button");
       button.type = "button";
-      button.textContent = "Put back";
+      button.textContent = "Reset";
       button.addEventListener("click", () => this.reset());
       box.append(button);
       return box;

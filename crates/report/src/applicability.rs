@@ -1,7 +1,7 @@
-//! Whether what a paper builds and states by name can be used: as printed, with a correction, or not.
+//! Whether a reader can use what a paper builds and names: as printed, with a correction, or not.
 //!
-//! A construction is what has a name of its own, `Theorem 4`, `Algorithm 2`, or is of that kind; its answer is that of the
-//! statements made under the name. Proofs do not count: a slip in one says nothing against what is proved.
+//! A construction is something with a name of its own, `Theorem 4`, `Algorithm 2`, or of that kind; its answer is that
+//! of the statements made under the name. Proofs do not count: a slip in a proof says nothing against the theorem.
 
 use crate::text::{name, visible};
 use serde::Serialize;
@@ -14,11 +14,11 @@ use torse_verdicts::outcome::Outcome;
 pub enum Answer {
     /// All its statements hold.
     AsPrinted,
-    /// They hold under conditions that are not printed.
+    /// They hold under conditions that the paper does not print.
     UnderCondition,
-    /// They hold in one reading of what is printed.
+    /// They hold in one reading of the printed text.
     InOneReading,
-    /// What is false has a true form that is proved.
+    /// Some are false, and a true form of each is proved.
     Corrected,
     /// Something is false, and no true form is known.
     Not,
@@ -27,13 +27,13 @@ pub enum Answer {
 }
 
 impl Answer {
-    /// The answer in words.
+    /// Returns the answer in words.
     #[must_use]
     pub const fn label(self) -> &'static str {
         match self {
             Answer::AsPrinted => "as printed",
             Answer::UnderCondition => "under a condition that is not printed",
-            Answer::InOneReading => "in one reading of what is printed",
+            Answer::InOneReading => "in one reading of the print",
             Answer::Corrected => "with a correction",
             Answer::Not => "not as printed",
             Answer::Open => "not decided",
@@ -65,7 +65,7 @@ pub struct Reason {
     pub anchor: String,
 }
 
-/// The constructions of `claims` in the order of the paper; `anchors` holds their identifiers for links.
+/// Returns the constructions of `claims` in the order of the paper; `anchors` holds their identifiers for links.
 pub(crate) fn constructions(claims: &[Outcome], anchors: &[String]) -> Vec<Construction> {
     let mut groups: Vec<(String, Vec<(&Outcome, &String)>)> = Vec::new();
     for (claim, anchor) in claims.iter().zip(anchors) {
@@ -81,7 +81,7 @@ pub(crate) fn constructions(claims: &[Outcome], anchors: &[String]) -> Vec<Const
         .collect()
 }
 
-/// The name under which a claim is made.
+/// Returns the name under which a claim is made.
 pub(crate) fn title(outcome: &Outcome) -> Option<String> {
     const WORDS: [&str; 5] = [
         "Theorem",
@@ -135,7 +135,7 @@ fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<Construc
         group.iter().filter(ours)
     };
     let (_, first) = statements().next()?;
-    // A remark of ours with a proof may be the true form of what is false.
+    // A proved remark of ours may be the true form of a false statement.
     let true_form = |outcome: &Outcome| {
         let whole = outcome.claim.part_of.as_ref().unwrap_or(&outcome.claim.id);
         outcome.correction().is_some()
@@ -158,7 +158,7 @@ fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<Construc
     let answers: Vec<(Answer, &Outcome, &String)> = statements()
         .filter_map(|(claim, anchor)| Some((answer_of(claim)?, *claim, *anchor)))
         .collect();
-    // Definitions that only are well formed are nothing to use.
+    // Definitions that are only well formed are not constructions.
     if answers
         .iter()
         .all(|(_, claim, _)| claim.verdict() == Verdict::Definition)

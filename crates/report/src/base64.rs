@@ -1,6 +1,6 @@
-//! Bytes as text, for pictures inside of a page.
+//! Base 64 for pictures inside a page.
 
-/// The bytes in base 64 (RFC 4648, with padding).
+/// Encodes bytes in base 64 (RFC 4648, with padding).
 pub(crate) fn encode(bytes: &[u8]) -> String {
     const PADDING: char = '=';
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
@@ -23,7 +23,7 @@ pub(crate) fn encode(bytes: &[u8]) -> String {
     text
 }
 
-/// The bytes that a text in base 64 stands for; none for any other text.
+/// Decodes base 64; none for any other text.
 pub(crate) fn decode(text: &str) -> Option<Vec<u8>> {
     let digits = text.trim_end_matches('=').as_bytes();
     let mut bytes = Vec::with_capacity(digits.len() / 4 * 3 + 2);
@@ -50,7 +50,7 @@ fn value(digit: u8) -> Option<u8> {
     }
 }
 
-/// The digit for the lowest six bits.
+/// Returns the digit for the lowest six bits.
 fn digit(bits: u32) -> char {
     let value = (bits & 63) as u8;
     char::from(match value {

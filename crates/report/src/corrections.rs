@@ -1,4 +1,4 @@
-//! What is false as printed, and what is to be read instead, in the order of what rests on it.
+//! Errors and their corrections, most consequential first.
 
 use crate::findings::{self, Finding};
 use crate::glossary::{self, Term};
@@ -15,38 +15,38 @@ use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
 /// A statement that is false as printed.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Corrected {
-    /// Which it is, what is printed, and what was found.
+    /// Its number, its print, and the finding.
     pub finding: Finding,
-    /// The words of the paper and what is to be read instead, where the files tell of the fault.
+    /// The words of the paper and their correction, if a file describes the fault.
     pub reworded: Option<Reworded>,
-    /// What is to be read instead, where a correction or a true form is proved.
+    /// The corrected statement, if a correction or a true form is proved.
     pub correction: Option<CorrectionView>,
-    /// The statement as understood, where there is no correction.
+    /// The statement as understood, if there is no correction.
     pub stated: Option<FormulaView>,
     /// Where it fails, and by how much.
     pub why: Option<Prose>,
     /// The same with the whole point.
     pub why_in_full: Option<Prose>,
-    /// What in it may be a confusion of the copy at hand.
+    /// What in it may be an artefact of our copy of the paper.
     pub garbled: Option<Prose>,
     /// How the verdict was checked.
     pub level: Option<Term>,
-    /// How many statements rest on it.
+    /// How many statements depend on it.
     pub resting: usize,
-    /// How many of them fall.
+    /// How many of them fail too.
     pub falling: usize,
 }
 
-/// Words of the paper and what is to be read instead, with what differs marked.
+/// Words of the paper and their correction, with the differences marked.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Reworded {
     /// As printed.
     pub printed: Prose,
-    /// To be read.
+    /// Corrected.
     pub reads: Prose,
 }
 
-/// What the files tell of a claim's fault.
+/// The description of a claim's fault in the files.
 pub(crate) fn reworded(outcome: &Outcome, faults: &[PaperFault]) -> Option<Reworded> {
     let mut changes = faults.iter().flat_map(|fault| &fault.changes);
     let change = changes.find(|change| change.claim == outcome.claim.id)?;
@@ -61,14 +61,14 @@ pub(crate) fn is_refuted(outcome: &Outcome) -> bool {
         && outcome.claim.kind != Kind::Remark
 }
 
-/// How many statements rest on a claim, and how many of them fall.
+/// Counts the statements that depend on a claim, and those of them that fail.
 pub(crate) fn weight(outcome: &Outcome, all: &[&Outcome]) -> (usize, usize) {
     let resting = consequences(&outcome.claim.id, all);
     let falling = resting.iter().filter(|of| of.fate == Fate::Falls).count();
     (resting.len(), falling)
 }
 
-/// The positions of the refuted claims: what most rests on first; what may be a confusion of the copy last.
+/// Returns the positions of the refuted claims: those with most dependents first, possible artefacts of our copy last.
 pub(crate) fn ranked(claims: &[Outcome]) -> Vec<(usize, (usize, usize))> {
     let all: Vec<&Outcome> = claims.iter().collect();
     let refuted = claims.iter().enumerate();
@@ -87,7 +87,7 @@ pub(crate) fn ranked(claims: &[Outcome]) -> Vec<(usize, (usize, usize))> {
         .collect()
 }
 
-/// Of statements on which as much rests, theorems and formulas come before remarks.
+/// Among statements with equally many dependents, theorems and formulas come before remarks.
 fn rank(outcome: &Outcome) -> usize {
     let named = ["Theorem", "Proposition", "Algorithm"];
     let named = named.iter().any(|word| outcome.claim.at.contains(word))
@@ -100,7 +100,7 @@ fn rank(outcome: &Outcome) -> usize {
     }
 }
 
-/// The corrections of a paper.
+/// Collects the corrections of a paper.
 pub(crate) fn corrections(
     paper: &PaperOutcome,
     anchors: &[String],
@@ -120,7 +120,7 @@ pub(crate) fn corrections(
                 Some(_) => None,
                 None => parsed.map(|of| formula(of, &names)),
             },
-            // Without a finding and a correction the sentence says where it fails.
+            // Without a finding and a correction, the sentence says where the statement fails.
             why: (claim.claim.author_note.is_some() || claim.correction().is_some())
                 .then(|| sentence::failure(claim))
                 .flatten()

@@ -1,4 +1,5 @@
-//! What a statement rests on, line by line, for every output: whose its hypotheses are, the declared sets, the definitions.
+//! The dependencies of a statement, line by line, for every output: hypotheses with their sources, declared sets,
+//! definitions.
 
 use serde::Serialize;
 use torse_verdicts::claim_record::{Assumed, HypothesisSource, Role};
@@ -8,13 +9,13 @@ use torse_verdicts::outcome::Outcome;
 /// Lines under one label.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct DependencyGroup {
-    /// What they are.
+    /// The label.
     pub label: &'static str,
     /// The lines, plain text.
     pub lines: Vec<String>,
 }
 
-/// All that the statement rests on, in groups; empty groups are left out.
+/// Returns all dependencies of the statement, in groups; empty groups are left out.
 #[must_use]
 pub fn dependency_groups(outcome: &Outcome) -> Vec<DependencyGroup> {
     let table = &outcome.claim.table;
@@ -51,10 +52,10 @@ pub fn dependency_groups(outcome: &Outcome) -> Vec<DependencyGroup> {
                 .collect(),
         ),
         (
-            "said by",
+            "source",
             (outcome.claim.assumed.iter())
                 .filter(|hypothesis| concerns(hypothesis, &table.symbols))
-                .filter_map(|h| said_by(h, &str::to_owned))
+                .filter_map(|h| describe_source(h, &str::to_owned))
                 .collect(),
         ),
     ];
@@ -72,15 +73,18 @@ fn joined(items: Vec<String>) -> Vec<String> {
     }
 }
 
-/// Whether a hypothesis is about the statement: a paper declares the ranges of more symbols than a sentence has.
+/// Whether a hypothesis concerns the statement: a paper declares the ranges of more symbols than a sentence has.
 pub(crate) fn concerns(hypothesis: &Assumed, symbols: &[Declared]) -> bool {
     let text = &hypothesis.formula.text;
     let mut words = text.split(|c: char| !(c.is_alphanumeric() || c == '_'));
     hypothesis.role != Role::Range || words.any(|word| symbols.iter().any(|s| s.name == word))
 }
 
-/// Whose a hypothesis is, where the file says it; formulas are written with `code`.
-pub(crate) fn said_by(hypothesis: &Assumed, code: &dyn Fn(&str) -> String) -> Option<String> {
+/// Describes the source of a hypothesis, if the file gives it; `code` writes formulas.
+pub(crate) fn describe_source(
+    hypothesis: &Assumed,
+    code: &dyn Fn(&str) -> String,
+) -> Option<String> {
     let formula = code(&hypothesis.formula.text);
     match &hypothesis.from {
         HypothesisSource::Stated => None,

@@ -1,4 +1,4 @@
-//! What `torse derive` writes for Typst, typeset.
+//! Typesets the output of `torse derive` for Typst.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 

@@ -1,12 +1,12 @@
-//! Two lines of text with what differs marked, for outputs without formulas.
+//! Marks the differences of two lines of text, for outputs without formulas.
 
-/// What stands before and behind what differs.
+/// The signs before and after a difference.
 const MARKS: [char; 2] = ['»', '«'];
 
-/// Lines of more words and signs are not compared.
+/// Longer lines, in words and signs, are not compared.
 const MAX_TERMS: usize = 3_000;
 
-/// Both lines with what differs marked, word by word and sign by sign.
+/// Returns both lines with their differences marked, word by word and sign by sign.
 ///
 /// ```
 /// let [old, new] = torse_report::difference("c (a + λ k)", "c (a + 4 λ k)");
@@ -28,7 +28,7 @@ pub fn difference(old: &str, new: &str) -> [String; 2] {
     [marked(&old, &kept_old), marked(&new, &kept_new)]
 }
 
-/// Words and numbers as a whole, signs and blanks one by one.
+/// Splits into whole words and numbers, and single signs and blanks.
 fn tokens(text: &str) -> Vec<&str> {
     let mut list = vec![];
     let mut rest = text;
@@ -51,7 +51,7 @@ fn marked(tokens: &[&str], kept: &[bool]) -> String {
     let mut text = String::new();
     let mut inside = false;
     for (position, token) in tokens.iter().enumerate() {
-        // A blank between two marked words is marked with them, and not alone.
+        // A blank is marked only between two marked words.
         let blank = token.trim().is_empty();
         let next = kept.get(position + 1).copied().unwrap_or(true);
         let wanted = match blank {
@@ -70,7 +70,7 @@ fn marked(tokens: &[&str], kept: &[bool]) -> String {
     text
 }
 
-/// The positions of a longest common subsequence.
+/// Returns the positions of a longest common subsequence.
 pub(crate) fn common<T>(
     old: &[T],
     new: &[T],

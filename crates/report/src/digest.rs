@@ -2,7 +2,7 @@
 
 use sha2::{Digest as _, Sha256};
 
-/// The digest of parts, each with its length before it, as hexadecimal digits.
+/// Digests parts, each with its length before it, as hexadecimal digits.
 ///
 /// ```
 /// use torse_report::digest;

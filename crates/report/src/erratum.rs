@@ -1,4 +1,4 @@
-//! The letter of corrections written as Markdown and as LaTeX; its PDF is set from the same [`Letter`].
+//! Writes the letter of corrections as Markdown and as LaTeX; its PDF is set from the same [`Letter`].
 
 use crate::gallery::escaped;
 use crate::letter::{Envelope, Item, ItemChange};
@@ -7,7 +7,7 @@ use crate::model::Report;
 use crate::view::FormulaView;
 use std::fmt::{self, Write};
 
-/// Stands on every page of a letter without a sender.
+/// Appears on every page of a letter without a sender.
 pub(crate) const DRAFT: &str = "Draft: no sender is named";
 
 /// The headings of the three parts of a letter.
@@ -17,12 +17,12 @@ pub(crate) const PARTS: [&str; 3] = [
     "Please compare with the printed page",
 ];
 
-/// Whether what goes to authors has no sender.
+/// Whether a letter to authors has no sender.
 fn is_draft(report: &Report, envelope: &Envelope) -> bool {
     report.letter.salutation.is_some() && envelope.sender.is_none()
 }
 
-/// The verification as an entry of a bibliography.
+/// Writes the verification as an entry of a bibliography.
 fn bibliography(report: &Report) -> String {
     format!(
         "@misc{{torse-{slug},\n  author = {{{{torse {version}}}}},\n  title = {{Verification of ``{title}''}},\n  note = {{{authors}, {venue}: every statement decided by exact computation}},\n}}\n",
@@ -34,12 +34,12 @@ fn bibliography(report: &Report) -> String {
     )
 }
 
-/// Text on one line, without what could end a block of code.
+/// Puts a text on one line, without signs that could end a block of code.
 fn line(text: &str) -> String {
     latex_words(&text.replace('\n', " ").replace('`', "'"))
 }
 
-/// The items of the three parts.
+/// Writes the items of the three parts.
 fn parts(report: &Report) -> [(&'static str, &[Item]); 3] {
     let letter = &report.letter;
     let lists = [&letter.corrections, &letter.conditions, &letter.questions];
@@ -51,11 +51,11 @@ fn parts(report: &Report) -> [(&'static str, &[Item]); 3] {
     })
 }
 
-/// The letter as Markdown, with mathematics as repositories' pages set it.
+/// Writes the letter as Markdown, with mathematics as repositories show it.
 #[must_use]
 pub fn erratum_markdown(report: &Report, envelope: &Envelope) -> String {
     let mut out = String::new();
-    // A string does not refuse to be written to.
+    // Writing to a string cannot fail.
     let _ = markdown(&mut out, report, &envelope.cleared());
     out
 }
@@ -143,7 +143,7 @@ fn markdown_item(out: &mut String, number: usize, item: &Item) -> fmt::Result {
     Ok(())
 }
 
-/// How the words were understood, and the correction that was found of that.
+/// Writes the formula by which the words were understood, and its correction.
 fn formulas(change: &ItemChange) -> Vec<(&'static str, &FormulaView)> {
     let Some(repair) = &change.formula else {
         return vec![];
@@ -154,7 +154,7 @@ fn formulas(change: &ItemChange) -> Vec<(&'static str, &FormulaView)> {
         .collect()
 }
 
-/// A sentence as Markdown.
+/// Writes a sentence as Markdown.
 struct Markdown<'a>(&'a Prose);
 
 impl fmt::Display for Markdown<'_> {
@@ -171,16 +171,16 @@ impl fmt::Display for Markdown<'_> {
     }
 }
 
-/// The letter as a document of LaTeX, with nothing but amsmath.
+/// Writes the letter as a LaTeX document that needs only amsmath.
 #[must_use]
 pub fn erratum_latex(report: &Report, envelope: &Envelope) -> String {
     let mut out = String::new();
-    // A string does not refuse to be written to.
+    // Writing to a string cannot fail.
     let _ = latex(&mut out, report, &envelope.cleared());
     out
 }
 
-/// What stands before the text: frames around what changes, as large as the script that they stand in.
+/// The preamble: frames around changes, as large as the script that they stand in.
 const PREAMBLE: &str = "\\documentclass[11pt,a4paper]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath,amssymb}\n\
     \\allowdisplaybreaks\n\\setlength{\\parindent}{0pt}\n\\setlength{\\parskip}{6pt}\n\\setlength{\\textwidth}{16cm}\n\\setlength{\\oddsidemargin}{0pt}\n\
     \\raggedright\n\\sloppy\n\\relpenalty=0\n\\binoppenalty=0\n\
@@ -286,7 +286,7 @@ fn latex_item(out: &mut String, item: &Item) -> fmt::Result {
     Ok(())
 }
 
-/// A formula in lines that are broken where its pieces are.
+/// Writes a formula in lines, broken between its pieces.
 fn latex_display(out: &mut String, label: &str, view: &FormulaView) -> fmt::Result {
     match &view.math {
         Some(math) => {
@@ -303,9 +303,9 @@ fn latex_display(out: &mut String, label: &str, view: &FormulaView) -> fmt::Resu
     }
 }
 
-/// The formula with a line break before pieces that the line has no room for.
+/// Breaks the formula before pieces that do not fit into the line.
 fn lines(math: &Mathematics) -> String {
-    /// So many letters fill a line.
+    /// Width of a line in letters.
     const WIDTH: usize = 64;
     let mut text = String::new();
     let mut used = 0;
@@ -321,7 +321,7 @@ fn lines(math: &Mathematics) -> String {
     text.trim_end().to_owned()
 }
 
-/// A sentence as LaTeX.
+/// Writes a sentence as LaTeX.
 struct Latex<'a>(&'a Prose);
 
 impl fmt::Display for Latex<'_> {

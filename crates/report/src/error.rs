@@ -1,9 +1,9 @@
-//! What can go wrong while a report is written.
+//! Errors while a report is written.
 
 use std::path::PathBuf;
 use thiserror::Error;
 
-/// The ways in which writing a report fails.
+/// Why a report could not be written.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ReportError {
@@ -21,18 +21,18 @@ pub enum ReportError {
     /// The table of the verdicts could not be written.
     #[error("the table of the verdicts cannot be written")]
     Table(#[from] csv::Error),
-    /// A page was asked for that the document does not have.
-    #[error("page {page} was asked for, the document has {pages} (counted from 0)")]
+    /// The document does not have the requested page.
+    #[error("page {page} does not exist: the document has {pages} (counted from 0)")]
     NoSuchPage {
-        /// The page asked for, from 0.
+        /// The requested page, from 0.
         page: usize,
         /// How many pages there are.
         pages: usize,
     },
-    /// A page was to be drawn at a resolution that gives no usable picture.
-    #[error("{pixels_per_point} pixels a point is no resolution between 0.1 and 20")]
+    /// The resolution gives no usable picture.
+    #[error("{pixels_per_point} pixels a point is not between 0.1 and 20")]
     Resolution {
-        /// The resolution asked for.
+        /// The requested resolution.
         pixels_per_point: f32,
     },
     /// A page could not be encoded as a PNG.
@@ -51,7 +51,7 @@ pub enum ReportError {
     Write {
         /// The file.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         source: std::io::Error,
     },
 }

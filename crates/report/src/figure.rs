@@ -1,4 +1,4 @@
-//! Pictures as the report takes them: bytes, a caption, and the claims they illustrate.
+//! Pictures for the report: bytes, a caption, and the claims they illustrate.
 
 use torse_plot::{Interactive, Torse};
 use torse_syntax::taxonomy::Verdict;
@@ -13,7 +13,7 @@ pub enum Image {
 }
 
 impl Image {
-    /// The usual ending of a file of this format, without the dot.
+    /// Returns the usual extension of a file of this format, without the dot.
     #[must_use]
     pub fn extension(&self) -> &'static str {
         match self {
@@ -22,7 +22,7 @@ impl Image {
         }
     }
 
-    /// The media type.
+    /// Returns the media type.
     #[must_use]
     pub fn media_type(&self) -> &'static str {
         match self {
@@ -41,17 +41,17 @@ impl Image {
     }
 }
 
-/// A picture with what a reader needs to know about it.
+/// A picture with its description.
 ///
-/// A report shows it beside the first claim of [`claims`](Self::claims) that the paper has, and the other
-/// claims point there; a picture of no claim stands in the section of further figures.
+/// A report shows it beside the first of its [`claims`](Self::claims) that the paper has; the other claims link to it.
+/// A picture without a claim stands in the section of further figures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FigureImage {
-    /// A short name, unique in the report, for instance `basis-functions`: that of its files.
+    /// A short name, unique in the report, for instance `basis-functions`; its files have this name.
     pub name: String,
     /// The caption, plain text.
     pub caption: String,
-    /// What the picture shows, for readers who cannot see it.
+    /// A description for readers who cannot see the picture.
     pub alt: String,
     /// The picture.
     pub image: Image,
@@ -59,14 +59,14 @@ pub struct FigureImage {
     pub claims: Vec<String>,
     /// Whether it was redrawn from printed data alone: `reproduced`, `partial` or `underspecified`.
     pub verdict: Verdict,
-    /// What is not printed and was filled with a default, such as a view.
+    /// Data that are not printed and have a default, such as a view.
     pub assumes: Vec<String>,
     /// Data that are not printed and were replaced by our own.
     pub stand_in: Vec<String>,
-    /// The picture with sliders, for pages that can move it.
+    /// The picture with sliders, for interactive pages.
     pub interactive: Option<Interactive>,
-    /// The developable that it shows, for pages that can move and unroll it.
+    /// The developable surface that it shows, for pages that move and unroll it.
     pub torse: Option<Torse>,
-    /// The place, from the folder of the page, of a STEP file of the developable as the page opens with it.
+    /// The path, from the folder of the page, of a STEP file of the surface in its initial state.
     pub step: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! What was found out besides the corrections, in plain words: a sentence for each claim that a reader must know of.
+//! Findings besides the corrections, in plain words: a sentence for each claim that a reader must know of.
 
 use crate::glossary::{self, Term};
 use crate::math::{Names, Prose, in_words, plain, spans};
@@ -9,10 +9,10 @@ use std::collections::BTreeMap;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
 
-/// Of what is printed, no more than this many characters is quoted.
+/// Maximum number of quoted characters of the print.
 const MAX_QUOTATION_LENGTH: usize = 300;
 
-/// The verdicts that a reader must know of, graver ones first.
+/// The verdicts that a reader must know of, the gravest first.
 const TOLD: [Verdict; 5] = [
     Verdict::False,
     Verdict::Misprint,
@@ -30,17 +30,17 @@ pub struct Finding {
     pub name: String,
     /// The claim's identifier for links.
     pub anchor: String,
-    /// Where the paper says it.
+    /// The place in the paper.
     pub at: String,
     /// The verdict.
     pub verdict: Term,
     /// The statement as printed, or its beginning.
     pub printed: Prose,
-    /// What was found, in words.
+    /// The finding, in words.
     pub text: Prose,
 }
 
-/// The findings about `claims`, graver verdicts first and then in file order.
+/// Returns the findings about `claims`, graver verdicts first and then in file order.
 ///
 /// `anchors` holds the claims' identifiers for links, by position.
 pub(crate) fn collect_findings(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
@@ -55,15 +55,15 @@ pub(crate) fn collect_findings(claims: &[Outcome], anchors: &[String]) -> Vec<Fi
     findings
 }
 
-/// What was found about `claims`, by their ids, in letters and signs: for outputs without formulas.
+/// Returns the findings about `claims`, by id, as plain text: for outputs without formulas.
 #[must_use]
 pub fn findings_in_words(claims: &[Outcome]) -> BTreeMap<String, String> {
-    let told = claims
+    let chosen = claims
         .iter()
         .filter(|claim| TOLD.contains(&claim.verdict()));
-    let found = told.map(|outcome| {
-        let told = in_full(outcome, &Names::new(outcome));
-        (visible(&outcome.claim.id), in_words(&told))
+    let found = chosen.map(|outcome| {
+        let sentence = in_full(outcome, &Names::new(outcome));
+        (visible(&outcome.claim.id), in_words(&sentence))
     });
     found.collect()
 }
@@ -72,7 +72,7 @@ fn in_full(outcome: &Outcome, names: &Names) -> Prose {
     spans(&visible(&sentence::short_sentence(outcome)), names)
 }
 
-/// The finding about a claim.
+/// Returns the finding about a claim.
 pub(crate) fn about(outcome: &Outcome, anchor: &str) -> Finding {
     let names = Names::new(outcome);
     Finding {

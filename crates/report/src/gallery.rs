@@ -1,7 +1,7 @@
 //! The gallery: a page in Markdown that shows all figures of all papers.
 //!
-//! It stands beside the folder of figures, where a repository's web page renders it: small pictures that link to
-//! the large ones, each with its caption, its verdict, and what was assumed.
+//! It stands beside the folder of figures, where the web page of a repository shows it: small pictures that link to the
+//! large ones, each with its caption, its verdict, and its assumptions.
 
 use crate::text::visible;
 use crate::{FigureImage, ReportError, glossary, plain};
@@ -11,18 +11,18 @@ use torse_verdicts::outcome::PaperOutcome;
 /// Width of a small picture in pixels.
 const WIDTH: u32 = 420;
 
-/// The gallery of `papers`, each with its figures, whose files are `figures/NAME.png`.
+/// Writes the gallery of `papers`, each with its figures, whose files are `figures/NAME.png`.
 ///
-/// Text is written as HTML inside of Markdown and escaped, so nothing in a caption acts as markup.
+/// Text is written as HTML inside Markdown and escaped, so nothing in a caption acts as markup.
 ///
 /// # Errors
 ///
-/// [`ReportError::Typeset`] when a string refuses to be written to, which memory does not do.
+/// [`ReportError::Typeset`] if writing to a string fails, which does not happen.
 pub fn gallery(papers: &[(&PaperOutcome, &[FigureImage])]) -> Result<String, ReportError> {
     let mut page = String::new();
     write(&mut page, papers).map_err(|fmt::Error| ReportError::Typeset {
         document: "the gallery",
-        messages: vec!["a string refused to be written to".to_owned()],
+        messages: vec!["writing to a string failed".to_owned()],
     })?;
     Ok(page)
 }
@@ -78,7 +78,7 @@ fn entry(page: &mut String, figure: &FigureImage) -> fmt::Result {
     }
 }
 
-/// The text with every sign of HTML and Markdown escaped, on one line.
+/// Escapes every sign of HTML and Markdown in a text, and puts it on one line.
 pub(crate) fn escaped(text: &str) -> String {
     let mut plain = String::with_capacity(text.len());
     for character in visible(text).chars() {

@@ -1,7 +1,7 @@
 //! The words of the report: labels, meanings and rules, in one place for every output.
 //!
-//! A label is never chosen by hand in a template: a verdict's key is its name in the JSON interface,
-//! and the label, the meaning and the colour class follow from that.
+//! A template never chooses a label: the key of a verdict is its name in the JSON interface, and label, meaning and
+//! colour class follow from it.
 
 use serde::Serialize;
 use torse_prove::evidence::Evidence;
@@ -16,9 +16,9 @@ use torse_verdicts::repair;
 pub struct Term {
     /// The name in the JSON interface, for instance `out-of-scope`.
     pub key: &'static str,
-    /// What a reader sees.
+    /// The label that a reader sees.
     pub label: &'static str,
-    /// What it means.
+    /// Its meaning.
     pub meaning: &'static str,
 }
 
@@ -62,19 +62,19 @@ pub const KINDS: [Kind; 9] = [
     Kind::Remark,
 ];
 
-/// What becomes of a claim that rests on a refuted one, in words.
+/// Describes what becomes of a claim that depends on a refuted one.
 #[must_use]
 pub const fn fate(of: Fate) -> &'static str {
     match of {
-        Fate::Survives => "survives: true as printed all the same",
+        Fate::Survives => "survives: still true as printed",
         Fate::SurvivesIf => "survives under its own condition",
         Fate::Corrected => "survives with a correction of its own",
-        Fate::Falls => "falls: false as printed",
+        Fate::Falls => "fails too: false as printed",
         Fate::Open => "open",
     }
 }
 
-/// What becomes of a claim that rests on a refuted one, with the conditions under which it survives.
+/// The same, with the conditions under which the claim survives.
 #[must_use]
 pub fn consequence(of: &Consequence) -> String {
     let conditions: Vec<String> = of.conditions.iter().map(|c| quoted(&c.text)).collect();
@@ -88,17 +88,17 @@ pub fn consequence(of: &Consequence) -> String {
     }
 }
 
-/// The claims that rest on a refuted one through others only, and survive.
+/// Counts the claims that depend on a refuted one through others only, and survive.
 #[must_use]
 pub fn distant_survivors(count: usize) -> String {
     match count {
-        1 => "through these one more rests on it, and survives".to_owned(),
-        _ => format!("through these {count} more rest on it, and survive"),
+        1 => "one more depends on it indirectly, and survives".to_owned(),
+        _ => format!("{count} more depend on it indirectly, and survive"),
     }
 }
 
-/// The words for the verdict on a claim: of one that holds, whether the paper assumes something for it; of one that is
-/// false, whether its true form was found.
+/// Returns the words for the verdict on a claim: for one that holds, whether the paper assumes something for it; for a
+/// false one, whether its true form was found.
 #[must_use]
 pub fn verdict_on(outcome: &Outcome) -> Term {
     let term = verdict(outcome.verdict());
@@ -122,37 +122,37 @@ pub fn verdict_on(outcome: &Outcome) -> Term {
             ..term
         },
         (Verdict::False, _) if outcome.correction().is_some() => Term {
-            meaning: "False as printed, with an exact counterexample; no small edit repairs it. What is true instead was derived anew and is proved.",
+            meaning: "False as printed, with an exact counterexample; no small edit corrects it. The true form was derived anew and is proved.",
             ..term
         },
         (Verdict::False, _) if outcome.data().is_some() => Term {
-            meaning: "False as printed, with exact values; for other data, which are given, the printed value is right.",
+            meaning: "False as printed, with exact values; the printed value is right for other data, which are shown.",
             ..term
         },
-        // Of a sentence the formula is ours, and no edit of it was sought.
+        // The formula of a sentence is ours, so no edit of it was searched for.
         (Verdict::False, _) if !repair::is_sought(outcome.claim.kind) => Term {
             meaning: "False as printed, with an exact counterexample.",
             ..term
         },
         (Verdict::Definition, _) if outcome.evidence().is_some() => Term {
-            meaning: "A definition; that it agrees with what the paper says of it elsewhere is proved.",
+            meaning: "A definition that is proved to agree with the rest of the paper.",
             ..term
         },
         _ => term,
     }
 }
 
-/// Whether a statement is refuted by a proof of what it denies, and not by a point.
+/// Whether a statement is refuted by a proof of what it denies, rather than by a point.
 #[must_use]
 pub fn denied(outcome: &Outcome) -> bool {
     outcome.verdict() == Verdict::False
         && outcome.evidence().is_some_and(|of| of != Evidence::Witness)
 }
 
-/// Formulas of more characters than this that nobody printed are counted, not written.
+/// Formulas that nobody printed and that have more characters are described by their number of terms.
 const MAX_DERIVED_LENGTH: usize = 240;
 
-/// What stands in the place of a condition or another derived formula that nobody would read: how many terms it has.
+/// Describes a long condition or derived formula by its number of terms.
 #[must_use]
 pub fn long(text: &str) -> Option<String> {
     if text.chars().count() <= MAX_DERIVED_LENGTH {
@@ -171,13 +171,13 @@ pub fn long(text: &str) -> Option<String> {
     })
 }
 
-/// A condition in the language of the files, or how many terms it has.
+/// Writes a condition in the language of the files, or its number of terms if it is long.
 #[must_use]
 pub fn condition(text: &str) -> String {
     long(text).unwrap_or_else(|| text.to_owned())
 }
 
-/// So many of something.
+/// Writes a number with a noun in singular or plural.
 pub(crate) fn plural(count: usize, noun: &str) -> String {
     match count {
         1 => format!("1 {noun}"),
@@ -185,12 +185,12 @@ pub(crate) fn plural(count: usize, noun: &str) -> String {
     }
 }
 
-/// A condition between backticks, or how many terms it has.
+/// Writes a condition between backticks, or its number of terms if it is long.
 pub(crate) fn quoted(text: &str) -> String {
     long(text).unwrap_or_else(|| format!("`{text}`"))
 }
 
-/// How many summands stand outside of brackets.
+/// Counts the terms outside brackets.
 fn terms(text: &str) -> usize {
     let mut depth = 0_usize;
     let mut terms = 1;
@@ -207,7 +207,7 @@ fn terms(text: &str) -> usize {
     terms
 }
 
-/// The words for a verdict.
+/// Returns the words for a verdict.
 #[must_use]
 pub const fn verdict(of: Verdict) -> Term {
     let (key, label, meaning) = match of {
@@ -229,27 +229,27 @@ pub const fn verdict(of: Verdict) -> Term {
         Verdict::False => (
             "false",
             "false",
-            "False as printed, with an exact counterexample; no small edit was proved to repair it.",
+            "False as printed, with an exact counterexample; no small edit was proved to correct it.",
         ),
         Verdict::Depends => (
             "depends",
             "depends on the reading",
-            "The sentence has more than one honest reading, and they have different verdicts; each is given.",
+            "Reasonable readings of the sentence have different verdicts; each is shown.",
         ),
         Verdict::Undecided => (
             "undecided",
             "undecided",
-            "Neither proved nor refuted; what was tried is stated. The statement may be true.",
+            "Neither proved nor refuted; the attempts are shown. The statement may be true.",
         ),
         Verdict::Vacuous => (
             "vacuous",
             "vacuous",
-            "No point satisfies the assumptions, so the statement says nothing.",
+            "No point satisfies the hypotheses, so the statement says nothing.",
         ),
         Verdict::Definition => (
             "definition",
             "definition",
-            "A definition; it was found to be well formed. There is nothing to prove.",
+            "A well-formed definition. There is nothing to prove.",
         ),
         Verdict::Underspecified => (
             "underspecified",
@@ -279,26 +279,26 @@ pub const fn verdict(of: Verdict) -> Term {
     }
 }
 
-/// The words for what the verdict on a claim rests on: of a point, what it shows.
+/// Returns the words for the evidence of the verdict on a claim; for a point, what it shows.
 #[must_use]
 pub fn evidence_on(outcome: &Outcome) -> Option<Term> {
     let term = evidence(outcome.evidence()?);
     let meaning = match (outcome.evidence(), outcome.verdict()) {
         (Some(Evidence::Identity), Verdict::False) => {
-            "What the statement denies was brought to the normal form of an exact algebra, and is true at every point of the domain."
+            "The denied statement was brought to the normal form of an exact algebra, and is true at every point of the domain."
         }
         (Some(Evidence::Witness), Verdict::False | Verdict::Misprint) => {
             "An exact point of the domain at which the printed statement fails."
         }
         (Some(Evidence::Witness), Verdict::Holds | Verdict::Conditional) => {
-            "An exact point of the domain that shows what is said to exist."
+            "An exact point of the domain with the numbers that are claimed to exist."
         }
         _ => term.meaning,
     };
     Some(Term { meaning, ..term })
 }
 
-/// The words for what a verdict rests on.
+/// Returns the words for evidence.
 #[must_use]
 pub const fn evidence(of: Evidence) -> Term {
     let (key, label, meaning) = match of {
@@ -325,7 +325,7 @@ pub const fn evidence(of: Evidence) -> Term {
         Evidence::Witness => (
             "witness",
             "witness",
-            "An exact point of the domain: one at which a refuted statement fails, or one that shows what is said to exist.",
+            "An exact point of the domain: one at which a refuted statement fails, or one with the numbers that are claimed to exist.",
         ),
         Evidence::CheckedRange => (
             "checked-range",
@@ -345,7 +345,7 @@ pub const fn evidence(of: Evidence) -> Term {
     }
 }
 
-/// How a verdict was checked: the strongest level that it has; none where nothing was decided.
+/// Describes how a verdict was checked: its strongest level; none if nothing was decided.
 #[must_use]
 pub fn level(outcome: &Outcome, accepted: bool) -> Option<Term> {
     let netted = outcome.net().is_some_and(|net| net.netted);
@@ -356,28 +356,28 @@ pub fn level(outcome: &Outcome, accepted: bool) -> Option<Term> {
     }
 }
 
-/// Decided, and no more.
+/// Decided only.
 pub const DECIDED: Term = Term {
     key: "decided",
     label: "decided",
-    meaning: "The prover decided it by exact computation; no second judge was asked, or had an answer.",
+    meaning: "The prover decided it by exact computation; no second check was made, or it had no answer.",
 };
 
-/// Proved once more by the proof assistant.
+/// Also proved by the proof assistant.
 pub const KERNEL: Term = Term {
     key: "kernel",
     label: "kernel",
-    meaning: "The kernel of the proof assistant Rocq accepted a proof of the statement of this verdict.",
+    meaning: "The kernel of the proof assistant Rocq accepted a proof of this verdict.",
 };
 
-/// Judged once more at points.
+/// Also confirmed at points.
 pub const NETTED: Term = Term {
     key: "netted",
     label: "netted",
-    meaning: "An evaluator that shares nothing with the prover found the same at every exact point at which it was asked.",
+    meaning: "An evaluator that shares nothing with the prover confirmed it at every exact point that was tried.",
 };
 
-/// The words for a kind of statement.
+/// Returns the words for a kind of statement.
 #[must_use]
 pub const fn kind(of: Kind) -> Term {
     let (key, label, meaning) = match of {
@@ -385,12 +385,12 @@ pub const fn kind(of: Kind) -> Term {
         Kind::Identity => (
             "identity",
             "identity",
-            "An equation said to hold identically.",
+            "An equation that is claimed to hold identically.",
         ),
         Kind::Inequality => ("inequality", "inequality", "An inequality on a range."),
         Kind::Value => ("value", "value", "A printed value."),
         Kind::Property => ("property", "property", "A property in words."),
-        Kind::Construction => ("construction", "construction", "Something that is built."),
+        Kind::Construction => ("construction", "construction", "A construction."),
         Kind::Figure => ("figure", "figure", "A figure."),
         Kind::Prose => ("prose", "prose", "A checkable remark."),
         Kind::Remark => (
@@ -406,7 +406,7 @@ pub const fn kind(of: Kind) -> Term {
     }
 }
 
-/// The name of a flag of the audit in files and outputs.
+/// Returns the name of a flag of the audit in files and outputs.
 #[must_use]
 pub const fn flag(of: Flag) -> &'static str {
     match of {
@@ -432,7 +432,7 @@ pub const fn flag(of: Flag) -> &'static str {
     }
 }
 
-/// A rule that the verdicts rely on: its name and what it says.
+/// A rule that the verdicts rely on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Rule {
     /// The name.
@@ -441,7 +441,7 @@ pub struct Rule {
     pub statement: &'static str,
 }
 
-/// The rules and theorems that every verdict relies on.
+/// Returns the rules and theorems that every verdict relies on.
 pub const RULES: [Rule; 7] = [
     Rule {
         name: "Equality is decided, never sampled",
@@ -457,7 +457,7 @@ pub const RULES: [Rule; 7] = [
     },
     Rule {
         name: "A correction is proved",
-        statement: "A corrected formula is offered only when the corrected statement itself has been decided to hold by the same procedure. Where another repair with as few edits was found, the report says so.",
+        statement: "A corrected formula is offered only when the corrected statement itself has been decided to hold by the same procedure. If another correction with as few edits was found, the report says so.",
     },
     Rule {
         name: "Every degree at once",

@@ -14,7 +14,7 @@ use torse_verdicts::claim_record::{HypothesisSource, Role};
 use torse_verdicts::judged::{Net, Replay};
 use torse_verdicts::outcome::Outcome;
 
-/// The verdicts of `outcomes` as pretty-printed JSON, ending in a newline.
+/// Writes the verdicts of `outcomes` as pretty-printed JSON, ending in a newline.
 ///
 /// The fields of a claim are `id`, `kind`, `verdict`, `evidence`, `printed`, `parsed`, `corrected`,
 /// `corrected_condition` and `condition` (several are joined by ` and `), `witness` (`at`, an object from names to exact values,
@@ -50,8 +50,8 @@ pub fn verdicts_json<'a>(
     verdicts_json_with_kernel(outcomes, &BTreeSet::new())
 }
 
-/// The same with the claims, by their ids, whose verdicts have proofs that the kernel of the proof assistant accepted: they
-/// have the field `kernel`, which says `accepted`.
+/// The same, where claims whose ids are in the set have the field `kernel` with the value `accepted`: the kernel of the
+/// proof assistant accepted proofs of their verdicts.
 ///
 /// # Errors
 ///
@@ -85,7 +85,7 @@ pub fn verdicts_json_with_kernel<'a>(
     Ok(text)
 }
 
-/// One claim as [`verdicts_json`] has it, on a line of its own with a newline.
+/// Writes one claim as in [`verdicts_json`], on a line of its own with a newline.
 ///
 /// # Errors
 ///
@@ -109,7 +109,7 @@ struct Totals {
     remarks: Remarks,
 }
 
-/// Verdicts and how many claims have them, as an object in the order of the tables.
+/// Writes verdicts and how many claims have them, as an object in the order of the tables.
 struct Counts(Vec<(&'static str, usize)>);
 
 impl Serialize for Counts {
@@ -285,7 +285,7 @@ impl<'a> From<&'a Witness> for WitnessEntry<'a> {
     }
 }
 
-/// The values of the symbols as an object whose members keep the order of the file.
+/// Writes the values of the symbols as an object whose members keep the order of the file.
 struct Point<'a>(&'a [(String, String)]);
 
 impl Serialize for Point<'_> {

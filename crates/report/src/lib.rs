@@ -1,16 +1,17 @@
-//! Reports of what is true of a paper: PDF, HTML and JSON from one document model.
+//! Reports on the verdicts of a paper: PDF, HTML and JSON from one document model.
 //!
 //! The engine hands over [`PaperOutcome`](torse_verdicts::outcome::PaperOutcome)s and pictures
 //! ([`FigureImage`]); this crate decides nothing and computes nothing, it lays out.
 //!
-//! - [`Manuscript`] is a document that can be set: [`Manuscript::paper`] for one paper, [`Manuscript::summary`] for
-//!   several, with a fingerprint that tells whether it was set before;
-//! - [`Typeset`] is it with its pages laid out, written with [`Typeset::pdf`], looked at with [`Typeset::page_png`];
-//! - [`html_page`] is one self-contained page for a browser, formulas as MathML; [`landing_page`] leads to several;
+//! - [`Manuscript`] is a document before typesetting: [`Manuscript::paper`] for one paper, [`Manuscript::summary`] for
+//!   several, with a fingerprint that shows whether it was set before;
+//! - [`Typeset`] is the document with its pages laid out, written with [`Typeset::pdf`], viewed with
+//!   [`Typeset::page_png`];
+//! - [`html_page`] is one self-contained page for a browser, formulas as MathML; [`landing_page`] links to several;
 //! - [`erratum_latex`], [`erratum_markdown`] and [`Manuscript::erratum`] are corrections ready to be sent;
 //! - [`gallery`] shows all figures of all papers, in Markdown;
-//! - [`verdicts_json`] is the interface that other programs read;
-//! - [`write_file`] puts bytes in place whole or not at all.
+//! - [`verdicts_json`] is the interface for other programs;
+//! - [`write_file`] replaces a file whole or not at all.
 //!
 //! The first two need the feature `pdf`, which brings the typesetter; everything else does without.
 //!
@@ -71,3 +72,9 @@ pub use text::counted;
 pub use typeset::Typeset;
 pub use verdict_lines::verdict_lines;
 pub use write::write_file;
+
+/// Whether a paper is a worked example of ours rather than a publication.
+#[must_use]
+pub fn is_worked_example(paper: &torse_verdicts::outcome::PaperOutcome) -> bool {
+    letter::is_example(&paper.authors)
+}

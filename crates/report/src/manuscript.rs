@@ -1,8 +1,7 @@
-//! What a document is made of, before it is set.
+//! The parts of a document, before it is set.
 //!
-//! Setting pages is most of the work of a report. A [`Manuscript`] is all that determines them: the templates, the
-//! data and the pictures. Its fingerprint tells whether a document that was set before is still the one that setting
-//! it again would give.
+//! Setting pages is most of the work of a report. A [`Manuscript`] contains everything that determines them: the
+//! templates, the data and the pictures. Its fingerprint shows whether setting it again would give the same document.
 
 use crate::glossary::{self, EVIDENCE, RULES, Rule, Term, VERDICTS};
 use crate::letter::Envelope;
@@ -12,7 +11,7 @@ use crate::{FigureImage, ReportError, Typeset, digest, erratum, text};
 use serde::Serialize;
 use serde_json::Value;
 
-/// Changes whenever the same manuscript is set or written in another way, so that every fingerprint does.
+/// Increase it whenever the same manuscript is set or written in another way, so that every fingerprint changes.
 const VERSION: u32 = 2;
 
 const TEMPLATES: [(&str, &str); 4] = [
@@ -25,7 +24,7 @@ const PAPER: &str = include_str!("../assets/paper.typ");
 const ERRATUM: &str = include_str!("../assets/erratum.typ");
 const SUMMARY: &str = include_str!("../assets/summary.typ");
 
-/// A document that can be set: what it says, in which form, with which pictures.
+/// A document that can be set: its contents, its form, its pictures.
 ///
 /// ```
 /// # fn run(paper: &torse_verdicts::outcome::PaperOutcome) -> Result<(), torse_report::ReportError> {
@@ -38,19 +37,19 @@ const SUMMARY: &str = include_str!("../assets/summary.typ");
 /// ```
 #[derive(Debug)]
 pub struct Manuscript {
-    /// Which document errors speak of.
+    /// The name of the document in errors.
     name: &'static str,
     /// The main template.
     main: &'static str,
-    /// The data and the pictures, by the names that the templates know.
+    /// The data and the pictures, by the names in the templates.
     files: Vec<(String, Vec<u8>)>,
     identifier: String,
 }
 
 impl Manuscript {
-    /// The report of one paper, with the pictures that it was made with.
+    /// Makes the report of one paper, with the pictures that it was made with.
     ///
-    /// A formula that cannot be read is shown as code; a character that no font has is spelled out.
+    /// A formula that cannot be parsed is shown as code; a character that no font has is spelled out.
     ///
     /// # Errors
     ///
@@ -72,8 +71,8 @@ impl Manuscript {
         )
     }
 
-    /// The summary of several papers: counts, and of each what a reader must know in a minute. Examples of ours are left
-    /// out.
+    /// Makes the summary of several papers: counts, and for each what a reader must know in a minute. Our worked
+    /// examples are left out.
     ///
     /// # Errors
     ///
@@ -87,7 +86,7 @@ impl Manuscript {
         Self::new("the summary", SUMMARY, &data, [], "summary")
     }
 
-    /// The corrections of a paper, ready to be sent.
+    /// Makes the corrections of a paper, ready to be sent.
     ///
     /// # Errors
     ///
@@ -129,8 +128,8 @@ impl Manuscript {
         })
     }
 
-    /// A number that changes with everything that determines the document, the typesetter's version included: SHA-256, in
-    /// hexadecimal digits. Equal fingerprints mean equal documents.
+    /// Returns a number that changes with everything that determines the document, the typesetter's version included:
+    /// SHA-256, in hexadecimal digits. Equal fingerprints mean equal documents.
     #[must_use]
     pub fn fingerprint(&self) -> String {
         let version = VERSION.to_be_bytes();
@@ -150,11 +149,11 @@ impl Manuscript {
         )
     }
 
-    /// The document with its pages laid out.
+    /// Lays out the pages of the document.
     ///
     /// # Errors
     ///
-    /// [`ReportError::Typeset`] when it cannot be set, for instance because a picture is not what it is said to be.
+    /// [`ReportError::Typeset`] if it cannot be set, for instance because the format of a picture is wrong.
     pub fn typeset(self) -> Result<Typeset, ReportError> {
         let world = MemoryWorld::new(self.main, &TEMPLATES, self.files)?;
         Ok(Typeset {
@@ -197,7 +196,7 @@ impl Glossary {
     }
 }
 
-/// PDF/A allows no glyph that stands for "no such glyph".
+/// PDF/A does not allow the glyph for a missing glyph.
 fn spell_out_missing_glyphs(data: &mut Value) {
     match data {
         Value::String(string) => {

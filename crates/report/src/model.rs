@@ -1,8 +1,8 @@
-//! The document model: what a report says about one paper, ready to be laid out.
+//! The document model: the contents of a report about one paper, ready to be laid out.
 //!
 //! Every output is laid out from this one model, so PDF and HTML cannot disagree. It holds strings, positions and
-//! formulas in the languages of the outputs ([`Mathematics`](crate::Mathematics)). Strings are cleared of characters that act on the
-//! text around them; they are never read as markup by any output.
+//! formulas in the languages of the outputs ([`Mathematics`](crate::Mathematics)). Characters that act on the text
+//! around them are removed from strings; no output reads strings as markup.
 
 mod build;
 
@@ -20,7 +20,7 @@ use crate::tally::Tally;
 pub use crate::view::{CorrectionView, FormulaView};
 use serde::Serialize;
 
-/// What a report says about one paper.
+/// The report about one paper.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Report {
     /// The paper's slug.
@@ -31,21 +31,21 @@ pub struct Report {
     pub authors: String,
     /// Where it appeared.
     pub venue: String,
-    /// What the report was made from.
+    /// The sources of the report.
     pub source: Option<Source>,
     /// How many claims have which verdict and evidence.
     pub tally: Tally,
-    /// What a reader must know, in a minute.
+    /// The summary, to be read in a minute.
     pub short: Short,
-    /// What the paper builds and states by name, and whether it can be used.
+    /// What the paper builds and names, and whether it can be used.
     pub constructions: Vec<Construction>,
-    /// What its authors are told.
+    /// The letter to its authors.
     pub letter: Letter,
-    /// What is false as printed, and what is to be read instead; what most rests on first.
+    /// Errors and corrections, most consequential first.
     pub corrections: Vec<Corrected>,
-    /// What was found out, in plain words.
+    /// The findings, in plain words.
     pub findings: Vec<Finding>,
-    /// How many verdicts differ from what the derivation files expect.
+    /// How many verdicts differ from those that the derivation files expect.
     pub unexpected: usize,
     /// The claims by section of the paper, in the order of the paper.
     pub sections: Vec<Section>,
@@ -77,17 +77,17 @@ pub struct ClaimView {
     pub name: String,
     /// An identifier for links, unique in the report.
     pub anchor: String,
-    /// Where the paper says it.
+    /// The place in the paper.
     pub at: String,
     /// The kind of statement.
     pub kind: Term,
-    /// What is true of it.
+    /// The verdict.
     pub verdict: Term,
-    /// What that rests on.
+    /// Its evidence.
     pub evidence: Option<Term>,
     /// How the verdict was checked.
     pub level: Option<Term>,
-    /// What the derivation file expects, where that is something else.
+    /// The expected verdict of the derivation file, if it differs.
     pub expected: Option<Term>,
     /// The statement as printed.
     pub printed: Prose,
@@ -97,13 +97,13 @@ pub struct ClaimView {
     pub parsed: Option<FormulaView>,
     /// The assumptions, as understood.
     pub assumed: Vec<FormulaView>,
-    /// What was found, in words.
+    /// The finding, in words.
     pub finding: Option<Prose>,
-    /// What in the finding may be a confusion of the copy at hand.
+    /// What in the finding may be an artefact of our copy of the paper.
     pub garbled: Option<Prose>,
-    /// What the statement rests on, in small print.
+    /// The dependencies of the statement, in small print.
     pub rests: Vec<RestsView>,
-    /// Of a sentence with more than one reading: each of them.
+    /// The readings of a sentence that has more than one.
     pub readings: Vec<ReadingView>,
     /// Extra conditions.
     pub conditions: Vec<FormulaView>,
@@ -117,19 +117,19 @@ pub struct ClaimView {
     pub difference: Option<FormulaView>,
     /// A counterexample.
     pub witness: Option<WitnessView>,
-    /// Of a claim that denies what is so: that it is so everywhere, as a sentence.
+    /// For a refuted denial: that the denied statement holds everywhere, as a sentence.
     pub denied: Option<Prose>,
     /// The steps of the decision; equal ones in a row are counted.
     pub steps: Vec<Prose>,
     /// Anything a reader should know.
     pub note: Option<Prose>,
-    /// What it rests on.
+    /// The claims that it uses.
     pub uses: Vec<Reference>,
-    /// What rests on it directly, unless it is refuted.
+    /// The claims that use it directly, unless it is refuted.
     pub used_by: Vec<Reference>,
-    /// Of a refuted claim, what rests on it, nearest first, and whether that survives.
+    /// For a refuted claim, the claims that depend on it, nearest first, and whether each survives.
     pub consequences: Vec<ConsequenceView>,
-    /// How many claims rest on it through others only, and survive, in words: counted, not listed.
+    /// How many claims depend on it through others only, and survive, in words: counted, not listed.
     pub distant_survivors: Option<String>,
     /// Positions of the pictures shown here.
     pub figures: Vec<usize>,
@@ -142,13 +142,13 @@ pub struct ClaimView {
 /// One reading of a sentence.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ReadingView {
-    /// A word for it.
+    /// Its name.
     pub name: Prose,
-    /// The sentence as it is read here, in words.
+    /// The sentence in this reading, in words.
     pub says: Prose,
-    /// What is true of it.
+    /// Its verdict.
     pub verdict: Term,
-    /// What that rests on.
+    /// Its evidence.
     pub evidence: Option<Term>,
     /// The statement as understood.
     pub parsed: Option<FormulaView>,
@@ -158,14 +158,14 @@ pub struct ReadingView {
     pub conditions: Vec<FormulaView>,
     /// The point at which it fails, in words.
     pub fails_at: Option<Prose>,
-    /// What it rests on, in small print.
+    /// The dependencies, in small print.
     pub rests: Vec<RestsView>,
 }
 
-/// Lines under one label, of what a statement rests on.
+/// Lines under one label, about the dependencies of a statement.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct RestsView {
-    /// What they are.
+    /// The label.
     pub label: &'static str,
     /// The lines.
     pub lines: Vec<Prose>,
@@ -185,22 +185,22 @@ pub struct WitnessView {
 /// A side of a statement at a point.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Side {
-    /// Which it is.
+    /// Its name.
     pub label: &'static str,
     /// Its exact value.
     pub exact: Prose,
-    /// Its value in decimals, empty where the exact one is as easy to read.
+    /// Its value in decimals, empty if the exact one is as easy to read.
     pub decimal: String,
 }
 
-/// A claim that rests on a refuted one.
+/// A claim that depends on a refuted one.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ConsequenceView {
     /// The claim.
     pub claim: Reference,
-    /// What becomes of it, in words.
+    /// Its fate, in words.
     pub fate: Prose,
-    /// The claim in between that it rests on, if it does not rest on the refuted one itself.
+    /// The claim in between, if it does not use the refuted one itself.
     pub through: Option<Reference>,
 }
 
@@ -209,29 +209,29 @@ pub struct ConsequenceView {
 pub struct Reference {
     /// The claim's id.
     pub id: String,
-    /// What a reader sees: the name without the slug for a claim of the same paper.
+    /// The text of the link: for a claim of the same paper, the name without the slug.
     pub shown: String,
-    /// Its identifier for links, if this report has it.
+    /// Its identifier for links, if it is in this report.
     pub anchor: Option<String>,
 }
 
 /// A picture as the report shows it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct FigureView {
-    /// The name of its file in the typesetter's world.
+    /// The name of its file for the typesetter.
     pub file: String,
     /// An identifier for links, unique in the report.
     pub anchor: String,
-    /// The number that readers see: the paper's, such as `2(a)`, or `E1`, `E2`, ... for a picture of ours.
+    /// Its number: the paper's, such as `2(a)`, or `E1`, `E2`, ... for our own pictures.
     pub number: String,
     /// The caption.
     pub caption: Prose,
-    /// What it shows, in words.
+    /// A description in words.
     pub alt: String,
     /// Whether it was redrawn from printed data alone.
     pub verdict: Term,
-    /// What was filled with a default.
+    /// Data with a default.
     pub assumes: Vec<Prose>,
-    /// What was replaced by data of our own.
+    /// Data replaced by our own.
     pub stand_in: Vec<Prose>,
 }

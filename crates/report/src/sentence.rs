@@ -1,5 +1,5 @@
-//! What was found of a claim, as a sentence: the one that its file tells, or one that names the relation that fails and
-//! the values at which it does.
+//! The finding about a claim as a sentence: the one in its file, or one that names the relation that fails and the
+//! values at which it does.
 //!
 //! Formulas stand between backticks, in the notation of the files; [`crate::math`] sets them.
 
@@ -14,51 +14,53 @@ use torse_verdicts::correction::Correction;
 use torse_verdicts::judged::{ConditionCheck, Net};
 use torse_verdicts::outcome::Outcome;
 
-/// Exact values of more characters than this are told by their decimals.
+/// Longer exact values are written as decimals.
 const MAX_EXACT_VALUE_LENGTH: usize = 24;
 
-/// Sides of more characters than this are called left and right side.
+/// Longer sides are called left and right side.
 const MAX_SIDE_LENGTH: usize = 48;
 
-/// Points and conditions of more characters than this are left to the claim's own section.
+/// Longer points and conditions are left to the claim's own section.
 const MAX_LIST_LENGTH: usize = 110;
 
-/// The sentence about a claim, with a full stop.
+/// Returns the sentence about a claim, with a full stop.
 pub(crate) fn short_sentence(outcome: &Outcome) -> String {
-    let told = outcome.claim.author_note.as_deref().map(sentence);
+    let found = outcome.claim.author_note.as_deref().map(sentence);
     match outcome.verdict() {
         Verdict::Misprint | Verdict::False if outcome.correction().is_some() => {
-            let repair = outcome.correction().map(repaired).unwrap_or_default();
-            let told = told.unwrap_or_else(|| "False as printed.".to_owned());
-            format!("{told}{repair}")
+            let correction = outcome.correction().map(corrected).unwrap_or_default();
+            match found {
+                Some(found) => format!("{found} {correction}"),
+                None => correction,
+            }
         }
-        Verdict::Misprint | Verdict::False => told
+        Verdict::Misprint | Verdict::False => found
             .or_else(|| failure(outcome).map(|text| sentence(&text)))
             .unwrap_or_else(|| "False as printed.".to_owned()),
         Verdict::Conditional => {
-            let told = told.map_or_else(String::new, |told| format!(" In words: {told}"));
+            let found = found.map_or_else(String::new, |found| format!(" In words: {found}"));
             let only = match outcome.net().is_some_and(needs_all) {
                 true => "only ",
                 false => "",
             };
             match conjunction(outcome.conditions()) {
-                Some(conditions) => format!("True {only}if {conditions}.{told}"),
+                Some(conditions) => format!("True {only}if {conditions}.{found}"),
                 None => {
-                    format!("True {only}under a condition, which is stated with the outcome.{told}")
+                    format!("True {only}under a condition, which the claim shows.{found}")
                 }
             }
         }
         Verdict::Depends => {
-            let told = told.map_or_else(String::new, |told| format!(" In words: {told}"));
+            let found = found.map_or_else(String::new, |found| format!(" In words: {found}"));
             let each = outcome.readings().iter().map(|reading| {
                 let verdict = glossary::verdict(reading.outcome.verdict()).label;
                 let says = reading.says.trim_end_matches('.');
-                format!("{verdict} if read so: {says}")
+                format!("{verdict} in this reading: {says}")
             });
             let each: Vec<String> = each.collect();
-            format!("{}.{told}", capital(&each.join("; ")))
+            format!("{}.{found}", capital(&each.join("; ")))
         }
-        Verdict::Vacuous => "No point satisfies the assumptions.".to_owned(),
+        Verdict::Vacuous => "No point satisfies the hypotheses.".to_owned(),
         _ => match &outcome.claim.note {
             Some(note) => format!("Not decided. {note}"),
             None => "Not decided.".to_owned(),
@@ -66,18 +68,18 @@ pub(crate) fn short_sentence(outcome: &Outcome) -> String {
     }
 }
 
-/// Whether of every condition a point is known at which it fails and the statement with it: then, and only then, the statement
-/// is true only if they hold.
+/// Whether for every condition a point is known at which it fails and the statement with it. Only then does the
+/// sentence say that the statement is true only if they hold.
 fn needs_all(net: &Net) -> bool {
     !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_needed)
 }
 
-/// With a capital letter and a full stop.
+/// Adds a capital letter and a full stop.
 pub(crate) fn finished(text: &str) -> String {
     sentence(text)
 }
 
-/// The exact point at which a formula fails, with both sides and their difference.
+/// Returns the exact point at which a formula fails, with both sides and their difference.
 pub(crate) fn counterexample(outcome: &Outcome) -> Option<String> {
     outcome.witness()?;
     match denied(outcome) {
@@ -86,7 +88,7 @@ pub(crate) fn counterexample(outcome: &Outcome) -> Option<String> {
     }
 }
 
-/// With a capital letter and a full stop.
+/// Adds a capital letter and a full stop.
 fn sentence(text: &str) -> String {
     let text = capital(text.trim());
     match text.ends_with(['.', '!', '?']) {
@@ -95,7 +97,7 @@ fn sentence(text: &str) -> String {
     }
 }
 
-/// With a capital letter, unless the first word is mathematics.
+/// Adds a capital letter, unless the first word is mathematics.
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     match letters.next() {
@@ -111,22 +113,23 @@ fn capital(text: &str) -> String {
     }
 }
 
-fn repaired(repair: &Correction) -> String {
-    let edits = repair.edits.join("; ");
-    let others = match repair.unique {
+/// The edits of a proved correction.
+fn corrected(correction: &Correction) -> String {
+    let edits = correction.edits.join("; ");
+    let others = match correction.unique {
         true => "",
-        false => " (other repairs as small exist)",
+        false => " (other corrections as small exist)",
     };
-    format!(" It is proved with this change: {edits}{others}.")
+    format!("Correction, proved: {edits}{others}.")
 }
 
-/// Where a refuted statement fails and by how much; none where nothing is known of it. A point of many symbols is left to
-/// the claim's own section.
+/// Says where a refuted statement fails and by how much; none if nothing is known about it. A point of many symbols is
+/// left to the claim's own section.
 pub(crate) fn failure(outcome: &Outcome) -> Option<String> {
     failure_with(outcome, MAX_LIST_LENGTH)
 }
 
-/// The same with the whole point, however many symbols there are.
+/// The same with the whole point, for any number of symbols.
 #[must_use]
 pub fn failure_in_full(outcome: &Outcome) -> Option<String> {
     failure_with(outcome, usize::MAX)
@@ -154,7 +157,7 @@ fn failure_with(outcome: &Outcome, longest_point: usize) -> Option<String> {
     })
 }
 
-/// The statement that fails: of a conjunction the part of which the steps say so.
+/// Returns the statement that fails: of a conjunction, the part that the steps name.
 fn failing(outcome: &Outcome) -> Option<String> {
     let part = |step: &String| {
         let rest = step.strip_prefix("the part `")?;
@@ -165,7 +168,7 @@ fn failing(outcome: &Outcome) -> Option<String> {
     part.or_else(|| outcome.parsed().map(|formula| formula.text.clone()))
 }
 
-/// The relation that fails, with the values of both sides.
+/// Describes the relation that fails, with the values of both sides.
 fn compared(
     left: &Expr,
     relation: Relation,
@@ -181,15 +184,15 @@ fn compared(
         }
     };
     let (shown_left, shown_right) = (name(left, "the left side"), name(right, "the right side"));
-    // A number is told as it is printed, and a side that is its own value in decimals.
+    // A number is written as printed, and a side that is its own value in decimals.
     let value = |side: &Expr, exact: &str, decimals: &str| match side.node {
         Node::Number { .. } => format!("`{}`", text(side)),
         _ if text(side) == exact && exact.contains(char::is_alphabetic) => decimal(decimals),
-        _ => told(exact, decimals),
+        _ => shown_value(exact, decimals),
     };
     let value_left = value(left, &witness.left, &witness.left_decimal);
     let value_right = value(right, &witness.right, &witness.right_decimal);
-    // A side that is printed as its value is not told twice.
+    // A side that is printed as its value is not repeated.
     let number_left = text(left) == witness.left || matches!(left.node, Node::Number { .. });
     let number = text(right) == witness.right || matches!(right.node, Node::Number { .. });
     let equal = witness.left == witness.right;
@@ -226,7 +229,7 @@ fn compared(
                 end(place)
             )
         }
-        // A bound before the value: told of the value.
+        // A relation with the bound on the left is written with the value first.
         (_, _, false) if number_left => format!(
             "{shown_right} is {value_right}{}, and {value_left} is not {wanted} that",
             end(place)
@@ -246,7 +249,7 @@ fn compared(
     }
 }
 
-/// ` at k = 3` behind a value.
+/// Writes ` at k = 3` after a value.
 fn end(place: &str) -> String {
     match place.is_empty() {
         true => String::new(),
@@ -254,7 +257,7 @@ fn end(place: &str) -> String {
     }
 }
 
-/// By how much two numbers differ, where the exact values do not tell.
+/// Says by how much two numbers differ, if the exact values do not show it.
 fn off(witness: &Witness) -> String {
     let number = |decimals: &str| decimals.trim_end_matches('.').parse::<f64>().ok();
     let plain = |exact: &str| exact.parse::<i64>().is_ok();
@@ -267,7 +270,7 @@ fn off(witness: &Witness) -> String {
     ) {
         (Some(left), Some(right)) => {
             let off = (left - right).abs();
-            // Twelve digits are known of both.
+            // Twelve digits of both are known.
             match off > 1e-6 * left.abs().max(right.abs()) && off.is_finite() {
                 true => format!("; the difference is {}", significant(off)),
                 false => String::new(),
@@ -277,7 +280,7 @@ fn off(witness: &Witness) -> String {
     }
 }
 
-/// A number with four digits that count.
+/// Writes a number with four significant digits.
 fn significant(number: f64) -> String {
     let places = 3.0 - libm::log10(number).floor();
     #[expect(
@@ -293,7 +296,7 @@ fn significant(number: f64) -> String {
     }
 }
 
-/// Of a claim that something is not so, refuted by proving that it is so everywhere: just that.
+/// For a refuted denial: says that the denied statement holds everywhere.
 pub(crate) fn denied(outcome: &Outcome) -> Option<String> {
     const INSTANCE: &str = "the instance ";
     if !glossary::denied(outcome) {
@@ -312,7 +315,7 @@ pub(crate) fn denied(outcome: &Outcome) -> Option<String> {
     })
 }
 
-/// The statement that is denied.
+/// Returns the statement that is denied.
 fn opposite(statement: &Expr) -> Option<Expr> {
     match &statement.node {
         Node::Not(inner) => Some((**inner).clone()),
@@ -335,54 +338,54 @@ fn opposite(statement: &Expr) -> Option<Expr> {
     }
 }
 
-/// The values of a point that readers need: the engine's symbols for roots follow from those of the others.
+/// Returns the values of a point that readers need; the engine's symbols for roots follow from the others.
 pub fn point(witness: &Witness) -> impl Iterator<Item = &(String, String)> {
     let is_root = |name: &str| {
         let heads = ["sqrt(", "norm(", "abs(", "√"];
         heads.iter().any(|head| name.starts_with(head))
     };
     let alone = witness.at.iter().all(|(name, _)| is_root(name));
-    // Where nothing else is known, a root that is written as a formula is told; one that has a number for a name never is.
-    let told = move |name: &str| match alone {
+    // If nothing else is known, a root that is written as a formula is shown; one with a number as its name never is.
+    let is_shown = move |name: &str| match alone {
         true => !name.starts_with('√'),
         false => !is_root(name),
     };
-    witness.at.iter().filter(move |(name, _)| told(name))
+    witness.at.iter().filter(move |(name, _)| is_shown(name))
 }
 
-/// ` at k = 3, mu = 1 ` in words, unless it is longer than that.
+/// Writes ` at k = 3, mu = 1 ` in words, unless it is longer than that.
 fn place(witness: &Witness, longest: usize) -> String {
     let values = point(witness);
     let values = values.map(|(name, value)| format!("`{name} = {value}`"));
     let values = values.collect::<Vec<String>>().join(", ");
-    let told = (values.chars().count() <= longest).then_some(values);
-    match told {
+    let short = (values.chars().count() <= longest).then_some(values);
+    match short {
         Some(values) if values.is_empty() => String::new(),
         Some(values) => format!("at {values} "),
-        None => "at the point stated with the claim ".to_owned(),
+        None => "at the counterexample ".to_owned(),
     }
 }
 
-/// The values of both sides of a statement that is no single relation.
+/// Describes the values of both sides of a statement that is no single relation.
 fn fails_at(witness: &Witness, place: &str) -> String {
     match witness.left == witness.right {
         true => format!("it fails{}", end(place)),
         false => {
-            let left = told(&witness.left, &witness.left_decimal);
-            let right = told(&witness.right, &witness.right_decimal);
+            let left = shown_value(&witness.left, &witness.left_decimal);
+            let right = shown_value(&witness.right, &witness.right_decimal);
             format!("{place}the left side is {left}, and the right side is {right}")
         }
     }
 }
 
-fn told(exact: &str, decimals: &str) -> String {
+fn shown_value(exact: &str, decimals: &str) -> String {
     match exact.chars().count() <= MAX_EXACT_VALUE_LENGTH || decimals.is_empty() {
         true => format!("`{exact}`"),
         false => decimal(decimals),
     }
 }
 
-/// The conditions joined, unless there are none or they are long.
+/// Joins the conditions, unless there are none or they are long.
 fn conjunction(formulas: &[Formula]) -> Option<String> {
     let texts: Vec<String> = formulas
         .iter()

@@ -1,4 +1,4 @@
-//! What a report was made from, so that a reader can tell whether it is about the same paper and the same files.
+//! The sources of a report, so that readers can see whether two reports are about the same paper and the same files.
 
 use crate::text::visible;
 use serde::Serialize;
@@ -17,7 +17,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// The source of a report about the paper with this slug.
+    /// Returns the source of a report about the paper with this slug.
     #[must_use]
     pub fn new(slug: &str, doi: Option<&str>, digest: &str) -> Self {
         Source {
@@ -31,9 +31,9 @@ impl Source {
         }
     }
 
-    /// The digits by which readers compare.
+    /// Returns the leading digits for comparison.
     pub(crate) fn short(&self) -> &str {
-        /// As many as tell any two states of the files apart.
+        /// Enough digits to distinguish any two states of the files.
         const DIGITS: usize = 12;
         self.digest.get(..DIGITS).unwrap_or(&self.digest)
     }

@@ -1,4 +1,4 @@
-//! A report in one minute: what stands, and the few things that matter most of what does not.
+//! A report in one minute: what holds, and the most important errors.
 
 use crate::applicability::title;
 use crate::corrections::{is_refuted, ranked};
@@ -14,52 +14,52 @@ use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::consequences::{Fate, consequences, resting, users};
 use torse_verdicts::outcome::Outcome;
 
-/// The most sentences about single statements.
+/// Maximum number of sentences about single statements.
 const MAX_ROWS: usize = 5;
 
-/// What a reader must know, in a minute.
+/// The summary.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Short {
-    /// How many statements there are and what is true of them, in a sentence.
+    /// How many statements have which verdict, in a sentence.
     pub counts: String,
-    /// What matters most, first what most rests on.
+    /// The most important findings, those with most dependents first.
     pub points: Vec<Point>,
     /// How many more statements are false as printed, in words.
     pub rest: Option<String>,
 }
 
-/// One of the things that matter most.
+/// One of the most important findings.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Point {
-    /// What was found.
+    /// The finding.
     pub finding: Finding,
-    /// A theorem that rests on it and is false too, and what was found of that.
+    /// A theorem that depends on it and is false too, with its finding.
     pub resting: Option<(String, Prose)>,
-    /// What the formula is.
+    /// The role of the formula.
     pub label: &'static str,
     /// The formula in question.
     pub formula: Option<FormulaView>,
-    /// What rests on it, in words; empty where nothing does.
+    /// Its dependents, in words; empty if there are none.
     pub consequence: String,
 }
 
-/// The report of `claims` in a minute; `anchors` holds their identifiers for links, by position.
+/// Summarises `claims`; `anchors` holds their identifiers for links, by position.
 pub(crate) fn summarize(claims: &[Outcome], anchors: &[String]) -> Short {
     let uses = claims
         .iter()
         .map(|of| (of.claim.id.as_str(), of.claim.uses.as_slice()));
     let users = users(uses);
     let refuted: Vec<&Outcome> = claims.iter().filter(|of| is_refuted(of)).collect();
-    // What rests on another refuted statement is told with that one, and what is told in the same words once.
+    // A statement that depends on another refuted one is reported with that one, and equal sentences are reported once.
     let followers: BTreeSet<&str> = refuted
         .iter()
         .filter(|of| of.claim.garbled.is_none())
         .flat_map(|of| resting(&of.claim.id, &users))
         .map(|(id, _)| id)
         .collect();
-    let mut told = BTreeSet::new();
+    let mut reported = BTreeSet::new();
     let mut points = Vec::new();
-    // What is said of one theorem or example counts together.
+    // Statements about one theorem or example count together.
     let mut groups: BTreeMap<String, usize> = BTreeMap::new();
     for claim in &refuted {
         *groups.entry(group(claim)).or_insert(0) += 1;
@@ -74,7 +74,7 @@ pub(crate) fn summarize(claims: &[Outcome], anchors: &[String]) -> Short {
             .get(*position)
             .and_then(|claim| siblings_of.get(&group(claim)));
         let more = more.copied().unwrap_or(0);
-        // A slip in a proof says nothing against what is proved.
+        // A slip in a proof says nothing against the theorem.
         let in_proof = claims
             .get(*position)
             .is_some_and(|outcome| outcome.claim.at.contains("proof of"));
@@ -84,12 +84,12 @@ pub(crate) fn summarize(claims: &[Outcome], anchors: &[String]) -> Short {
         let (Some(claim), Some(anchor)) = (claims.get(position), anchors.get(position)) else {
             continue;
         };
-        let told_already = match &claim.claim.author_note {
-            Some(finding) => !told.insert(finding.clone()),
+        let is_reported = match &claim.claim.author_note {
+            Some(finding) => !reported.insert(finding.clone()),
             None => false,
         };
         let follows = followers.contains(claim.claim.id.as_str());
-        let new = !told_already && !follows && claim.claim.garbled.is_none();
+        let new = !is_reported && !follows && claim.claim.garbled.is_none();
         // One point for one theorem or example.
         if points.len() < MAX_ROWS && new && groups.remove(&group(claim)).is_some() {
             let more = siblings_of.get(&group(claim)).copied().unwrap_or(0);
@@ -108,12 +108,12 @@ pub(crate) fn summarize(claims: &[Outcome], anchors: &[String]) -> Short {
     }
 }
 
-/// The theorem or example that a statement is of, or the place of one that is of none.
+/// Returns the theorem or example that a statement belongs to, or its place if there is none.
 fn group(outcome: &Outcome) -> String {
     title(outcome).unwrap_or_else(|| outcome.claim.at.clone())
 }
 
-/// The theorems and examples with a false statement that rests on a claim.
+/// Returns the theorems and examples with a false statement that depends on a claim.
 fn fallen(outcome: &Outcome, claims: &[Outcome]) -> Vec<String> {
     let all: Vec<&Outcome> = claims.iter().collect();
     let own = title(outcome);
@@ -131,7 +131,8 @@ fn fallen(outcome: &Outcome, claims: &[Outcome]) -> Vec<String> {
     names
 }
 
-/// Of a claim of which its file tells no finding, a theorem that rests on it and is false too, with what was found of it.
+/// For a claim whose file has no finding, returns a theorem that depends on it and is false too, with the finding about
+/// that.
 fn theorem_on(outcome: &Outcome, claims: &[Outcome]) -> Option<(String, Prose)> {
     if outcome.claim.author_note.is_some() {
         return None;
@@ -148,7 +149,7 @@ fn theorem_on(outcome: &Outcome, claims: &[Outcome]) -> Option<(String, Prose)> 
     })
 }
 
-/// Formulas of more letters than this are left to the corrections: true ones, and those that are printed.
+/// Longer formulas, true or printed, are left to the corrections.
 const MAX_TRUE_LENGTH: usize = 320;
 const MAX_PRINTED_LENGTH: usize = 130;
 
@@ -176,17 +177,17 @@ fn point(
     };
     let consequence = match (resting, falling) {
         (0, _) => None,
-        (1, 0) => Some("One statement rests on it, and survives.".to_owned()),
+        (1, 0) => Some("One statement depends on it, and does not fail.".to_owned()),
         (1, _) => Some(format!(
-            "The one statement that rests on it is false too{places}."
+            "The one statement that depends on it is false too{places}."
         )),
-        (_, 0) => Some(format!("{} rest on it, and survive.", statements(resting))),
+        (_, 0) => Some(format!("{} depend on it; none fails.", statements(resting))),
         (_, 1) => Some(format!(
-            "{} rest on it; one is false too{places}.",
+            "{} depend on it; one is false too{places}.",
             statements(resting)
         )),
         _ => Some(format!(
-            "{} rest on it; {falling} are false too{places}.",
+            "{} depend on it; {falling} are false too{places}.",
             statements(resting)
         )),
     };
@@ -218,7 +219,7 @@ fn point(
     }
 }
 
-/// What is true of the statements, counted.
+/// Counts the statements by verdict.
 fn counts(claims: &[Outcome]) -> String {
     let tally = Tally::new(claims);
     let count = |verdict| {

@@ -1,4 +1,4 @@
-//! Counts by verdict and evidence, the two axes of every answer; remarks of ours are counted apart.
+//! Counts by verdict and evidence, the two axes of every answer; remarks of ours are counted separately.
 
 use crate::glossary::{self, EVIDENCE, Term, VERDICTS};
 use serde::Serialize;
@@ -8,10 +8,10 @@ use torse_verdicts::outcome::Outcome;
 /// How many claims have which verdict, and which evidence with it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Tally {
-    /// How many claims there are, remarks of ours left out.
+    /// The number of claims, without remarks of ours.
     pub total: usize,
-    /// How many remarks of ours there are, and how many of them hold, if need be under a condition that is stated. They say
-    /// nothing of the paper, and are counted in no row.
+    /// The number of remarks of ours, and how many of them hold, possibly under a stated condition. They say nothing
+    /// about the paper, and are counted in no row.
     pub remarks: Remarks,
     /// The kinds of evidence that occur, strongest first: the columns.
     pub evidence: Vec<Term>,
@@ -22,7 +22,7 @@ pub struct Tally {
 /// Statements of ours that the paper does not make.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Remarks {
-    /// All.
+    /// All of them.
     pub total: usize,
     /// Those that hold or hold under their condition.
     pub proved: usize,
@@ -35,7 +35,7 @@ pub struct Row {
     pub verdict: Term,
     /// How many claims have it.
     pub count: usize,
-    /// How many of them rest on each kind of [`Tally::evidence`], in that order.
+    /// How many of them have each kind of [`Tally::evidence`], in that order.
     pub by_evidence: Vec<usize>,
     /// How many of them need no evidence.
     pub without: usize,

@@ -1,13 +1,12 @@
-//! Strings made safe to show: nothing hidden, nothing that acts on its surroundings.
+//! Makes strings safe to show: nothing hidden, nothing that acts on its surroundings.
 
-/// The string with every character that cannot be seen, and would act on the text around it, spelled out
-/// as `‹U+202E›`: control characters other than the line break, and the marks that turn the direction of
-/// writing.
+/// Spells out as `‹U+202E›` every invisible character that would act on the text around it: control characters other
+/// than the line break, and the marks that change the direction of writing.
 pub(crate) fn visible(text: &str) -> String {
     replace(text, |character| !acts_unseen(character))
 }
 
-/// The string with every character that `keep` refuses spelled out as `‹U+E0F6›`.
+/// Spells out every character that `keep` refuses as `‹U+E0F6›`.
 pub(crate) fn replace(text: &str, keep: impl Fn(char) -> bool) -> String {
     let mut shown = String::with_capacity(text.len());
     for character in text.chars() {
@@ -28,7 +27,7 @@ fn acts_unseen(character: char) -> bool {
         )
 }
 
-/// Decimals as a reader wants them: no row of zeros, a minus sign, an ellipsis.
+/// Writes decimals for readers: no row of zeros, a minus sign, an ellipsis.
 pub(crate) fn decimal(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     let mut rest = text;
@@ -56,7 +55,7 @@ pub(crate) fn decimal(text: &str) -> String {
     shown
 }
 
-/// An identifier of letters, digits and hyphens, for links: other characters become hyphens.
+/// Makes an identifier of letters, digits and hyphens, for links: other characters become hyphens.
 pub(crate) fn anchor(text: &str) -> String {
     let plain = |character: char| {
         if character.is_ascii_alphanumeric() {
@@ -68,12 +67,12 @@ pub(crate) fn anchor(text: &str) -> String {
     text.chars().map(plain).collect()
 }
 
-/// The name of a claim: its id without the paper's slug.
+/// Returns the name of a claim: its id without the paper's slug.
 pub(crate) fn name(id: &str) -> &str {
     id.split_once('/').map_or(id, |(_, name)| name)
 }
 
-/// The text if it has at most `length` characters, or else that many of it, up to a whole word, and an
+/// Returns the text if it has at most `length` characters; otherwise its beginning, up to a whole word, and an
 /// ellipsis.
 pub(crate) fn beginning(text: &str, length: usize) -> String {
     let Some((cut, _)) = text.char_indices().nth(length) else {
@@ -84,7 +83,7 @@ pub(crate) fn beginning(text: &str, length: usize) -> String {
     format!("{words} …")
 }
 
-/// The steps with each run of equal ones, or of equal pairs and triples, as one, followed by how often it was taken.
+/// Merges each run of equal steps, or of equal pairs and triples, into one, followed by its count.
 #[must_use]
 pub fn counted(steps: &[String]) -> Vec<String> {
     let bare = |step: &String| step.trim_end_matches('.').to_owned();
@@ -117,7 +116,7 @@ pub fn counted(steps: &[String]) -> Vec<String> {
     list
 }
 
-/// The heading under which a claim is listed, from where the paper says it.
+/// Returns the heading under which a claim is listed, from its place in the paper.
 ///
 /// `Sect. 3.2, eq. (3.7)` is in `Section 3`; tables and figures have headings of their own; anything else
 /// is listed under its first words, up to a comma, semicolon or bracket.
@@ -141,7 +140,7 @@ pub(crate) fn section_title(at: &str) -> String {
     }
 }
 
-/// The number of a figure from where the paper has it: `Fig. 2 (a)` and `Sect. 3.1, Figure 2(a)` are `2(a)`.
+/// Returns the number of a figure from its place in the paper: `2(a)` for `Fig. 2 (a)` and `Sect. 3.1, Figure 2(a)`.
 pub(crate) fn figure_number(at: &str) -> Option<String> {
     let (_, after) = at.split_once("Fig")?;
     let after = after
@@ -165,8 +164,8 @@ pub(crate) fn figure_number(at: &str) -> Option<String> {
     })
 }
 
-/// The rank of a heading among those of a report: what stands before the first numbered section, the
-/// sections by number, tables, figures; headings of one rank keep their order.
+/// Returns the rank of a heading in a report: first everything before the first numbered section, then sections by
+/// number, tables, figures. Headings of one rank keep their order.
 pub(crate) fn section_rank(title: &str) -> usize {
     let number = title
         .strip_prefix("Section ")

@@ -25,14 +25,14 @@ pub struct Typeset {
 }
 
 impl Typeset {
-    /// How many pages the document has.
+    /// Returns the number of pages.
     #[must_use]
     pub fn page_count(&self) -> usize {
         self.document.pages().len()
     }
 
-    /// The document as PDF/A-2b and PDF/UA-1: fonts embedded, with outline and links, tagged, every formula and picture
-    /// with words for those who do not see it; the same bytes on every run.
+    /// Writes the document as PDF/A-2b and PDF/UA-1: fonts embedded, with outline and links, tagged, with alternative
+    /// texts for every formula and picture; the same bytes on every run.
     ///
     /// # Errors
     ///
@@ -55,7 +55,7 @@ impl Typeset {
         typst_pdf::pdf(&self.document, &options).map_err(|diagnostics| refused(NAME, &diagnostics))
     }
 
-    /// A page, counted from 0, as PNG.
+    /// Draws a page, counted from 0, as PNG.
     ///
     /// An A4 page is 595 by 842 points.
     ///

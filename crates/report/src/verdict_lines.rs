@@ -1,6 +1,6 @@
-//! The verdicts as a table, one line a claim: what is kept of a run, so that two runs can be compared by eye.
+//! The verdicts as a table, one line for each claim, so that two runs can be compared by eye.
 //!
-//! The full finding is in [`crate::verdicts_json`]; this table has the words of it that a change would show in.
+//! [`crate::verdicts_json`] has the full findings; this table has the words in which a change would show.
 
 use crate::{ReportError, glossary};
 use std::collections::BTreeSet;
@@ -9,13 +9,14 @@ use torse_verdicts::outcome::Outcome;
 /// The columns of the table.
 const COLUMNS: [&str; 6] = ["id", "verdict", "evidence", "replayed", "netted", "kernel"];
 
-/// The verdicts as comma-separated values with a header: `id`, `verdict` and `evidence` as in [`crate::verdicts_json`], then
-/// whether the checker of proofs followed the whole proof, whether the points of the net are enough, and whether the kernel
-/// of the proof assistant accepted a proof of the claim, which is so for the ids in `accepted`. What does not apply is empty.
+/// Writes the verdicts as comma-separated values with a header: `id`, `verdict` and `evidence` as in
+/// [`crate::verdicts_json`], then whether the checker of proofs followed the whole proof, whether enough points confirm
+/// the verdict, and whether the kernel of the proof assistant accepted a proof of the claim, which holds for the ids in
+/// `accepted`. Fields that do not apply are empty.
 ///
 /// # Errors
 ///
-/// [`ReportError::Table`] when the writer fails, which memory gives it no reason to.
+/// [`ReportError::Table`] if the writer fails, which does not happen in memory.
 ///
 /// ```
 /// use std::collections::BTreeSet;

@@ -10,13 +10,13 @@ use torse_verdicts::Correction;
 /// A formula on lines of its own.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct FormulaView {
-    /// The formula; none where its notation cannot be read.
+    /// The formula; none if its notation cannot be parsed.
     pub math: Option<Mathematics>,
-    /// The notation of the derivation files, shown where there is no mathematics.
+    /// The notation of the derivation files, shown if there is no mathematics.
     pub text: String,
 }
 
-/// A proved correction: the statement as printed with what goes marked, and the corrected one with what comes.
+/// A proved correction: the printed statement with deletions marked, and the corrected one with insertions marked.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct CorrectionView {
     /// The statement as printed.
@@ -25,7 +25,7 @@ pub struct CorrectionView {
     pub statement: FormulaView,
     /// What was changed, and the conditions, one entry each.
     pub edits: Vec<Prose>,
-    /// Whether no other repair with as few edits was found.
+    /// Whether no other correction with as few edits was found.
     pub unique: bool,
 }
 
@@ -37,7 +37,7 @@ pub(crate) fn formula(of: &Formula, names: &Names) -> FormulaView {
     }
 }
 
-/// A formula that the engine derived: a long one is counted.
+/// A formula that the engine derived; a long one is replaced by its number of terms.
 pub(crate) fn derived(of: &Formula, names: &Names) -> FormulaView {
     match glossary::long(&of.text) {
         Some(words) => FormulaView {
@@ -48,7 +48,7 @@ pub(crate) fn derived(of: &Formula, names: &Names) -> FormulaView {
     }
 }
 
-/// The correction with its change marked.
+/// Makes the correction with its change marked.
 pub(crate) fn correction(
     parsed: Option<&Formula>,
     repair: &Correction,

@@ -1,7 +1,7 @@
 //! The typesetter's world: templates, data, pictures and fonts, all in memory.
 //!
-//! Nothing is read from the machine: the fonts are those that come with the typesetter, and the date is
-//! fixed, so the same data give the same document everywhere.
+//! It reads nothing from the machine: the fonts come with the typesetter, and the date is fixed, so the same data give
+//! the same document everywhere.
 
 use std::{collections::HashMap, path::PathBuf, sync::LazyLock};
 use typst::{
@@ -15,7 +15,7 @@ use typst::{
 
 use crate::ReportError;
 
-/// The fonts and the standard library: the same for every document, so made once.
+/// The fonts and the standard library, made once for all documents.
 struct Shared {
     library: LazyHash<Library>,
     book: LazyHash<FontBook>,
@@ -50,8 +50,8 @@ pub(crate) struct MemoryWorld {
 }
 
 impl MemoryWorld {
-    /// A world whose document is `main`; it may import the `templates` and read the `files`, both given
-    /// by name and content.
+    /// Makes a world whose document is `main`; it may import the `templates` and read the `files`, both given by name
+    /// and content.
     pub(crate) fn new(
         main: &str,
         templates: &[(&str, &str)],
@@ -73,7 +73,7 @@ impl MemoryWorld {
         })
     }
 
-    /// Compiles the document; `name` says in errors which one it is.
+    /// Compiles the document; `name` names it in errors.
     pub(crate) fn compile<D: Output>(&self, name: &'static str) -> Result<D, ReportError> {
         let Warned {
             output,
@@ -83,7 +83,7 @@ impl MemoryWorld {
     }
 }
 
-/// The error for a document that the typesetter refused.
+/// Makes the error for a document that the typesetter refused.
 pub(crate) fn refused(document: &'static str, diagnostics: &[SourceDiagnostic]) -> ReportError {
     const SHOWN: usize = 5;
     let messages = diagnostics
@@ -135,7 +135,7 @@ impl World for MemoryWorld {
     }
 }
 
-/// The date that every document carries: no clock is read, so that equal data give equal bytes.
+/// The date of every document: no clock is read, so equal data give equal bytes.
 pub(crate) fn fixed_date() -> Option<Datetime> {
     Datetime::from_ymd_hms(2026, 1, 1, 0, 0, 0)
 }

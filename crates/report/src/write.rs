@@ -1,4 +1,4 @@
-//! Files appear whole or not at all.
+//! Writes files whole or not at all.
 
 use std::{
     ffi::OsString,
@@ -9,11 +9,11 @@ use std::{
 
 use crate::ReportError;
 
-/// Writes `bytes` to `path`: first to a neighbour in the same folder, which then takes the name.
+/// Writes `bytes` to `path`: first to a temporary file in the same folder, which is then renamed.
 ///
-/// A reader sees the old file or the new one, never half of one, and a failure leaves the old file as it
-/// was. Missing folders are made. The neighbour's name carries the process number, so two runs at once do
-/// not write into each other's.
+/// A reader sees the old file or the new one, never half of one, and a failure leaves the old file as it was. Missing
+/// folders are made. The name of the temporary file contains the process number, so two runs at once do not overwrite
+/// each other's.
 ///
 /// # Errors
 ///
@@ -22,7 +22,7 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), ReportError> {
     let neighbour = neighbour(path);
     let written = replace(path, &neighbour, bytes);
     if written.is_err() {
-        // Nothing is left behind; that this may fail too changes nothing about the first failure.
+        // The temporary file is removed; a failure of that does not change the first error.
         let _ = fs::remove_file(&neighbour);
     }
     written.map_err(|source| ReportError::Write {

@@ -1,16 +1,16 @@
-//! Symbols as a statement binds them.
+//! Symbols as binders of a statement.
 
 use std::sync::Arc;
 
-/// A symbol that is bound.
+/// A bound symbol.
 #[derive(Debug, Clone)]
 pub struct Binder {
     /// The declared name.
     pub symbol: Arc<str>,
-    /// The names that are bound, with their type; a vector is bound coordinate by coordinate.
+    /// The names that are bound; a vector is bound coordinate by coordinate.
     pub names: Vec<String>,
     /// The type of each.
     pub rocq_type: String,
-    /// For a vector, the `let` that puts its coordinates together.
+    /// For a vector, the `let` that assembles its coordinates.
     pub together: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! The files that describe all others: what the kernel is asked about them, and their list.
+//! Files about all other files: the one that asks the kernel for axioms, and the lists.
 
 use crate::modules;
 use crate::section::comment;
@@ -7,26 +7,26 @@ use std::collections::BTreeMap;
 /// The file that asks for the axioms of all theorems.
 pub const CHECK: &str = "Check.v";
 
-/// The end of the names of the files of proofs.
+/// Suffix of the names of files of proofs.
 pub(crate) const PROOFS: &str = "_proofs.v";
 
-/// The theorems that a module of proofs may have, and what they say of their module of statements.
+/// The theorems that a module of proofs may have, with what each says about the statement of its module.
 const SAYS: [(&str, &str, &str); 3] = [
     ("proved", "", "statement"),
     ("refuted", "~ ", "statement"),
     ("met", "", "instance"),
 ];
 
-/// The file of a paper that names its theorems.
+/// The file of a paper that lists its theorems.
 const THEOREMS: &str = "/Theorems.v";
 
-/// Whether a file names the theorems of a paper.
+/// Whether a file lists the theorems of a paper.
 pub(crate) fn is_list(path: &str) -> bool {
     path.ends_with(THEOREMS)
 }
 
-/// The files whose output is the referee's list: one for each paper, in which every theorem of its files of proofs stands with
-/// the statement that it has, then the one that asks for the axioms of all.
+/// Returns the files whose output is the referee's list: one for each paper, with every theorem of its files of proofs
+/// and its statement, then the one that asks for the axioms of all.
 #[must_use]
 pub fn referees(files: &BTreeMap<String, String>) -> Vec<(String, String)> {
     let mut papers: BTreeMap<&str, Vec<(&str, &str)>> = BTreeMap::new();
@@ -51,7 +51,7 @@ pub fn referees(files: &BTreeMap<String, String>) -> Vec<(String, String)> {
     lists
 }
 
-/// The file for these sections of a paper.
+/// Writes that file for these sections of a paper.
 fn list(sections: &[(&str, &str)]) -> String {
     let mut text = comment("The kernel's word: each theorem has the type of its statement.") + "\n";
     for (section, _) in sections {
@@ -80,7 +80,7 @@ fn list(sections: &[(&str, &str)]) -> String {
     text + &named(&parts)
 }
 
-/// One walk over all proofs: a term that names each.
+/// Makes one term that mentions every proof, so that they are traversed once.
 fn named(parts: &[String]) -> String {
     let parts = parts.iter().map(|part| format!("let _ := {part} in\n"));
     format!(
@@ -89,18 +89,18 @@ fn named(parts: &[String]) -> String {
     )
 }
 
-/// The list of the files.
+/// Writes the list of the files.
 #[must_use]
 pub fn project(files: &BTreeMap<String, String>) -> String {
     let paths = || files.keys().filter(|path| path.ends_with(".v"));
     let mut prefixes: Vec<&str> = paths()
         .filter_map(|path| Some(path.split_once('/')?.0))
         .collect();
-    // The library stands first, as it is read first.
+    // The library comes first, since it is read first.
     prefixes.sort_by_key(|prefix| (*prefix != "Torse", *prefix));
     prefixes.dedup();
-    // `Check.v` stands beside the folders. Where the folder of a file is not named, `coq_makefile` gives all below it a
-    // name of its own, and no file finds another.
+    // `Check.v` stands beside the folders. If the folder of a file is not listed, `coq_makefile` gives everything below
+    // it a name of its own, and no file finds another.
     let mut text = "-I .\n".to_owned();
     for prefix in prefixes {
         text.push_str(&format!("-Q {prefix} {prefix}\n"));
@@ -112,7 +112,7 @@ pub fn project(files: &BTreeMap<String, String>) -> String {
     text
 }
 
-/// The files that a list names.
+/// Returns the files in a list.
 pub(crate) fn listed(project: &str) -> impl Iterator<Item = &str> {
     project.lines().filter(|line| line.ends_with(".v"))
 }

@@ -1,11 +1,11 @@
-//! Closed forms of the definitions that statements of a section share: each is computed once, in a file that all proofs of
-//! the section use. The tactic `stage` of a script looks there first, and computes what it does not find.
+//! Closed forms of the definitions that statements of a section share: each is computed once, in a file that all proofs
+//! of the section use. The tactic `stage` of a script looks there first, and computes what is missing.
 
 use crate::section::{comment, imports};
 use crate::shared::{DEFINITIONS, Definition, Shared};
 use std::collections::BTreeSet;
 
-/// The end of the names of the files of closed forms.
+/// Suffix of the names of files of closed forms.
 pub(crate) const CLOSED: &str = "_closed.v";
 
 /// The definitions that scripts compute one after the other.
@@ -21,7 +21,7 @@ pub fn staged<'t>(scripts: impl IntoIterator<Item = &'t str>) -> BTreeSet<&'t st
     names
 }
 
-/// The file of the closed forms of those shared definitions that are `wanted`; none where there are none.
+/// Writes the file of the closed forms of the shared definitions that are `wanted`; none if there are none.
 #[must_use]
 pub fn file(
     folder: &str,
@@ -45,7 +45,7 @@ pub fn file(
     })
 }
 
-/// One closed form, and the line by which `stage` finds it.
+/// Writes one closed form, and the line by which `stage` finds it.
 fn form(definition: &Definition, known: &dyn Fn(&str) -> bool) -> String {
     let Definition { name, uses, at, .. } = definition;
     let used = uses.iter().filter(|used| known(used));

@@ -1,13 +1,13 @@
-//! Text of Rocq with the strength of its outermost operator, so that only needed parentheses are written.
+//! Rocq text with the precedence of its outermost operator, so that only needed parentheses are written.
 
 use torse_numbers::Rational;
 
-/// How strongly the outermost operator of a text binds; the numbers are Rocq's own levels.
+/// Precedence of the outermost operator of a text; the numbers are Rocq's own levels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// A name, a numeral, something in parentheses or brackets.
+    /// A name, a numeral, or a text in parentheses or brackets.
     Atom = 0,
-    /// A function with its arguments.
+    /// A function applied to arguments.
     Application = 10,
     /// `a ^ n`
     Power = 30,
@@ -27,7 +27,7 @@ pub enum Level {
     Open = 200,
 }
 
-/// A piece of Rocq.
+/// A piece of Rocq text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Code {
     text: String,
@@ -35,18 +35,18 @@ pub struct Code {
 }
 
 impl Code {
-    /// A text whose outermost operator has this level.
+    /// Makes a text whose outermost operator has this level.
     pub fn new(text: impl Into<String>, level: Level) -> Self {
         let text = text.into();
         Self { text, level }
     }
 
-    /// A name or something in brackets.
+    /// Makes a name or a bracketed text.
     pub fn atom(text: impl Into<String>) -> Self {
         Self::new(text, Level::Atom)
     }
 
-    /// The text for a place that takes operators up to this level.
+    /// Returns the text for a place that accepts operators up to this level, in parentheses if needed.
     #[must_use]
     pub fn within(&self, level: Level) -> String {
         if self.level <= level {
@@ -56,7 +56,7 @@ impl Code {
         }
     }
 
-    /// The text for a place that takes operators that bind more strongly than this level.
+    /// Returns the text for a place that accepts only operators that bind more strongly than this level.
     #[must_use]
     pub fn below(&self, level: Level) -> String {
         if self.level < level {
@@ -66,13 +66,13 @@ impl Code {
         }
     }
 
-    /// The text as an argument.
+    /// Returns the text as an argument.
     #[must_use]
     pub fn argument(&self) -> String {
         self.within(Level::Atom)
     }
 
-    /// The text alone.
+    /// Returns the plain text.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
@@ -91,14 +91,14 @@ impl Code {
         )
     }
 
-    /// An operator that associates to the left.
+    /// Writes an operator that associates to the left.
     #[must_use]
     pub fn infix(left: &Code, sign: &str, right: &Code, level: Level) -> Self {
         let text = format!("{} {sign} {}", left.within(level), right.below(level));
         Self::new(text, level)
     }
 
-    /// An operator that associates to the right.
+    /// Writes an operator that associates to the right.
     #[must_use]
     pub fn infix_right(left: &Code, sign: &str, right: &Code, level: Level) -> Self {
         let text = format!("{} {sign} {}", left.below(level), right.within(level));
@@ -112,7 +112,7 @@ impl Code {
         Self::atom(format!("[{}]", items.join("; ")))
     }
 
-    /// A rational number.
+    /// Writes a rational number.
     #[must_use]
     pub fn rational(value: &Rational) -> Self {
         let numerator = value.numer().to_string();
@@ -128,7 +128,7 @@ impl Code {
     }
 }
 
-/// Text of the scope of integers.
+/// Puts a text into the scope of integers.
 #[must_use]
 pub fn integer_scope(code: &Code) -> String {
     match code.level {

@@ -1,8 +1,8 @@
-//! What names mean while a claim is written: declared symbols, variables of binders, and the definitions that the
-//! statement needs before it.
+//! The meaning of names while a claim is written: declared symbols, bound variables, and the definitions that come
+//! before the statement.
 //!
-//! Every opened definition and every basis family becomes a `Definition` of its own, with the symbols and variables that
-//! occur in it as arguments: the statement then reads like the claim, and parts that occur often are written once.
+//! Every expanded definition and every basis family becomes a `Definition` of its own, with the symbols and variables
+//! that occur in it as arguments. So the statement reads like the claim, and repeated parts are written once.
 
 use crate::code::Code;
 use crate::gap::Untranslatable;
@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_core::{Family, Node, Set, Term, Variable};
 
-/// The most bytes of a claim's definitions and statement together.
+/// Maximum number of bytes of a claim's definitions and statement together.
 pub const MAX_BYTES: usize = 60_000;
 
 /// A value and its shape.
@@ -21,11 +21,11 @@ pub const MAX_BYTES: usize = 60_000;
 pub struct Value {
     /// The text.
     pub code: Code,
-    /// What it is.
+    /// The shape.
     pub shape: Shape,
 }
 
-/// What a variable of a binder stands for.
+/// The kind of a bound variable.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// An integer, of type `Z`.
@@ -43,25 +43,25 @@ impl Kind {
     }
 }
 
-/// A variable in scope: the text that stands for it, and what that is.
+/// A variable in scope: its text and its kind.
 #[derive(Debug, Clone)]
 pub struct Local {
     /// The text: a name, or the argument of an applied function.
     pub code: Code,
-    /// What it is.
+    /// The kind.
     pub kind: Kind,
 }
 
-/// A definition that was written, as it is used.
+/// A written definition, as it is used.
 #[derive(Debug, Clone)]
 pub struct Head {
     /// Its name.
     pub name: String,
     /// The declared symbols that it takes, in their order.
     pub symbols: Vec<Arc<str>>,
-    /// The variables of enclosing binders that it takes.
+    /// The bound variables that it takes.
     pub variables: Vec<Variable>,
-    /// What it is worth.
+    /// The shape of its value.
     pub shape: Shape,
 }
 
@@ -74,34 +74,34 @@ pub struct Context<'a> {
     symbol_names: BTreeMap<Arc<str>, String>,
     /// The names of symbols.
     outer: Names,
-    /// Every name that a variable ever had: a definition of that name could be hidden by it.
+    /// Every name that a variable ever had; a definition of that name could be hidden by it.
     hidden: BTreeSet<String>,
     /// The names in use in the definition or statement that is being written.
     names: Names,
     /// The variables in scope.
     locals: BTreeMap<u32, Local>,
-    /// Definitions by the address of the opened term and the kinds of their variables.
+    /// Definitions by the address of the expanded term and the kinds of their variables.
     heads: BTreeMap<(usize, Vec<Kind>), Head>,
-    /// Definitions by their text, so that the same text is written once.
+    /// Definitions by text, so that the same text is written once.
     texts: BTreeMap<String, String>,
     /// The definitions, in order.
     definitions: Vec<(String, String)>,
-    /// How many bytes were written.
+    /// The number of bytes written.
     bytes: usize,
     /// Whether coefficients occur of forms that are not seen to be linear.
     unclear_forms: bool,
-    /// What the `given` equations determine.
+    /// The unknowns of the `given` equations.
     unknowns: Vec<Term>,
-    /// What stands for symbols in place of their names.
+    /// Texts that replace the names of symbols.
     moved: Vec<(Arc<str>, String)>,
     /// The unknowns as functions of symbols.
     alongs: Vec<Along>,
-    /// How many definitions are being written inside of each other.
+    /// The nesting depth of definitions being written.
     depth: u32,
 }
 
 impl<'a> Context<'a> {
-    /// The context of a claim with these symbols.
+    /// Makes the context of a claim with these symbols.
     #[must_use]
     pub fn new(symbols: &'a BTreeMap<Arc<str>, Set>) -> Self {
         let mut outer = Names::default();
@@ -126,20 +126,20 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The same where equations determine these unknowns.
+    /// Makes the same context with these unknowns of given equations.
     #[must_use]
     pub fn with_unknowns(mut self, unknowns: &[Term]) -> Self {
         self.unknowns = unknowns.to_vec();
         self
     }
 
-    /// What the `given` equations determine.
+    /// Returns the unknowns of the `given` equations.
     #[must_use]
     pub fn unknowns(&self) -> &[Term] {
         &self.unknowns
     }
 
-    /// Whether a term has an unknown, or a part or member of the vector or family of one.
+    /// Whether a term contains an unknown, or a part or member of the vector or family of one.
     #[must_use]
     pub fn has_unknowns(&self, term: &Term) -> bool {
         let mut names = BTreeSet::new();
@@ -153,40 +153,40 @@ impl<'a> Context<'a> {
         found
     }
 
-    /// The unknowns as functions of symbols, as far as they were asked for.
+    /// Returns the unknowns as functions of symbols, as far as they were requested.
     #[must_use]
     pub fn alongs(&self) -> &[Along] {
         &self.alongs
     }
 
-    /// Functions of one more symbol.
+    /// Adds functions of one more symbol.
     pub fn add_along(&mut self, along: Along) {
         self.alongs.push(along);
     }
 
-    /// Lets texts stand for symbols from here on, and says which did before.
+    /// Replaces symbols by texts from here on, and returns the previous replacements.
     pub fn moved(&mut self, values: Vec<(Arc<str>, String)>) -> Vec<(Arc<str>, String)> {
         std::mem::replace(&mut self.moved, values)
     }
 
-    /// Whether what is being written is the body of a definition.
+    /// Whether the body of a definition is being written.
     #[must_use]
     pub fn is_in_definition(&self) -> bool {
         self.depth > 0
     }
 
-    /// The definitions written so far: names and texts, in order.
+    /// Returns the definitions written so far: names and texts, in order.
     #[must_use]
     pub fn definitions(&self) -> &[(String, String)] {
         &self.definitions
     }
 
-    /// Says whether coefficients occur of forms that are not seen to be linear, and what was said before.
+    /// Sets whether coefficients occur of forms that are not seen to be linear, and returns the previous value.
     pub fn unclear_forms(&mut self, occur: bool) -> bool {
         std::mem::replace(&mut self.unclear_forms, occur)
     }
 
-    /// The name of a symbol.
+    /// Returns the name of a symbol.
     ///
     /// # Errors
     /// [`Untranslatable::Unread`] if the claim does not declare it.
@@ -199,10 +199,10 @@ impl<'a> Context<'a> {
         found.ok_or_else(|| Untranslatable::Unread(format!("the symbol `{name}` is not declared")))
     }
 
-    /// The type of a symbol, as it stands in the head of a definition.
+    /// Returns the type of a symbol, as it stands in the head of a definition.
     ///
     /// # Errors
-    /// [`Untranslatable`] for vectors and families that are not written.
+    /// [`Untranslatable`] for vectors and families that cannot be written.
     pub fn symbol_type(&self, name: &Arc<str>) -> Result<String, Untranslatable> {
         let set = self.symbols.get(name);
         let set = set.ok_or_else(|| {
@@ -213,7 +213,7 @@ impl<'a> Context<'a> {
             Set::Integer { .. } => "Z".to_owned(),
             Set::Vector(Some(_)) => "list R".to_owned(),
             Set::Family { dimension, ranges } => {
-                // Without a declared range the number of indices is not known here; one is the rule.
+                // Without a declared range the number of indices is unknown here; usually it is one.
                 let indices = "Z -> ".repeat(ranges.len().max(1));
                 let member = match dimension {
                     None | Some(1) => "R",
@@ -224,7 +224,7 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// A name for a variable, and the variable in scope under it.
+    /// Adds a variable to the scope, with a name for it.
     pub fn bind(&mut self, variable: &Variable, kind: Kind) -> String {
         let name = self.fresh(variable.name());
         let code = Code::atom(&name);
@@ -239,35 +239,35 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// A variable in scope that stands for this text.
+    /// Adds a variable to the scope, with the text that stands for it.
     pub fn put(&mut self, variable: &Variable, local: Local) {
         self.locals.insert(variable.number(), local);
     }
 
-    /// The variables in scope.
+    /// Returns the variables in scope.
     #[must_use]
     pub fn locals(&self) -> BTreeMap<u32, Local> {
         self.locals.clone()
     }
 
-    /// Variables that were in scope stand for what they stood for.
+    /// Restores the variables that were in scope.
     pub fn put_back(&mut self, locals: BTreeMap<u32, Local>) {
         self.locals = locals;
     }
 
-    /// A name that nothing else has here.
+    /// Returns a name that nothing else has here.
     pub fn fresh(&mut self, like: &str) -> String {
         let name = self.names.fresh(like);
         self.hidden.insert(name.clone());
         name
     }
 
-    /// A name may be given again.
+    /// Frees a name.
     pub fn free(&mut self, name: &str) {
         self.names.release(name);
     }
 
-    /// A name for a definition: no symbol and no variable has it, and none will.
+    /// Returns a name for a definition: no symbol and no variable has it, and none will.
     fn fresh_definition(&mut self, like: &str) -> String {
         let mut like = identifier(like);
         loop {
@@ -279,10 +279,10 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// What a variable stands for.
+    /// Returns what a variable stands for.
     ///
     /// # Errors
-    /// [`Untranslatable::Unread`] outside of its binder.
+    /// [`Untranslatable::Unread`] outside its binder.
     pub fn local(&self, variable: &Variable) -> Result<&Local, Untranslatable> {
         let found = self.locals.get(&variable.number());
         found.ok_or_else(|| {
@@ -290,11 +290,12 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// The definition of an opened term or a family, written where it is met first. `write` writes its body; the variables
-    /// in `own` are further arguments, in this order, behind those of enclosing binders, and integers called like `indices` come last.
+    /// Returns the definition of an expanded term or a family, and writes it on first use. `write` writes its body; the
+    /// variables in `own` are further arguments, in this order, after those of enclosing binders, and integers called
+    /// like `indices` come last.
     ///
     /// # Errors
-    /// What `write` finds, and [`Untranslatable::Size`].
+    /// The error of `write`, and [`Untranslatable::Size`].
     pub fn define(
         &mut self,
         address: usize,
@@ -311,7 +312,7 @@ impl<'a> Context<'a> {
         if let Some(head) = self.heads.get(&key) {
             return Ok(head.clone());
         }
-        // The body has a scope of its own, so that the same formula is always the same text.
+        // The body has a scope of its own, so that the same formula always gives the same text.
         let moved = self.moved(vec![]);
         self.depth += 1;
         let mut inner = Names::default();
@@ -377,7 +378,7 @@ impl<'a> Context<'a> {
         Ok(head)
     }
 
-    /// Takes the names of all definitions.
+    /// Reserves the names of all definitions.
     fn reserve_definitions(&self, names: &mut Names) {
         for (name, _) in &self.definitions {
             names.reserve(name);
@@ -396,10 +397,10 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The arguments that a definition takes from here.
+    /// Returns the arguments that a definition takes here.
     ///
     /// # Errors
-    /// [`Untranslatable::Unread`] outside of a binder.
+    /// [`Untranslatable::Unread`] outside a binder.
     pub fn arguments(&self, head: &Head) -> Result<Vec<Code>, Untranslatable> {
         let symbols = head
             .symbols
@@ -413,17 +414,17 @@ impl<'a> Context<'a> {
     }
 }
 
-/// What occurs in a term and is bound outside of it.
+/// Symbols and variables that occur free in a term.
 #[derive(Debug, Default)]
 pub struct Used {
     /// Declared symbols.
     pub symbols: BTreeSet<Arc<str>>,
-    /// Variables of enclosing binders.
+    /// Bound variables of enclosing binders.
     pub variables: BTreeSet<Variable>,
 }
 
 impl Used {
-    /// What occurs in a term.
+    /// Collects the free symbols and variables of a term.
     #[must_use]
     pub fn from_term(term: &Term) -> Self {
         let mut used = Self::default();
@@ -434,7 +435,7 @@ impl Used {
         used
     }
 
-    /// What occurs in seeds and step of a family.
+    /// Collects those of seeds and step of a family.
     #[must_use]
     pub fn of_family(family: &Family) -> Self {
         let parts = || family.seeds.iter().chain([&family.step.0, &family.step.1]);
@@ -450,7 +451,7 @@ impl Used {
     }
 }
 
-/// The variables that occur and are not bound inside. No two binders have the same variable.
+/// Returns the variables that occur free. No two binders have the same variable.
 fn free<'t>(terms: impl Iterator<Item = &'t Term>, bound: &[Variable]) -> BTreeSet<Variable> {
     let mut seen = BTreeSet::new();
     let mut used = BTreeSet::new();

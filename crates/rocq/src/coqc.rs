@@ -1,4 +1,4 @@
-//! Running `coqc`, with limits of time and memory, on a scratch copy of a folder of proofs.
+//! Runs `coqc`, with limits of time and memory, on a scratch copy of a folder of proofs.
 
 use crate::check::{self, CHECK, PROOFS};
 use crate::closed::CLOSED;
@@ -27,24 +27,24 @@ pub const AXIOMS: [&str; 4] = [
 /// How to get the program.
 pub const INSTALL: &str = "apt-get install coq libcoq-coquelicot";
 
-/// The longest time for the separate checker.
+/// Maximum time for the separate checker.
 const MAX_RECHECK: Duration = Duration::from_secs(3600);
 
 /// Why nothing could be checked.
 #[derive(Debug, Error)]
 pub enum CheckError {
-    /// The program is not there.
+    /// The program is not installed.
     #[error("`coqc` was not found")]
     Missing,
-    /// The program is there, and Coquelicot is not, or the library does not compile.
+    /// The program is installed, but Coquelicot is not, or the library does not compile.
     #[error("the library is not accepted: {0}")]
     Library(String),
     /// The scratch folder, or the program, failed.
     #[error("{what}: {source}")]
     System {
-        /// What was being done.
+        /// The failed action.
         what: String,
-        /// What the system says.
+        /// The message of the system.
         source: io::Error,
     },
 }
@@ -52,59 +52,59 @@ pub enum CheckError {
 /// Limits of one run of the program.
 #[derive(Debug, Clone, Copy)]
 pub struct Limits {
-    /// The longest time for a file.
+    /// Maximum time for a file.
     pub time: Duration,
-    /// The most memory, in kilobytes.
+    /// Maximum memory, in kilobytes.
     pub memory: u64,
-    /// How many run at once.
+    /// How many runs go on at once.
     pub at_once: usize,
 }
 
-/// What became of a theorem.
+/// The result for a theorem.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Answer {
     /// The kernel accepted it.
     Accepted,
-    /// It did not, and says why.
+    /// The kernel did not accept it, for this reason.
     Rejected(String),
     /// A theorem before it in the same file was rejected.
     NotReached,
 }
 
-/// The theorems that the kernel accepted, as they are kept.
+/// The theorems that the kernel accepted, as stored.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Accepted {
     /// The version of the program.
     pub coq: String,
     /// The axioms that all of them together rest on.
     pub axioms: Vec<String>,
-    /// What the separate checker of compiled files said of the same theorems, if it was asked.
+    /// The answer of the separate checker of compiled files for the same theorems, if it was asked.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coqchk: Option<Recheck>,
-    /// Names of theorems, with the digest of all that the answer depends on.
+    /// Names of theorems, with the digest of everything that the answer depends on.
     pub theorems: BTreeMap<String, String>,
 }
 
-/// The answer of the separate checker, which reads compiled files anew and trusts no tactic and no compiler of theirs.
+/// The answer of the separate checker, which reads compiled files anew and does not trust tactics or the compiler.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Recheck {
-    /// Whether it accepted all files and all that they rest on.
+    /// Whether it accepted all files and everything that they rest on.
     pub accepted: bool,
-    /// The axioms that it lists: those of all files that were loaded, whatever uses them.
+    /// The axioms that it lists: those of all loaded files, used or not.
     pub axioms: Vec<String>,
     /// How many theorems were accepted when it was asked.
     pub theorems: usize,
 }
 
 impl Accepted {
-    /// What a folder keeps; none where nothing is kept that can be read.
+    /// Reads what a folder stores; empty if nothing can be read.
     #[must_use]
     pub fn read(folder: &Path) -> Option<Self> {
         let text = std::fs::read_to_string(folder.join(ACCEPTED)).ok()?;
         serde_json::from_str(&text).ok()
     }
 
-    /// The digests that its theorems have while nothing changes.
+    /// Returns the digests of its theorems.
     #[must_use]
     pub fn fingerprints(&self) -> Fingerprints {
         Fingerprints::of_version(&self.coq)
@@ -128,25 +128,25 @@ impl Accepted {
     }
 }
 
-/// Digests of theorems: the version of the program, the library, the statement, the proof. What all theorems share is
-/// digested once.
+/// Computes digests of theorems from the version of the program, the library, the statement and the proof. The common
+/// part is digested once.
 #[derive(Debug, Clone)]
 pub struct Fingerprints(Digest);
 
 impl Fingerprints {
-    /// Those of a version of the program.
+    /// Starts digests for a version of the program.
     #[must_use]
     pub fn of_version(version: &str) -> Self {
         let texts = LIBRARY.iter().map(|(_, text)| *text);
         Self(texts.fold(Digest::default().and(version), Digest::and))
     }
 
-    /// The digest of one theorem.
+    /// Returns the digest of one theorem.
     #[must_use]
     pub fn fingerprint(&self, theorem: &Theorem) -> String {
         let shared = self.0.clone();
         let own = shared.and(&theorem.says).and(&theorem.proof);
-        // What follows from another statement was accepted beside that one, by a tactic of its own.
+        // A statement that follows from another one was accepted together with it, by its own tactic.
         let whole = match &theorem.rests_on {
             Some(core) if printed::uses_jets(&theorem.proof) => {
                 let own = own.and(core).and(FOLLOWS.1);
@@ -159,7 +159,7 @@ impl Fingerprints {
     }
 }
 
-/// The program, found and asked for its version.
+/// The program, with its version.
 #[derive(Debug, Clone)]
 pub struct Coqc {
     /// The version, such as `8.16.1`.
@@ -195,11 +195,11 @@ impl Coqc {
         }
     }
 
-    /// Checks all theorems of a folder in `scratch`, where the [library](Self::library) was compiled and nothing else stands.
-    /// `done` is called once a section, and at the end.
+    /// Checks all theorems of a folder in `scratch`, which contains the compiled [library](Self::library) and nothing
+    /// else. Calls `done` once for each section, and at the end.
     ///
     /// # Errors
-    /// [`CheckError`] where nothing could be checked.
+    /// [`CheckError`] if nothing could be checked.
     pub fn check(
         &self,
         folder: &Folder,
@@ -232,8 +232,8 @@ impl Coqc {
         Ok((answers, axioms))
     }
 
-    /// Leaves in the scratch folder what was accepted, and has the files compiled again that lose something by that: the
-    /// axioms of the accepted theorems are asked for whatever became of the others. Returns the files that ask.
+    /// Leaves the accepted theorems in the scratch folder, and recompiles the files that lose others: the axioms are
+    /// requested for the accepted theorems alone. Returns the files that request them.
     fn without_the_rejected(
         &self,
         folder: &Folder,
@@ -275,8 +275,8 @@ impl Coqc {
         Ok(lists)
     }
 
-    /// Writes the library into `scratch`, an empty folder, and compiles it: once, whatever is asked there afterwards. `done`
-    /// is called once a file.
+    /// Writes the library into `scratch`, an empty folder, and compiles it once for all later checks. Calls `done` once
+    /// for each file.
     ///
     /// # Errors
     /// [`CheckError`]; [`CheckError::Library`] if the library is not accepted.
@@ -305,9 +305,9 @@ impl Coqc {
         compile(JETS.0)
     }
 
-    /// Has the separate checker read all that was compiled in `scratch` after a [check](Self::check), and all that it rests on.
-    /// `coqchk` is told to recompute by the same means as the kernel did: without that, conversions by `vm_compute` take days. None if it
-    /// does not end within the longest time that it has.
+    /// Has the separate checker read all files compiled in `scratch` by a [check](Self::check), and everything that
+    /// they rest on. `coqchk` must recompute by the same means as the kernel: otherwise conversions by `vm_compute`
+    /// take days. Returns `None` if it does not end within its maximum time.
     ///
     /// # Errors
     /// [`CheckError`] if it cannot be run at all.
@@ -322,20 +322,20 @@ impl Coqc {
         for prefix in prefixes(scratch)? {
             command.arg("-Q").arg(&prefix).arg(&prefix);
         }
-        // What names every theorem rests on all files.
+        // A file that names every theorem rests on all files.
         let checked = CHECK.trim_end_matches(".v");
         command.args(["-Q", ".", ""]).arg(checked);
         command.current_dir(scratch).stdin(Stdio::null());
         let run = run(&mut command, MAX_RECHECK)?;
-        let said = Recheck {
+        let answer = Recheck {
             accepted: run.status.success(),
             axioms: listed_axioms(&run.text),
             theorems,
         };
-        Ok((!run.killed).then_some(said))
+        Ok((!run.killed).then_some(answer))
     }
 
-    /// The answers about one section: its statements, then its proofs.
+    /// Returns the answers for one section: its statements, then its proofs.
     fn section(
         &self,
         folder: &Folder,
@@ -367,7 +367,7 @@ impl Coqc {
             if proofs.status.success() {
                 break;
             }
-            // The line of the error tells the theorem; the others are asked about again without it.
+            // The line of the error identifies the theorem; the others are checked again without it.
             let reason = first_lines(&proofs.text);
             let module = error_line(&proofs.text).and_then(|line| module_at(&text, line));
             let Some(module) = module.filter(|module| !rejected.contains_key(module)) else {
@@ -392,7 +392,8 @@ impl Coqc {
         Ok(theorems.iter().map(answer).collect())
     }
 
-    /// Compiles what a section of printed statements follows from, unless it was. What is wrong with it, the theorems that follow say.
+    /// Compiles the section that printed statements follow from, unless it was compiled. Its errors are reported by the
+    /// theorems that follow from it.
     fn proved(&self, core: &str, scratch: &Path, limits: Limits) -> Result<(), CheckError> {
         for end in [".v", CLOSED, PROOFS] {
             let path = scratch.join(format!("{core}{end}"));
@@ -403,7 +404,7 @@ impl Coqc {
         Ok(())
     }
 
-    /// Compiles the closed forms of the definitions of a section, where there are any; what is wrong with them.
+    /// Compiles the closed forms of the definitions of a section, if there are any; returns their error.
     pub(crate) fn closed_forms(
         &self,
         folder: &Folder,
@@ -437,8 +438,8 @@ impl Coqc {
     }
 }
 
-/// What `work` says of every section of a folder, so many at once, in the order of the sections. `done` is called once a
-/// section.
+/// Runs `work` on every section of a folder, several at once, and returns the results in the order of the sections.
+/// Calls `done` once for each section.
 ///
 /// # Errors
 /// The error of the first section that has one.
@@ -449,7 +450,7 @@ pub(crate) fn each_section<T: Send>(
     work: &(dyn Fn(&str) -> Result<T, CheckError> + Sync),
 ) -> Result<Vec<T>, CheckError> {
     let sections = folder.sections();
-    // What is printed follows from what is proved.
+    // A printed statement follows from a proved one.
     let needs = |section: &str| {
         let core = printed::proved(section)?;
         sections.iter().position(|other| *other == core)
@@ -465,18 +466,18 @@ pub(crate) fn each_section<T: Send>(
     })
 }
 
-/// What a run left.
+/// The result of a run.
 #[derive(Debug)]
 pub struct Run {
     /// How it ended; a run that took too long was killed.
     pub status: ExitStatus,
     /// Whether it was killed.
     pub killed: bool,
-    /// What it wrote.
+    /// Its output.
     pub text: String,
 }
 
-/// A command under a limit of memory, which the shell sets.
+/// Makes a command with a limit of memory, which the shell sets.
 pub(crate) fn limited(program: &str, kilobytes: u64) -> Command {
     let mut command = Command::new("sh");
     command.args([
@@ -487,7 +488,7 @@ pub(crate) fn limited(program: &str, kilobytes: u64) -> Command {
     command
 }
 
-/// Runs a command until it ends, or for as long as it may.
+/// Runs a command until it ends or its time is over.
 pub(crate) fn run(command: &mut Command, limit: Duration) -> Result<Run, CheckError> {
     let system = |source| CheckError::System {
         what: "coqc cannot be run".to_owned(),
@@ -517,7 +518,7 @@ pub(crate) fn run(command: &mut Command, limit: Duration) -> Result<Run, CheckEr
 fn reader(mut pipe: Box<dyn Read + Send>) -> std::thread::JoinHandle<String> {
     std::thread::spawn(move || {
         let mut bytes = vec![];
-        // What was read until an error is what there is to show.
+        // After an error, the output read so far is shown.
         let _ = pipe.read_to_end(&mut bytes);
         String::from_utf8_lossy(&bytes).into_owned()
     })
@@ -559,7 +560,7 @@ fn write(path: &Path, text: &str) -> Result<(), CheckError> {
     std::fs::write(path, text).map_err(system)
 }
 
-/// The folders of a scratch folder, each a prefix of its own.
+/// Returns the options for the folders of a scratch folder, each a prefix of its own.
 pub(crate) fn prefixes(scratch: &Path) -> Result<Vec<String>, CheckError> {
     let system = |source| CheckError::System {
         what: "cannot read the scratch folder".to_owned(),
@@ -576,20 +577,20 @@ pub(crate) fn prefixes(scratch: &Path) -> Result<Vec<String>, CheckError> {
     Ok(names)
 }
 
-/// The line of the first error: `File "./P/S.v", line 12, characters 0-31:`.
+/// Returns the line of the first error: `File "./P/S.v", line 12, characters 0-31:`.
 fn error_line(text: &str) -> Option<usize> {
     let (_, rest) = text.split_once(", line ")?;
     let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
     digits.parse().ok()
 }
 
-/// The module in which a line stands, counted from 1.
+/// Returns the module in which a line stands, counted from 1.
 fn module_at(text: &str, line: usize) -> Option<String> {
     let opened = |line: &str| Some(line.strip_prefix("Module ")?.strip_suffix('.')?.to_owned());
     text.lines().take(line).filter_map(opened).last()
 }
 
-/// The axioms of a `Print Assumptions`: what stands before the colons of its list.
+/// Returns the axioms of a `Print Assumptions`: the words before the colons of its list.
 fn assumptions(text: &str) -> Vec<String> {
     let Some((_, list)) = text.split_once("Axioms:") else {
         return vec![];
@@ -605,7 +606,7 @@ fn assumptions(text: &str) -> Vec<String> {
     names
 }
 
-/// The axioms of the summary of `coqchk`: what is indented below `* Axioms:`.
+/// Returns the axioms of the summary of `coqchk`: the lines indented below `* Axioms:`.
 fn listed_axioms(text: &str) -> Vec<String> {
     let Some((_, list)) = text.split_once("* Axioms:") else {
         return vec![];

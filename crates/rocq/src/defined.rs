@@ -1,8 +1,8 @@
-//! Where a term is defined: the premises that a statement of Rocq, whose operations are total, needs beside it.
+//! Definedness premises: the operations of Rocq are total, so a statement needs as premises that its terms are defined.
 //!
-//! The table of `derivations/SEMANTICS.md`, line by line. A premise that is true whatever the values are is left out:
+//! Follows the table of `derivations/SEMANTICS.md`, line by line. A premise that is true for all values is left out:
 //! divisors that are literal numbers, indices and degrees that are literal numbers in their range, and the
-//! differentiability of what is made of sums, products, sines and cosines.
+//! differentiability of sums, products, sines and cosines.
 
 use crate::code::{Code, Level};
 use crate::context::{Context, Kind, Local};
@@ -16,15 +16,15 @@ use torse_core::{BuiltIn, Family, Node, Points, Term, Variable};
 use torse_numbers::{Affine, rational};
 use torse_syntax::formula::Operator;
 
-/// The most terms that are looked at for one claim.
+/// Maximum number of terms visited for one claim.
 const MAX_TERMS: usize = 100_000;
 
-/// Premises, in the order of the text, none of them twice.
+/// Premises, in the order of the text, without duplicates.
 #[derive(Debug, Default)]
 pub struct Premises {
     found: Vec<Code>,
     seen: usize,
-    /// Definitions whose premises are found already, by their address: they have no variable of a binder.
+    /// Definitions whose premises are already collected, by address: they contain no bound variable.
     opened: BTreeSet<usize>,
 }
 
@@ -51,7 +51,7 @@ fn relation(left: &Code, sign: &str, right: &Code) -> Code {
     Code::new(text, Level::Relation)
 }
 
-/// An integer without the mark of its scope, for a place in that scope.
+/// Writes an integer without the mark of its scope, for a place in that scope.
 fn plain(code: &Code) -> String {
     let text = code.text();
     match text.strip_suffix("%Z") {
@@ -92,7 +92,7 @@ impl Context<'_> {
                 self.release(index);
                 let range = format!("{} <= {name} <= {}", plain(&low), plain(&high));
                 for premise in inner? {
-                    // An index is in the range of its own sum.
+                    // The index of a sum is in the range of this sum.
                     if premise.text() == format!("({range})%Z") {
                         continue;
                     }
@@ -107,7 +107,7 @@ impl Context<'_> {
                 value,
                 body,
             } => {
-                // What is applied inside of the value may have the same variables, with other texts.
+                // Applied terms inside the value may have the same variables, with other texts.
                 let before = self.locals();
                 self.defined(value, premises)?;
                 self.put_back(before);
@@ -155,7 +155,7 @@ impl Context<'_> {
         }
     }
 
-    /// The premises of a term alone.
+    /// Returns the premises of a single term.
     pub(crate) fn gathered(
         &mut self,
         term: &Term,
@@ -170,7 +170,7 @@ impl Context<'_> {
         Ok(inner.found)
     }
 
-    /// The premises of one operation whose arguments are defined.
+    /// Adds the premises of one operation whose arguments are defined.
     fn operation_defined(
         &mut self,
         term: &Term,
@@ -330,7 +330,7 @@ impl Context<'_> {
         let value = if rough { Some(self.number(body)) } else { None };
         self.release(variable);
         for premise in inner? {
-            // What does not depend on the variable has no neighbourhood.
+            // A term that does not depend on the variable needs no neighbourhood.
             if !mentions(premise.text(), &name) {
                 premises.add(premise);
                 continue;
@@ -362,7 +362,7 @@ pub(crate) fn mentions(text: &str, name: &str) -> bool {
     text.split(|c: char| !letter(c)).any(|word| word == name)
 }
 
-/// Whether a term is not zero whatever the values are: literal numbers and pi, their products and powers.
+/// Whether a term is nonzero for all values: literal numbers and pi, their products and powers.
 fn is_nonzero(term: &Term) -> bool {
     match &*term.node {
         Node::Pi => true,
@@ -384,8 +384,8 @@ fn is_positive(term: &Term) -> bool {
     }
 }
 
-/// Whether something occurs that is not smooth wherever it is defined: roots, and powers with symbols in the exponent, of
-/// what may depend on the variable.
+/// Whether a term contains something that is not smooth wherever it is defined: roots, and powers with symbols in the
+/// exponent, of terms that may depend on the variable.
 fn rough(term: &Term, variable: &Variable) -> bool {
     let depends = |part: &Term| {
         crate::context::Used::from_term(part)

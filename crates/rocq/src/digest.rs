@@ -2,12 +2,12 @@
 
 use sha2::{Digest as _, Sha256};
 
-/// The digest of parts, each with its length before it.
+/// Digests parts, each with its length before it.
 #[derive(Debug, Clone, Default)]
 pub struct Digest(Sha256);
 
 impl Digest {
-    /// The digest of these parts and one more.
+    /// Digests these parts and one more.
     #[must_use]
     pub fn and(mut self, part: &str) -> Self {
         self.0.update((part.len() as u64).to_be_bytes());
@@ -15,7 +15,7 @@ impl Digest {
         self
     }
 
-    /// As hexadecimal digits.
+    /// Writes it as hexadecimal digits.
     #[must_use]
     pub fn hexadecimal(self) -> String {
         let digits = |byte: &u8| format!("{byte:02x}");

@@ -1,4 +1,4 @@
-//! The symbols of a statement and the sets that they are of.
+//! The symbols of a statement and their sets.
 
 use crate::binder::Binder;
 use crate::code::Code;
@@ -9,7 +9,7 @@ use crate::interval::within;
 use std::sync::Arc;
 use torse_core::Set;
 
-/// The symbols, integers first: the index ranges of families name them.
+/// Binds the symbols, integers first, since the index ranges of families name them.
 pub(crate) fn binders(context: &mut Context<'_>) -> Result<Vec<Binder>, Untranslatable> {
     let symbols = context.symbols;
     let is_integer = |set: &Set| matches!(set, Set::Integer { .. });
@@ -62,7 +62,7 @@ pub(crate) fn binders(context: &mut Context<'_>) -> Result<Vec<Binder>, Untransl
     Ok(binders)
 }
 
-/// The declared sets.
+/// Writes the declared sets.
 pub(crate) fn domain(context: &Context<'_>) -> Result<Vec<Code>, Untranslatable> {
     let mut premises = vec![];
     for (symbol, set) in context.symbols {

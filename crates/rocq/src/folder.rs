@@ -1,4 +1,4 @@
-//! The folder of proofs: a deterministic set of files, from what was found out about claims.
+//! The folder of proofs: a deterministic set of files, from the results for claims.
 
 use crate::check::PROOFS;
 use crate::closed::CLOSED;
@@ -17,13 +17,13 @@ use std::path::Path;
 /// The page that says how to check and what to trust.
 pub const README: &str = include_str!("../proofs/README.md");
 
-/// The file with the theorems whose proof script is known not to find a proof, and why.
+/// The file of the theorems whose proof scripts are known to fail, with reasons.
 pub const UNPROVED: &str = "unproved.json";
 
-/// The theorems of a folder whose scripts are known to fail, and why; none where there is no list.
+/// Reads the theorems of a folder whose scripts are known to fail, with reasons; empty if there is no list.
 ///
 /// # Errors
-/// The words of the parser, where the list cannot be read.
+/// The message of the parser, if the list cannot be read.
 pub fn unproved(folder: &Path) -> Result<BTreeMap<String, String>, String> {
     match std::fs::read_to_string(folder.join(UNPROVED)) {
         Ok(text) => serde_json::from_str(&text).map_err(|error| error.to_string()),
@@ -31,23 +31,23 @@ pub fn unproved(folder: &Path) -> Result<BTreeMap<String, String>, String> {
     }
 }
 
-/// The file with the theorems that another script proves than the one that the verdict names, and which.
+/// The file of the theorems that another script proves than the one that the verdict names.
 pub const SCRIPTS: &str = "scripts.json";
 
-/// Which script proves a theorem of a folder, where it is not the first; none where there is no list that can be read.
+/// Reads scripts.json: theorem -> index of the script that proves it (empty if missing).
 #[must_use]
 pub fn chosen(folder: &Path) -> BTreeMap<String, usize> {
     let text = std::fs::read_to_string(folder.join(SCRIPTS)).unwrap_or_default();
     serde_json::from_str(&text).unwrap_or_default()
 }
 
-/// The file with the theorems that the kernel accepted.
+/// The file of the theorems that the kernel accepted.
 pub const ACCEPTED: &str = "accepted.json";
 
-/// The file with the claims that have no statement, and why.
+/// The file of the claims without a statement, with reasons.
 pub const NOT_STATED: &str = "not-stated.json";
 
-/// The file with the claims whose statements are not written from the tree, and why.
+/// The file of the claims whose statements are not written from the tree, with reasons.
 pub const NOT_PRINTED: &str = "not-printed.json";
 
 /// The file that lists the files for `coq_makefile`.
@@ -58,9 +58,9 @@ pub const PROJECT: &str = "_CoqProject";
 pub struct Missing {
     /// The id of the claim.
     pub id: String,
-    /// What the verdict rests on, if it rests on anything.
+    /// The evidence of the verdict, if it has any.
     pub evidence: Option<Evidence>,
-    /// Why.
+    /// The reason.
     pub reason: String,
 }
 
@@ -71,19 +71,19 @@ pub struct Folder {
     pub files: BTreeMap<String, String>,
     /// The theorems with a proof.
     pub theorems: Vec<Theorem>,
-    /// What has none.
+    /// The theorems without a proof.
     pub missing: Vec<Missing>,
-    /// The claims that have no statement, and why.
+    /// The claims without a statement, with reasons.
     pub not_stated: BTreeMap<String, String>,
     /// The claims whose statements are not written from the tree, and why.
     pub not_printed: BTreeMap<String, String>,
     /// The ids of all claims it was made for.
-    pub asked: BTreeSet<String>,
+    pub requested: BTreeSet<String>,
     /// Where definitions stand.
     layout: Layout,
 }
 
-/// Where the definitions stand that several statements of a section have.
+/// Where definitions shared by several statements of a section stand.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Layout {
     /// Once, before the statements of the section.
@@ -103,13 +103,13 @@ impl Layout {
 }
 
 impl Folder {
-    /// The folder for these papers. Theorems named in `unproved` get a statement and no proof.
+    /// Makes the folder for these papers. Theorems named in `unproved` get a statement and no proof.
     #[must_use]
     pub fn new(papers: &[(String, Vec<Finding<'_>>)], unproved: &BTreeMap<String, String>) -> Self {
         Self::with_scripts(papers, unproved, &BTreeMap::new(), Layout::default())
     }
 
-    /// The same with the scripts that were found to prove what the first ones do not.
+    /// Makes the same folder with the scripts found to prove what the first ones do not.
     #[must_use]
     pub fn with_scripts(
         papers: &[(String, Vec<Finding<'_>>)],
@@ -148,7 +148,7 @@ impl Folder {
         folder
     }
 
-    /// The sections with theorems, in the order of the files.
+    /// Returns the sections with theorems, in the order of the files.
     #[must_use]
     pub fn sections(&self) -> Vec<&str> {
         let mut sections: Vec<&str> = self.theorems.iter().map(|t| t.section.as_str()).collect();
@@ -156,14 +156,14 @@ impl Folder {
         sections
     }
 
-    /// The theorems of a section.
+    /// Returns the theorems of a section.
     #[must_use]
     pub fn theorems_of(&self, section: &str) -> Vec<&Theorem> {
         let all = self.theorems.iter();
         all.filter(|theorem| theorem.section == section).collect()
     }
 
-    /// The same folder with the theorems of some sections alone.
+    /// Returns the same folder with the theorems of some sections alone.
     #[must_use]
     pub fn of_sections(&self, sections: &BTreeSet<&str>) -> Self {
         let mut folder = self.clone();
@@ -183,7 +183,7 @@ impl Folder {
     ) {
         let mut sections: BTreeMap<String, Vec<Goal>> = BTreeMap::new();
         for finding in findings {
-            self.asked.insert(finding.id.clone());
+            self.requested.insert(finding.id.clone());
             match goals(finding) {
                 Ok(found) => {
                     for goal in found {
@@ -286,7 +286,8 @@ impl Folder {
         }
     }
 
-    /// The goals of a section with the statements that are printed, by their modules; writes the file of these statements.
+    /// Returns the goals of a section with the printed statements, by their modules; writes the file of these
+    /// statements.
     fn printed(
         &mut self,
         slug: &str,
@@ -323,7 +324,7 @@ impl Folder {
     }
 }
 
-/// A list of names and reasons, as a file.
+/// Writes a list of names and reasons as a file.
 pub(crate) fn listed(reasons: &BTreeMap<String, String>) -> String {
     let text = serde_json::to_string_pretty(reasons);
     text.map_or_else(|_| String::new(), |text| text + "\n")

@@ -1,9 +1,9 @@
-//! `coefficients`: the derivatives of forms by symbols.
+//! `coefficients`: the derivatives of forms with respect to symbols.
 //!
-//! A form in which no unknown of `given` equations occurs is differentiated as it stands, at the symbol's own value:
-//! `Derive_n (fun p0 => form) 1 p0`, in which the variable hides the symbol of its name, and for a member of a family
-//! `Derive_n (fun t => form with update1 P 2 t in place of P) 1 (P 2)`. Where unknowns occur they are functions of the
-//! symbol, see [`crate::implicit_derivative`].
+//! A form without unknowns of `given` equations is differentiated as it stands, at the symbol's own value: `Derive_n
+//! (fun p0 => form) 1 p0`, in which the variable hides the symbol of its name; for a member of a family, `Derive_n (fun
+//! t => form with update1 P 2 t in place of P) 1 (P 2)`. If unknowns occur, they are functions of the symbol, see
+//! [`crate::implicit_derivative`].
 
 use crate::code::{Code, Level};
 use crate::context::{Context, Used, Value};
@@ -18,7 +18,7 @@ use torse_core::{Node, Set, Term};
 const NO_LIST: Untranslatable = Untranslatable::Construct("`coefficients` of what is no list");
 
 impl Context<'_> {
-    /// Entry (r, c) is the derivative of form r by symbol c.
+    /// Entry (r, c) is the derivative of form r with respect to symbol c.
     pub(crate) fn coefficients(
         &mut self,
         forms: &Term,
@@ -86,7 +86,7 @@ impl Context<'_> {
         Ok(derivative(&along.variable, &body?, &along.own))
     }
 
-    /// The premises of forms, which have to be defined whatever their symbols are.
+    /// Adds the premises of forms, which have to be defined for all values of their symbols.
     pub(crate) fn coefficients_defined(
         &mut self,
         arguments: &[Term],
@@ -114,7 +114,7 @@ fn derivative(variable: &str, form: &Code, at: &Code) -> Code {
     Code::apply("Derive_n", &[function, Code::atom("1"), at.clone()])
 }
 
-/// The terms of a list, through definitions.
+/// Returns the terms of a list, through definitions.
 fn items(list: &Term) -> Option<&[Term]> {
     match &*list.node {
         Node::List(items) => Some(items),
@@ -123,7 +123,7 @@ fn items(list: &Term) -> Option<&[Term]> {
     }
 }
 
-/// The declared name of a symbol or a member.
+/// Returns the declared name of a symbol or a member.
 fn declared(symbol: &Term) -> Result<&Arc<str>, Untranslatable> {
     match &*symbol.node {
         Node::Symbol(name) | Node::Vector(name, None) => Ok(name),
@@ -136,7 +136,7 @@ fn declared(symbol: &Term) -> Result<&Arc<str>, Untranslatable> {
 }
 
 impl Context<'_> {
-    /// The place that a term names.
+    /// Returns the place that a term names.
     ///
     /// # Errors
     /// [`Untranslatable`] for vectors and their coordinates, and for members that are vectors.

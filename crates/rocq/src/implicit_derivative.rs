@@ -1,11 +1,11 @@
 //! Coefficients along `given` equations.
 //!
-//! The unknowns of a claim are functions of the other symbols. Where a form has unknowns, its coefficient of a symbol is
-//! the derivative along the solutions (`derivations/SEMANTICS.md`). So a statement with the coefficient of `p0` in a form
-//! with the unknown `A` is about every function `A_of_p0` whose values are solutions: it has the value `A` at the symbol's
-//! own value, and `forall p0, ...` the equations with `A_of_p0 p0` for `A`. The coefficient is
-//! `Derive_n (fun p0 => form with A_of_p0 p0) 1 p0`. Where the symbol is a member `Q k` of a family, it is a variable t and
-//! `update1 Q k t` stands for the family; where an unknown is a member `P 0`, `update1 P 0 (P_0_of_t t)` does.
+//! The unknowns of a claim are functions of the other symbols. If a form has unknowns, its coefficient of a symbol is
+//! the derivative along the solutions (`derivations/SEMANTICS.md`). So a statement with the coefficient of `p0` in a
+//! form with the unknown `A` is about every function `A_of_p0` whose values are solutions: it has the value `A` at the
+//! symbol's own value, and satisfies, `forall p0, ...`, the equations with `A_of_p0 p0` for `A`. The coefficient is
+//! `Derive_n (fun p0 => form with A_of_p0 p0) 1 p0`. If the symbol is a member `Q k` of a family, it is a variable t
+//! and `update1 Q k t` stands for the family; if an unknown is a member `P 0`, `update1 P 0 (P_0_of_t t)` does.
 
 use crate::binder::Binder;
 use crate::code::{Code, Level};
@@ -17,20 +17,20 @@ use std::sync::Arc;
 use torse_core::{Claim, Set, Source, Statement, Term};
 use torse_syntax::formula::{Connective, Relation};
 
-/// What a statement with such functions has besides.
+/// The additional parts of a statement with such functions.
 #[derive(Debug, Clone, Default)]
 pub struct Functions {
     /// The functions, bound.
     pub binders: Vec<Binder>,
-    /// That their values are solutions.
+    /// The premises that their values are solutions.
     pub premises: Vec<Code>,
 }
 
 impl Context<'_> {
-    /// The unknowns as functions of this symbol, of whose name or family none of them is, named where it is met first.
+    /// Introduces the unknowns as functions of `symbol`, reusing earlier names.
     ///
     /// # Errors
-    /// [`Untranslatable`] for unknowns that are no plain numbers.
+    /// [`Untranslatable`] for unknowns that are not plain numbers.
     pub(crate) fn along(
         &mut self,
         symbol: &Term,
@@ -88,7 +88,7 @@ impl Context<'_> {
     }
 }
 
-/// The functions that a statement needs, and that their values solve the equations.
+/// Returns the functions that a statement needs, and the premises that their values solve the equations.
 ///
 /// # Errors
 /// [`Untranslatable`] for equations that are not defined for every value of the symbol.
@@ -106,7 +106,7 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
             let premise = Code::infix(&value, "=", &function.own, Level::Relation);
             all.premises.push(premise);
         }
-        // The symbol takes every value here, so its set is to be the line.
+        // The symbol takes every value here, so its set must be the line.
         let is_line = match context.symbols.get(&along.symbol) {
             Some(Set::Real(interval)) => interval.lower.is_none() && interval.upper.is_none(),
             Some(Set::Vector(None) | Set::Family { .. }) => true,
@@ -151,7 +151,7 @@ pub fn functions(context: &mut Context<'_>, claim: &Claim) -> Result<Functions, 
     Ok(all)
 }
 
-/// Whether a statement says equations and nothing else: only these hold for every value of the symbol.
+/// Whether a statement consists of equations: only these hold for every value of the symbol.
 fn is_equation(statement: &Statement) -> bool {
     match statement {
         Statement::Join(Connective::And, a, b) => is_equation(a) && is_equation(b),

@@ -1,8 +1,8 @@
-//! Bases whose step depends on the index and the degree of the function that is made, such as splines on any knots.
+//! Bases whose step depends on index and degree of the function, such as splines on any knots.
 //!
-//! `counted` of the library takes the two factors of the step as functions of index and degree. What is premised is the
-//! definedness of every factor that counts, from the degree of the seeds up to the degree that is named: SEMANTICS.md, the
-//! row of the bases. So that degree has to be a number.
+//! `counted` of the library takes the two factors of the step as functions of index and degree. The premises are that
+//! every factor with a nonzero coefficient is defined, from the degree of the seeds up to the given degree:
+//! SEMANTICS.md, the row of the bases. So that degree has to be a number.
 
 use crate::code::{Code, Level};
 use crate::context::{Context, Kind, Local};
@@ -13,10 +13,10 @@ use torse_core::{Family, Node, Term, Variable};
 use torse_syntax::formula::Operator;
 
 impl Context<'_> {
-    /// The argument of a family for a variable of this kind.
+    /// Writes the argument of a family for a variable of this kind.
     ///
     /// # Errors
-    /// [`Untranslatable`], as for the value of the term, and where an integer is wanted.
+    /// [`Untranslatable`], as for the value of the term, and if an integer is required.
     pub fn argument_of(&mut self, argument: &Term, kind: &Kind) -> Result<Code, Untranslatable> {
         match kind {
             Kind::Integer => self.index(argument),
@@ -24,7 +24,7 @@ impl Context<'_> {
         }
     }
 
-    /// A factor of the step as a function of index and degree.
+    /// Writes a factor of the step as a function of index and degree.
     ///
     /// # Errors
     /// [`Untranslatable`], as for the value of the factor.
@@ -42,11 +42,11 @@ impl Context<'_> {
         Ok(Code::new(text, Level::Open))
     }
 
-    /// The premises under which all factors that count up to this degree have values; the variables of the family are in
-    /// scope.
+    /// Adds the premises under which all factors that are used up to this degree have values; the variables of the
+    /// family are in scope.
     ///
     /// # Errors
-    /// [`Untranslatable`], as for the values of the factors, and for degrees that are no numbers.
+    /// [`Untranslatable`], as for the values of the factors, and for degrees that are not numbers.
     pub fn factors_defined(
         &mut self,
         family: &Family,
@@ -77,7 +77,7 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// The integer that a term is worth, where its variables stand for literal integers.
+    /// Returns the integer value of a term whose variables stand for literal integers.
     #[must_use]
     pub fn known(&self, term: &Term) -> Option<i64> {
         match &*term.node {

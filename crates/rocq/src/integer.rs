@@ -1,4 +1,4 @@
-//! Terms that are integers: indices, degrees, bounds of sums, exponents.
+//! Integer terms: indices, degrees, bounds of sums, exponents.
 
 use crate::code::{Code, Level};
 use crate::context::{Context, Kind};
@@ -30,7 +30,7 @@ pub fn literal(term: &Term) -> Option<i64> {
     }
 }
 
-/// An integer-affine form in the scope of integers.
+/// Writes an integer-affine form in the scope of integers.
 ///
 /// # Errors
 /// [`Untranslatable::Unread`] for a symbol that the claim does not declare.
@@ -70,7 +70,7 @@ pub fn is_zero(term: &Term) -> bool {
 }
 
 impl Context<'_> {
-    /// The term in the scope of integers, if it is made of integers by sums, differences and products.
+    /// Writes the term in the scope of integers, if it is built of integers by sums, differences and products.
     #[must_use]
     pub fn integer(&self, term: &Term) -> Option<Code> {
         match &*term.node {
@@ -95,7 +95,7 @@ impl Context<'_> {
             }
             Node::Opened { body, .. } => self.integer(body),
             Node::Binary(operator, a, b) => {
-                // What stands for literal integers is reckoned out, what is printed is not.
+                // Variables that stand for literal integers are computed; printed integers are not.
                 if let (Some(number), None) = (self.known(term), literal(term)) {
                     return Some(Code::rational(&rational::integer(number)));
                 }

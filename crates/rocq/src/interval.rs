@@ -1,10 +1,10 @@
-//! The intervals that symbols are of, as propositions.
+//! The intervals of symbols, as propositions.
 
 use crate::code::{Code, Level};
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Bound, Constant, Interval};
 
-/// That a number is in an interval, if the interval has an end.
+/// States that a number is in an interval, if the interval has an end.
 pub(crate) fn within(name: &str, interval: &Interval) -> Option<Code> {
     let sign = |bound: &Bound| if bound.closed { "<=" } else { "<" };
     let end = |bound: &Bound| constant(&bound.value);
@@ -25,7 +25,7 @@ pub(crate) fn within(name: &str, interval: &Interval) -> Option<Code> {
     Some(Code::new(text, Level::Relation))
 }
 
-/// A number with a multiple of pi.
+/// Writes a number with a multiple of pi.
 fn constant(value: &Constant) -> String {
     let zero = rational::integer(0);
     let rational = Code::rational(&value.rational);

@@ -1,9 +1,9 @@
-//! How a statement about functions follows from the one about their values and the values of their derivatives.
+//! Derives a statement about functions from the one about their values and the values of their derivatives.
 //!
-//! What is proved from core terms has a number for each value of a function, or of a derivative of it, at a place: `c'(u)` is such
-//! a number. What is printed has the functions. A proof is taken at the numbers of the functions, `Derive_n c 1 u`; what
-//! refutes the one, and what meets its premises, is taken at polynomials that have these numbers at the place. That both say the
-//! same then, the tactics of `Torse/Jets.v` compute.
+//! The lemma from core terms has a number for each value of a function, or of a derivative of it, at a place: `c'(u)`
+//! is such a number. The printed statement has the functions. A proof is instantiated at the numbers of the functions,
+//! `Derive_n c 1 u`; a refutation, or an instance that satisfies the premises, is taken at polynomials that have these
+//! numbers at the place. The tactics of `Torse/Jets.v` compute that both then say the same.
 
 use crate::binder::Binder;
 use crate::code::Code;
@@ -19,7 +19,7 @@ struct Rate {
 }
 
 impl Rate {
-    /// The reading of a formula such as `c'(u)`.
+    /// Parses a formula such as `c'(u)`.
     fn read(expr: &Expr) -> Option<Self> {
         let Node::Call(head, arguments) = &expr.node else {
             return None;
@@ -35,7 +35,7 @@ impl Rate {
         })
     }
 
-    /// The text of a function's value or derivative at a place.
+    /// Writes a function's value or derivative at a place.
     fn text(function: &str, order: usize, place: &str) -> String {
         match order {
             0 => format!("({function} {place})"),
@@ -44,7 +44,7 @@ impl Rate {
     }
 }
 
-/// The binders of declared functions, by the premises that these are smooth.
+/// Returns the binders of declared functions, from the premises that these are smooth.
 fn functions(printed: &Proposition) -> impl Iterator<Item = &Binder> {
     printed.binders.iter().filter(|binder| {
         let name = binder.names.first().map_or("", String::as_str);
@@ -64,13 +64,13 @@ fn bound<'p>(proposition: &'p Proposition, symbol: &str) -> Option<&'p Binder> {
     binders.find(|binder| *binder.symbol == *symbol)
 }
 
-/// All names that are bound, in order.
+/// Returns all bound names, in order.
 pub(crate) fn names(proposition: &Proposition) -> Vec<&str> {
     let names = proposition.binders.iter().flat_map(|binder| &binder.names);
     names.map(String::as_str).collect()
 }
 
-/// A place as a text; `value` says what stands for a name, and for the value of a function.
+/// Writes a place; `value` supplies the text for a name, and for the value of a function.
 fn place(expr: &Expr, value: &dyn Fn(&Expr) -> Option<String>) -> Option<String> {
     Some(match &expr.node {
         Node::Number { value, .. } => Code::rational(value).argument(),
@@ -89,7 +89,7 @@ fn place(expr: &Expr, value: &dyn Fn(&Expr) -> Option<String>) -> Option<String>
     })
 }
 
-/// What the statement about numbers is to be taken at, so that it says what is printed; none where that is not seen.
+/// Returns the arguments at which the statement about numbers becomes the printed one; none if that is not seen.
 pub(crate) fn numbers(core: &Proposition, printed: &Proposition) -> Option<Vec<String>> {
     let value = |expr: &Expr| standing(printed, expr);
     let mut arguments = vec![];
@@ -108,7 +108,7 @@ pub(crate) fn numbers(core: &Proposition, printed: &Proposition) -> Option<Vec<S
     Some(arguments)
 }
 
-/// What a name, or the value of a function, is where the functions are.
+/// Returns what a name, or the value of a function, is in terms of the functions.
 fn standing(printed: &Proposition, expr: &Expr) -> Option<String> {
     let single = |binder: &Binder| match binder.names.as_slice() {
         [name] => Some(name.clone()),
@@ -125,8 +125,8 @@ fn standing(printed: &Proposition, expr: &Expr) -> Option<String> {
     }
 }
 
-/// What the printed statement is to be taken at, so that it says what is said about the numbers; none where a function is taken at
-/// several places.
+/// Returns the arguments at which the printed statement becomes the one about numbers; none if a function is evaluated
+/// at several places.
 pub(crate) fn polynomials(core: &Proposition, printed: &Proposition) -> Option<Vec<String>> {
     let taken: BTreeSet<&str> = names(core).into_iter().collect();
     let variable = ["t", "s", "t'", "s'"];
@@ -150,7 +150,7 @@ pub(crate) fn polynomials(core: &Proposition, printed: &Proposition) -> Option<V
     Some(arguments)
 }
 
-/// The polynomial that a coordinate of a function is.
+/// Returns the polynomial that stands for a coordinate of a function.
 fn polynomial(
     core: &Proposition,
     function: &str,
@@ -164,7 +164,7 @@ fn polynomial(
             &expr.node,
         ) {
             (Some([name]), _) => Some(name.clone()),
-            // Nothing depends on it: it is zero.
+            // Nothing depends on it, so it is zero.
             (None, Node::Name(_)) => Some("0".to_owned()),
             _ => None,
         }

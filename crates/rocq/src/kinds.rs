@@ -1,11 +1,11 @@
-//! What the variables of a family stand for.
+//! The kinds of the variables of a family.
 
 use crate::context::{Kind, Used};
 use crate::shape::Shape;
 use std::collections::BTreeSet;
 use torse_core::{Family, Node, Term, Variable};
 
-/// What the variable and the parameters of a family stand for: integers where they occur in an index, else numbers.
+/// Decides the kinds of the variable and the parameters of a family: integers if they occur in an index, else numbers.
 #[must_use]
 pub fn kinds(family: &Family) -> Vec<Kind> {
     let mut indexing = BTreeSet::new();
@@ -19,7 +19,7 @@ pub fn kinds(family: &Family) -> Vec<Kind> {
     family.variables.iter().map(kind).collect()
 }
 
-/// The variables in indices of members.
+/// Collects the variables in indices of members.
 fn collect_indexing(term: &Term, found: &mut BTreeSet<Variable>) {
     if let Node::Member(_, indices) = &*term.node {
         found.extend(

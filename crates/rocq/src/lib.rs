@@ -1,12 +1,12 @@
 //! Statements and proofs of claims for the Rocq kernel (Coq 8.16 with Coquelicot).
 //!
-//! A verdict with a proof that the kernel accepts asks for trust in the printed formula, a page of definitions
-//! (`proofs/Torse/Defs.v`) and the kernel, and for none in the prover. [`task`] says by a verdict what is to be proved,
-//! [`statement`] writes a claim's core term as a proposition in the order of the print, with [`defined`] as premises
-//! beside it since Rocq's operations are total, [`script`] names the tactics that prove it, [`folder`] lays out the files,
-//! [`coqc`] asks the kernel. What cannot be written has a [`gap`].
+//! To believe a verdict with a proof that the kernel accepts, one has to trust the printed formula, a page of
+//! definitions (`proofs/Torse/Defs.v`) and the kernel, but not the prover. [`task`] derives from a verdict what is to
+//! be proved, [`statement`] writes a claim's core term as a proposition in the order of the print, with the premises of
+//! [`defined`], since Rocq's operations are total, [`script`] chooses the tactics that prove it, [`folder`] lays out
+//! the files, [`coqc`] asks the kernel. A [`gap`] says why something cannot be written.
 //!
-//! Nothing here decides anything: a wrong script is rejected by the kernel.
+//! Nothing here decides a claim: the kernel rejects a wrong script.
 #![cfg_attr(
     not(test),
     deny(clippy::unwrap_used, clippy::expect_used, clippy::panic)

@@ -1,6 +1,6 @@
-//! The library that is written by hand.
+//! The hand-written library.
 
-/// The library: the file that statements use, and the files that proofs use, in the order in which they need each other.
+/// The library: the file that statements use, and the files that proofs use, in the order of their dependencies.
 pub const LIBRARY: [(&str, &str); 24] = [
     ("Torse/Defs.v", include_str!("../proofs/Torse/Defs.v")),
     ("Torse/Series.v", include_str!("../proofs/Torse/Series.v")),
@@ -52,7 +52,7 @@ pub const LIBRARY: [(&str, &str); 24] = [
     ),
 ];
 
-/// For each file of the library those that it requires, by position.
+/// Returns for each file of the library the positions of those that it requires.
 pub(crate) fn needs() -> Vec<Vec<usize>> {
     let place = |name: &str| {
         let path = format!("Torse/{name}.v");
@@ -62,7 +62,7 @@ pub(crate) fn needs() -> Vec<Vec<usize>> {
     LIBRARY.iter().map(|(_, text)| needed(text)).collect()
 }
 
-/// The names behind `From Torse Require Import`.
+/// Returns the names after `From Torse Require Import`.
 fn required(text: &str) -> impl Iterator<Item = &str> {
     let commands = text.split("From Torse Require Import ").skip(1);
     let names = commands.filter_map(|rest| rest.split_once('.'));

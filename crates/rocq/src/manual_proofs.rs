@@ -1,14 +1,15 @@
-//! Scripts that are written by hand: for theorems whose proofs have an idea of their own.
+//! Hand-written scripts, for theorems whose proofs need an idea of their own.
 //!
-//! `proofs/manual/` has them, a file a paper: a comment with the claim, with `(corrected)` behind the id of a claim whose corrected
-//! statement is meant and `(printed)` behind that of one whose statement as it is printed needs more than the usual, then the theorem by its name, and its script. The kernel checks them like all others. What several scripts
-//! say alike stands once, in `shared.v`: tactics by their names, which the proofs that use them define in front.
+//! `proofs/manual/` contains them, a file for each paper. Before each script stand a comment with the claim, and the
+//! name of the theorem. After the id, `(corrected)` stands for the corrected statement of the claim, and `(printed)`
+//! for its printed statement, if that needs more than the usual tactic. The kernel checks these scripts like all
+//! others. `shared.v` contains tactics that several scripts use; the proofs that use them start with their definitions.
 
 use crate::task::{Goal, Role};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// The files of scripts, a paper each.
+/// The files of scripts, one for each paper.
 const FILES: [&str; 8] = [
     include_str!("../proofs/manual/bezier.v"),
     include_str!("../proofs/manual/gbt-developable.v"),
@@ -30,7 +31,7 @@ static SCRIPTS: LazyLock<Scripts> = LazyLock::new(|| FILES.into_iter().flat_map(
 static TACTICS: LazyLock<BTreeMap<&'static str, String>> =
     LazyLock::new(|| tactics_of(SHARED).into_iter().collect());
 
-/// The scripts of a file. A script is one line where it is used, so the breaks of its lines are spaces.
+/// Reads the scripts of a file. A script becomes one line, so the breaks of its lines become spaces.
 fn scripts(file: &str) -> Vec<((&str, &str), String)> {
     let mut found = vec![];
     let (mut claim, mut name) = ("", "");
@@ -59,7 +60,7 @@ fn scripts(file: &str) -> Vec<((&str, &str), String)> {
     found
 }
 
-/// The tactics of a file, by their names: each ends before an empty line.
+/// Reads the tactics of a file, by name: each ends before an empty line.
 fn tactics_of(file: &str) -> Vec<(&str, String)> {
     let parts = file.split("\n\n");
     let tactics = parts.filter_map(|part| part.strip_prefix("Ltac ")?.split_once(" :=\n"));
@@ -67,14 +68,14 @@ fn tactics_of(file: &str) -> Vec<(&str, String)> {
     tactics.collect()
 }
 
-/// Lines as one, without the point at the end.
+/// Joins lines, without the point at the end.
 fn joined(lines: &[&str]) -> String {
     let lines: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
     let text = lines.join(" ");
     text.strip_suffix('.').unwrap_or(&text).to_owned()
 }
 
-/// The tactics for a theorem of a goal, if somebody wrote them.
+/// Returns the hand-written tactics for a theorem of a goal, if there are any.
 #[must_use]
 pub fn tactics(goal: &Goal, theorem: &str) -> Option<String> {
     let corrected = match goal.role {
@@ -86,14 +87,14 @@ pub fn tactics(goal: &Goal, theorem: &str) -> Option<String> {
     Some(with_definitions(script, &TACTICS))
 }
 
-/// The tactics by which a theorem as it is printed follows from the one that is proved, which they call `proved_there`.
+/// Returns the tactics by which a printed theorem follows from the proved one, which they call `proved_there`.
 #[must_use]
 pub fn printed(goal: &Goal, theorem: &str) -> Option<String> {
     let claim = format!("{} (printed)", goal.id);
     SCRIPTS.get(&(claim.as_str(), theorem)).cloned()
 }
 
-/// A script with the definitions of the shared tactics that it uses in front.
+/// Puts the definitions of the shared tactics that a script uses before it.
 fn with_definitions(script: &str, shared: &BTreeMap<&str, String>) -> String {
     let used = shared.iter().filter(|(name, _)| {
         let mut words = script.split(|c: char| !c.is_alphanumeric() && c != '_');
@@ -115,7 +116,7 @@ mod tests {
         let read = FILES.iter().map(|file| file.matches("\nQed.\n").count());
         assert_eq!(read.sum::<usize>(), SCRIPTS.len(), "no theorem twice");
         for ((claim, name), script) in SCRIPTS.iter() {
-            // The name of a reading may have blanks.
+            // The name of a reading may contain blanks.
             let (paper, id) = claim.split_once('/').unwrap_or_default();
             let is_slug = |c: char| c.is_ascii_alphanumeric() || c == '-';
             assert!(!paper.is_empty() && paper.chars().all(is_slug), "{claim}");

@@ -1,4 +1,4 @@
-//! A folder that is there, with what a run for some claims says anew: nothing of the other claims is lost.
+//! Merges a run for some claims into an existing folder: nothing of the other claims is lost.
 
 use crate::check::{self, PROOFS};
 use crate::closed::CLOSED;
@@ -6,7 +6,7 @@ use crate::folder::{Folder, NOT_PRINTED, NOT_STATED, PROJECT, listed};
 use crate::modules::{join, split};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The files of `old` that are ours, by its list of files. `read` gives a file of it, if it is there.
+/// Returns the files of `old` that are ours, by its list of files. `read` returns a file, if it exists.
 pub fn ours(read: &dyn Fn(&str) -> Option<String>) -> BTreeMap<String, String> {
     let project = read(PROJECT).unwrap_or_default();
     let named = check::listed(&project).chain([NOT_STATED, NOT_PRINTED]);
@@ -15,7 +15,7 @@ pub fn ours(read: &dyn Fn(&str) -> Option<String>) -> BTreeMap<String, String> {
         .collect()
 }
 
-/// The files of a folder for some claims, and of the other claims what `old` has of them.
+/// Returns the files of a folder for some claims, with the content of `old` for the other claims.
 #[must_use]
 pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String, String> {
     let mut files = fresh.files.clone();
@@ -31,19 +31,19 @@ pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String
         if statements.starts_with("Torse/") || check::is_list(path) {
             continue;
         }
-        // What the run states anew has no old text, and neither has what it no longer states.
+        // Modules of claims of this run, written anew or dropped, are not kept.
         let stated = fresh.files.get(&statements).map_or("", String::as_str);
-        let anew: BTreeSet<&str> = split(stated)
+        let rewritten: BTreeSet<&str> = split(stated)
             .modules
             .iter()
             .map(|(name, _)| *name)
             .collect();
-        let gone = gone(fresh, old.get(&statements).map_or("", String::as_str));
+        let replaced = replaced(fresh, old.get(&statements).map_or("", String::as_str));
         let kept = split(text);
         let kept_bodies = kept
             .modules
             .iter()
-            .filter(|(name, _)| !anew.contains(name) && !gone.contains(name))
+            .filter(|(name, _)| !rewritten.contains(name) && !replaced.contains(name))
             .map(|(_, body)| *body);
         let own = files.get(path).cloned();
         let own = own.as_deref().map(split);
@@ -65,7 +65,7 @@ pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String
         (NOT_PRINTED, &fresh.not_printed),
     ] {
         let mut all = reasons(old, path);
-        all.retain(|id, _| !fresh.asked.contains(id));
+        all.retain(|id, _| !fresh.requested.contains(id));
         all.extend(fresh_reasons.clone());
         files.insert(path.to_owned(), listed(&all));
     }
@@ -75,13 +75,13 @@ pub fn merged(fresh: &Folder, old: &BTreeMap<String, String>) -> BTreeMap<String
     files
 }
 
-/// What files import of the library, and what those import in which a statement is about functions.
+/// The imports of files from the library, and the imports of files with statements about functions.
 const FURTHER: [(&str, &str); 2] = [
     ("Import Defs.", "Import Defs Functions."),
     ("Import Defs Follows.", "Import Defs Follows Jets."),
 ];
 
-/// A head with the lines of the old one by which kept modules use the definitions of their section.
+/// Returns a head with the lines of the old one by which kept modules use the definitions of their section.
 fn head(fresh: &str, old: &str) -> String {
     let used = old.lines().filter(|line| {
         (line.starts_with("From ") || line.starts_with("Import "))
@@ -98,21 +98,21 @@ fn head(fresh: &str, old: &str) -> String {
     used.fold(fresh, |text, line| text + line + "\n")
 }
 
-/// The modules of an old file of statements whose claims the run asked for.
-fn gone<'a>(fresh: &Folder, old: &'a str) -> BTreeSet<&'a str> {
+/// Returns the modules of an old file of statements that belong to claims of this run.
+fn replaced<'a>(fresh: &Folder, old: &'a str) -> BTreeSet<&'a str> {
     let modules = split(old).modules;
     let of_claim = |body: &str| {
         let (_, about) = body.split_once("\n(* ").unwrap_or_default();
         let (id, _) = about.split_once(',').unwrap_or_default();
         fresh
-            .asked
+            .requested
             .contains(id.strip_suffix(" (corrected)").unwrap_or(id))
     };
-    let asked = modules.into_iter().filter(|(_, body)| of_claim(body));
-    asked.map(|(name, _)| name).collect()
+    let requested = modules.into_iter().filter(|(_, body)| of_claim(body));
+    requested.map(|(name, _)| name).collect()
 }
 
-/// The claims that a list of an old folder names, with the reasons; none where it cannot be read.
+/// Reads the claims in a list of an old folder, with their reasons; none if it cannot be read.
 fn reasons(old: &BTreeMap<String, String>, path: &str) -> BTreeMap<String, String> {
     let text = old.get(path).map_or("", String::as_str);
     serde_json::from_str(text).unwrap_or_default()

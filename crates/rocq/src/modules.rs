@@ -1,11 +1,11 @@
-//! Files of statements and of proofs as what they are made of: a head, and one module a claim.
+//! Takes files of statements and proofs apart into a head and one module for each claim.
 
 /// A file taken apart.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Parts<'a> {
-    /// What stands before the first module.
+    /// The text before the first module.
     pub(crate) head: &'a str,
-    /// The modules in order: their names, and their texts with all that stands before the next.
+    /// The modules in order: names, and texts up to the next module.
     pub(crate) modules: Vec<(&'a str, &'a str)>,
 }
 
@@ -31,7 +31,7 @@ pub(crate) fn split(text: &str) -> Parts<'_> {
     }
 }
 
-/// A file put together.
+/// Joins the parts of a file.
 pub(crate) fn join<'a>(head: &str, modules: impl IntoIterator<Item = &'a str>) -> String {
     modules.into_iter().fold(head.to_owned(), |mut text, body| {
         text.push_str(body);

@@ -1,4 +1,4 @@
-//! Names that Rocq takes.
+//! Names that Rocq accepts.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
@@ -15,14 +15,14 @@ const TAKEN: &str = "
 
 static WORDS: LazyLock<BTreeSet<&str>> = LazyLock::new(|| TAKEN.split_whitespace().collect());
 
-/// A supply of names, none of them twice.
+/// A supply of distinct names.
 #[derive(Debug, Clone, Default)]
 pub struct Names {
     used: BTreeSet<String>,
 }
 
 impl Names {
-    /// A name that looks like this one and was not given before.
+    /// Returns a name that looks like this one and was not returned before.
     pub fn fresh(&mut self, like: &str) -> String {
         let base = identifier(like);
         let mut name = base.clone();
@@ -33,18 +33,18 @@ impl Names {
         name
     }
 
-    /// The name is taken.
+    /// Reserves the name.
     pub fn reserve(&mut self, name: &str) {
         self.used.insert(name.to_owned());
     }
 
-    /// The name may be given again.
+    /// Frees the name.
     pub fn release(&mut self, name: &str) {
         self.used.remove(name);
     }
 }
 
-/// A text made an identifier: letters, digits, underscores and primes, no digit or prime first.
+/// Makes an identifier of a text: letters, digits, underscores and primes, no digit or prime first.
 #[must_use]
 pub fn identifier(text: &str) -> String {
     let plain = |c: char| {
@@ -61,7 +61,7 @@ pub fn identifier(text: &str) -> String {
     }
 }
 
-/// The words of a text in capitals, as the name of a file: `gbt-developable` is `GbtDevelopable`.
+/// Writes the words of a text in capitals, as the name of a file: `gbt-developable` becomes `GbtDevelopable`.
 #[must_use]
 pub fn camel(text: &str) -> String {
     let words = text.split(|c: char| !c.is_ascii_alphanumeric());

@@ -1,4 +1,4 @@
-//! What coefficients are of, and what equations determine: symbols, and members of families of numbers.
+//! Places: the symbols, and members of families of numbers, that coefficients and given equations are about.
 
 use crate::code::Code;
 use crate::gap::Untranslatable;
@@ -9,7 +9,7 @@ use std::sync::Arc;
 pub(crate) struct Place {
     /// The declared name of the symbol, or of the family.
     pub declared: Arc<str>,
-    /// What stands for it.
+    /// Its Rocq term.
     pub name: String,
     /// The indices of a member.
     pub indices: Vec<Code>,
@@ -21,12 +21,12 @@ impl Place {
         !self.indices.is_empty()
     }
 
-    /// The number that stands there: `p0`, or `P 2`.
+    /// Returns its number: `p0`, or `P 2`.
     pub fn own(&self) -> Code {
         Code::apply(&self.name, &self.indices)
     }
 
-    /// The indices as part of a name, if they are numbers.
+    /// Returns the indices as part of a name, if they are numbers.
     pub fn label(&self) -> Option<String> {
         let texts = self
             .indices
@@ -39,8 +39,8 @@ impl Place {
             .map(|labels| labels.join("_"))
     }
 
-    /// What stands for the declared name if the number is another one: the number itself for a symbol, and for a member this
-    /// family with the number in its place.
+    /// Returns what the declared name stands for if the number is replaced: the new number itself for a symbol; for a
+    /// member, the family with the new number in its place.
     ///
     /// # Errors
     /// [`Untranslatable`] for members with more than two indices.

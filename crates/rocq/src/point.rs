@@ -1,7 +1,7 @@
-//! Values for the bound names of a statement: at which its premises are true, or at which it is false.
+//! Values for the bound names of a statement at which its premises are true, or at which it is false.
 //!
-//! The witness of a verdict says its values. Where it says none, integers are the least that are in their sets together,
-//! numbers are in their intervals, and others so different that determinants of them do not vanish.
+//! They come from the witness of the verdict. Without one, integers are the least that are in their sets together,
+//! numbers are in their intervals, and others differ enough that determinants of them do not vanish.
 
 use crate::binder::Binder;
 use crate::code::Code;
@@ -14,22 +14,22 @@ use torse_core::Set;
 use torse_numbers::{Affine, Rational, rational};
 use torse_syntax::derivation::declarations::{Bound, Constant, Interval};
 
-/// Which values are tried where nothing tells one.
+/// Which values are tried without a witness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Choice {
-    /// Rising ones, which orders may ask for.
+    /// Increasing values, which orders may require.
     Generic,
     /// Zero, which satisfies homogeneous equations.
     Zero,
-    /// Different ones without a rule, and members of families that differ by their index too.
+    /// Irregular values, and members of families that depend on their index too.
     Varied,
-    /// Equal ones for coordinates of vectors whose names differ by a number only, and one for all else.
+    /// Equal values for coordinates of vectors whose names differ by a number only, and one for all else.
     Same,
-    /// Unit vectors along the axes, one after the other; of other numbers the first is one and the rest is zero.
+    /// Unit vectors along the axes, one after the other; of other numbers the first is one and the rest are zero.
     Axes,
 }
 
-/// Values for the bound names, in order.
+/// Returns values for the bound names, in order.
 #[must_use]
 pub fn point(goal: &Goal, choice: Choice) -> Vec<String> {
     let integers = integers(goal);
@@ -84,8 +84,8 @@ pub fn point(goal: &Goal, choice: Choice) -> Vec<String> {
     values
 }
 
-/// The same, with the values of unknowns that equations determine there, and the unknowns as functions; none where a value
-/// has no text.
+/// Returns the same with the values of unknowns that equations determine there, and the unknowns as functions; none if
+/// a value has no text.
 #[must_use]
 pub fn solved_point(goal: &Goal, choice: Choice) -> Option<Vec<String>> {
     let mut values = point(goal, choice);
@@ -106,7 +106,7 @@ pub fn solved_point(goal: &Goal, choice: Choice) -> Option<Vec<String>> {
     for known in known(goal)? {
         let named = |name: &str, indices: &[&str]| number_of(None, name, indices);
         let value_there = value(&goal.solved, &known.name, &named)?;
-        // What is no bound name itself, a member, has no place here.
+        // A member is not a bound name itself.
         let place = names.iter().position(|name| *name == known.unknown)?;
         *values.get_mut(place)? = value_there;
     }
@@ -125,18 +125,18 @@ pub fn solved_point(goal: &Goal, choice: Choice) -> Option<Vec<String>> {
     Some(values)
 }
 
-/// Different numbers without a rule that would make a determinant of them vanish.
+/// Returns irregular numbers, so that determinants of them do not vanish.
 fn scattered(count: i64) -> i64 {
     (count * count * count + 2 * count).rem_euclid(13) + 1
 }
 
-/// A number for the letters that a name begins with.
+/// Returns a number for the letters that a name begins with.
 fn letters(name: &str) -> i64 {
     let letters = name.bytes().take_while(u8::is_ascii_alphabetic);
     letters.map(i64::from).sum()
 }
 
-/// A family of numbers: constant, or with members that differ.
+/// Returns a family of numbers: constant, or with members that differ.
 fn member(choice: Choice, indices: usize, number: &str, count: i64) -> String {
     if choice != Choice::Varied {
         return format!("(fun{} => {number})", " _".repeat(indices));
@@ -147,7 +147,7 @@ fn member(choice: Choice, indices: usize, number: &str, count: i64) -> String {
         terms.push(format!("{place} * {name} * {name} * {name}"));
         terms.push(format!("{} * {name}", scattered(count + place)));
     }
-    // No member is the product of what belongs to its indices.
+    // No member is the product of factors that depend on single indices.
     if let [first, second, ..] = names.as_slice() {
         terms.push(format!("5 * {first} * {second}"));
     }
@@ -161,10 +161,10 @@ fn member(choice: Choice, indices: usize, number: &str, count: i64) -> String {
 /// How many values are tried for each integer.
 const TRIED: i64 = 7;
 
-/// Values of integers by their names.
+/// Values of integers by name.
 type Integers = BTreeMap<Arc<str>, i64>;
 
-/// The first values of the integers that are in their sets together; nothing for those that have none among the few tried.
+/// Returns the first values of the integers that are in their sets together; integers for which the few tried values fail get none.
 fn integers(goal: &Goal) -> Integers {
     let mut values = Integers::new();
     for binder in &goal.proposition.binders {
@@ -200,7 +200,7 @@ fn integer_sets(symbols: &BTreeMap<Arc<str>, Set>) -> Vec<IntegerSet<'_>> {
 }
 
 impl IntegerSet<'_> {
-    /// Whether its value is in its set. A form of symbols without values is no bound yet.
+    /// Whether its value is in its set. A form of symbols without values does not bound it yet.
     fn fits(&self, values: &Integers) -> bool {
         let Some(value) = values.get(self.name) else {
             return true;
@@ -217,7 +217,7 @@ impl IntegerSet<'_> {
     }
 }
 
-/// Values for the integers that have none, one after the other, and back to the one before where none fits; whether all got
+/// Assigns values to the remaining integers one after the other, and backtracks if none fits; returns whether all have
 /// one.
 fn fill(sets: &[IntegerSet<'_>], values: &mut Integers) -> bool {
     let Some(next) = sets.iter().find(|set| !values.contains_key(set.name)) else {
@@ -233,7 +233,7 @@ fn fill(sets: &[IntegerSet<'_>], values: &mut Integers) -> bool {
     false
 }
 
-/// The closed number that a premise `name = number` says a symbol is.
+/// Returns the closed number that a premise `name = number` assigns to a symbol.
 fn fixed(goal: &Goal, name: &str) -> Option<String> {
     let premises = goal.proposition.premises.iter();
     let mut values = premises.filter_map(|premise| {
@@ -247,7 +247,8 @@ fn fixed(goal: &Goal, name: &str) -> Option<String> {
     values.next()
 }
 
-/// A number of an interval: the middle, which is often zero, or another. Between multiples of pi it is one whose sine is known.
+/// Returns a number of an interval: the middle, which is often zero, or another one. Between multiples of pi it is one
+/// whose sine is known.
 fn within(interval: &Interval, choice: Choice, count: i64, first: Rational) -> String {
     let (lower, upper) = (interval.lower.as_ref(), interval.upper.as_ref());
     let rational_end = |bound: &Bound| bound.value.as_rational().cloned();
@@ -280,7 +281,7 @@ fn within(interval: &Interval, choice: Choice, count: i64, first: Rational) -> S
     format!("({})", Code::rational(&value).text())
 }
 
-/// One fallback value a binder.
+/// Returns one fallback value for each binder.
 #[must_use]
 pub fn first_values(goal: &Goal) -> Vec<String> {
     let mut values = point(goal, Choice::Zero).into_iter();
@@ -294,7 +295,7 @@ pub fn first_values(goal: &Goal) -> Vec<String> {
     first
 }
 
-/// What the witness says of a bound name: the value of a symbol, or those of the members of a family.
+/// Returns the value of a bound name at the witness: that of a symbol, or those of the members of a family.
 #[must_use]
 pub fn value_at(goal: &Goal, binder: &Binder, place: usize) -> Option<String> {
     let symbol = &*binder.symbol;
@@ -309,7 +310,7 @@ pub fn value_at(goal: &Goal, binder: &Binder, place: usize) -> Option<String> {
         Set::Vector(None) => at(&format!("{symbol}[]")).or_else(|| at(symbol)),
         Set::Vector(Some(_)) => at(&format!("{symbol}[{}]", place + 1)),
         Set::Family { ranges, dimension } => {
-            // Members by their indices: `P[0]` and `P[0,1]`, with the coordinate last where there are several.
+            // Members by their indices: `P[0]` and `P[0,1]`, with the coordinate last if there are several.
             let indices = ranges.len().max(1);
             let prefix = format!("{symbol}[");
             let mut cases = vec![];
@@ -348,7 +349,7 @@ pub fn value_at(goal: &Goal, binder: &Binder, place: usize) -> Option<String> {
     }
 }
 
-/// A value of a witness in Rocq: the notation is the same, save that pi has another name.
+/// Writes a value of a witness in Rocq: the notation is the same, except for the name of pi.
 fn rocq_number(value: &str) -> String {
     let words = value.split_inclusive(|c: char| !c.is_ascii_alphanumeric());
     let text: String = words

@@ -1,10 +1,10 @@
-//! Statements as they are printed, and that they follow from what is proved.
+//! Printed statements, and how they follow from the proved ones.
 //!
-//! The statement of a claim is written twice: from core terms, as it is proved, and from the tree, as it is read. They stand in
-//! sections of their own, `Section_3_4` and `Section_3_4_printed`. Mostly they are the same by conversion, so that a proof of the one is
-//! a proof of the other; the tactic `follows` of `Torse/Follows.v` knows besides what to do where premises stand in another
-//! order. A difference that it does not bridge is a fault of one of the two writers, and no theorem. Where functions are declared, what is
-//! proved is about numbers; see the module `jets`.
+//! The statement of a claim is written twice: from core terms, as it is proved, and from the tree, as it is read. They
+//! stand in separate sections, `Section_3_4` and `Section_3_4_printed`. Usually they are convertible, so that a proof
+//! of one is a proof of the other; the tactic `follows` of `Torse/Follows.v` also handles premises in another order. A
+//! difference that it does not bridge is a fault of one of the two writers, and no theorem. If functions are declared,
+//! the proved statement is about numbers; see the module `jets`.
 
 use crate::check::PROOFS;
 use crate::proposition::Proposition;
@@ -14,16 +14,16 @@ use crate::task::{Goal, Role};
 use crate::theorem::Theorem;
 use crate::{jets, manual_proofs};
 
-/// The end of the names of sections of statements that are written from the tree.
+/// Suffix of the names of sections of statements that are written from the tree.
 pub const PRINTED: &str = "_printed";
 
-/// The tactic, as a file of the folder. Nothing is proved with it but what is printed.
+/// The tactic, as a file of the folder. It proves printed statements only.
 pub const FOLLOWS: (&str, &str) = ("Torse/Follows.v", include_str!("../proofs/Torse/Follows.v"));
 
-/// What is used besides where functions are declared.
+/// The further imports if functions are declared.
 pub const JETS: (&str, &str) = ("Torse/Jets.v", include_str!("../proofs/Torse/Jets.v"));
 
-/// What a declared function is, as a file of the folder: statements that have one use it.
+/// The definition of declared functions, as a file of the folder: statements with functions use it.
 pub const FUNCTIONS: (&str, &str) = (
     "Torse/Functions.v",
     include_str!("../proofs/Torse/Functions.v"),
@@ -34,7 +34,7 @@ pub(crate) fn uses_jets(proof: &str) -> bool {
     proof.contains("by_jets")
 }
 
-/// The line by which files of such proofs use the library.
+/// Returns the line by which files of such proofs use the library.
 fn imports<'p>(mut proofs: impl Iterator<Item = &'p str>) -> &'static str {
     match proofs.any(uses_jets) {
         true => "From Torse Require Import Defs Follows Jets.\n",
@@ -42,18 +42,18 @@ fn imports<'p>(mut proofs: impl Iterator<Item = &'p str>) -> &'static str {
     }
 }
 
-/// The section of what is proved, of a section of statements that are written from the tree.
+/// Returns the section of proved statements for a section of statements that are written from the tree.
 #[must_use]
 pub fn proved(section: &str) -> Option<&str> {
     section.strip_suffix(PRINTED)
 }
 
-/// The name of the module of files of proofs, without the end of the file.
+/// Returns the name of the module of a file of proofs, without the extension of the file.
 fn proofs() -> &'static str {
     PROOFS.trim_end_matches(".v")
 }
 
-/// The file of these modules of theorems, with the lines by which they use their statements and what is proved.
+/// Writes the file of these modules of theorems, with the lines by which they use their statements and the proved ones.
 #[must_use]
 pub fn file(folder: &str, section: &str, modules: &[&str]) -> String {
     let head = format!(
@@ -65,10 +65,11 @@ pub fn file(folder: &str, section: &str, modules: &[&str]) -> String {
     modules.iter().fold(head, |text, module| text + module)
 }
 
-/// What is proved, where it stands as a premise.
+/// The proved statement, if it stands as a premise.
 const PROVED_THERE: &str = "proved_there";
 
-/// The module of the theorems of one claim: for each script one of the statement that is printed, which may have no premises to meet.
+/// Writes the module of the theorems of one claim: for each script a theorem about the printed statement, which may
+/// have no premises to satisfy.
 #[must_use]
 pub fn module(
     folder: &str,
@@ -90,7 +91,7 @@ pub fn module(
             tactics(&proved, says, printed, core)
         ));
     }
-    // What is proved may have no premises, while functions have to be smooth.
+    // The proved statement may have no premises, while functions have to be smooth.
     if jets::has_functions(&printed.proposition)
         && core.proposition.premises.is_empty()
         && printed.role != Role::Refuted
@@ -105,7 +106,7 @@ pub fn module(
     text
 }
 
-/// The same without anything that is bound.
+/// Returns the same text without binders.
 fn no_numbers(core: &Goal) -> Proposition {
     Proposition {
         binders: vec![],
@@ -113,7 +114,7 @@ fn no_numbers(core: &Goal) -> Proposition {
     }
 }
 
-/// The tactics by which what is printed follows from what is proved under this name.
+/// Returns the tactics by which the printed statement follows from the proved one with this name.
 fn tactics(proved: &str, says: &str, printed: &Goal, core: &Goal) -> String {
     let name = match says {
         "statement" => "proved",
@@ -149,7 +150,7 @@ fn tactics(proved: &str, says: &str, printed: &Goal, core: &Goal) -> String {
     tactics.unwrap_or_else(|| format!("follows {proved}"))
 }
 
-/// The head of a file in which it is tried whether what is printed follows, whatever became of the proofs.
+/// Writes the head of a file that tests whether printed statements follow, independently of the proofs.
 #[must_use]
 pub fn head(section: &str, theorems: &[&Theorem]) -> String {
     let core = proved(section).unwrap_or(section);
@@ -161,7 +162,7 @@ pub fn head(section: &str, theorems: &[&Theorem]) -> String {
     )
 }
 
-/// The module of a theorem with what is proved as a premise.
+/// Writes the module of a theorem with the proved statement as a premise.
 #[must_use]
 pub fn alone(theorem: &Theorem) -> String {
     let core = proved(&theorem.section).unwrap_or(&theorem.section);

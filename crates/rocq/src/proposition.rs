@@ -1,4 +1,4 @@
-//! A proposition in its parts.
+//! The parts of a proposition.
 
 use crate::binder::Binder;
 use crate::code::{Code, Level};
@@ -13,13 +13,13 @@ pub struct Proposition {
     pub binders: Vec<Binder>,
     /// The premises, in order.
     pub premises: Vec<Code>,
-    /// What is said.
+    /// The conclusion.
     pub conclusion: Code,
-    /// The numbers that the `given` equations determine.
+    /// The unknowns of the `given` equations.
     pub unknowns: Vec<String>,
     /// Whether coefficients occur of forms that are not seen to be linear.
     pub unclear_forms: bool,
-    /// The unknowns as functions of symbols whose coefficients are asked for.
+    /// The unknowns as functions of the symbols whose coefficients are requested.
     pub alongs: Vec<Along>,
 }
 
@@ -35,7 +35,7 @@ impl Proposition {
         text
     }
 
-    /// `exists x ..., premises`: that the premises can be met. None if there are no premises.
+    /// Writes `exists x ..., premises`: the premises can be satisfied. None if there are no premises.
     #[must_use]
     pub fn instance(&self) -> Option<String> {
         let (last, first) = self.premises.split_last()?;
@@ -47,7 +47,7 @@ impl Proposition {
         Some(text)
     }
 
-    /// The bound symbols under a quantifier.
+    /// Writes the bound symbols under a quantifier.
     fn bound(&self, quantifier: &str) -> String {
         let group =
             |binder: &Binder| format!(" ({} : {})", binder.names.join(" "), binder.rocq_type);

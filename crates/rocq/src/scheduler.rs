@@ -1,19 +1,19 @@
-//! Work on things that may need one another: each is begun as soon as what it needs is done, several at once.
+//! Runs tasks that depend on one another: each starts as soon as its dependencies are done, several at once.
 
 use std::collections::BTreeMap;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 
-/// A thing to work on, and which of those before it it needs, by position.
+/// A task, and the positions of the earlier tasks that it depends on.
 pub(crate) type Job<I> = (I, Vec<usize>);
 
-/// What is left, and what was found of the others.
+/// The remaining tasks, and the results of the others.
 struct State<T> {
     left: Vec<usize>,
     found: BTreeMap<usize, T>,
 }
 
-/// A queue that several threads work on.
+/// A queue for several threads.
 struct Queue<'a, I, T> {
     jobs: &'a [Job<I>],
     state: Mutex<State<T>>,
@@ -25,7 +25,8 @@ impl<'a, I, T> Queue<'a, I, T> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Takes the first thing that can be begun; waits where all that is left needs what is being worked on. Nothing at the end.
+    /// Takes the first task whose dependencies are done; waits if all remaining tasks depend on running ones. None at
+    /// the end.
     fn next(&self) -> Option<(usize, &'a I)> {
         let mut state = self.state();
         while !state.left.is_empty() {
@@ -44,7 +45,7 @@ impl<'a, I, T> Queue<'a, I, T> {
     }
 }
 
-/// Work that is going on; its end is told to those who wait, and one that panics is the end of all.
+/// A running task: its end wakes the waiting threads, and its panic ends all.
 struct Going<'a, 'b, I, T>(&'a Queue<'b, I, T>);
 
 impl<I, T> Drop for Going<'_, '_, I, T> {
@@ -56,11 +57,11 @@ impl<I, T> Drop for Going<'_, '_, I, T> {
     }
 }
 
-/// What `work` says of all things, in their order, in so many threads; of those that can be begun the first is. After a failure
-/// nothing more is begun.
+/// Runs `work` on all tasks in this number of threads and returns the results in order; of the ready tasks, the first
+/// starts first. After a failure no further task starts.
 ///
 /// # Errors
-/// The error of the first thing that has one.
+/// The error of the first task that has one.
 pub(crate) fn worked<I: Sync, T: Send, E: Send>(
     jobs: &[Job<I>],
     at_once: usize,
@@ -102,7 +103,7 @@ mod tests {
     use super::*;
     use std::time::Duration;
 
-    /// Both ends of a diamond, something that needs nothing, and a chain behind.
+    /// Both ends of a diamond, a task without dependencies, and a chain behind.
     fn jobs() -> Vec<Job<usize>> {
         let needs = [
             vec![],

@@ -12,7 +12,8 @@
 //! | a denial | `refuting` | the denied statement at values that are different enough |
 //! | any of these, with splines | `apart` | integers with few values one after the other, then as above |
 //!
-//! Where that finds no proof, there are [`OTHERS`]: which script proves a theorem is found out by trying, and is kept.
+//! If that finds no proof, there are [`OTHERS`]: a search tries which script proves a theorem, and the result is
+//! stored.
 //!
 //! Every theorem with premises has a second one, `met`: values at which all premises are true.
 
@@ -28,19 +29,19 @@ use torse_core::Set;
 pub struct Script {
     /// Its name in the module.
     pub name: &'static str,
-    /// What it says.
+    /// Its statement.
     pub says: &'static str,
     /// The tactics, without the point at the end.
     pub tactics: String,
 }
 
-/// The tactics that are tried where the one that the verdict names finds no proof: the conclusion as a combination of the
-/// hypotheses, as what they determine, as a combination with derivatives at numbers in their normal form, and each part of
-/// the conclusion by what fits it.
+/// Tactics that are tried if the one for the verdict finds no proof: the conclusion as a combination of the hypotheses,
+/// as a consequence of the values that these determine, as a combination with derivatives at numbers in normal form,
+/// and each part of the conclusion by a fitting tactic.
 pub const OTHERS: [&str; 4] = ["combined", "determined", "at_points", "mixed"];
 
-/// The theorems of a goal with their scripts, of which the other tactics have more: 0 is the one that the verdict names, 1 the
-/// first of [`OTHERS`]. None where there is no such script.
+/// Returns the theorems of a goal with the given script: 0 is the one for the verdict, 1 the first of [`OTHERS`]. None
+/// if there is no such script.
 #[must_use]
 pub fn scripts(goal: &Goal, which: usize) -> Option<Vec<Script>> {
     let Some(place) = which.checked_sub(1) else {
@@ -64,14 +65,14 @@ pub fn scripts(goal: &Goal, which: usize) -> Option<Vec<Script>> {
     Some(scripts)
 }
 
-/// Opens a proposition and all that it is defined by.
+/// Unfolds a proposition and all definitions in it.
 fn open(goal: &Goal, what: &str) -> String {
     let definitions = goal.proposition.definitions.iter();
     let names: String = definitions.map(|(name, _)| format!(" {name}")).collect();
     format!("cbv beta zeta delta [{what}{names}]")
 }
 
-/// The theorems of a goal with the scripts that the verdict names.
+/// Returns the theorems of a goal with the scripts for the verdict.
 fn first_scripts(goal: &Goal) -> Vec<Script> {
     let open = |what: &str| open(goal, what);
     let Some(tactic) = emitter(goal) else {
@@ -140,11 +141,12 @@ fn first_scripts(goal: &Goal) -> Vec<Script> {
     scripts
 }
 
-/// What is costly to compute as often as a definition occurs.
+/// Definitions that are costly to compute at each occurrence.
 const SLOW_TACTICS: [&str; 3] = ["Derive", "inverse ", "solve "];
 
-/// The tactics for a statement about what `given` equations determine. Where the proof of the verdict has the values of the
-/// unknowns it is shown that the equations have no others; else they are solved. The last one closes the goals that are left.
+/// Returns the tactics for a statement about unknowns of `given` equations. If the proof of the verdict has their
+/// values, the tactics show that the equations have no other solution; otherwise they solve them. The last tactic
+/// closes the remaining goals.
 fn given(goal: &Goal) -> (String, &'static str) {
     let Some(known) = known(goal) else {
         let unknowns = goal.proposition.unknowns.iter();
@@ -171,7 +173,7 @@ fn given(goal: &Goal) -> (String, &'static str) {
     )
 }
 
-/// The tactics that find the unknowns as functions of a symbol.
+/// Returns the tactics that find the unknowns as functions of a symbol.
 fn functions(goal: &Goal) -> Option<String> {
     let sets = |name: &str| goal.symbols.get(name).cloned();
     let binders = &goal.proposition.binders;
@@ -197,7 +199,7 @@ fn functions(goal: &Goal) -> Option<String> {
     (!text.is_empty()).then(|| format!("{text}conclusion; "))
 }
 
-/// Whether matrices are inverted, which nobody computes at each use.
+/// Whether matrices are inverted, which is too costly at each use.
 fn inverts(goal: &Goal) -> bool {
     let inverted = |text: &str| {
         ["inverse ", "solve "]
@@ -208,7 +210,7 @@ fn inverts(goal: &Goal) -> bool {
     definitions.any(|(_, text)| inverted(text))
 }
 
-/// The definitions computed one after the other, and the last one where it stands; none where nothing in them is costly.
+/// Computes the definitions one after the other, and the last one in place; none if nothing in them is costly.
 fn staged(goal: &Goal, what: &str) -> Option<String> {
     let definitions = &goal.proposition.definitions;
     let costly = |(_, text): &(String, String)| SLOW_TACTICS.iter().any(|word| text.contains(word));
@@ -231,18 +233,18 @@ fn staged(goal: &Goal, what: &str) -> Option<String> {
     ))
 }
 
-/// Whether a basis is defined by a step that depends on the index: everything computes once integers have values.
+/// Whether a basis has a step that depends on the index: everything computes once integers have values.
 fn counts(goal: &Goal) -> bool {
     let mut definitions = goal.proposition.definitions.iter();
     definitions.any(|(_, text)| text.contains("\n  counted "))
 }
 
-/// Whether a denial is said, which is a claim of its own about the whole domain.
+/// Whether the statement is a denial, which is a claim of its own about the whole domain.
 fn denies(goal: &Goal) -> bool {
     goal.proposition.conclusion.text().contains("~ (forall ")
 }
 
-/// The script where denials are said, together with others or alone: the inner statement fails at a point.
+/// Returns the script for denials, alone or joined with others: the inner statement fails at a point.
 fn denied(goal: &Goal, tactic: &str) -> String {
     let points: Vec<String> = points(goal, &[Choice::Varied, Choice::Generic])
         .iter()
@@ -258,7 +260,7 @@ fn denied(goal: &Goal, tactic: &str) -> String {
     )
 }
 
-/// Points to try: with the values of the unknowns where the proof of the verdict has them.
+/// Returns points to try, with the values of the unknowns if the proof of the verdict has them.
 fn points(goal: &Goal, choices: &[Choice]) -> Vec<Vec<String>> {
     let solved = choices.iter().map(|choice| solved_point(goal, *choice));
     match solved.collect::<Option<Vec<_>>>() {
@@ -270,7 +272,7 @@ fn points(goal: &Goal, choices: &[Choice]) -> Vec<Vec<String>> {
     }
 }
 
-/// The tactic that proves a statement; none for a refutation.
+/// Returns the tactic that proves a statement; none for a refutation.
 fn emitter(goal: &Goal) -> Option<&'static str> {
     let integers = goal
         .symbols
@@ -292,7 +294,7 @@ fn emitter(goal: &Goal) -> Option<&'static str> {
     }
 }
 
-/// The module of proofs of a goal, with these scripts.
+/// Writes the module of proofs of a goal, with these scripts.
 #[must_use]
 pub fn module(folder: &str, section: &str, goal: &Goal, scripts: &[Script]) -> String {
     let module = &goal.module;
@@ -319,7 +321,7 @@ fn exists(values: &[String]) -> String {
     }
 }
 
-/// The script of a refutation: the statement at the witness.
+/// Writes the script of a refutation: the statement at the witness.
 fn refuting(goal: &Goal) -> String {
     let mut arguments = vec![];
     for (binder, fallback) in goal.proposition.binders.iter().zip(first_values(goal)) {

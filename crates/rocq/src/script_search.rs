@@ -1,6 +1,6 @@
-//! Which scripts find a proof: each is tried alone, with a limit of time, in the order of the files.
+//! Finds the scripts that prove theorems: each is tried alone, with a limit of time, in the order of the files.
 //!
-//! Whether a tactic closes a goal is known only when it was run. What fails here gets no proof in the folder, and is
+//! Only a run shows whether a tactic closes a goal. A theorem whose scripts fail gets no proof in the folder and is
 //! reported as missing: a failing script says nothing against the claim.
 
 use crate::check::PROOFS;
@@ -14,22 +14,22 @@ use std::fs::File;
 use std::path::Path;
 use std::time::Duration;
 
-/// The theorems that a module may have, and what it means that the script of one fails.
+/// The theorems that a module may have, and what the failure of a script means.
 const SCRIPTS: [(&str, &str); 3] = [
     ("proved", "the tactics find no proof"),
     ("refuted", "the tactics find no refutation"),
     ("met", "no values are found that meet all premises"),
 ];
 
-/// What it means that a theorem as it is printed fails.
+/// What the failure of a printed theorem means.
 const NOT_FOLLOWING: &str = "what is printed does not follow from what is proved";
 
-/// Is told which theorems of a section were tried, and what fails of them.
+/// Callback: receives the tried theorems of a section, and the failures.
 pub type Found<'a> = dyn Fn(&[String], &BTreeMap<String, String>) + Sync + 'a;
 
-/// The names of the theorems of a folder whose scripts fail, each tried for so many seconds, with what fails. `found` is
-/// told section by section which theorems were tried, and what fails of them. In `scratch` the [library](Coqc::library) was
-/// compiled.
+/// Returns the theorems of a folder whose scripts find no proof within `seconds` each, with the reason. `found` is
+/// called for each section with the tried theorems and the failures. The [library](Coqc::library) has been compiled in
+/// `scratch`.
 ///
 /// # Errors
 /// [`CheckError`] if nothing can be run.
@@ -84,7 +84,7 @@ fn section_failing(
         true => printed::head(section, &theorems),
         false => split(proofs.map_or("", String::as_str)).head.to_owned(),
     };
-    // What is printed is tried beside what is proved, whatever becomes of that.
+    // Printed statements are tried beside the proved ones, independently of their result.
     let proof = |theorem: &Theorem| match is_printed {
         true => printed::alone(theorem),
         false => theorem.proof.clone(),
@@ -107,7 +107,8 @@ fn section_failing(
         command.arg("-Q").arg(&prefix).arg(&prefix);
     }
     command.stdin(File::open(&path).map_err(system)?);
-    // The scripts have limits of their own, and a file of them has one that no file of accepted proofs comes near.
+    // The scripts have limits of their own, and the limit of their file is far above what any file of accepted proofs
+    // takes.
     let whole = Duration::from_secs(60 + seconds * 2 * theorems.len() as u64);
     let output = run(&mut command, whole)?.text;
     let mut failed = vec![];
@@ -132,7 +133,7 @@ fn section_failing(
     Ok(failed)
 }
 
-/// A module of proofs in which every script has a limit of time, and what fails is given up.
+/// Writes a module of proofs in which every script has a limit of time, and failures are given up.
 fn tried(proof: &str, seconds: u64) -> String {
     let mut text = String::new();
     let mut name = "";

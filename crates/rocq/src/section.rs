@@ -1,7 +1,7 @@
 //! Files of statements and of proofs, a pair for each section of a paper.
 //!
-//! The statements are for reading: they contain no proof and import nothing but `Torse.Defs` and, where functions are declared, `Torse.Functions`, so that no proof can change
-//! what a statement means.
+//! Statements are for reading: their files contain no proof and import nothing but `Torse.Defs` and, if functions are
+//! declared, `Torse.Functions`, so no proof can change what a statement means.
 
 use crate::jets::has_functions;
 use crate::library::LIBRARY;
@@ -9,7 +9,7 @@ use crate::name::camel;
 use crate::shared::{DEFINITIONS, Shared};
 use crate::task::{Goal, Role};
 
-/// The section of a paper that holds a place such as `Sect. 5.1, eq. (5.3)`, as the name of a file.
+/// Returns the section of a paper that a place such as `Sect. 5.1, eq. (5.3)` belongs to, as the name of a file.
 #[must_use]
 pub fn section(at: &str) -> String {
     let number = |rest: &str| -> String {
@@ -28,13 +28,13 @@ pub fn section(at: &str) -> String {
         }
     }
     match at.split(|c: char| !c.is_ascii_alphabetic()).next() {
-        // No word of the language is the name of a file.
+        // A reserved word cannot be the name of a file.
         Some(word) if !word.is_empty() => format!("Part_{}", camel(word)),
         _ => "Other".to_owned(),
     }
 }
 
-/// A text as a comment of Rocq, which reads quotes and brackets in comments.
+/// Writes a text as a comment of Rocq, which reads quotes and brackets in comments.
 #[must_use]
 pub fn comment(text: &str) -> String {
     let text = text
@@ -44,7 +44,7 @@ pub fn comment(text: &str) -> String {
     format!("(* {} *)", text.trim())
 }
 
-/// The file of statements of these goals, before which stands what they have in common.
+/// Writes the file of statements of these goals, with their shared definitions first.
 #[must_use]
 pub fn statements(paper: &str, section: &str, goals: &[Goal], shared: &Shared) -> String {
     let mut text = format!(
@@ -65,7 +65,7 @@ pub fn statements(paper: &str, section: &str, goals: &[Goal], shared: &Shared) -
     text
 }
 
-/// The module of the statement of a goal, with these of its definitions.
+/// Writes the module of the statement of a goal, with these of its definitions.
 #[must_use]
 pub fn statement(goal: &Goal, definitions: &[&str]) -> String {
     let mut text = format!("\nModule {}.\n", goal.module);
@@ -96,7 +96,7 @@ pub fn statement(goal: &Goal, definitions: &[&str]) -> String {
     text
 }
 
-/// The line by which files of proofs use the library.
+/// Returns the line by which files of proofs use the library.
 #[must_use]
 pub fn imports() -> String {
     let names = LIBRARY.iter().filter_map(|(path, _)| {
@@ -107,7 +107,7 @@ pub fn imports() -> String {
     format!("From Torse Require Import {}.\n", names.join(" "))
 }
 
-/// The lines by which proofs of a section use its statements, its shared definitions and their closed forms.
+/// Returns the lines by which proofs of a section use its statements, its shared definitions and their closed forms.
 #[must_use]
 pub fn uses(folder: &str, section: &str, shared: &Shared, closed: bool) -> String {
     let mut text = format!("From {folder} Require {section}.\n");
@@ -120,7 +120,7 @@ pub fn uses(folder: &str, section: &str, shared: &Shared, closed: bool) -> Strin
     text
 }
 
-/// The file of these modules of proofs, with the lines by which they use their section.
+/// Writes the file of these modules of proofs, with the lines by which they use their section.
 #[must_use]
 pub fn proofs(uses: &str, modules: &[&str]) -> String {
     let mut text = format!(

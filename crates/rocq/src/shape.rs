@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What a term is worth. A vector of any dimension is one generic coordinate, a number.
+/// The shape of the value of a term. A vector of any dimension is one generic coordinate, a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Shape {
     /// A real number, `R`.
@@ -14,7 +14,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The type of such values.
+    /// Returns the type of such values.
     #[must_use]
     pub fn rocq_type(self) -> &'static str {
         match self {

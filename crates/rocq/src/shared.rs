@@ -1,8 +1,8 @@
-//! Definitions that several statements of a section have in common: they are written once, before the first statement.
+//! Definitions shared by several statements of a section: they are written once, before the first statement.
 //!
-//! What a claim's definition says is its text together with the texts of all definitions that it uses. Of the
-//! definitions of one name those that say the same in most modules are shared; a module in which the name means
-//! something else keeps its own, which hides the shared one.
+//! Two definitions are equal if their texts and those of all definitions that they use are. Of the definitions of one
+//! name, the form that most modules use is shared; a module in which the name means something else keeps its own, which
+//! hides the shared one.
 
 use crate::task::Goal;
 use std::collections::{BTreeMap, BTreeSet};
@@ -10,14 +10,14 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The module of the shared definitions.
 pub const DEFINITIONS: &str = "Definitions";
 
-/// A definition that several modules have.
+/// A definition in several modules.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Definition {
     /// Its name.
     pub name: String,
     /// Its text.
     pub text: String,
-    /// The shared definitions that stand in it.
+    /// The shared definitions that occur in it.
     pub uses: Vec<String>,
     /// The literal integers that it is applied to, where its last argument is an integer.
     pub at: BTreeSet<u64>,
@@ -27,11 +27,11 @@ pub struct Definition {
 #[derive(Debug, Clone, Default)]
 pub struct Shared {
     definitions: Vec<Definition>,
-    /// What the shared definition of a name says.
+    /// Returns the expanded text of the shared definition of a name.
     says: BTreeMap<String, String>,
 }
 
-/// A definition of one module: its name, its text, the others that it uses, and what it says with them.
+/// A definition of one module: its name, its text, the others that it uses, and its expanded text.
 struct Own<'g> {
     name: &'g str,
     text: &'g str,
@@ -39,7 +39,7 @@ struct Own<'g> {
     says: String,
 }
 
-/// The definitions of a goal with what they say.
+/// Returns the definitions of a goal with their expanded texts.
 fn own(goal: &Goal) -> Vec<Own<'_>> {
     let mut all: Vec<Own<'_>> = vec![];
     for (name, text) in &goal.proposition.definitions {
@@ -60,14 +60,14 @@ fn own(goal: &Goal) -> Vec<Own<'_>> {
     all
 }
 
-/// The names and numbers of a text.
+/// Returns the names and numbers of a text.
 fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '\''))
         .filter(|word| !word.is_empty())
 }
 
 impl Shared {
-    /// What these goals have in common.
+    /// Finds the definitions that these goals share.
     #[must_use]
     pub fn from_goals(goals: &[Goal]) -> Self {
         let modules: Vec<Vec<Own<'_>>> = goals.iter().map(own).collect();
@@ -76,14 +76,14 @@ impl Shared {
             *count.entry((own.name, own.says.as_str())).or_default() += 1;
         }
         let mut shared = Self::default();
-        // A name of a symbol is kept free: tactics would give the symbol another one.
+        // The name of a symbol is kept free: tactics would rename the symbol.
         let bound: BTreeSet<&str> = goals
             .iter()
             .flat_map(|goal| &goal.proposition.binders)
             .flat_map(|binder| &binder.names)
             .map(String::as_str)
             .collect();
-        // A name is decided when all that any definition of it uses are.
+        // A name is decided after all names that its definitions use.
         let mut decided: BTreeSet<&str> = BTreeSet::new();
         loop {
             let left = || {
@@ -124,9 +124,9 @@ impl Shared {
         shared
     }
 
-    /// Whether all that a definition uses means in its module what the shared names mean.
+    /// Whether every definition that a definition uses means in its module what the shared one means.
     fn knows(&self, own: &Own<'_>) -> bool {
-        // What it says begins with its text and goes on with what those say that it uses.
+        // An expanded text begins with the text and continues with the expanded texts of the definitions used.
         let parts = own.uses.iter().map(|used| self.says.get(*used));
         let parts: Option<Vec<&String>> = parts.collect();
         parts.is_some_and(|parts| {
@@ -137,7 +137,7 @@ impl Shared {
         })
     }
 
-    /// Finds the literal integers that stand as last arguments.
+    /// Finds the literal integers that occur as last arguments.
     fn applied(&mut self, goals: &[Goal]) {
         for definition in &mut self.definitions {
             for goal in goals {
@@ -147,13 +147,13 @@ impl Shared {
         }
     }
 
-    /// The definitions, in an order in which they need each other.
+    /// Returns the definitions in an order of their dependencies.
     #[must_use]
     pub fn definitions(&self) -> &[Definition] {
         &self.definitions
     }
 
-    /// The definitions of a goal that are its own.
+    /// Returns the definitions that only this goal has.
     #[must_use]
     pub fn others<'g>(&self, goal: &'g Goal) -> Vec<&'g str> {
         let not_shared = |own: &Own<'_>| self.says.get(own.name) != Some(&own.says);
@@ -161,7 +161,7 @@ impl Shared {
         own.map(|own| own.text).collect()
     }
 
-    /// The module that stands before all statements, and the line by which they use it; nothing where nothing is shared.
+    /// Returns the module before all statements, and the line by which they use it; none if nothing is shared.
     #[must_use]
     pub fn module(&self) -> String {
         if self.definitions.is_empty() {
@@ -175,8 +175,8 @@ impl Shared {
     }
 }
 
-/// The literal integers that a definition is applied to in a goal, where its last argument is an integer on which a
-/// derivative may depend.
+/// Returns the literal integers that a definition is applied to in a goal, if its last argument is an integer on which
+/// a derivative may depend.
 #[must_use]
 pub fn literals(goal: &Goal, name: &str, text: &str) -> BTreeSet<u64> {
     let head = text.lines().next().unwrap_or("");
@@ -192,7 +192,7 @@ pub fn literals(goal: &Goal, name: &str, text: &str) -> BTreeSet<u64> {
         .collect()
 }
 
-/// The literal integers that stand behind a name and its other arguments.
+/// Returns the literal integers after a name and its other arguments.
 fn last_arguments(text: &str, name: &str, arguments: usize) -> Vec<u64> {
     let mut found = vec![];
     for (place, _) in text.match_indices(name) {

@@ -14,8 +14,8 @@ pub struct Solved {
     pub below: String,
 }
 
-/// The values that a proof has from the `given` equations, in the order in which they are needed; none where the parts
-/// of a proof do not agree.
+/// Returns the values that a proof obtains from the `given` equations, in the order in which they are needed; none if
+/// the parts of a proof disagree.
 #[must_use]
 pub fn solutions(proof: &Proof<Polynomial>) -> Vec<Solved> {
     match proof {

@@ -1,15 +1,16 @@
-//! What `given` equations say of the unknowns, as the proof of the verdict has it, written for Rocq.
+//! Values of unknowns from `given` equations, as the proof of the verdict has them, written for Rocq.
 //!
-//! A script shows that the equations have no other solution, and puts the values in; so nothing is searched for.
+//! A script shows that the equations have no other solution, and substitutes the values; so it searches for nothing.
 
 use crate::binder::Binder;
 use crate::solutions::Solved;
 use crate::task::Goal;
 use torse_core::Set;
 
-/// A formula of polynomials in Rocq, with what `named` gives for each symbol; none where a symbol has no name.
+/// Writes a formula of polynomials in Rocq, with the text that `named` returns for each symbol; none if a symbol has no
+/// name.
 ///
-/// `named` is asked with the name, and the texts of the indices behind it.
+/// `named` gets the name, and the texts of the indices after it.
 #[must_use]
 pub fn formula(text: &str, named: &dyn Fn(&str, &[&str]) -> Option<String>) -> Option<String> {
     let mut written = String::new();
@@ -51,7 +52,7 @@ pub fn formula(text: &str, named: &dyn Fn(&str, &[&str]) -> Option<String>) -> O
     Some(written)
 }
 
-/// The bound name of a symbol, a coordinate or a member with literal indices, as a number.
+/// Returns the bound name of a symbol, a coordinate or a member with literal indices, as a number.
 #[must_use]
 pub fn bound(
     binders: &[Binder],
@@ -100,7 +101,7 @@ pub struct Known {
     pub below: String,
 }
 
-/// The unknowns of a goal with their values, in the names of its statement; none unless all have values.
+/// Returns the unknowns of a goal with their values, in the names of its statement; none unless all have values.
 #[must_use]
 pub fn known(goal: &Goal) -> Option<Vec<Known>> {
     let sets = |name: &str| goal.symbols.get(name).cloned();
@@ -123,7 +124,7 @@ pub fn known(goal: &Goal) -> Option<Vec<Known>> {
     (!all.is_empty() && all.len() == goal.proposition.unknowns.len()).then_some(all)
 }
 
-/// The value of a solved unknown where `named` gives the other symbols theirs.
+/// Returns the value of a solved unknown, with the values that `named` gives to the other symbols.
 #[must_use]
 pub fn value(
     solved: &[Solved],
@@ -134,7 +135,7 @@ pub fn value(
         .iter()
         .enumerate()
         .find(|(_, s)| s.unknown == unknown)?;
-    // A value is in terms of what was not solved for then.
+    // A value may contain symbols that were not solved for at that step.
     let later = solved.get(place + 1..).unwrap_or_default();
     let inner = |name: &str, indices: &[&str]| {
         let full = match indices {

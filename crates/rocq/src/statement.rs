@@ -1,5 +1,5 @@
-//! Claims as propositions: all symbols bound, then their declared sets, the hypotheses, the definedness of all terms and
-//! the conditions of the verdict as premises, then what is said.
+//! Claims as propositions: all symbols are bound; then come as premises their declared sets, the hypotheses, the
+//! definedness of all terms and the conditions of the verdict; then the conclusion.
 
 use crate::binder::Binder;
 use crate::code::Code;
@@ -11,7 +11,7 @@ use crate::proposition::Proposition;
 use crate::translation::{defined, translate_statement};
 use torse_core::{Claim, Node, Statement, Term};
 
-/// The proposition of a claim under conditions.
+/// Writes the proposition of a claim under conditions.
 ///
 /// # Errors
 /// [`Untranslatable`] for what has no translation.
@@ -34,7 +34,7 @@ pub fn proposition(claim: &Claim, conditions: &[Statement]) -> Result<Propositio
     }
     let mut kept: Vec<Code> = vec![];
     for premise in premises {
-        // What is assumed anyway needs not be assumed below a binder as well.
+        // Drops `forall .., P` if `P` is already a premise.
         let follows = |known: &Code| premise.text().ends_with(&format!(" -> {}", known.text()));
         if !kept.contains(&premise) && !kept.iter().any(follows) {
             kept.push(premise);
@@ -63,7 +63,7 @@ pub fn proposition(claim: &Claim, conditions: &[Statement]) -> Result<Propositio
     })
 }
 
-/// The numbers that an unknown is made of, coordinate by coordinate.
+/// Returns the numbers that an unknown consists of, coordinate by coordinate.
 fn numbers_of(
     context: &mut Context<'_>,
     unknown: &Term,

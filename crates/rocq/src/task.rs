@@ -1,4 +1,4 @@
-//! What is to be proved of a claim, by its verdict.
+//! Derives from the verdict of a claim what is to be proved.
 
 use crate::gap::Untranslatable;
 use crate::name::identifier;
@@ -15,7 +15,7 @@ use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Expr, parse};
 use torse_syntax::taxonomy::Verdict;
 
-/// What a verdict rests on, as far as it matters for the way of proving it.
+/// The evidence of a verdict, as far as it matters for its proof.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Evidence {
     /// A zero normal form.
@@ -28,12 +28,12 @@ pub enum Evidence {
     Enclosure,
     /// An exact counterexample.
     Witness,
-    /// Instances, which prove nothing for all.
+    /// Instances, which prove nothing in general.
     Instances,
 }
 
 impl Evidence {
-    /// The word that outcomes use.
+    /// Returns the word that outcomes use.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -47,16 +47,16 @@ impl Evidence {
     }
 }
 
-/// A claim with what was found out about it: plain data of an outcome.
+/// A claim with its results: plain data of an outcome.
 #[derive(Debug, Clone)]
 pub struct Finding<'a> {
-    /// The id; that of a reading has the name of the reading behind a point.
+    /// The id; for a reading, with its name after a point.
     pub id: String,
     /// The claim.
     pub claim: &'a derivation::Claim,
     /// The verdict.
     pub verdict: Verdict,
-    /// What it rests on.
+    /// Its evidence.
     pub evidence: Option<Evidence>,
     /// The conditions of the verdict, as formulas.
     pub conditions: Vec<String>,
@@ -68,7 +68,7 @@ pub struct Finding<'a> {
     pub solved: Vec<Solved>,
 }
 
-/// What a theorem says of a statement.
+/// What a theorem says about a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
     /// The statement is true.
@@ -86,19 +86,19 @@ pub struct Goal {
     pub module: String,
     /// The id of the claim.
     pub id: String,
-    /// Where the paper says it.
+    /// Its place in the paper.
     pub at: String,
-    /// What is printed, and how it is read.
+    /// The print, and our reading of it.
     pub printed: String,
     /// The statement in the notation of the derivation files.
     pub states: String,
-    /// What the theorem says of it.
+    /// What the theorem says about it.
     pub role: Role,
-    /// What the verdict rests on.
+    /// The evidence of the verdict.
     pub evidence: Evidence,
-    /// The statement as it is proved, from core terms.
+    /// The statement from core terms, as it is proved.
     pub proposition: Proposition,
-    /// The statement as it is printed, from the tree, or why there is none.
+    /// The printed statement, from the tree, or why there is none.
     pub printed_proposition: Result<Proposition, Untranslatable>,
     /// The declared symbols of the claim.
     pub symbols: BTreeMap<Arc<str>, Set>,
@@ -106,15 +106,15 @@ pub struct Goal {
     pub witness: Vec<(String, String)>,
     /// How many equations determine unknowns.
     pub given: usize,
-    /// What they determine, as the proof of the verdict has it.
+    /// Their values, as the proof of the verdict has them.
     pub solved: Vec<Solved>,
 }
 
 impl Goal {
-    /// The same goal with the statement that is printed.
+    /// Returns the same goal with the printed statement.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason if there is none.
     pub fn as_printed(&self) -> Result<Self, Untranslatable> {
         Ok(Self {
             proposition: self.printed_proposition.clone()?,
@@ -122,7 +122,7 @@ impl Goal {
         })
     }
 
-    /// The texts of its definitions, in order.
+    /// Returns the texts of its definitions, in order.
     #[must_use]
     pub fn definitions(&self) -> Vec<&str> {
         let definitions = self.proposition.definitions.iter();
@@ -130,7 +130,7 @@ impl Goal {
     }
 }
 
-/// The theorems of a claim, or why there are none.
+/// Returns the theorems of a claim, or why there are none.
 ///
 /// # Errors
 /// [`Untranslatable`], the first that is met.
@@ -185,7 +185,7 @@ fn goal(
     let mut terms = hypotheses
         .chain([&core.statement])
         .flat_map(Statement::terms);
-    // Where a radicand is zero its root has no derivative, by SEMANTICS.md, and may have one in Rocq.
+    // By SEMANTICS.md a root has no derivative where its radicand is zero; in Rocq it may have one.
     if rooted.roots().next().is_some() && terms.any(differentiates_roots) {
         return Err(Untranslatable::Theory(
             "derivatives of roots of formulas with symbols",
@@ -201,8 +201,8 @@ fn goal(
         );
     }
     let proposition = proposition(&core, &added)?;
-    // That a form is linear is what its coefficients being equal to something without the symbol says; a refutation would
-    // have to show it besides, where it is not plain.
+    // That a form is linear follows from its coefficients being equal to something without the symbol; a refutation
+    // would have to show it separately if it is not plain.
     if proposition.unclear_forms && role == Role::Refuted {
         return Err(Untranslatable::Theory(
             "refutations of coefficients of forms that are not plainly linear",
@@ -243,7 +243,7 @@ fn goal(
     })
 }
 
-/// Whether a root stands below a derivative.
+/// Whether a root occurs below a derivative.
 fn differentiates_roots(term: &Term) -> bool {
     let mut seen = BTreeSet::new();
     let mut pending = vec![term];
@@ -260,7 +260,7 @@ fn differentiates_roots(term: &Term) -> bool {
     false
 }
 
-/// A formula of an outcome read back.
+/// Reads back a formula of an outcome.
 fn written(text: &str, name: &str) -> Result<Written, Untranslatable> {
     let expr = parse(text).map_err(|_| Untranslatable::Unread(text.to_owned()))?;
     let source = Source {

@@ -11,20 +11,20 @@ pub struct Theorem {
     pub module: String,
     /// The id of the claim.
     pub id: String,
-    /// What it says of the claim's statement.
+    /// What it says about the claim's statement.
     pub role: Role,
-    /// What the verdict rests on.
+    /// The evidence of the verdict.
     pub evidence: Evidence,
     /// The proposition that is proved, and its proof, as they stand in their modules.
     pub says: String,
     /// The text of the proof.
     pub proof: String,
-    /// The statement that is proved, where this one follows from it.
+    /// The proved statement, if this one follows from it.
     pub rests_on: Option<String>,
 }
 
 impl Theorem {
-    /// A name that no other theorem of the folder has: `GbtDevelopable/Section_5_1.thm_2_a`.
+    /// Returns a name that no other theorem of the folder has: `GbtDevelopable/Section_5_1.thm_2_a`.
     #[must_use]
     pub fn name(&self) -> String {
         format!("{}.{}", self.section, self.module)

@@ -1,4 +1,4 @@
-//! What hypotheses and statements say, as propositions.
+//! Translates hypotheses and statements to propositions.
 
 use crate::code::{Code, Level};
 use crate::context::Context;
@@ -14,7 +14,7 @@ use std::sync::Arc;
 use torse_core::{Claim, Family, FamilyProperty, Printed, Set, Statement, Term};
 use torse_syntax::formula::{Connective, Relation};
 
-/// The premises under which the terms of statements have values; what stands in a denial has its own.
+/// Adds the premises under which the terms of statements have values; terms in a denial have their own.
 pub(crate) fn defined<'s>(
     context: &mut Context<'_>,
     statements: impl IntoIterator<Item = &'s Statement>,
@@ -28,7 +28,7 @@ pub(crate) fn defined<'s>(
     Ok(premises.into_vec())
 }
 
-/// The terms of a statement that are not in a denial.
+/// Returns the terms of a statement outside denials.
 fn outside_of_denials(statement: &Statement) -> Vec<&Term> {
     match statement {
         Statement::Not(_) => vec![],
@@ -37,7 +37,7 @@ fn outside_of_denials(statement: &Statement) -> Vec<&Term> {
     }
 }
 
-/// The parts of a conjunction, in the order of the text.
+/// Returns the parts of a conjunction, in the order of the text.
 fn conjuncts(statement: &Statement) -> Vec<&Statement> {
     match statement {
         Statement::Join(Connective::And, a, b) => [conjuncts(a), conjuncts(b)].concat(),
@@ -45,7 +45,7 @@ fn conjuncts(statement: &Statement) -> Vec<&Statement> {
     }
 }
 
-/// What a statement says.
+/// Translates a statement.
 pub(crate) fn translate_statement(
     context: &mut Context<'_>,
     statement: &Statement,
@@ -60,7 +60,7 @@ pub(crate) fn translate_statement(
         Statement::Agrees { value, printed, .. } => agrees(context, value, printed),
         Statement::Family(property, family) => property_of(context, *property, family),
         Statement::Join(Connective::And, a, b) => {
-            // `and` is written without brackets, whichever way it was read.
+            // `and` is written without brackets, however it was grouped.
             let mut parts = vec![];
             for part in [a, b].into_iter().flat_map(|part| conjuncts(part)) {
                 parts.push(translate_statement(context, part, claim)?);
@@ -86,8 +86,8 @@ pub(crate) fn translate_statement(
             })
         }
         Statement::Not(inner) => {
-            // A denial is about the whole domain: the same claim with the inner statement, denied. Among the hypotheses
-            // it would be about the domain that it makes.
+            // A denial is about the whole domain: it is the same claim with the inner statement, denied. Among the
+            // hypotheses it would be about the domain that it defines.
             if claim.hypotheses.iter().any(|h| has_denial(&h.statement)) {
                 return Err(Untranslatable::Construct("a denial among the hypotheses"));
             }
@@ -130,7 +130,7 @@ pub(crate) fn translate_statement(
     }
 }
 
-/// Whether anything is denied in the statement.
+/// Whether the statement contains a denial.
 fn has_denial(statement: &Statement) -> bool {
     match statement {
         Statement::Not(_) => true,
@@ -172,8 +172,8 @@ fn compared(
     ))
 }
 
-/// Printed decimals, entry by entry. A number without a point is read with as many digits as the decimal that has the
-/// fewest; where there are none it is exact.
+/// Translates printed decimals, entry by entry. A number without a point is read with as many digits as the decimal
+/// with the fewest; if there are none it is exact.
 fn agrees(
     context: &mut Context<'_>,
     value: &Term,
@@ -231,7 +231,7 @@ fn agrees(
     ))
 }
 
-/// A property of a basis at every degree. The symbols of the names of its variables are bound outside.
+/// Translates a property of a basis at every degree. The symbols of the names of its variables are bound outside.
 fn property_of(
     context: &mut Context<'_>,
     property: FamilyProperty,

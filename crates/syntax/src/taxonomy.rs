@@ -12,7 +12,7 @@ use serde::Serialize;
 pub enum Kind {
     /// A definition.
     Definition,
-    /// An equation said to hold identically.
+    /// An equation that is claimed to hold identically.
     Identity,
     /// An inequality on a range.
     Inequality,
@@ -48,7 +48,7 @@ pub enum Verdict {
     Depends,
     /// Not decided; the reason and what was tried are stated.
     Undecided,
-    /// No point satisfies the assumptions.
+    /// No point satisfies the hypotheses.
     Vacuous,
     /// A definition, found to be well formed.
     Definition,
@@ -104,6 +104,6 @@ pub enum Flag {
     UnneededHypothesis,
     /// The quotation of a hypothesis does not say it.
     QuoteSaysOtherwise,
-    /// What is excused by the copy is a sign, a relation or the number of an equation, which no copy confuses.
+    /// What is excused by the copy is a sign, a relation or the number of an equation, which no defect of a copy explains.
     GarbledExcuse,
 }

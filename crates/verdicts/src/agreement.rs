@@ -1,16 +1,17 @@
-//! Whether core terms say what the text says: the judge of the elaborator.
+//! Compares core terms with the text that they were made from: the test of the elaborator.
 //!
-//! Prover, checker and the writer of Rocq statements read core terms. So a fault of the elaborator is made wherever these are
-//! read, and no comparison of verdicts shows it. Here the core claim and the trees of its text are compared as *terms*: at
-//! random residues modulo a prime, whatever the hypotheses say of them, each side of each comparison has to have the same value,
-//! and connectives and relations have to be the same. Equal truth would not be enough, and no equation has to be solved.
+//! Prover, checker and the writer of Rocq lemmas read core terms, so a fault of the elaborator affects all of them and
+//! no comparison of verdicts shows it. Here the core claim and the trees of its text are compared as *terms*: at random
+//! residues modulo a prime, whether or not these satisfy the hypotheses, each side of each comparison must have the
+//! same value, and connectives and relations must be the same. Comparing truth values would not suffice, and no
+//! equation has to be solved.
 //!
-//! **What the engine names.** The derivative of a smooth function at a place and the root of a formula are symbols in core
-//! terms. The value of such a symbol is the value of its *text*; that of a root is the root of what the claim says its square
-//! is, and if its name is a text as well, both have to be the same.
+//! **Names made by the engine.** In core terms, the derivative of a smooth function at a place and the root of a
+//! formula are symbols. The value of such a symbol is the value of its *text*; the value of a root is the root of its
+//! square, as the claim defines it, and if its name is a text as well, both must agree.
 //!
-//! An assignment counts if both readings have a value. Where none of the first ten does, the claim is not compared, and not netted; but
-//! where it is one reading that never has a value and the other one that always has, they differ.
+//! An assignment counts if both readings have a value. If none of the first ten does, the claim is not compared, and
+//! not netted. But if one reading never has a value and the other always has one, they differ.
 
 mod basis;
 mod both;
@@ -33,24 +34,24 @@ use torse_semantics::{Name, Scrambled, Value, Work};
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{self, Expr};
 
-/// How many assignments are tried, and at how many a claim is compared.
+/// How many assignments are tried, and at how many of them a claim is compared.
 const ATTEMPTS: u64 = 10;
 const COMPARED: u64 = 2;
-/// The operations that one assignment may take.
+/// Maximum number of operations for one assignment.
 const WORK: u64 = 1_500_000;
 
-/// What was found.
+/// The result of a comparison.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Agreement {
-    /// All that was compared has the same value.
+    /// Everything that was compared has the same value.
     Same,
-    /// Some formula has no value for one of the readings wherever it was tried.
+    /// Some formula has no value in one of the readings at any assignment that was tried.
     NotCompared(String),
-    /// A formula that has two values.
+    /// A formula that has two different values.
     Differs(String),
 }
 
-/// Compares a core claim with the trees that it was made of.
+/// Compares a core claim with the trees that it was made from.
 pub fn agreement(claim: &Claim, statement: &Written, core: &core::Claim) -> Agreement {
     let rooted = core.rooted(&statement.origin);
     let core = rooted.as_ref().unwrap_or(core);
@@ -87,7 +88,7 @@ pub fn agreement(claim: &Claim, statement: &Written, core: &core::Claim) -> Agre
     }
     match missing.first().filter(|_| compared == 0) {
         None => Agreement::Same,
-        // One reading has a value everywhere, and the other nowhere.
+        // One reading has a value at every assignment, the other at none.
         Some(first) if missing.iter().all(|found| found.is_one_sided) => {
             Agreement::Differs(format!("one reading has no value: {}", first.why))
         }
@@ -95,7 +96,7 @@ pub fn agreement(claim: &Claim, statement: &Written, core: &core::Claim) -> Agre
     }
 }
 
-/// The names of core terms that stand in no declaration, with their trees.
+/// Returns the names that occur in core terms and in no declaration, with their trees.
 fn made_names(core: &core::Claim) -> BTreeMap<Arc<str>, Option<Expr>> {
     let made = core.symbols.keys().filter(|name| !formula::is_name(name));
     made.map(|name| (Arc::clone(name), formula::parse(name).ok()))
@@ -106,13 +107,13 @@ struct Case<'a> {
     claim: &'a Claim,
     core: &'a core::Claim,
     reading: &'a Reading<'a>,
-    /// What the ends of declared sets say that are formulas.
+    /// Ends of declared sets that are formulas.
     ends: &'a [(&'a str, Vec<Written>)],
     made: &'a BTreeMap<Arc<str>, Option<Expr>>,
 }
 
 impl Case<'_> {
-    /// Every symbol has the set that is declared.
+    /// Checks that every symbol has its declared set.
     fn declared(&self) -> Result<(), String> {
         let roots: BTreeSet<&Arc<str>> = self.core.roots().map(|(name, _)| name).collect();
         for (name, set) in &self.core.symbols {
@@ -121,15 +122,14 @@ impl Case<'_> {
             }
             let declared = self.claim.declarations.symbol(name);
             if declared.map(|own| format!("{own:?}")) != Some(format!("{set:?}")) {
-                return Err(format!(
-                    "the set of `{name}` is not the one that is declared"
-                ));
+                return Err(format!("the set of `{name}` is not the declared one"));
             }
         }
         Ok(())
     }
 
-    /// Compares at one assignment: `None` if everything was compared, else what was not; fails for what differs.
+    /// Compares at one assignment: returns `None` if everything was compared, else what was not; fails where values
+    /// differ.
     fn at(&self, attempt: u64) -> Result<Option<Missing>, String> {
         let work = Work::new(WORK);
         let arithmetic = Scrambled { work: &work };
@@ -177,13 +177,13 @@ impl Case<'_> {
             texts.extend(relations.iter().map(|end| trees.hypothesis(&end.expr)));
         }
         if own.len() != texts.len() {
-            return Err("the claim has another number of hypotheses".to_owned());
+            return Err("the claim has a different number of hypotheses".to_owned());
         }
         for (n, (text, own)) in texts.iter().zip(&own).enumerate().take(written) {
             let found = both.compared(text, own);
             note(found.map_err(|found| format!("in hypothesis {}, {found}", n + 1))?);
         }
-        // The ends of ranges come in the order in which their symbols were met.
+        // The ends of ranges come in the order in which their symbols occur first.
         let mut left: Vec<&CoreOutline<'_>> = own.iter().skip(written).collect();
         for text in texts.iter().skip(written) {
             let found = left.iter().position(|own| both.compared(text, own).is_ok());
@@ -194,11 +194,11 @@ impl Case<'_> {
         }
         let unknowns = trees.unknowns();
         if unknowns.len() != self.core.unknowns.len() {
-            return Err("the claim has another number of unknowns".to_owned());
+            return Err("the claim has a different number of unknowns".to_owned());
         }
         for (text, own) in unknowns.iter().zip(&self.core.unknowns) {
             let same = both.same(text, &plain.value(own));
-            note(same.map_err(|()| "an unknown is another number".to_owned())?);
+            note(same.map_err(|()| "an unknown has a different value".to_owned())?);
         }
         let statement = trees.statement();
         let both = Both {
@@ -207,11 +207,11 @@ impl Case<'_> {
         };
         note(both.compared(&statement, &outline(&self.core.statement, &along))?);
         for name in assignment.take_asked() {
-            // The place of a function stands in the names of its values.
+            // The names of the values of a function contain the place.
             let mut places = self.made.values().flatten();
             let is_place = places.any(|tree| tree.names().contains(&&*name));
             let is_sought = self.claim.existentials.iter().any(|s| *s.name == *name);
-            // Of `at(f(x), y, t)` nothing but f(x) is left, and no y.
+            // Of `at(f(x), y, t)` only f(x) is left, and no y.
             let may_be_left_out = self.claim.declarations.has_functions();
             let is_missing = !self.core.symbols.contains_key(&name);
             if is_missing && !is_place && !is_sought && !may_be_left_out {

@@ -1,7 +1,7 @@
-//! The sentence in which a file tells what was found, with its holes filled: numbers are computed, never typed.
+//! Fills the holes of a file's sentence about a finding: numbers are computed, never typed.
 //!
-//! A hole is evaluated exactly, at the witness of the verdict where there is one. What is shown of it is a certified
-//! enclosure rounded to the digits asked for: both of its ends round to the same text.
+//! A hole is evaluated exactly, at the witness of the verdict if there is one. The text shows a certified enclosure
+//! rounded to the requested digits: both of its ends round to the same text.
 
 use torse_algebra::Ball;
 use torse_algebra::rational::{integer, to_f64};
@@ -15,21 +15,21 @@ use torse_prove::evidence::Witness;
 use torse_syntax::derivation::{AuthorNote, Claim, DerivationError, Form, Piece, Written};
 use torse_syntax::formula::parse;
 
-/// Digits that count, where the file asks for none.
+/// Significant digits if the file does not ask for a number of them.
 const DIGITS: usize = 4;
 
-/// How precisely numbers are enclosed, tried in turn.
+/// Precisions of the enclosures, tried in turn.
 const BITS: [usize; 3] = [96, 256, 1024];
 
-/// Fractions with a greater denominator are shown as decimals.
+/// A fraction with a greater denominator is shown as a decimal.
 const SIMPLE: i64 = 100;
 
-/// The finding of a claim in words; none if its file has none.
+/// Returns the finding of a claim in words; none if its file has none.
 ///
 /// # Errors
 ///
-/// A hole that is no number where the finding is told, at its place in the file.
-pub fn told(
+/// A hole that is not a number for this finding, with its place in the file.
+pub fn finding_sentence(
     claim: &Claim,
     witness: Option<&Witness>,
 ) -> Result<Option<String>, Box<DerivationError>> {
@@ -39,11 +39,11 @@ pub fn told(
     }
 }
 
-/// A sentence about a claim with its holes filled.
+/// Fills the holes of a sentence about a claim.
 ///
 /// # Errors
 ///
-/// A hole that is no number where the claim fails, at its place in the file.
+/// A hole that is not a number where the claim fails, with its place in the file.
 pub fn filled_in(
     claim: &Claim,
     witness: Option<&Witness>,
@@ -55,7 +55,7 @@ pub fn filled_in(
             evaluator.fix(name.clone(), value);
         }
     }
-    // Given equations determine their unknowns; where they do not, a hole that has some is refused.
+    // Given equations determine their unknowns; if they do not, a hole that contains one is refused.
     let given: Vec<Written> = claim.given.iter().map(|h| h.formula.clone()).collect();
     if let Ok(solution) = solve_given(&given, &claim.unknowns, &evaluator) {
         evaluator.determine(solution);
@@ -70,7 +70,7 @@ pub fn filled_in(
     Ok(text)
 }
 
-/// The number that a witness writes.
+/// Parses a number of a witness.
 fn exact(claim: &Claim, text: &str) -> Option<Fraction> {
     let expr = parse(text).ok()?;
     match Evaluator::new(&claim.declarations).evaluate(&expr).ok()? {
@@ -93,15 +93,16 @@ fn filled(
     };
     number.ok_or_else(|| {
         let message = match form {
-            Form::Degrees => "this is no cosine of an angle where the finding is told",
-            _ => "this is no number where the finding is told",
+            Form::Degrees => "this is not the cosine of an angle at the witness of the finding",
+            _ => "this is not a number at the witness of the finding",
         };
         let error = DerivationError::at(&formula.origin, formula.expr.place, message.to_owned());
         Box::new(error.with_help("a hole may use the symbols that the witness of the verdict has, and `at(..., symbol, value)` for others"))
     })
 }
 
-/// A number as it is asked for; none if it has free symbols, or is no cosine.
+/// Returns a number in the requested form; none if it has free symbols, or if an angle is requested and it is no
+/// cosine.
 fn shown(value: &Fraction, form: Form) -> Option<String> {
     match form {
         Form::Plain => match value.as_rational() {
@@ -117,7 +118,7 @@ fn shown(value: &Fraction, form: Form) -> Option<String> {
     }
 }
 
-/// The angle between two vectors, the rows of a matrix.
+/// Returns the angle between two vectors, the rows of a matrix.
 fn angle(rows: &[Vec<Quantity>]) -> Option<String> {
     let [first, second] = rows else {
         return None;
@@ -135,7 +136,7 @@ fn angle(rows: &[Vec<Quantity>]) -> Option<String> {
         product(second, second)?,
     );
     let square = (along.clone() * along.clone()).over(&(a * b)).ok()?;
-    // The root is taken of an enclosure: an exact one need not be found.
+    // Takes the root of an enclosure: an exact root need not exist.
     let obtuse = enclosure(&along, BITS[0])?.midpoint() < integer(0);
     let text = rounded(&square, DIGITS, &|ball| {
         let cosine = ball.sqrt().ok()?;
@@ -144,7 +145,7 @@ fn angle(rows: &[Vec<Quantity>]) -> Option<String> {
     Some(text? + " degrees")
 }
 
-/// What is made of an enclosure, rounded to so many digits that count.
+/// Rounds an enclosure to significant digits.
 fn rounded(value: &Fraction, digits: usize, of: &dyn Fn(Ball) -> Option<Ball>) -> Option<String> {
     BITS.into_iter().find_map(|bits| {
         let ball = of(enclosure(value, bits)?)?;
@@ -154,7 +155,7 @@ fn rounded(value: &Fraction, digits: usize, of: &dyn Fn(Ball) -> Option<Ball>) -
     })
 }
 
-/// The angle in degrees of a cosine: bounds are guessed, and kept if the cosines of both enclose the number.
+/// Returns the angle in degrees of a cosine: bounds are guessed, and kept if the cosines of both enclose the number.
 fn degrees(cosine: Ball) -> Option<Ball> {
     let bits = cosine.bits();
     let cosine_of = |angle: &Rational| {
@@ -179,7 +180,7 @@ fn degrees(cosine: Ball) -> Option<Ball> {
     is_cosine.then(|| Ball::from_bounds(&low, &high, bits))
 }
 
-/// A number rounded to digits that count; none for one of absurd size.
+/// Rounds a number to significant digits; none for a number of absurd size.
 fn significant(q: &Rational, digits: usize) -> Option<String> {
     if *q == integer(0) {
         return Some("0".to_owned());

@@ -15,7 +15,7 @@ use torse_syntax::notation::Formula;
 pub enum DecisionCertificate<P = Polynomial> {
     /// A proof.
     Proof {
-        /// What must not vanish for it to say something, as factors of which none divides another.
+        /// Factors that must not vanish for the proof to say something; none divides another.
         conditions: Vec<P>,
         /// The proof.
         of: Proof<P>,
@@ -25,7 +25,7 @@ pub enum DecisionCertificate<P = Polynomial> {
 }
 
 impl DecisionCertificate {
-    /// Those of a decision that has some.
+    /// Takes the proof or refutation of a decision that has one.
     #[must_use]
     pub fn from_decision(decision: &Decision) -> Option<Self> {
         match decision {

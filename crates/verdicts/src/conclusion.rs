@@ -1,4 +1,5 @@
-//! From what the prover decided to what is to be judged: a decision as data, and what a refuted statement should have said.
+//! From the prover's decision to a statement that can be cross-checked: the decision as data, and the correction of a
+//! refuted statement.
 
 use crate::certificate::DecisionCertificate;
 use crate::condition::{self, nonzero};
@@ -21,7 +22,7 @@ use torse_syntax::taxonomy::Kind;
 /// Formulas with more terms than this are not shown.
 const MAX_SHOWN_TERMS: usize = 120;
 
-/// What the prover says of a statement, before anybody else looked at it.
+/// The prover's answer about a statement, before any check.
 #[derive(Debug)]
 pub(crate) enum Conclusion {
     Proved(ProvedStatement),
@@ -30,7 +31,7 @@ pub(crate) enum Conclusion {
     Undecided(UndecidedStatement),
 }
 
-/// What a decision says of the statement of a claim; needed hypotheses of ours are conditions of a proof.
+/// Converts a decision on the statement of a claim; needed hypotheses of ours become conditions of a proof.
 pub(crate) fn conclude(
     claim: &Claim,
     statement: &Written,
@@ -71,7 +72,7 @@ fn refuted(refutation: Refutation, statement: &Written, steps: Vec<String>) -> R
     let differing =
         sides.and_then(|(left, right)| left.iter().zip(right).find(|(left, right)| left != right));
     let difference = differing.and_then(|(left, right)| readable(&(left.clone() - right.clone())));
-    // The derived side is the one that is not printed.
+    // The derived formula is the side we computed, not the printed one.
     let derived = differing.and_then(|(left, right)| {
         let is_left = Subject::is_left(&statement.expr);
         readable(if is_left { right } else { left })
@@ -90,13 +91,13 @@ fn refuted(refutation: Refutation, statement: &Written, steps: Vec<String>) -> R
     }
 }
 
-/// The formula, unless it is too long for anyone to read.
+/// Returns the formula, unless it is too long to read.
 fn readable(value: &Fraction) -> Option<Formula> {
     (value.numerator().len() <= MAX_SHOWN_TERMS)
         .then(|| notation::formula(&formula::expression(value)))
 }
 
-/// What had to be assumed or replaced makes the verdict of a figure.
+/// Decides the verdict of a figure: it depends on what had to be assumed or replaced.
 pub(crate) fn drawn(claim: &Claim, figure: &Figure) -> FigureFinding {
     let entry = &figure.entry;
     let listed = |what: &str, list: &[String]| -> Vec<String> {
@@ -111,14 +112,14 @@ pub(crate) fn drawn(claim: &Claim, figure: &Figure) -> FigureFinding {
     }
 }
 
-/// What the paper meant, as far as that is found with so much work.
+/// The correction, as far as it is found with this work.
 #[derive(Debug, Default)]
 pub(crate) struct Correcting {
     pub repair: Option<Repair>,
     pub data: Option<DataCorrection>,
 }
 
-/// Searches for what the paper meant. A search that ends at a limit found nothing; what was found before stands.
+/// Searches for a correction. A search that ends at a limit found nothing; earlier results stand.
 pub(crate) fn correct(claim: &Claim, statement: &Written, budget: u64) -> Correcting {
     let mut found = Correcting::default();
     let _ = work::within(budget, || search(claim, statement, &mut found));
@@ -138,7 +139,7 @@ fn search(
     statement: &Written,
     correcting: &mut Correcting,
 ) -> Result<(), work::Spent> {
-    // What a search that is over came to is nothing.
+    // The result of a search that ran out of work is discarded.
     fn found<T>(found: T) -> Result<T, work::Spent> {
         work::check().map(|()| found)
     }
@@ -149,7 +150,7 @@ fn search(
             correcting.repair = slip.map(Repair::Misprint);
             return Ok(());
         }
-        // Derived anew is no slip of printing: the statement is false.
+        // A side that is derived anew is not a slip of printing: the statement is false.
         let derived = found(repair::ansatz::search(claim, statement))?;
         correcting.repair = derived.map(Repair::Derived);
         correcting.data = found(repair::entries::search(claim, statement))?;
@@ -160,7 +161,7 @@ fn search(
     Ok(())
 }
 
-/// A correction under the hypotheses of ours that its proof needs.
+/// Adds the hypotheses of ours that its proof needs to a correction.
 fn under_ours(correction: Correction, claim: &Claim, budget: u64) -> Correction {
     if !provenance::has_ours(claim) {
         return correction;

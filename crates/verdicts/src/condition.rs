@@ -1,4 +1,4 @@
-//! Conditions as formulas, and formulas read back.
+//! Writes conditions as formulas, and reads formulas back.
 
 use std::sync::Arc;
 use torse_algebra::Polynomial;
@@ -16,7 +16,7 @@ pub fn nonzero(polynomial: &Polynomial) -> Formula {
     notation::formula(&Expr::made(Node::Compare(Arc::new(left), different)))
 }
 
-/// A formula of an outcome read back; `name` stands for the file in messages.
+/// Reads back a formula of an outcome; `name` stands for the file in messages.
 pub fn written(formula: &Formula, name: &str) -> Option<Written> {
     let source = Arc::new(Source {
         name: name.to_owned(),

@@ -1,4 +1,4 @@
-//! Conjunctions: their parts, and of a refuted one which part fails, which hold and by what.
+//! Splits conjunctions: finds which part of a refuted one fails, and which parts hold, with their evidence.
 
 use torse_algebra::work::Allowance;
 use torse_prove::decide::Decision;
@@ -8,11 +8,11 @@ use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Connective, Expr, Node};
 use torse_syntax::notation;
 
-/// So many parts may take all the work that one may; more of them have to share it.
+/// Up to so many parts may each take the full work; more of them share it.
 const WITH_ALL_WORK: u64 = 50;
 
-/// What is true of each part, a line each; nothing for what is no conjunction. What the first parts are is known; each
-/// further one may take so much work, and all together fifty times as much.
+/// Returns what is true of each part, a line each; nothing if the statement is no conjunction. The results of the first
+/// parts are given; each further part may take this work, and all together fifty times as much.
 #[must_use]
 pub fn part_by_part(
     claim: &Claim,
@@ -27,7 +27,7 @@ pub fn part_by_part(
     let undecided = || "is not decided".to_owned();
     if known.len() < parts.len() {
         let mut allowance = Allowance::new(budget, budget.saturating_mul(WITH_ALL_WORK));
-        // A formula without sense was refused with the verdict.
+        // A formula that makes no sense was refused with the verdict.
         let _ = with_prepared(claim, statement, |prepared| {
             for number in known.len()..parts.len() {
                 let decided = allowance.within(|| prepared.decide_part(number));
@@ -40,12 +40,13 @@ pub fn part_by_part(
         });
     }
     known.resize_with(parts.len(), undecided);
-    let told = parts.iter().zip(&known);
-    told.map(|(part, word)| format!("the part `{}` {word}", notation::text(part)))
+    let described = parts.iter().zip(&known);
+    described
+        .map(|(part, word)| format!("the part `{}` {word}", notation::text(part)))
         .collect()
 }
 
-/// The statements that a conjunction joins.
+/// Returns the statements that a conjunction joins.
 #[must_use]
 pub fn conjuncts(expr: &Expr) -> Vec<&Expr> {
     match &expr.node {
@@ -54,7 +55,7 @@ pub fn conjuncts(expr: &Expr) -> Vec<&Expr> {
     }
 }
 
-/// What a part is found to be.
+/// Describes the finding about a part.
 pub(crate) fn word(decision: &Decision) -> String {
     match decision {
         Decision::Proven(proof) => {
@@ -72,7 +73,7 @@ pub(crate) fn word(decision: &Decision) -> String {
             }
         }
         Decision::Refuted(_) => "fails".to_owned(),
-        Decision::Vacuous(_) => "says nothing: no point satisfies the assumptions".to_owned(),
+        Decision::Vacuous(_) => "says nothing: no point satisfies the hypotheses".to_owned(),
         Decision::Open { .. } => "is not decided".to_owned(),
     }
 }

@@ -1,8 +1,8 @@
-//! What rests on a claim, and what becomes of it when the claim is wrong.
+//! Finds the claims that rest on a claim, and decides what becomes of them when it is wrong.
 //!
-//! A claim names the claims that it `uses`. The engine decides every claim from the definitions alone,
-//! never from other claims; so a claim that rests in the paper on a wrong one and still holds is
-//! untouched by the error (the wrong term vanishes there, say), and one that falls does so by itself.
+//! A claim names the claims that it `uses`. The engine decides every claim from the definitions alone, never from other
+//! claims. So a claim that rests on a wrong one in the paper and still holds is not affected by the error (the wrong
+//! term vanishes there, for example), and one that falls does so by itself.
 
 use crate::outcome::Outcome;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
@@ -25,7 +25,7 @@ pub enum Fate {
 }
 
 impl Fate {
-    /// The fate that a verdict means.
+    /// Returns the fate that a verdict means.
     #[must_use]
     pub fn from_verdict(verdict: Verdict) -> Self {
         match verdict {
@@ -42,7 +42,7 @@ impl Fate {
         }
     }
 
-    /// Whether it stays true, be it under a condition.
+    /// Whether it stays true, possibly under a condition.
     #[must_use]
     pub fn survives(self) -> bool {
         matches!(self, Self::Survives | Self::SurvivesIf)
@@ -54,7 +54,7 @@ impl Fate {
 pub struct Consequence {
     /// The id of the claim.
     pub id: String,
-    /// The claims between, nearest to the refuted one first; empty if it is used directly.
+    /// The intermediate claims, nearest to the refuted one first; empty if it is used directly.
     pub through: Vec<String>,
     /// What becomes of it.
     pub fate: Fate,
@@ -64,7 +64,7 @@ pub struct Consequence {
     pub conditions: Vec<Formula>,
 }
 
-/// The claims that use each claim, by its id, in the order of the outcomes.
+/// Returns the claims that use each claim, by its id, in the order of the outcomes.
 #[must_use]
 pub fn users<'a>(
     claims: impl IntoIterator<Item = (&'a str, &'a [String])>,
@@ -78,8 +78,8 @@ pub fn users<'a>(
     users
 }
 
-/// The ids of all claims that rest on `id`, directly or through others, nearest first; each with the
-/// claims between.
+/// Returns the ids of all claims that rest on `id`, directly or through others, nearest first, each with the claims
+/// between.
 #[must_use]
 pub fn resting<'a>(
     id: &'a str,
@@ -101,7 +101,7 @@ pub fn resting<'a>(
     found
 }
 
-/// What rests on the claim `id` among these outcomes, and what becomes of it.
+/// Returns what rests on the claim `id` among these outcomes, and what becomes of it.
 #[must_use]
 pub fn consequences(id: &str, outcomes: &[&Outcome]) -> Vec<Consequence> {
     let users = users(

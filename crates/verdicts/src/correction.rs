@@ -1,23 +1,23 @@
-//! What a refuted claim should have said: plain data.
+//! Corrections of refuted claims: plain data.
 
 use serde::Serialize;
 use torse_syntax::notation::Formula;
 
-/// A corrected form of a refuted formula, itself proved.
+/// A corrected and proved form of a refuted formula.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Correction {
     /// The corrected statement.
     pub statement: Formula,
-    /// The conditions under which it is true, as those of a verdict.
+    /// The conditions under which it is true, like those of a verdict.
     pub conditions: Vec<Formula>,
     /// What was changed, in words, one entry an edit ("the factor 4 added", "k replaced by l").
     pub edits: Vec<String>,
-    /// Whether no other repair with as few edits was found.
+    /// Whether no other correction with as few edits was found.
     pub unique: bool,
 }
 
 impl Correction {
-    /// What was changed and under which conditions the statement is true then, a line each.
+    /// Describes the change and the conditions of the corrected statement, a line each.
     #[must_use]
     pub fn in_words(&self) -> Vec<String> {
         let conditions = self.conditions.iter();
@@ -26,26 +26,26 @@ impl Correction {
     }
 }
 
-/// A change of printed data that explains a printed value: the value is wrong for the data as printed and
-/// right for the changed ones.
+/// A change of printed data that explains a printed value: the value is wrong for the printed data and right for the
+/// changed data.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct DataCorrection {
     /// The changed data.
     pub changes: Vec<DataChange>,
-    /// How the printed value agrees then, in words.
+    /// How the printed value then agrees, in words.
     pub steps: Vec<String>,
-    /// Whether no other change of as few numbers, as near to the print, was found that explains as much.
+    /// Whether no other change of as few numbers, as close to the print, explains as much.
     pub unique: bool,
-    /// The ids of the refuted values of the same example that this change explains, this one included.
+    /// The ids of the refuted values of the same example that this change explains, including this one.
     pub explains: Vec<String>,
-    /// The ids of the values of the same example that hold for the data as printed and no longer do.
+    /// The ids of the values of the same example that hold for the printed data and fail for the changed data.
     pub contradicts: Vec<String>,
     /// Whether all refuted values of the example are explained, and none contradicted.
     pub explains_example: bool,
 }
 
 impl DataCorrection {
-    /// What to change and what it explains, a line each.
+    /// Describes what to change and what it explains, a line each.
     #[must_use]
     pub fn in_words(&self) -> Vec<String> {
         let change = |c: &DataChange| {
@@ -67,16 +67,18 @@ impl DataCorrection {
             lines.push(format!("it contradicts {}", self.contradicts.join(", ")));
         }
         lines.push(match self.unique {
-            true => "no other change of as few numbers, as near to the print, was found".to_owned(),
+            true => {
+                "no other change of as few numbers, as close to the print, was found".to_owned()
+            }
             false => {
-                "other changes of as few numbers, as near to the print, explain it too".to_owned()
+                "other changes of as few numbers, as close to the print, explain it too".to_owned()
             }
         });
         lines
     }
 }
 
-/// One datum as printed and as it should read.
+/// A printed datum and its corrected value.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct DataChange {
     /// The name of the datum.

@@ -1,7 +1,7 @@
-//! Everything on the table: what a statement rests on, for a reader who checks it against the print.
+//! Declarations and definitions that a statement depends on, for a reader who checks it against the print.
 //!
-//! The declared set of every symbol that occurs, the definitions and bases that are used, be it through others, each once
-//! and in the order of use, and the unknowns of given equations.
+//! These are the declared set of every symbol that occurs, the definitions and bases that are used directly or through
+//! others, each once and in the order of use, and the unknowns of given equations.
 
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -11,7 +11,7 @@ use torse_syntax::derivation::{Claim, Hypothesis, Written};
 use torse_syntax::formula::{Expr, Node};
 use torse_syntax::notation::{self, Formula, domain};
 
-/// What a statement rests on.
+/// The dependencies of a statement.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 pub struct Dependencies {
     /// The symbols, in the order of use.
@@ -29,7 +29,7 @@ pub struct Dependencies {
 pub struct Declared {
     /// The name.
     pub name: String,
-    /// The set that it stands for a member of, in words: `mu in [-1, 1]`.
+    /// Its set, in words: `mu in [-1, 1]`.
     pub set: String,
     /// How the paper prints the name: mathematics between dollar signs.
     pub display: Option<String>,
@@ -40,9 +40,9 @@ pub struct Declared {
 pub struct Defined {
     /// What is defined: `c`, `H(x)`.
     pub head: Formula,
-    /// What it is.
+    /// Its formula.
     pub body: Formula,
-    /// Whether the claim defines it, rather than its file or paper.
+    /// Whether the claim itself contains the definition, rather than its file or paper.
     pub own: bool,
     /// How the paper prints the name: mathematics between dollar signs.
     pub display: Option<String>,
@@ -64,14 +64,14 @@ pub struct Family {
 }
 
 impl Family {
-    /// Whether there is no step, which is written as one with factors zero: a list of functions of one degree.
+    /// Whether it has no step, which is stored with zero factors: a list of functions of one degree.
     #[must_use]
     pub fn is_list(&self) -> bool {
         self.step.iter().all(|factor| factor.text == "0")
     }
 }
 
-/// What a statement on the domain of a claim rests on; `core` is both in core terms.
+/// Collects the dependencies of a statement on the domain of a claim; `core` has both as core terms.
 #[must_use]
 pub fn find_dependencies(claim: &Claim, statement: &Written, core: &core::Claim) -> Dependencies {
     let mut walk = Walk {
@@ -89,7 +89,7 @@ pub fn find_dependencies(claim: &Claim, statement: &Written, core: &core::Claim)
     for written in given.iter().chain(&claim.unknowns).chain(&assumed) {
         walk.formula(&written.expr, &[]);
     }
-    // Of the names met those that mean symbols, then symbols in whose terms others are declared.
+    // First the names that occur and mean symbols, then the symbols in whose terms others are declared.
     let mut symbols = vec![];
     let rest = core.symbols.keys().map(|name| name.to_string());
     for name in walk.names.iter().cloned().chain(rest) {
@@ -114,12 +114,12 @@ pub fn find_dependencies(claim: &Claim, statement: &Written, core: &core::Claim)
     }
 }
 
-/// What a head `F(z, mu)` defines.
+/// Returns the name that a head `F(z, mu)` defines.
 fn name_of(head: &str) -> &str {
     head.split(['(', '[']).next().unwrap_or(head).trim()
 }
 
-/// The walk from a statement through all that it uses.
+/// Walks from a statement through all that it uses.
 struct Walk<'a> {
     declarations: &'a Declarations,
     own: BTreeSet<&'a str>,
@@ -129,7 +129,7 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    /// Notes what a formula uses; `bound` are names of an index or a parameter.
+    /// Records what a formula uses; `bound` contains names of indices and parameters.
     fn formula(&mut self, expr: &Expr, bound: &[String]) {
         match &expr.node {
             Node::Name(name) => self.name(name, bound),
@@ -215,14 +215,14 @@ impl Walk<'_> {
         for written in basis.seeds.iter().chain([&basis.step.0, &basis.step.1]) {
             self.formula(&written.expr, &variables);
         }
-        // Left out as arguments they are the symbols of these names.
+        // Arguments that are left out are the symbols of these names.
         variables
             .iter()
             .for_each(|name| self.names.push(name.clone()));
     }
 }
 
-/// `F(z, mu)`, or the function alone where nothing follows.
+/// Writes `F(z, mu)`, or the function alone if it has no arguments.
 fn head(function: Expr, parameters: &[String]) -> Expr {
     match parameters {
         [] => function,

@@ -6,13 +6,13 @@ use crate::pending_claim::PendingClaim;
 use rayon::prelude::*;
 use torse_syntax::derivation::{Claim, DerivationError, Paper};
 
-/// The work that a claim may cost unless more is asked for: many times what the hardest claims of the papers take.
+/// Default work for a claim: many times what the hardest claims of the papers take.
 pub const STANDARD_WORK: u64 = 500_000_000;
-/// Decides all claims of a paper, in parallel; the outcomes are in the order of the file. `done` is
-/// called once a claim, from any thread.
+/// Decides all claims of a paper, in parallel; the outcomes have the order of the file. Calls `done` once for each
+/// claim, from any thread.
 ///
 /// # Errors
-/// The first claim, in file order, whose formulas do not make sense.
+/// The first claim, in file order, whose formulas make no sense.
 pub fn run(paper: &Paper, done: &(dyn Fn() + Sync)) -> Result<PaperOutcome, Box<DerivationError>> {
     let outcomes: Vec<Result<Outcome, Box<DerivationError>>> = paper
         .claims
@@ -35,20 +35,20 @@ pub fn run(paper: &Paper, done: &(dyn Fn() + Sync)) -> Result<PaperOutcome, Box<
     })
 }
 
-/// Decides one claim. A claim that makes the engine panic is undecided, with the panic's message as the reason: it takes
-/// no other claim with it.
+/// Decides one claim. If the engine panics, the claim is undecided, with the message of the panic as the reason; other
+/// claims are not affected.
 ///
 /// # Errors
-/// A [`DerivationError`] when a formula of the claim does not make sense.
+/// A [`DerivationError`] if a formula of the claim makes no sense.
 pub fn decide_claim(paper: &str, claim: &Claim) -> Result<Outcome, Box<DerivationError>> {
     decide_claim_within(STANDARD_WORK, paper, claim)
 }
 
-/// The same with another budget of work, in the units of [`torse_algebra::work`]: as much for the verdict, and as much again for the
-/// search for a correction. A claim that needs more is undecided, and says so.
+/// Decides one claim with another budget of work, in the units of [`torse_algebra::work`]: this much for the verdict,
+/// and as much again for the search for a correction. A claim that needs more is undecided, with that reason.
 ///
 /// # Errors
-/// A [`DerivationError`] when a formula of the claim does not make sense.
+/// A [`DerivationError`] if a formula of the claim makes no sense.
 pub fn decide_claim_within(
     budget: u64,
     paper: &str,

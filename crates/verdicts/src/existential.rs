@@ -1,8 +1,9 @@
-//! Claims that say that there are numbers.
+//! Existential claims: "there are numbers such that ...".
 //!
-//! With a witness in the place of each number that it seeks a claim is one like all others, and is decided as such. That a witness
-//! fails refutes nothing, for another one may do: `false` is such a claim only if there is a point of its domain at which the statement
-//! is false of every number of the declared intervals, which is a claim of its own, about that point, and proved.
+//! With a witness in place of each such number, the claim is decided like any other. That a witness fails refutes
+//! nothing, since another one may do. An existential claim is `false` only if there is a point of its domain at which
+//! the statement is false for every number of the declared intervals; that is a claim about this point, and it is
+//! proved.
 
 use crate::conclusion::{Conclusion, conclude};
 use crate::elaborated_claim::ElaboratedClaim;
@@ -20,10 +21,10 @@ use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Connective, Expr, Node};
 use torse_syntax::notation::{self, Formula};
 
-/// Decides a claim that says that there are numbers, and judges what is found.
+/// Decides an existential claim, and cross-checks the result.
 ///
 /// # Errors
-/// A [`DerivationError`] when a formula of the claim does not make sense.
+/// A [`DerivationError`] if a formula of the claim makes no sense.
 pub(crate) fn decided(
     claim: &Claim,
     statement: &Written,
@@ -50,11 +51,11 @@ pub(crate) fn decided(
         return Ok(Finding::undecided(why));
     }
     let Some(elaborated) = ElaboratedClaim::new(own, statement) else {
-        let why = "the statement with its witness cannot be read again to be judged";
+        let why = "the statement with its witness cannot be read back for the cross-check";
         return Ok(Finding::undecided(why));
     };
     let minimized = provenance::minimize_hypotheses(own, statement, decision, budget / 5);
-    // Where the witness fails another one may not.
+    // Another witness may do where this one fails.
     let reasons = minimized.decision.reasons();
     Ok(match conclude(own, statement, minimized) {
         Conclusion::Proved(proved) => {
@@ -78,7 +79,7 @@ pub(crate) fn decided(
     })
 }
 
-/// What was found, or the limit that ended the work.
+/// The result, or the limit that ended the work.
 fn known<T>(
     statement: &Written,
     found: Result<Result<T, Fault>, Spent>,
@@ -91,7 +92,8 @@ fn known<T>(
     }
 }
 
-/// The claim with witnesses for all that it seeks, as its verdict was found with; the claim itself if it gives them all.
+/// Returns the claim with witnesses for all existential numbers, as its verdict was found with; the claim itself if it
+/// provides them all.
 pub(crate) fn witnessed(claim: &Claim, statement: &Written, budget: u64) -> Claim {
     let found = work::within(budget, || existential::witnessed(claim, statement));
     match found {
@@ -100,7 +102,7 @@ pub(crate) fn witnessed(claim: &Claim, statement: &Written, budget: u64) -> Clai
     }
 }
 
-/// Whether a proof leaves out values of integers at which a term has no value: where the witness has none, nothing is shown.
+/// Whether the proof skips instances where a term (possibly the witness) is undefined: there nothing is shown.
 fn says_nothing_somewhere<P>(proof: &Proof<P>) -> bool {
     match proof {
         Proof::Nowhere(Emptiness::Undefined(_)) => true,
@@ -111,16 +113,16 @@ fn says_nothing_somewhere<P>(proof: &Proof<P>) -> bool {
         Proof::Alternative { proof, .. } | Proof::Conclusion(proof) => {
             says_nothing_somewhere(proof)
         }
-        // Conditions that only say where terms are defined may be those of the witness.
+        // Conditions that only make terms defined may come from the witness.
         Proof::Defined(_) => true,
         _ => false,
     }
 }
 
-/// A witness fails at a point: the claim is refuted if nothing else will do there.
+/// Handles a witness that fails at a point: refutes the claim if no other number will do there.
 ///
 /// # Errors
-/// That another one might do, in words.
+/// Another number might do, in words.
 fn without_witness(
     refuted: RefutedStatement,
     claim: &Claim,
@@ -138,7 +140,7 @@ fn without_witness(
         false => format!("at {}", point.join(", ")),
     };
     let unknown =
-        || format!("the witness fails {point}; that no other one will do there is not shown");
+        || format!("the witness fails {point}; it is not shown that no other number works there");
     let mut there = claim.clone();
     there.existentials.clear();
     for (name, value) in &at {
@@ -177,7 +179,7 @@ fn without_witness(
         "there is no {} {point}: `{denied}` holds there for all",
         names.join(", ")
     ));
-    // The sides and the refutation as data are about the one witness that was tried.
+    // The sides and the refutation as data belong to the one witness that was tried.
     Ok(RefutedStatement {
         steps,
         difference: None,
@@ -187,7 +189,7 @@ fn without_witness(
     })
 }
 
-/// The denial of a statement at a point, as far as it is made of comparisons of numbers.
+/// Returns the negation of a statement at a point, as far as it consists of comparisons of numbers.
 fn negated(expr: &Expr) -> Option<Expr> {
     let both =
         |connective, a: Expr, b: Expr| Expr::made(Node::Join(connective, Arc::new(a), Arc::new(b)));

@@ -1,13 +1,13 @@
-//! What the authors of a paper are told: the faults of its files, with their numbers filled in.
+//! Faults of a paper for a letter to its authors, with computed numbers.
 
 use crate::author_note;
 use crate::outcome::{FaultChange, Outcome, PaperFault};
 use torse_syntax::derivation::{Corrigendum, DerivationError, Paper, Rewording};
 
-/// The faults of which the files of a paper tell, with their numbers filled in; nothing is decided.
+/// Returns the faults that the files of a paper list, with their numbers filled in; decides nothing.
 ///
 /// # Errors
-/// A [`DerivationError`] at a hole that is no number where the first claim of the fault fails.
+/// A [`DerivationError`] for a hole that is not a number where the first claim of the fault fails.
 pub fn faults(
     paper: &Paper,
     outcomes: &[Outcome],
@@ -31,7 +31,7 @@ pub fn faults(
             (Some(claim), Some(outcome)) => {
                 author_note::filled_in(claim, outcome.witness(), &of.says)
             }
-            // Its numbers are those of a claim that this run does not have.
+            // The numbers belong to a claim that is not part of this run.
             _ => Ok(of.says.without_holes().unwrap_or_default()),
         }
     };

@@ -1,12 +1,13 @@
-//! What the engine found of a claim: one value, made once, of which nothing is taken back.
+//! The result of deciding a claim: a value that is constructed once and never changed.
 //!
-//! Verdict and evidence are two axes and never merged: the verdict says what is true of the printed statement, the evidence
-//! says what the answer rests on. Both follow from the [`Finding`], which has one constructor a kind, and each holds what
-//! that kind has: a proof its conditions and its certificate, a refutation its counterexample, a contradiction nothing of
-//! what it contradicts. What the prover says becomes a finding only together with what its judges found ([`Judged`]).
+//! Verdict and evidence are two axes and never merged: the verdict says what is true of the printed statement, the
+//! evidence says what the answer rests on. Both follow from the [`Finding`], which has one constructor for each kind;
+//! each holds what its kind has: a proof its conditions and its certificate, a refutation its counterexample, a
+//! contradiction nothing of the answer that it contradicts. The prover's answer becomes a finding only together with
+//! the results of its cross-checks ([`Judged`]).
 //!
-//! A sentence with several readings has an outcome for each ([`Readings`]): where all have the same verdict it is that of
-//! the sentence; where they differ it is `depends`, which accuses nobody.
+//! A sentence with several readings has an outcome for each ([`Readings`]). If all have the same verdict, the sentence
+//! has it too; if they differ, it is `depends`, which accuses nobody.
 
 use crate::certificate::DecisionCertificate;
 use crate::claim_record::ClaimRecord;
@@ -21,49 +22,49 @@ use torse_prove::evidence::{Evidence, Witness};
 use torse_syntax::notation::Formula;
 use torse_syntax::taxonomy::{Kind, Verdict};
 
-/// A claim, and what was found of it.
+/// A claim with its finding.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Outcome {
-    /// The claim as its file has it.
+    /// The claim, as its file states it.
     pub claim: ClaimRecord,
-    /// What was found.
+    /// The finding.
     pub finding: Finding,
 }
 
 impl Outcome {
-    /// What is true of the statement.
+    /// Returns the verdict.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         self.finding.verdict(self.claim.kind)
     }
 
-    /// Whether the computed verdict is the expected one (true where none is stated).
+    /// Whether the verdict is the expected one; true if none is expected.
     #[must_use]
     pub fn as_expected(&self) -> bool {
         let expect = self.claim.expect;
         expect.is_none_or(|expected| expected == self.verdict())
     }
 
-    /// What the verdict rests on; none for definitions and figures.
+    /// Returns the evidence; none for definitions and figures.
     #[must_use]
     pub fn evidence(&self) -> Option<Evidence> {
         self.finding.evidence()
     }
 
-    /// The statement as the engine understood it; of a sentence whose readings agree that of the first.
+    /// Returns the statement as the engine understood it; for readings that agree, the first one's.
     #[must_use]
     pub fn parsed(&self) -> Option<&Formula> {
         let first = self.finding.agreed().and_then(Self::parsed);
         first.or(self.claim.parsed.as_ref())
     }
 
-    /// The extra conditions of a `conditional` verdict, and divisors that must not vanish.
+    /// Returns the extra conditions of a `conditional` verdict, and divisors that must not vanish.
     #[must_use]
     pub fn conditions(&self) -> &[Formula] {
         self.finding.conditions()
     }
 
-    /// The readings of a sentence that has more than one.
+    /// Returns the readings of a sentence that has more than one.
     #[must_use]
     pub fn readings(&self) -> &[ReadingOutcome] {
         match &self.finding {
@@ -72,61 +73,61 @@ impl Outcome {
         }
     }
 
-    /// What is known of a refuted statement; of a sentence whose readings agree that of the first.
+    /// Returns the refutation; for readings that agree, the first one's.
     #[must_use]
     pub fn refuted(&self) -> Option<&RefutedStatement> {
         self.finding.refuted()
     }
 
-    /// A counterexample.
+    /// Returns the counterexample.
     #[must_use]
     pub fn witness(&self) -> Option<&Witness> {
         self.refuted()?.witness.as_ref()
     }
 
-    /// A proved correction.
+    /// Returns the proved correction.
     #[must_use]
     pub fn correction(&self) -> Option<&Correction> {
         self.refuted()?.correction()
     }
 
-    /// A change of the data that explains a refuted value.
+    /// Returns the change of the data that explains a refuted value.
     #[must_use]
     pub fn data(&self) -> Option<&DataCorrection> {
         self.refuted()?.data.as_ref()
     }
 
-    /// The derived right side in the paper's own shape.
+    /// Returns the derived right side in the shape of the print.
     #[must_use]
     pub fn derived(&self) -> Option<&Formula> {
         self.refuted()?.derived.as_ref()
     }
 
-    /// Left side minus right side in normal form.
+    /// Returns left minus right side in normal form.
     #[must_use]
     pub fn difference(&self) -> Option<&Formula> {
         self.refuted()?.difference.as_ref()
     }
 
-    /// What the net found; none where nothing was decided.
+    /// Returns the result of the cross-check; none if nothing was decided.
     #[must_use]
     pub fn net(&self) -> Option<&Net> {
         self.finding.net()
     }
 
-    /// What the checker of proofs found; none where there is no proof.
+    /// Returns the result of the checker; none if there is no proof.
     #[must_use]
     pub fn replay(&self) -> Option<&Replay> {
         self.finding.replay()
     }
 
-    /// What contradicts the verdict that the prover would have given: the claim is undecided then.
+    /// Returns what contradicts the prover's verdict: the claim is then undecided.
     #[must_use]
     pub fn contradiction(&self) -> Option<&str> {
         self.finding.contradiction()
     }
 
-    /// The steps of the decision, in words, in order.
+    /// Returns the steps of the decision, in words, in order.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         self.finding.steps()
@@ -136,47 +137,47 @@ impl Outcome {
 /// One reading of a sentence, decided.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ReadingOutcome {
-    /// A word for it.
+    /// Its short name.
     pub name: String,
-    /// The sentence as it is read here, in words.
+    /// The sentence in this reading, in words.
     pub says: String,
-    /// What is true of it.
+    /// Its finding.
     pub outcome: Outcome,
 }
 
-/// What was found of a claim.
+/// The result of deciding a claim.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Finding {
-    /// It introduces notation: there is nothing to decide.
+    /// The claim introduces notation: there is nothing to decide.
     Definition,
-    /// It is a figure, drawn from the data of the paper or from what stands in for them.
+    /// The claim is a figure, drawn from the data of the paper or from replacements.
     Figure(FigureFinding),
-    /// The paper does not print what would be needed, which is this.
+    /// The paper does not print the data that are needed, named here.
     Underspecified(String),
-    /// It is none of the statements that are decided here, for this reason.
+    /// The claim is not a statement that can be decided here, for this reason.
     OutOfScope(String),
-    /// Nothing is decided.
+    /// Undecided.
     Undecided(UndecidedStatement),
-    /// The prover decided it, and one of the judges finds the opposite.
+    /// The prover decided it, and a cross-check finds the opposite.
     Contradicted(Contradiction),
-    /// It is proved.
+    /// Proved.
     Proved(Box<Judged<ProvedStatement>>),
-    /// It is refuted.
+    /// Refuted.
     Refuted(Box<Judged<RefutedStatement>>),
-    /// No point satisfies its hypotheses.
+    /// No point satisfies the hypotheses.
     Vacuous(Box<Judged<EmptyDomain>>),
     /// The sentence has more than one reading.
     Readings(Readings),
 }
 
 impl Finding {
-    /// A finding that nothing is decided, for this reason.
+    /// Makes a finding that is undecided for this reason.
     pub fn undecided(why: impl Into<String>) -> Self {
         Self::Undecided(UndecidedStatement::because(why))
     }
 
-    /// What is true of a claim of this kind.
+    /// Returns the verdict for a claim of this kind.
     #[must_use]
     pub fn verdict(&self, kind: Kind) -> Verdict {
         match self {
@@ -192,7 +193,7 @@ impl Finding {
         }
     }
 
-    /// What the verdict rests on; none for definitions and figures.
+    /// Returns the evidence; none for definitions and figures.
     #[must_use]
     pub fn evidence(&self) -> Option<Evidence> {
         match self {
@@ -204,7 +205,7 @@ impl Finding {
         }
     }
 
-    /// The conditions under which the statement is true.
+    /// Returns the conditions under which the statement is true.
     #[must_use]
     pub fn conditions(&self) -> &[Formula] {
         match self {
@@ -214,7 +215,7 @@ impl Finding {
         }
     }
 
-    /// Of each hypothesis of the claim whether the proof needs it; nothing where none was tried.
+    /// Returns for each hypothesis of the claim whether the proof needs it; empty if none was tried.
     #[must_use]
     pub fn needed(&self) -> &[Option<bool>] {
         match self {
@@ -223,7 +224,7 @@ impl Finding {
         }
     }
 
-    /// What is known of a refuted statement; of a sentence whose readings agree that of the first.
+    /// Returns the refutation; for readings that agree, the first one's.
     #[must_use]
     pub fn refuted(&self) -> Option<&RefutedStatement> {
         match self {
@@ -232,7 +233,7 @@ impl Finding {
         }
     }
 
-    /// What the net found; none where nothing was decided.
+    /// Returns the result of the cross-check; none if nothing was decided.
     #[must_use]
     pub fn net(&self) -> Option<&Net> {
         match self {
@@ -244,7 +245,7 @@ impl Finding {
         }
     }
 
-    /// What the checker of proofs found; none where there is no proof.
+    /// Returns the result of the checker; none if there is no proof.
     #[must_use]
     pub fn replay(&self) -> Option<&Replay> {
         match self {
@@ -255,7 +256,7 @@ impl Finding {
         }
     }
 
-    /// What the verdict rests on, as data; readings have their own.
+    /// Returns the certificate; readings have their own.
     #[must_use]
     pub fn certificate(&self) -> Option<&DecisionCertificate> {
         match self {
@@ -265,7 +266,7 @@ impl Finding {
         }
     }
 
-    /// What contradicts the verdict that the prover would have given, of a sentence in one of its readings.
+    /// Returns what contradicts the prover's verdict; for a sentence, that of the first contradicted reading.
     #[must_use]
     pub fn contradiction(&self) -> Option<&str> {
         match self {
@@ -275,7 +276,7 @@ impl Finding {
         }
     }
 
-    /// The first reading of a sentence all of whose readings have one verdict.
+    /// Returns the first reading if all readings have one verdict.
     #[must_use]
     pub fn agreed(&self) -> Option<&Outcome> {
         match self {
@@ -284,7 +285,7 @@ impl Finding {
         }
     }
 
-    /// The steps of the decision, in words, in order.
+    /// Returns the steps of the decision, in words, in order.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         match self {
@@ -304,35 +305,35 @@ impl Finding {
     }
 }
 
-/// The steps of a decision, and which of its conditions were not seen to be needed.
+/// Returns the steps of a decision, and which of its conditions were not seen to be needed.
 fn judged_steps(steps: &[String], net: &Net) -> Vec<String> {
     let correction = net.correction.iter().flat_map(|net| &net.conditions);
     let sides = net.conditions.iter().chain(correction);
     let suspicious = sides.filter(|sides| sides.is_suspicious());
-    let told = suspicious.map(|sides: &ConditionCheck| {
+    let notes = suspicious.map(|sides: &ConditionCheck| {
         format!(
             "the condition `{}` was not seen to be needed: the statement is true at {} points at which it fails",
             sides.condition, sides.holding
         )
     });
-    steps.iter().cloned().chain(told).collect()
+    steps.iter().cloned().chain(notes).collect()
 }
 
 /// The readings of a sentence, each decided.
 ///
-/// What is said of the sentence follows from all of them. Where they agree it rests on the weakest evidence, under the
-/// conditions of all; where they do not, or where one is contradicted, nothing of one of them is said of the sentence.
+/// The result for the sentence follows from all of them. If they agree, it has the weakest evidence and the conditions
+/// of all; if they differ, or one is contradicted, nothing of a single reading is used for the sentence.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
 pub struct Readings {
     all: Vec<ReadingOutcome>,
-    /// The conditions of all, each once, if they agree.
+    /// The conditions of all readings, each once, if they agree.
     #[serde(skip)]
     conditions: Vec<Formula>,
 }
 
 impl Readings {
-    /// Those of a sentence.
+    /// Makes the readings of a sentence.
     #[must_use]
     pub fn new(all: Vec<ReadingOutcome>) -> Self {
         let mut readings = Self {
@@ -351,7 +352,7 @@ impl Readings {
         readings
     }
 
-    /// The readings, in the order of the file.
+    /// Returns the readings, in the order of the file.
     #[must_use]
     pub fn all(&self) -> &[ReadingOutcome] {
         &self.all
@@ -361,7 +362,7 @@ impl Readings {
         self.all.iter().map(|reading| &reading.outcome)
     }
 
-    /// The first reading, if all have its verdict and none is contradicted.
+    /// Returns the first reading, if all have its verdict and none is contradicted.
     #[must_use]
     pub fn agreed(&self) -> Option<&Outcome> {
         let first = &self.all.first()?.outcome;
@@ -370,7 +371,7 @@ impl Readings {
         (agree && self.contradiction().is_none()).then_some(first)
     }
 
-    /// What is true of the sentence.
+    /// Returns the verdict of the sentence.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         match (self.contradiction(), self.agreed()) {
@@ -380,20 +381,20 @@ impl Readings {
         }
     }
 
-    /// The weakest evidence, if they agree.
+    /// Returns the weakest evidence, if they agree.
     #[must_use]
     pub fn evidence(&self) -> Option<Evidence> {
         self.agreed()?;
         self.outcomes().map(Outcome::evidence).max().flatten()
     }
 
-    /// The conditions of all, each once, if they agree.
+    /// Returns the conditions of all, each once, if they agree.
     #[must_use]
     pub fn conditions(&self) -> &[Formula] {
         &self.conditions
     }
 
-    /// The net of fewest points, if they agree and all have one.
+    /// Returns the cross-check with the fewest points, if they agree and all have one.
     #[must_use]
     pub fn net(&self) -> Option<&Net> {
         self.agreed()?;
@@ -403,7 +404,7 @@ impl Readings {
             .min_by_key(|net| (net.netted, net.decided))
     }
 
-    /// The replay that went least far, if they agree and all have one.
+    /// Returns the weakest replay, if they agree and all have one.
     #[must_use]
     pub fn replay(&self) -> Option<&Replay> {
         self.agreed()?;
@@ -413,13 +414,13 @@ impl Readings {
             .min_by_key(|replay| (replay.is_whole(), replay.replayed))
     }
 
-    /// What contradicts one of them.
+    /// Returns what contradicts one of them.
     #[must_use]
     pub fn contradiction(&self) -> Option<&str> {
         self.outcomes().find_map(Outcome::contradiction)
     }
 
-    /// What each of them comes to, in words.
+    /// Describes the result of each of them, in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         let lines = self.all.iter().map(|reading| {
@@ -437,7 +438,7 @@ fn word(verdict: Verdict) -> &'static str {
         Verdict::Misprint => "it is a misprint",
         Verdict::False => "it is false",
         Verdict::Undecided => "it is undecided",
-        Verdict::Vacuous => "no point satisfies its assumptions",
+        Verdict::Vacuous => "no point satisfies its hypotheses",
         Verdict::Definition => "it is a definition",
         Verdict::Depends
         | Verdict::Underspecified

@@ -1,28 +1,28 @@
-//! What those who did not prove a statement found of it: the net of points, and the checker of proofs.
+//! Results of the two cross-checks of a statement: the second evaluator at points, and the checker of proofs.
 
 use serde::Serialize;
 
-/// Something that the prover says, with what its two judges found of it. Neither contradicts it: what is contradicted has no
-/// value of this type.
+/// An answer of the prover with the results of its two cross-checks. Neither contradicts it: a contradicted answer has
+/// no value of this type.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Judged<T> {
-    /// What the prover says.
+    /// The prover's answer.
     pub statement: T,
-    /// What the semantics found at points.
+    /// The result of the second evaluator at points.
     pub net: Net,
-    /// What the checker of proofs found; none where there is no proof.
+    /// The result of the checker; none if there is no proof.
     pub replay: Option<Replay>,
 }
 
-/// What the semantics, an evaluator that shares nothing with the prover, found of a verdict.
+/// The result of the semantics, an evaluator that shares nothing with the prover, for a verdict.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Net {
-    /// Whether the verdict is netted: a proof was decided at as many points as are wanted, each of its conditions is
-    /// needed at a point at which it fails, a refutation fails at a point, and its correction is netted.
+    /// Whether the verdict is netted: a proof was confirmed at as many points as required, each of its conditions is
+    /// needed at a point where it fails, a refutation fails at a point, and its correction is netted.
     pub netted: bool,
     /// Points that were drawn.
     pub tried: u64,
-    /// Points of the domain at which the statement was decided as the verdict says.
+    /// Points of the domain at which the second evaluator confirmed the verdict.
     pub decided: u64,
     /// What is true on thin parts of the domain that the text shows and on which no point was decided.
     pub unvisited: Vec<String>,
@@ -30,9 +30,9 @@ pub struct Net {
     pub instances: u64,
     /// Why it is not netted.
     pub why: Option<String>,
-    /// The statement where its conditions fail.
+    /// The statement at points where its conditions fail.
     pub conditions: Vec<ConditionCheck>,
-    /// The correction of a refuted statement, judged like a proof.
+    /// The correction of a refuted statement, checked like a proof.
     pub correction: Option<Box<Net>>,
 }
 
@@ -52,7 +52,7 @@ impl Net {
         }
     }
 
-    /// The same, not netted where core terms could not be compared with the text, for this reason.
+    /// The same, but not netted for this reason: core terms could not be compared with the text.
     #[must_use]
     pub fn unless(self, uncompared: Option<String>) -> Self {
         let Some(why) = uncompared else {
@@ -66,7 +66,7 @@ impl Net {
         }
     }
 
-    /// A point at which the statement is false, after so many.
+    /// A point at which the statement is false, after so many points.
     #[must_use]
     pub fn refuted(tried: u64) -> Self {
         Self {
@@ -82,12 +82,12 @@ impl Net {
     }
 }
 
-/// What a checker without search found of the proof of a verdict.
+/// The result of the checker for the proof of a verdict.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Replay {
-    /// Whether it accepted the proof, as a proof of the core claim.
+    /// Whether it accepted the proof as one of the core claim.
     pub replayed: bool,
-    /// What it could not follow, if it did not.
+    /// Why it could not follow the proof.
     pub why: Option<String>,
     /// The proof of the correction of a refuted statement.
     pub correction: Option<Box<Replay>>,
@@ -104,7 +104,7 @@ impl Replay {
         }
     }
 
-    /// Out of the checker's reach.
+    /// Outside the checker's reach.
     #[must_use]
     pub fn beyond(why: &str) -> Self {
         Self {
@@ -114,29 +114,29 @@ impl Replay {
         }
     }
 
-    /// Whether the proof was accepted, and that of the correction as well if there is one.
+    /// Whether the proof was accepted, and that of the correction too if there is one.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         self.replayed && self.correction.as_ref().is_none_or(|own| own.is_whole())
     }
 }
 
-/// How many points are wanted at which a condition fails.
+/// Required number of points at which a condition fails.
 pub const MIN_VIOLATING_POINTS: u64 = 10;
 
-/// A statement at points of its domain at which a condition fails. The other side are the decided points of the [`Net`]:
-/// all conditions are true there.
+/// The statement at points of its domain at which a condition fails. The decided points of the [`Net`] are the other
+/// side: all conditions are true there.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ConditionCheck {
     /// The condition.
     pub condition: String,
     /// Points that were drawn.
     pub tried: u64,
-    /// Points at which the condition fails and the statement is true all the same.
+    /// Points at which the condition fails and the statement is still true.
     pub holding: u64,
-    /// Those at which the statement is false.
+    /// Points at which the condition fails and the statement is false.
     pub failing: u64,
-    /// Those at which it is undefined.
+    /// Points at which the condition fails and the statement is undefined.
     pub undefined: u64,
     /// A point at which the statement is false without the condition, or undefined.
     pub needed_at: Option<String>,
@@ -149,8 +149,8 @@ impl ConditionCheck {
         self.needed_at.is_some()
     }
 
-    /// Whether the statement was judged without the condition as often as is wanted, and was true every time. A few
-    /// points, at which everything else is zero as well, say nothing.
+    /// Whether the statement was evaluated without the condition at as many points as required, and was true every
+    /// time. A few points, at which everything else is zero as well, are no evidence.
     #[must_use]
     pub fn is_suspicious(&self) -> bool {
         self.holding >= MIN_VIOLATING_POINTS && !self.seen_needed()

@@ -1,11 +1,12 @@
 //! From claims to outcomes.
 //!
 //! [`engine`] runs all claims of a paper and makes [`outcome`]s, each a claim ([`claim_record`]) and a [`finding`].
-//! [`provenance`] says which hypotheses of ours a proof needs, [`dependencies`] what a statement rests on, [`audit`] what a
-//! statement leaves out of the print. [`repair`] searches proved corrections of what is refuted, [`consequences`] says what
-//! falls with it, [`mod@derive`] derives the conditions of joins anew. [`net`] judges every verdict by the semantics before it
-//! is shown, [`replay`] has its proof ([`certificate`]) checked without search, [`recheck`] does both again with more work.
-//! [`mutants`] are statements with one slip, for mutation testing; `existential` instantiates existential claims.
+//! [`provenance`] finds which hypotheses of ours a proof needs, [`dependencies`] what a statement depends on, [`audit`]
+//! flags differences between statement and print. [`repair`] searches for proved corrections of refuted statements,
+//! [`consequences`] finds what falls with them, [`mod@derive`] derives the conditions of joins anew. [`net`]
+//! cross-checks every verdict by the semantics before it is shown, [`replay`] has its proof ([`certificate`]) checked
+//! without search, [`recheck`] repeats both with more work. [`mutants`] are statements with one slip, for mutation
+//! testing; `existential` instantiates existential claims.
 #![warn(missing_docs)]
 
 pub mod agreement;

@@ -1,9 +1,8 @@
-//! Does the engine see a slip? Statements that hold, with one slip made on purpose.
+//! Mutation testing: does the engine notice a slip that is made on purpose in a statement that holds?
 //!
-//! The edits that repair a misprint ([`crate::repair::edits`]) are made to a statement that holds. A changed
-//! statement that says something else must be refuted. One that is not is a survivor: either it is true
-//! as well, which is explained by a proof that the changed side equals the printed one, or the engine is
-//! too weak for it, or contradicts itself.
+//! The edits that correct a misprint ([`crate::repair::edits`]) are applied to a statement that holds. A changed
+//! statement with another meaning must be refuted. One that is not is a survivor: either it is true as well, which a
+//! proof that the changed side equals the printed one shows, or the engine is too weak for it, or contradicts itself.
 
 use crate::repair::alphabet::alphabet;
 use crate::repair::canonical::canonical;
@@ -24,10 +23,10 @@ pub enum Survival {
     Equivalent,
     /// The statement is neither proved nor refuted.
     Open {
-        /// What the engine says about it.
+        /// The engine's answer.
         reason: String,
     },
-    /// The statement is proved, but that both sides are equal is not: a contradiction if it is refuted.
+    /// The statement is proved, but not that both sides are equal: a contradiction if that is refuted.
     Unexplained,
 }
 
@@ -42,9 +41,9 @@ pub struct Survivor {
     pub survival: Survival,
 }
 
-/// The survivors among at most `most` changed statements of a claim, spread evenly over all of them, and
-/// how many were decided. Changes that make no sense, or none, are not counted. A claim whose statement
-/// has no equality has no changed statements.
+/// Returns the survivors among at most `most` changed statements of a claim, spread evenly over all of them, and how
+/// many were decided. Changes that make no sense, or change nothing, do not count. A claim whose statement has no
+/// equality has no changed statements.
 #[must_use]
 pub fn survivors(claim: &Claim, most: usize) -> (Vec<Survivor>, usize) {
     let Some(statement) = &claim.statement else {
@@ -82,8 +81,8 @@ pub fn survivors(claim: &Claim, most: usize) -> (Vec<Survivor>, usize) {
     (survivors, decided)
 }
 
-/// At most `most` claims that say something else by one change and that are refuted, spread evenly over all changes of
-/// a claim, with the changes in words.
+/// Returns at most `most` claims that differ by one change and are refuted, spread evenly over all changes of a claim,
+/// with the changes in words.
 pub fn refuted(claim: &Claim, most: usize) -> impl Iterator<Item = (Claim, String)> {
     let statement = claim.statement.iter();
     let all = statement.flat_map(move |statement| {
@@ -114,14 +113,14 @@ struct Mutant {
 }
 
 impl Mutant {
-    /// The statement that the change changes nothing.
+    /// Returns the statement that the change changes nothing.
     fn equality(&self) -> Expr {
         let right = vec![(Relation::Equal, self.changed.clone())];
         Expr::made(Node::Compare(Arc::new(self.printed.clone()), right))
     }
 }
 
-/// The statement with one edit of one side, edits that only reorder left out.
+/// Returns the statements with one edit of one side, without edits that only reorder.
 fn mutants(claim: &Claim, statement: &Expr) -> Vec<Mutant> {
     let mut result = vec![];
     for (path, printed) in sides(statement) {
@@ -141,8 +140,8 @@ fn mutants(claim: &Claim, statement: &Expr) -> Vec<Mutant> {
     result
 }
 
-/// The right sides of the equalities of a conjunction, and the left side where something is compared with a number,
-/// with the ways to them.
+/// Returns the right sides of the equalities of a conjunction, and the left side where something is compared with a
+/// number, with the paths to them.
 fn sides(statement: &Expr) -> Vec<(Vec<usize>, &Expr)> {
     let mut found = vec![];
     let mut pending = vec![(vec![], statement)];
@@ -170,7 +169,7 @@ fn sides(statement: &Expr) -> Vec<(Vec<usize>, &Expr)> {
     found
 }
 
-/// The decision on a formula in the setting of a claim; none for one that makes no sense.
+/// Decides a formula in the setting of a claim; none if it makes no sense.
 fn decide_written(claim: &Claim, like: &Written, expr: &Expr) -> Option<Decision> {
     let written = Written {
         expr: expr.clone(),

@@ -1,14 +1,15 @@
-//! The net under every verdict.
+//! The cross-check of every verdict, called the net.
 //!
-//! Before a verdict is shown, `torse_semantics` judges the claim from the trees of its text, by other means than the prover: a
-//! proof at points of the domain, a refutation at its witness, which is put into every declared set, every hypothesis
-//! and the statement. What contradicts the verdict is shown in its place: it is no verdict.
+//! Before a verdict is shown, `torse_semantics` evaluates the claim from the trees of its text, by other means than the
+//! prover: a proof at points of the domain, a refutation at its witness, which is inserted into every declared set,
+//! every hypothesis and the statement. If the result contradicts the verdict, the contradiction is shown and no verdict
+//! is given.
 //!
-//! **Conditions.** A verdict with conditions is tried on both sides of each. Where they are true the statement has to be
-//! true: a point at which it is false is a contradiction. Where one of them fails the statement should be false or
-//! undefined somewhere, else the condition says more than is needed. That it was true at every point beyond is no
-//! contradiction, for the prover proved the weaker statement and nothing false is claimed of any point; but it must
-//! not pass as an accusation of the paper either. Such a condition is reported as not seen to be needed
+//! **Conditions.** A verdict with conditions is tried on both sides of each. Where they hold, the statement must be
+//! true: a point at which it is false is a contradiction. Where one of them fails, the statement should be false or
+//! undefined somewhere; otherwise the condition says more than is needed. If it was true at every such point, that is
+//! no contradiction, since the prover proved the weaker statement and claims nothing false about any point; but it must
+//! not become an accusation of the paper either. Such a condition is reported as not seen to be needed
 //! ([`ConditionCheck::seen_needed`]), the steps of the verdict say so, and the verdict is not netted.
 //!
 //! **Thin parts.** The text shows where a statement may fail though it holds elsewhere ([`Tally::branches`]). Where the statement
@@ -18,7 +19,7 @@
 //! judged, and no other point is found, the claim is undecided. So is one of which no point is found at which all of its
 //! terms have values, for a proof says nothing then.
 //!
-//! **Corrections** are proofs, with conditions of their own, and judged like proofs.
+//! **Corrections** are proofs with conditions of their own, and are checked like proofs.
 
 use crate::agreement::{Agreement, agreement};
 use crate::certificate::DecisionCertificate;
@@ -43,19 +44,18 @@ use torse_syntax::formula::{Connective, Expr, Node, Relation};
 use torse_syntax::notation::{self, Formula};
 use torse_syntax::taxonomy::Verdict;
 
-/// How much is tried before a verdict is believed. All of it counts work, so that the answer is the same on every
-/// machine.
+/// How much is tried before a verdict is believed. All limits count work, so the answer is the same on every machine.
 #[derive(Debug, Clone, Copy)]
 pub struct Effort {
-    /// The points at which a proof is to be decided.
+    /// The required number of points for a proof.
     pub points: u64,
-    /// The operations on numbers that one statement may take.
+    /// Maximum number of operations on numbers for one statement.
     pub budget: u64,
-    /// The operations that the points at which one condition fails may take.
+    /// Maximum number of operations for the points at which one condition fails.
     pub beyond: u64,
-    /// The operations on polynomials that all small instances of one statement may take; none are tried with 0.
+    /// Maximum number of operations on polynomials for all small instances of one statement; 0 tries none.
     pub polynomials: u64,
-    /// What the stream of points is seeded by, besides the id of the claim.
+    /// Seed of the stream of points, besides the id of the claim.
     pub seed: &'static str,
 }
 
@@ -71,11 +71,11 @@ pub const ALWAYS: Effort = Effort {
     seed: "",
 };
 
-/// Judges a proof at points, and has it gone through by the checker.
+/// Evaluates a proof at points, and has the checker go through it.
 pub(crate) fn proved(statement: ProvedStatement, elaborated: &ElaboratedClaim<'_>) -> Finding {
     let Some(own) = elaborated.without_unneeded(&statement.needed) else {
         return Finding::undecided(
-            "without the hypotheses that the proof does not need the statement makes no sense",
+            "the statement makes no sense without the hypotheses that the proof does not need",
         );
     };
     let verdict = statement.verdict(elaborated.claim.entry.kind);
@@ -88,8 +88,8 @@ pub(crate) fn proved(statement: ProvedStatement, elaborated: &ElaboratedClaim<'_
     })
 }
 
-/// Judges a refutation at its counterexample and its correction like a proof, and has the checker go through both, with so
-/// much work to prove the correction again.
+/// Evaluates a refutation at its counterexample and its correction like a proof, and has the checker go through both;
+/// `budget` bounds the work to prove the correction again.
 pub(crate) fn refuted(
     statement: RefutedStatement,
     elaborated: &ElaboratedClaim<'_>,
@@ -104,9 +104,9 @@ pub(crate) fn refuted(
     })
 }
 
-/// Judges that a domain has no points.
+/// Checks that a domain has no points.
 pub(crate) fn vacuous(statement: EmptyDomain, elaborated: &ElaboratedClaim<'_>) -> Finding {
-    let net = JudgedStatement::new(elaborated, &ALWAYS).nowhere();
+    let net = JudgedStatement::new(elaborated, &ALWAYS).no_points();
     finding(
         Verdict::Vacuous,
         statement,
@@ -116,7 +116,7 @@ pub(crate) fn vacuous(statement: EmptyDomain, elaborated: &ElaboratedClaim<'_>) 
     )
 }
 
-/// What the prover says is a finding if neither judge finds anything against it; the checker is not asked where the net did.
+/// Makes a finding of the prover's answer if neither check contradicts it; the checker is not asked if the net did.
 fn finding<T>(
     claimed: Verdict,
     statement: T,
@@ -142,14 +142,14 @@ fn finding<T>(
 /// Why a verdict is not shown.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Objection {
-    /// The semantics finds the opposite of what the prover calls settled.
+    /// The semantics finds the opposite of the prover's answer.
     Contradiction(String),
-    /// Nothing speaks against it, and nothing outside of the prover for it, which is needed.
+    /// Nothing contradicts it, but nothing outside the prover confirms it, which is required.
     Unseen(String),
 }
 
 impl Objection {
-    /// The same about a part of what was judged.
+    /// The same reason for a part of the statement.
     fn about(self, part: &str) -> Self {
         match self {
             Self::Contradiction(found) => Self::Contradiction(format!("{part}: {found}")),
@@ -164,7 +164,8 @@ impl From<String> for Objection {
     }
 }
 
-/// Judges a verdict with this effort: what was found, or why it is not to be shown. `None` where nothing was decided.
+/// Checks a verdict with this effort: returns the result, or why the verdict must not be shown. `None` if nothing was
+/// decided.
 pub fn judged(
     outcome: &Outcome,
     claim: &Claim,
@@ -183,7 +184,7 @@ pub fn judged(
         Finding::Refuted(judged) => {
             Some(JudgedStatement::new(&elaborated, effort).refutation(&judged.statement))
         }
-        Finding::Vacuous(_) => Some(JudgedStatement::new(&elaborated, effort).nowhere()),
+        Finding::Vacuous(_) => Some(JudgedStatement::new(&elaborated, effort).no_points()),
         _ => None,
     }
 }
@@ -195,7 +196,7 @@ struct JudgedStatement<'a> {
     core: &'a core::Claim,
     seed: String,
     effort: &'a Effort,
-    /// Conditions of the proof with points at which the statement fails because they do: nothing is believed of these.
+    /// Conditions of the proof with points at which the statement fails because they do; these points are not trusted.
     excepted: Vec<(Formula, prove::Witness)>,
     /// Points at which the proof says that the parts p of `fails(p)` are false: nothing is believed of these.
     denials: Vec<prove::Witness>,
@@ -223,7 +224,7 @@ impl<'a> JudgedStatement<'a> {
         }
     }
 
-    /// Fails where the core terms are not what the text says; why that is not known, where it is not.
+    /// Fails if the core terms differ from the text; returns why they cannot be compared, if so.
     fn agrees(&self) -> Result<Option<String>, Objection> {
         match agreement(self.claim, self.statement, self.core) {
             Agreement::Differs(found) => Err(found.into()),
@@ -232,17 +233,17 @@ impl<'a> JudgedStatement<'a> {
         }
     }
 
-    /// The statement at points of the domain, and whether these see nothing.
+    /// Evaluates the statement at points of the domain; also returns whether these points say nothing.
     fn tally(&self, conditions: &[Written]) -> (Tally, Option<String>) {
         let Effort { points, budget, .. } = *self.effort;
         let conditions: Vec<&Expr> = conditions.iter().map(|written| &written.expr).collect();
         let reading = self.reading();
         let tally = tally(&reading, &conditions, &self.seed, points, budget);
-        let blind = "its points do not see a slip in it".to_owned();
+        let blind = "its points would not reveal a slip in it".to_owned();
         (tally, reading.is_blind().then_some(blind))
     }
 
-    /// The trees of the claim and the statement: what the text says, whatever the core terms made of it.
+    /// The trees of the claim and the statement: the text, independent of the core terms.
     fn reading(&self) -> Reading<'_> {
         reading(self.claim, self.statement, self.core)
     }
@@ -252,7 +253,7 @@ impl<'a> JudgedStatement<'a> {
         check_witness(self.claim, &self.statement.expr, numbers)
     }
 
-    /// A proof under conditions, at points of the domain.
+    /// Checks a proof under conditions, at points of the domain.
     fn proof(&self, conditions: &[Formula]) -> Result<Net, Objection> {
         let uncompared = self.agrees()?;
         Ok(self.proof_at_points(conditions)?.unless(uncompared))
@@ -383,30 +384,31 @@ impl<'a> JudgedStatement<'a> {
         Some(certificate.is_unconditional_proof() && accepted.is_whole())
     }
 
-    /// Fails unless the statement has a value somewhere on the domain: where the points that were drawn do not tell, at the one
-    /// that the prover knows.
+    /// Fails unless the statement has a value somewhere on the domain: if the drawn points leave that open, at the
+    /// point that the prover found.
     fn is_somewhere(&self, tally: &Tally) -> Result<(), Objection> {
         if tally.found > 0 && !tally.is_undefined() {
             return Ok(());
         }
-        let nowhere = || {
-            let what = "no point was found at which all of its terms have values: it says nothing that was seen";
+        let without_values = || {
+            let what =
+                "no point was found at which all of its terms have values, so it may say nothing";
             Objection::Unseen(what.to_owned())
         };
         let known = work::within(self.effort.budget.saturating_mul(10), || {
             a_point_of(self.claim, self.statement)
         });
         let Ok(Ok(Some(known))) = known else {
-            return Err(nowhere());
+            return Err(without_values());
         };
         let numbers = known.at.iter();
         let numbers = numbers.map(|(name, value)| (name.as_str(), value.as_str()));
         match self.check(numbers) {
             Witness::Stands(Judgement::Undefined(_))
             | Witness::Outside(_)
-            | Witness::Unreadable(_) => Err(nowhere()),
+            | Witness::Unreadable(_) => Err(without_values()),
             Witness::Stands(_) => Ok(()),
-            Witness::Refutes => Err("it is false at a point that the prover knows"
+            Witness::Refutes => Err("it is false at a point that the prover found"
                 .to_owned()
                 .into()),
         }
@@ -460,7 +462,7 @@ impl<'a> JudgedStatement<'a> {
         }
     }
 
-    /// How many small instances are identities.
+    /// Counts the small instances that are identities.
     fn instances(&self, conditions: &[Written]) -> Result<u64, String> {
         let work = Work::new(self.effort.polynomials);
         let mut confirmed = 0;
@@ -487,7 +489,7 @@ impl<'a> JudgedStatement<'a> {
         Ok(confirmed)
     }
 
-    /// A refutation at its witness, and its correction at points of the domain.
+    /// Checks a refutation at its witness, and its correction at points of the domain.
     fn refutation(&self, refuted: &RefutedStatement) -> Result<Net, Objection> {
         let uncompared = self.agrees()?;
         let mut net = self.witness(refuted)?.unless(uncompared);
@@ -553,15 +555,17 @@ impl<'a> JudgedStatement<'a> {
         }
     }
 
-    /// That `fails(p)` is false says that p is true at every point: a proof.
+    /// If `fails(p)` is false, p is true at every point: a proof.
     fn denial(&self, denied: &core::Statement) -> Result<Net, Objection> {
         let mut core = self.core.clone();
         core.statement = denied.clone();
         let Node::Call(_, inner) = &self.statement.expr.node else {
-            return Ok(Net::uncovered("what is denied stands in a definition"));
+            return Ok(Net::uncovered(
+                "the negated statement stands in a definition",
+            ));
         };
         let Some(inner) = inner.first() else {
-            return Ok(Net::uncovered("nothing is denied"));
+            return Ok(Net::uncovered("no statement is negated"));
         };
         let statement = Written {
             expr: inner.clone(),
@@ -579,34 +583,34 @@ impl<'a> JudgedStatement<'a> {
         found.map_err(|found| found.about("what it denies is not shown"))
     }
 
-    /// A refutation whose witness cannot be put in, because it does not name every number, or is not decided there: another
-    /// point at which the statement is false. Without one nothing but the prover says that it is.
+    /// Handles a refutation whose witness cannot be inserted, because it does not name every number, or is undecided
+    /// there: searches for another point at which the statement is false. Without one, only the prover says that it is.
     fn elsewhere(&self, why: &str) -> Result<Net, Objection> {
         let (tally, _) = self.tally(&[]);
         match tally.failing {
             Some(_) => Ok(Net::refuted(tally.attempts)),
             None => Err(Objection::Unseen(format!(
-                "a point at which it fails was found, but not put into the text: {why}"
+                "a point at which it fails was found, but could not be inserted into the text: {why}"
             ))),
         }
     }
 
-    /// A domain that is statement to be empty.
-    fn nowhere(&self) -> Result<Net, Objection> {
+    /// Checks a domain that is claimed to be empty.
+    fn no_points(&self) -> Result<Net, Objection> {
         let _ = self.agrees()?;
         let (tally, _) = self.tally(&[]);
         match tally.found {
             0 => Ok(Net {
                 tried: tally.attempts,
                 ..Net::uncovered(
-                    "that no point of the domain was drawn is no proof that there is none",
+                    "no point of the domain was drawn, which does not prove that there is none",
                 )
             }),
             _ => Err("its domain has points".to_owned().into()),
         }
     }
 
-    /// A formula of the outcome, read back as a statement about the same domain.
+    /// Reads back a formula of the outcome, as a statement about the same domain.
     fn read(&self, formula: &Formula) -> Option<Written> {
         let written = condition::written(formula, &self.seed)?;
         torse_elaborate::elaborate(self.claim, &written).ok()?;
@@ -614,7 +618,7 @@ impl<'a> JudgedStatement<'a> {
     }
 }
 
-/// The trees of a claim and a statement about its domain, of whose core claim this is.
+/// The trees of a claim and a statement about its domain, with the core claim made from them.
 fn reading<'c>(claim: &'c Claim, statement: &'c Written, core: &core::Claim) -> Reading<'c> {
     let names = core.symbols.keys().map(|name| &**name);
     Reading::new(claim, &statement.expr, names)

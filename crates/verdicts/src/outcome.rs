@@ -1,4 +1,4 @@
-//! What the engine found of a paper: plain data, handed to the report and the command.
+//! The results for a paper: plain data for report and command.
 
 pub use crate::finding::{Outcome, ReadingOutcome};
 use serde::Serialize;
@@ -21,7 +21,7 @@ pub struct PaperOutcome {
     pub claims: Vec<Outcome>,
     /// The faults of which the authors are told.
     pub faults: Vec<PaperFault>,
-    /// What the claims are with all corrections in force; empty where nobody asked.
+    /// The verdicts of the claims with all corrections in force; empty if not requested.
     pub restored: Vec<Restored>,
 }
 
@@ -30,26 +30,26 @@ pub struct PaperOutcome {
 pub struct PaperFault {
     /// Its id.
     pub id: String,
-    /// Where the paper has it, if that is not the place of the first claim.
+    /// The place in the paper, if it is not that of the first claim.
     pub at: Option<String>,
-    /// What is wrong, in one sentence.
+    /// The fault, in one sentence.
     pub says: String,
     /// The ids of the claims in which it shows.
     pub shows: Vec<String>,
-    /// What is to be read instead.
+    /// The corrected words.
     pub changes: Vec<FaultChange>,
 }
 
-/// Words of a paper, and what is to be read instead.
+/// Words of a paper and their correction.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct FaultChange {
-    /// The id of the claim in whose print they stand.
+    /// The id of the claim whose print contains them.
     pub claim: String,
     /// The words.
     pub printed: String,
-    /// What is to be read instead.
+    /// The corrected words.
     pub reads: String,
-    /// The id of the remark that states it.
+    /// The id of the remark that states the correction.
     pub remark: Option<String>,
 }
 
@@ -58,9 +58,9 @@ pub struct FaultChange {
 pub struct Restored {
     /// The id of the claim.
     pub claim: String,
-    /// What is true of the corrected statement.
+    /// The verdict of the corrected statement.
     pub verdict: Verdict,
-    /// What that rests on.
+    /// Its evidence.
     pub evidence: Option<Evidence>,
     /// Its conditions.
     pub conditions: Vec<Formula>,

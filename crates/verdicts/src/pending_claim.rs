@@ -1,7 +1,7 @@
 //! The two stages of a claim: its verdict, and what a refuted one should have said.
 //!
-//! Verdicts are what a reader waits for, and the search for corrections takes longer than many of them; so a run decides
-//! all claims first and goes through the refuted ones after that. A claim is told in full when it is through both.
+//! A reader waits for verdicts, and the search for corrections takes longer than many of them. So a run decides all
+//! claims first and then searches corrections of the refuted ones. A claim is reported when it has passed both stages.
 
 use crate::claim_record::ClaimRecord;
 use crate::conclusion::{Conclusion, conclude, correct, drawn};
@@ -34,23 +34,24 @@ pub struct PendingClaim<'c> {
     remaining: Remaining<'c>,
 }
 
-/// What is left to do.
+/// The remaining work.
 #[derive(Debug)]
 enum Remaining<'c> {
-    /// Nothing.
+    /// None.
     Nothing(Finding),
-    /// The search for a correction of what is refuted, and its net; and what is known of the parts of a conjunction.
+    /// The search for a correction of a refuted statement, and its cross-check; and the results for the parts of a
+    /// conjunction.
     Correction(Box<ElaboratedClaim<'c>>, Box<RefutedStatement>, Vec<String>),
-    /// What is left of each reading of a sentence, by name and words.
+    /// The remaining work for each reading of a sentence, by name and words.
     Readings(Vec<(String, String, PendingClaim<'c>)>),
 }
 
 impl<'c> PendingClaim<'c> {
-    /// Decides a claim with this budget of work, in the units of [`work`]. A claim that makes the engine panic is undecided,
-    /// with the panic's message as the reason: it takes no other claim with it.
+    /// Decides a claim with this budget of work, in the units of [`work`]. If the engine panics, the claim is
+    /// undecided, with the message of the panic as the reason; other claims are not affected.
     ///
     /// # Errors
-    /// A [`DerivationError`] when a formula of the claim does not make sense.
+    /// A [`DerivationError`] if a formula of the claim makes no sense.
     pub fn verdict(
         budget: u64,
         paper: &str,
@@ -68,7 +69,7 @@ impl<'c> PendingClaim<'c> {
                     )
                 })
                 .unwrap_or_default();
-            // What a panic leaves half done are values of the closure's own, and memory of formulas already evaluated.
+            // Unwind-safe: the closure mutates only its own values and idempotent caches.
             let decided = catch_unwind(AssertUnwindSafe(|| {
                 decided(paper, claim, elaborated, budget)
             }));
@@ -86,7 +87,7 @@ impl<'c> PendingClaim<'c> {
         })
     }
 
-    /// Whether a correction is still to be searched.
+    /// Whether a correction is still to be searched for.
     #[must_use]
     pub fn seeks_correction(&self) -> bool {
         match &self.remaining {
@@ -96,10 +97,10 @@ impl<'c> PendingClaim<'c> {
         }
     }
 
-    /// Searches a correction of what is refuted, and makes the outcome.
+    /// Searches for a correction of a refuted claim, and makes the outcome.
     ///
     /// # Errors
-    /// A [`DerivationError`] when a formula of the finding does not make sense.
+    /// A [`DerivationError`] if a formula of the finding makes no sense.
     pub fn complete(self) -> Result<Outcome, Box<DerivationError>> {
         stack::deep(|| self.completed())
     }
@@ -108,22 +109,22 @@ impl<'c> PendingClaim<'c> {
         let (claim, budget, paper) = (self.claim, self.budget, &self.paper);
         let found = catch_unwind(AssertUnwindSafe(|| {
             let finding = self.remaining.finding(claim, budget)?;
-            let told = told(claim, &finding, budget)?;
-            Ok::<_, Box<DerivationError>>((finding, told))
+            let note = author_note_of(claim, &finding, budget)?;
+            Ok::<_, Box<DerivationError>>((finding, note))
         }));
-        let (finding, told) = match found {
+        let (finding, note) = match found {
             Ok(found) => found?,
             Err(panic) => (panicked(&*panic), None),
         };
         Ok(Outcome {
-            claim: record(paper, claim, self.table, finding.needed(), told),
+            claim: record(paper, claim, self.table, finding.needed(), note),
             finding,
         })
     }
 }
 
 impl Remaining<'_> {
-    /// Does what is left.
+    /// Does the remaining work.
     fn finding(self, claim: &Claim, budget: u64) -> Result<Finding, Box<DerivationError>> {
         match self {
             Self::Nothing(finding) => Ok(finding),
@@ -155,8 +156,8 @@ impl Remaining<'_> {
     }
 }
 
-/// What the file tells of a finding, with its numbers; what is not decided has nothing to tell.
-fn told(
+/// Returns the file's sentence about the finding, with its numbers; none for an undecided claim.
+fn author_note_of(
     claim: &Claim,
     finding: &Finding,
     budget: u64,
@@ -167,10 +168,13 @@ fn told(
     let witness = finding
         .refuted()
         .and_then(|refuted| refuted.witness.as_ref());
-    work::within(budget / 20, || author_note::told(claim, witness)).unwrap_or(Ok(None))
+    work::within(budget / 20, || {
+        author_note::finding_sentence(claim, witness)
+    })
+    .unwrap_or(Ok(None))
 }
 
-/// What the file says of a claim, and what its statement rests on.
+/// Returns the record of a claim: its file's content, and its dependencies.
 fn record(
     paper: &str,
     claim: &Claim,
@@ -198,7 +202,7 @@ fn record(
     }
 }
 
-/// What is found of a claim whose decision panicked.
+/// Returns the finding for a claim whose decision panicked.
 fn panicked(panic: &(dyn Any + Send)) -> Finding {
     let text = panic.downcast_ref::<&str>().copied();
     let text = text.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
@@ -206,7 +210,7 @@ fn panicked(panic: &(dyn Any + Send)) -> Finding {
     Finding::undecided(format!("the engine failed on this claim: {message}"))
 }
 
-/// What is found of a claim, judged unless it is refuted, and what is left to do.
+/// Returns the finding, cross-checked unless it is refuted, and the remaining work.
 fn decided<'c>(
     paper: &str,
     claim: &'c Claim,
@@ -229,7 +233,7 @@ fn decided<'c>(
     stated(claim, statement, elaborated, budget)
 }
 
-/// What is found of a claim without that anything is decided.
+/// Returns the finding of a claim that needs no decision.
 fn undisputed(claim: &Claim) -> Option<Finding> {
     let entry = &claim.entry;
     if let Some(figure) = &claim.figure {
@@ -261,7 +265,7 @@ fn stated<'c>(
     });
     let decision = match decided {
         Ok(Ok(decision)) => decision,
-        // What the formulas mean is not reached here: the author is not to blame.
+        // The meaning of the formulas is not reached here: the author is not to blame.
         Ok(Err(fault)) if matches!(*fault.problem, Problem::Limit { .. }) => {
             return undecided(fault.problem.to_string());
         }
@@ -270,7 +274,7 @@ fn stated<'c>(
     };
     let Some(elaborated) = elaborated else {
         return undecided(
-            "the statement was decided, and cannot be read again to be judged".into(),
+            "the statement was decided, but cannot be read back for the cross-check".into(),
         );
     };
     let minimized = provenance::minimize_hypotheses(claim, statement, decision, budget / 5);
@@ -297,7 +301,7 @@ fn read<'c>(
         .collect()
 }
 
-/// The formulas of a sentence of the file make sense where the claim is.
+/// The formulas of a sentence of the file make sense in the context of the claim.
 fn check_author_note(claim: &Claim) -> Result<(), Box<DerivationError>> {
     let elaborator = Elaborator::new(&claim.declarations);
     for hole in claim.author_note.iter().flat_map(AuthorNote::holes) {
@@ -314,7 +318,7 @@ mod tests {
     use std::sync::Arc;
     use torse_syntax::derivation::{LoadError, Source, paper};
 
-    /// A paper whose claims state these.
+    /// Makes a paper whose claims state these.
     fn stating(statements: &[&str]) -> torse_syntax::derivation::Paper {
         let claim = |(n, states): (usize, &&str)| {
             format!(

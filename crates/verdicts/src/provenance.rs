@@ -1,12 +1,12 @@
-//! Which hypotheses a proof needs, and whose they are.
+//! Finds which hypotheses a proof needs, and their sources.
 //!
-//! A verdict `holds` says that the paper is right, so it may rest on what the paper says. A hypothesis or a range that
-//! is ours is therefore tried: it is dropped and the claim decided again, one at a time, in the order of the file. If the
-//! proof is lost, or holds only where some long polynomial does not vanish, the hypothesis is needed, and is a condition of
-//! the verdict; if not, it is dropped for the rest. So what is left is a set of hypotheses of which none can be spared,
-//! though another order might leave another set.
+//! A verdict `holds` says that the paper is right, so it may rest on printed hypotheses only. A hypothesis or a range
+//! that is ours is therefore tried: it is dropped and the claim decided again, one at a time, in the order of the file.
+//! If the proof is lost, or holds only where some long polynomial does not vanish, the hypothesis is needed, and
+//! becomes a condition of the verdict; otherwise it stays dropped. The result is a set of hypotheses none of which can
+//! be dropped, though another order might give another set.
 //!
-//! A dropped range leaves the one that it narrows, or the whole line.
+//! A symbol whose range is dropped keeps the range that it narrows, or the whole line.
 
 use crate::claim_record::{Assumed, HypothesisSource, Role};
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use torse_syntax::derivation::{Claim, Hypothesis, Origin, Provenance, Written};
 use torse_syntax::formula::{Connective, Expr, Node, Place, Relation};
 use torse_syntax::notation::{self, Formula, domain};
 
-/// A hypothesis of a claim by its place.
+/// A hypothesis of a claim, by its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum HypothesisRef {
     /// The declared range of a symbol.
@@ -30,8 +30,8 @@ pub enum HypothesisRef {
     Given(usize),
 }
 
-/// All hypotheses of a claim: the ranges of which its files say where they are from, then `assume` and `given`, those
-/// of the same file in the order in which they stand there.
+/// Returns all hypotheses of a claim: the ranges with a stated source, then `assume` and `given`, those of one file in
+/// the order in which they stand there.
 #[must_use]
 pub fn slots(claim: &Claim) -> Vec<HypothesisRef> {
     let names = claim.declarations.ranges();
@@ -41,7 +41,7 @@ pub fn slots(claim: &Claim) -> Vec<HypothesisRef> {
     let written = placed(&claim.assumptions, HypothesisRef::Assume)
         .chain(placed(&claim.given, HypothesisRef::Given));
     found.extend(written.map(|(slot, hypothesis)| (slot, &hypothesis.formula.origin)));
-    // What other files say comes first: it was there before the claim.
+    // The statements of other files come first: they precede the claim.
     found.sort_by_key(|(_, origin)| {
         let elsewhere = origin.source.name != claim.origin.source.name;
         (!elsewhere, origin.span(Place::default()).offset())
@@ -49,7 +49,7 @@ pub fn slots(claim: &Claim) -> Vec<HypothesisRef> {
     found.into_iter().map(|(slot, _)| slot).collect()
 }
 
-/// The entries of a list with their places.
+/// Returns the entries of a list with their places.
 fn placed(
     list: &[Hypothesis],
     slot: fn(usize) -> HypothesisRef,
@@ -58,7 +58,7 @@ fn placed(
     numbered.map(move |(i, hypothesis)| (slot(i), hypothesis))
 }
 
-/// The hypotheses of a claim, in the order of [`slots`], with what is known of whether each is needed.
+/// Returns the hypotheses of a claim, in the order of [`slots`], each with whether it is needed, if known.
 #[must_use]
 pub fn assumed(claim: &Claim, needed: &[Option<bool>]) -> Vec<Assumed> {
     let needed = needed.iter().copied().chain(std::iter::repeat(None));
@@ -70,7 +70,7 @@ pub fn assumed(claim: &Claim, needed: &[Option<bool>]) -> Vec<Assumed> {
     .collect()
 }
 
-/// The hypotheses with their places.
+/// Returns the hypotheses with their places.
 fn hypotheses(claim: &Claim) -> Vec<(HypothesisRef, Assumed)> {
     let entry = |slot: &HypothesisRef| {
         let listed = |role, list: &[Hypothesis], i: usize| {
@@ -118,7 +118,7 @@ fn hypotheses(claim: &Claim) -> Vec<(HypothesisRef, Assumed)> {
         .collect()
 }
 
-/// The claim without some of its hypotheses.
+/// Returns the claim without some of its hypotheses.
 #[must_use]
 pub fn without(claim: &Claim, dropped: &[HypothesisRef]) -> Claim {
     let mut fewer = claim.clone();
@@ -146,20 +146,20 @@ pub fn without(claim: &Claim, dropped: &[HypothesisRef]) -> Claim {
     fewer
 }
 
-/// Which hypotheses that are ours a proof needs.
+/// The hypotheses of ours that a proof needs.
 #[derive(Debug)]
 pub struct MinimizedProof {
-    /// The proof without those that it does not need.
+    /// The proof without the hypotheses that it does not need.
     pub decision: Decision,
-    /// Those that were tried, and whether they are needed.
+    /// The hypotheses that were tried, and whether they are needed.
     pub needed: Vec<(HypothesisRef, bool)>,
 }
 
-/// So many hypotheses of ours may take all the work that one may; more of them have to share it.
+/// Up to so many hypotheses of ours may each take the full work; more of them share it.
 const WITH_ALL_WORK: u64 = 5;
 
-/// Tries to do without the hypotheses that are ours, with so much work for each, and five times as much for all. One that
-/// cannot be tried with that is needed.
+/// Tries to drop each hypothesis of ours, with this work for each, and five times as much for all. A hypothesis that
+/// cannot be tried within it counts as needed.
 #[must_use]
 pub fn minimize_hypotheses(
     claim: &Claim,
@@ -182,7 +182,7 @@ pub fn minimize_hypotheses(
         }
         dropped.push(slot.clone());
         let fewer = without(claim, &dropped);
-        // What makes no sense without the hypothesis needs it.
+        // If the claim makes no sense without the hypothesis, it is needed.
         let found = allowance.within(|| decide_statement(&fewer, statement));
         match found.ok().and_then(Result::ok) {
             Some(decision) if stands_for(&decision, &minimized.decision, stated(claim, &slot)) => {
@@ -198,11 +198,11 @@ pub fn minimize_hypotheses(
     minimized
 }
 
-/// The most terms of a condition that is put in the place of a hypothesis.
+/// Maximum number of terms of a condition that replaces a hypothesis.
 const MAX_TERMS: usize = 12;
 
-/// Whether a proof without a hypothesis can stand for the one with it. Where it holds only if more does not vanish, these
-/// are weaker conditions than the hypothesis; but only short ones tell a reader more than the words of the file, and a
+/// Whether a proof without a hypothesis can replace the one with it. A proof that holds only if more does not vanish
+/// has weaker conditions than the hypothesis; but only short ones tell a reader more than the words of the file, and a
 /// hypothesis that itself says that something does not vanish is such a condition already.
 fn stands_for(without: &Decision, with: &Decision, hypothesis: Option<&Expr>) -> bool {
     let (Some(conditions), Some(known)) = (without.conditions(), with.conditions()) else {
@@ -215,7 +215,7 @@ fn stands_for(without: &Decision, with: &Decision, hypothesis: Option<&Expr>) ->
         .all(|condition| known.contains(condition) || short(condition))
 }
 
-/// Whether a hypothesis says of quantities that they do not vanish.
+/// Whether a hypothesis says that quantities do not vanish.
 fn denies_zeros(hypothesis: &Expr) -> bool {
     match &hypothesis.node {
         Node::Join(Connective::And, a, b) => denies_zeros(a) && denies_zeros(b),
@@ -224,7 +224,7 @@ fn denies_zeros(hypothesis: &Expr) -> bool {
     }
 }
 
-/// The formula of a hypothesis that has one.
+/// Returns the formula of a hypothesis, if it has one.
 fn stated<'c>(claim: &'c Claim, slot: &HypothesisRef) -> Option<&'c Expr> {
     let hypothesis = match slot {
         HypothesisRef::Assume(i) => claim.assumptions.get(*i),
@@ -234,7 +234,7 @@ fn stated<'c>(claim: &'c Claim, slot: &HypothesisRef) -> Option<&'c Expr> {
     hypothesis.map(|hypothesis| &hypothesis.formula.expr)
 }
 
-/// Whether a hypothesis is ours, and a condition that a formula can state.
+/// Whether a hypothesis is ours, and a formula can state it as a condition.
 fn can_be_dropped(claim: &Claim, slot: &HypothesisRef) -> bool {
     let listed =
         |list: &[Hypothesis], i: usize| list.get(i).is_some_and(|h| h.provenance.is_ours());
@@ -250,7 +250,7 @@ fn can_be_dropped(claim: &Claim, slot: &HypothesisRef) -> bool {
     }
 }
 
-/// Of each hypothesis, in the order of [`assumed`], whether it is needed; nothing of those that were not tried.
+/// Returns for each hypothesis, in the order of [`assumed`], whether it is needed; none for those that were not tried.
 #[must_use]
 pub fn by_hypothesis(claim: &Claim, needed: &[(HypothesisRef, bool)]) -> Vec<Option<bool>> {
     let tried = |slot: &HypothesisRef| needed.iter().find(|(tried, _)| tried == slot);
@@ -261,7 +261,7 @@ pub fn by_hypothesis(claim: &Claim, needed: &[(HypothesisRef, bool)]) -> Vec<Opt
         .collect()
 }
 
-/// The hypotheses that were found not to be needed, by what is known of each.
+/// Returns the hypotheses that were found not to be needed.
 #[must_use]
 pub fn unneeded(claim: &Claim, needed: &[Option<bool>]) -> Vec<HypothesisRef> {
     let slots = slots(claim).into_iter().zip(needed);
@@ -277,7 +277,7 @@ pub fn has_ours(claim: &Claim) -> bool {
         .any(|hypothesis| matches!(hypothesis.from, HypothesisSource::Ours { .. }))
 }
 
-/// The hypotheses that are needed, as conditions.
+/// Returns the needed hypotheses, as conditions.
 #[must_use]
 pub fn conditions(claim: &Claim, needed: &[(HypothesisRef, bool)]) -> Vec<Formula> {
     let is_needed = |slot: &HypothesisRef| {
@@ -291,7 +291,7 @@ pub fn conditions(claim: &Claim, needed: &[(HypothesisRef, bool)]) -> Vec<Formul
     kept.map(|(_, hypothesis)| hypothesis.formula).collect()
 }
 
-/// A condition that is a hypothesis of ours, by its formula.
+/// Returns the hypothesis of ours that a condition stands for, by its formula.
 #[must_use]
 pub fn slot_of(claim: &Claim, condition: &Formula) -> Option<HypothesisRef> {
     let mut paired = hypotheses(claim).into_iter();

@@ -1,12 +1,12 @@
-//! Verdicts judged once more, thoroughly.
+//! Repeats the cross-checks of verdicts, with more work.
 //!
-//! The [`net`] under a verdict is cast while it is decided, with little work. Here it is cast again: with
-//! more work, at more and other points, and equations at fixed small integers as identities of quotients of polynomials,
-//! which decides them exactly there. Every kind of verdict is looked at: equations, order relations, `agrees`,
-//! properties of a basis, conditions on both sides, corrections, refutations at their witness, empty domains.
+//! The [`net`] checks a verdict while it is decided, with little work. Here it is repeated with more work, at more and
+//! other points, and equations at fixed small integers are decided exactly as identities of quotients of polynomials.
+//! Every kind of verdict is covered: equations, order relations, `agrees`, properties of a basis, conditions on both
+//! sides, corrections, refutations at their witness, empty domains.
 //!
-//! That proves no statement again, but an error of the prover would have to be made here once more, in other words, to
-//! pass.
+//! This does not prove a statement again, but an error of the prover passes only if the semantics makes the same error
+//! independently.
 
 use crate::existential;
 use crate::judged::Net;
@@ -15,7 +15,7 @@ use crate::outcome::Outcome;
 use torse_core::stack;
 use torse_syntax::derivation::Claim;
 
-/// What a verdict has to pass here.
+/// The effort for a verdict here.
 pub const THOROUGH: Effort = Effort {
     points: 60,
     budget: 6_000_000,
@@ -24,26 +24,26 @@ pub const THOROUGH: Effort = Effort {
     seed: "again ",
 };
 
-/// The work that finding a witness again may take.
+/// Maximum work to find a witness again.
 const WITNESS: u64 = 100_000_000;
 
-/// What judging a verdict again gave.
+/// The result of checking a verdict again.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Recheck {
-    /// The semantics agrees at as many points as are wanted.
+    /// The semantics agrees at as many points as required.
     Netted(Net),
-    /// It agrees at fewer, or at none; the net says why.
+    /// It agrees at fewer points, or at none; the net has the reason.
     Decided(Net),
-    /// It does not agree.
+    /// It disagrees.
     Contradicted {
-        /// What was found.
+        /// The contradiction.
         found: String,
     },
-    /// There is no verdict on a statement.
+    /// The claim has no verdict on a statement.
     Nothing,
 }
 
-/// Judges the verdict of a claim again.
+/// Checks the verdict of a claim again.
 #[must_use]
 pub fn claim(claim: &Claim, outcome: &Outcome) -> Recheck {
     if let Some(found) = outcome.contradiction() {

@@ -1,8 +1,8 @@
 //! The level *replayed*: a checker without search goes through the proof of a verdict.
 //!
-//! The checker ([`torse_checker`]) knows the core claim and the proof, and nothing of the prover. A proof that it
-//! rejects is a contradiction: the claim is undecided then. What it cannot follow is not replayed, and says why. A
-//! correction is a proof of its own.
+//! The checker ([`torse_checker`]) sees the core claim and the proof, and nothing of the prover. A rejected proof is a
+//! contradiction: the claim is then undecided. A proof that it cannot follow is not replayed, with the reason. A
+//! correction has a proof of its own.
 
 use crate::certificate::DecisionCertificate;
 use crate::condition;
@@ -18,7 +18,7 @@ use torse_syntax::derivation::Origin;
 /// Replays a proof.
 ///
 /// # Errors
-/// What the checker finds wrong.
+/// The error that the checker finds.
 pub(crate) fn proof(
     proved: &ProvedStatement,
     elaborated: &ElaboratedClaim<'_>,
@@ -30,17 +30,17 @@ pub(crate) fn proof(
     )
 }
 
-/// Replays a refutation, and the proof of its correction, for which so much work may be spent to find it again.
+/// Replays a refutation, and the proof of its correction; `budget` bounds the work to find that proof again.
 ///
 /// # Errors
-/// What the checker finds wrong.
+/// The error that the checker finds.
 pub(crate) fn refutation(
     refuted: &RefutedStatement,
     elaborated: &ElaboratedClaim<'_>,
     budget: u64,
 ) -> Result<Replay, String> {
     let Some(certificate) = &refuted.certificate else {
-        return Ok(Replay::beyond("that there is no other number"));
+        return Ok(Replay::beyond("the proof that no other number works"));
     };
     let mut replay = check(&elaborated.core, &elaborated.statement.origin, certificate)?;
     if let Some(correction) = refuted.correction() {

@@ -1,8 +1,7 @@
-//! What becomes of the claims of a paper with all corrections in force.
+//! Decides the claims of a paper again with all corrections in force.
 //!
-//! A set of corrections is worth something as a whole: each claim in which a fault shows is decided again, with the corrected
-//! definitions of all faults and its own corrected statement. So is each refuted claim of which a correction was found and
-//! of which no fault is told.
+//! Corrections must work together: each claim in which a fault shows is decided again, with the corrected definitions
+//! of all faults and its own corrected statement. So is each refuted claim that has a correction and no listed fault.
 
 use crate::engine::decide_claim_within;
 use crate::outcome::{Outcome, PaperOutcome, Restored};
@@ -14,19 +13,19 @@ use torse_syntax::formula::parse;
 use torse_syntax::notation::Formula;
 use torse_syntax::taxonomy::{Kind, Verdict};
 
-/// Decides the claims of a paper again that a fault or a correction is about, all corrections in force, with this budget of
-/// work for each.
+/// Decides again the claims of a paper that a fault or a correction is about, with all corrections in force and this
+/// budget of work for each.
 ///
 /// # Errors
-/// A [`DerivationError`] when a corrected formula does not make sense.
+/// A [`DerivationError`] if a corrected formula makes no sense.
 pub fn restore(
     budget: u64,
     paper: &Paper,
     outcome: &PaperOutcome,
 ) -> Result<Vec<Restored>, Box<DerivationError>> {
     let found = |id: &str| outcome.claims.iter().find(|other| other.claim.id == id);
-    let told = paper.corrigenda.iter().flat_map(|of| &of.corrected);
-    let mut corrected: Vec<Claim> = told
+    let listed = paper.corrigenda.iter().flat_map(|of| &of.corrected);
+    let mut corrected: Vec<Claim> = listed
         .map(|of| {
             let id = of.claim.entry.id.get_ref();
             match (of.restated, found(id)) {
@@ -35,11 +34,11 @@ pub fn restore(
             }
         })
         .collect();
-    let is_told = |id: &String| paper.corrigenda.iter().any(|of| of.shows.contains(id));
+    let is_listed = |id: &String| paper.corrigenda.iter().any(|of| of.shows.contains(id));
     corrected.extend(paper.claims.iter().filter_map(|claim| {
         let id = claim.entry.id.get_ref();
         let outcome = found(id).filter(|of| of.verdict() == Verdict::Misprint)?;
-        (!is_told(id) && outcome.claim.kind != Kind::Remark).then(|| repaired(claim, outcome))
+        (!is_listed(id) && outcome.claim.kind != Kind::Remark).then(|| repaired(claim, outcome))
     }));
     let decide = |claim: &Claim| -> Result<Restored, Box<DerivationError>> {
         let outcome = decide_claim_within(budget, &paper.head.id, claim)?;
@@ -53,7 +52,7 @@ pub fn restore(
     corrected.par_iter().map(decide).collect()
 }
 
-/// The claim with the correction that was found of it, under the conditions of that.
+/// Returns the claim with its correction, under the conditions of that.
 fn repaired(claim: &Claim, outcome: &Outcome) -> Claim {
     let mut repaired = claim.clone();
     repaired.author_note = None;

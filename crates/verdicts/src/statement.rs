@@ -1,4 +1,4 @@
-//! What is said of a statement that was decided, each kind with what that kind has: plain data.
+//! Results for decided statements, each kind with its own data: plain data.
 
 use crate::certificate::DecisionCertificate;
 use crate::correction::{Correction, DataCorrection};
@@ -11,9 +11,9 @@ use torse_syntax::taxonomy::{Kind, Verdict};
 /// A figure that was drawn.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct FigureFinding {
-    /// What had to be assumed or replaced makes the verdict.
+    /// `partial` if data had to be assumed or replaced.
     pub verdict: Verdict,
-    /// What had to be assumed or replaced, in words.
+    /// Data that had to be assumed or replaced, in words; they make the figure `partial`.
     pub steps: Vec<String>,
 }
 
@@ -26,23 +26,24 @@ pub struct UndecidedStatement {
     pub evidence: Option<Evidence>,
 }
 
-/// What the prover calls settled and one of its judges does not.
+/// An answer of the prover that a cross-check contradicts.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Contradiction {
-    /// The verdict that would have been.
+    /// The verdict of the prover.
     pub claimed: Verdict,
-    /// What was found instead.
+    /// The contradiction.
     pub found: String,
 }
 
 /// A statement with a proof.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ProvedStatement {
-    /// What the proof is.
+    /// The evidence of the proof.
     pub evidence: Evidence,
     /// The conditions under which it is true: divisors that must not vanish, then the needed hypotheses of ours.
     pub conditions: Vec<Formula>,
-    /// Of each hypothesis of the claim, in their order, whether the proof needs it; nothing of those that were not tried.
+    /// For each hypothesis of the claim, in their order, whether the proof needs it; none for those that were not
+    /// tried.
     pub needed: Vec<Option<bool>>,
     /// The proof, as data.
     #[serde(skip)]
@@ -54,7 +55,7 @@ pub struct ProvedStatement {
 /// A statement with a counterexample.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct RefutedStatement {
-    /// What the refutation is.
+    /// The evidence of the refutation.
     pub evidence: Evidence,
     /// The counterexample.
     pub witness: Option<Witness>,
@@ -62,10 +63,10 @@ pub struct RefutedStatement {
     pub difference: Option<Formula>,
     /// The derived right side in the paper's own shape.
     pub derived: Option<Formula>,
-    /// The refutation, as data; none where that no other number will do was shown aside.
+    /// The refutation, as data; none if a separate proof shows that no other number will do.
     #[serde(skip)]
     pub certificate: Option<Arc<DecisionCertificate>>,
-    /// What it should have statement.
+    /// The correction.
     pub repair: Option<Repair>,
     /// A change of the data that explains a refuted value.
     pub data: Option<DataCorrection>,
@@ -73,11 +74,11 @@ pub struct RefutedStatement {
     pub steps: Vec<String>,
 }
 
-/// What a refuted statement should have statement, proved.
+/// A proved correction of a refuted statement.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Repair {
-    /// A slip of the print is mended.
+    /// A slip of the print is corrected.
     Misprint(Correction),
     /// The statement is derived anew.
     Derived(Correction),
@@ -86,12 +87,12 @@ pub enum Repair {
 /// A domain without points.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct EmptyDomain {
-    /// The steps by which that is seen, in words.
+    /// The steps that show it, in words.
     pub steps: Vec<String>,
 }
 
 impl UndecidedStatement {
-    /// Nothing was tried, for this reason.
+    /// Makes a result that nothing was tried, for this reason.
     pub fn because(why: impl Into<String>) -> Self {
         Self {
             steps: vec![why.into()],
@@ -101,7 +102,7 @@ impl UndecidedStatement {
 }
 
 impl ProvedStatement {
-    /// What is true of the statement of a claim of this kind.
+    /// Returns the verdict for a claim of this kind.
     #[must_use]
     pub fn verdict(&self, kind: Kind) -> Verdict {
         let rests_on_ours = self.needed.contains(&Some(true));
@@ -114,7 +115,7 @@ impl ProvedStatement {
 }
 
 impl RefutedStatement {
-    /// What is true of the statement: it is false, or a misprint if the slip is known.
+    /// Returns the verdict: `false`, or `misprint` if a slip explains it.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         match self.repair {

@@ -1,4 +1,4 @@
-//! A figure as exact data: every formula evaluated, with nothing symbolic left but what runs.
+//! A figure as exact data: every formula evaluated, with only the running variables symbolic.
 
 use serde::{Serialize, Serializer};
 use torse_algebra::Fraction;
@@ -13,34 +13,34 @@ pub struct Drawing {
     pub id: String,
     /// The claims that it illustrates.
     pub claims: Vec<String>,
-    /// A line that names it.
+    /// The title.
     pub title: String,
-    /// What it shows.
+    /// The description.
     pub caption: String,
-    /// What is seen.
+    /// The visible objects.
     pub alt: String,
-    /// What was filled with a default.
+    /// Data with a default.
     pub assumes: Vec<String>,
-    /// What was replaced by data of our own.
+    /// Data replaced by our own.
     pub stand_in: Vec<String>,
     /// Panels in a row.
     pub columns: Option<usize>,
     /// Width and height of a panel in pixels of 1/96 inch.
     pub size: Option<[u32; 2]>,
-    /// The symbols that a reader may move; free in [`interactive`](super::interactive).
+    /// The symbols with sliders; free in [`interactive`](super::interactive).
     pub sliders: Vec<Slider>,
     /// The panels.
     pub panels: Vec<Panel>,
 }
 
-/// A symbol that a reader may move.
+/// A symbol with a slider.
 #[derive(Debug, Clone, Serialize)]
 pub struct Slider {
     /// The symbol.
     pub name: String,
-    /// Its least and its greatest value.
+    /// Its minimum and maximum.
     pub range: Interval,
-    /// Where it starts.
+    /// Its initial value.
     #[serde(serialize_with = "exact")]
     pub start: Fraction,
 }
@@ -59,7 +59,7 @@ pub struct Interval {
 /// A developable with its sliders left symbolic.
 #[derive(Debug, Clone)]
 pub struct Torse {
-    /// What a reader may move.
+    /// The sliders.
     pub sliders: Vec<Slider>,
     /// Azimuth and elevation in degrees.
     pub view: [f64; 2],
@@ -74,11 +74,11 @@ pub struct Piece {
     pub rulings: Rulings,
     /// The coordinates of the plane or of the two points that run.
     pub curves: Vec<Vec<Fraction>>,
-    /// What runs.
+    /// The running variable.
     pub over: Running,
     /// Where each ruling starts and ends.
     pub along: Interval,
-    /// How far it is shown, from where it is counted.
+    /// How far it is shown, from the place where its parameter is 0.
     pub limit: Option<Fraction>,
     /// Its entry in the legend.
     pub label: String,
@@ -89,7 +89,8 @@ pub struct Piece {
 /// One panel.
 #[derive(Debug, Clone, Serialize)]
 pub struct Panel {
-    /// Which entry of the figure it comes from: panels of one entry show the same for other values, and are compared.
+    /// The entry of the figure that it comes from: panels of one entry show the same for other values, and are
+    /// compared.
     pub entry: usize,
     /// The caption.
     pub caption: String,
@@ -124,19 +125,19 @@ pub struct Scale {
     pub range: Option<Interval>,
 }
 
-/// One thing that is drawn.
+/// A drawn object.
 #[derive(Debug, Clone, Serialize)]
 pub struct Layer {
-    /// What it is.
+    /// Its kind.
     pub shape: Shape,
     /// The formula of its positions, for messages.
     pub formula: String,
-    /// Its points, row by row: one for a curve or a surface, which runs, several for a list.
+    /// Its points, row by row: one that runs for a curve or a surface, several for a list.
     #[serde(serialize_with = "exact_points")]
     pub points: Vec<Vec<Fraction>>,
-    /// How many points stand in a row of a net.
+    /// The number of points in a row of a net.
     pub columns: usize,
-    /// The variables that run.
+    /// The running variables.
     pub running: Vec<Running>,
     /// The number that becomes a colour.
     #[serde(serialize_with = "exact_option")]
@@ -145,9 +146,9 @@ pub struct Layer {
     pub label: String,
     /// The text of a note.
     pub text: String,
-    /// Which round of the outermost loop it is, and none without a loop.
+    /// The round of the outermost loop; none without a loop.
     pub round: Option<usize>,
-    /// Its looks.
+    /// Its style.
     pub style: Style,
 }
 
@@ -158,7 +159,7 @@ pub struct Running {
     pub name: String,
     /// Where it runs.
     pub range: Interval,
-    /// The number of samples; as many as look well if none is given.
+    /// The number of samples; if none is given, enough for a smooth picture.
     pub samples: Option<u32>,
 }
 

@@ -1,4 +1,4 @@
-//! What names mean inside a figure: the declarations of its file, and the values it gives to symbols.
+//! The meaning of names inside a figure: the declarations of its file, and the values that the figure gives to symbols.
 //!
 //! A value of a real number or an integer is fixed in the evaluator; a value of a vector or of a family of
 //! points stands for its members. So `G(x)` of a paper, a sum over generic points `R[i]` of symbolic degree k,
@@ -44,12 +44,12 @@ impl<'a> Environment<'a> {
         self.declarations.symbol(name)
     }
 
-    /// The value of a formula of the file.
+    /// Evaluates a formula of the file.
     fn value(&self, text: &Text) -> Faulty<Value> {
         evaluated(&self.evaluator(), &parsed(self.source, text)?)
     }
 
-    /// What evaluates formulas here.
+    /// The evaluator.
     pub fn evaluator(&self) -> Evaluator<'_> {
         let mut evaluator = Evaluator::new(&self.declarations).fixing(&self.fixed);
         evaluator.determine(self.solved.clone());
@@ -72,7 +72,7 @@ impl<'a> Environment<'a> {
         Ok(())
     }
 
-    /// The numbers and integers with a value.
+    /// Returns the numbers and integers with a value.
     pub fn fixed(&self) -> &BTreeMap<String, Fraction> {
         &self.fixed
     }
@@ -82,7 +82,7 @@ impl<'a> Environment<'a> {
         self.fixed.insert(name.to_owned(), value);
     }
 
-    /// Gives those symbols that are integers their values.
+    /// Fixes those symbols that are integers.
     pub fn set_integers(&mut self, table: &BTreeMap<String, Text>) -> Faulty<()> {
         for (name, text) in in_file_order(table) {
             if let Some(SymbolKind::Integer { .. }) = self.kind(name) {
@@ -92,7 +92,7 @@ impl<'a> Environment<'a> {
         Ok(())
     }
 
-    /// Gives a symbol the value of a formula: a number, a vector, or a family of points as a matrix.
+    /// Fixes a symbol by a formula: a number, a vector, or a family of points as a matrix.
     pub fn set(&mut self, name: &str, text: &Text) -> Faulty<()> {
         let value = self.value(text)?;
         let entries = |quantities: &[Quantity]| -> Faulty<Vec<Fraction>> {
@@ -149,7 +149,7 @@ impl<'a> Environment<'a> {
         Ok(())
     }
 
-    /// Gives a family with two indices its values, a matrix for each first index.
+    /// Fixes a family with two indices, with a matrix for each first index.
     pub fn set_net(&mut self, name: &str, rows: &[Text]) -> Faulty<()> {
         for (offset, text) in (0..).zip(rows) {
             let kind = self.declared(name, text)?.clone();
@@ -200,7 +200,7 @@ impl<'a> Environment<'a> {
         }
     }
 
-    /// The kind of a symbol that a text wants to give a value.
+    /// Returns the kind of a symbol that a text fixes.
     pub fn declared(&self, name: &str, text: &Text) -> Faulty<&SymbolKind> {
         self.kind(name).ok_or_else(|| {
             let error = complaint(self.source, text, format!("`{name}` is no declared symbol"));
@@ -209,14 +209,14 @@ impl<'a> Environment<'a> {
     }
 }
 
-/// The value of a parsed formula.
+/// Evaluates a parsed formula.
 pub(super) fn evaluated(evaluator: &Evaluator<'_>, formula: &Written) -> Faulty<Value> {
     evaluator
         .evaluate(&formula.expr)
         .map_err(|fault| Box::new(fault.into_error(&formula.origin)))
 }
 
-/// The first index of a family.
+/// Returns the first index of a family.
 fn first(ranges: &[(Affine, Affine)]) -> i64 {
     ranges
         .first()
@@ -224,7 +224,7 @@ fn first(ranges: &[(Affine, Affine)]) -> i64 {
         .unwrap_or(0)
 }
 
-/// The exact value of a quantity, which must not be a sum of symbolic degree.
+/// Returns the exact value of a quantity, which must not be a sum of symbolic degree.
 pub(super) fn fraction(source: &Arc<Source>, text: &Text, quantity: &Quantity) -> Faulty<Fraction> {
     quantity.as_fraction().cloned().ok_or_else(|| {
         let error = complaint(source, text, "the degree is still symbolic");
@@ -232,7 +232,7 @@ pub(super) fn fraction(source: &Arc<Source>, text: &Text, quantity: &Quantity) -
     })
 }
 
-/// A complaint about the whole text of a formula.
+/// Makes an error about the whole text of a formula.
 pub(super) fn complaint(
     source: &Arc<Source>,
     text: &Text,
@@ -246,7 +246,7 @@ pub(super) fn complaint(
     DerivationError::at(&origin, place, message)
 }
 
-/// A value of the wrong type.
+/// Makes an error about a value of the wrong type.
 pub(super) fn wrong(
     source: &Arc<Source>,
     text: &Text,

@@ -1,4 +1,4 @@
-//! Layers: what runs, and where the points are.
+//! Layers: their running variables, and their points.
 
 use super::drawing::{Interval, Layer, Running};
 use super::environment::{MAX_POINTS, complaint, fraction, wrong};
@@ -104,7 +104,7 @@ impl Context<'_> {
         })
     }
 
-    /// The points of a value: one for a vector, one for each row of a matrix.
+    /// Returns the points of a value: one for a vector, one for each row of a matrix.
     pub(super) fn positions(
         &self,
         reader: &Reader<'_>,
@@ -146,7 +146,7 @@ impl Context<'_> {
         Ok(points)
     }
 
-    /// Refuses symbols that neither run nor are sliders.
+    /// Refuses symbols that are neither running variables nor sliders.
     fn check_symbols(
         &self,
         reader: &Reader<'_>,
@@ -219,7 +219,7 @@ fn check_dimension(
 }
 
 impl drawing::Layer {
-    /// The number of coordinates of the space it is drawn in.
+    /// Returns the number of coordinates of the space it is drawn in.
     pub(super) fn dimension(&self) -> usize {
         match self.shape {
             Shape::Plane => 3,
@@ -228,13 +228,13 @@ impl drawing::Layer {
     }
 }
 
-/// What a text of `over` means.
+/// The meaning of a text of `over`.
 pub(super) enum Over {
     Index(Index),
     Running(Box<Running>),
 }
 
-/// `x`, `x in [0, 1/2]` or `i in 0..3`.
+/// Parses `x`, `x in [0, 1/2]` or `i in 0..3`.
 pub(super) fn range(reader: &Reader<'_>, text: &Text) -> Faulty<Over> {
     let source = reader.source;
     let (name, rest) = match text.get_ref().split_once(" in ") {
@@ -284,7 +284,7 @@ pub(super) fn range(reader: &Reader<'_>, text: &Text) -> Faulty<Over> {
     }
 }
 
-/// All combinations of indices, the last running fastest.
+/// Returns all combinations of indices, the last running fastest.
 fn assignments(indices: &[Index]) -> Vec<Vec<i64>> {
     indices.iter().fold(vec![vec![]], |rows, index| {
         rows.iter()

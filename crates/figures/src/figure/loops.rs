@@ -28,7 +28,7 @@ pub(super) struct Round<'a> {
 }
 
 impl<'a> Round<'a> {
-    /// The only round of no loop.
+    /// Makes the only round without a loop.
     pub fn only(environment: Environment<'a>) -> Self {
         Self {
             environment,
@@ -37,7 +37,7 @@ impl<'a> Round<'a> {
         }
     }
 
-    /// The rounds of loops inside this round. Loops over a name in `free` are left out.
+    /// Returns the rounds of loops inside this round. Loops over a name in `free` are left out.
     pub fn rounds(&self, loops: &[Loop], free: &[String]) -> Faulty<Vec<Round<'a>>> {
         let mut rounds = vec![Round {
             number: None,
@@ -87,7 +87,7 @@ impl<'a> Round<'a> {
         Ok(steps)
     }
 
-    /// The values of a name, each with its text: numbers, and ranges of integers such as `0..k`.
+    /// Returns the values of a name, each with its text: numbers, and ranges of integers such as `0..k`.
     fn values_of(&self, name: &str, list: &Spanned<Vec<Text>>) -> Faulty<Vec<(Fraction, String)>> {
         let environment = &self.environment;
         let reader = Reader::new(environment);
@@ -117,12 +117,12 @@ impl<'a> Round<'a> {
         Box::new(DerivationError::at(&origin, Place::default(), message))
     }
 
-    /// Whether the loops of both, inside of the same round, have come to the same values.
+    /// Whether both rounds belong to the same outer round and have the same values.
     pub fn is_like(&self, other: &Self) -> bool {
         self.environment.fixed() == other.environment.fixed()
     }
 
-    /// A text with `{name}` replaced by the values of this round.
+    /// Replaces `{name}` in a text by the values of this round.
     pub fn filled(&self, template: &str) -> String {
         self.values
             .iter()

@@ -1,8 +1,8 @@
-//! Figures as data: what a figure shows is written in formulas of the claims' language.
+//! Figures as data: formulas of the claims' language describe a figure.
 //!
-//! [`torse_syntax::derivation::schema::figure`] is the text of a file, [`Drawing`] what comes out: each formula is evaluated once, exactly, with
-//! the variables that run left symbolic. So a figure shows what the claims define, and a formula that makes no
-//! sense is an error with file, line and caret. Drawing itself is the business of another room.
+//! [`torse_syntax::derivation::schema::figure`] is the text of a file, [`Drawing`] the result: each formula is
+//! evaluated once, exactly, with the running variables left symbolic. So a figure shows what the claims define, and a
+//! formula that makes no sense is an error with file, line and caret. The crate `plot` draws.
 
 pub mod drawing;
 mod environment;
@@ -29,7 +29,7 @@ use torse_syntax::derivation::{DerivationError, Figure, Source};
 
 type Faulty<T> = Result<T, Box<DerivationError>>;
 
-/// The figure as printed on a page: sliders stand where they start, unless a loop moves them.
+/// Evaluates the figure as printed: sliders have their initial values, unless a loop moves them.
 ///
 /// # Errors
 /// A [`DerivationError`] for the first formula that makes no sense, or leaves a symbol without a value.
@@ -37,8 +37,8 @@ pub fn drawing(figure: &Figure) -> Result<Drawing, Box<DerivationError>> {
     elaborated(figure, &[])
 }
 
-/// The figure with its sliders left symbolic and without the loops that would move them; none if it has
-/// no sliders.
+/// Evaluates the figure with its sliders left symbolic and without the loops that would move them; none if it has no
+/// sliders.
 ///
 /// # Errors
 /// As [`drawing()`].
@@ -104,7 +104,7 @@ fn unbounded(source: &Arc<Source>, text: &Text, name: &str) -> Box<DerivationErr
     Box::new(complaint(source, text, message))
 }
 
-/// The entries of a table by their place in the file: a later one may use an earlier one.
+/// Returns the entries of a table by their place in the file: a later one may use an earlier one.
 fn in_file_order(table: &BTreeMap<String, Text>) -> Vec<(&String, &Text)> {
     let mut entries: Vec<_> = table.iter().collect();
     entries.sort_by_key(|(_, text)| text.span().start);

@@ -11,16 +11,16 @@ use torse_syntax::derivation::schema::Text;
 use torse_syntax::derivation::schema::figure::{LayerEntry, PanelEntry, Shape};
 use torse_syntax::derivation::{DerivationError, Figure};
 
-/// Where the panels of a figure are evaluated.
+/// The context in which the panels of a figure are evaluated.
 pub(super) struct Context<'a> {
     pub figure: &'a Figure,
     pub round: Round<'a>,
-    /// The sliders, when they are to stay symbolic.
+    /// The sliders, if they stay symbolic.
     pub free: &'a [String],
 }
 
 impl<'a> Context<'a> {
-    /// The panels that the entry of this number makes.
+    /// Returns the panels of the entry with this number.
     pub fn panels(&self, number: usize, entry: &PanelEntry) -> Faulty<Vec<Panel>> {
         let mut round = self.round.clone();
         for set in [&self.figure.entry.set, &entry.set] {
@@ -92,8 +92,8 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// The layers of a panel, one for each round of their loops. Layers often run through the same rounds: these have one
-    /// reader, and what their loops leave as it is has that of the panel.
+    /// Returns the layers of a panel, one for each round of their loops. Layers with the same rounds share a reader,
+    /// and a layer whose loops change nothing has the reader of the panel.
     fn layers<'e>(
         &self,
         entry: &'e PanelEntry,
@@ -124,8 +124,8 @@ impl<'a> Context<'a> {
         placed.map(layer).collect()
     }
 
-    /// The environment of a round with the values that figure and panel set. All but integers, to which loops may
-    /// run, are set after the loops, so that points may depend on what a loop runs through.
+    /// Makes the environment of a round with the values that figure and panel set. All but integers, which may bound
+    /// loops, are set after the loops, so that points may depend on loop variables.
     fn with_values(&self, entry: &PanelEntry, round: &Round<'a>) -> Faulty<Environment<'a>> {
         let mut environment = round.environment.clone();
         let figure = &self.figure.entry;
@@ -169,13 +169,13 @@ fn check_ranges(
     }
 }
 
-/// The two ends of an interval, written as a vector `[low, high]`.
+/// Returns the two ends of an interval, written as a vector `[low, high]`.
 pub(super) fn interval(reader: &Reader<'_>, text: &Text) -> Faulty<Interval> {
     let value = reader.value(text)?;
     ends(reader, text, &value)
 }
 
-/// The two ends of an interval from its value.
+/// Returns the two ends of an interval from its value.
 pub(super) fn ends(reader: &Reader<'_>, text: &Text, value: &Value) -> Faulty<Interval> {
     let Value::Vector(vector) = value else {
         return Err(wrong(

@@ -1,4 +1,4 @@
-//! Reading the formulas of a figure where its symbols have their values.
+//! Evaluates the formulas of a figure with the values of its symbols.
 
 use super::Faulty;
 use super::environment::{Environment, MAX_POINTS, evaluated, fraction, wrong};
@@ -12,7 +12,7 @@ use torse_syntax::derivation::schema::Text;
 use torse_syntax::derivation::{DerivationError, Origin, Source, Written, parsed};
 use torse_syntax::formula;
 
-/// An environment whose formulas are read: all formulas of one reader open a definition once.
+/// Evaluates formulas in an environment: all formulas of one reader expand a definition once.
 pub(super) struct Reader<'e> {
     /// The file of the formulas.
     pub source: &'e Arc<Source>,
@@ -21,7 +21,7 @@ pub(super) struct Reader<'e> {
 }
 
 impl<'e> Reader<'e> {
-    /// Formulas of this environment.
+    /// Makes a reader for formulas of this environment.
     pub fn new(environment: &'e Environment<'_>) -> Self {
         Self {
             source: environment.source,
@@ -30,7 +30,7 @@ impl<'e> Reader<'e> {
         }
     }
 
-    /// The same with values for more numbers or integers.
+    /// Makes the same reader with values for more numbers or integers.
     pub fn fixing(&self, more: &BTreeMap<String, Fraction>) -> Self {
         Self {
             source: self.source,
@@ -39,23 +39,23 @@ impl<'e> Reader<'e> {
         }
     }
 
-    /// The kind of a symbol that a text names.
+    /// Returns the kind of a symbol that a text names.
     pub fn declared(&self, name: &str, text: &Text) -> Faulty<&SymbolKind> {
         self.environment.declared(name, text)
     }
 
-    /// The value of a formula of the file.
+    /// Evaluates a formula of the file.
     pub fn value(&self, text: &Text) -> Faulty<Value> {
         let formula = parsed(self.source, text)?;
         self.evaluated(&formula)
     }
 
-    /// The value of a parsed formula.
+    /// Evaluates a parsed formula.
     pub fn evaluated(&self, formula: &Written) -> Faulty<Value> {
         evaluated(&self.evaluator, formula)
     }
 
-    /// The number that a formula of the file means.
+    /// Returns the number that a formula of the file evaluates to.
     pub fn number(&self, text: &Text) -> Faulty<Fraction> {
         match self.value(text)? {
             Value::Scalar(quantity) => fraction(self.source, text, &quantity),
@@ -63,7 +63,7 @@ impl<'e> Reader<'e> {
         }
     }
 
-    /// The value of `formula`, a part of a text of the file.
+    /// Evaluates `formula`, a part of a text of the file.
     pub fn part(&self, text: &Text, formula: &str) -> Faulty<Value> {
         let offset = text.get_ref().find(formula).unwrap_or(0);
         let origin = Origin::from_spanned(self.source, text).after(offset);
@@ -72,8 +72,8 @@ impl<'e> Reader<'e> {
         self.evaluated(&Written { expr, origin })
     }
 
-    /// The ends of `range`, a part of a text of the file such as `0..k`; none if it is not written like that,
-    /// is empty, or longer than a list may be.
+    /// Returns the ends of `range`, a part of a text of the file such as `0..k`; none if it has another form, is empty,
+    /// or longer than a list may be.
     pub fn integers(&self, text: &Text, range: &str) -> Faulty<Option<[i64; 2]>> {
         let Some((low, high)) = range.split_once("..") else {
             return Ok(None);

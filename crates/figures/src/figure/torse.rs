@@ -1,4 +1,4 @@
-//! The developable of a figure, with what a reader moves left symbolic.
+//! The developable surface of a figure, with its sliders symbolic.
 
 use super::drawing::{Interval, Piece, Running, Slider, Torse};
 use super::environment::{Environment, complaint, fraction};
@@ -12,7 +12,7 @@ use torse_syntax::derivation::schema::Text;
 use torse_syntax::derivation::schema::figure::{PieceEntry, Rulings, TorseEntry};
 use torse_syntax::derivation::{Figure, parsed};
 
-/// The developable of the figure; none if it names none.
+/// Returns the developable surface of the figure; none if it has none.
 ///
 /// # Errors
 /// A [`DerivationError`](torse_syntax::derivation::DerivationError) for the first formula that makes no sense, or
@@ -44,7 +44,7 @@ pub fn torse(figure: &Figure) -> Faulty<Option<Torse>> {
     }))
 }
 
-/// The values of the figure, but for what the developable leaves free or sets itself, and the solution of its equations.
+/// Sets the values of the figure, except those that the surface leaves free or sets itself, and solves its equations.
 fn values<'a>(figure: &'a Figure, entry: &TorseEntry) -> Faulty<Environment<'a>> {
     let mut environment = Environment::new(&figure.source, &figure.declarations);
     let mut common = figure.entry.set.clone();
@@ -62,7 +62,7 @@ fn values<'a>(figure: &'a Figure, entry: &TorseEntry) -> Faulty<Environment<'a>>
     Ok(environment)
 }
 
-/// `[least, at first, greatest]`.
+/// Reads `[minimum, initial value, maximum]`.
 fn slider(reader: &Reader<'_>, name: &str, text: &Text) -> Faulty<Slider> {
     reader.declared(name, text)?;
     let unusable = || {

@@ -1,4 +1,4 @@
-//! Cutting plane figures to the plotting area, so that no mark leaves it and no coordinate gets out of hand.
+//! Clips plane figures to the plotting area, so that no mark leaves it and coordinates stay moderate.
 
 use crate::ink::scene::Rect;
 

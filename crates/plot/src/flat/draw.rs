@@ -32,7 +32,7 @@ impl Plot {
                 body
             }
             Frame::Box => {
-                // Tick labels decide the room, the room decides the range of equal units: twice is enough.
+                // The tick labels determine the margins, the margins the range of equal units: two passes suffice.
                 let mut inner = body.inset([50.0, 8.0, 10.0, 40.0]);
                 for _ in 0..2 {
                     let mut shown = window;
@@ -143,7 +143,7 @@ impl Plot {
     }
 }
 
-/// The interval of `values` with some air, never empty; `None` without values.
+/// Returns the interval of `values` with a margin, never empty; `None` without values.
 fn extent(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| {
         [l.min(v), h.max(v)]
@@ -157,7 +157,7 @@ fn extent(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     Some([low - air, high + air])
 }
 
-/// From data to the page.
+/// Maps data to the page.
 struct Map {
     window: [[f64; 2]; 2],
     inner: Rect,
@@ -179,7 +179,7 @@ impl Map {
         points.iter().map(|&p| self.to_page(p)).collect()
     }
 
-    /// Whether a point of the page lies in the plotting area, the rim included.
+    /// Whether a point of the page lies in the plotting area, border included.
     fn shows(&self, [x, y]: [f64; 2]) -> bool {
         let r = self.inner;
         (r.x - 0.5..=r.right() + 0.5).contains(&x) && (r.y - 0.5..=r.bottom() + 0.5).contains(&y)

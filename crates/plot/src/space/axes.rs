@@ -17,7 +17,7 @@ const EDGE: Line = Line::solid(Colour::INK, 0.8);
 /// One tick per this many pixels.
 const PER_TICK: f64 = 36.0;
 const TICK: f64 = 4.5;
-/// An edge seen this short, in pixels, gets no ticks.
+/// Maximum length, in pixels, of an edge without ticks.
 const SHORTEST: f64 = 24.0;
 
 /// The box around the solids and its ticks.

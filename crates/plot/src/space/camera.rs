@@ -1,4 +1,4 @@
-//! Where the view is taken from, and the projection onto the page.
+//! The direction of the view, and the projection onto the page.
 //!
 //! The projection is plotters' (`ProjectionMatrixBuilder`: a rotation by yaw and pitch). plotters' vertical axis
 //! is its second one, so our (x, y, z) enters as (x, z, -y), a rotation, which keeps right-handed frames right-handed;
@@ -41,7 +41,7 @@ const CANDIDATES: [(f64, f64); 12] = [
     (120.0, 40.0),
 ];
 
-/// What one step down the list of candidates costs, as part of the best score: nothing unusual without need.
+/// Penalty for each step down the list of candidates, as a fraction of the best score: usual directions are preferred.
 const HABIT: f64 = 0.012;
 
 impl Camera {

@@ -1,8 +1,8 @@
-//! What varies over a surface, at one place of it.
+//! The attributes of a surface at one of its places.
 
 use crate::space::vector::{V3, lerp};
 
-/// A vertex of a surface in space, with what varies over the surface.
+/// A vertex of a surface in space, with the attributes that vary over the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Corner {
     pub at: V3,

@@ -21,7 +21,7 @@ pub(crate) fn dashes(chain: &[[V3; 2]], pattern: &[f64]) -> Vec<[V3; 2]> {
                 strokes.push([lerp(a, b, from / length), lerp(a, b, to / length)]);
             }
             offset = (offset + (to - from)) % period;
-            // A step too small for the arithmetic would never end.
+            // A step too small for floating point would never end.
             from = if to > from { to } else { length };
         }
     }

@@ -1,4 +1,4 @@
-//! Solids made ready for the raster: cut to the box, projected, in samples.
+//! Solids prepared for the raster: clipped to the box, projected, in samples.
 
 use crate::colour::{Colour, Line};
 use crate::ink::scene::Rect;

@@ -1,4 +1,4 @@
-//! The bar that says which colour means which value.
+//! The bar that relates colours to values.
 
 use crate::colour::{Colour, Line};
 use crate::error::FigureError;

@@ -4,9 +4,9 @@
 /// Reflection of a paint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Finish {
-    /// For surfaces whose colour is only theirs.
+    /// For surfaces whose colour has no meaning.
     Glossy,
-    /// For surfaces whose colour means a value: light may darken it a little, nothing may bleach it.
+    /// For surfaces whose colour encodes a value: light may darken it a little, and never bleaches it.
     Matt,
 }
 

@@ -1,4 +1,4 @@
-//! What a view consists of.
+//! The contents of a view.
 
 use crate::colormap::ColourMap;
 use crate::colour::{Colour, Line};
@@ -80,7 +80,7 @@ pub enum Border {
     /// A dark line along all four sides.
     #[default]
     Drawn,
-    /// None: for closed surfaces, whose seam nobody wants to see.
+    /// None: for closed surfaces, whose seam should not show.
     Hidden,
 }
 

@@ -51,7 +51,7 @@ pub enum Decision {
     Proven(Proof),
     /// False, with a point of the domain.
     Refuted(Box<Refutation>),
-    /// No point satisfies the assumptions.
+    /// No point satisfies the hypotheses.
     Vacuous(Emptiness<Polynomial>),
     /// Neither.
     Open {

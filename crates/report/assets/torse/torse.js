@@ -74,9 +74,9 @@
       };
       // The library wrote a file of the state that the page opens with; it lies beside the page.
       const { step } = this;
-      const file = step ? [make("a", { href: step, download: "", textContent: "STEP of the first state" })] : [];
+      const file = step ? [make("a", { href: step, download: "", textContent: "STEP (initial shape)" })] : [];
       box.append(make("div", { className: "buttons" },
-        button("Put back", () => this.reset()),
+        button("Reset", () => this.reset()),
         button("SVG", () => save.give(`${this.name}.svg`, "image/svg+xml", this.svg())),
         button("DXF of the sheet", () => save.give(`${this.name}.dxf`, "image/vnd.dxf", save.dxf(this.pieces))), ...file));
       return box;

@@ -11,7 +11,7 @@ use crate::model::{
 };
 use std::fmt::{self, Write};
 
-/// The claim as an `article`, closed until it is asked for; `section` is the identifier of the section that it is in.
+/// Writes the claim as an `article`, closed at first; `section` is the identifier of its section.
 pub(super) fn write(
     out: &mut String,
     page: &Page<'_>,
@@ -56,7 +56,7 @@ pub(super) fn write(
     )
 }
 
-/// What the script puts into an open claim: the rest of the list, then its figures.
+/// The parts that the script inserts into an open claim: the rest of the list, then its figures.
 fn write_inside(out: &mut String, page: &Page<'_>, claim: &ClaimView) -> fmt::Result {
     out.push_str("<dl>");
     if let Some(expected) = claim.expected {
@@ -136,7 +136,7 @@ fn formulas(out: &mut String, name: &str, formulas: &[FormulaView]) -> fmt::Resu
     Ok(())
 }
 
-/// What the sentence may mean, and what is true of each.
+/// The readings of the sentence, with a verdict each.
 fn readings(out: &mut String, readings: &[ReadingView]) -> fmt::Result {
     for reading in readings {
         writeln!(
@@ -164,7 +164,7 @@ fn readings(out: &mut String, readings: &[ReadingView]) -> fmt::Result {
     Ok(())
 }
 
-/// What the statement rests on.
+/// The dependencies of the statement.
 fn dependency_groups(out: &mut String, groups: &[RestsView]) -> fmt::Result {
     if groups.is_empty() {
         return Ok(());
@@ -188,7 +188,7 @@ fn small_print(out: &mut String, groups: &[RestsView]) -> fmt::Result {
     Ok(())
 }
 
-/// The printed statement beside the corrected one, stacked where the page is narrow.
+/// The printed statement beside the corrected one, stacked on a narrow page.
 pub(super) fn correction(out: &mut String, repair: &CorrectionView) -> fmt::Result {
     out.push_str("<div class=\"sides\">");
     if let Some(printed) = &repair.printed {
@@ -199,8 +199,8 @@ pub(super) fn correction(out: &mut String, repair: &CorrectionView) -> fmt::Resu
     out.push_str("<div><span class=\"side\">should read</span>");
     formula(out, &repair.statement)?;
     let others = match repair.unique {
-        true => "No other repair as small was found.",
-        false => "Other repairs as small exist.",
+        true => "No other correction as small was found.",
+        false => "Other corrections as small exist.",
     };
     write!(
         out,
@@ -239,7 +239,7 @@ fn witness(out: &mut String, witness: &WitnessView, denied: Option<&Prose>) -> f
     Ok(())
 }
 
-/// What rests on a refuted claim, and whether it survives.
+/// The dependents of a refuted claim, and whether they survive.
 fn consequences(
     out: &mut String,
     consequences: &[ConsequenceView],
@@ -248,7 +248,7 @@ fn consequences(
     if consequences.is_empty() {
         return Ok(());
     }
-    out.push_str("<dt>rests on it</dt><dd><ul class=\"consequences\">");
+    out.push_str("<dt>depends on it</dt><dd><ul class=\"consequences\">");
     for consequence in consequences {
         out.push_str("<li>");
         mention(out, &consequence.claim)?;
@@ -282,7 +282,7 @@ fn references(out: &mut String, name: &str, references: &[Reference]) -> fmt::Re
     Ok(())
 }
 
-/// The name of a claim, a link where the page has it.
+/// The name of a claim, linked if it is on the page.
 fn mention(out: &mut String, reference: &Reference) -> fmt::Result {
     let shown = Text(&reference.shown);
     match &reference.anchor {

@@ -1,10 +1,10 @@
-//! The end of the page: what it was made from, and where its other forms are.
+//! The end of the page: its sources, and links to its other forms.
 
 use super::text::{Code, Doi, Text};
 use crate::model::Report;
 use std::fmt::{self, Write};
 
-/// What the page was made from, and the other forms of the report.
+/// Writes the sources of the page, and the other forms of the report.
 pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
     let slug = Text(&report.slug);
     out.push_str("<h2 id=\"colophon\">Colophon</h2>\n<dl class=\"colophon\">\n");

@@ -1,7 +1,8 @@
-//! What rests on what: a drawing of the claims that use each other, by colour and mark of the verdict.
+//! The graph of dependencies: claims that use each other, with colour and mark of the verdict.
 //!
-//! Claims stand in columns by how long the chain is that they rest on, within a column in the order of the paper. Every
-//! claim is a link, so the keyboard walks through them; pointing at one shows what it rests on and what rests on it.
+//! The column of a claim is the length of its longest chain of dependencies; within a column, claims have the order of
+//! the paper. Every claim is a link, so the keyboard reaches all of them; pointing at one highlights what it depends on
+//! and what depends on it.
 
 use super::text::Text;
 use crate::model::{ClaimView, Report};
@@ -19,7 +20,7 @@ struct Placed<'a> {
     row: usize,
 }
 
-/// The drawing; nothing where no claim of the paper uses another.
+/// Writes the graph; empty if no claim of the paper uses another.
 pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
     let placed = placed(report);
     if placed.len() < 2 {
@@ -30,9 +31,9 @@ pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
     let (width, height) = (columns * (WIDTH + GAP), rows * (HEIGHT + 3) + 4);
     write!(
         out,
-        "<details class=\"more\" id=\"graph\"><summary><h2>What rests on what</h2></summary>\n\
-         <p class=\"meta\">Each claim stands to the right of what it rests on. A line from a false statement is drawn in its colour. Pointing at a claim shows its own lines alone.</p>\n\
-         <div class=\"scroll\" tabindex=\"0\"><svg class=\"graph\" role=\"group\" aria-label=\"The claims, each a link, with lines to those that they rest on\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">\n<g>"
+        "<details class=\"more\" id=\"graph\"><summary><h2>Dependencies</h2></summary>\n\
+         <p class=\"meta\">Each claim stands to the right of the claims that it depends on. A line from a false statement has its colour. Point at a claim to see its own lines alone.</p>\n\
+         <div class=\"scroll\" tabindex=\"0\"><svg class=\"graph\" role=\"group\" aria-label=\"The claims, each a link, with lines to those that they depend on\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\">\n<g>"
     )?;
     for to in placed.values() {
         for used in &to.claim.uses {
@@ -100,7 +101,7 @@ fn mark(verdict: &str) -> &'static str {
     }
 }
 
-/// The claims that use another or are used, by their identifiers for links.
+/// Returns the claims that use another or are used, by their identifiers for links.
 fn placed(report: &Report) -> BTreeMap<&str, Placed<'_>> {
     let uses: BTreeMap<&str, Vec<&str>> = report
         .claims()
@@ -110,7 +111,7 @@ fn placed(report: &Report) -> BTreeMap<&str, Placed<'_>> {
         })
         .collect();
     let mut columns: BTreeMap<&str, usize> = BTreeMap::new();
-    // As often as there are claims is enough: a circle of claims would go on.
+    // The number of claims bounds the rounds: a cycle of claims would never end.
     for _ in 0..uses.len() {
         let mut changed = false;
         for (claim, used) in &uses {

@@ -1,4 +1,4 @@
-//! The landing page: a card for each paper, the worked example apart.
+//! The landing page: a card for each paper, with the worked examples in a section of their own.
 
 use super::style;
 use super::text::{Sentence, Text, doi, formula};
@@ -7,19 +7,19 @@ use crate::applicability::Answer;
 use crate::model::Report;
 use std::fmt::{self, Write};
 
-/// Points that a card tells.
+/// Number of points on a card.
 const POINTS: usize = 3;
 
-/// The page that leads to the reports of several papers, which stand beside it.
+/// Writes the page that links to the reports of several papers beside it.
 ///
 /// # Errors
 ///
-/// [`ReportError::Typeset`] when a string refuses to be written to, which memory does not do.
+/// [`ReportError::Typeset`] if writing to a string fails, which does not happen.
 pub fn landing_page(reports: &[Report]) -> Result<String, ReportError> {
     let mut page = String::new();
     write(&mut page, reports).map_err(|fmt::Error| ReportError::Typeset {
         document: "the landing page",
-        messages: vec!["a string refused to be written to".to_owned()],
+        messages: vec!["writing to a string failed".to_owned()],
     })?;
     Ok(page)
 }
@@ -32,9 +32,9 @@ fn write(out: &mut String, reports: &[Report]) -> fmt::Result {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; font-src data:\">\n\
-         <title>What is true of these papers</title>\n<style>\n{}</style>\n</head>\n<body>\n\
-         <header class=\"masthead\">\n<p class=\"kicker\">Verification reports</p>\n<h1>What is true of these papers</h1>\n\
-         <p>Each statement of each paper was decided by exact computation. A report says what stands, what is to be read instead, \
+         <title>What holds in these papers</title>\n<style>\n{}</style>\n</head>\n<body>\n\
+         <header class=\"masthead\">\n<p class=\"kicker\">Verification reports</p>\n<h1>What holds in these papers</h1>\n\
+         <p>The statements of these papers were checked by exact computation. A report says which of them hold, what the others should say, \
          and why; letters of corrections are ready to be sent.</p>\n</header>\n<main>\n",
         style()
     )?;
@@ -42,7 +42,7 @@ fn write(out: &mut String, reports: &[Report]) -> fmt::Result {
         card(out, report)?;
     }
     if !examples.is_empty() {
-        out.push_str("<h2>Worked example</h2>\n<p class=\"meta\">Statements of textbooks, and slips that were planted to be found.</p>\n");
+        out.push_str("<h2>Worked examples</h2>\n<p class=\"meta\">Statements of textbooks, with slips that were planted on purpose.</p>\n");
     }
     for report in examples {
         card(out, report)?;
@@ -103,7 +103,7 @@ fn card(out: &mut String, report: &Report) -> fmt::Result {
     Ok(())
 }
 
-/// Whether the paper can be used, in a sentence.
+/// Says whether the paper can be used, in a sentence.
 fn usable(report: &Report) -> String {
     let count = |answers: &[Answer]| {
         let constructions = report.constructions.iter();
@@ -127,7 +127,7 @@ fn usable(report: &Report) -> String {
             if corrected == 1 { "needs" } else { "need" }
         ),
         (_, bad, corrected) => format!(
-            "Usable in parts: of {all} theorems, algorithms and examples {corrected} {} a correction, and {} cannot be used as printed.",
+            "Usable in parts: {corrected} of {all} theorems, algorithms and examples {} a correction, and {} cannot be used as printed.",
             if corrected == 1 { "needs" } else { "need" },
             bad - corrected
         ),

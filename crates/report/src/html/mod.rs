@@ -1,9 +1,9 @@
 //! One self-contained page for a browser.
 //!
-//! Three depths: what a reader must know in a minute, the corrections, and every claim, closed until it is asked for.
-//! Style, script and pictures are inside of the page, and its content policy forbids any other source.
-//! Without the script a reader has the first two and the printed sentences with their verdicts; the script opens the claims,
-//! and adds filter, search and keys.
+//! It has three depths: what a reader must know in a minute, the corrections, and every claim, closed at first. Style,
+//! script and pictures are inside the page, and its content policy forbids any other source. Without the script a
+//! reader has the first two and the printed sentences with their verdicts; the script opens the claims, and adds
+//! filter, search and keys.
 
 mod claim;
 mod colophon;
@@ -28,21 +28,21 @@ use std::fmt::{self, Write};
 use text::{Listed, Sentence, Text, badge};
 
 const STYLE: &str = include_str!("../../assets/page.css");
-/// Letters and signs of New Computer Modern Math, so that brackets grow and primes stand where they belong on every
+/// Letters and signs of New Computer Modern Math, so that brackets grow and primes are placed correctly on every
 /// machine: made with `pyftsubset --layout-features=ssty,dtls` and renamed, as its licence (GUST) asks.
 const FONT: &[u8] = include_bytes!("../../assets/math.woff2");
 const SCRIPT: &str = include_str!("../../assets/page.js");
 
-/// The report of one paper as one HTML file, with its pictures inside.
+/// Writes the report of one paper as one HTML file, with its pictures inside.
 ///
-/// Each claim is an `article` with an `id` to link to and with `data-verdict`, `data-kind`,
-/// `data-evidence` and `data-section` to filter by. A formula that cannot be read is shown as code. `figures` are those
-/// that the report was made with.
+/// Each claim is an `article` with an `id` to link to and with `data-verdict`, `data-kind`, `data-evidence` and
+/// `data-section` to filter by. A formula that cannot be parsed is shown as code. `figures` must be those that the
+/// report was made with.
 ///
 /// # Errors
 ///
-/// [`ReportError::Label`] for a label of a picture that does not parse; [`ReportError::Typeset`] when a string refuses to
-/// be written to, which memory does not do.
+/// [`ReportError::Label`] for a label of a picture that does not parse; [`ReportError::Typeset`] if writing to a string
+/// fails, which does not happen.
 pub fn html_page(report: &Report, figures: &[FigureImage]) -> Result<String, ReportError> {
     let (pictures, letters) = pictures(report, figures)?;
     let page = Page {
@@ -55,14 +55,14 @@ pub fn html_page(report: &Report, figures: &[FigureImage]) -> Result<String, Rep
         .and_then(|()| page.write_end(&mut end))
         .map_err(|fmt::Error| ReportError::Typeset {
             document: "the HTML page",
-            messages: vec!["a string refused to be written to".to_owned()],
+            messages: vec!["writing to a string failed".to_owned()],
         })?;
     html.push_str(&pack.written()?);
     html.push_str(&end);
     Ok(html)
 }
 
-/// The style of a page, with the font of its formulas inside.
+/// Returns the style of a page, with the font of its formulas inside.
 fn style() -> String {
     let font = base64::encode(FONT);
     format!(
@@ -70,7 +70,7 @@ fn style() -> String {
     )
 }
 
-/// A picture as the page holds it.
+/// A picture in the form of the page.
 struct PagePicture {
     /// The element that shows it.
     element: String,
@@ -78,13 +78,13 @@ struct PagePicture {
     moving: Option<String>,
     /// The data of its developable, JSON.
     torse: Option<String>,
-    /// The name of the files that a reader saves.
+    /// The name of the files for download.
     name: String,
-    /// The place of a STEP file.
+    /// The path of a STEP file.
     step: Option<String>,
 }
 
-/// The pictures, and the letters that they share as an element of the page.
+/// Returns the pictures, and their shared letters as an element of the page.
 fn pictures(
     report: &Report,
     figures: &[FigureImage],
@@ -118,11 +118,11 @@ fn pictures(
     Ok((pictures, shelf.written()))
 }
 
-/// The report with what the page needs besides.
+/// The report with further data for the page.
 struct Page<'a> {
     report: &'a Report,
     pictures: Vec<PagePicture>,
-    /// The letters that the pictures share.
+    /// The shared letters of the pictures.
     letters: String,
 }
 
@@ -146,7 +146,7 @@ impl Page<'_> {
         out.push_str(&self.letters);
         overview::write(out, self.report)?;
         graph::write(out, self.report)?;
-        out.push_str("<h2 id=\"every-claim\">Every claim</h2>\n<noscript><p>Claims open to what is printed. What is understood, proofs, figures and consequences are put in by the page's script; the PDF beside this page has all of them.</p></noscript>\n");
+        out.push_str("<h2 id=\"every-claim\">Every claim</h2>\n<noscript><p>Without the script, claims show only the printed text. The PDF beside this page has everything: formulas, proofs, figures and consequences.</p></noscript>\n");
         self.tools(out)?;
         out.push_str("<div id=\"claims\">\n<p id=\"nothing\" hidden>No claim matches. <button type=\"button\" id=\"all\">Show all</button></p>\n");
         for section in &self.report.sections {
@@ -173,7 +173,7 @@ impl Page<'_> {
         Ok(())
     }
 
-    /// What the words of claims and figures mean, once for the page.
+    /// The meanings of the words of claims and figures, once for the page.
     fn meanings(&self) -> BTreeMap<&'static str, &'static str> {
         let claims = self.report.claims();
         let words = claims.flat_map(|claim| {
@@ -202,7 +202,7 @@ impl Page<'_> {
         )
     }
 
-    /// The bar with search and filters; shown by the script, which it is of no use without.
+    /// The bar with search and filters; the script shows it, since it is useless without.
     fn tools(&self, out: &mut String) -> fmt::Result {
         out.push_str(
             "<div class=\"tools\" id=\"tools\" role=\"search\" aria-label=\"Claims\" hidden>\n<div class=\"line\">\n\
@@ -256,12 +256,12 @@ impl Page<'_> {
         };
         let alt = Text(&figure.alt);
         write!(out, "<figure id=\"{}\">{}", figure.anchor, picture.element,)?;
-        // A developable can be moved in more ways, so that its nets are not needed besides.
+        // A developable can be moved in more ways, so its nets are not needed.
         if let Some(data) = &picture.torse {
             let step = picture.step.as_deref().unwrap_or_default();
             write!(
                 out,
-                "<details class=\"moving torse\" data-name=\"{}\" data-step=\"{}\" data-alt=\"{alt}\"><summary>Move and unroll it</summary>\
+                "<details class=\"moving torse\" data-name=\"{}\" data-step=\"{}\" data-alt=\"{alt}\"><summary>Interactive: change the shape and unroll it</summary>\
                  <script type=\"application/json\">{data}</script></details>",
                 Text(&picture.name),
                 Text(step),

@@ -1,5 +1,5 @@
-//! The head of the page, what a reader must know in a minute and what is to be corrected, and its end: conditions, counts,
-//! what the words mean.
+//! The head of the page, with what a reader must know in a minute and the corrections, and its end: conditions, counts,
+//! meanings of words.
 
 use super::claim::correction;
 use super::pack::Pack;
@@ -13,7 +13,7 @@ use crate::math::Prose;
 use crate::model::Report;
 use std::fmt::{self, Write};
 
-/// In short, whether the paper can be used, and the corrections.
+/// Writes the summary, whether the paper can be used, and the corrections.
 pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
     out.push_str(
         "<nav class=\"depths\" aria-label=\"Parts\"><a href=\"#in-short\">In short</a> <a href=\"#corrections\">Corrections</a> \
@@ -53,7 +53,7 @@ fn in_short(out: &mut String, report: &Report) -> fmt::Result {
         if let Some((theorem, found)) = &point.resting {
             write!(
                 out,
-                " On it rests {}, which is false too: {}",
+                " {} depends on it, and is false too: {}",
                 Text(theorem),
                 Sentence(found)
             )?;
@@ -139,7 +139,9 @@ fn corrections(out: &mut String, list: &[Corrected]) -> fmt::Result {
         out.push_str("<p>No statement was found false as printed.</p></section>\n");
         return Ok(());
     }
-    out.push_str("<p>What is false as printed, and what it should say; what most rests on comes first. What changes is framed.</p>\n<ol>");
+    out.push_str(
+        "<p>Errors and corrections, most consequential first. Changes are framed.</p>\n<ol>",
+    );
     for one in list {
         let finding = &one.finding;
         writeln!(
@@ -177,15 +179,15 @@ fn corrections(out: &mut String, list: &[Corrected]) -> fmt::Result {
         if let Some(garbled) = &one.garbled {
             write!(
                 out,
-                " <em>It may be a slip of the copy at hand:</em> {}",
+                " <em>Our copy of the paper may be at fault:</em> {}",
                 Sentence(garbled)
             )?;
         }
         let resting = match (one.resting, one.falling) {
-            (0, _) => "Nothing else rests on it.".to_owned(),
-            (resting, 0) => format!("Statements that rest on it: {resting}; none falls."),
+            (0, _) => "Nothing else depends on it.".to_owned(),
+            (resting, 0) => format!("Statements that depend on it: {resting}; none fails."),
             (resting, falling) => {
-                format!("Statements that rest on it: {resting}; falling: {falling}.")
+                format!("Statements that depend on it: {resting}; false too: {falling}.")
             }
         };
         let level = one
@@ -261,7 +263,7 @@ fn tally(out: &mut String, tally: &Tally) -> fmt::Result {
     Ok(())
 }
 
-/// The notation, packed like the claims; the counts, what the words mean, and the rules relied on.
+/// Writes the notation, packed like the claims; the counts, the meanings of words, and the rules relied on.
 pub(super) fn write_appendix(out: &mut String, report: &Report, pack: &mut Pack) -> fmt::Result {
     if !report.notation.is_empty() {
         let mut inside = String::from("<ul class=\"rests\">\n");

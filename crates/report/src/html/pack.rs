@@ -1,6 +1,7 @@
-//! What stands inside of the claims and the notation, packed: it is most of a page, and few readers open more than a few claims.
+//! Packs the insides of the claims and the notation: they are most of a page, and few readers open more than a few
+//! claims.
 //!
-//! Without the script a claim opens to its printed sentence; the rest is put in by the script when it is asked for.
+//! Without the script a claim opens to its printed sentence; the script inserts the rest on demand.
 
 use crate::{ReportError, base64};
 
@@ -12,17 +13,17 @@ const LEVEL: u8 = 9;
 pub(super) struct Pack(Vec<String>);
 
 impl Pack {
-    /// Packs what is inside of an element; its number stands there.
+    /// Packs the inside of an element, and returns its number.
     pub fn put(&mut self, inside: String) -> usize {
         self.0.push(inside);
         self.0.len() - 1
     }
 
-    /// The element that holds them: a list in JSON, compressed (RFC 1951), in base 64.
+    /// Returns the element that holds them: a list in JSON, compressed (RFC 1951), in base 64.
     ///
     /// # Errors
     ///
-    /// [`ReportError::Json`] if the list cannot be written, which a list of strings always can.
+    /// [`ReportError::Json`] if the list cannot be written, which does not happen for strings.
     pub fn written(&self) -> Result<String, ReportError> {
         let list = serde_json::to_vec(&self.0)?;
         let packed = miniz_oxide::deflate::compress_to_vec(&list, LEVEL);

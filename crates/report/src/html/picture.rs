@@ -1,11 +1,11 @@
-//! Pictures as addresses that hold their bytes.
+//! Pictures as `data:` addresses.
 
 use crate::{Image, base64};
 
 /// The picture as a `data:` address, for use in a quoted attribute.
 ///
-/// Drawings are text and stay text, with the few signs escaped that mean something in an address or an
-/// attribute: in base 64 a drawing with pixels inside would carry them in base 64 twice.
+/// Drawings stay text, with the few signs escaped that have a meaning in an address or an attribute: in base 64 a
+/// drawing with pixels inside would carry them in base 64 twice.
 pub(super) fn data_uri(image: &Image) -> String {
     let media_type = image.media_type();
     match image {

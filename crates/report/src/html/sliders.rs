@@ -4,10 +4,10 @@ use crate::ReportError;
 use serde_json::{Map, Number, Value, json};
 use torse_plot::{Ambient, Colour, Interactive, Part, Shape, label_html};
 
-/// Coordinates keep this many decimals relative to the largest of them: finer than any screen.
+/// Number of decimals of a coordinate relative to the largest one: finer than any screen.
 const DIGITS: i32 = 4;
 
-/// The data of the picture, as JSON that may stand inside of a `script` element.
+/// Writes the data of the picture, as JSON for a `script` element.
 ///
 /// Nets are flat lists of two coordinates a point in a plane and three in space.
 ///
@@ -38,7 +38,7 @@ pub(super) fn data(picture: &Interactive) -> Result<String, ReportError> {
         "monomials": picture.monomials(),
         "parts": parts,
     });
-    // The one sign that could end the element.
+    // The only sign that could end the element.
     Ok(data.to_string().replace('<', "\\u003c"))
 }
 
@@ -67,7 +67,7 @@ fn part(part: &Part, dimension: usize, decimals: usize) -> Result<Value, ReportE
     Ok(Value::Object(data))
 }
 
-/// The number with so many decimals; whole numbers without a point.
+/// Writes the number with this many decimals; whole numbers without a point.
 fn rounded(number: f64, decimals: usize) -> Value {
     let text = format!("{number:.decimals$}");
     let value: f64 = text.parse().unwrap_or(0.0);

@@ -1,11 +1,11 @@
-//! Words and formulas as text of the page: never markup.
+//! Words and formulas as text of the page, never as markup.
 
 use crate::glossary::Term;
 use crate::math::{Prose, Span};
 use crate::model::{FormulaView, Report};
 use std::fmt::{self, Write};
 
-/// A verdict as a coloured word; its mark is in the style, what it means is told by the script.
+/// Writes a verdict as a coloured word; its mark is in the style, and the script shows its meaning.
 pub(super) fn badge(verdict: Term) -> String {
     format!(
         "<span class=\"badge v-{}\" data-word=\"{}\">{}</span>",
@@ -13,7 +13,7 @@ pub(super) fn badge(verdict: Term) -> String {
     )
 }
 
-/// A formula on lines of its own, or as code where it cannot be read.
+/// Writes a formula on lines of its own, or as code if it cannot be parsed.
 pub(super) fn formula(out: &mut String, view: &FormulaView) -> fmt::Result {
     match &view.math {
         Some(math) => {
@@ -27,7 +27,7 @@ pub(super) fn formula(out: &mut String, view: &FormulaView) -> fmt::Result {
     }
 }
 
-/// A sentence with its formulas.
+/// Writes a sentence with its formulas.
 pub(super) struct Sentence<'a>(pub(super) &'a Prose);
 
 impl fmt::Display for Sentence<'_> {
@@ -44,7 +44,7 @@ impl fmt::Display for Sentence<'_> {
     }
 }
 
-/// Sentences with semicolons between.
+/// Joins sentences with semicolons.
 pub(super) struct Listed<'a>(pub(super) &'a [Prose]);
 
 impl fmt::Display for Listed<'_> {
@@ -59,7 +59,7 @@ impl fmt::Display for Listed<'_> {
     }
 }
 
-/// What is typed as it stands.
+/// Writes code as it is typed.
 pub(super) struct Code<'a>(pub(super) &'a str);
 
 impl fmt::Display for Code<'_> {
@@ -68,7 +68,7 @@ impl fmt::Display for Code<'_> {
     }
 }
 
-/// The identifier of a paper, as a link.
+/// Writes the identifier of a paper, as a link.
 pub(super) struct Doi<'a>(pub(super) &'a str);
 
 impl fmt::Display for Doi<'_> {
@@ -78,14 +78,14 @@ impl fmt::Display for Doi<'_> {
     }
 }
 
-/// A point and the identifier, where the paper has one.
+/// Writes a point and the identifier, if the paper has one.
 pub(super) fn doi(report: &Report) -> String {
     let source = report.source.as_ref();
     let doi = source.and_then(|source| source.doi.as_ref());
     doi.map_or(String::new(), |doi| format!(" · {}", Doi(doi)))
 }
 
-/// A string as text of the page, in an element or in a quoted attribute: never markup.
+/// Escapes a string for an element or a quoted attribute.
 pub(super) struct Text<'a>(pub(super) &'a str);
 
 impl fmt::Display for Text<'_> {

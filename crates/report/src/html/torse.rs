@@ -1,13 +1,14 @@
 //! Developables that follow sliders as compact JSON for the page's script.
 //!
-//! A monomial is one row: its coefficient, then the exponents of what runs and of the sliders. Coefficients keep all their
-//! digits, for the page measures and unrolls with them.
+//! A monomial is one row: its coefficient, then the exponents of the running variable and of the sliders. Coefficients
+//! keep all their digits, since the page measures and unrolls with them.
 
 use crate::ReportError;
 use serde_json::{Value, json};
 use torse_plot::{Colour, Monomial, Quotient, Rulings, Slider, Torse, TorsePiece, label_html};
 
-/// What evaluates, unrolls and draws, and the pictures of nets, which stand on the same stage: one file a concept, in the order in which they use each other.
+/// The scripts that evaluate, unroll and draw, and those for pictures of nets, which share the stage: one file for each
+/// concept, in the order of their dependencies.
 pub(super) const SCRIPT: &str = concat!(
     "(() => {\n\"use strict\";\n",
     include_str!("../../assets/torse/series.js"),
@@ -23,7 +24,7 @@ pub(super) const SCRIPT: &str = concat!(
     "})();\n",
 );
 
-/// The data of the developable, as JSON that may stand inside of a `script` element.
+/// Writes the data of the developable, as JSON for a `script` element.
 ///
 /// # Errors
 ///
@@ -36,7 +37,7 @@ pub(super) fn data(torse: &Torse) -> Result<String, ReportError> {
         "view": torse.view(),
         "pieces": pieces.collect::<Result<Vec<_>, _>>()?,
     });
-    // The one sign that could end the element.
+    // The only sign that could end the element.
     Ok(data.to_string().replace('<', "\\u003c"))
 }
 

@@ -1,7 +1,7 @@
-//! From a formula to boxes: which operand needs brackets, and which constructs have a notation of their own.
+//! From a formula to boxes: adds brackets where an operand needs them, and chooses the notation of each construct.
 //!
-//! Brackets are decided by comparing levels: every box carries how tightly it holds together, every place for an
-//! operand says how tightly it must.
+//! Comparing levels decides on brackets: every box has the level at which it holds together, every place of an operand
+//! the level that it requires.
 
 use super::letters::is_function;
 use super::names::Names;
@@ -10,7 +10,7 @@ use super::tidy::terms;
 use torse_syntax::formula::{Connective, Expr, Node, Operator, Relation};
 use torse_syntax::notation::text;
 
-/// Marks of changes: functions of names that no file can write.
+/// Marks of changes: functions whose names no file can write.
 pub(super) const ADDED: &str = "+added";
 pub(super) const REMOVED: &str = "-removed";
 
@@ -23,14 +23,14 @@ enum Level {
     Not,
     Relation,
     Sum,
-    /// Whole as a summand, not as a factor: a dot product.
+    /// Needs no brackets as a summand, but does as a factor: a dot product.
     Term,
-    /// Like a term, and everything behind it would belong to it: a sum with its sign.
+    /// Like a term, but captures everything after it: a sum with its sign.
     Open,
     Product,
     /// Begins with a minus sign.
     Negative,
-    /// Whole as a factor, not as the base of a power.
+    /// Needs no brackets as a factor, but does as the base of a power.
     Power,
     Atom,
 }
@@ -53,7 +53,7 @@ impl Piece {
     }
 }
 
-/// The formula as boxes.
+/// Lays out the formula as boxes.
 pub(super) fn layout(formula: &Expr, names: &Names) -> Shown {
     Writer { names }.write(formula).node
 }
@@ -247,7 +247,7 @@ impl Writer<'_> {
         Piece::new(level, Shown::row(nodes))
     }
 
-    /// `not` denies that a statement is so everywhere.
+    /// Writes `not`: the statement does not hold everywhere.
     fn denied(&self, words: &str, inner: &Expr) -> Piece {
         let words = Shown::word(words);
         let nodes = [words, Shown::Gap, self.operand(inner, Level::Relation)];
@@ -280,7 +280,7 @@ impl Writer<'_> {
         Piece::new(Level::Atom, Shown::row([head, arguments]))
     }
 
-    /// The functions of the language with a notation of their own, and its predicates in words.
+    /// Writes the functions of the language with a notation of their own, and its predicates in words.
     fn special(&self, name: &str, arguments: &[Expr]) -> Option<Piece> {
         let atom = |node| Piece::new(Level::Atom, node);
         let boxed = |expr| Box::new(self.inner(expr));
@@ -288,7 +288,7 @@ impl Writer<'_> {
             let base = self.operand(m, Level::Atom);
             Piece::new(Level::Power, base.scripted(0, None, Some(above)))
         };
-        let said = |words: &str, of: &Expr| {
+        let property = |words: &str, of: &Expr| {
             let nodes = [self.inner(of), Shown::Gap, Shown::word(words)];
             Piece::new(Level::Relation, Shown::row(nodes))
         };
@@ -380,11 +380,11 @@ impl Writer<'_> {
                 Piece::new(Level::Relation, Shown::row(nodes))
             }
             ("fails", [inner]) => self.denied("not everywhere", inner),
-            ("nonnegative", [of]) => said("is nowhere negative", of),
-            ("independent", [of]) => said("is linearly independent", of),
-            ("variation_diminishing", [of]) => said("diminishes variation", of),
+            ("nonnegative", [of]) => property("is nowhere negative", of),
+            ("independent", [of]) => property("is linearly independent", of),
+            ("variation_diminishing", [of]) => property("diminishes variation", of),
             ("variation_diminishing", [of, least, most]) => {
-                let piece = said("diminishes variation at the degrees", of);
+                let piece = property("diminishes variation at the degrees", of);
                 let range = [self.inner(least), Shown::Sign('–'), self.inner(most)];
                 let nodes = std::iter::once(piece.node).chain(range);
                 Piece::new(Level::Relation, Shown::row(nodes))
@@ -403,8 +403,8 @@ impl Writer<'_> {
         Piece::new(piece.level, Shown::Marked(mark, Box::new(piece.node)))
     }
 
-    /// The derivative of forms by symbols in which they are linear: a quotient of differentials, or the operator before
-    /// a formula with operators of its own, which can be broken there.
+    /// Writes the derivative of forms with respect to symbols in which they are linear: a quotient of differentials, or
+    /// the operator before a formula with operators of its own, which can be broken there.
     fn rate(&self, forms: &Expr, symbols: &Expr) -> Piece {
         let part =
             |expr: &Expr| Shown::row([Shown::Sign('∂'), self.operand(only(expr), Level::Power)]);
@@ -417,9 +417,9 @@ impl Writer<'_> {
         Piece::new(Level::Power, over(part(forms)))
     }
 
-    /// `dⁿF/dxⁿ`, or the operator before what is differentiated.
+    /// Writes `dⁿF/dxⁿ`, or the operator before its argument.
     fn derivative(&self, function: &Expr, variable: &Expr, order: Option<Shown>) -> Piece {
-        // Several arguments, or a derivative already taken: partial.
+        // With several arguments, or a derivative already taken, the derivative is partial.
         let partial = match &function.node {
             Node::Call(head, arguments) => {
                 matches!(&head.node, Node::Name(name) if name == "D") || arguments.len() > 1
@@ -441,7 +441,7 @@ impl Writer<'_> {
         };
         match &function.node {
             Node::Name(_) => Piece::new(Level::Power, quotient(self.inner(function))),
-            // At plain variables the function may be named apart from them.
+            // At plain variables the function may be written without arguments.
             Node::Call(head, arguments)
                 if matches!(&head.node, Node::Name(name) if name != "D" && !is_function(name))
                     && arguments.iter().all(|x| matches!(x.node, Node::Name(_))) =>
@@ -463,7 +463,7 @@ impl Writer<'_> {
         }
     }
 
-    /// `F''(0)` for a named function or member of a family and at most three derivatives by its own variable, a
+    /// Writes `F''(0)` for a named function or member of a family and at most three derivatives by its own variable, a
     /// quotient of partial differentials for a derivative by a parameter, else the derivative with a bar.
     fn derivative_at(&self, derivative: &[Expr], value: &Expr) -> Option<Piece> {
         let (function, variable, order) = match derivative {
@@ -501,7 +501,7 @@ impl Writer<'_> {
     }
 }
 
-/// The entry of a list of one.
+/// Returns the entry of a list of one.
 fn only(expr: &Expr) -> &Expr {
     match &expr.node {
         Node::List(items) => match items.as_slice() {
@@ -534,7 +534,7 @@ fn sign(relation: Relation) -> char {
     }
 }
 
-/// The rows of a matrix: a list of lists of one nonzero length.
+/// Returns the rows of a matrix: a list of lists of one nonzero length.
 fn rows(items: &[Expr]) -> Option<Vec<&[Expr]>> {
     let rows: Vec<&[Expr]> = items
         .iter()
@@ -554,7 +554,7 @@ fn plain_integer(expr: &Expr) -> Option<u32> {
     }
 }
 
-/// A name, or a member of a named family, with its indices.
+/// Writes a name, or a member of a named family, with its indices.
 fn member(expr: &Expr) -> Option<(&str, &[Expr])> {
     match &expr.node {
         Node::Name(name) => Some((name, &[])),

@@ -1,4 +1,4 @@
-//! Names of which no file says how they are printed, by one rule: trailing digits and what follows an underscore are
+//! Sets names whose printed form no file gives, by one rule: trailing digits and the part after an underscore are
 //! subscripts, Greek words are Greek letters, known functions and other words are upright.
 
 use super::node::Node;
@@ -11,7 +11,7 @@ const FUNCTIONS: [&str; 16] = [
 ];
 
 pub(super) fn greek_letter(word: &str) -> Option<char> {
-    // Some pages of ours call it so.
+    // Some of our own pages call it so.
     let name = if word == "varphi" { "phi" } else { word };
     greek::by_name(name).map(|letter| letter.sign)
 }
@@ -20,7 +20,7 @@ pub(super) fn is_function(word: &str) -> bool {
     FUNCTIONS.contains(&word)
 }
 
-/// A name of which no file says how it is printed.
+/// Sets a name whose printed form no file gives.
 pub(super) fn by_rule(name: &str) -> Node {
     let mut parts = name.split('_');
     let first = parts.next().unwrap_or(name);
@@ -35,7 +35,7 @@ pub(super) fn by_rule(name: &str) -> Node {
     word(stem).scripted(0, below, None)
 }
 
-/// A letter, a Greek letter, a number, a function or an upright word.
+/// Sets a letter, a Greek letter, a number, a function or an upright word.
 fn word(word: &str) -> Node {
     if let Some(letter) = greek_letter(word) {
         Node::italic(letter.encode_utf8(&mut [0; 4]))

@@ -1,8 +1,8 @@
-//! Two versions of a sentence with what differs marked, on the boxes: for corrections that are written as the paper
-//! writes, and not in the notation of the files.
+//! Marks the differences of two versions of a sentence, box by box: for corrections in the notation of the paper rather
+//! than that of the files.
 //!
-//! Words are compared one by one, formulas box by box, with a longest common subsequence kept. Only what differs is marked:
-//! of an index the letter and not its base, of a bracket what is in it. Words are marked by their face, bold, and boxes by a
+//! Words are compared one by one, formulas box by box, with a longest common subsequence kept. Only differences are
+//! marked: the letter of an index without its base, the inside of a bracket. Words are marked in bold, boxes by a
 //! frame.
 
 use super::letters::is_function;
@@ -12,10 +12,10 @@ use super::prose::{Stretch, stretches};
 use super::{Mathematics, Names, Prose, Span};
 use crate::difference::common;
 
-/// Sentences of more words and formulas, and formulas of more boxes, are not compared.
+/// Longer sentences, and formulas of more boxes, are not compared.
 const MAX_TOKENS: usize = 2_000;
 
-/// A sentence as printed and as it is to be read, what differs marked in both.
+/// Marks the differences of a sentence as printed and as corrected, in both.
 pub(crate) fn compared(printed: &str, reads: &str, names: &Names) -> [Prose; 2] {
     let (old, new) = (atoms(printed, names), atoms(reads, names));
     if old.len().max(new.len()) > MAX_TOKENS {
@@ -43,7 +43,7 @@ pub(crate) fn compared(printed: &str, reads: &str, names: &Names) -> [Prose; 2] 
     [prose(&shown_old), prose(&shown_new)]
 }
 
-/// A word or a formula, and the blanks behind it.
+/// A word or a formula, with the blanks after it.
 #[derive(Clone)]
 struct Atom {
     inner: Stretch,
@@ -60,7 +60,7 @@ impl Atom {
             Stretch::Words(word) if word.chars().any(char::is_alphanumeric) => {
                 Stretch::Strong(word.clone())
             }
-            // A comma in bold is not seen to be so.
+            // A bold comma looks like any other.
             Stretch::Words(_) | Stretch::Strong(_) | Stretch::Code(_) => return self.clone(),
             Stretch::Math(node) => Stretch::Math(whole(mark, node)),
         };
@@ -75,7 +75,7 @@ fn slice<T>(list: &[T], from: usize, to: usize) -> &[T] {
     list.get(from..to).unwrap_or_default()
 }
 
-/// Whether a quotation is one formula and has no words: single letters, names of functions, and words in scripts.
+/// Whether a quotation is a single formula without words other than letters, names of functions, and words in scripts.
 fn is_formula(text: &str) -> bool {
     if text.contains(['$', '`', '…']) || text.contains("...") {
         return false;
@@ -134,7 +134,7 @@ fn atoms(text: &str, names: &Names) -> Vec<Atom> {
                 rest = after;
                 continue;
             }
-            // A comma is an atom of its own: what stands before it may be the same word.
+            // A comma is an atom of its own, since the word before it may be unchanged.
             let punctuation = |c: char| matches!(c, ',' | ';' | '.' | ':');
             let end = match rest.starts_with(punctuation) {
                 true if rest.starts_with("...") => 3,
@@ -156,7 +156,7 @@ fn atoms(text: &str, names: &Names) -> Vec<Atom> {
     list
 }
 
-/// What lies between two atoms that both have: formulas are compared with each other, one by one.
+/// Compares the parts between two common atoms: formulas with formulas, one by one.
 fn gap(old: &[Atom], new: &[Atom], shown_old: &mut Vec<Atom>, shown_new: &mut Vec<Atom>) {
     let formulas = |list: &[Atom]| -> Vec<Node> {
         let nodes = list.iter().filter_map(|atom| match &atom.inner {
@@ -208,7 +208,7 @@ fn prose(atoms: &[Atom]) -> Prose {
     list
 }
 
-/// Adds a marked word; words that follow one another are marked together.
+/// Adds a marked word; neighbouring marked words get one mark.
 fn strong(list: &mut Prose, word: &str) {
     if let [.., Span::Strong(last), Span::Words(blank)] = list.as_mut_slice()
         && blank.trim().is_empty()
@@ -231,7 +231,7 @@ struct Pair {
     marked: usize,
 }
 
-/// A frame does not go on in the next line: wider formulas are framed term by term.
+/// A frame cannot be broken over lines: wider formulas are framed term by term.
 const WIDE: usize = 24;
 
 fn whole(mark: Mark, node: &Node) -> Node {
@@ -275,7 +275,7 @@ fn compare(old: &Node, new: &Node) -> Pair {
     }
     let pair = parts(old, new).unwrap_or_else(|| replaced(old, new));
     let all = size(old) + size(new);
-    // A formula with every second letter marked is not read.
+    // A formula with marks everywhere is unreadable.
     match pair.marked * 4 > all * 3 && all < SMALL && !matches!(old, Node::Scripts { .. }) {
         true => replaced(old, new),
         false => pair,
@@ -372,7 +372,7 @@ struct ScriptPair {
     marked: usize,
 }
 
-/// None where one alone is there: then the whole box differs.
+/// None if only one is there: then the whole box differs.
 fn script(old: Option<&Node>, new: Option<&Node>) -> Option<ScriptPair> {
     match (old, new) {
         (None, None) => Some(ScriptPair {
@@ -396,7 +396,7 @@ fn rows(old: &[Node], new: &[Node]) -> Pair {
     if old.len().max(new.len()) > MAX_TOKENS {
         return replaced(&Node::Row(old.to_vec()), &Node::Row(new.to_vec()));
     }
-    // Of a few boxes, such as indices, each is compared with that in its place.
+    // With few boxes, such as indices, each is compared with the one in its place.
     const FEW: usize = 4;
     let (mut shown_old, mut shown_new, mut marked) = (vec![], vec![], 0);
     let mut between = |a: &[Node], b: &[Node]| match a.len() == b.len() {
@@ -409,7 +409,7 @@ fn rows(old: &[Node], new: &[Node]) -> Pair {
             }
         }
         false => {
-            // What is in two brackets is compared, wherever the rest ends.
+            // The insides of two brackets are compared, wherever the rest ends.
             let fenced = |(a, b): &(&Node, &Node)| matches!((a, b), (Node::Fenced(f, _), Node::Fenced(g, _)) if f == g);
             let mut paired = 0;
             for (a, b) in a.iter().zip(b).take_while(fenced) {
@@ -440,7 +440,7 @@ fn rows(old: &[Node], new: &[Node]) -> Pair {
     for (next_i, next_j) in kept {
         between(slice(old, i, next_i), slice(new, j, next_j));
         (i, j) = (next_i + 1, next_j + 1);
-        // Both have it: it goes to both as it is.
+        // Common parts go to both unchanged.
         if let Some(node) = old.get(next_i) {
             between(std::slice::from_ref(node), std::slice::from_ref(node));
         }
@@ -453,7 +453,7 @@ fn rows(old: &[Node], new: &[Node]) -> Pair {
     }
 }
 
-/// How many boxes that show something are in a box.
+/// Counts the visible boxes in a box.
 fn size(node: &Node) -> usize {
     let of = |inner: &Option<Box<Node>>| inner.as_deref().map_or(0, size);
     match node {
@@ -478,7 +478,7 @@ fn size(node: &Node) -> usize {
 mod tests {
     use super::*;
 
-    /// Both sentences, what is marked in angle brackets.
+    /// Both sentences, with marked parts in angle brackets.
     fn shown(printed: &str, reads: &str) -> [String; 2] {
         compared(printed, reads, &Names::default()).map(|spans| {
             let part = |span: &Span| match span {

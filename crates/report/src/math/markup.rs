@@ -1,11 +1,12 @@
-//! The little LaTeX that files write between dollar signs, and that prints quote: letters, scripts, Greek, signs.
+//! Parses the subset of LaTeX that files write between dollar signs, and that quotations contain: letters, scripts,
+//! Greek, signs.
 //!
-//! Anything is read: a command that is not known loses its backslash, a bracket without a partner is a sign.
+//! Any text is accepted: an unknown command loses its backslash, a bracket without a partner is a sign.
 
 use super::letters::{by_rule, greek_letter, is_function};
 use super::node::{Face, Fence, Node};
 
-/// What stands between dollar signs as boxes; none where there is anything else.
+/// Returns the boxes of a text between dollar signs; none if there is anything outside.
 pub(super) fn dollars(text: &str) -> Option<Node> {
     let inner = text.trim().strip_prefix('$')?.strip_suffix('$')?;
     (!inner.contains('$')).then(|| boxes(inner))
@@ -13,7 +14,7 @@ pub(super) fn dollars(text: &str) -> Option<Node> {
 
 /// Mathematics as boxes.
 pub(super) fn boxes(text: &str) -> Node {
-    // Prints write a scalar product with a dot between blanks.
+    // Prints write a scalar product as a dot between blanks.
     let text = text.replace(" . ", " ⋅ ");
     let mut reader = Reader {
         rest: &text,
@@ -22,7 +23,7 @@ pub(super) fn boxes(text: &str) -> Node {
     reader.row(None)
 }
 
-/// More brackets than this within each other are left as signs.
+/// Brackets nested more deeply stay signs.
 const MAX_DEPTH: usize = 40;
 
 struct Reader<'a> {
@@ -48,7 +49,7 @@ impl<'a> Reader<'a> {
         taken
     }
 
-    /// Boxes up to the closing bracket, which is taken, or the end.
+    /// Reads boxes up to the closing bracket, which is consumed, or the end.
     fn row(&mut self, closing: Option<char>) -> Node {
         let mut nodes: Vec<Node> = Vec::new();
         while let Some(next) = self.peek() {
@@ -85,7 +86,7 @@ impl<'a> Reader<'a> {
                     let base = nodes.pop().unwrap_or(Node::Row(vec![]));
                     nodes.push(base.scripted(0, None, Some(power)));
                 }
-                // A sign above a letter that stands behind it.
+                // A sign above a letter that is typed after it.
                 '\u{302}' | '\u{303}' if !nodes.is_empty() => {
                     self.next();
                     let sign = if next == '\u{302}' { '^' } else { '~' };
@@ -98,7 +99,7 @@ impl<'a> Reader<'a> {
         Node::row(nodes)
     }
 
-    /// What stands in a script: a group, a command, a number or a letter.
+    /// Reads a script: a group, a command, a number or a letter.
     fn script(&mut self) -> Node {
         match self.peek() {
             Some('{') => {
@@ -132,7 +133,7 @@ impl<'a> Reader<'a> {
         self.script()
     }
 
-    /// One box; none for a blank.
+    /// Reads one box; none for a blank.
     fn one(&mut self) -> Option<Node> {
         let next = self.next()?;
         let fence = |fence, inner: Node| Node::Fenced(fence, Box::new(inner));
@@ -147,7 +148,7 @@ impl<'a> Reader<'a> {
             c if c.is_ascii_digit() => {
                 let more = self.take(|c| c.is_ascii_digit() || c == '.');
                 let digits = format!("{c}{more}");
-                // A full stop that ends the number is none of it.
+                // A full stop after the number does not belong to it.
                 match digits.trim_end_matches('.') {
                     whole if whole.len() < digits.len() && !digits.ends_with("..") => {
                         Node::row([Node::Number(whole.to_owned()), Node::Sign('.')])
@@ -203,7 +204,7 @@ impl<'a> Reader<'a> {
         false
     }
 
-    /// Letters without a backslash: a known word, or letters side by side.
+    /// Reads letters without a backslash: a known word, or letters side by side.
     fn letters(&mut self, letters: &str) -> Node {
         let root = letters == "sqrt" && self.peek() == Some('(');
         if root {
@@ -291,7 +292,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The letters of the box in a face.
+/// Sets the letters of the box in a face.
 fn in_face(node: Node, face: Face) -> Node {
     match node {
         Node::Letter(letter, _) => Node::Letter(letter, face),

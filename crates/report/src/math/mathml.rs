@@ -2,15 +2,15 @@
 
 use super::node::{Face, Fence, Mark, Node};
 
-/// The formula as elements between which a line may be broken: before relations, plus and minus, within brackets and
-/// between factors where a piece would be long.
+/// Writes the formula as elements between which a line may be broken: before relations, plus and minus, within brackets
+/// and between factors where a piece would be long.
 pub(super) fn pieces(node: &Node) -> Vec<String> {
     let cuts = finest(node, MAX_LINE_WIDTH);
     let last = cuts.len().saturating_sub(1);
     let piece = |(number, piece): (usize, &Vec<Node>)| {
         let mut out = String::from("<math>");
         for (position, node) in piece.iter().enumerate() {
-            // The sign that a line begins with has an operand on the line before.
+            // The operand of a sign at the beginning of a line is on the line before.
             match node {
                 Node::Sign(sign) if position == 0 && number > 0 => {
                     out.push_str(&format!("<mo form=\"infix\">{}</mo>", escaped(*sign)));
@@ -27,13 +27,14 @@ pub(super) fn pieces(node: &Node) -> Vec<String> {
     cuts.iter().enumerate().map(piece).collect()
 }
 
-/// The boxes of a formula in pieces as [`cuts`] has them, those that are still too wide cut before factors.
+/// Returns the pieces of [`cuts`]; those that are still too wide are cut before factors.
 pub(super) fn finest(node: &Node, longest: usize) -> Vec<Vec<Node>> {
     let pieces = cuts(node, longest).into_iter();
     pieces.flat_map(|piece| factors(piece, longest)).collect()
 }
 
-/// A piece that is wider than `longest` letters, cut before factors; never between a function and its argument; commas stay behind what they end.
+/// Cuts a piece that is wider than `longest` letters before factors, never between a function and its argument; commas
+/// stay after the part that they end.
 fn factors(piece: Vec<Node>, longest: usize) -> Vec<Vec<Node>> {
     let mut list: Vec<Vec<Node>> = vec![vec![]];
     let mut used = 0;
@@ -57,14 +58,14 @@ fn factors(piece: Vec<Node>, longest: usize) -> Vec<Vec<Node>> {
     list
 }
 
-/// Pieces wider than about so many letters are cut within their brackets.
+/// Pieces wider than about this many letters are cut within their brackets.
 const MAX_LINE_WIDTH: usize = 26;
 
-/// Brackets are opened to this depth.
+/// Maximum depth of brackets that are opened.
 const MAX_DEPTH: usize = 4;
 
-/// The boxes of a formula in pieces: cut before relations, plus and minus, and within brackets where a piece is wider than
-/// `longest` letters.
+/// Returns the boxes of a formula in pieces: cut before relations, plus and minus, and within brackets where a piece is
+/// wider than `longest` letters.
 pub(super) fn cuts(node: &Node, longest: usize) -> Vec<Vec<Node>> {
     let nodes = match node {
         Node::Row(nodes) => nodes.clone(),
@@ -92,7 +93,7 @@ fn width(nodes: &[Node]) -> usize {
     nodes.iter().map(letters).sum()
 }
 
-/// Cut before each relation, plus and minus that has a left operand.
+/// Cuts before each relation, plus and minus that has a left operand.
 fn split(nodes: Vec<Node>) -> Vec<Vec<Node>> {
     let mut list: Vec<Vec<Node>> = vec![vec![]];
     for node in nodes {
@@ -120,7 +121,7 @@ fn split(nodes: Vec<Node>) -> Vec<Vec<Node>> {
     list
 }
 
-/// Brackets that group a sum as signs of their own.
+/// Turns brackets around a sum into signs of their own.
 fn opened(nodes: Vec<Node>) -> Vec<Node> {
     let mut list = Vec::new();
     for node in nodes {
@@ -193,7 +194,7 @@ fn write(node: &Node, out: &mut String) {
                 Fence::Length => ("‖", "‖"),
                 Fence::Behind => ("", "|"),
             };
-            // Brackets that need not grow keep close to what they hold.
+            // Brackets of normal height stay close to their contents.
             let fixed = match is_tall(inner) {
                 true => "",
                 false => " stretchy=\"false\"",

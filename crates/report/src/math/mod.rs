@@ -1,10 +1,9 @@
 //! Mathematics as readers see it, for every output.
 //!
-//! A formula reaches the report in the notation of the derivation files, where it can be read back. It is read, tidied
-//! ([`tidy`]), laid out once as a tree of boxes ([`Node`], by [`layout`]) with the names that the paper prints, and
-//! written as Typst, MathML, LaTeX and plain text. Sentences that hold formulas are taken apart by [`prose`], names
-//! that files give between dollar signs by [`markup`]. So no output shows the notation of the files, and all of them show
-//! the same.
+//! A formula reaches the report in the notation of the derivation files. It is parsed, simplified ([`tidy`]), laid out
+//! once as a tree of boxes ([`Node`], by [`layout`]) with the names that the paper prints, and written as Typst,
+//! MathML, LaTeX and plain text. [`prose`] takes sentences with formulas apart, [`markup`] reads names that files give
+//! between dollar signs. So no output shows the notation of the files, and all of them show the same.
 
 mod change;
 mod layout;
@@ -43,10 +42,10 @@ pub struct Mathematics {
     /// LaTeX mathematics, without dollar signs.
     #[serde(skip)]
     pub latex: String,
-    /// The same in pieces between which a line may be broken, each with about how many letters wide it is.
+    /// The same in pieces between which a line may be broken, each with its approximate width in letters.
     #[serde(skip)]
     pub latex_pieces: Vec<(String, usize)>,
-    /// Letters and signs on one line: what stands for the formula where it is read aloud.
+    /// Plain text on one line: the alternative text of the formula.
     #[serde(rename = "alt")]
     pub text: String,
 }
@@ -68,7 +67,7 @@ pub enum Span {
     Words(String),
     /// Words that a correction changes.
     Strong(String),
-    /// A command or a name of a file, as it is typed.
+    /// A command or the name of a file, as it is typed.
     Code(String),
     /// A formula.
     Math(Mathematics),
@@ -77,7 +76,7 @@ pub enum Span {
 /// A sentence with its formulas.
 pub type Prose = Vec<Span>;
 
-/// Brackets are opened where a piece has more letters than this, tried in turn.
+/// Brackets are opened if a piece has more letters; the numbers are tried in turn.
 const WIDTHS: [usize; 4] = [usize::MAX, 90, 45, 20];
 
 impl Mathematics {
@@ -95,7 +94,7 @@ impl Mathematics {
 
     /// A formula within a sentence.
     pub(crate) fn inline(node: &Node) -> Self {
-        /// One of more letters may be wider than what is left of a line, and than the line.
+        /// A longer formula may be wider than the rest of a line, or than the line.
         const LONG: usize = 50;
         let text = write::text(node);
         let breaks = match text.chars().count() > LONG {
@@ -118,14 +117,14 @@ impl Mathematics {
 
     /// A formula on lines of its own.
     pub(crate) fn display(node: &Node) -> Self {
-        /// No formula of so few letters is wider than the column.
+        /// A formula of at most so many letters fits into the column.
         const SHORT: usize = 30;
         let text = write::text(node);
         let mut breaks: Vec<Vec<Piece>> = Vec::new();
         if text.chars().count() > SHORT {
             let cut = |width| mathml::cuts(node, width).into_iter().map(piece).collect();
             breaks.extend(WIDTHS.into_iter().map(cut));
-            // A product is cut where nothing else helps.
+            // A product is cut only if nothing else helps.
             let finest = mathml::finest(node, WIDTHS[WIDTHS.len() - 1]);
             breaks.push(finest.into_iter().map(piece).collect());
             breaks.dedup();
@@ -154,19 +153,19 @@ fn piece(nodes: Vec<Node>) -> Piece {
     }
 }
 
-/// A sentence with its formulas as letters and signs on one line: `q₀ ≠ 0`.
+/// Writes a sentence with its formulas as plain text on one line: `q₀ ≠ 0`.
 #[must_use]
 pub fn plain(text: &str) -> String {
     in_words(&spans(text, &Names::default()))
 }
 
-/// A formula in the notation of the files as boxes; none where it cannot be read.
+/// Lays out a formula in the notation of the files; none if it does not parse.
 pub(crate) fn read(formula: &str, names: &Names) -> Option<Node> {
     let expr = expression(formula)?;
     Some(layout::layout(&tidy::tidy(&expr), names))
 }
 
-/// The formula without places, so that equal ones are equal.
+/// Removes places from the formula, so that equal formulas compare equal.
 pub(crate) fn expression(formula: &str) -> Option<Expr> {
     // A member of a family without indices is written with empty brackets.
     let formula = formula.replace("[]", "");
@@ -177,7 +176,7 @@ pub(crate) fn expression(formula: &str) -> Option<Expr> {
 mod tests {
     use super::*;
 
-    /// The breaks of a formula as texts.
+    /// Writes the pieces of a formula as texts.
     fn texts(pieces: &[Piece]) -> Vec<&str> {
         pieces.iter().map(|piece| piece.alt.as_str()).collect()
     }

@@ -1,7 +1,7 @@
 //! The names of a claim as the paper prints them.
 //!
-//! A file says how a name is printed between dollar signs, `$\mathbf{p}_0^u$`; a name of which it says nothing is read by
-//! the rule of [`super::letters`].
+//! A file gives the printed form of a name between dollar signs, `$\mathbf{p}_0^u$`; other names follow the rule of
+//! [`super::letters`].
 
 use super::letters::{by_rule, greek_letter, is_function};
 use super::markup;
@@ -10,10 +10,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use torse_verdicts::dependencies::Dependencies;
 use torse_verdicts::outcome::Outcome;
 
-/// The sign that stands in a printed name where its index belongs: `$Q_{\cdot,1}$`.
+/// The sign in a printed name where its index belongs: `$Q_{\cdot,1}$`.
 pub(super) const PLACE: char = '⋅';
 
-/// How the names of a claim are printed, and which names it has.
+/// The names of a claim, and their printed forms.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Names {
     printed: BTreeMap<String, Node>,
@@ -21,7 +21,7 @@ pub(crate) struct Names {
 }
 
 impl Names {
-    /// The names of a claim and of its readings.
+    /// Collects the names of a claim and of its readings.
     pub(crate) fn new(outcome: &Outcome) -> Self {
         let mut names = Names::default();
         names.add(&outcome.claim.table);
@@ -31,8 +31,8 @@ impl Names {
         names
     }
 
-    /// Whether all names of a formula are the paper's: a file says how they are printed, or they are single letters, with an
-    /// index of one digit or none.
+    /// Whether all names of a formula are the paper's: a file gives their printed forms, or they are single letters,
+    /// with an index of one digit or none.
     pub(crate) fn are_of_the_paper(&self, formula: &str) -> bool {
         let word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '\'');
         let mut words = formula
@@ -57,7 +57,7 @@ impl Names {
         })
     }
 
-    /// Takes the names of another claim besides; where both have one, this one's is kept.
+    /// Adds the names of another claim; if both have a name, this claim's form is kept.
     pub(crate) fn extend(&mut self, others: Names) {
         for (name, node) in others.printed {
             self.printed.entry(name).or_insert(node);
@@ -82,12 +82,12 @@ impl Names {
         }
     }
 
-    /// Whether the claim has a symbol, function or family of this name, whatever its primes.
+    /// Whether the claim has a symbol, function or family of this name, with any number of primes.
     pub(super) fn knows(&self, name: &str) -> bool {
         self.known.contains(name) || self.known.contains(name.trim_end_matches('\''))
     }
 
-    /// A name with its indices and as many primes more.
+    /// Sets a name with its indices and this many further primes.
     pub(super) fn name(&self, name: &str, primes: usize, indices: Vec<Node>) -> Node {
         let stem = name.trim_end_matches('\'');
         let own = name.len() - stem.len();
@@ -101,7 +101,7 @@ impl Names {
     }
 }
 
-/// A printed name with indices and primes: indices go to the places that are kept for them, then behind its own
+/// Sets a printed name with indices and primes: indices go to the places reserved for them, then after its own
 /// subscripts; primes and indices go before the arguments that a name may have, `a(x)`.
 fn decorated(name: Node, primes: usize, mut indices: Vec<Node>) -> Node {
     let name = filled(name, &mut indices);
@@ -126,7 +126,7 @@ fn decorated(name: Node, primes: usize, mut indices: Vec<Node>) -> Node {
         } => (*base, primes, below.map(|b| *b), above.map(|b| *b)),
         other => (other, 0, None, None),
     };
-    // A coordinate of a vector is no other vector: bold letters keep their brackets.
+    // A coordinate of a vector is not another vector: bold letters keep their brackets.
     if below.is_none() && !indices.is_empty() && matches!(base, Node::Letter(_, Face::Bold)) {
         let vector = base.scripted(had + primes, None, above).round();
         return vector.scripted(0, Some(Node::joined(indices, ',')), None);
@@ -137,7 +137,7 @@ fn decorated(name: Node, primes: usize, mut indices: Vec<Node>) -> Node {
     base.scripted(had + primes, below, above)
 }
 
-/// The name with indices at the places kept for them.
+/// Sets the name with indices at their reserved places.
 fn filled(node: Node, indices: &mut Vec<Node>) -> Node {
     match node {
         Node::Sign(PLACE) if !indices.is_empty() => indices.remove(0),

@@ -1,15 +1,15 @@
-//! Boxes of mathematics: what is laid out, before any output says how it is written.
+//! Boxes of mathematics: the layout, independent of any output.
 
 /// What a correction did to a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Mark {
-    /// It is not in the corrected formula.
+    /// It is deleted: only the printed formula has it.
     Removed,
-    /// It is not in the printed one.
+    /// It is inserted: only the corrected formula has it.
     Added,
 }
 
-/// What stands around a box.
+/// The delimiters of a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Fence {
     /// Round brackets.
@@ -20,11 +20,11 @@ pub(crate) enum Fence {
     Bars,
     /// Double bars: a length.
     Length,
-    /// Nothing before, a bar behind: a value at a point.
+    /// No left delimiter, and a bar on the right: a value at a point.
     Behind,
 }
 
-/// What a letter or word looks like.
+/// The face of a letter or word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Face {
     /// A variable.
@@ -40,7 +40,7 @@ pub(crate) enum Face {
 pub(crate) enum Node {
     /// A letter, or a word, in a face.
     Letter(String, Face),
-    /// The name of a function that typesetters know, such as `sin`.
+    /// The name of a function with a LaTeX command, such as `sin`.
     Function(String),
     /// Digits, perhaps with a point.
     Number(String),
@@ -86,7 +86,7 @@ impl Node {
         Node::Fenced(Fence::Round, Box::new(self))
     }
 
-    /// Boxes side by side; rows within are dissolved.
+    /// Puts boxes side by side; rows within are dissolved.
     pub(crate) fn row(nodes: impl IntoIterator<Item = Node>) -> Self {
         let mut all = Vec::new();
         for node in nodes {
@@ -105,7 +105,7 @@ impl Node {
         }
     }
 
-    /// Boxes with a sign between each two.
+    /// Puts boxes side by side with a sign between each two.
     pub(crate) fn joined(nodes: impl IntoIterator<Item = Node>, sign: char) -> Self {
         let mut all = Vec::new();
         for node in nodes {
@@ -117,13 +117,13 @@ impl Node {
         Node::row(all)
     }
 
-    /// A box with scripts; it stays as it is where there are none.
+    /// Adds scripts to a box; without any it stays as it is.
     pub(crate) fn scripted(self, primes: usize, below: Option<Node>, above: Option<Node>) -> Self {
         if primes == 0 && below.is_none() && above.is_none() {
             return self;
         }
         match self {
-            // A free place takes the script.
+            // An empty place takes the script.
             Node::Scripts {
                 base,
                 primes: had,
@@ -146,7 +146,7 @@ impl Node {
         }
     }
 
-    /// Whether the first thing that is seen is a digit.
+    /// Whether the first visible sign is a digit.
     pub(crate) fn begins_with_digit(&self) -> bool {
         match self {
             Node::Number(_) => true,
@@ -157,7 +157,7 @@ impl Node {
         }
     }
 
-    /// Whether the last thing that is seen is a number on the line.
+    /// Whether the last visible thing is a number on the line.
     pub(crate) fn ends_with_number(&self) -> bool {
         match self {
             Node::Number(_) | Node::Fraction(..) => true,
@@ -167,7 +167,7 @@ impl Node {
         }
     }
 
-    /// Whether nothing but a fraction is seen.
+    /// Whether only a fraction is visible.
     pub(crate) fn is_fraction(&self) -> bool {
         match self {
             Node::Fraction(..) => true,

@@ -1,12 +1,12 @@
-//! Formulas without what says nothing: factors 1, terms 0, brackets within sums and products of one kind, double signs.
+//! Simplifies formulas for reading: removes factors 1, terms 0, nested brackets of one kind, double signs.
 //!
-//! What is tidied has the value of what was given, wherever that has one.
+//! The simplified formula has the same value wherever the original one has a value.
 
 use std::sync::Arc;
 use torse_syntax::formula::{Expr, Node, Operator};
 use torse_syntax::notation::text;
 
-/// The formula without what says nothing.
+/// Simplifies the formula.
 pub(super) fn tidy(formula: &Expr) -> Expr {
     let formula = formula.with_parts(tidy);
     match &formula.node {
@@ -67,7 +67,7 @@ fn negative(inner: &Expr) -> Expr {
 /// A term with its sign.
 pub(super) type Term = (Operator, Expr);
 
-/// The terms of a sum, in order; of anything else itself.
+/// Returns the terms of a sum, in order; for anything else, itself.
 pub(super) fn terms(formula: &Expr) -> Vec<Term> {
     let mut list = Vec::new();
     // Sums group to the left and may have thousands of terms.
@@ -97,7 +97,7 @@ fn opposite(operator: Operator) -> Operator {
     }
 }
 
-/// The sum of terms without zeros.
+/// Adds terms, without zeros.
 pub(super) fn sum(terms: Vec<Term>) -> Expr {
     let mut terms = terms.into_iter().filter(|(_, term)| !is_zero(term));
     let Some((sign, first)) = terms.next() else {
@@ -110,7 +110,7 @@ pub(super) fn sum(terms: Vec<Term>) -> Expr {
     terms.fold(first, |sum, (sign, term)| sum.with(sign, term))
 }
 
-/// The factors of a product, in order; of anything else itself.
+/// Returns the factors of a product, in order; for anything else, itself.
 pub(super) fn factors(formula: &Expr) -> Vec<Expr> {
     match &formula.node {
         Node::Binary(Operator::Multiply, a, b) => {
@@ -122,7 +122,7 @@ pub(super) fn factors(formula: &Expr) -> Vec<Expr> {
     }
 }
 
-/// The product of factors, a single number first, without ones, the sign before it.
+/// Multiplies factors: a single number first, without ones, the sign before it.
 pub(super) fn product(factors: Vec<Expr>) -> Expr {
     let mut minus = false;
     let mut list = Vec::new();

@@ -3,10 +3,10 @@
 use super::node::{Face, Fence, Mark, Node};
 use torse_syntax::greek;
 
-/// Typst mathematics, without dollar signs.
+/// Writes Typst mathematics, without dollar signs.
 ///
-/// Only functions of the math scope are called, and those of marks, which the templates define; all else is single
-/// letters, signs and quoted text, so that no string of a file can act.
+/// It calls only functions of the math scope and those of marks, which the templates define; everything else is single
+/// letters, signs and quoted text, so no string of a file can act.
 pub(super) fn typst(node: &Node) -> String {
     match node {
         Node::Letter(letter, face) => typst_letter(letter, *face),
@@ -79,7 +79,7 @@ pub(super) fn typst(node: &Node) -> String {
                 Mark::Removed => "removed",
             };
             match &**inner {
-                // A sign keeps its distance from the term before.
+                // A sign keeps its distance from the term before it.
                 Node::Row(nodes) => match nodes.split_first() {
                     Some((Node::Sign(sign @ ('+' | '−')), rest)) => {
                         let term = typst(&Node::row(rest.iter().cloned()));
@@ -129,7 +129,7 @@ fn typst_sign(sign: char) -> String {
     }
 }
 
-/// LaTeX mathematics, with the macros of amsmath, without dollar signs.
+/// Writes LaTeX mathematics, with the macros of amsmath, without dollar signs.
 pub(super) fn latex(node: &Node) -> String {
     match node {
         Node::Letter(letter, face) => latex_letter(letter, *face),
@@ -198,7 +198,7 @@ pub(super) fn latex(node: &Node) -> String {
             let above = above.as_ref().map(|above| format!("^{{{}}}", latex(above)));
             format!("\\sum_{{{}}}{}", latex(below), above.unwrap_or_default())
         }
-        // A line at a sign would make another sign of it.
+        // A combining line at a sign would turn it into another sign.
         Node::Marked(_, inner) => match &**inner {
             Node::Sign(_) => format!("\\mathbin{{\\boxed{{{}}}}}", latex(inner)),
             Node::Row(nodes) => match nodes.split_first() {
@@ -215,7 +215,7 @@ pub(super) fn latex(node: &Node) -> String {
     }
 }
 
-/// Text with every sign of LaTeX escaped, and every letter that its fonts lack set as mathematics.
+/// Escapes every sign of LaTeX in a text, and sets every letter that its fonts lack as mathematics.
 pub(crate) fn latex_words(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
@@ -252,7 +252,7 @@ pub(crate) fn latex_words(text: &str) -> String {
                 let sign = if c == '\u{302}' { '^' } else { '~' };
                 escaped.push_str(&format!("\\{sign}{{{base}}}"));
             }
-            // What the fonts of LaTeX have under its own sign.
+            // Signs that the fonts of LaTeX have as commands.
             '\n' | '\u{20}'..='\u{7e}' | '\u{a1}'..='\u{17f}' | '–' | '—' | '‘' | '„' | '‚' =>
             {
                 escaped.push(c);
@@ -264,7 +264,7 @@ pub(crate) fn latex_words(text: &str) -> String {
     escaped
 }
 
-/// The digit of a raised or lowered one.
+/// Returns the digit of a superscript or subscript.
 fn digit(c: char) -> char {
     const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉";
     let position = RAISED.chars().position(|raised| raised == c).unwrap_or(0);
@@ -314,7 +314,7 @@ fn latex_sign(sign: char) -> String {
     command.to_owned()
 }
 
-/// Letters and signs on one line.
+/// Writes plain text on one line.
 pub(super) fn text(node: &Node) -> String {
     let mut line = String::new();
     write_text(node, &mut line, false);
@@ -437,7 +437,7 @@ fn write_text(node: &Node, line: &mut String, tight: bool) {
     }
 }
 
-/// In brackets, unless it is a letter or a number.
+/// Adds brackets, unless it is a letter or a number.
 fn operand(node: &Node, line: &mut String) {
     match node {
         Node::Row(_) | Node::Fraction(..) => {
@@ -475,7 +475,7 @@ fn text_sign(sign: char, line: &mut String, tight: bool) {
     }
 }
 
-/// Small letters where there are some for all of the script.
+/// Uses superscript or subscript letters if all signs of the script have one.
 fn script(node: &Node, sign: char, line: &mut String) {
     let mut inner = String::new();
     write_text(node, &mut inner, true);

@@ -1,10 +1,10 @@
-//! From outcomes to the document model.
+//! Builds the document model from outcomes.
 
 use super::{
     ClaimView, ConsequenceView, FigureView, FormulaView, ReadingView, Reference, Report, RestsView,
     Section, Side, WitnessView,
 };
-use crate::dependencies::{concerns, said_by};
+use crate::dependencies::{concerns, describe_source};
 use crate::glossary;
 use crate::math::{Names, Prose, plain, spans};
 use crate::source::Source;
@@ -25,14 +25,14 @@ use torse_verdicts::outcome::ReadingOutcome;
 use torse_verdicts::{DataCorrection, Outcome, PaperOutcome};
 
 impl Report {
-    /// The report of `paper`, with pictures.
+    /// Makes the report of `paper`, with pictures.
     #[must_use]
     pub fn new(paper: &PaperOutcome, figures: &[FigureImage]) -> Self {
         Self::with_kernel(paper, figures, &BTreeSet::new())
     }
 
-    /// The report of `paper`, with pictures; the kernel of the proof assistant accepted proofs of the claims whose ids are
-    /// in `accepted`.
+    /// Makes the report of `paper`, with pictures; `accepted` contains the ids of the claims whose proofs the kernel of
+    /// the proof assistant accepted.
     #[must_use]
     pub fn with_kernel(
         paper: &PaperOutcome,
@@ -81,26 +81,26 @@ impl Report {
         }
     }
 
-    /// The report with what it was made from.
+    /// Adds the sources to the report.
     #[must_use]
     pub fn from_source(mut self, source: Source) -> Self {
         self.source = Some(source);
         self
     }
 
-    /// Whether the paper is an example of ours, and no publication.
+    /// Whether the paper is a worked example of ours rather than a publication.
     #[must_use]
     pub fn is_example(&self) -> bool {
         letter::is_example(&self.authors)
     }
 
-    /// The claims, section by section.
+    /// Returns the claims, section by section.
     pub fn claims(&self) -> impl Iterator<Item = &ClaimView> {
         self.sections.iter().flat_map(|section| &section.claims)
     }
 }
 
-/// The name under which the typesetter finds picture number `position`.
+/// Returns the typesetter's name for picture number `position`.
 pub(crate) fn figure_file(position: usize, image: &FigureImage) -> String {
     format!("figure-{position}.{}", image.image.extension())
 }
@@ -123,7 +123,7 @@ fn figure_view(position: usize, image: &FigureImage, number: String) -> FigureVi
 struct Builder<'a> {
     paper: &'a PaperOutcome,
     figures: &'a [FigureImage],
-    /// One identifier for each claim, by position; where ids differ in signs only, a number is added.
+    /// Returns one identifier for each claim, by position; if ids differ in signs only, a number is added.
     anchors: Vec<String>,
     by_id: BTreeMap<&'a str, usize>,
 }
@@ -239,8 +239,8 @@ impl<'a> Builder<'a> {
             .collect()
     }
 
-    /// What rests on a claim: all that does so directly, and of the rest what does not survive; then the
-    /// number of those left out, in words.
+    /// Returns the dependents of a claim: all direct ones, and the indirect ones that do not survive; then the number
+    /// of those left out, in words.
     fn consequences(&self, id: &str) -> (Vec<ConsequenceView>, Option<String>) {
         let claims: Vec<&Outcome> = self.paper.claims.iter().collect();
         let found = consequences(id, &claims);
@@ -252,11 +252,11 @@ impl<'a> Builder<'a> {
             fate: spans(&visible(&glossary::consequence(of)), &Names::default()),
             through: of.through.last().map(|id| self.reference(id)),
         });
-        let told = (!distant.is_empty()).then(|| glossary::distant_survivors(distant.len()));
-        (views.collect(), told)
+        let survivors = (!distant.is_empty()).then(|| glossary::distant_survivors(distant.len()));
+        (views.collect(), survivors)
     }
 
-    /// The pictures that the claim shows itself, and those that it points to.
+    /// Returns the pictures that the claim shows itself, and those that it links to.
     fn figures_of(&self, claim: usize, id: &str) -> (Vec<usize>, Vec<usize>) {
         let illustrating = self.figures.iter().enumerate();
         illustrating
@@ -265,14 +265,14 @@ impl<'a> Builder<'a> {
             .partition(|position| self.shown_at(*position) == Some(claim))
     }
 
-    /// The claim at which a picture is shown: the first of those that its file names.
+    /// Returns the claim at which a picture is shown: the first of those that its file names.
     fn shown_at(&self, figure: usize) -> Option<usize> {
         let claims = self.figures.get(figure)?.claims.iter();
         let mut known = claims.filter_map(|id| self.by_id.get(id.as_str()));
         known.next().copied()
     }
 
-    /// The pictures with their numbers: a figure of the paper has the paper's, the others are counted.
+    /// Returns the pictures with their numbers: a figure of the paper has the paper's, the others are counted.
     fn figure_views(&self) -> Vec<FigureView> {
         let mut taken = BTreeSet::new();
         let mut own = 0;
@@ -311,7 +311,8 @@ fn assumed(outcome: &Outcome, names: &Names) -> Vec<FormulaView> {
     assumed.map(|h| formula(&h.formula, names)).collect()
 }
 
-/// What a statement rests on, in small print. Definitions that it shares with others are in the notation of the report.
+/// Writes the dependencies of a statement, in small print. Definitions that it shares with others are in the notation
+/// of the report.
 fn views(outcome: &Outcome, names: &Names) -> Vec<RestsView> {
     let table = &outcome.claim.table;
     let prose = |text: &str| spans(&visible(text), names);
@@ -321,8 +322,8 @@ fn views(outcome: &Outcome, names: &Names) -> Vec<RestsView> {
     let sets = table.symbols.iter();
     let sets = sets.filter(|symbol| symbol.set.contains(" in "));
     let own = table.definitions.iter().filter(|definition| definition.own);
-    let said = outcome.claim.assumed.iter();
-    let said = said.filter(|hypothesis| concerns(hypothesis, &table.symbols));
+    let hypotheses = outcome.claim.assumed.iter();
+    let hypotheses = hypotheses.filter(|hypothesis| concerns(hypothesis, &table.symbols));
     let groups = [
         ("given", given.map(|h| quoted(&h.formula)).collect()),
         ("solved for", table.unknowns.iter().map(quoted).collect()),
@@ -333,8 +334,9 @@ fn views(outcome: &Outcome, names: &Names) -> Vec<RestsView> {
         ),
         ("with", own.map(|of| defined(of, names)).collect()),
         (
-            "said by",
-            said.filter_map(|h| Some(prose(&said_by(h, &|code| format!("`{code}`"))?)))
+            "source",
+            hypotheses
+                .filter_map(|h| Some(prose(&describe_source(h, &|code| format!("`{code}`"))?)))
                 .collect::<Vec<Prose>>(),
         ),
     ];
@@ -343,13 +345,13 @@ fn views(outcome: &Outcome, names: &Names) -> Vec<RestsView> {
     groups.filter(|group| !group.lines.is_empty()).collect()
 }
 
-/// A definition as an equation.
+/// Writes a definition as an equation.
 fn defined(of: &Defined, names: &Names) -> Prose {
     let text = format!("`{} == {}`", of.head.text, of.body.text);
     spans(&visible(&text), names)
 }
 
-/// The definitions and families that statements share, each once, in the order of use.
+/// Returns the definitions and families that statements share, each once, in the order of use.
 fn notation(claims: &[Outcome]) -> Vec<Prose> {
     let mut seen = BTreeSet::new();
     let mut list = Vec::new();
@@ -403,14 +405,14 @@ fn reading(reading: &ReadingOutcome) -> ReadingView {
 }
 
 fn witness(of: &Witness, names: &Names) -> WitnessView {
-    /// Values of so many characters stand side by side.
+    /// Maximum number of characters of values that stand side by side.
     const SHORT: usize = 16;
     let equation =
         |(name, value): &(String, String)| spans(&visible(&format!("`{name} = {value}`")), names);
     let side = |label, exact: &str, decimals: &str| Side {
         label,
         exact: spans(&visible(&format!("`{}`", exact)), names),
-        decimal: told_anew(exact, decimals),
+        decimal: shorter_decimal(exact, decimals),
     };
     let sides = match of.left == of.right {
         true => vec![side("equal sides", &of.left, &of.left_decimal)],
@@ -427,8 +429,8 @@ fn witness(of: &Witness, names: &Names) -> WitnessView {
     }
 }
 
-/// The decimals, unless the exact value is as easy to read: made of integers.
-fn told_anew(exact: &str, decimals: &str) -> String {
+/// Returns the decimals, unless the exact value consists of integers and is as easy to read.
+fn shorter_decimal(exact: &str, decimals: &str) -> String {
     let integers = exact
         .chars()
         .all(|c| c.is_ascii_digit() || "-[], ".contains(c));

@@ -86,10 +86,7 @@ fn what_rests_on_a_refuted_claim_is_listed_with_its_fate() {
     assert_eq!(
         fates[..2],
         [
-            (
-                "thm-2.b",
-                "survives: true as printed all the same".to_owned()
-            ),
+            ("thm-2.b", "survives: still true as printed".to_owned()),
             ("eq-3.7", "survives with a correction of its own".to_owned())
         ]
     );
@@ -123,6 +120,6 @@ fn distant_survivors_of_a_refuted_claim_are_counted_and_not_listed() {
     assert_eq!(listed, ["thm-2.b"]);
     assert_eq!(
         claim.distant_survivors.as_deref(),
-        Some("through these one more rests on it, and survives")
+        Some("one more depends on it indirectly, and survives")
     );
 }

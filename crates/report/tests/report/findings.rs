@@ -25,7 +25,7 @@ fn findings_tell_the_refuted_first_and_leave_out_what_holds() {
         told[1],
         (
             "sample/eq-3.7",
-            "False as printed. It is proved with this change: the factor 2 added before μ; k replaced by k − 2.".to_owned()
+            "Correction, proved: the factor 2 added before μ; k replaced by k − 2.".to_owned()
         )
     );
     assert_eq!(told[2].1, "True if α₁ ≠ 0 and μ + ν + 2 ≠ 0.");
@@ -50,7 +50,7 @@ fn findings_quote_the_beginning_of_what_is_printed_and_leave_long_points_to_the_
     let finding = Report::new(&sample, &[]).findings.remove(0);
     assert_eq!(
         in_words(&finding.text),
-        "g₀,₂(x) is 1 at the point stated with the claim, and (1 − s)(1 − μs) is 2."
+        "g₀,₂(x) is 1 at the counterexample, and (1 − s)(1 − μs) is 2."
     );
     let printed = in_words(&finding.printed);
     assert!(printed.ends_with("word …") && printed.chars().count() <= 302);
@@ -121,7 +121,7 @@ fn the_first_page_tells_what_most_rests_on_first_and_what_can_be_used() {
     assert_eq!(points, ["eq-3.7"]);
     assert_eq!(
         report.short.points[0].consequence,
-        "The one statement that rests on it is false too (Theorem 4)."
+        "The one statement that depends on it is false too (Theorem 4)."
     );
     assert_eq!(
         report.short.counts,

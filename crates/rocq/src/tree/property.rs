@@ -77,7 +77,7 @@ impl<'a> Writer<'a> {
             lowest,
             ..
         } = &property;
-        let said = match is_list {
+        let body = match is_list {
             true => {
                 let member = |i: i64| {
                     let function = property.function(&i.to_string(), &members.to_string());
@@ -92,7 +92,7 @@ impl<'a> Writer<'a> {
                 property.function(i, k).text()
             ),
         };
-        let text = format!("forall {variable} : R, {inside}{said}");
+        let text = format!("forall {variable} : R, {inside}{body}");
         Ok(Code::new(text, Level::Open))
     }
 

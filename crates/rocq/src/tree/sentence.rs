@@ -43,12 +43,14 @@ pub fn sentence(
     let scope = Scope::default();
     let mut binders = subject.binders(writer)?;
     let mut premises = subject.premises(writer)?;
-    let sought: Vec<&str> = claim.existentials.iter().map(|s| s.name.as_str()).collect();
+    let existentials: Vec<&str> = claim.existentials.iter().map(|s| s.name.as_str()).collect();
     let mut needed = Premises::default();
     writer.statement_defined(statement, &scope, &mut needed)?;
-    let (of_sought, of_others): (Vec<Code>, Vec<Code>) =
+    let (of_existentials, of_others): (Vec<Code>, Vec<Code>) =
         needed.into_vec().into_iter().partition(|premise| {
-            let mut names = sought.iter().filter_map(|name| writer.symbol(name).ok());
+            let mut names = existentials
+                .iter()
+                .filter_map(|name| writer.symbol(name).ok());
             names.any(|name| words(premise.text()).any(|word| word == name))
         });
     premises.extend(of_others);
@@ -61,10 +63,10 @@ pub fn sentence(
     let denied =
         |writer: &mut Writer<'_>, inner: &Expr, scope: &Scope| subject.denied(writer, inner, scope);
     let domain = Domain { denied: &denied };
-    let said = writer.translate_statement(statement, &scope, Some(&domain))?;
-    let conclusion = match sought.as_slice() {
-        [] => said,
-        _ => there_are(writer, claim, &sought, of_sought, said)?,
+    let stated = writer.translate_statement(statement, &scope, Some(&domain))?;
+    let conclusion = match existentials.as_slice() {
+        [] => stated,
+        _ => there_are(writer, claim, &existentials, of_existentials, stated)?,
     };
     let mut kept = unrepeated(premises);
     let given: Vec<Expr> = claim.given.iter().map(|h| h.formula.expr.clone()).collect();
@@ -111,13 +113,13 @@ fn unrepeated(premises: Vec<Code>) -> Vec<Code> {
 fn there_are(
     writer: &Writer<'_>,
     claim: &Claim,
-    sought: &[&str],
+    existentials: &[&str],
     needed: Vec<Code>,
-    said: Code,
+    stated: Code,
 ) -> Result<Code, Untranslatable> {
     let mut parts = vec![];
     let mut bound = String::new();
-    for name in sought {
+    for name in existentials {
         let own = writer.symbol(name)?;
         bound.push_str(&format!(" ({own} : R)"));
         if let Some(SymbolKind::Real(interval)) = claim.declarations.symbol(name) {
@@ -130,7 +132,7 @@ fn there_are(
         }
     }
     parts.extend(needed);
-    parts.push(said);
+    parts.push(stated);
     let text = format!("exists{bound}, {}", all_of(parts)?.within(Level::Open));
     Ok(Code::new(text, Level::Open))
 }
@@ -147,7 +149,7 @@ impl<'c> Subject<'c> {
         for expr in all.chain(conditions) {
             reach.extend(&names.reach(expr, &Bound::new()));
         }
-        let sought = |name: &String| claim.existentials.iter().any(|s| s.name == *name);
+        let is_existential = |name: &String| claim.existentials.iter().any(|s| s.name == *name);
         // Sets are declared in terms of symbols whose sets are declared in terms of others again.
         let mut bounded = BTreeSet::new();
         let symbols = loop {
@@ -158,7 +160,7 @@ impl<'c> Subject<'c> {
                     Some(SymbolKind::Real(interval))
                         if interval.formulas().next().is_some()
                             && !bounded.contains(name)
-                            && !sought(name) =>
+                            && !is_existential(name) =>
                     {
                         Some((name.clone(), interval.relations(name)))
                     }
@@ -176,7 +178,10 @@ impl<'c> Subject<'c> {
         reach.symbols.extend(symbols.iter().cloned());
         Self {
             declarations,
-            symbols: symbols.into_iter().filter(|name| !sought(name)).collect(),
+            symbols: symbols
+                .into_iter()
+                .filter(|name| !is_existential(name))
+                .collect(),
             hypotheses,
             reach,
         }

@@ -7,11 +7,12 @@ use std::sync::Arc;
 use torse_core::{Family, Variable, stack};
 use torse_semantics::{Class, NoValue, Series, Undefined, Unknown, Value};
 
-/// The highest degree.
+/// Maximum degree.
 const MAX_DEGREE: i64 = 60;
 
 impl Terms<'_> {
-    /// All functions of a degree at these arguments: row by row from the seeds, `g[i,j+1] = a g[i,j] + b g[i-1,j]`.
+    /// Returns all functions of a degree at these arguments, row by row from the seeds: `g[i,j+1] = a g[i,j] + b
+    /// g[i-1,j]`.
     pub fn row(
         &self,
         family: &Arc<Family>,
@@ -32,7 +33,7 @@ impl Terms<'_> {
         }
         let family_key = (Arc::as_ptr(family).addr(), scope.moved_as);
         let key = (family_key, degree, arguments);
-        // Where seeds or step vary with a binder, the arguments alone do not tell the functions.
+        // If seeds or step depend on a binder, the arguments alone do not determine the functions.
         let alike = family.closed;
         if alike && let Some((_, known)) = self.rows.borrow().iter().find(|(own, _)| *own == key) {
             return Ok(Rc::clone(known));
@@ -100,7 +101,7 @@ impl Terms<'_> {
         Ok(row)
     }
 
-    /// A function from those of one degree less; a factor that multiplies nothing is not looked at.
+    /// Returns a function from those of one degree less; a factor whose coefficient is zero is not evaluated.
     fn next(
         &self,
         before: &[Series<Class>],

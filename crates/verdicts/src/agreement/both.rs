@@ -1,4 +1,4 @@
-//! Both readings of a text at one assignment, and the smallest part in which they differ.
+//! Evaluates both readings of a text at one assignment, and finds the smallest part in which they differ.
 
 use super::outline::CoreOutline;
 use super::terms::Terms;
@@ -9,12 +9,12 @@ use torse_syntax::derivation::Claim;
 use torse_syntax::formula::{self, Expr};
 use torse_syntax::notation;
 
-/// What has no value for one of the readings.
+/// A part without a value in one of the readings.
 #[derive(Debug, Clone)]
 pub(super) struct Missing {
-    /// For which, and why.
+    /// The reading, and the reason.
     pub why: String,
-    /// Whether it has one for the other, and no bound of this comparison is the reason.
+    /// Whether the other reading has a value and no limit of this comparison is the reason.
     pub is_one_sided: bool,
 }
 
@@ -40,7 +40,7 @@ pub(super) struct Both<'a, 's, 'e> {
 }
 
 impl<'s> Both<'_, 's, '_> {
-    /// Compares two outlines: what has no value for one of them, if anything; fails for what differs.
+    /// Compares two outlines: returns a part without a value in one of them, if any; fails where they differ.
     pub fn compared(
         &self,
         text: &TreeOutline<'s>,
@@ -49,7 +49,7 @@ impl<'s> Both<'_, 's, '_> {
         let mut open = None;
         let mut relation = String::new();
         if text.len() != own.len() {
-            return Err("core terms make another statement of the text".to_owned());
+            return Err("core terms state something else than the text".to_owned());
         }
         for pair in text.iter().zip(own) {
             match pair {
@@ -69,13 +69,13 @@ impl<'s> Both<'_, 's, '_> {
                         ));
                     }
                 },
-                _ => return Err("core terms make another statement of the text".to_owned()),
+                _ => return Err("core terms state something else than the text".to_owned()),
             }
         }
         Ok(open)
     }
 
-    /// Whether two values are the same: why that is not seen, or an error where they are not.
+    /// Compares two values: returns why they cannot be compared, or an error if they differ.
     pub fn same(
         &self,
         text: &Result<Value<Class>, NoValue>,
@@ -89,7 +89,7 @@ impl<'s> Both<'_, 's, '_> {
         }
     }
 
-    /// The smallest part with two values, among those that depend on no variable of a binder.
+    /// Returns the smallest part with two values that depends on no variable of a binder.
     fn smallest(&self, tree: &'s Expr, term: &Term) -> String {
         let mut within = None;
         let (mut tree, mut term) = (tree, term.clone());
@@ -140,7 +140,7 @@ fn tree_name(tree: &Expr) -> &str {
     }
 }
 
-/// Whether all entries are equal; 0 is an empty sum of any shape.
+/// Whether all entries are equal; 0 equals an empty sum of any shape.
 fn are_same(text: &Value<Class>, own: &Value<Class>) -> bool {
     let shapes = |value: &Value<Class>| value.numbers().len();
     let zero = |value: &Value<Class>| value.numbers().iter().all(|x| x.all(&|x| x.is_zero()));

@@ -11,15 +11,15 @@ use torse_semantics::{
 };
 use torse_syntax::formula::{Connective, Relation};
 
-/// The largest argument of a factorial and lower argument of a binomial coefficient.
+/// Maximum argument of a factorial, and maximum lower argument of a binomial coefficient.
 const MAX_FACTORIAL: i64 = 400;
-/// The largest unit matrix.
+/// Maximum size of a unit matrix.
 const MAX_IDENTITY: i64 = 16;
 
 type Row = Vec<Series<Class>>;
 
 impl Terms<'_> {
-    /// A function at arguments.
+    /// Evaluates a function at its arguments.
     pub fn apply(&self, function: BuiltIn, arguments: &[Term], scope: &Scope<'_>) -> Outcome {
         let a = self.arithmetic;
         let value = |term: &Term| self.term(term, scope);
@@ -87,7 +87,7 @@ impl Terms<'_> {
         })
     }
 
-    /// An integer that is not negative.
+    /// Returns a non-negative integer; fails for anything else.
     fn natural(
         &self,
         term: &Term,
@@ -119,8 +119,8 @@ impl Terms<'_> {
         })
     }
 
-    /// One row for each form, one column for each symbol. In a claim with `given` the unknowns U are functions of the other
-    /// symbols v: the derivative is `F_v + F_U a` with `G_U a = -G_v`.
+    /// Returns a row for each form and a column for each symbol. In a claim with `given` equations, the unknowns U are
+    /// functions of the other symbols v: the derivative is `F_v + F_U a` with `G_U a = -G_v`.
     fn coefficients(&self, forms: &Term, symbols: &Term, scope: &Scope<'_>) -> Outcome {
         let a = self.arithmetic;
         let names = self.names(symbols, scope)?;
@@ -140,7 +140,7 @@ impl Terms<'_> {
                 let outermost = Scope::outermost();
                 let unknowns = claim.unknowns.iter().map(|u| self.names(u, &outermost));
                 let unknowns: Vec<Name> = unknowns.collect::<Result<Vec<_>, _>>()?.concat();
-                // In the equations nothing is put in.
+                // Nothing is substituted in the equations themselves.
                 let plain = Terms::new(a, self.point(), None);
                 let gaps = |scope: &Scope<'_>| plain.gaps(claim, scope);
                 let by = |names: &[Name]| -> Result<Vec<Row>, NoValue> {
@@ -166,7 +166,7 @@ impl Terms<'_> {
         Ok(Value::matrix(transposed(&columns)))
     }
 
-    /// First and second coefficients of numbers by one that is moved.
+    /// Returns first and second coefficients of numbers with respect to a moved symbol.
     fn rates(
         &self,
         name: &Name,
@@ -182,7 +182,7 @@ impl Terms<'_> {
         Ok((coefficient(1), coefficient(2)))
     }
 
-    /// The differences of the sides of the given equations.
+    /// Returns left minus right side of each given equation.
     fn gaps(&self, claim: &torse_core::Claim, scope: &Scope<'_>) -> Result<Row, NoValue> {
         let given = claim.hypotheses.iter();
         let given = given.filter(|h| h.source == Source::Given);
@@ -207,7 +207,7 @@ impl Terms<'_> {
         Ok(gaps)
     }
 
-    /// The numbers of a point that a list of symbols, coordinates and members consists of.
+    /// Returns the numbers of the point for a list of symbols, coordinates and members.
     fn names(&self, term: &Term, scope: &Scope<'_>) -> Result<Vec<Name>, NoValue> {
         let none = || NoValue::shape("a formula where a symbol is needed");
         Ok(match &*term.node {

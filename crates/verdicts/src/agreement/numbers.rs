@@ -1,4 +1,4 @@
-//! The numbers that core terms ask for: those of an assignment, and what the names that the engine makes stand for.
+//! Numbers for core terms: those of an assignment, and the values of names that the engine makes.
 
 use super::terms::Terms;
 use std::cell::RefCell;
@@ -9,7 +9,7 @@ use torse_semantics::tree::{Assignment, Compared};
 use torse_semantics::{Class, Name, Scrambled, Value};
 use torse_syntax::formula::Expr;
 
-/// What core terms ask for.
+/// Supplies numbers to core terms.
 pub(super) struct Numbers<'a, 's> {
     pub core: &'s core::Claim,
     pub made: &'s BTreeMap<Arc<str>, Option<Expr>>,
@@ -20,7 +20,7 @@ pub(super) struct Numbers<'a, 's> {
 }
 
 impl Numbers<'_, '_> {
-    /// The residue of a number.
+    /// Returns the residue of a number.
     pub fn number(&self, name: &Name) -> Option<Class> {
         let declared = name.declared();
         if !self.made.contains_key(declared) {
@@ -46,7 +46,7 @@ impl Numbers<'_, '_> {
         value.as_number().copied()
     }
 
-    /// The value of a name that the engine made: the root of its square, or what its text is worth.
+    /// Returns the value of a name that the engine made: the root of its square, or the value of its text.
     fn made_value(&self, name: &Arc<str>) -> Option<Value<Class>> {
         if let Some((_, radicand)) = self.core.roots().find(|(own, _)| *own == name) {
             let values = |name: &Name| self.number(name);

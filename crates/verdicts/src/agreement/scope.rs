@@ -1,4 +1,4 @@
-//! What variables and moved symbols are worth where a term stands.
+//! The values of variables and moved symbols where a term stands.
 
 use torse_core::Variable;
 use torse_semantics::{Class, Name, Series, Value};
@@ -7,9 +7,9 @@ use torse_semantics::{Class, Name, Series, Value};
 pub(super) struct Scope<'s> {
     outer: Option<&'s Scope<'s>>,
     binding: Binding,
-    /// How many infinitesimals there are.
+    /// The number of infinitesimals.
     pub level: usize,
-    /// Which symbols are moved, and to what: a number of its own for each way, 0 where none is.
+    /// The symbols that are moved, and how: each way to move a symbol has its own number; 0 stands for none.
     pub moved_as: usize,
 }
 
@@ -42,13 +42,13 @@ impl Scope<'_> {
         self.inner(Binding::Variable(variable.number(), value), self.level)
     }
 
-    /// The variable has an infinitesimal of its own.
+    /// Gives the variable an infinitesimal of its own.
     pub fn within<'t>(&'t self, variable: &Variable, value: Series<Class>) -> Scope<'t> {
         let binding = Binding::Variable(variable.number(), Value::Number(value));
         self.inner(binding, self.level + 1)
     }
 
-    /// A declared number has another value, one infinitesimal further in; `moved_as` is the number of this way to move it.
+    /// Moves a declared number by one more infinitesimal; `moved_as` is the number of this way to move it.
     pub fn moved<'t>(&'t self, name: Name, value: Series<Class>, moved_as: usize) -> Scope<'t> {
         Scope {
             moved_as,

@@ -1,8 +1,8 @@
 //! The value of a core term at random residues: one rule for each construct, as `derivations/SEMANTICS.md` states it.
 //!
-//! Variables of binders have their values in a [`Scope`]; declared symbols get theirs from the point. All parts are evaluated
-//! before the whole, so that a term with an undefined part is undefined. What is opened, and depends on no binder, is evaluated
-//! once, and so is a basis at the same arguments.
+//! A [`Scope`] holds the values of bound variables; the point supplies declared symbols. All parts are evaluated before
+//! the whole, so a term with an undefined part is undefined. A definition that depends on no binder is evaluated once,
+//! and so is a basis at the same arguments.
 
 use super::scope::Scope;
 use std::cell::{Cell, RefCell};
@@ -18,14 +18,14 @@ use torse_semantics::{
 };
 use torse_syntax::formula::Operator;
 
-/// How deep terms may be nested: as deep as can be written.
+/// Maximum depth of nested terms: as deep as the parser accepts.
 const MAX_DEPTH: usize = 80 * 300;
-/// The longest sum.
+/// Maximum number of terms of a sum.
 const MAX_TERMS: i64 = 4000;
-/// The largest exponent, and order of a derivative.
+/// Maximum exponent, and maximum order of a derivative.
 const MAX_EXPONENT: u64 = 2000;
 const MAX_ORDER: i64 = 40;
-/// The most derivatives that are remembered.
+/// Maximum number of cached derivatives.
 const MAX_RATES: usize = 48;
 
 pub(super) type Outcome = Result<Value<Class>, NoValue>;
@@ -37,7 +37,7 @@ pub(super) type Row = (
     Rc<[Series<Class>]>,
 );
 
-/// A derivative that was taken: of which body, how often and where; the body is kept.
+/// A derivative: its body, order and place. The body is kept.
 type Rate = (((usize, usize), i64, Series<Class>), Term, Value<Class>);
 
 /// A closed term and its value.
@@ -47,9 +47,9 @@ type Evaluated = (Term, Value<Class>);
 pub(super) struct Terms<'a> {
     pub arithmetic: &'a Scrambled<'a>,
     values: &'a dyn Fn(&Name) -> Option<Class>,
-    /// The claim whose given equations are put into `coefficients`.
+    /// The claim whose given equations `coefficients` uses.
     pub given: Option<&'a Claim>,
-    /// The values of closed terms by their addresses; the terms are kept, so that no other one gets the address.
+    /// The values of closed terms by address. The terms are kept, so that no other term can get the same address.
     closed: RefCell<BTreeMap<(usize, usize), Evaluated>>,
     pub rows: RefCell<Vec<Row>>,
     /// Derivatives of bodies that depend on no other binder, by body, order and point.
@@ -82,7 +82,7 @@ impl<'a> Terms<'a> {
         self.values
     }
 
-    /// The number of a new way to move symbols.
+    /// Returns the number of a new way to move symbols.
     pub fn next_move(&self) -> usize {
         self.moves.set(self.moves.get() + 1);
         self.moves.get()
@@ -101,7 +101,7 @@ impl<'a> Terms<'a> {
         Value::Number(Series::integer(n, self.arithmetic))
     }
 
-    /// The integer that a term is worth.
+    /// Returns the integer value of a term.
     pub fn integer(
         &self,
         term: &Term,
@@ -112,7 +112,7 @@ impl<'a> Terms<'a> {
     }
 
     fn whole(&self, value: &Series<Class>, what: &'static str) -> Result<i64, NoValue> {
-        // What varies with the variable of a derivative is no integer near the point.
+        // An index that depends on the differentiation variable is not locally constant.
         let number = value.as_number().ok_or(Undefined::NotDifferentiable)?;
         let rational = self.arithmetic.as_rational(number);
         let rational = rational.ok_or(Undefined::NoInteger { what })?;
@@ -251,7 +251,7 @@ impl<'a> Terms<'a> {
         })
     }
 
-    /// The value of a term; of one that depends on no binder it is kept.
+    /// Evaluates a term; the value of a term that depends on no binder is kept.
     fn once(
         &self,
         term: &Term,
@@ -281,7 +281,7 @@ impl<'a> Terms<'a> {
         ))
     }
 
-    /// A member of a family: undefined outside of the declared ranges of its indices.
+    /// Evaluates a member of a family: undefined outside the declared ranges of its indices.
     fn member(&self, points: &Points, indices: &[Term], scope: &Scope<'_>) -> Outcome {
         let indices = indices.iter().map(|i| self.integer(i, "an index", scope));
         let indices: Vec<i64> = indices.collect::<Result<_, _>>()?;
@@ -306,7 +306,7 @@ impl<'a> Terms<'a> {
         })
     }
 
-    /// The value of an index form at the point.
+    /// Evaluates an index form at the point.
     fn form(&self, form: &Affine) -> Result<i64, NoValue> {
         let what = "a bound";
         let mut total = form.constant();
@@ -319,7 +319,7 @@ impl<'a> Terms<'a> {
         Ok(total)
     }
 
-    /// A chain `a + b - c + ...`: the left operands are walked without recursion, so that long sums are not deep.
+    /// Evaluates a chain `a + b - c + ...` without recursion over the left operands, so long sums are not deep.
     fn chain(&self, term: &Term, scope: &Scope<'_>) -> Outcome {
         let mut rights = vec![];
         let mut left = term;
@@ -395,7 +395,7 @@ impl<'a> Terms<'a> {
         Ok(low..=high)
     }
 
-    /// What stands for an integral: a combination of values of the integrand.
+    /// Stands for an integral: a combination of values of the integrand.
     fn integral(
         &self,
         variable: &Variable,
@@ -416,7 +416,7 @@ impl<'a> Terms<'a> {
         Ok(sum)
     }
 
-    /// `order!` times the coefficient of `e^order` of the body at `point + e`.
+    /// Returns `order!` times the coefficient of `e^order` of the body at `point + e`.
     fn derivative(
         &self,
         variable: &Variable,

@@ -1,4 +1,4 @@
-//! What is concluded must not be assumed.
+//! Flags conclusions that are assumed.
 
 use super::{Sign, Subject, sign};
 use crate::conjunction::conjuncts;
@@ -7,7 +7,7 @@ use torse_syntax::formula::{Expr, Node};
 use torse_syntax::notation;
 use torse_syntax::taxonomy::Flag;
 
-/// Parts of the statement that are hypotheses, with the sides either way round.
+/// Returns the parts of the statement that are hypotheses, with their sides in either order.
 pub(super) fn assumed(subject: &Subject<'_>) -> Vec<Sign> {
     let hypotheses = subject.claim.assumptions.iter().chain(&subject.claim.given);
     let hypotheses = hypotheses.flat_map(|h| conjuncts(&h.formula.expr));
@@ -26,7 +26,7 @@ pub(super) fn assumed(subject: &Subject<'_>) -> Vec<Sign> {
         .collect()
 }
 
-/// `b == a` for `a == b`, `b > a` for `a < b`.
+/// Returns `b == a` for `a == b`, `b > a` for `a < b`.
 fn turned(part: &Expr) -> Option<Expr> {
     let Node::Compare(left, rest) = &part.node else {
         return None;

@@ -1,4 +1,4 @@
-//! The formulas of a claim: those that it writes itself, and all that they use.
+//! The formulas of a claim: those that it writes itself, and all that these use.
 
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
@@ -9,18 +9,18 @@ use torse_syntax::formula::{Expr, Node, Operator};
 
 /// The formulas of a claim.
 pub struct Formulas<'a> {
-    /// What the claim writes: statement, hypotheses, and the definitions of its own that they use.
+    /// What the claim itself writes: statement, hypotheses, and its own definitions that they use.
     pub own: Vec<&'a Expr>,
-    /// These, and all definitions and bases that they use.
+    /// The same, with all definitions and bases that they use.
     pub reached: Vec<&'a Expr>,
-    /// The declared names that occur in what is reached, without primes.
+    /// The declared names that occur in these, without primes.
     pub names: BTreeSet<&'a str>,
-    /// Those that the claim declares itself.
+    /// The names that the claim itself declares.
     pub local: BTreeSet<&'a str>,
 }
 
 impl<'a> Formulas<'a> {
-    /// The formulas of this claim.
+    /// Collects the formulas of this claim.
     pub fn new(claim: &'a Claim) -> Self {
         let heads = claim.entry.local.keys();
         let heads = heads.map(|head| head.split_once('(').map_or(head.as_str(), |(name, _)| name));
@@ -82,8 +82,8 @@ impl<'a> Formulas<'a> {
     }
 }
 
-/// Whether a definition takes the order of a derivative, or a number for a factorial, at this place: that says which one of
-/// many, as an index does.
+/// Whether a definition takes the order of a derivative, or a number for a factorial, at this place: such a number
+/// selects one of many, as an index does.
 pub fn counts(definition: &Definition, place: usize) -> bool {
     let Some(parameter) = definition.parameters.get(place) else {
         return false;
@@ -110,7 +110,7 @@ pub fn every<'e>(expr: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
     }
 }
 
-/// The value of a number or of a quotient of numbers.
+/// Returns the value of a number or of a quotient of numbers.
 pub fn value(expr: &Expr) -> Option<Rational> {
     match &expr.node {
         Node::Number { value, .. } => Some(value.clone()),

@@ -1,9 +1,9 @@
-//! What is excused by the copy at hand, and no copy does.
+//! Flags excuses by a defective copy that no defect of a copy explains.
 
 use super::{Sign, Subject, listed};
 use torse_syntax::taxonomy::Flag;
 
-/// Words for what is no letter, no script and no factor.
+/// Words for something other than a letter, a script or a factor.
 const WORDS: [&str; 6] = [
     "sign",
     "plus",
@@ -17,14 +17,18 @@ const WORDS: [&str; 6] = [
 pub(super) fn excuse(subject: &Subject<'_>) -> Vec<Sign> {
     let text = subject.claim.entry.garbled.as_ref();
     let text = text.map_or("", |text| text.get_ref());
-    listed(Flag::GarbledExcuse, "no copy confuses", confused(text))
+    listed(
+        Flag::GarbledExcuse,
+        "no defect of a copy explains",
+        confused(text),
+    )
 }
 
-/// What in an excuse is none.
+/// Returns what in an excuse is neither of these.
 fn confused(text: &str) -> Vec<String> {
     let words = WORDS.iter().filter(|word| text.contains(*word));
     let mut list: Vec<String> = words.map(|word| (*word).to_owned()).collect();
-    // "X for Y", where one is a sign by itself.
+    // "X for Y", where X or Y is a single sign.
     let tokens: Vec<&str> = text.split_whitespace().collect();
     let is_sign = |token: &&str| {
         matches!(
@@ -38,7 +42,7 @@ fn confused(text: &str) -> Vec<String> {
             .filter(|token| is_sign(token))
             .map(|token| (*token).to_owned()),
     );
-    // The number of an equation stands in brackets, with a point: (3.6).
+    // The number of an equation stands in parentheses, with a point: (3.6).
     let number = |part: &&str| {
         let digits = |c: char| c.is_ascii_digit();
         part.split_once('.').is_some_and(|(a, b)| {

@@ -1,4 +1,4 @@
-//! A sentence about all that is stated for one: one degree, one coordinate, one value.
+//! Flags a sentence about all cases that is stated for one: one degree, one coordinate, one value.
 
 use super::formulas::{counts, every, value};
 use super::print::Print;
@@ -29,7 +29,8 @@ const DEGREES: [(&str, &[&str]); 6] = [
     ("6", &["sextic", "sixth", "six"]),
 ];
 
-/// A degree that the claim fixes by a number, and the print does not name. One degree is enough to refute a sentence.
+/// Returns a degree that the claim fixes by a number and the print does not name. To refute a sentence, one degree is
+/// enough.
 pub(super) fn degree(subject: &Subject<'_>) -> Vec<Sign> {
     if refuted(subject) {
         return vec![];
@@ -46,7 +47,7 @@ pub(super) fn degree(subject: &Subject<'_>) -> Vec<Sign> {
     listed(Flag::OneDegree, "a degree that is not printed", unnamed)
 }
 
-/// Whether the statement is refuted, which one instance does.
+/// Whether the statement is refuted; for that, one instance is enough.
 fn refuted(subject: &Subject<'_>) -> bool {
     matches!(
         subject.outcome.verdict(),
@@ -54,7 +55,7 @@ fn refuted(subject: &Subject<'_>) -> bool {
     )
 }
 
-/// Whether this is a name for an integer.
+/// Whether this name stands for an integer.
 fn is_degree(name: &Expr, declarations: &Declarations) -> bool {
     let symbol = match &name.node {
         Node::Name(name) => declarations.symbol(name),
@@ -63,7 +64,7 @@ fn is_degree(name: &Expr, declarations: &Declarations) -> bool {
     matches!(symbol, Some(SymbolKind::Integer { .. }))
 }
 
-/// The degrees that a claim fixes by a number.
+/// Returns the degrees that a claim fixes by a number.
 pub(super) fn degrees(subject: &Subject<'_>) -> BTreeSet<Rational> {
     let declarations = &subject.claim.declarations;
     let mut degrees: BTreeSet<Rational> = BTreeSet::new();
@@ -93,9 +94,9 @@ pub(super) fn degrees(subject: &Subject<'_>) -> BTreeSet<Rational> {
     degrees
 }
 
-/// One coordinate of a vector, where the print does not speak of coordinates.
+/// Returns a single coordinate of a vector, if the print does not speak of coordinates.
 pub(super) fn coordinate(subject: &Subject<'_>) -> Vec<Sign> {
-    // A plane x = h is told by one coordinate.
+    // One coordinate determines a plane x = h.
     const WORDS: [&str; 13] = [
         "plane",
         "coordinate",
@@ -141,7 +142,7 @@ pub(super) fn coordinate(subject: &Subject<'_>) -> Vec<Sign> {
     }
 }
 
-/// The values that symbols are fixed to by what is not printed, or that functions are taken at.
+/// Returns the values that symbols are fixed to, or that functions are taken at, by formulas that are not printed.
 fn values(subject: &Subject<'_>) -> BTreeSet<Rational> {
     let declarations = &subject.claim.declarations;
     let mut values = BTreeSet::new();
@@ -178,7 +179,7 @@ fn values(subject: &Subject<'_>) -> BTreeSet<Rational> {
     values
 }
 
-/// A value for all that the print does not have; the ends 0 and 1 of an interval are no such.
+/// Returns a value for all symbols that the print does not have; the ends 0 and 1 of an interval do not count.
 pub(super) fn instance(subject: &Subject<'_>) -> Vec<Sign> {
     if refuted(subject) {
         return vec![];

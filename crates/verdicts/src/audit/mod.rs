@@ -1,9 +1,9 @@
-//! Signs that a statement is not what the paper prints.
+//! Flags: signs that a statement is not what the paper prints.
 //!
-//! No program can tell whether a formula says what a sentence says. But where it does not, there is often something to be
-//! seen: a side that is compared with itself, a number that the print has and the statement has not, one degree for all.
-//! Each family of signs is a file here. A sign is no verdict: the statement is mended, or the sign is answered in the
-//! file by words of the paper. An answer to a sign that is not there any more is a mistake.
+//! No program can decide whether a formula says what a sentence says. But where it does not, there is often a sign: a
+//! side that is compared with itself, a number that the print has and the statement lacks, one degree for all. Each
+//! family of signs has a file here. A flag is not a verdict: either the statement is changed, or the file of the claim
+//! answers the flag with words of the paper. An answer to a flag that does not exist is an error.
 
 mod conclusion;
 mod formulas;
@@ -30,44 +30,45 @@ use torse_core::stack;
 use torse_syntax::derivation::{Answer, Claim, Paper};
 use torse_syntax::taxonomy::{Flag, Kind};
 
-/// A sign at a claim.
+/// A flag at a claim.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Sign {
-    /// What kind of sign.
+    /// The kind of flag.
     pub flag: Flag,
-    /// What is to be seen, in words.
+    /// What was seen, in words.
     pub seen: String,
 }
 
-/// The signs at one claim, and what the file answers.
+/// The flags at one claim, and the answers of its file.
 #[derive(Debug)]
 pub struct Audited<'a> {
     /// The claim.
     pub claim: &'a Claim,
-    /// Signs without an answer.
+    /// Flags without an answer.
     pub open: Vec<Sign>,
-    /// Signs with their answers.
+    /// Flags with their answers.
     pub answered: Vec<(Sign, &'a Answer)>,
-    /// Answers to signs that are not there.
+    /// Answers to flags that do not exist.
     pub stale: Vec<&'a Answer>,
 }
 
-/// What the families of signs look at.
+/// The input of the families of flags.
 struct Subject<'a> {
     claim: &'a Claim,
     outcome: &'a Outcome,
     formulas: Formulas<'a>,
     print: Print,
-    /// What is printed here and where the claim rests: what it uses, what it quotes, the other parts of its sentence.
+    /// The print of this claim and of those that it rests on: what it uses or quotes, and the other parts of its
+    /// sentence.
     context: Print,
-    /// The claims that it rests on, through others too.
+    /// The claims that it rests on, directly or through others.
     rests_on: Vec<&'a Claim>,
     /// The relations that all parts of the sentence state together.
     relations_of_all_parts: usize,
 }
 
-/// Looks at claims of these papers with their outcomes, and says after each that it is `done`; parts of a sentence are counted
-/// together if they are all among them.
+/// Looks for flags at the claims of these papers, and calls `done` after each. Parts of a sentence are counted together
+/// if all of them are present.
 #[must_use]
 pub fn audit<'a>(
     papers: &'a [Paper],
@@ -87,12 +88,12 @@ pub fn audit<'a>(
         done();
         answered(claim, signs)
     };
-    // Slips of a statement are decided like claims: each may go to whoever is free.
+    // Mutants of a statement are decided like claims; any free thread takes one.
     let each = claims.par_iter().with_max_len(1);
     each.map(audited).collect()
 }
 
-/// The signs at a claim, those of its readings among them, each flag in the order of its declaration.
+/// Returns the flags at a claim and at its readings, in the order of their declaration.
 fn signs<'a>(
     claim: &'a Claim,
     outcome: &Outcome,
@@ -114,7 +115,7 @@ fn signs<'a>(
     signs
 }
 
-/// The signs at a claim, or at a reading of the sentence `stands`.
+/// Returns the flags at a claim, or at its reading `stands`.
 fn signs_of<'a>(
     claim: &'a Claim,
     stands: &'a Claim,
@@ -146,7 +147,7 @@ fn signs_of<'a>(
     add(conclusion::assumed(&subject));
     add(slips::none_is_noticed(&subject));
     add(hypotheses::unneeded(&subject));
-    // The words of a remark are ours: there is nothing that they could differ from.
+    // The words of a remark are ours, so there is no print to differ from.
     if claim.entry.kind != Kind::Remark {
         add(occurrences::numbers(&subject));
         add(occurrences::names(&subject));
@@ -161,7 +162,7 @@ fn signs_of<'a>(
     signs
 }
 
-/// The signs with the answers of the file; one answer is for all signs of its flag.
+/// Matches flags with the answers of the file; one answer covers all flags of its kind.
 fn answered(claim: &Claim, signs: Vec<Sign>) -> Audited<'_> {
     let answer = |flag: Flag| claim.answers.iter().find(|answer| answer.flag == flag);
     let stale = claim.answers.iter();
@@ -182,7 +183,7 @@ fn answered(claim: &Claim, signs: Vec<Sign>) -> Audited<'_> {
     }
 }
 
-/// A sign.
+/// Makes a flag.
 fn sign(flag: Flag, seen: impl Into<String>) -> Sign {
     Sign {
         flag,
@@ -190,7 +191,7 @@ fn sign(flag: Flag, seen: impl Into<String>) -> Sign {
     }
 }
 
-/// One sign for several things, if there are any.
+/// Makes one flag for several things; none for an empty list.
 fn listed(flag: Flag, what: &str, things: Vec<String>) -> Vec<Sign> {
     match things.is_empty() {
         true => vec![],

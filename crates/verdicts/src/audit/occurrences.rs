@@ -1,4 +1,4 @@
-//! What the print has and the statement has not, and the other way round: numbers, names, relations.
+//! Flags numbers, names and relations that stand in the print or in the statement alone.
 
 use super::formulas::{counts, every, value};
 use super::print::{Print, explained, stem};
@@ -10,12 +10,12 @@ use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 use torse_syntax::formula::{Expr, Node, Relation};
 use torse_syntax::taxonomy::Flag;
 
-/// Numbers that stand in too many places to say something.
+/// Numbers too frequent to be a sign.
 fn everywhere(number: &Rational) -> bool {
     [0, 1, 2].map(integer).contains(number)
 }
 
-/// Numbers of the print that nothing reached has, and numbers of the claim that the print has not.
+/// Returns the numbers of the print that no formula has, and the numbers of the claim that the print lacks.
 pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
     let mut reached = BTreeSet::new();
     for expr in &subject.formulas.reached {
@@ -30,7 +30,7 @@ pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
         .iter()
         .flat_map(|e| free(e, &subject.claim.declarations))
         .collect();
-    // A degree is looked at by itself.
+    // Degrees are checked separately.
     let degrees = instance::degrees(subject);
     let printed = &subject.context.mentioned;
     let shown = |numbers: Vec<&Rational>| -> Vec<String> {
@@ -61,7 +61,7 @@ pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
     signs
 }
 
-/// The numbers of a formula that are neither indices nor orders of derivatives.
+/// Returns the numbers of a formula that are neither indices nor orders of derivatives.
 fn free(expr: &Expr, declarations: &Declarations) -> Vec<Rational> {
     let free = |part| free(part, declarations);
     match &expr.node {
@@ -93,7 +93,7 @@ fn digits(name: &str) -> Vec<Rational> {
     numbers.map(integer).collect()
 }
 
-/// The bounds of the symbols that occur.
+/// Returns the bounds of the symbols that occur.
 fn bounds(subject: &Subject<'_>) -> Vec<Rational> {
     let names = subject.formulas.names.iter();
     let kinds = names.filter_map(|name| subject.claim.declarations.symbol(name));
@@ -118,10 +118,11 @@ fn bounds(subject: &Subject<'_>) -> Vec<Rational> {
     bounds
 }
 
-/// Names of the print that are declared and do not occur, and free numbers of the statement that the print does not name.
+/// Returns printed names that are declared and do not occur, and free numbers of the statement that the print does not
+/// name.
 pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
     let declarations = &subject.claim.declarations;
-    // What is read is the names, those that are bound by sums and derivatives among them, and what they are shown as.
+    // Names bound by sums and derivatives count too, and so do printed forms of names.
     let written = subject.formulas.reached.iter().flat_map(|e| e.names());
     let written: BTreeSet<&str> = written
         .chain(subject.formulas.names.iter().copied())
@@ -154,7 +155,7 @@ pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
     signs
 }
 
-/// The names of a formula outside of the places where functions are taken, and of the variables of derivatives and sums.
+/// Returns the names of a formula, except places where functions are evaluated and variables of derivatives and sums.
 fn free_names<'e>(expr: &'e Expr, declarations: &Declarations, found: &mut BTreeSet<&'e str>) {
     match &expr.node {
         Node::Name(name) => {
@@ -163,7 +164,7 @@ fn free_names<'e>(expr: &'e Expr, declarations: &Declarations, found: &mut BTree
         Node::Call(head, arguments) => {
             let name = match &head.node {
                 Node::Name(name) => name.as_str(),
-                // A derivative that is taken somewhere: `D(G, mu)(x)`.
+                // A derivative evaluated at a place: `D(G, mu)(x)`.
                 Node::Call(..) => "at",
                 Node::Index(head, _) => match &head.node {
                     Node::Name(name) => name.as_str(),
@@ -208,14 +209,14 @@ const ORDER: [&str; 40] = [
     "near", "far", "toward", "convex", "monoton", "lie", "lies", "range", "interval", "rise",
     "fall",
 ];
-/// Words of denial.
+/// Words of negation.
 const DENIAL: [&str; 27] = [
     "not", "no", "non", "never", "cannot", "differ", "distinct", "without", "neither", "nor",
     "unlike", "fail", "except", "other", "un", "depend", "vary", "chang", "modif", "alter",
     "fluctuat", "adjust", "amend", "disturb", "control", "variou", "benefit",
 ];
 
-/// Relations of the print that are not stated, and the other way round.
+/// Returns relations of the print that are not stated, and stated relations that are not printed.
 pub(super) fn relations(subject: &Subject<'_>) -> Vec<Sign> {
     let statement = subject.claim.statement.iter().map(|w| &w.expr);
     let stated = Kinds::of(statement);
@@ -272,7 +273,7 @@ pub(super) fn relations(subject: &Subject<'_>) -> Vec<Sign> {
     signs
 }
 
-/// Whether a function is a property in a word.
+/// Whether a function states a property that the print expresses by a word.
 pub(super) fn is_property(name: &str) -> bool {
     const PROPERTIES: [&str; 4] = [
         "agrees",
@@ -283,13 +284,13 @@ pub(super) fn is_property(name: &str) -> bool {
     PROPERTIES.contains(&name)
 }
 
-/// The kinds of relations that occur.
+/// Returns the kinds of relations that occur.
 #[derive(Default)]
 struct Kinds {
     equal: bool,
     order: bool,
     different: bool,
-    /// A property in a word, such as `nonnegative(g)` or `agrees(a, b)`.
+    /// A property expressed by a word, such as `nonnegative(g)` or `agrees(a, b)`.
     property: bool,
 }
 

@@ -1,4 +1,4 @@
-//! A statement with fewer relations than the sentence.
+//! Flags a statement with fewer relations than its sentence.
 
 use super::formulas::{Formulas, every};
 use super::occurrences::is_property;
@@ -8,8 +8,8 @@ use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Expr, Node, Relation};
 use torse_syntax::taxonomy::Flag;
 
-/// The relations that a claim states or assumes; a definition that it uses, a property in a word, and an end of a range count
-/// as one.
+/// Counts the relations that a claim states or assumes; a definition that it uses, a property expressed by a word, and
+/// an end of a range count as one each.
 pub(super) fn relations_of(claim: &Claim) -> usize {
     let formulas = Formulas::new(claim);
     let mut count = 0;
@@ -23,7 +23,7 @@ pub(super) fn relations_of(claim: &Claim) -> usize {
     count + defined.count() + symbols.map(ends).sum::<usize>()
 }
 
-/// How many ends the range of a symbol has.
+/// Returns the number of ends of the range of a symbol.
 fn ends(kind: &SymbolKind) -> usize {
     let ends = match kind {
         SymbolKind::Real(range) => [range.lower.is_some(), range.upper.is_some()],
@@ -33,7 +33,7 @@ fn ends(kind: &SymbolKind) -> usize {
     ends.into_iter().filter(|has| *has).count()
 }
 
-/// The relations of a formula by itself: an equation of vectors is one for each entry that is written out.
+/// Counts the relations of a formula; an equation of vectors counts once for each entry that is written out.
 fn relations(expr: &Expr) -> usize {
     match &expr.node {
         Node::Compare(_, rest) => rest.iter().map(|(_, side)| entries(side)).sum(),
@@ -52,7 +52,7 @@ fn entries(expr: &Expr) -> usize {
     }
 }
 
-/// Whether an equation is stated.
+/// Whether the formula states an equation.
 pub(super) fn has_equation(expr: &Expr) -> bool {
     let mut found = false;
     every(expr, &mut |part| {
@@ -65,7 +65,7 @@ pub(super) fn has_equation(expr: &Expr) -> bool {
     found
 }
 
-/// A sentence of which all parts together state fewer relations than are printed.
+/// Flags a sentence whose parts together state fewer relations than are printed.
 pub(super) fn short(subject: &Subject<'_>) -> Vec<Sign> {
     let (stated, printed) = (subject.relations_of_all_parts, subject.print.relations);
     match stated < printed {

@@ -1,4 +1,4 @@
-//! What is to be seen in a print: its numbers, its names, its relations.
+//! Reads numbers, names and relations off a printed sentence.
 
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
@@ -8,31 +8,31 @@ use torse_syntax::greek;
 /// A printed sentence, taken apart.
 #[derive(Debug, Default)]
 pub struct Print {
-    /// The numbers that stand for themselves: those of references such as "Fig. 3" or "(5.16)", of names such as `a_3`, and
-    /// the first ones of enumerations such as "k = 0, 1, 2, ..., m" are left out.
+    /// The numbers that stand for themselves. Excluded are numbers of references such as "Fig. 3" or "(5.16)", of names
+    /// such as `a_3`, and the first numbers of enumerations such as "k = 0, 1, 2, ..., m".
     pub numbers: BTreeSet<Rational>,
-    /// These, and the numbers of names and enumerations.
+    /// The same, with the numbers of names and enumerations.
     pub mentioned: BTreeSet<Rational>,
-    /// The names of mathematics: Greek letters in our spelling, single Latin letters beside signs; indices are left out, as
-    /// they run through all that a family has.
+    /// The mathematical names: Greek letters in our spelling, and single Latin letters beside signs. Indices are left
+    /// out, since they range over a family.
     pub names: BTreeSet<String>,
-    /// These, and all single Latin letters: some of them are words.
+    /// The same, with all single Latin letters, some of which are words.
     pub letters: BTreeSet<String>,
-    /// How many relations there are, enumerations left out.
+    /// The number of relations outside enumerations.
     pub relations: usize,
     /// Equations.
     pub equal: bool,
     /// Signs of order.
     pub order: bool,
-    /// Signs of membership, as of an interval.
+    /// Signs of membership, for example in an interval.
     pub range: bool,
-    /// Signs that something differs.
+    /// Signs of inequality.
     pub different: bool,
-    /// The text in small letters.
+    /// The text in lower case.
     pub words: String,
 }
 
-/// Words after which a number is that of a formula or figure.
+/// Words before the number of a formula or figure.
 const REFERENCES: [&str; 19] = [
     "eq.",
     "eqs.",
@@ -56,7 +56,7 @@ const REFERENCES: [&str; 19] = [
 ];
 
 impl Print {
-    /// Takes a printed sentence apart.
+    /// Analyses a printed sentence.
     pub fn from_text(printed: &str) -> Self {
         let mut print = Self {
             words: printed.to_lowercase(),
@@ -86,7 +86,7 @@ impl Print {
                 i += length;
                 continue;
             }
-            // An exponent as it is printed, or part of a name such as C².
+            // A printed exponent, or part of a name such as C².
             let raised: String = rest.iter().map_while(|c| superscript(*c)).collect();
             if !raised.is_empty() {
                 print.mentioned.extend(number(&raised));
@@ -150,7 +150,7 @@ impl Print {
         print
     }
 
-    /// Whether one of these words, or beginnings of words, occurs.
+    /// Whether one of these words, or a word with one of these beginnings, occurs.
     pub fn says(&self, beginnings: &[&str]) -> bool {
         let mut words = self.words.split(|c: char| !c.is_alphanumeric());
         words.any(|word| {
@@ -161,7 +161,7 @@ impl Print {
     }
 }
 
-/// Whether a number is that of a formula: `(5.16)`, `(3.3a)`, `[7]`, and `(30)` after a blank.
+/// Whether a number is the number of a formula: `(5.16)`, `(3.3a)`, `[7]`, or `(30)` after a blank.
 fn reference(letters: &[char], start: usize, length: usize) -> bool {
     let before = |n: usize| start.checked_sub(n).and_then(|j| letters.get(j));
     let rest = letters.get(start + length..).unwrap_or_default();
@@ -187,7 +187,7 @@ fn ordinal(letters: &[char], start: usize, length: usize) -> bool {
     first && matches!(rest, ['.', ' ', next, ..] if next.is_uppercase())
 }
 
-/// Whether what follows these letters is an index: `i` after `R_` and after `R_{k,`.
+/// Whether an index follows these letters: `i` after `R_` and after `R_{k,`.
 fn subscript(before: &[char]) -> bool {
     match before {
         [.., '_'] => true,
@@ -199,7 +199,7 @@ fn subscript(before: &[char]) -> bool {
     }
 }
 
-/// Whether a name is followed by a list of what it runs through: `i = 0, 1, ..., k`.
+/// Whether a list of values follows a name: `i = 0, 1, ..., k`.
 fn enumerates_next(rest: &[char], length: usize) -> bool {
     let rest = rest.get(length..).unwrap_or_default();
     let blanks = rest.iter().take_while(|c| **c == ' ').count();
@@ -207,7 +207,7 @@ fn enumerates_next(rest: &[char], length: usize) -> bool {
     rest.first() == Some(&'=') && enumerates(rest)
 }
 
-/// Whether what follows an equals sign is a list of integers: `= 0, 1, ..., m`.
+/// Whether a list of integers follows an equals sign: `= 0, 1, ..., m`.
 fn enumerates(rest: &[char]) -> bool {
     let mut rest = rest.iter().skip(1).skip_while(|c| **c == ' ').peekable();
     let mut digits = 0;
@@ -247,25 +247,25 @@ fn number(text: &str) -> Option<Rational> {
     }
 }
 
-/// The digit that a raised one is.
+/// Returns the digit that a superscript stands for.
 fn superscript(c: char) -> Option<char> {
     let place = "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == c)?;
     char::from_digit(u32::try_from(place).ok()?, 10)
 }
 
-/// Whether a word is how files spell a Greek letter.
+/// Whether a word is our spelling of a Greek letter.
 fn spells_a_letter(word: &str) -> bool {
     word != "pi" && greek::by_name(word).is_some()
 }
 
-/// How files spell a Greek letter.
+/// Returns our spelling of a Greek letter.
 fn greek(c: char) -> Option<&'static str> {
-    // The circle number is no letter that is declared.
+    // The number pi is not declared as a letter.
     let letter = greek::by_sign(c).filter(|letter| letter.name != "pi");
     letter.map(|letter| letter.name)
 }
 
-/// What a display says of the name that it defines: of `J(x; μ) = x φ + ψ` all but the left side, which is known by the right.
+/// Returns the right side of a displayed definition: of `J(x; μ) = x φ + ψ` all but the left side.
 pub fn explained(printed: &str) -> &str {
     let Some((name, _)) = printed.split_once('=') else {
         return printed;
@@ -285,7 +285,7 @@ pub fn explained(printed: &str) -> &str {
     }
 }
 
-/// The stem of a name: `mu` of `mu1`, `E` of `E1_0`.
+/// Returns the stem of a name: `mu` of `mu1`, `E` of `E1_0`.
 pub fn stem(name: &str) -> &str {
     let name = name.split_once('_').map_or(name, |(stem, _)| stem);
     name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '\'')

@@ -1,8 +1,8 @@
-//! A quotation that does not say the hypothesis for which it is given.
+//! Flags a quotation that does not say the hypothesis that it is given for.
 //!
-//! The words stand in the print: the reader of files sees to that. Whether they say it is looked at here, for what can be
-//! read off: a bound of a number, and that something is not zero. `0 < u < 1` does not print `0 <= u <= 1`, `m >= 2` says
-//! nothing of n, and a slash does not say that what is below it is not zero.
+//! The reader of files checks that the words stand in the print. This module checks whether they say the hypothesis,
+//! for what can be read off: a bound of a number, and that something is not zero. `0 < u < 1` does not print `0 <= u <=
+//! 1`, `m >= 2` says nothing about n, and a slash does not say that the denominator is not zero.
 
 use super::{Sign, Subject, listed};
 use crate::claim_record::HypothesisSource;
@@ -10,7 +10,7 @@ use torse_syntax::formula::{Expr, Node, Relation, parse};
 use torse_syntax::notation::text;
 use torse_syntax::taxonomy::Flag;
 
-/// The hypotheses whose quotations say something else.
+/// Returns the hypotheses whose quotations say something else.
 pub(super) fn otherwise(subject: &Subject<'_>) -> Vec<Sign> {
     let assumed = subject.outcome.claim.assumed.iter();
     let printed = assumed.filter_map(|hypothesis| match &hypothesis.from {
@@ -61,7 +61,7 @@ fn name(side: &Expr) -> Option<&str> {
     }
 }
 
-/// A number as a print writes it.
+/// Returns a number as a print writes it.
 fn number(side: &Expr) -> Option<String> {
     let written = text(side);
     let plain = |c: char| c.is_ascii_digit() || matches!(c, '-' | '/' | '.' | '*');
@@ -69,11 +69,11 @@ fn number(side: &Expr) -> Option<String> {
     is_number.then(|| written.replace('*', "").replace("pi", "π"))
 }
 
-/// What a quotation says of bounds.
+/// The bounds that a quotation states.
 struct Signs {
     /// Its letters, digits and signs without blanks.
     plain: String,
-    /// Whether it says of something that it is not so.
+    /// Whether it negates something.
     denied: bool,
 }
 
@@ -101,7 +101,7 @@ fn signs(quote: &str) -> Signs {
 }
 
 impl Signs {
-    /// Whether a bound of a name is said: the name, and the number beside a sign that is as strict.
+    /// Whether the quotation bounds a name: it has the name, and the number beside a sign that is as strict.
     fn bound(&self, name: &str, bound: &str, strict: bool) -> bool {
         if !self.names(name) {
             return false;
@@ -131,12 +131,12 @@ impl Signs {
         };
         let mut places = self.plain.match_indices(bound).map(|(at, _)| at);
         let near = places.any(beside);
-        // Words for a bound, within the range that the symbol has anyway, and a list 0, 1, ..., m.
+        // Words for a bound, within the declared range of the symbol, and a list 0, 1, ..., m.
         let words = ["positive", "negative", "..."];
         near || words.iter().any(|word| self.plain.contains(word))
     }
 
-    /// Whether a symbol is named: by its letter, whatever its index.
+    /// Whether the quotation names a symbol: by its letter, with any index.
     fn names(&self, name: &str) -> bool {
         let stem = name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
         let letter = match stem {

@@ -1,16 +1,16 @@
-//! Where a claim stands: what is printed in the claims that it rests on.
+//! The surroundings of a claim: the print of the claims that it rests on.
 
 use std::collections::{BTreeMap, BTreeSet};
 use torse_syntax::derivation::{Claim, Paper};
 use torse_syntax::taxonomy::Kind;
 
-/// The claims of papers by their ids, the parts of a sentence by the id of the sentence too.
+/// The claims of papers by id; the parts of a sentence by the id of the sentence too.
 pub(super) struct Setting<'a> {
     claims: BTreeMap<&'a str, Vec<&'a Claim>>,
 }
 
 impl<'a> Setting<'a> {
-    /// Of these papers.
+    /// Indexes the claims of these papers.
     pub fn new(papers: &'a [Paper]) -> Self {
         let mut claims: BTreeMap<&str, Vec<&Claim>> = BTreeMap::new();
         for claim in papers.iter().flat_map(|paper| &paper.claims) {
@@ -26,8 +26,8 @@ impl<'a> Setting<'a> {
         self.claims.get(id).into_iter().flatten()
     }
 
-    /// What is printed in the claim itself, in the other parts of its sentence, and in those that it uses or quotes. The
-    /// words of remarks are ours.
+    /// Returns the print of the claim, of the other parts of its sentence, and of the claims that it uses or quotes.
+    /// The words of remarks are ours and left out.
     pub fn prints(&self, claim: &Claim) -> String {
         let ids = claim.uses.iter().chain(claim.whole()).map(String::as_str);
         let quoted = claim.quotes().into_iter().map(|quote| quote.claim.as_str());
@@ -45,7 +45,7 @@ impl<'a> Setting<'a> {
         text
     }
 
-    /// The claims that it rests on, itself, the other parts of its sentence, and what those rest on among them.
+    /// Returns the claim, the other parts of its sentence, and all claims that these rest on.
     pub fn rests_on(&self, claim: &'a Claim) -> Vec<&'a Claim> {
         let parts = claim.whole().into_iter().flat_map(|id| self.named(id));
         let mut pending: Vec<&Claim> = parts.copied().chain([claim]).collect();

@@ -1,4 +1,4 @@
-//! An equation whose sides are the same as they are written says nothing.
+//! Flags an equation whose sides are the same as written: it says nothing.
 
 use super::{Sign, Subject, sign};
 use crate::conjunction::conjuncts;
@@ -7,10 +7,10 @@ use torse_syntax::formula::{Expr, Node, Relation};
 use torse_syntax::notation;
 use torse_syntax::taxonomy::{Flag, Kind};
 
-/// How deep names are opened.
+/// Maximum depth to which names are expanded.
 const DEPTH: usize = 8;
 
-/// Equations with equal sides, names that stand for formulas opened; of a definition that is what is wanted.
+/// Returns equations with equal sides after names of formulas are expanded; a definition is meant to have equal sides.
 pub(super) fn equal(subject: &Subject<'_>) -> Vec<Sign> {
     let definition = subject.claim.entry.kind == Kind::Definition;
     let statement = subject.claim.statement.as_ref().filter(|_| !definition);
@@ -34,7 +34,7 @@ pub(super) fn equal(subject: &Subject<'_>) -> Vec<Sign> {
     signs
 }
 
-/// The formula with the bodies of plain definitions in place of their names.
+/// Replaces names by the bodies of their plain definitions.
 fn opened(expr: &Expr, declarations: &Declarations, depth: usize) -> Expr {
     if let Node::Name(name) = &expr.node
         && let Some(definition) = declarations.definition(name)

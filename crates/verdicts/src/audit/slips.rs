@@ -1,4 +1,4 @@
-//! A statement in which no slip would be noticed says little.
+//! Flags a statement in which no slip would be noticed.
 
 use super::{Sign, Subject, sign};
 use crate::conjunction::conjuncts;
@@ -7,19 +7,19 @@ use torse_algebra::work;
 use torse_syntax::formula::Node;
 use torse_syntax::taxonomy::{Flag, Verdict};
 
-/// The changed statements that are tried at first, and where all of those survive.
+/// How many mutants are tried at first, and how many if all of these survive.
 const TRIED: [usize; 2] = [4, 40];
-/// The work for them.
+/// Maximum work for them.
 const WORK: u64 = 20_000_000;
 
-/// A proved equation of which no changed form is refuted.
+/// Returns a proved equation none of whose mutants is refuted.
 pub(super) fn none_is_noticed(subject: &Subject<'_>) -> Vec<Sign> {
     let proved = matches!(
         subject.outcome.verdict(),
         Verdict::Holds | Verdict::Conditional
     );
     let statement = subject.claim.statement.as_ref();
-    // What is denied is so at one point at least: a slip leaves that true nearly always.
+    // A negation only has to be true at one point, and nearly every slip leaves it true.
     let equation = statement.is_some_and(|w| {
         let mut parts = conjuncts(&w.expr).into_iter();
         parts.any(|part| matches!(part.node, Node::Compare(..)) && super::parts::has_equation(part))
@@ -31,7 +31,7 @@ pub(super) fn none_is_noticed(subject: &Subject<'_>) -> Vec<Sign> {
     for most in TRIED {
         match work::within(WORK, || survivors(subject.claim, most)) {
             Ok((survivors, tried)) if survivors.len() == tried => decided = tried,
-            // One was refuted, or there was too much to do.
+            // One was refuted, or the work ran out.
             _ => return vec![],
         }
     }

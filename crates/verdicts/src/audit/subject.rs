@@ -1,9 +1,9 @@
-//! A statement about nothing that the paper defines.
+//! Flags a statement about nothing that the paper defines.
 
 use super::{Sign, Subject, sign};
 use torse_syntax::taxonomy::Flag;
 
-/// A statement in which only names of the claim's own occur, or none.
+/// Returns a statement that contains only names of the claim's own, or none.
 pub(super) fn nothing_of_the_paper(subject: &Subject<'_>) -> Vec<Sign> {
     let formulas = &subject.formulas;
     let mut others = formulas

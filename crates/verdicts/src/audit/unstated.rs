@@ -1,10 +1,11 @@
-//! Words about what is not stated: a reading that names other things, a relation in a sentence of which nothing is stated.
+//! Flags words about something that is not stated: a reading that names something else, or a relation in a sentence
+//! without any statement.
 
 use super::{Sign, Subject, listed, sign};
 use std::collections::BTreeSet;
 use torse_syntax::taxonomy::Flag;
 
-/// A reading that names, in backticks or by the number of its equation, what does not occur.
+/// Returns what a reading names, in backticks or by an equation number, and the statement does not contain.
 pub(super) fn reading(subject: &Subject<'_>) -> Vec<Sign> {
     let entry = &subject.claim.entry;
     let Some(reading) = &entry.reading else {
@@ -48,7 +49,7 @@ fn equation_numbers(text: &str) -> Vec<&str> {
     inside.filter(number).collect()
 }
 
-/// A sentence with a relation of which nothing is stated.
+/// Returns a sentence with a relation and no statement.
 pub(super) fn relation(subject: &Subject<'_>) -> Vec<Sign> {
     let entry = &subject.claim.entry;
     let reason = entry.out_of_scope.is_some() || entry.underspecified.is_some();

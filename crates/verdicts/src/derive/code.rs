@@ -64,7 +64,7 @@ fn variable(formula: &Expr) -> String {
     name
 }
 
-/// The formula with known formulas replaced by their variables.
+/// Replaces formulas that have a variable by the variable.
 fn replaced(formula: &Expr, known: &[(Expr, Expr)]) -> Expr {
     if let Some((_, name)) = known.iter().find(|(whole, _)| whole == formula) {
         return name.clone();
@@ -72,7 +72,7 @@ fn replaced(formula: &Expr, known: &[(Expr, Expr)]) -> Expr {
     formula.with_parts(|part| replaced(part, known))
 }
 
-/// The texts with commas between.
+/// Joins the texts with commas.
 fn listed(items: impl IntoIterator<Item = String>) -> String {
     items.into_iter().collect::<Vec<_>>().join(", ")
 }
@@ -120,7 +120,7 @@ pub(super) fn rust(derivation: &Derivation) -> String {
     text
 }
 
-/// The name of the function: the head of the results.
+/// Returns the name of the function: the head of the results.
 fn function(derivation: &Derivation) -> &'static str {
     let of_curve = derivation
         .lines
@@ -133,7 +133,7 @@ fn function(derivation: &Derivation) -> &'static str {
     }
 }
 
-/// What a module may need of SymPy.
+/// The names that a module may import from SymPy.
 const IMPORTED: [&str; 9] = [
     "Ge", "Ne", "Rational", "cos", "exp", "pi", "sin", "sqrt", "sympify",
 ];

@@ -16,21 +16,21 @@ use torse_prove::formula;
 use torse_syntax::derivation::declarations::{Basis, Declarations, SymbolKind};
 use torse_syntax::formula::{Expr, Node, Operator, Relation};
 
-/// A derivative is written out up to this many nodes.
+/// Maximum number of nodes of a derivative that is written out.
 const MAX_WRITTEN_OUT: usize = 80;
 
-/// The highest degree that is a number.
+/// Maximum degree, if it is a number.
 const MAX_DEGREE: u8 = 12;
 
-/// Degrees above this are not looked at for zeros of divisors.
+/// Maximum degree at which divisors are tested for zeros.
 const MAX_ROOT: usize = 10_000;
 
 /// An end of the interval of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum End {
-    /// Where the first control point is.
+    /// The end with the first control point.
     Start,
-    /// Where the last control point is.
+    /// The end with the last control point.
     Finish,
 }
 
@@ -47,25 +47,25 @@ pub(super) struct Curve {
     pub points: String,
     /// The name of the weights of a rational curve.
     pub weights: Option<String>,
-    /// The degree of the seeds, the least that there is.
+    /// The degree of the seeds, the minimum.
     pub least_degree: u8,
     /// The curve without its points.
     of: Functions,
 }
 
-/// What the points of a curve are multiplied with.
+/// Coefficients of the points of a curve.
 #[derive(Debug, Clone)]
 enum Functions {
-    /// Those of a symbolic degree.
+    /// For a symbolic degree.
     Operator(Box<Axis>),
-    /// Those of a number as degree.
+    /// For a degree that is a number.
     Listed(Vec<Fraction>),
 }
 
-/// What a curve is to be: its degree, and whether it is rational.
+/// The requested curve: its degree, and whether it is rational.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Shape {
-    /// The degree, where it is a number.
+    /// The degree, if it is a number.
     pub degree: Option<u8>,
     /// Whether every point has a weight, and the curve is divided by the sum of the weights times the functions.
     pub rational: bool,
@@ -104,7 +104,7 @@ impl<'a> Family<'a> {
         let (lower, upper) = interval.ok_or_else(|| DeriveError::Interval {
             variable: basis.variable.clone(),
         })?;
-        // A list of functions has its own degree, and no other.
+        // A list of functions exists in its own degree only.
         let own = basis.is_list.then_some(basis.degree);
         let degree = match (own, shape.degree) {
             (Some(own), Some(degree)) if own != degree => {
@@ -132,7 +132,7 @@ impl<'a> Family<'a> {
         })
     }
 
-    /// The functions of a degree with these names for the shape parameters.
+    /// Returns the functions of a degree with these names for the shape parameters.
     fn functions(&self, degree: u8, parameters: &[String]) -> Result<Vec<Fraction>, DeriveError> {
         let number = |n: u8| Expr::number(&rational::integer(i64::from(n)));
         let faulty = |fault| DeriveError::Basis {
@@ -140,7 +140,7 @@ impl<'a> Family<'a> {
             fault: Box::new(fault),
         };
         let renamed = |mut function: Fraction| {
-            // Through names of their own, so that no parameter takes the place of another one.
+            // Renames in two steps, so that no parameter captures another one.
             for (own, _) in self.basis.parameters.iter().zip(parameters) {
                 let between = Fraction::named(&format!("{own}\u{b0}"));
                 function = function.at(own, &between)?;
@@ -170,7 +170,7 @@ impl<'a> Family<'a> {
         Ok(all)
     }
 
-    /// The name of the degree, if it is none of its own.
+    /// Returns the name of the degree, unless the family has its own.
     pub fn degree(&self, name: &str, names: &mut Names) -> Affine {
         match self.shape.degree {
             Some(degree) => Affine::number(i64::from(degree)),
@@ -183,7 +183,7 @@ impl<'a> Family<'a> {
         self.shape.rational
     }
 
-    /// Whether its conditions are solved step by step: of other families as linear equations.
+    /// Whether its conditions are solved step by step; those of other families are solved as linear equations.
     pub fn is_triangular(&self) -> bool {
         self.shape.degree.is_none() && !self.shape.rational
     }
@@ -227,13 +227,13 @@ impl<'a> Family<'a> {
         Ok(all)
     }
 
-    /// The names that must not be given to anything else.
+    /// Returns the names that nothing else may have.
     pub fn names(&self) -> Result<Names, DeriveError> {
         let variable = std::iter::once(self.basis.variable.clone());
         Ok(Names::new(variable.chain(self.symbols()?)))
     }
 
-    /// The curve of this degree over these points, with these names for the shape parameters.
+    /// Returns the curve of this degree over these points, with these names for the shape parameters.
     pub fn curve(
         &self,
         degree: &Affine,
@@ -337,7 +337,7 @@ impl Curve {
         Ok(all)
     }
 
-    /// The sum of the functions times what stands at their indices, and its derivatives, at an end.
+    /// Returns the sum of the functions times the coefficients at their indices, and its derivatives, at an end.
     fn combinations(
         &self,
         end: End,
@@ -383,7 +383,7 @@ impl Curve {
         Ok(all)
     }
 
-    /// The coefficients of the points counted from an end.
+    /// Returns the coefficients of the points, counted from an end.
     fn weights(&self, combination: &Fraction, end: End) -> Vec<Fraction> {
         let below = Fraction::from(combination.denominator());
         let mut weights: BTreeMap<usize, Fraction> = BTreeMap::new();
@@ -413,7 +413,7 @@ impl Curve {
             .collect()
     }
 
-    /// A combination of points in differences.
+    /// Writes a combination of points in differences.
     pub fn differences(&self, combination: &Fraction, end: End) -> Differences {
         let weights = self.weights(combination, end);
         let mut sum = Fraction::zero();
@@ -427,7 +427,7 @@ impl Curve {
             .collect();
         parts.reverse();
         if end == End::Finish {
-            // R_k - R_(k-1) points along the curve, against the count from the end.
+            // R_k - R_(k-1) runs along the curve, opposite to the count from the end.
             for part in parts.iter_mut().skip(1) {
                 *part = -part.clone();
             }
@@ -435,7 +435,7 @@ impl Curve {
         parts
     }
 
-    /// The difference that the part `i` belongs to; the point itself for 0.
+    /// Returns the difference that the part `i` belongs to; for 0, the point itself.
     pub fn difference(&self, end: End, i: usize) -> Fraction {
         let point = self.point(end, i);
         match (i.checked_sub(1), end) {
@@ -445,7 +445,7 @@ impl Curve {
         }
     }
 
-    /// A derivative in differences with named coefficients, whose lines are added.
+    /// Writes a derivative in differences with named coefficients, and adds the lines that define these.
     fn abbreviated(
         &self,
         derivative: &Fraction,
@@ -476,8 +476,8 @@ impl Curve {
         sum.unwrap_or_else(|| formula::expression(&Fraction::zero()))
     }
 
-    /// Whether a divisor can be zero for a degree that is allowed: a polynomial in the degree alone is
-    /// looked at up to Cauchy's bound of its roots, `1 + max |c_i| / |c_n|`.
+    /// Whether a divisor can be zero at an allowed degree. A polynomial in the degree alone is tested up to Cauchy's
+    /// bound of its roots, `1 + max |c_i| / |c_n|`.
     pub fn can_vanish(&self, divisor: &Polynomial, least: usize) -> bool {
         if divisor.as_constant().is_some() {
             return divisor.is_zero();
@@ -543,7 +543,7 @@ pub(super) fn different_from_zero(formula: Expr) -> Expr {
     ))
 }
 
-/// Checks an order that was asked for.
+/// Checks a requested order.
 pub(super) fn checked(order: u8, most: u8) -> Result<u8, DeriveError> {
     if (1..=most).contains(&order) {
         Ok(order)
@@ -552,7 +552,7 @@ pub(super) fn checked(order: u8, most: u8) -> Result<u8, DeriveError> {
     }
 }
 
-/// Value and derivatives up to `order` of the curve `G` over the points `R[0], ..., R[k]` at both ends.
+/// Returns value and derivatives up to `order` of the curve `G` over the points `R[0], ..., R[k]` at both ends.
 ///
 /// # Errors
 /// [`DeriveError`]: no such basis, an order outside 1..=[`MAX_ORDER`], a basis without values at the ends.
@@ -605,7 +605,7 @@ pub fn end_derivatives(
     let bound = curve.degree_at_least(reach).into_iter();
     let mut points: Vec<Expr> = vec![];
     for point in used.iter().map(formula::expression) {
-        // At a number as degree both ends may use the same.
+        // At a numeric degree both ends may use the same.
         if !points.contains(&point) {
             points.push(point);
         }

@@ -26,10 +26,10 @@ use torse_prove::unknown::Unknown;
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::formula::{Expr, Operator};
 
-/// A solution is written out if no point takes more nodes than this.
+/// Maximum number of nodes of a point for which a solution is written out.
 const MAX_WRITTEN_OUT: usize = 60;
 
-/// The highest order of a join.
+/// Maximum order of a join.
 const MAX_JOIN: u8 = 3;
 
 /// A condition of geometric continuity.
@@ -43,8 +43,8 @@ pub enum Geometric {
     Beta,
 }
 
-/// The join of order `order` (C1, C2 or C3) of two curves of the family, with degrees m and n: the next
-/// control points `Q1[0], ..., Q1[order]`. The shape parameters of the second curve carry the suffix 1.
+/// Derives the join of order `order` (C1, C2 or C3) of two curves of the family, with degrees m and n: the next control
+/// points `Q1[0], ..., Q1[order]`. The shape parameters of the second curve carry the suffix 1.
 ///
 /// # Errors
 /// [`DeriveError`]: no such basis, an order outside 1..=3, ends that are not determined by the points.
@@ -67,7 +67,7 @@ pub fn continuity(
     solved(&family, names, &title, &rows.collect::<Vec<_>>())
 }
 
-/// A join with geometric continuity of two plane families (or curves in homogeneous coordinates).
+/// Derives a join with geometric continuity of two plane families (or curves in homogeneous coordinates).
 ///
 /// # Errors
 /// [`DeriveError`]: no such basis, ends that are not determined by the points.
@@ -79,7 +79,7 @@ pub fn geometric(
 ) -> Result<Derivation, DeriveError> {
     let one = Fraction::integer(1);
     let family = Family::new(declarations, basis, shape)?;
-    // The factors of the condition come after the names of the family, and give way to them.
+    // The factors of the condition are named after the family and avoid its names.
     let mut names = family.names()?;
     let (gamma, lambda) = match condition {
         Geometric::G1 => (names.fresh("gamma"), String::new()),
@@ -107,7 +107,7 @@ pub fn geometric(
     solved(&family, names, &title, &rows)
 }
 
-/// The row j of a condition: `F1^(j) = sum of factor F^(l)`.
+/// Returns the row j of a condition: `F1^(j) = sum of factor F^(l)`.
 type Row = Vec<(usize, Fraction)>;
 
 fn solved(
@@ -177,8 +177,9 @@ fn solved(
     })
 }
 
-/// A join of which the conditions are linear equations for the next points: of families whose ends involve more points than
-/// the order, and of rational curves. Points of the second curve that they leave free are given.
+/// Derives a join whose conditions are linear equations for the next points: for families whose ends involve more
+/// points than the order, and for rational curves. Points of the second curve that the equations leave free count as
+/// given.
 fn linear(
     first: &Curve,
     second: &Curve,
@@ -256,7 +257,7 @@ struct Join<'a> {
     b: Vec<Differences>,
 }
 
-/// The entry `i`, zero where there is none.
+/// Returns the entry `i`, or zero if there is none.
 fn entry(row: &[Fraction], i: usize) -> Fraction {
     row.get(i).cloned().unwrap_or_else(Fraction::zero)
 }
@@ -290,9 +291,9 @@ impl<'a> Join<'a> {
         })
     }
 
-    /// The next points as formulas of the given ones; `None` where a divisor is the zero function.
+    /// Returns the next points as formulas of the given ones; `None` if a divisor is the zero function.
     fn written_out(&self) -> Result<Option<Vec<Line>>, DeriveError> {
-        // A guard before the work: what is long already is not going to get short.
+        // Avoids the work if the formula is already too long.
         let longest = self.a.iter().chain(&self.b).flatten();
         if longest.map(|f| f.numerator().len()).max() > Some(8) {
             return Ok(None);
@@ -324,7 +325,7 @@ impl<'a> Join<'a> {
         Ok(Some(lines))
     }
 
-    /// The divisors a[j,j] that can vanish, as conditions.
+    /// Returns the divisors a[j,j] that can vanish, as conditions.
     fn divisors(&self) -> Vec<Expr> {
         let diagonal = self.a.iter().enumerate().map(|(j, row)| entry(row, j));
         let mut all: Vec<Polynomial> = diagonal
@@ -354,7 +355,7 @@ impl<'a> Join<'a> {
         }
     }
 
-    /// What the derivatives at both ends are divided by, if it can vanish.
+    /// Returns the divisor of the derivatives at both ends, if it can vanish.
     fn denominators(&self) -> Vec<Polynomial> {
         let entries = self.a.iter().chain(&self.b).flatten();
         let all = entries.flat_map(|f| f.conditions().to_vec());
@@ -364,7 +365,7 @@ impl<'a> Join<'a> {
         separated(&all)
     }
 
-    /// The solution with names for the coefficients, and the divisors by name.
+    /// Returns the solution with names for the coefficients, and the divisors by name.
     fn abbreviated(&self, names: &mut Names) -> (Vec<Line>, Vec<Expr>) {
         let mut lines = vec![];
         let mut named = |letter: &str, rows: &[Differences], of: &str| -> Vec<Vec<Option<Expr>>> {
@@ -467,7 +468,7 @@ fn is_one(expr: &Expr) -> bool {
     *expr == Expr::number(&torse_algebra::rational::integer(1))
 }
 
-/// The product, without factors one.
+/// Multiplies, without factors one.
 fn times(a: Expr, b: Expr) -> Expr {
     match (is_one(&a), is_one(&b)) {
         (true, _) => b,
@@ -476,7 +477,7 @@ fn times(a: Expr, b: Expr) -> Expr {
     }
 }
 
-/// The quotient, without a divisor one.
+/// Divides, without a divisor one.
 fn over(above: Expr, below: Option<Expr>) -> Expr {
     match below {
         Some(below) if !is_one(&below) => above.with(Operator::Divide, below),
@@ -484,7 +485,7 @@ fn over(above: Expr, below: Option<Expr>) -> Expr {
     }
 }
 
-/// The sum of signed terms; `None` without any.
+/// Adds signed terms; `None` for no terms.
 fn total(terms: impl Iterator<Item = (Operator, Expr)>) -> Option<Expr> {
     terms.fold(None, |sum, (operator, term)| {
         Some(match (sum, operator) {

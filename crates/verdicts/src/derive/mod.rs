@@ -28,17 +28,17 @@ use torse_algebra::ExactError;
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Expr, Node, Relation};
 
-/// The highest order of derivatives that is derived.
+/// Maximum order of derivatives.
 pub const MAX_ORDER: u8 = 8;
 
-/// An equation of a derivation: a name or a point, and what it is.
+/// An equation of a derivation: a name or a point, with its formula.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Line {
-    /// What the equation says, in words.
+    /// The meaning of the equation, in words.
     pub label: String,
-    /// What is defined: a name (an abbreviation), or a point or derivative (a result).
+    /// The left side: a name (an abbreviation), or a point or derivative (a result).
     pub left: Expr,
-    /// Its value, in terms of the given symbols and of the lines before.
+    /// The right side, in terms of the given symbols and of the lines before.
     pub right: Expr,
 }
 
@@ -52,17 +52,17 @@ impl Line {
         ))
     }
 
-    /// Whether this only names something for the lines that follow.
+    /// Whether this only defines a name for the lines that follow.
     #[must_use]
     pub fn is_abbreviation(&self) -> bool {
         matches!(self.left.node, Node::Name(_))
     }
 }
 
-/// Equations with what they are about and where they hold.
+/// Equations with a title and conditions.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Derivation {
-    /// What is derived, in words.
+    /// The title.
     pub title: String,
     /// The names of the symbolic degrees.
     pub degrees: Vec<String>,
@@ -72,11 +72,11 @@ pub struct Derivation {
     pub points: Vec<Expr>,
     /// The equations, in an order in which they can be computed.
     pub lines: Vec<Line>,
-    /// Where they hold: bounds of the degrees, divisors that must not vanish.
+    /// Conditions: bounds of the degrees, divisors that must not vanish.
     pub conditions: Vec<Expr>,
 }
 
-/// Why nothing could be derived.
+/// Why a derivation failed.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum DeriveError {
     /// There is no basis of this name.
@@ -90,7 +90,7 @@ pub enum DeriveError {
     Order {
         /// The order asked for.
         order: u8,
-        /// The highest one.
+        /// The maximum order.
         most: u8,
     },
     /// The seeds or the step cannot be evaluated.
@@ -104,9 +104,9 @@ pub enum DeriveError {
     /// The degree is too low or too high.
     #[error("the degree is not between {least} and {most}")]
     Degree {
-        /// That of the seeds.
+        /// The degree of the seeds.
         least: u8,
-        /// The highest one.
+        /// The maximum degree.
         most: u8,
     },
     /// The basis is a list of functions of another degree.
@@ -124,7 +124,7 @@ pub enum DeriveError {
     /// The conditions of a join do not determine the next points.
     #[error("the conditions do not determine the next points of this family: {reason}")]
     Open {
-        /// Why.
+        /// The reason.
         reason: String,
     },
     /// A value at an end of the interval does not exist.
@@ -135,7 +135,7 @@ pub enum DeriveError {
         /// What went wrong.
         source: ExactError,
     },
-    /// The variable has no finite interval, or one with formulas as ends.
+    /// The variable has no finite interval with numbers as ends.
     #[error("the variable `{variable}` is declared on no interval with two numbers as ends")]
     Interval {
         /// The variable.

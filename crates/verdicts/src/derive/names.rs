@@ -1,4 +1,4 @@
-//! Names for what a derivation introduces, away from the names of the family.
+//! Names for new symbols of a derivation that avoid those of the family.
 
 use std::collections::BTreeSet;
 
@@ -16,8 +16,8 @@ impl Names {
         }
     }
 
-    /// `wanted`, with as many zeros in front of its digits as it takes to be new: what is typeset differs as well, and no language
-    /// makes such names of its own, as `lambda_` for a word that it keeps.
+    /// Returns `wanted` with as many zeros before its digits as are needed to make it new. Such a name also differs
+    /// when typeset, and no output language makes it by itself, as SymPy makes `lambda_` from a reserved word.
     pub fn fresh(&mut self, wanted: &str) -> String {
         let stem = wanted.trim_end_matches(|c: char| c.is_ascii_digit());
         let digits = wanted.get(stem.len()..).unwrap_or("");

@@ -20,7 +20,7 @@ pub enum Language {
     Sympy,
 }
 
-/// The derivation in a language, under a heading; it ends with a line break.
+/// Writes the derivation in a language, under a heading; the text ends with a line break.
 ///
 /// Text, LaTeX and Typst state the equations and then where they hold. Rust is a function from one
 /// coordinate of the given points to one coordinate of the results; SymPy is a module with the
@@ -36,7 +36,7 @@ pub fn print(derivation: &Derivation, language: Language) -> String {
     }
 }
 
-/// Left and right sides, written.
+/// Writes left and right sides.
 fn sides(derivation: &Derivation, write: fn(&Expr) -> String) -> Vec<(String, String)> {
     let lines = derivation.lines.iter();
     lines

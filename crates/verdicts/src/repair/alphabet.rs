@@ -1,16 +1,16 @@
-//! What the edits of a claim may put in: the names that occur in it, through definitions.
+//! The names that edits of a claim may insert: those that occur in it, directly or through definitions.
 
 use std::collections::BTreeSet;
 use torse_syntax::derivation::Claim;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Expr, Node};
 
-/// The most names of a kind that edits may put in.
+/// Maximum number of names of a kind.
 const MAX_NAMES: usize = 16;
-/// The most functions, and the most places of them, that edits may put in.
+/// Maximum number of functions, and of the places where they are evaluated.
 const MAX_CALLS: usize = 6;
 
-/// The names that an edit may put in.
+/// The names that an edit may insert.
 #[derive(Debug, Clone, Default)]
 pub struct Alphabet {
     /// Numbers and vectors that occur in the claim.
@@ -23,14 +23,14 @@ pub struct Alphabet {
     pub pairs: Vec<[String; 2]>,
     /// Functions of one variable that the claim calls, without primes.
     pub functions: Vec<String>,
-    /// Where it calls them.
+    /// The places where it evaluates them.
     pub places: Vec<Expr>,
     /// Basis families: name, lowest degree, number of arguments.
     pub bases: Vec<(String, u8, usize)>,
 }
 
 impl Alphabet {
-    /// Without the numbers and vectors: what a second edit may put in.
+    /// Drops numbers and vectors: returns what a second edit may insert.
     #[must_use]
     pub fn without_names(&self) -> Self {
         Self {

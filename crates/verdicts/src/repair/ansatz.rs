@@ -1,10 +1,9 @@
-//! The right side derived anew in the printed terms.
+//! Derives the right side anew in the printed terms.
 //!
-//! A formula with more slips than two is still built from the right parts. Its terms, and their products
-//! with one further name of the claim, get unknown rational coefficients; the equations for them are
-//! linear, and solved exactly modulo a prime. Printed terms come first, so that a further name enters only
-//! where they do not suffice. What is found is **proved** like any statement. The side is tried as a
-//! whole, then each definition in it alone.
+//! A formula with more than two slips is still built from the right parts. Its terms, and their products with one
+//! further name of the claim, get unknown rational coefficients; the equations for them are linear, and solved exactly
+//! modulo a prime. Printed terms come first, so a further name enters only where they do not suffice. A solution is
+//! **proved** like any statement. The whole side is tried first, then each definition in it alone.
 
 use super::alphabet::alphabet;
 use super::residue::{of_fraction, of_rational, power, solved, to_rational};
@@ -26,14 +25,14 @@ use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Expr, Node};
 use torse_syntax::notation;
 
-/// The most further names that are tried.
+/// Maximum number of further names.
 const MAX_NAMES: usize = 40;
-/// Equations more than unknowns.
+/// Number of equations beyond that of unknowns.
 const SURPLUS: usize = 6;
-/// The most points at which a divisor may vanish before the search gives up.
+/// Maximum number of points at which a divisor may vanish before the search gives up.
 const MAX_MISSES: u64 = 20;
 
-/// What is derived anew: `rest + factor*body`, with the body to be found.
+/// The part that is derived anew: `rest + factor*body`, with the body unknown.
 struct Shape {
     definition: Option<String>,
     body: Terms,
@@ -41,7 +40,7 @@ struct Shape {
     rest: Terms,
 }
 
-/// Searches the printed side in its own terms.
+/// Searches for the printed side in its own terms.
 #[must_use]
 pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
     let subject = Subject::from_claim(claim, statement)?;
@@ -70,7 +69,7 @@ pub(super) fn single(value: &Value) -> Option<Fraction> {
     }
 }
 
-/// The whole side, and each definition that it is linear in.
+/// Returns the whole side, and each definition that it is linear in.
 fn shapes(claim: &Claim, printed: &Terms, atoms: &mut Atoms) -> Vec<Shape> {
     let mut shapes = vec![Shape {
         definition: None,
@@ -100,13 +99,13 @@ fn shapes(claim: &Claim, printed: &Terms, atoms: &mut Atoms) -> Vec<Shape> {
             rest,
         }));
     }
-    // One term alone has no shape to keep.
+    // A single term has no shape to keep.
     shapes.retain(|shape| shape.body.len() > 1);
     shapes
 }
 
-/// The atoms that printed terms may be multiplied with: numbers that the claim names, pi, and the
-/// numbers that its file defines.
+/// Returns the atoms that printed terms may be multiplied with: numbers that the claim names, pi, and the numbers that
+/// its file defines.
 fn further(
     claim: &Claim,
     statement: &Written,
@@ -143,7 +142,7 @@ fn further(
     found
 }
 
-/// Residues at a point: of the atoms, and of what the side must come to.
+/// Residues at a point: of the atoms, and of the required value of the side.
 struct Point {
     atoms: Vec<u64>,
     wanted: u64,
@@ -188,7 +187,7 @@ impl Point {
     }
 }
 
-/// The bodies that make the side right: in the printed terms if possible, else with one further name.
+/// Returns the bodies that make the side right: in the printed terms if possible, else with one further name.
 fn solutions(shape: &Shape, further: &[usize], points: &[Point]) -> Vec<(Terms, Vec<usize>)> {
     let printed: Vec<Powers> = shape
         .body
@@ -212,7 +211,7 @@ fn solutions(shape: &Shape, further: &[usize], points: &[Point]) -> Vec<(Terms, 
             }
         }
         let mut terms = solution(shape, &columns, points)?;
-        // In the order of the print, whether multiplied or not.
+        // Terms keep the order of the print, multiplied or not.
         let products: Vec<Powers> = printed.iter().map(times_name).collect();
         let place = |powers: &Powers| {
             let own = printed.iter().position(|p| p == powers);
@@ -266,9 +265,9 @@ fn proved(
     };
     let conditions = decide_statement(claim, &trial).ok()?.conditions()?;
     let derived = match &shape.definition {
-        None => "the right side derived anew in the printed terms".to_owned(),
+        None => "the right side derived anew from the printed terms".to_owned(),
         Some(name) => format!(
-            "`{name}` derived anew in its printed terms: `{}`",
+            "`{name}` derived anew from its printed terms: `{}`",
             notation::text(body)
         ),
     };
@@ -280,7 +279,7 @@ fn proved(
     })
 }
 
-/// The formula with a name replaced by a formula.
+/// Replaces a name in the formula by a formula.
 fn replaced(expr: &Expr, name: &str, by: &Expr) -> Expr {
     if matches!(&expr.node, Node::Name(own) if own == name) {
         return by.clone();

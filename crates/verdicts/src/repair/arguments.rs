@@ -1,12 +1,12 @@
-//! What stands in brackets: one argument taken for another of the same call while the others stay, one curve or its end
-//! taken for another, and a square where two factors differ by a name.
+//! Edits of arguments: one argument replaced by another of the same call while the others stay, one curve or end
+//! replaced by another, and a square whose two factors should differ by a name.
 
 use super::alphabet::Alphabet;
 use super::edit::{Change, Edit, parts, placed, with_name};
 use torse_algebra::rational::integer;
 use torse_syntax::formula::{Expr, Node, Operator};
 
-/// All formulas with one such edit.
+/// Returns all formulas with one such edit.
 #[must_use]
 pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let expr = &expr.placeless();
@@ -33,7 +33,7 @@ pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     result
 }
 
-/// The call with one argument in the place of another one.
+/// Replaces one argument of the call by another of its arguments.
 fn other_arguments(head: &Expr, arguments: &[Expr]) -> Vec<Expr> {
     let mut seen: Vec<&Expr> = vec![];
     for argument in arguments {
@@ -54,7 +54,7 @@ fn other_arguments(head: &Expr, arguments: &[Expr]) -> Vec<Expr> {
     found
 }
 
-/// `F'(1)` for `G'(0)`: the functions of one variable that the claim calls, and where it calls them, primes kept.
+/// Returns `F'(1)` for `G'(0)`: other functions of one variable and other places that the claim uses, with primes kept.
 fn other_calls(head: &Expr, alphabet: &Alphabet) -> Vec<Expr> {
     let Node::Name(name) = &head.node else {
         return vec![];
@@ -75,7 +75,7 @@ fn other_calls(head: &Expr, alphabet: &Alphabet) -> Vec<Expr> {
         .collect()
 }
 
-/// `(v - c)*(v - d)` for `(v - c)^2`.
+/// Returns `(v - c)*(v - d)` for `(v - c)^2`.
 fn split(base: &Expr, exponent: &Expr, names: &[&str]) -> Vec<Expr> {
     let square = Expr::number(&integer(2));
     if exponent.node != square.node {

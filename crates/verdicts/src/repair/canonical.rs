@@ -1,15 +1,15 @@
-//! When are two edits the same correction? When the formulas differ only in the order and grouping of
-//! factors and terms, and in where a sign stands.
+//! Identifies edits that are the same correction: their formulas differ only in the order and grouping of factors and
+//! terms, and in where a sign stands.
 
 use std::sync::Arc;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_syntax::formula::{Expr, Node, Operator};
 
-/// The greatest exponent that is written out.
+/// Maximum exponent that is written out.
 const MAX_REPEATED: u8 = 4;
 
-/// A text that is the same for formulas that differ only in order, grouping and place of signs.
+/// Returns a text that is equal for formulas that differ only in order, grouping and place of signs.
 #[must_use]
 pub fn canonical(expr: &Expr) -> String {
     let mut terms = vec![];
@@ -68,7 +68,7 @@ fn collect_factors(expr: &Expr, inverted: bool, number: &mut Rational, into: &mu
             };
         }
         Node::Binary(Operator::Add | Operator::Subtract, ..) => {
-            // A sum as a factor: its sign is pulled out so that a - b and -(b - a) agree.
+            // The sign of a sum that is a factor is pulled out, so that a - b and -(b - a) agree.
             let text = canonical(expr);
             let negated = canonical(&Expr::made(Node::Negative(Arc::new(expr.clone()))));
             if negated < text {
@@ -80,7 +80,7 @@ fn collect_factors(expr: &Expr, inverted: bool, number: &mut Rational, into: &mu
         }
         Node::Number { value, .. } => into.push(format!("{mark}{value}")),
         Node::Name(name) => into.push(format!("{mark}{name}")),
-        // w^2 and w*w are one thing.
+        // w^2 and w*w have one form.
         Node::Binary(Operator::Power, base, exponent) if repetitions(exponent).is_some() => {
             for _ in 0..repetitions(exponent).unwrap_or(0) {
                 collect_factors(base, inverted, number, into);

@@ -1,11 +1,10 @@
-//! Corrections of data: what must the data read for a printed value to be right?
+//! Corrects data: which data would make a printed value right?
 //!
-//! A wrong value of an example is often the right value of other data, those of an earlier version. The
-//! numbers among the claim's definitions are taken for unknowns, one and then two at a time; the printed
-//! value, a rational function of them, is compared with the print at every number that a slip may have
-//! turned into the printed one ([`slips`]). What agrees is **proved** with the changed data, and minimized
-//! by what it does to the other values of the example: few numbers changed, no other value
-//! contradicted, many explained, in this order.
+//! A wrong value of an example is often the right value for other data, such as those of an earlier version. The
+//! numbers among the claim's definitions are treated as unknowns, one and then two at a time. The printed value, a
+//! rational function of them, is compared with the print at every number that a slip may have turned into the printed
+//! one ([`slips`]). A match is **proved** with the changed data. Matches are ranked by their effect on the other values
+//! of the example: few numbers changed, no other value contradicted, many explained, in this order.
 
 use super::rates::{Rate, rates};
 use super::slips::{Cost, few_digits, slips};
@@ -23,9 +22,9 @@ use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Expr, Node, Operator};
 use torse_syntax::notation;
 
-/// The most numbers of an example that are taken for unknowns.
+/// Maximum number of unknown numbers of an example.
 const MAX_DATA: usize = 24;
-/// The most explanations that are proved.
+/// Maximum number of explanations that are proved.
 const MAX_PROOFS: usize = 16;
 
 /// A number among the definitions of a claim.
@@ -36,20 +35,20 @@ struct Datum {
     value: Rational,
 }
 
-/// Data and what they should read.
+/// Data and their corrected values.
 #[derive(Debug, Clone)]
 struct Change<'d> {
     cost: Cost,
     data: Vec<(&'d Datum, Rational)>,
 }
 
-/// Searches a change of the data that explains a refuted value.
+/// Searches for a change of the data that explains a refuted value.
 #[must_use]
 pub fn search(claim: &Claim, statement: &Written) -> Option<DataCorrection> {
     let mut data = data(claim, statement);
     data.truncate(MAX_DATA);
     let others: Vec<Rational> = data.iter().map(|d| d.value.clone()).collect();
-    // Data that do not enter the value are left alone.
+    // Data that do not enter the value are not changed.
     data.retain(|datum| {
         let rates = functions(claim, statement, [datum, datum]);
         rates.is_some_and(|rates| rates.iter().any(Rate::varies))
@@ -64,14 +63,14 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<DataCorrection> {
 }
 
 impl Change<'_> {
-    /// What is least likely comes last: numbers of several data, then expensive slips.
+    /// The least likely changes come last: numbers of several data, then expensive slips.
     fn weight(&self) -> (usize, Cost) {
         let names: BTreeSet<&str> = self.data.iter().map(|(d, _)| d.name.as_str()).collect();
         (names.len(), self.cost)
     }
 }
 
-/// The numbers in the definitions that the statement rests on, in the order in which it names them.
+/// Returns the numbers in the definitions that the statement depends on, in the order in which it names them.
 fn data(claim: &Claim, statement: &Written) -> Vec<Datum> {
     let mut seen = BTreeSet::new();
     let mut found = vec![];
@@ -104,7 +103,7 @@ fn data(claim: &Claim, statement: &Written) -> Vec<Datum> {
     found
 }
 
-/// The numbers of a formula that consists of nothing else, with the ways to them.
+/// Returns the numbers of a formula that consists of nothing else, with the paths to them.
 fn collect(expr: &Expr, path: &[usize], into: &mut Vec<(Vec<usize>, Rational)>) -> bool {
     if let Some(value) = number(expr) {
         into.push((path.to_vec(), value));
@@ -117,7 +116,7 @@ fn collect(expr: &Expr, path: &[usize], into: &mut Vec<(Vec<usize>, Rational)>) 
     parts.all(|(position, item)| collect(item, &[path, &[position]].concat(), into))
 }
 
-/// The value of a number as it may be written: with a sign, as a quotient.
+/// Returns the value of a number that may have a sign or be a quotient.
 fn number(expr: &Expr) -> Option<Rational> {
     match &expr.node {
         Node::Number { value, .. } => Some(value.clone()),
@@ -130,7 +129,7 @@ fn number(expr: &Expr) -> Option<Rational> {
     }
 }
 
-/// A number as the print would write it.
+/// Writes a number as the print would.
 fn printed(value: &Rational) -> Expr {
     use num_traits::Signed;
     if value.is_negative() {
@@ -157,7 +156,7 @@ fn one_changed<'d>(
         let Some(rates) = functions(claim, statement, [datum, datum]) else {
             continue;
         };
-        // Nothing is left of the first of two equal symbols.
+        // Two equal symbols would cancel the first.
         let rates: Vec<_> = rates.iter().map(|r| r.at_first(0.0)).collect();
         for (value, cost) in few_digits(&datum.value, others) {
             let at = to_f64(&value);
@@ -209,7 +208,7 @@ fn two_changed<'d>(
     changes
 }
 
-/// The printed values as functions of two data; given the same one twice, of the second alone.
+/// Returns the printed values as functions of two data; if both are the same one, of the second alone.
 fn functions(claim: &Claim, statement: &Written, data: [&Datum; 2]) -> Option<Vec<Rate>> {
     // Names with a space cannot clash with those of a file.
     let names = ["first datum", "second datum"];
@@ -243,7 +242,7 @@ fn replace<'n>(
     Some(())
 }
 
-/// The claim with other declarations.
+/// Returns the claim with other declarations.
 pub(super) fn with(claim: &Claim, declarations: Declarations) -> Claim {
     Claim {
         declarations: Arc::new(declarations),
@@ -254,11 +253,11 @@ pub(super) fn with(claim: &Claim, declarations: Declarations) -> Claim {
 /// A proved explanation.
 struct Explanation {
     correction: DataCorrection,
-    /// Values contradicted, values explained, weight of the change: the least is the best.
+    /// Values contradicted, values explained, weight of the change: the minimum is the best.
     rank: (usize, Reverse<usize>, (usize, Cost)),
 }
 
-/// The best proved change.
+/// Returns the best proved change.
 fn explanation(
     claim: &Claim,
     statement: &Written,
@@ -281,7 +280,7 @@ fn explained(claim: &Claim, statement: &Written, change: &Change<'_>) -> Option<
     for (datum, value) in &change.data {
         replace(&mut bodies, &claim.declarations, datum, printed(value))?;
     }
-    // A definition of the claim's own hides that of the example, and is not changed with it.
+    // A definition of the claim's own hides that of the example, and does not change with it.
     let changed = |claim: &Claim| {
         let mut declarations = (*claim.declarations).clone();
         for (name, definition) in &bodies {
@@ -335,7 +334,7 @@ fn explained(claim: &Claim, statement: &Written, change: &Change<'_>) -> Option<
     })
 }
 
-/// Whether a statement compares with printed decimals: a result of the example, not its data repeated.
+/// Whether a statement compares with printed decimals, so that it is a result of the example rather than its data.
 fn is_result(expr: &Expr) -> bool {
     expr.names().contains(&"agrees")
 }

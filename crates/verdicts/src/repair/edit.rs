@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use torse_syntax::formula::{Expr, Node};
 
-/// A changed formula and what was changed.
+/// A changed formula with a description of the change.
 #[derive(Debug, Clone)]
 pub struct Edit {
     /// The formula after the edit.
@@ -13,16 +13,16 @@ pub struct Edit {
     pub change: Change,
 }
 
-/// A change in words. Of thousands that are tried a few are told: the formulas become text where that is asked for.
+/// A change in words. Thousands are tried and few are shown, so the formulas become text on demand.
 #[derive(Debug, Clone)]
 pub struct Change {
-    /// The words around the formulas: before each, and after the last.
+    /// The words around the formulas: before each one, and after the last.
     words: Vec<Cow<'static, str>>,
     formulas: Vec<Expr>,
 }
 
 impl Change {
-    /// A sentence in which `_` stands for each of the formulas: "the sign of _ changed".
+    /// Makes a sentence in which `_` stands for each of the formulas: "the sign of _ changed".
     #[must_use]
     pub fn new<const N: usize>(sentence: &'static str, formulas: [&Expr; N]) -> Self {
         Self {
@@ -37,7 +37,7 @@ impl Change {
         Self::new("_ replaced by _", [old, new])
     }
 
-    /// The change, and where it is made.
+    /// Describes the change and its place.
     #[must_use]
     pub fn at(mut self, place: &str) -> Self {
         match self.words.last_mut() {
@@ -61,7 +61,7 @@ impl fmt::Display for Change {
     }
 }
 
-/// The formula with the part at `path` replaced.
+/// Replaces the part at `path` of the formula.
 pub(crate) fn placed(expr: &Expr, path: &[usize], by: Expr) -> Expr {
     let Some((first, rest)) = path.split_first() else {
         return by;
@@ -72,8 +72,8 @@ pub(crate) fn placed(expr: &Expr, path: &[usize], by: Expr) -> Expr {
         .unwrap_or_else(|| expr.clone())
 }
 
-/// Every part of a formula with the way to it, the formula itself first; the heads of calls and members, which are names
-/// of functions and families, are left out.
+/// Returns every part of a formula with the path to it, the formula itself first; the heads of calls and members, which
+/// are names of functions and families, are left out.
 pub(super) fn parts(expr: &Expr) -> Vec<(Vec<usize>, &Expr)> {
     let mut found = vec![];
     let mut pending = vec![(vec![], expr)];
@@ -87,7 +87,7 @@ pub(super) fn parts(expr: &Expr) -> Vec<(Vec<usize>, &Expr)> {
     found
 }
 
-/// The formula with one name put for another in all places, primes kept.
+/// Replaces one name by another in all places, with primes kept.
 pub(super) fn with_name(expr: &Expr, old: &str, new: &str) -> Expr {
     let mut result = expr.with_parts(|part| with_name(part, old, new));
     if let Node::Name(name) = &mut result.node {

@@ -11,7 +11,7 @@ use torse_algebra::Rational;
 use torse_algebra::rational::{integer, ratio};
 use torse_syntax::formula::{Expr, Node, Operator};
 
-/// All formulas one edit away.
+/// Returns all formulas one edit away.
 #[must_use]
 pub fn single(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let mut result = global_edits::edits(expr, alphabet);
@@ -21,7 +21,7 @@ pub fn single(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     result
 }
 
-/// Edits of the parts, lifted to the whole.
+/// Returns edits of the parts, lifted to the whole.
 fn inside(expr: &Expr, alphabet: &Alphabet, into: &mut Vec<Edit>) {
     let additive = matches!(
         &expr.node,
@@ -59,7 +59,7 @@ fn inside(expr: &Expr, alphabet: &Alphabet, into: &mut Vec<Edit>) {
     }
 }
 
-/// Edits at the top of a formula.
+/// Returns edits at the top of a formula.
 pub(super) fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let replaced = |by: Expr| {
         let change = Change::replaced(expr, &by);
@@ -137,7 +137,7 @@ pub(super) fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
                 result.push(Edit { expr: by, change });
             }
             result.extend(argument_pairs(head, arguments, alphabet).map(replaced));
-            // sin <-> cos, sinh <-> cosh, and a function in place of its variable.
+            // sin <-> cos, sinh <-> cosh, and a function replaced by its variable.
             if let (Node::Name(name), [argument]) = (&head.node, arguments.as_slice()) {
                 let other = match name.as_str() {
                     "sin" => Some("cos"),
@@ -160,8 +160,8 @@ pub(super) fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     result
 }
 
-/// A call with two neighbouring names among its arguments replaced by those of another call: the shape
-/// parameters of another curve.
+/// Replaces two neighbouring names among the arguments of a call by those of another call: the shape parameters of
+/// another curve.
 fn argument_pairs<'e>(
     head: &'e Arc<Expr>,
     arguments: &'e [Expr],
@@ -269,7 +269,7 @@ fn binary(expr: &Expr, operator: Operator, a: &Expr, b: &Expr, result: &mut Vec<
     }
 }
 
-/// A factor in front of a formula, or its sign changed.
+/// Inserts a factor before a formula, or changes its sign.
 pub(super) fn scaled(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let mut factors: Vec<Expr> = [
         (2, 1),
@@ -307,7 +307,7 @@ pub(super) fn scaled(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     edits
 }
 
-/// Numbers that are easily mistaken for this one.
+/// Returns numbers that are easily mistaken for this one.
 fn numbers(value: &Rational) -> Vec<Rational> {
     let mut near = vec![
         value + integer(1),
@@ -328,7 +328,7 @@ fn numbers(value: &Rational) -> Vec<Rational> {
     near
 }
 
-/// One family taken for another.
+/// Replaces one family by another.
 fn families(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let Node::Name(name) = &expr.node else {
         return vec![];
@@ -340,7 +340,7 @@ fn families(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     others.map(|other| named(expr, other)).collect()
 }
 
-/// A prime more or less.
+/// Adds or removes a prime.
 fn primes(expr: &Expr) -> Vec<Edit> {
     let Node::Name(name) = &expr.node else {
         return vec![];
@@ -353,7 +353,7 @@ fn primes(expr: &Expr) -> Vec<Edit> {
         .collect()
 }
 
-/// Another name.
+/// Replaces a name by another.
 fn named(expr: &Expr, name: &str) -> Edit {
     let by = Expr::name(name);
     Edit {

@@ -1,9 +1,8 @@
-//! The slip behind a printed determinant: which entries of the matrix give exactly the printed value?
+//! Finds the slip behind a printed determinant: which entries of the matrix give exactly the printed value?
 //!
-//! A determinant that is wrong for the printed matrix is often that of a matrix in which an entry or two are written
-//! otherwise: with the other sign, with a factor more, with a factor less. The determinant is evaluated modulo a prime
-//! at pseudo-random points for every such change of one entry, then of two; what agrees there is **proved** with the
-//! changed matrix.
+//! A determinant that is wrong for the printed matrix is often that of a matrix in which one or two entries differ: by
+//! the sign, by a factor more, by a factor less. The determinant is evaluated modulo a prime at pseudo-random points
+//! for every such change of one entry, then of two; a match is **proved** with the changed matrix.
 
 use super::ansatz::single;
 use super::data::with;
@@ -21,11 +20,11 @@ use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Expr, Node, Operator, Relation};
 use torse_syntax::notation;
 
-/// The largest matrix that is examined.
+/// Maximum size of a matrix.
 const MAX_SIDE: usize = 8;
-/// The points at which a changed determinant has to agree before it is proved.
+/// Number of points at which a changed determinant must match before it is proved.
 const POINTS: std::ops::RangeInclusive<u64> = 1..=3;
-/// The most changes that are proved.
+/// Maximum number of changes that are proved.
 const MAX_PROOFS: usize = 8;
 
 /// A square matrix of residues, row by row.
@@ -41,7 +40,7 @@ struct Slip {
     values: Vec<u64>,
 }
 
-/// Searches the entries behind a refuted `det(M) == value`, where M is a definition of the file.
+/// Searches for the entries behind a refuted `det(M) == value`, where M is a definition of the file.
 #[must_use]
 pub fn search(claim: &Claim, statement: &Written) -> Option<DataCorrection> {
     let (name, printed) = sides(&statement.expr)?;
@@ -58,7 +57,7 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<DataCorrection> {
     let mut slips = vec![];
     for (r, row) in rows.iter().enumerate() {
         for (c, entry) in row.iter().enumerate() {
-            // What is zero stays so under every change.
+            // A zero stays zero under every change.
             if entries.get(r)?.get(c)?.iter().all(|value| *value == 0) {
                 continue;
             }
@@ -112,7 +111,7 @@ fn two(slips: &[Slip]) -> impl Iterator<Item = Vec<&Slip>> {
     })
 }
 
-/// The name of the matrix and the printed value of `det(M) == value`.
+/// Returns the name of the matrix and the printed value of `det(M) == value`.
 fn sides(statement: &Expr) -> Option<(&str, &Expr)> {
     let Node::Compare(left, rest) = &statement.node else {
         return None;
@@ -126,7 +125,7 @@ fn sides(statement: &Expr) -> Option<(&str, &Expr)> {
         .or_else(|| Some((matrix(right)?, left)))
 }
 
-/// The M of `det(M)`.
+/// Returns the M of `det(M)`.
 fn matrix(expr: &Expr) -> Option<&str> {
     let Node::Call(function, arguments) = &expr.node else {
         return None;
@@ -143,7 +142,7 @@ fn matrix(expr: &Expr) -> Option<&str> {
     }
 }
 
-/// The rows of a square matrix that is written out.
+/// Returns the rows of a square matrix that is written out.
 fn square(body: &Expr) -> Option<Vec<&[Expr]>> {
     let Node::List(rows) = &body.node else {
         return None;
@@ -158,13 +157,13 @@ fn square(body: &Expr) -> Option<Vec<&[Expr]>> {
     (rows.len() <= MAX_SIDE).then_some(rows)
 }
 
-/// The residues of a number at the points.
+/// Returns the residues of a number at the points.
 fn residues(expr: &Expr, evaluator: &Evaluator<'_>) -> Option<Vec<u64>> {
     let value = single(&evaluator.evaluate(expr).ok()?)?;
     POINTS.map(|point| of_fraction(&value, point)).collect()
 }
 
-/// What an entry may have been: with the other sign, with one of the names as a factor more or less.
+/// Returns what an entry may have been: with the other sign, with one of the names as a factor more or less.
 fn slipped(entry: &Expr, names: &BTreeSet<&str>) -> Vec<Expr> {
     let mut slips = vec![negated(entry)];
     for name in names {
@@ -176,7 +175,7 @@ fn slipped(entry: &Expr, names: &BTreeSet<&str>) -> Vec<Expr> {
     slips
 }
 
-/// `-8*k` for `8*k`.
+/// Returns `-8*k` for `8*k`.
 fn negated(entry: &Expr) -> Expr {
     match &entry.node {
         Node::Negative(inner) => (**inner).clone(),
@@ -188,7 +187,7 @@ fn negated(entry: &Expr) -> Expr {
     }
 }
 
-/// `-5` for `-5*k`.
+/// Returns `-5` for `-5*k`.
 fn without_factor(entry: &Expr, name: &str) -> Option<Expr> {
     let is_name = |expr: &Expr| matches!(&expr.node, Node::Name(own) if own == name);
     match &entry.node {
@@ -203,7 +202,7 @@ fn without_factor(entry: &Expr, name: &str) -> Option<Expr> {
     }
 }
 
-/// The determinant, by elimination; `None` only if the rows do not fit.
+/// Computes the determinant by elimination; `None` only if the rows do not fit.
 fn determinant(mut rows: Residues) -> Option<u64> {
     let mut product = 1;
     for column in 0..rows.len() {
@@ -233,7 +232,7 @@ fn determinant(mut rows: Residues) -> Option<u64> {
     Some(product)
 }
 
-/// The statement with the changed matrix, if it is proved without conditions.
+/// Returns the statement with the changed matrix, if it is proved without conditions.
 fn proved(
     claim: &Claim,
     statement: &Written,

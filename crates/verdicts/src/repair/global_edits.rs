@@ -6,7 +6,7 @@ use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_syntax::formula::{Expr, Node, Operator};
 
-/// All formulas in which one thing was taken for another throughout.
+/// Returns all formulas in which one thing replaces another throughout.
 #[must_use]
 pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let mut result = renamed(expr);
@@ -16,7 +16,7 @@ pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     result
 }
 
-/// One name taken for another throughout a bracket, primes kept: the slip of copying a bracket.
+/// Replaces one name by another throughout a bracket, primes kept: the slip of copying a bracket.
 fn renamed(expr: &Expr) -> Vec<Edit> {
     let mut result = vec![];
     let bases = |expr: &Expr| {
@@ -65,7 +65,7 @@ fn renamed(expr: &Expr) -> Vec<Edit> {
     result
 }
 
-/// A sine or cosine that occurs more than once taken for its variable, throughout.
+/// Replaces a sine or cosine that occurs more than once by its variable, throughout.
 fn functions_dropped(expr: &Expr) -> Vec<Edit> {
     let calls: Vec<&Expr> = all_parts(expr)
         .into_iter()
@@ -97,7 +97,7 @@ fn is_angle(expr: &Expr) -> bool {
         if matches!(&head.node, Node::Name(name) if name == "sin" || name == "cos"))
 }
 
-/// The variables in the angle of a sine or cosine.
+/// Returns the variables in the angle of a sine or cosine.
 fn variables(call: &Expr) -> impl Iterator<Item = &str> {
     let names = call.names().into_iter();
     names.filter(|n| !["sin", "cos", "exp", "pi"].contains(n))
@@ -110,7 +110,7 @@ fn with_part(expr: &Expr, old: &str, new: &Expr) -> Expr {
     expr.with_parts(|part| with_part(part, old, new))
 }
 
-/// The largest bracket in which names are replaced throughout.
+/// Maximum size of a bracket in which names are replaced throughout.
 const MAX_RENAMED: usize = 15;
 
 /// The parts of a formula, itself first.
@@ -124,8 +124,8 @@ fn all_parts(expr: &Expr) -> Vec<&Expr> {
     found
 }
 
-/// A sine or cosine in the powers taken for its variable, with one factor of each power kept:
-/// `s^(i + 1)` becomes `s*x^i`. The slip of running two sequences of factors together.
+/// Replaces a sine or cosine in powers by its variable, with one factor of each power kept: `s^(i + 1)` becomes
+/// `s*x^i`. The slip merges two sequences of factors.
 fn factors_kept(expr: &Expr) -> Vec<Edit> {
     let mut result = vec![];
     let mut seen: Vec<String> = vec![];
@@ -162,7 +162,7 @@ fn with_factors_kept(expr: &Expr, call: &str, variable: &Expr) -> Expr {
     expr.with_parts(|part| with_factors_kept(part, call, variable))
 }
 
-/// The formula minus one, written as a human would.
+/// Returns the formula minus one, written as a human would.
 fn one_less(expr: &Expr) -> Expr {
     let number = |e: &Expr| match &e.node {
         Node::Number { value, .. } => Some(value.clone()),
@@ -188,8 +188,8 @@ fn one_less(expr: &Expr) -> Expr {
     }
 }
 
-/// The functions of a basis taken for those of another of its lowest degree: `f[i,n](z, mu, nu)` for
-/// `b[i,1](z)`, for every i.
+/// Replaces the functions of a basis by those of another of its lowest degree: `f[i,n](z, mu, nu)` by `b[i,1](z)`, for
+/// every i.
 fn basis_exchanged(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let mut result: Vec<Edit> = vec![];
     let mut seen: Vec<String> = vec![];
@@ -256,7 +256,7 @@ impl<'e> Member<'e> {
         text(&self.with_index(&Expr::name("i")))
     }
 
-    /// The function of another index.
+    /// Returns the function of another index.
     fn with_index(&self, index: &Expr) -> Expr {
         let indices = vec![index.clone(), self.degree.clone()];
         let head = Node::Index(Expr::name(self.basis).into(), indices);

@@ -1,10 +1,11 @@
 //! Corrections of refuted formulas.
 //!
-//! The printed side of a refuted equality ([`subject`]) is edited, first once, then twice; candidates are
-//! filtered at a sample point ([`target`]) and the survivors **proved** like any statement. The smallest
-//! number of edits wins; whether another correction with as few edits exists is reported. Between one edit and two comes
-//! one slip that shows in several places ([`repeated`], [`names`], [`arguments`]), in a definition of the printed side
-//! ([`subject`]) or beside the formula ([`move_factor`]). A wrong value may be the right value of other data, and a wrong
+//! The printed side of a refuted equality ([`subject`]) is edited, first once, then twice; candidates are filtered at a
+//! sample point ([`target`]) and the survivors **proved** like any statement. The smallest number of edits wins; the
+//! result says whether another correction with as few edits exists. Between one edit and two, one slip that shows in
+//! several places is tried ([`repeated`], [`names`], [`arguments`]), in a definition of the printed side ([`subject`])
+//! or beside the formula ([`move_factor`]). A wrong value may be the right value of other data, and a wrong determinant
+//! that of another matrix: see [`data`] and [`entries`].
 //! determinant that of another matrix: see [`data`] and [`entries`].
 
 pub(crate) mod alphabet;
@@ -41,23 +42,23 @@ use torse_syntax::formula::{Expr, Node, Relation};
 use torse_syntax::notation::{self, Formula};
 use torse_syntax::taxonomy::Kind;
 
-/// The most candidates evaluated with one edit.
+/// Maximum number of candidates evaluated with one edit.
 const MAX_SINGLE: usize = 6_000;
-/// The most first edits that are combined with a second one.
+/// Maximum number of first edits that are combined with a second one.
 const MAX_FIRST: usize = 150;
-/// The most candidates evaluated with two edits.
+/// Maximum number of candidates evaluated with two edits.
 const MAX_DOUBLE: usize = 12_000;
-/// The work for slips that show in several places, in the units of [`target`].
+/// Maximum work for slips that show in several places, in the units of [`target`].
 const MAX_ELSEWHERE: u64 = 300_000;
-/// How many survivors of the sample point are proved before the search ends.
+/// Maximum number of survivors of the sample point that are proved.
 const MAX_PROOFS: usize = 8;
-/// A comparison whose left side has at most so many nodes is a tautology when both sides are equal.
+/// If the left side of a comparison has at most so many nodes and both sides become equal, it is a tautology.
 const MAX_TAUTOLOGY: usize = 5;
 /// Formulas larger than this are corrected with one edit at most.
 const MAX_SIZE_DOUBLE: usize = 60;
 
-/// Whether a correction of such statements is sought. In the other kinds the formula is ours, not the paper's: correcting
-/// it would say nothing, and a step of an argument that does not follow is no misprint of a letter.
+/// Whether to search for a correction of statements of this kind. In the other kinds the formula is ours, not the
+/// paper's: correcting it would say nothing, and a step of an argument that does not follow is no misprint.
 #[must_use]
 pub fn is_sought(kind: Kind) -> bool {
     matches!(
@@ -66,7 +67,7 @@ pub fn is_sought(kind: Kind) -> bool {
     )
 }
 
-/// Searches a correction of a refuted statement.
+/// Searches for a correction of a refuted statement.
 #[must_use]
 pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
     let subject = Subject::from_claim(claim, statement)?;
@@ -95,7 +96,7 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
     if printed.size() > MAX_SIZE_DOUBLE {
         return None;
     }
-    // First edits that put an entry of a vector right come first.
+    // First edits that make an entry of a vector right come first.
     singles.sort_by_key(|(entries, _)| Reverse(*entries));
     let second_alphabet = alphabet.without_names();
     let mut twice = vec![];
@@ -116,7 +117,7 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
     proved(claim, statement, &subject, twice)
 }
 
-/// One slip that shows in several places, in a definition of the printed side, or beside it.
+/// Tries one slip that shows in several places, in a definition of the printed side, or beside it.
 fn elsewhere(
     claim: &Claim,
     statement: &Written,
@@ -190,7 +191,7 @@ fn moved(
     Some(first)
 }
 
-/// The conditions under which a corrected statement is proved, if it is.
+/// Returns the conditions under which a corrected statement is proved, if it is.
 fn provable(claim: &Claim, statement: &Written, expr: &Expr) -> Option<Vec<Formula>> {
     let trial = Written {
         expr: expr.clone(),
@@ -204,8 +205,8 @@ fn provable(claim: &Claim, statement: &Written, expr: &Expr) -> Option<Vec<Formu
     }
 }
 
-/// Proves candidates; the first proved one is the correction, a second essentially different one makes
-/// it not unique.
+/// Proves candidates; the first proved one is the correction, and a second, essentially different one makes it not
+/// unique.
 fn proved(
     claim: &Claim,
     statement: &Written,
@@ -247,15 +248,14 @@ fn proved(
     found
 }
 
-/// Whether the comparison at the end of the path says the same thing twice: no correction.
+/// Whether both sides of the comparison at the end of the path are the same: no correction.
 fn is_tautology(expr: &Expr, path: &[usize]) -> bool {
     let parent = path.split_last().map_or(path, |(_, parent)| parent);
     let comparison = parent
         .iter()
         .try_fold(expr, |e, position| e.parts().into_iter().nth(*position));
     match comparison.map(|e| &e.node) {
-        // A long formula that comes to repeat the left side is a corrected restatement; a short one
-        // says nothing.
+        // A long formula that becomes the left side is a corrected restatement; a short one says nothing.
         Some(Node::Compare(left, _)) if left.size() > MAX_TAUTOLOGY => false,
         Some(Node::Compare(left, rest)) => rest
             .iter()

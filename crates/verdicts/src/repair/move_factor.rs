@@ -5,7 +5,7 @@ use super::target::Target;
 use torse_algebra::rational::integer;
 use torse_syntax::formula::{Expr, Node, Operator, Relation};
 
-/// An equation with a factor moved, and the words for it.
+/// An equation with a factor moved, and a description of the move.
 #[derive(Debug, Clone)]
 pub struct Moved {
     /// The left side.
@@ -28,8 +28,8 @@ pub fn sides(expr: &Expr) -> Option<(&Expr, &Expr)> {
     }
 }
 
-/// The equations with one factor of either side moved to the other that agree with the left side, which is the other side
-/// of the target, at the sample point.
+/// Returns the equations with one factor of either side moved to the other whose left side agrees with the other side
+/// of the target at the sample point.
 #[must_use]
 pub fn moved(left: &Expr, right: &Expr, target: &Target<'_>) -> Vec<Moved> {
     let change = |factor: &Expr| format!("the factor `{}` moved to the other side", text(factor));
@@ -59,7 +59,7 @@ pub fn moved(left: &Expr, right: &Expr, target: &Target<'_>) -> Vec<Moved> {
     found
 }
 
-/// The factors of a product, each with what is left without it.
+/// Returns the factors of a product, each with the rest.
 fn factors(expr: &Expr) -> Vec<(Expr, Expr)> {
     let Node::Binary(Operator::Multiply, a, b) = &expr.node else {
         return vec![];

@@ -1,11 +1,12 @@
-//! One name taken for another, or two names exchanged: in a whole side, or within one sum, however deep it stands.
+//! Edits of names: one name replaced by another, or two names exchanged, in a whole side or within one sum at any
+//! depth.
 
 use super::alphabet::Alphabet;
 use super::edit::{Change, Edit, parts, placed, text, with_name};
 use std::collections::BTreeMap;
 use torse_syntax::formula::{Expr, Node};
 
-/// The most names of a formula that are exchanged or replaced.
+/// Maximum number of names of a formula that are exchanged or replaced.
 const MAX_NAMES: usize = 14;
 /// Names with a meaning of their own.
 const RESERVED: [&str; 18] = [
@@ -28,10 +29,10 @@ const RESERVED: [&str; 18] = [
     "cross",
     "coefficients",
 ];
-/// Stands for the first of two names while they are exchanged: no name of a file.
+/// Stands for the first of two names while they are exchanged; no file can contain it.
 const BETWEEN: &str = " ";
 
-/// All formulas in which two names are exchanged, or one is put for another, in the whole or in a summand of a sum.
+/// Returns all formulas in which two names are exchanged, or one replaced, in the whole or in a summand of a sum.
 #[must_use]
 pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let mut result = vec![];
@@ -40,7 +41,7 @@ pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
             true => String::new(),
             false => format!(" in `{}`", text(scope)),
         };
-        // A bound name stays: another one in all its places says the same.
+        // A bound name is left alone: renaming it everywhere changes nothing.
         let bound = bound(scope);
         let mut counts = counted(scope);
         counts.retain(|name, _| !bound.contains(&name.as_str()));
@@ -65,7 +66,7 @@ pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
         others.dedup();
         for (old, count) in counts.iter().take(MAX_NAMES) {
             for new in others.iter().filter(|new| *new != old) {
-                // One place alone is an edit of its own where both names are declared.
+                // A replacement in a single place is another edit, if both names are declared.
                 if *count == 1 && alphabet.names.contains(new) {
                     continue;
                 }
@@ -83,7 +84,7 @@ pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     result
 }
 
-/// The whole, and what every sum in it adds up.
+/// Returns the whole, and the summand of every sum in it.
 fn scopes(expr: &Expr) -> Vec<(Vec<usize>, &Expr)> {
     let inner = parts(expr).into_iter().filter_map(|(path, part)| {
         let [_, _, _, body] = sum(part)? else {
@@ -95,7 +96,7 @@ fn scopes(expr: &Expr) -> Vec<(Vec<usize>, &Expr)> {
     std::iter::once((vec![], expr)).chain(inner).collect()
 }
 
-/// The names that sums, products and integrals in a formula bind.
+/// Returns the names that sums, products and integrals in a formula bind.
 fn bound(expr: &Expr) -> Vec<&str> {
     let binder = |part: &'_ Expr| match &part.node {
         Node::Call(head, _) => match &head.node {
@@ -123,7 +124,7 @@ fn sum(expr: &Expr) -> Option<&[Expr]> {
     matches!(&head.node, Node::Name(name) if name == "sum").then_some(arguments)
 }
 
-/// The names of a formula without primes, and how often each occurs.
+/// Returns the names of a formula without primes, and how often each occurs.
 fn counted(expr: &Expr) -> BTreeMap<String, usize> {
     let mut counts = BTreeMap::new();
     for name in expr.names() {

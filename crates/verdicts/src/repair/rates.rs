@@ -1,7 +1,7 @@
 //! A printed value as a function of two data, in floating point: fast refutation of changed data.
 //!
-//! The functions are made exactly and only evaluated in floating point; what passes is proved exactly
-//! afterwards. Only the four operations and square roots are used, which are the same on every machine.
+//! The functions are constructed exactly and only evaluated in floating point; what passes is proved exactly
+//! afterwards. Only the four operations and square roots are used, which give the same results on every machine.
 
 use std::f64::consts::PI;
 use torse_algebra::rational::to_f64;
@@ -35,7 +35,7 @@ impl Line {
     #[must_use]
     pub fn agrees(&self, at: f64) -> bool {
         let total = |terms: &[f64]| terms.iter().rev().fold(0.0, |sum, c| sum * at + c);
-        // A vanishing divisor gives an infinity or no number: neither agrees.
+        // A vanishing divisor gives an infinity or a NaN: neither agrees.
         (total(&self.above) / total(&self.below) - self.printed).abs() <= self.tolerance
     }
 }
@@ -43,8 +43,8 @@ impl Line {
 /// The relative error granted to floating point.
 const ROUNDING: f64 = 1e-9;
 
-/// The printed numbers of a conjunction of values, as functions of the two data; none if it states
-/// anything else or depends on other symbols.
+/// Returns the printed numbers of a conjunction of values, as functions of the two data; none if it states anything
+/// else or depends on other symbols.
 #[must_use]
 pub fn rates(statement: &Statement, data: [&Symbol; 2]) -> Option<Vec<Rate>> {
     match statement {
@@ -55,7 +55,7 @@ pub fn rates(statement: &Statement, data: [&Symbol; 2]) -> Option<Vec<Rate>> {
         }
         Statement::Agrees { values, printed } => {
             let most = printed.iter().filter_map(|p| p.decimals).max().unwrap_or(0);
-            // Cutting off may be off by a whole unit of the last digit, exact integers by nothing.
+            // A truncated number may be off by a whole unit of its last digit, an exact integer by nothing.
             let unit = |digits: u32| match i32::try_from(digits) {
                 Ok(0) => 0.0,
                 digits => power(0.1, digits.unwrap_or(i32::MAX)),
@@ -102,7 +102,7 @@ impl Rate {
         })
     }
 
-    /// The function of the second datum that is left when the first has this value.
+    /// Returns the function of the second datum for this value of the first.
     #[must_use]
     pub fn at_first(&self, first: f64) -> Line {
         let at = |terms: &Terms| {

@@ -1,17 +1,17 @@
-//! One slip that shows in several places: a coefficient, an exponent, a factor or any other part is edited where it
-//! occurs, everywhere at once.
+//! Edits of a repeated part: a coefficient, an exponent, a factor or any other part that occurs several times is edited
+//! in all places at once.
 
 use super::alphabet::Alphabet;
 use super::edit::{Edit, parts};
 use super::edits::{local, scaled};
 use torse_syntax::formula::Expr;
 
-/// The largest part that is edited in all its places.
+/// Maximum size of such a part.
 const MAX_PART: usize = 12;
-/// The most different parts that occur more than once.
+/// Maximum number of different parts that occur more than once.
 const MAX_PARTS: usize = 24;
 
-/// All formulas in which the equal occurrences of one part have the same edit.
+/// Returns all formulas in which the equal occurrences of one part have the same edit.
 #[must_use]
 pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let expr = expr.placeless();
@@ -26,7 +26,7 @@ pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
         }
     }
     counts.retain(|(_, count)| *count > 1);
-    // The smallest part is where the slip was made.
+    // The slip was made in the smallest part.
     counts.sort_by_key(|(part, _)| part.size());
     counts.truncate(MAX_PARTS);
     let mut result = vec![];
@@ -46,7 +46,7 @@ pub fn edits(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     result
 }
 
-/// The formula with every occurrence of a part replaced.
+/// Replaces every occurrence of a part in the formula.
 fn replaced(expr: &Expr, old: &Expr, new: &Expr) -> Expr {
     if expr == old {
         return new.clone();

@@ -1,18 +1,18 @@
 //! Linear equations modulo a prime: exact unknowns from values at pseudo-random points.
 //!
-//! Formulas are evaluated modulo `2^61 - 1`, each symbol replaced by a residue that depends on its name and
-//! the point alone, sine and cosine by a point of the unit circle. A system of more equations than
-//! unknowns that has a solution there has one as formulas, but for a chance of about one in 10^17; and
-//! what is found is proved afterwards.
+//! Formulas are evaluated modulo `2^61 - 1`; each symbol is replaced by a residue that depends on its name and the
+//! point alone, sine and cosine by a point of the unit circle. If a system with more equations than unknowns has a
+//! solution there, it has one as formulas, except with a chance of about one in 10^17; and the result is proved
+//! afterwards.
 
 use num_traits::One;
 use torse_algebra::mersenne::{self, PRIME, inverse, minus, plus, times};
 use torse_algebra::{Fraction, Integer, Polynomial, Rational, Symbol};
 
-/// The largest numerator and denominator that are read out of a residue.
+/// Maximum numerator and denominator that are recovered from a residue.
 const MAX_PART: u64 = 1 << 29;
 
-/// The residue of a power; of a negative one where the base is not zero.
+/// Returns the residue of a power; for a negative exponent only if the base is not zero.
 #[must_use]
 pub fn power(base: u64, exponent: i32) -> Option<u64> {
     let base = match exponent < 0 {
@@ -50,7 +50,7 @@ pub fn to_rational(residue: u64) -> Option<Rational> {
     Some(Rational::new(Integer::from(rest), Integer::from(below)))
 }
 
-/// The residue that stands for a symbol at a point; none for a square root.
+/// Returns the residue that stands for a symbol at a point; none for a square root.
 fn number(symbol: &Symbol, point: u64) -> Option<u64> {
     let circle = |name: &std::sync::Arc<str>, angle| {
         let t = mixed(&Symbol::Cos(name.clone(), angle), point);
@@ -61,7 +61,7 @@ fn number(symbol: &Symbol, point: u64) -> Option<u64> {
     };
     match symbol {
         Symbol::Root(_) => None,
-        // The whole is the square of the half.
+        // The angle is twice its half: the values are those of squares.
         Symbol::Exp(exponent) if exponent.parts() == 1 => {
             let half = mixed(&Symbol::Exp(exponent.over(2)), point);
             Some(times(half, half))
@@ -120,8 +120,8 @@ fn of_polynomial(polynomial: &Polynomial, point: u64) -> Option<u64> {
     }
 }
 
-/// Solves equations, the right side last in each row. A column that depends on earlier ones gets the
-/// unknown zero; none if there is no solution.
+/// Solves linear equations with the right side last in each row. An unknown whose column depends on earlier ones is
+/// zero; none if there is no solution.
 #[must_use]
 pub fn solved(mut rows: Vec<Vec<u64>>, unknowns: usize) -> Option<Vec<u64>> {
     let mut pivots = vec![];
@@ -180,7 +180,7 @@ mod tests {
 
         #[test]
         fn earlier_columns_carry_the_solution(a in 1_u64..999, b in 1_u64..999) {
-            // The second column is twice the first, the third is free of both.
+            // The second column is twice the first; the third is independent of both.
             let rows: Vec<Vec<u64>> = (1..6_u64)
                 .map(|x| vec![x, 2 * x, x * x, a * x + b * x * x])
                 .collect();

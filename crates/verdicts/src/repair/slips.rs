@@ -1,4 +1,4 @@
-//! What a number may have read before a slip: the sign, two digits exchanged, one digit, the same
+//! Returns what a number may have been before a slip: another sign, two digits exchanged, one digit changed, the same
 //! figure from another place of the example, a round number near by.
 
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use torse_algebra::Rational;
 use torse_algebra::rational::{integer, ratio};
 
-/// How far a slip is from the print: one for the slips of copying, more for numbers that are just round.
+/// The distance of a slip from the print: one for slips of copying, more for numbers that are only round.
 pub type Cost = u32;
 
 /// A number that differs by its sign, by one digit or an exchange of digits, or is printed elsewhere.
@@ -17,11 +17,11 @@ const TENS: Cost = 2;
 const FIVES: Cost = 3;
 /// Any number of few digits.
 const FEW_DIGITS: Cost = 5;
-/// The largest round number, in fives.
+/// Maximum round number, in fives.
 const MAX_FIVES: i64 = 20;
-/// The largest number of few digits, in tenths.
+/// Maximum number of few digits, in tenths.
 const MAX_TENTHS: i64 = 2_000;
-/// The largest integer of few digits.
+/// Maximum integer of few digits.
 const MAX_UNITS: i64 = 1_000;
 
 /// The numbers that a slip may have turned into this one, with the cost of the slip; `others` are the
@@ -60,7 +60,7 @@ pub fn slips(value: &Rational, others: &[Rational]) -> BTreeMap<Rational, Cost> 
     read
 }
 
-/// [`slips`], and every number of few digits.
+/// Returns [`slips`], and every number of few digits.
 #[must_use]
 pub fn few_digits(value: &Rational, others: &[Rational]) -> BTreeMap<Rational, Cost> {
     let mut read = slips(value, others);
@@ -72,7 +72,7 @@ pub fn few_digits(value: &Rational, others: &[Rational]) -> BTreeMap<Rational, C
     read
 }
 
-/// The numbers with one digit changed or two neighbours exchanged, in the decimals of the print.
+/// Returns the numbers with one digit changed or two neighbours exchanged, in the decimals of the print.
 fn digit_slips(value: &Rational) -> Vec<Rational> {
     let scale = [1, 10, 100].map(integer);
     let Some(scale) = scale.into_iter().find(|s| (value * s).is_integer()) else {

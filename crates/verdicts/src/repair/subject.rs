@@ -1,8 +1,8 @@
-//! What is edited: the printed side of the equation that fails, or the definition that it calls.
+//! Chooses what to edit: the printed side of the equation that fails, or the definition that it calls.
 //!
-//! Most statements have the printed formula on the right. Where a formula is needed more than once, a
-//! derivation file gives it a name that begins with `printed`, and a side that is this name, or a call
-//! of it, stands for the body: the body is edited, and every call of it in the statement with it.
+//! Most statements have the printed formula on the right. If a formula is needed more than once, a derivation file
+//! gives it a name that begins with `printed`. A side that is this name, or a call of it, stands for the body: the body
+//! is edited, and every call of it in the statement with it.
 
 use super::edit::placed;
 use std::collections::{BTreeMap, BTreeSet};
@@ -10,19 +10,19 @@ use torse_prove::decide_statement;
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
-/// How names of definitions that hold a printed formula begin.
+/// Prefix of the names of definitions that hold a printed formula.
 const PRINTED: &str = "printed";
-/// The most definitions in which a slip is looked for.
+/// Maximum number of definitions in which a slip is searched for.
 const MAX_DEFINITIONS: usize = 6;
 
 /// A formula to edit, and its place in the statement.
 #[derive(Debug, Clone)]
 pub struct Subject {
-    /// The way to the side of the comparison that fails.
+    /// The path to the side of the comparison that fails.
     pub path: Vec<usize>,
     /// The formula to edit.
     pub formula: Expr,
-    /// The call that stands for it, if it is the body of a definition that holds the printed formula.
+    /// The call that stands for it, if it is the body of a definition with the printed formula.
     definition: Option<Unfolded>,
     /// The definitions that lead from the printed side to the formula, outermost first.
     within: Vec<Unfolded>,
@@ -37,7 +37,7 @@ struct Unfolded {
 }
 
 impl Subject {
-    /// The printed side of the first equality of the statement that does not hold.
+    /// Returns the printed side of the first equality of the statement that does not hold.
     #[must_use]
     pub fn from_claim(claim: &Claim, statement: &Written) -> Option<Self> {
         let mut path = vec![];
@@ -77,7 +77,7 @@ impl Subject {
         })
     }
 
-    /// The definitions that the formula rests on and nothing else of the claim does: a slip may stand in one of them.
+    /// Returns the definitions that only this formula uses: one of them may contain the slip.
     #[must_use]
     pub fn definitions(&self, claim: &Claim, statement: &Written) -> Vec<Self> {
         let other = placed(&statement.expr, &self.path, Expr::name(""));
@@ -117,7 +117,7 @@ impl Subject {
             arguments.len() == definition.parameters.len()
                 && free(&definition.parameters, arguments, body)
         };
-        // A derivative of the definition would stay as it is.
+        // A derivative of the definition would not change.
         let derived = self.formula.names().into_iter();
         let mut derived = derived.filter(|n| *n != name && n.trim_end_matches('\'') == name);
         if derived.next().is_some() || calls.is_empty() || !calls.into_iter().all(fits) {
@@ -133,8 +133,8 @@ impl Subject {
         Some(inner)
     }
 
-    /// Whether the printed formula stands on the left: in every equality a definition that holds one does, and on the right
-    /// none.
+    /// Whether the printed formula stands on the left: every equality has a definition that holds one on the left, and
+    /// none on the right.
     #[must_use]
     pub fn is_left(statement: &Expr) -> bool {
         let printed = |side: &Expr| called(side).is_some_and(|(name, _)| Self::is_printed(name));
@@ -181,7 +181,7 @@ impl Subject {
         }
     }
 
-    /// The name of the definition that is edited, as it is called.
+    /// Returns the name of the definition that is edited, as it is called.
     #[must_use]
     pub fn defined_as(&self) -> Option<&str> {
         let innermost = self.within.last().or(self.definition.as_ref());
@@ -189,7 +189,7 @@ impl Subject {
     }
 }
 
-/// The definition of a printed formula that a side calls, with its body.
+/// Returns the definition of a printed formula that a side calls, with its body.
 fn unfolded(claim: &Claim, side: &Expr) -> Option<(Unfolded, Expr)> {
     let (name, arguments) = called(side)?;
     let definition = claim.declarations.definition(name)?;
@@ -206,7 +206,7 @@ fn unfolded(claim: &Claim, side: &Expr) -> Option<(Unfolded, Expr)> {
     free.then(|| (unfolded, body.clone()))
 }
 
-/// Whether no argument is caught by an index that the body sums over.
+/// Whether no argument is captured by an index that the body sums over.
 fn free(parameters: &[String], arguments: &[Expr], body: &Expr) -> bool {
     parameters
         .iter()
@@ -228,7 +228,7 @@ fn calls<'e>(expr: &'e Expr, name: &str) -> Vec<&'e [Expr]> {
     parts.flat_map(|part| calls(part, name)).collect()
 }
 
-/// Collects the definitions that a formula rests on, other than one that is left out.
+/// Collects the definitions that a formula depends on, except one.
 fn reach(claim: &Claim, expr: &Expr, without: Option<&str>, into: &mut BTreeSet<String>) {
     for name in expr.names() {
         let name = name.trim_end_matches('\'');
@@ -241,7 +241,7 @@ fn reach(claim: &Claim, expr: &Expr, without: Option<&str>, into: &mut BTreeSet<
     }
 }
 
-/// The name that a formula is, or that it calls with arguments.
+/// Returns the name that a formula is, or that it calls with arguments.
 fn called(expr: &Expr) -> Option<(&str, &[Expr])> {
     match &expr.node {
         Node::Name(name) => Some((name, &[])),
@@ -254,7 +254,7 @@ fn called(expr: &Expr) -> Option<(&str, &[Expr])> {
 }
 
 impl Unfolded {
-    /// The formula with every call of the definition replaced by a body.
+    /// Replaces every call of the definition in the formula by a body.
     fn folded_out(&self, expr: &Expr, body: &Expr) -> Expr {
         if let Some((name, arguments)) = called(expr)
             && name == self.name

@@ -1,4 +1,4 @@
-//! What an edited side must come to: the other side of the equation at the sample point.
+//! The required value of an edited side: the other side of the equation at the sample point.
 
 use super::subject::Subject;
 use std::cell::Cell;
@@ -15,8 +15,8 @@ use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::Expr;
 
-/// The work one search may do, in units of a visited node of a formula or a term of its value: where sines and cosines stay
-/// symbols, a value has hundreds.
+/// Maximum work of one search, in units of a visited node of a formula or a term of its value: if sines and cosines
+/// stay symbols, a value has hundreds of terms.
 const MAX_WORK: u64 = 800_000;
 
 /// The side that is not edited, at a few instances of the integers, at the sample point.
@@ -24,7 +24,7 @@ pub struct Target<'a> {
     instances: Vec<(Evaluator<'a>, Vec<Fraction>)>,
     /// The terms of all values so far.
     terms: Cell<u64>,
-    /// The work that may be done.
+    /// The remaining work.
     budget: Cell<u64>,
 }
 
@@ -38,7 +38,7 @@ pub struct Agreement {
 }
 
 impl<'a> Target<'a> {
-    /// The other side of the comparison that is corrected; none where it is no plain formula.
+    /// Returns the other side of the comparison that is corrected; none if it is no plain formula.
     #[must_use]
     pub fn new(claim: &'a Claim, statement: &Written, subject: &Subject) -> Option<Self> {
         let core = torse_elaborate::elaborate(claim, statement).ok()?;
@@ -50,7 +50,7 @@ impl<'a> Target<'a> {
             .collect();
         let mut instances = vec![];
         for shift in 0..2_i64 {
-            // Different integers for different symbols, above the special small degrees.
+            // Different symbols get different integers, above the special small degrees.
             let fixed: BTreeMap<String, Fraction> = integers
                 .iter()
                 .enumerate()
@@ -93,7 +93,7 @@ impl<'a> Target<'a> {
         })
     }
 
-    /// How far a candidate agrees with the other side; not at all once the work is used up.
+    /// Returns how far a candidate agrees with the other side; not at all once the work is used up.
     #[must_use]
     pub fn agreement(&self, candidate: &Expr) -> Agreement {
         let entries = |(evaluator, other): &(Evaluator<'a>, Vec<Fraction>)| {
@@ -115,7 +115,7 @@ impl<'a> Target<'a> {
         self.agreement(candidate).everywhere
     }
 
-    /// A search of its own with so much work: what it spends is not missing afterwards.
+    /// Starts a search of its own with so much work, without reducing the rest.
     pub fn apart<T>(&self, work: u64, search: impl FnOnce() -> T) -> T {
         let before = self.spent();
         let budget = self.budget.replace(before.saturating_add(work));
@@ -130,18 +130,18 @@ impl<'a> Target<'a> {
         work.sum::<u64>().saturating_add(self.terms.get())
     }
 
-    /// Whether there is work left: nothing agrees any more where there is none.
+    /// Whether there is work left; without it nothing agrees any more.
     #[must_use]
     pub fn within_budget(&self) -> bool {
         self.spent() <= self.budget.get()
     }
 
-    /// Whether a constraint is not known to fail.
+    /// Whether a constraint may hold.
     fn possible(constraint: &Constraint) -> bool {
         truth(&constraint.value, constraint.relation) != Some(false)
     }
 
-    /// How many entries agree; none for a candidate that makes no sense or has another shape.
+    /// Returns how many entries agree; none for a candidate that makes no sense or has another shape.
     fn agreeing(
         &self,
         evaluator: &Evaluator<'_>,
@@ -162,7 +162,7 @@ impl<'a> Target<'a> {
     }
 }
 
-/// The side of the comparison that the path does not lead into.
+/// Returns the side of the comparison that the path does not lead into.
 pub(super) fn other_side<'s>(statement: &'s Statement, path: &[usize]) -> Option<&'s Value> {
     match (statement, path) {
         (Statement::Join(_, a, b), [first, rest @ ..]) => {

@@ -1,7 +1,7 @@
-//! A formula as a sum of products of the names it is written in, and back.
+//! Writes a formula as a sum of products of the names in it, and back.
 //!
-//! Names, members of families, calls and brackets of control points stay whole ([`Atoms`]): `a1` is not
-//! unfolded, and neither is `Q[m] - Q[m-1]` as a factor.
+//! Names, members of families, calls and brackets of control points stay whole ([`Atoms`]): `a1` is not expanded, and
+//! neither is `Q[m] - Q[m-1]` as a factor.
 
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::collections::BTreeMap;
@@ -10,7 +10,7 @@ use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_syntax::formula::{Expr, Node, Operator};
 
-/// The most terms of an expanded formula.
+/// Maximum number of terms of an expanded formula.
 pub const MAX_TERMS: usize = 60;
 
 /// Exponents by the number of the atom; none is zero.
@@ -30,7 +30,7 @@ impl Atoms {
         &self.0
     }
 
-    /// The number of an atom, new if it was not met before.
+    /// Returns the number of an atom; adds it if it is new.
     pub fn number(&mut self, expr: &Expr) -> usize {
         let text = torse_syntax::notation::text(expr);
         let known = self
@@ -43,7 +43,7 @@ impl Atoms {
         })
     }
 
-    /// The formula as terms; none if it has too many, or is a list or a statement.
+    /// Returns the formula as terms; none if it has too many, or is a list or a statement.
     pub fn expanded(&mut self, expr: &Expr) -> Option<Terms> {
         let atom = |powers: Powers| Some(vec![(powers, integer(1))]);
         match &expr.node {
@@ -70,7 +70,7 @@ impl Atoms {
                         let inverse = powers.iter().map(|(atom, e)| (*atom, -e)).collect();
                         product(&a, &vec![(inverse, value.recip())])
                     }
-                    // A sum below the line stays whole.
+                    // A sum in a denominator stays whole.
                     _ => {
                         let below = match &expr.node {
                             Node::Binary(_, _, below) => self.number(below),
@@ -105,7 +105,7 @@ impl Atoms {
         self.expanded(expr)
     }
 
-    /// The terms as a formula, common factors before brackets; of several common factors, those of
+    /// Returns the terms as a formula, with common factors before brackets; of several common factors, those of
     /// `outermost` go outside, in their order.
     #[must_use]
     pub fn collected(&self, terms: &Terms, outermost: &[usize]) -> Expr {
@@ -158,7 +158,7 @@ impl Atoms {
         let inner = self.collected(&scaled(rest, &(sign / &content)), outermost);
         let factor = self.written(&vec![(Powers::from([(atom, common)]), content)]);
         let bracket = match &factor.node {
-            // 2/x with a bracket: the bracket goes above the line.
+            // 2/x with a bracket: the bracket goes into the numerator.
             Node::Binary(Operator::Divide, top, below) => {
                 let one = Expr::number(&integer(1));
                 let top = if top.node == one.node {
@@ -184,7 +184,7 @@ impl Atoms {
         }
     }
 
-    /// The terms as a plain sum, one that is positive first.
+    /// Returns the terms as a plain sum, with a positive one first.
     fn written(&self, terms: &Terms) -> Expr {
         let mut terms: Vec<&(Powers, Rational)> = terms.iter().collect();
         if let Some(first) = terms.iter().position(|(_, value)| value.is_positive()) {
@@ -279,7 +279,7 @@ pub fn product(a: &Terms, b: &Terms) -> Option<Terms> {
     Some(sum(terms)).filter(|terms| terms.len() <= MAX_TERMS)
 }
 
-/// The greatest common divisor of integer coefficients, one otherwise.
+/// Returns the greatest common divisor of integer coefficients, one otherwise.
 fn content(terms: &Terms) -> Rational {
     use num_integer::Integer;
     let integers: Option<Vec<i64>> = terms

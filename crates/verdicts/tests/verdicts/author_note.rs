@@ -15,7 +15,7 @@ fn a_hole_with_a_name_that_nothing_declares_is_a_mistake() {
     // Without a witness no number is known of x.
     assert_eq!(
         decided("x^2 : 3").unwrap_err(),
-        "this is no number where the finding is told"
+        "this is not a number at the witness of the finding"
     );
     assert_eq!(decided("x + z").unwrap_err(), "`z` is not declared");
 }

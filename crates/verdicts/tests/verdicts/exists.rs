@@ -93,7 +93,7 @@ fn a_witness_that_fails_refutes_nothing_by_itself() {
     refused(
         "['r == a']",
         "r == a + 1",
-        "that no other one will do there is not shown",
+        "it is not shown that no other number works there",
     );
     refused("['r']", "r^2 == a", "the witness fails");
     assert_eq!(outcome("['r == 2']", "r^2 == -1").verdict(), False);

@@ -172,9 +172,12 @@ fn anew(id: &str) -> (String, Vec<String>) {
 fn a_coefficient_of_the_join_is_derived_anew_in_its_printed_terms() {
     let (right, edits) = anew("gbt-surfaces/thm-2.a3");
     assert_eq!(right, "a*(2*a1 - pi^2*(1 - 2*mu1 - nu1)) + 2*pi^2*nu");
-    assert_eq!(edits, ["the right side derived anew in the printed terms"]);
+    assert_eq!(
+        edits,
+        ["the right side derived anew from the printed terms"]
+    );
     for id in ["gbt-surfaces/eq-5.Q12", "gbt-surfaces/eq-6.Q12"] {
-        let edit = "`a3` derived anew in its printed terms: `a*(2*a1 - pi^2*(1 - 2*mu1 - nu1)) + 2*pi^2*nu`";
+        let edit = "`a3` derived anew from its printed terms: `a*(2*a1 - pi^2*(1 - 2*mu1 - nu1)) + 2*pi^2*nu`";
         assert_eq!(anew(id).1, [edit], "{id}");
     }
 }

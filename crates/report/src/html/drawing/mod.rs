@@ -1,9 +1,9 @@
-//! The drawings of the drawing room as parts of a page.
+//! Drawings of the crate `plot` as parts of a page.
 //!
-//! As files they repeat what a page needs once: outlines of letters, styles of lines, the paper. Here the letters of all
-//! figures stand on one shelf, lines of one style are one path, coordinates are rounded to what a screen shows, and the
-//! page's style sheet gives paper, ink and walls their colours, so that drawings follow its theme. A drawing that is not
-//! written like those of the drawing room is refused, and stays a picture.
+//! Separate files repeat outlines of letters, styles of lines and the paper. Here all figures share their letters,
+//! lines of one style are one path, coordinates are rounded to the screen, and the style sheet of the page colours
+//! paper, ink and walls, so that drawings follow its theme. A drawing of any other form is refused, and stays a
+//! picture.
 
 mod path;
 mod pixels;
@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Most bytes of all pixels of a page; where the finest do not fit, fewer in coarser colours are taken.
+/// Maximum number of bytes of all pixels of a page; if the finest do not fit, coarser colours are used.
 const MAX_BYTES: usize = 420_000;
 
 /// A drawing that can stand in a page.
@@ -43,17 +43,17 @@ enum Element {
     Image { place: [u32; 2], pixels: Pixels },
 }
 
-/// The outlines of letters that the drawings of a page share, each with its number.
+/// The shared outlines of letters of a page, each with its number.
 #[derive(Default)]
 pub(super) struct Shelf {
     outlines: BTreeMap<String, usize>,
 }
 
-/// The files of the pixels of several drawings, of one fineness.
+/// The pixel files of several drawings, in one fineness.
 pub(super) struct Files(Vec<Vec<Vec<u8>>>);
 
 impl Files {
-    /// The finest files that fit a page.
+    /// Returns the finest files that fit a page.
     pub fn fitting(drawings: &[Option<Drawing>]) -> Self {
         let of = |(share, step): (u32, u8)| {
             let each = drawings.par_iter().map(|drawing| {
@@ -70,14 +70,14 @@ impl Files {
         fine.into_iter().find(fits).unwrap_or_else(|| of((2, 14)))
     }
 
-    /// The files of the drawing with this number.
+    /// Returns the files of the drawing with this number.
     pub fn pieces(&self, drawing: usize) -> &[Vec<u8>] {
         self.0.get(drawing).map_or(&[], Vec::as_slice)
     }
 }
 
 impl Drawing {
-    /// The drawing in a file of the drawing room.
+    /// Reads a drawing from a file of the crate `plot`.
     pub fn read(svg: &str) -> Option<Self> {
         let mut outlines = BTreeMap::new();
         let mut drawing = Drawing {
@@ -122,7 +122,7 @@ impl Drawing {
                 "stroke-opacity",
             ],
         )?;
-        // Opaque strokes of one colour do not show in which order they were made.
+        // The order of opaque strokes of one colour is not visible.
         let joins = style.starts_with(" fill=\"none\"") && !style.contains("opacity");
         if let Some(Element::Path {
             style: before,
@@ -207,7 +207,7 @@ impl Drawing {
         })
     }
 
-    /// The drawing as an element of a page that has the shelf; `label` is escaped already.
+    /// Writes the drawing as an element of a page that has the outlines; `label` is already escaped.
     pub fn written(&self, shelf: &mut Shelf, files: &[Vec<u8>], label: &str) -> String {
         let [width, height] = &self.size;
         let mut out = format!(
@@ -266,7 +266,7 @@ impl Shelf {
         *self.outlines.entry(outline.to_owned()).or_insert(next)
     }
 
-    /// The outlines as an element that shows nothing.
+    /// Writes the outlines as an invisible element.
     pub fn written(&self) -> String {
         let mut order: Vec<(&String, &usize)> = self.outlines.iter().collect();
         order.sort_by_key(|(_, number)| **number);
@@ -279,13 +279,13 @@ impl Shelf {
     }
 }
 
-/// The value of an attribute of the first tag of a line.
+/// Returns the value of an attribute of the first tag of a line.
 fn attribute<'a>(line: &'a str, name: &str) -> Option<&'a str> {
     let (_, rest) = line.split_once(&format!(" {name}=\""))?;
     Some(rest.split_once('"')?.0)
 }
 
-/// Those attributes that a tag has, as text; none if one holds what a colour, a number or a list of them does not.
+/// Returns the attributes that a tag has, as text; none if one contains anything but colours, numbers or lists of them.
 fn style(tag: &str, names: &[&str]) -> Option<String> {
     let mut style = String::new();
     for name in names {
@@ -296,7 +296,7 @@ fn style(tag: &str, names: &[&str]) -> Option<String> {
     Some(style)
 }
 
-/// A value without any sign that means something in a page.
+/// Returns a value, if it contains no sign with a meaning in a page.
 fn plain(value: &str) -> Option<String> {
     let harmless = |c: char| c.is_ascii_alphanumeric() || " #.,()-".contains(c);
     value.chars().all(harmless).then(|| value.to_owned())

@@ -1,8 +1,8 @@
-//! Path data for a screen: rounded to tenths of a pixel, without points that nobody would miss.
+//! Path data for a screen: rounded to tenths of a pixel, without points whose absence is invisible.
 
 /// Steps of a pixel.
 const GRID: f64 = 10.0;
-/// A polyline may pass this far from a point that it leaves out, in pixels.
+/// Maximum distance, in pixels, of a polyline from a point that it leaves out.
 const TOLERANCE: f64 = 0.04;
 
 type Point = [f64; 2];
@@ -13,8 +13,8 @@ struct Segment {
     points: Vec<Point>,
 }
 
-/// The path with relative coordinates in tenths, beginning with an absolute one so that paths can be strung together;
-/// none unless it is made of the relative letters m, l, q, c and z.
+/// Writes the path with relative coordinates in tenths, beginning with an absolute one so that paths can be joined;
+/// none if it contains anything but the relative letters m, l, q, c and z.
 pub(super) fn rounded(data: &str) -> Option<String> {
     Some(written(&thinned(parsed(data)?)))
 }
@@ -57,7 +57,7 @@ fn parsed(data: &str) -> Option<Vec<Segment>> {
     Some(segments)
 }
 
-/// The number that a text begins with, and what comes after it.
+/// Returns the number that a text begins with, and the rest.
 fn number(text: &str) -> Option<(f64, &str)> {
     let text = text.trim_start_matches([' ', ',']);
     let end = text
@@ -68,7 +68,7 @@ fn number(text: &str) -> Option<(f64, &str)> {
     Some((number.parse().ok()?, rest))
 }
 
-/// Runs of lines without the points near the line between their neighbours (Douglas and Peucker 1973).
+/// Removes points close to the line between their neighbours (Douglas and Peucker 1973).
 fn thinned(segments: Vec<Segment>) -> Vec<Segment> {
     let mut thin: Vec<Segment> = Vec::with_capacity(segments.len());
     let mut run: Vec<Point> = Vec::new();
@@ -177,7 +177,7 @@ fn written(segments: &[Segment]) -> String {
     out
 }
 
-/// A number of tenths, without needless zeros.
+/// Writes a number of tenths, without needless zeros.
 pub(super) fn tenths(value: i64) -> String {
     let sign = if value < 0 { "-" } else { "" };
     let (whole, part) = (value.unsigned_abs() / 10, value.unsigned_abs() % 10);

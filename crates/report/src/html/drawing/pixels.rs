@@ -1,7 +1,7 @@
-//! Pixels for a screen: cropped to what is drawn, coarser if a page needs it, with a palette.
+//! Pixels for a screen: cropped to the drawing, coarser if a page needs it, with a palette.
 //!
-//! A shaded view has one or two paints in many lights, which a palette of 256 colours holds with steps that are hardly seen,
-//! at a third of the size.
+//! A shaded view has one or two paints under many lights; a palette of 256 colours holds them with steps that are
+//! hardly visible, at a third of the size.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -14,7 +14,7 @@ pub(super) struct Pixels {
 }
 
 impl Pixels {
-    /// The pixels of a PNG file with 8 bits for each of the four.
+    /// Reads a PNG file with 8 bits for each of the four channels.
     pub fn read(png: &[u8]) -> Option<Self> {
         let mut reader = png::Decoder::new(std::io::Cursor::new(png))
             .read_info()
@@ -33,7 +33,8 @@ impl Pixels {
         })
     }
 
-    /// The part that is not transparent, with its left and its upper margin; none if all is.
+    /// Crops to the part that is not transparent; also returns its left and its upper margin. None if all is
+    /// transparent.
     pub fn cropped(&self) -> Option<([u32; 2], Self)> {
         let seen = |[_, _, _, alpha]: &[u8; 4]| *alpha > 0;
         let (mut left, mut right, mut top, mut below) = (self.width, 0, self.height, 0);
@@ -57,12 +58,12 @@ impl Pixels {
         Some(([left, top], part))
     }
 
-    /// Width and height.
+    /// Returns width and height.
     pub fn size(&self) -> [u32; 2] {
         [self.width, self.height]
     }
 
-    /// The picture with `share` quarters of the pixels on a side: means over the pixels that a new one covers.
+    /// Scales to `share` quarters of the pixels on a side: each new pixel is the mean of those that it covers.
     pub fn quartered(&self, share: u32) -> Self {
         let side = |length: u32| (length * share).div_ceil(4).max(1);
         let (width, height) = (side(self.width), side(self.height));
@@ -102,7 +103,7 @@ impl Pixels {
         }
     }
 
-    /// A PNG file with a palette: colours in steps of at least `finest`, the finest of which 256 suffice.
+    /// Writes a PNG file with a palette: colours in steps of at least `finest`, as fine as 256 colours allow.
     pub fn indexed(&self, finest: u8) -> Option<Vec<u8>> {
         let mut met = FxHashSet::default();
         let colours: Vec<[u8; 4]> = self
@@ -135,14 +136,14 @@ impl Pixels {
     }
 }
 
-/// Colours in steps, and which of them stands for which colour of a picture.
+/// A palette of stepped colours, with the index of each colour of a picture.
 struct Palette {
     colours: Vec<[u8; 4]>,
     places: FxHashMap<[u8; 4], u8>,
 }
 
 impl Palette {
-    /// One for these colours, in the order in which they are met; none if 256 do not suffice.
+    /// Makes a palette for these colours, in order of first use; none if 256 do not suffice.
     fn of(colours: &[[u8; 4]], step: u8) -> Option<Self> {
         let mut numbers: FxHashMap<[u8; 4], u8> = FxHashMap::default();
         let (mut own, mut places) = (vec![], FxHashMap::default());
@@ -166,7 +167,7 @@ impl Palette {
     }
 }
 
-/// The old pixels under the new one `k` of `new`, with the parts of each that it covers, in shares of `new`.
+/// Returns the old pixels under the new one `k` of `new`, with the covered part of each.
 fn covered(k: u32, new: u32, old: u32) -> Vec<(u32, u64)> {
     let (from, to) = (
         u64::from(k) * u64::from(old),
@@ -188,7 +189,7 @@ fn mean(sum: u64, weights: u64) -> u8 {
     }
 }
 
-/// A colour on a grid; what is half transparent lies on an edge, where colours are seen less than anywhere.
+/// Rounds a colour to a grid; half transparent pixels lie on edges, where colours are least visible.
 fn coarser([r, g, b, a]: [u8; 4], step: u8) -> [u8; 4] {
     let near = |value: u8, step: u8| {
         let (value, step) = (u16::from(value), u16::from(step));
@@ -207,7 +208,7 @@ fn coarser([r, g, b, a]: [u8; 4], step: u8) -> [u8; 4] {
 mod tests {
     use super::*;
 
-    /// A disc of a falling shade on nothing.
+    /// A disc with decreasing shade on a transparent background.
     fn disc() -> Pixels {
         let rgba = (0..64 * 64).map(|k: i32| {
             let (x, y) = (k % 64 - 40, k / 64 - 30);
