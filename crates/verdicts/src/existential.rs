@@ -8,6 +8,7 @@
 use crate::conclusion::{Conclusion, conclude};
 use crate::elaborated_claim::ElaboratedClaim;
 use crate::finding::Finding;
+use crate::judged::Judged;
 use crate::statement::{EmptyDomain, ProvedStatement, RefutedStatement, UndecidedStatement};
 use crate::{condition, net, provenance};
 use std::sync::Arc;
@@ -60,7 +61,14 @@ pub(crate) fn decided(
     Ok(match conclude(own, statement, minimized) {
         Conclusion::Proved(proved) => {
             let steps = [steps, reasons].concat();
-            net::proved(ProvedStatement { steps, ..proved }, &elaborated)
+            let finding = net::proved(ProvedStatement { steps, ..proved }, &elaborated);
+            match (finding, found.is_some()) {
+                (Finding::Proved(judged), true) => Finding::Proved(Box::new(Judged {
+                    net: judged.net.with_own_witness(),
+                    ..*judged
+                })),
+                (finding, _) => finding,
+            }
         }
         Conclusion::Refuted(refuted) => {
             match without_witness(*refuted, claim, statement, budget / 5) {

@@ -66,6 +66,31 @@ impl Net {
         }
     }
 
+    /// Returns the same for a statement in which a witness stands for a number that exists. Where a condition of the proof
+    /// fails, this witness fails or has no value; another one may do, so nothing shows that the condition is needed.
+    #[must_use]
+    pub fn with_own_witness(self) -> Self {
+        let Some(first) = self.conditions.first() else {
+            return self;
+        };
+        let why = format!(
+            "where the condition {} fails another witness may do",
+            first.condition
+        );
+        let open = |own: ConditionCheck| ConditionCheck {
+            failing: 0,
+            undefined: 0,
+            needed_at: None,
+            ..own
+        };
+        Self {
+            netted: false,
+            why: Some(self.why.unwrap_or(why)),
+            conditions: self.conditions.into_iter().map(open).collect(),
+            ..self
+        }
+    }
+
     /// A point at which the statement is false, after so many points.
     #[must_use]
     pub fn refuted(tried: u64) -> Self {

@@ -323,12 +323,15 @@ pub(super) fn parameter_points(basis: &Family, domain: &Domain<'_>) -> Vec<Point
         let symbol = Symbol::named(name);
         let mut solved = domain.solved().iter();
         if let Some((_, value)) = solved.find(|(own, _)| *own == symbol) {
-            if value
+            let is_number = value
                 .as_polynomial()
                 .and_then(Polynomial::as_constant)
-                .is_none()
-            {
+                .is_some();
+            if !is_number {
                 return vec![];
+            }
+            for point in &mut points {
+                point.insert(symbol.clone(), value.clone());
             }
             continue;
         }

@@ -35,7 +35,7 @@ pub(super) fn found(declarations: &str, lines: &str, accepted: &[Verdict]) -> Ou
 
 /// The claim is proved under a condition of which nothing is said but that.
 #[track_caller]
-fn found_open(declarations: &str, lines: &str, accepted: &[Verdict]) {
+pub(super) fn found_open(declarations: &str, lines: &str, accepted: &[Verdict]) {
     let found = decided(declarations, lines).unwrap_or_else(|error| panic!("{lines}: {error}"));
     assert!(found.contradiction().is_none(), "{lines}: {found:#?}");
     assert!(accepted.contains(&found.verdict()), "{lines}: {found:#?}");

@@ -1,6 +1,6 @@
 //! `fails(p)`, properties of a basis whose shape parameters have values, and points that satisfy an equation only nearly.
 
-use super::adversary::found;
+use super::adversary::{found, found_open};
 use torse_syntax::taxonomy::Verdict::{Conditional, False, Holds, Undecided, Vacuous};
 
 /// At c = 1 the functions are those of Bernstein; beyond it the second one is negative at x = 0.
@@ -168,4 +168,51 @@ fn a_condition_that_denies_the_conclusion_is_no_condition() {
         "states = 'dot(p, q) == dot(p, r) and cross(p, q) == cross(p, r) and norm(p) > 0 implies q == r'",
         &[Holds, Undecided],
     );
+}
+
+#[test]
+fn a_refuted_property_names_the_value_that_a_hypothesis_gives_a_parameter() {
+    let steps = r#"
+[symbols]
+x = { in = "[0, 1]" }
+d = { in = "[0, 3]" }
+y = {}
+[basis.I]
+variable = "x"
+parameters = ["d"]
+degree = 1
+seeds = ["1 - d*x", "d*x"]
+step = ["1 - d*x", "d*x"]
+"#;
+    let outcome = found(
+        steps,
+        "assume = ['d == 2']\nstates = 'variation_diminishing(I)'",
+        &[False, Undecided],
+    );
+    if let Some(witness) = outcome.witness() {
+        assert!(
+            witness
+                .at
+                .iter()
+                .any(|(name, value)| name == "d" && value == "2")
+        );
+    }
+}
+
+#[test]
+fn no_condition_is_needed_because_one_witness_has_no_value_there() {
+    let numbers = "[symbols]\na = {}\nb = {}\nc = {}\nv = {}\nw = {}\n";
+    for (exists, assumed, states) in [
+        ("['v', 'w']", "a^2 + b^2 > 0", "v*a + w*b == c"),
+        ("['v', 'w']", "a^2 + b^2 == 1", "v*a + w*b == 1"),
+        ("['v']", "c^2 == a^2", "v*a == c"),
+    ] {
+        let lines = format!("exists = {exists}\nassume = ['{assumed}']\nstates = '{states}'");
+        found_open(numbers, &lines, &[Holds, Conditional, Undecided]);
+        let paper = crate::common::loaded("witnesses", numbers, &[&lines]).unwrap();
+        let claim = &paper.claims[0];
+        let outcome = torse_verdicts::engine::decide_claim("witnesses", claim).unwrap();
+        let mut conditions = outcome.net().into_iter().flat_map(|net| &net.conditions);
+        assert!(conditions.all(|own| !own.seen_needed()), "{outcome:#?}");
+    }
 }
