@@ -47,7 +47,7 @@ pub use cad::{
     BernsteinForm, BsplinePatch, Converted, ConvexBasis, ExactForm, HomogeneousRail, Knots, Model,
     PolynomialBasis, approximate, approximate_tensor, convert,
 };
-pub use drawing::{Drawing, Layer, Path, Text, Vertex};
+pub use drawing::{BendLine, Drawing, Layer, Path, Text, Vertex};
 pub use error::{ExchangeError, Result};
 pub use formats::{dxf, glb, iges, obj, ply, step, stl, svg, three_mf};
 pub use mesh::{MOST_VERTICES, Mesh, Opening};

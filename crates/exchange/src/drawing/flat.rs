@@ -4,6 +4,11 @@ use super::{Drawing, Layer, Vertex};
 use crate::error::Result;
 use torse_geometry::pattern::FlatPattern;
 
+/// A number with two digits that is not below the value: 5 % more is not lost again by rounding.
+fn at_most(value: f64) -> String {
+    format!("{:.1e}", 1.05 * value)
+}
+
 impl Drawing {
     /// The drawing of a flat pattern: the outline with its arcs, every ruling with its bend angle, the edge of
     /// regression where it comes within `reach` (a length) of the sheet. Notes tell how exact the outline is and,
@@ -51,13 +56,13 @@ impl Drawing {
             }
         }
         self.note(&format!(
-            "outline within {:e} mm of the exact development",
-            flat.errors().outline
+            "outline within {} mm of the exact development",
+            at_most(flat.errors().outline)
         ))?;
         if flat.is_strained() {
             self.note(&format!(
-                "not developable: lines are strained by up to {:e} of their length",
-                flat.strain()
+                "not developable: lines are strained by up to {} of their length",
+                at_most(flat.strain())
             ))?;
         }
         Ok(())

@@ -19,13 +19,22 @@ pub struct Vertex {
     pub bulge: f64,
 }
 
+/// What happens at a bend line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BendLine {
+    /// The angle in radians by which the sheet is bent, positive upwards (towards the viewer).
+    pub angle: f64,
+    /// The inside radius of the bend in millimetres, where a tool makes it.
+    pub inside_radius: Option<f64>,
+}
+
 /// A path of straight sides and circular arcs on a layer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
     layer: Layer,
     vertices: Vec<Vertex>,
     closed: bool,
-    bend: Option<f64>,
+    bend: Option<BendLine>,
 }
 
 impl Path {
@@ -50,7 +59,13 @@ impl Path {
     /// The angle in radians by which the sheet is bent at this line, positive upwards (towards the viewer).
     #[must_use]
     pub fn bend(&self) -> Option<f64> {
-        self.bend
+        self.bend.map(|bend| bend.angle)
+    }
+
+    /// The inside radius of the bend at this line in millimetres, where a tool makes it.
+    #[must_use]
+    pub fn inside_radius(&self) -> Option<f64> {
+        self.bend.and_then(|bend| bend.inside_radius)
     }
 
     /// The path as points, with arcs divided so that no chord is farther from its arc than this share of the length
@@ -109,6 +124,7 @@ pub struct Drawing {
     paths: Vec<Path>,
     texts: Vec<Text>,
     notes: Vec<String>,
+    stroke: Option<f64>,
 }
 
 /// Vertices nearer to each other than this part of the path's size are one: an apex unrolls to many.
@@ -125,6 +141,23 @@ impl Drawing {
     #[must_use]
     pub fn texts(&self) -> &[Text] {
         &self.texts
+    }
+
+    /// The width of all strokes in millimetres; where none was chosen, lines are drawn to be seen.
+    #[must_use]
+    pub fn stroke_width(&self) -> Option<f64> {
+        self.stroke
+    }
+
+    /// Chooses the width of all strokes, in millimetres: a cutter takes a hairline for a cut, and wider lines for areas to
+    /// engrave. DXF files have no width.
+    ///
+    /// # Errors
+    /// [`ExchangeError::OutOfRange`] unless the width is positive.
+    pub fn set_stroke_width(&mut self, width: f64) -> Result<()> {
+        check_positive("width of strokes", width)?;
+        self.stroke = Some(width);
+        Ok(())
     }
 
     /// The notes in the order they were added.
@@ -185,14 +218,26 @@ impl Drawing {
     /// # Errors
     /// As [`Drawing::path`].
     pub fn bend(&mut self, from: [f64; 2], to: [f64; 2], angle: f64) -> Result<()> {
-        let layer = if angle > 0.0 {
+        let bend = BendLine {
+            angle,
+            inside_radius: None,
+        };
+        self.bend_line(from, to, bend)
+    }
+
+    /// As [`Drawing::bend`], of a bend that a tool makes over a radius; both stay with the line in the file.
+    ///
+    /// # Errors
+    /// As [`Drawing::path`].
+    pub fn bend_line(&mut self, from: [f64; 2], to: [f64; 2], bend: BendLine) -> Result<()> {
+        let layer = if bend.angle > 0.0 {
             Layer::BendUp
-        } else if angle < 0.0 {
+        } else if bend.angle < 0.0 {
             Layer::BendDown
         } else {
             Layer::Rulings
         };
-        self.push(layer, &straight(&[from, to]), false, Some(angle))
+        self.push(layer, &straight(&[from, to]), false, Some(bend))
     }
 
     /// Adds a line of text.
@@ -246,7 +291,7 @@ impl Drawing {
         layer: Layer,
         vertices: &[Vertex],
         closed: bool,
-        bend: Option<f64>,
+        bend: Option<BendLine>,
     ) -> Result<()> {
         let index = self.paths.len();
         for vertex in vertices {
@@ -255,8 +300,9 @@ impl Drawing {
                 check_finite("path", index, value)?;
             }
         }
-        if let Some(angle) = bend {
-            check_finite("path", index, angle)?;
+        if let Some(bend) = bend {
+            check_finite("path", index, bend.angle)?;
+            check_finite("path", index, bend.inside_radius.unwrap_or(0.0))?;
         }
         let size = vertices.iter().flat_map(|v| v.point);
         let size = size.fold(0.0_f64, |m, x| m.max(x.abs()));

@@ -30,6 +30,8 @@ pub struct Imported {
     pub meshes: Vec<ImportedMesh>,
     /// Kinds of entities that were passed over, with their numbers, in the order of their names.
     pub passed_over: Vec<(String, usize)>,
+    /// Where the first of each of these kinds stands, in the same order, as far as the format tells.
+    pub passed_places: Vec<FilePlace>,
 }
 
 /// A curve of a file.
@@ -39,6 +41,8 @@ pub struct ImportedCurve {
     pub name: String,
     /// Where it stands.
     pub place: FilePlace,
+    /// The layer or group that it is in; empty where there is none.
+    pub layer: String,
     /// Its shape.
     pub shape: CurveShape,
     /// Whether it is only an edge of a face.
@@ -457,19 +461,27 @@ impl Names {
 /// Counts what is passed over.
 #[derive(Default)]
 pub(crate) struct PassedOver {
-    counts: std::collections::BTreeMap<String, usize>,
+    counts: std::collections::BTreeMap<String, (usize, FilePlace)>,
 }
 
 impl PassedOver {
     pub(super) fn add(&mut self, kind: &str) {
+        self.add_at(kind, &FilePlace::default());
+    }
+
+    /// As [`PassedOver::add`], of an entity at a place.
+    pub(super) fn add_at(&mut self, kind: &str, place: &FilePlace) {
         // A hostile file may have a kind for each of its entities.
         if self.counts.len() < 100 || self.counts.contains_key(kind) {
             let kind: String = kind.chars().take(60).collect();
-            *self.counts.entry(kind).or_insert(0) += 1;
+            let entry = self.counts.entry(kind);
+            entry.or_insert_with(|| (0, place.clone())).0 += 1;
         }
     }
 
-    pub(super) fn list(self) -> Vec<(String, usize)> {
-        self.counts.into_iter().collect()
+    pub(super) fn list(self) -> (Vec<(String, usize)>, Vec<FilePlace>) {
+        let each = self.counts.into_iter();
+        each.map(|(kind, (count, place))| ((kind, count), place))
+            .unzip()
     }
 }

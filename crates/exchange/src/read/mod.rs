@@ -115,6 +115,7 @@ impl Drafts {
                 faces: Vec::new(),
                 meshes: Vec::new(),
                 passed_over: Vec::new(),
+                passed_places: Vec::new(),
             },
             curves: Names::default(),
             faces: Names::default(),
@@ -135,10 +136,18 @@ impl Drafts {
         self.imported.curves.push(ImportedCurve {
             name: self.curves.unique(name),
             place,
+            layer: String::new(),
             shape,
             edge: false,
         });
         Ok(index)
+    }
+
+    /// Says in which layer a curve is.
+    fn set_layer(&mut self, index: usize, layer: &str) {
+        if let Some(curve) = self.imported.curves.get_mut(index) {
+            layer.clone_into(&mut curve.layer);
+        }
     }
 
     /// Marks a curve as the edge of a face.
@@ -166,7 +175,7 @@ impl Drafts {
         uncertainty: Option<f64>,
         passed: PassedOver,
     ) -> ReadResult<Imported> {
-        let passed_over = passed.list();
+        let (passed_over, passed_places) = passed.list();
         let found = &mut self.imported;
         if found.curves.is_empty() && found.faces.is_empty() && found.meshes.is_empty() {
             let words = passed_over
@@ -179,6 +188,7 @@ impl Drafts {
         found.kind = kind;
         found.uncertainty = uncertainty;
         found.passed_over = passed_over;
+        found.passed_places = passed_places;
         Ok(self.imported)
     }
 }

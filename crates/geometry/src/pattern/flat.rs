@@ -320,7 +320,7 @@ const BLANK: FlatRuling = FlatRuling {
 const FLAT: f64 = 1e-13;
 
 /// The angle from one normal to the next about an axis.
-fn fold_angle(m: &[f64; 3], n: &[f64; 3], axis: &[f64; 3]) -> f64 {
+pub(super) fn fold_angle(m: &[f64; 3], n: &[f64; 3], axis: &[f64; 3]) -> f64 {
     let length = super::frame::norm(axis);
     let angle = libm::atan2(dot(&cross(m, n), axis) / length, dot(m, n));
     if angle.abs() < FLAT { 0.0 } else { angle }

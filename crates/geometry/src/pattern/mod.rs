@@ -13,6 +13,7 @@ mod bending;
 mod chain;
 mod crossing;
 mod development;
+mod edges;
 mod error;
 mod fit;
 mod flat;

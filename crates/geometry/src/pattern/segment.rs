@@ -218,6 +218,28 @@ impl Segment {
         }
     }
 
+    /// The part between two shares of the length, from 0 to 1; the ends are met exactly.
+    ///
+    /// ```
+    /// use torse_geometry::pattern::Segment;
+    /// let half = Segment { from: [1.0, 0.0], to: [-1.0, 0.0], bulge: 1.0 };
+    /// let part = half.part(0.25, 0.75);
+    /// assert!((part.length() - 0.5 * half.length()).abs() < 1e-15);
+    /// assert_eq!(part.from, half.point(0.25));
+    /// ```
+    #[must_use]
+    pub fn part(&self, from: f64, to: f64) -> Self {
+        Self {
+            from: if from <= 0.0 {
+                self.from
+            } else {
+                self.point(from)
+            },
+            to: self.point(to),
+            bulge: libm::tan((to.min(1.0) - from.max(0.0)) * libm::atan(self.bulge)),
+        }
+    }
+
     /// Both halves.
     pub(super) fn halves(&self) -> [Self; 2] {
         let middle = self.point(0.5);

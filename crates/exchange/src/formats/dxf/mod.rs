@@ -13,7 +13,8 @@ const APPLICATION: &str = "TORSE";
 
 /// The drawing as DXF of AutoCAD 2000 in millimetres (`$INSUNITS` 4): each path a light-weight polyline with
 /// bulges, so that arcs stay arcs, on the layer of its name; texts; notes as comments. The angle of a bend line
-/// is extended data of the application `TORSE`: the string `bend` and the angle in radians. Numbers are in the
+/// is extended data of the application `TORSE`: the string `bend` and the angle in radians, then `inside radius` and
+/// millimetres where a tool makes it. Numbers are in the
 /// shortest form that reads back to the same f64.
 ///
 /// # Errors
@@ -69,6 +70,9 @@ fn polyline(tags: &mut Tags, path: &Path, handle: &str, space: &str) {
     if let Some(angle) = path.bend() {
         tags.tag(1001, APPLICATION).tag(1000, "bend");
         tags.number(1040, angle);
+        if let Some(radius) = path.inside_radius() {
+            tags.tag(1000, "inside radius").number(1040, radius);
+        }
     }
 }
 

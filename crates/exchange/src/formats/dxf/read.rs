@@ -2,7 +2,7 @@
 //! or of other kinds is passed over.
 
 use super::APPLICATION;
-use crate::drawing::{Drawing, Layer, Text, Vertex};
+use crate::drawing::{BendLine, Drawing, Layer, Text, Vertex};
 use crate::error::{ExchangeError, Result};
 use crate::read::dxf::unit_of;
 use torse_geometry::Coordinate;
@@ -82,6 +82,7 @@ struct Entity {
     application: String,
     name: String,
     bend: Option<f64>,
+    radius: Option<f64>,
     angle: Option<f64>,
 }
 
@@ -105,6 +106,7 @@ impl Entity {
             application: String::new(),
             name: String::new(),
             bend: None,
+            radius: None,
             angle: None,
         })
     }
@@ -142,6 +144,7 @@ impl Entity {
             1000 => trimmed.clone_into(&mut self.name),
             1040 if self.application == APPLICATION => match self.name.as_str() {
                 "bend" => self.bend = Some(number()?),
+                "inside radius" => self.radius = Some(number()?),
                 "angle" => self.angle = Some(number()?),
                 _ => {}
             },
@@ -158,7 +161,11 @@ impl Entity {
             vertex.point = vertex.point.map(|c| c * factor);
         }
         if self.kind != Kind::Text {
-            return drawing.push(layer, &self.vertices, self.closed, self.bend);
+            let bend = self.bend.map(|angle| BendLine {
+                angle,
+                inside_radius: self.radius.map(|radius| radius * factor),
+            });
+            return drawing.push(layer, &self.vertices, self.closed, bend);
         }
         let unplaced = ExchangeError::Unreadable {
             line: self.line,

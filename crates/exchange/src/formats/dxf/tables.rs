@@ -22,7 +22,7 @@ const BLOCKS: [&str; 2] = ["*Model_Space", "*Paper_Space"];
 pub(super) fn write(tags: &mut Tags, handles: &mut Handles) -> String {
     tags.section("TABLES");
     table(tags, handles, "VPORT", &[], |_, _| {});
-    let line_types = ["ByBlock", "ByLayer", "CONTINUOUS", "DASHED"];
+    let line_types = ["ByBlock", "ByLayer", "CONTINUOUS", "DASHED", "DASHDOT"];
     let kind = "AcDbLinetypeTableRecord";
     table(
         tags,
@@ -30,11 +30,19 @@ pub(super) fn write(tags: &mut Tags, handles: &mut Handles) -> String {
         "LTYPE",
         &line_types.map(|n| (kind, n)),
         |tags, name| {
-            if name == "DASHED" {
-                tags.tag(3, "__ __").tag(72, 65).tag(73, 2).tag(40, 9);
-                tags.tag(49, 6).tag(74, 0).tag(49, -3).tag(74, 0);
-            } else {
-                tags.tag(3, "").tag(72, 65).tag(73, 0).tag(40, 0);
+            // Lengths of strokes and gaps in millimetres; a stroke of no length is a dot.
+            let (shown, dashes): (&str, &[i32]) = match name {
+                "DASHED" => ("__ __", &[6, -3]),
+                "DASHDOT" => ("__ . __", &[6, -3, 0, -3]),
+                _ => ("", &[]),
+            };
+            let length: i32 = dashes.iter().map(|dash| dash.abs()).sum();
+            tags.tag(3, shown)
+                .tag(72, 65)
+                .tag(73, dashes.len())
+                .tag(40, length);
+            for dash in dashes {
+                tags.tag(49, dash).tag(74, 0);
             }
         },
     );
@@ -136,7 +144,7 @@ fn look(layer: Option<Layer>) -> (u8, &'static str) {
         None | Some(Layer::Outline) => (7, "CONTINUOUS"),
         Some(Layer::Rulings) => (8, "CONTINUOUS"),
         Some(Layer::BendUp) => (5, "DASHED"),
-        Some(Layer::BendDown) => (1, "DASHED"),
+        Some(Layer::BendDown) => (1, "DASHDOT"),
         Some(Layer::Regression) => (6, "CONTINUOUS"),
         Some(Layer::Marks) => (3, "CONTINUOUS"),
     }

@@ -10,7 +10,7 @@ use std::fmt::Write;
 
 /// The drawing as SVG in true size: one unit is one millimetre, each layer a group with its name (a layer for
 /// Inkscape too), arcs as arcs, notes as the description. The bend angle of a line is its attribute `data-bend`,
-/// in radians; `data-order` is its place among all paths of the drawing. Numbers are in the shortest form that reads back to the same f64.
+/// in radians, its inside radius `data-inside-radius`; `data-order` is its place among all paths of the drawing. Numbers are in the shortest form that reads back to the same f64.
 ///
 /// # Errors
 /// [`ExchangeError::Empty`] for a drawing without paths.
@@ -44,7 +44,7 @@ pub fn svg(drawing: &Drawing) -> Result<String> {
         h = h,
         left = left,
         top = top,
-        stroke = 0.1 * margin,
+        stroke = drawing.stroke_width().unwrap_or(0.1 * margin),
     );
     if !drawing.notes().is_empty() {
         let notes = escaped(&drawing.notes().join("\n"));
@@ -58,16 +58,27 @@ pub fn svg(drawing: &Drawing) -> Result<String> {
             continue;
         }
         let (name, colour) = (layer.name(), colour(layer));
+        let dashes = match dashes(layer) {
+            Some([dash, gap, dot]) => {
+                let [dash, gap, dot] = [dash, gap, dot].map(|share| share * margin);
+                format!(" stroke-dasharray=\"{dash} {gap} {dot} {gap}\"")
+            }
+            None => String::new(),
+        };
         let _ = writeln!(
             text,
-            "<g id=\"{name}\" inkscape:groupmode=\"layer\" inkscape:label=\"{name}\" stroke=\"{colour}\">"
+            "<g id=\"{name}\" inkscape:groupmode=\"layer\" inkscape:label=\"{name}\" stroke=\"{colour}\"{dashes}>"
         );
         for (order, path) in paths() {
             let bend = path.bend().map(|a| format!(" data-bend=\"{}\"", a + 0.0));
             let bend = bend.unwrap_or_default();
+            let radius = path
+                .inside_radius()
+                .map(|radius| format!(" data-inside-radius=\"{radius}\""))
+                .unwrap_or_default();
             let _ = writeln!(
                 text,
-                "<path d=\"{}\" data-order=\"{order}\"{bend}/>",
+                "<path d=\"{}\" data-order=\"{order}\"{bend}{radius}/>",
                 commands(path)
             );
         }
@@ -85,6 +96,16 @@ pub fn svg(drawing: &Drawing) -> Result<String> {
     }
     text.push_str("</svg>\n");
     Ok(text)
+}
+
+/// The strokes of bend lines, upward dashed and downward dashed with dots: stroke, gap and second stroke as shares of the
+/// margin.
+fn dashes(layer: Layer) -> Option<[f64; 3]> {
+    match layer {
+        Layer::BendUp => Some([1.0, 0.5, 1.0]),
+        Layer::BendDown => Some([1.0, 0.5, 0.125]),
+        _ => None,
+    }
 }
 
 fn colour(layer: Layer) -> &'static str {

@@ -3,7 +3,7 @@
 //! other kinds are passed over. Groups and paths may be moved, turned, mirrored and scaled; lengths are in the unit that
 //! the file states.
 
-use crate::drawing::{Drawing, Layer, Text, Vertex};
+use crate::drawing::{BendLine, Drawing, Layer, Text, Vertex};
 use crate::error::{ExchangeError, Result};
 use crate::read::svg::document::{self, Element, Matrix};
 use crate::read::svg::parts;
@@ -71,7 +71,7 @@ struct Drawn {
     layer: Layer,
     vertices: Vec<Vertex>,
     closed: bool,
-    bend: Option<f64>,
+    bend: Option<BendLine>,
 }
 
 fn wrong(place: &FilePlace, reason: impl Into<String>) -> ExchangeError {
@@ -83,17 +83,21 @@ fn wrong(place: &FilePlace, reason: impl Into<String>) -> ExchangeError {
 
 fn paths_of(element: &Element<'_>, layer: Layer) -> Result<Vec<Drawn>> {
     let attribute = |name: &str| element.node.attribute(name);
-    let bend = match attribute("data-bend") {
-        None => None,
-        Some(text) => {
-            let angle = text
-                .trim()
-                .parse::<f64>()
-                .ok()
-                .filter(|angle| angle.is_finite());
-            Some(angle.ok_or_else(|| wrong(&element.place, "`data-bend` is no number"))?)
-        }
+    let number = |name: &str| {
+        let Some(text) = attribute(name) else {
+            return Ok(None);
+        };
+        let number = text.trim().parse::<f64>().ok();
+        let number = number.filter(|number| number.is_finite());
+        number
+            .map(Some)
+            .ok_or_else(|| wrong(&element.place, format!("`{name}` is no number")))
     };
+    let inside_radius = number("data-inside-radius")?;
+    let bend = number("data-bend")?.map(|angle| BendLine {
+        angle,
+        inside_radius,
+    });
     let mut parts = parts(element)?;
     // A move alone draws nothing.
     parts.retain(|part| !part.segments.is_empty());

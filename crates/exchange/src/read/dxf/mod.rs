@@ -185,11 +185,12 @@ impl<'t, 'g> Reader<'t, 'g, '_> {
                     } else {
                         layer.to_owned()
                     };
-                    self.drafts
-                        .curve(&name, entity.place(), shape.mapped(map))?;
+                    let shape = shape.mapped(map);
+                    let index = self.drafts.curve(&name, entity.place(), shape)?;
+                    self.drafts.set_layer(index, layer);
                 }
                 None if matches!(entity.kind, "SEQEND" | "VERTEX" | "VIEWPORT" | "ATTRIB") => {}
-                None => self.passed.add(entity.kind),
+                None => self.passed.add_at(entity.kind, &entity.place()),
             }
         }
         Ok(())

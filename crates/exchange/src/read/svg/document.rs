@@ -395,7 +395,7 @@ impl<'d> Walk<'d> {
             | "title" | "desc" | "style" | "script" | "linearGradient" | "radialGradient"
             | "filter" | "namedview" => Ok(()),
             other => {
-                self.found.passed.add(other);
+                self.found.passed.add_at(other, &place());
                 Ok(())
             }
         }

@@ -27,7 +27,7 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
     let mut drafts = Drafts::new(&unit);
     for element in &elements {
         if element.tag == "text" {
-            passed.add("text");
+            passed.add_at("text", &element.place);
             continue;
         }
         for part in parts(element)? {
@@ -39,7 +39,8 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
                 }
                 other => other.map_err(refused(&element.place))?,
             };
-            drafts.curve(element.name(), element.place.clone(), shape)?;
+            let index = drafts.curve(element.name(), element.place.clone(), shape)?;
+            drafts.set_layer(index, element.layers.last().copied().unwrap_or_default());
         }
     }
     drafts.finish(FileKind::Svg, None, passed)
