@@ -1,0 +1,99 @@
+//! `lint`: a drawing against the rules of bureaus that cut sheet.
+
+use crate::design::{Format, json, unit};
+use crate::exit::{Exit, Failure};
+use crate::terminal::print;
+use clap::Args;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use torse_designs::DesignError;
+use torse_designs::lint::{LintDemand, Rules, lint};
+use torse_exchange::{LengthUnit, MAX_FILE_BYTES};
+
+/// Check a drawing, by whomever, against what cutting bureaus publish of the files they take.
+///
+/// Closed contours, nothing twice, no text, a unit, one part, holes and webs that the thickness admits. Ends with 1 when a
+/// rule is broken, and says where and why.
+#[derive(Args)]
+pub struct Lint {
+    /// The drawing: a DXF or SVG file; - for standard input
+    file: PathBuf,
+    /// The thickness of the sheet in millimetres, on which some rules depend
+    #[arg(long, value_name = "MM", value_parser = positive)]
+    thickness: Option<f64>,
+    /// Rules to check against instead of those that torse has, a TOML file
+    #[arg(long, value_name = "FILE")]
+    rules: Option<PathBuf>,
+    /// The unit of a file that states none: mm, cm, m, in, ft, ..
+    #[arg(long, value_name = "UNIT", value_parser = unit)]
+    unit: Option<LengthUnit>,
+    /// How the answer is shown
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok();
+    let number = number.filter(|number| number.is_finite() && *number > 0.0);
+    number.ok_or_else(|| "a positive number of millimetres is wanted".to_owned())
+}
+
+/// The bytes of a file, or of standard input; no more than are read of a drawing.
+fn bytes_of(path: &Path) -> Result<Vec<u8>, DesignError> {
+    let unreadable = |error: std::io::Error| DesignError::Unreadable {
+        path: path.display().to_string(),
+        reason: error.to_string(),
+    };
+    let most = u64::try_from(MAX_FILE_BYTES).unwrap_or(u64::MAX);
+    let mut bytes = Vec::new();
+    if path.as_os_str() == "-" {
+        let input = std::io::stdin().lock();
+        input
+            .take(most + 1)
+            .read_to_end(&mut bytes)
+            .map_err(unreadable)?;
+    } else {
+        let file = std::fs::File::open(path).map_err(unreadable)?;
+        file.take(most + 1)
+            .read_to_end(&mut bytes)
+            .map_err(unreadable)?;
+    }
+    Ok(bytes)
+}
+
+impl Lint {
+    /// Prints the table of rules and the faults.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        let wrong = |path: &Path, reason: String| DesignError::Pattern {
+            path: path.display().to_string(),
+            reason,
+        };
+        let rules = match &self.rules {
+            None => Rules::published().map_err(|reason| wrong(Path::new("rules"), reason))?,
+            Some(path) => {
+                let text =
+                    String::from_utf8(bytes_of(path)?).map_err(|e| wrong(path, e.to_string()))?;
+                Rules::parse(&text).map_err(|reason| wrong(path, reason))?
+            }
+        };
+        let demand = LintDemand {
+            thickness: self.thickness,
+            unit: self.unit.clone(),
+        };
+        let name = if self.file.as_os_str() == "-" {
+            "stdin".to_owned()
+        } else {
+            self.file.display().to_string()
+        };
+        let report = lint(&name, &bytes_of(&self.file)?, &rules, &demand)?;
+        print(&match self.format {
+            Format::Text => report.text(),
+            Format::Json => json(&report)?,
+        })?;
+        Ok(if report.passes() {
+            Exit::AsExpected
+        } else {
+            Exit::Differs
+        })
+    }
+}
