@@ -406,7 +406,7 @@ def written_by_the_command(torse, designs, folder):
             run("export", design, "--to", file(ending))
         for ending in PATTERNS:
             exported = file(ending).read_bytes()
-            run("unroll", design, "--to", file(ending))
+            run("unroll", design, "--to", file(ending), "--for", "fold")
             check(file(ending).read_bytes() == exported, f"torse {name}: unroll and export write the same {ending}")
             run("fold", design, "--pattern", file(ending))
         for one, other in (("step", "stp"), ("igs", "iges")):

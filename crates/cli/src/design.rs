@@ -1,4 +1,4 @@
-//! `inspect`, `unroll`, `fold`, `export`, `eval`, `draw`: design files in, answers and files out.
+//! `inspect`, `fold`, `export`, `eval`, `draw`: design files in, answers and files out.
 
 use crate::exit::{Exit, Failure};
 use crate::terminal::{print, remark};
@@ -8,15 +8,15 @@ use std::path::{Path, PathBuf};
 use torse_designs::eval::{At, csv, eval};
 use torse_designs::export::{ENDINGS, PATTERNS, bytes, ending};
 use torse_designs::fold::fold_back;
-use torse_designs::inspect::{inspect, inspect_quickly, table};
+use torse_designs::inspect::{Report, inspect, inspect_quickly, overview, table};
 use torse_designs::listing::{FileListing, list};
-use torse_designs::unroll::{Demand, Flattening, Summary, drawing, unroll};
-use torse_designs::{Design, DesignError, draw, load, load_from};
-use torse_exchange::{FileKind, LengthUnit, MAX_FILE_BYTES, dxf, svg, write_file};
+use torse_designs::unroll::{Demand, Flattening};
+use torse_designs::{Design, DesignError, draw, load, load_with_settings};
+use torse_exchange::{FileKind, LengthUnit, MAX_FILE_BYTES, write_file};
 
 /// The format of the answer.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
+pub(crate) enum Format {
     /// Text
     Text,
     /// JSON, identical bytes on every run
@@ -31,8 +31,13 @@ enum Format {
 /// curves, faces and meshes.
 #[derive(Args)]
 pub struct Inspect {
-    /// The design file, or a file of another program; - for standard input
-    design: PathBuf,
+    /// The design files, or a file of another program; - for standard input. Of several each has a line: of a table, or,
+    /// with --format json, of JSON
+    #[arg(required = true)]
+    designs: Vec<PathBuf>,
+    /// Set a number of [let] to another value; repeatable
+    #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
+    set: Vec<(String, f64)>,
     /// Set the unit of a file of another program that has none: mm, cm, m, in, ft, ...
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     unit: Option<LengthUnit>,
@@ -44,30 +49,9 @@ pub struct Inspect {
     format: Format,
 }
 
-/// Unroll a design to a flat pattern, DXF or SVG.
-///
-/// torse refuses a surface that is not developable within tolerance, contains its edge of regression, or has an outline
-/// that crosses itself: it writes no file, and the exit code is 1.
-#[derive(Args)]
-pub struct Unroll {
-    /// The design file
-    design: PathBuf,
-    /// Write the pattern to this .dxf or .svg file, or to standard output if it is - (with --as)
-    #[arg(long, value_name = "FILE")]
-    to: PathBuf,
-    /// Set the format, dxf or svg, if the file name has no such extension
-    #[arg(long, value_name = "ENDING")]
-    r#as: Option<String>,
-    #[command(flatten)]
-    pattern: Pattern,
-    /// Set the format of the answer
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
-}
-
 /// Options of a pattern.
 #[derive(Args)]
-struct Pattern {
+pub(crate) struct Pattern {
     /// Unroll even a surface that is not developable, if no line changes its length by more than this share; the file
     /// says so
     #[arg(long, value_name = "STRAIN", default_value_t = 0.0)]
@@ -85,7 +69,7 @@ struct Pattern {
 }
 
 impl Pattern {
-    fn demand(&self) -> Demand {
+    pub(crate) fn demand(&self) -> Demand {
         Demand {
             allow_strain: self.allow_strain,
             rulings: self.rulings,
@@ -112,7 +96,10 @@ fn development(name: &str) -> Result<Flattening, String> {
 pub struct Fold {
     /// The design file
     design: PathBuf,
-    /// Read this pattern, a DXF or SVG file written by `unroll`
+    /// Set a number of [let] to another value; repeatable
+    #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
+    set: Vec<(String, f64)>,
+    /// Read this pattern, a DXF or SVG file written by `unroll --for fold`
     #[arg(long, value_name = "FILE")]
     pattern: PathBuf,
     /// Set the format of the answer
@@ -128,6 +115,9 @@ pub struct Fold {
 pub struct Export {
     /// The design file
     design: PathBuf,
+    /// Set a number of [let] to another value; repeatable
+    #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
+    set: Vec<(String, f64)>,
     /// Write this file, or to standard output if it is - (with --as)
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
@@ -144,6 +134,9 @@ pub struct Export {
 pub struct Eval {
     /// The design file
     design: PathBuf,
+    /// Set a number of [let] to another value; repeatable
+    #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
+    set: Vec<(String, f64)>,
     /// Evaluate at this place: ruling and share of the ruling, both from 0 to 1; repeatable
     #[arg(long, value_name = "U,V", value_parser = place, group = "where")]
     at: Vec<[f64; 2]>,
@@ -172,6 +165,9 @@ enum Table {
 pub struct Draw {
     /// The design file
     design: PathBuf,
+    /// Set a number of [let] to another value; repeatable
+    #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
+    set: Vec<(String, f64)>,
     /// Write the picture to this .png, .svg or .html file
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
@@ -193,26 +189,43 @@ fn grid(text: &str) -> Result<(usize, usize), String> {
     Ok((number(m)?, number(n)?))
 }
 
-fn unit(text: &str) -> Result<LengthUnit, String> {
+pub(crate) fn unit(text: &str) -> Result<LengthUnit, String> {
     let wanted = || format!("unknown unit of length `{text}`: use mm, cm, m, in, ft, ...");
     LengthUnit::named(text).ok_or_else(wanted)
 }
 
 /// Whether a path stands for standard input or output.
-fn is_standard(path: &Path) -> bool {
+pub(crate) fn is_standard(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
 /// Reads the design of a file.
-fn design(path: &Path) -> Result<Design, Failure> {
+pub(crate) fn design(path: &Path, settings: &[(String, f64)]) -> Result<Design, Failure> {
     if is_standard(path) {
-        return Ok(load_from(Path::new("stdin"), std::io::stdin().lock())?);
+        let input = std::io::stdin().lock();
+        return Ok(load_with_settings(Path::new("stdin"), input, settings)?);
     }
-    Ok(load(path)?)
+    if settings.is_empty() {
+        return Ok(load(path)?);
+    }
+    let file = std::fs::File::open(path).map_err(|error| DesignError::Unreadable {
+        path: path.display().to_string(),
+        reason: error.to_string(),
+    })?;
+    Ok(load_with_settings(path, file, settings)?)
+}
+
+/// A name and a number: R=90.
+pub(crate) fn setting(text: &str) -> Result<(String, f64), String> {
+    let wanted = || "a name and a number are wanted: R=90".to_owned();
+    let (name, value) = text.split_once('=').ok_or_else(wanted)?;
+    let value = value.trim().parse::<f64>().ok();
+    let value = value.filter(|value| value.is_finite() && value.abs() < 1e15);
+    Ok((name.trim().to_owned(), value.ok_or_else(wanted)?))
 }
 
 /// Writes a file whole or not at all; - means standard output.
-fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     if is_standard(path) {
         let mut output = std::io::stdout().lock();
         let written = output.write_all(bytes).and_then(|()| output.flush());
@@ -223,7 +236,7 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// Shows an answer; on standard error if the file went to standard output.
-fn answer(file: &Path, text: &str) -> Result<(), Failure> {
+pub(crate) fn answer(file: &Path, text: &str) -> Result<(), Failure> {
     if is_standard(file) {
         remark(text);
         return Ok(());
@@ -232,7 +245,7 @@ fn answer(file: &Path, text: &str) -> Result<(), Failure> {
 }
 
 /// Returns the format of a written file: its extension, or the value of `--as`.
-fn format_of(
+pub(crate) fn format_of(
     path: &Path,
     named: Option<&str>,
     known: &'static [&'static str],
@@ -250,44 +263,66 @@ fn met(missed: &[String]) -> Exit {
     }
 }
 
-fn json(answer: &impl serde::Serialize) -> Result<String, Failure> {
+pub(crate) fn json(answer: &impl serde::Serialize) -> Result<String, Failure> {
     let text = serde_json::to_string_pretty(answer);
     let text = text.map_err(|error| Failure::Print(error.into()))?;
     Ok(text + "\n")
 }
 
 impl Inspect {
-    /// Measures the design.
+    /// Measures the design, or each of several.
     pub fn run(&self) -> Result<Exit, Failure> {
-        if let Some(listing) = self.listing()? {
+        if let [path] = self.designs.as_slice() {
+            if let Some(listing) = self.listing(path)? {
+                print(&match self.format {
+                    Format::Text => listing.text(),
+                    Format::Json => json(&listing)?,
+                })?;
+                return Ok(Exit::AsExpected);
+            }
+            let report = self.report(path)?;
             print(&match self.format {
-                Format::Text => listing.text(),
-                Format::Json => json(&listing)?,
+                Format::Text => table(&report),
+                Format::Json => json(&report)?,
             })?;
-            return Ok(Exit::AsExpected);
+            return Ok(met(&report.missed));
         }
-        let design = design(&self.design)?;
-        let report = if self.quick {
+        let mut reports = Vec::new();
+        for path in &self.designs {
+            reports.push(self.report(path)?);
+        }
+        print(&match self.format {
+            Format::Text => overview(&reports),
+            Format::Json => {
+                let lines: Result<Vec<String>, _> =
+                    reports.iter().map(serde_json::to_string).collect();
+                let lines = lines.map_err(|error| Failure::Print(error.into()))?;
+                lines.join("\n") + "\n"
+            }
+        })?;
+        let missed: Vec<String> = reports
+            .into_iter()
+            .flat_map(|report| report.missed)
+            .collect();
+        Ok(met(&missed))
+    }
+
+    fn report(&self, path: &Path) -> Result<Report, Failure> {
+        let design = design(path, &self.set)?;
+        Ok(if self.quick {
             inspect_quickly(&design)?
         } else {
             inspect(&design)?
-        };
-        print(&match self.format {
-            Format::Text => table(&report),
-            Format::Json => json(&report)?,
-        })?;
-        Ok(met(&report.missed))
+        })
     }
-}
 
-impl Inspect {
-    /// Lists a file of another program; none for a design.
-    fn listing(&self) -> Result<Option<FileListing>, Failure> {
-        if is_standard(&self.design) {
+    /// What is in a file of another program; nothing for a design.
+    fn listing(&self, path: &Path) -> Result<Option<FileListing>, Failure> {
+        if is_standard(path) {
             return Ok(None);
         }
-        let Ok(file) = std::fs::File::open(&self.design) else {
-            // Reading the design reports the error.
+        let Ok(file) = std::fs::File::open(path) else {
+            // What is wrong with it is told where a design is read.
             return Ok(None);
         };
         let most = u64::try_from(MAX_FILE_BYTES).unwrap_or(u64::MAX);
@@ -295,7 +330,7 @@ impl Inspect {
         if file.take(most + 1).read_to_end(&mut bytes).is_err() || !FileKind::of(&bytes).is_read() {
             return Ok(None);
         }
-        let name = self.design.display().to_string();
+        let name = path.display().to_string();
         let listing = list(&name, &bytes, self.unit.as_ref());
         let failed = |reason| DesignError::Listing {
             path: name.clone(),
@@ -305,34 +340,11 @@ impl Inspect {
     }
 }
 
-impl Unroll {
-    /// Writes the pattern and prints its accuracy.
-    pub fn run(&self) -> Result<Exit, Failure> {
-        let ending = format_of(&self.to, self.r#as.as_deref(), PATTERNS)?;
-        let design = design(&self.design)?;
-        let pieces = unroll(&design, &self.pattern.demand())?;
-        let sheet = drawing(&design, &pieces)?;
-        let text = match ending {
-            "dxf" => dxf(&sheet),
-            _ => svg(&sheet),
-        };
-        let text = text.map_err(DesignError::from)?;
-        write(&self.to, text.as_bytes())?;
-        let summary = Summary::of(&design, &pieces);
-        let text = match self.format {
-            Format::Text => summary.text(),
-            Format::Json => json(&summary)?,
-        };
-        answer(&self.to, &text)?;
-        Ok(Exit::AsExpected)
-    }
-}
-
 impl Fold {
     /// Folds the pattern and compares.
     pub fn run(&self) -> Result<Exit, Failure> {
         ending(&self.pattern, PATTERNS)?;
-        let report = fold_back(&design(&self.design)?, &self.pattern)?;
+        let report = fold_back(&design(&self.design, &self.set)?, &self.pattern)?;
         print(&match self.format {
             Format::Text => report.text(),
             Format::Json => json(&report)?,
@@ -345,7 +357,7 @@ impl Export {
     /// Writes the file.
     pub fn run(&self) -> Result<Exit, Failure> {
         let ending = format_of(&self.to, self.r#as.as_deref(), ENDINGS)?;
-        let design = design(&self.design)?;
+        let design = design(&self.design, &self.set)?;
         write(&self.to, &bytes(&design, ending, &self.pattern.demand())?)?;
         Ok(Exit::AsExpected)
     }
@@ -358,7 +370,11 @@ impl Eval {
             Some((m, n)) => At::Grid(m, n),
             None => At::Places(self.at.clone()),
         };
-        let rows = eval(&design(&self.design)?, self.patch.as_deref(), &at)?;
+        let rows = eval(
+            &design(&self.design, &self.set)?,
+            self.patch.as_deref(),
+            &at,
+        )?;
         print(&match self.format {
             Table::Csv => csv(&rows),
             Table::Json => json(&rows)?,
@@ -371,7 +387,7 @@ impl Draw {
     /// Writes the picture.
     pub fn run(&self) -> Result<Exit, Failure> {
         let ending = ending(&self.to, draw::ENDINGS)?;
-        let (design, demand) = (design(&self.design)?, self.pattern.demand());
+        let (design, demand) = (design(&self.design, &self.set)?, self.pattern.demand());
         let bytes = match ending {
             "html" => draw::page(&design, &demand)?.into_bytes(),
             "svg" => draw::picture(&design, &demand)?.svg.into_bytes(),

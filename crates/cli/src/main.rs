@@ -18,6 +18,7 @@ mod explain;
 mod figures;
 mod format;
 mod kernel;
+mod lint;
 mod list;
 mod new;
 mod proofs;
@@ -26,6 +27,7 @@ mod recheck;
 mod report;
 mod run;
 mod terminal;
+mod unroll;
 mod verdicts;
 mod verify;
 mod watch;
@@ -66,7 +68,8 @@ Examples:
   torse audit gbt-developable            signs that a statement is not what is printed
   torse new my-paper                     a folder that verifies, to begin from
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
-  torse unroll DESIGN.toml --to part.dxf the flat pattern, for the cutter
+  torse unroll DESIGN.toml --to part.dxf what is cut of it, a file a part
+  torse lint part.dxf --thickness 2      would a cutting bureau take this drawing?
 
 `torse help COMMAND` says more, `torse --help` lists the exit codes.";
 
@@ -85,7 +88,8 @@ Examples:
   torse audit gbt-developable            signs that a statement is not what is printed
   torse new my-paper                     a folder that verifies, to begin from
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
-  torse unroll DESIGN.toml --to part.dxf the flat pattern, for the cutter
+  torse unroll DESIGN.toml --to part.dxf what is cut of it, a file a part
+  torse lint part.dxf --thickness 2      would a cutting bureau take this drawing?
 
 Exit codes (if several apply, the first of this list):
   6  two checks of a verdict contradict each other (prover, second evaluator, replay, kernel): the claim is
@@ -97,7 +101,7 @@ Exit codes (if several apply, the first of this list):
   8  the time limit (`--time-limit SECONDS`) ended the run, without verdicts
   7  a required program is missing (coqc)
   1  a verdict differs from its derivation file or from an earlier run; a flag of the audit is open; a design
-     misses a tolerance
+     misses a tolerance; a drawing breaks a rule
   3  a claim named by its full id is undecided
   0  every verdict is as expected, or nothing was expected
 
@@ -117,7 +121,8 @@ enum Command {
     Audit(audit::Audit),
     New(new::New),
     Inspect(design::Inspect),
-    Unroll(design::Unroll),
+    Unroll(unroll::Unroll),
+    Lint(lint::Lint),
     Fold(design::Fold),
     Export(design::Export),
     Eval(design::Eval),
@@ -141,6 +146,7 @@ impl Command {
             Command::New(command) => command.run(),
             Command::Inspect(command) => command.run(),
             Command::Unroll(command) => command.run(),
+            Command::Lint(command) => command.run(),
             Command::Fold(command) => command.run(),
             Command::Export(command) => command.run(),
             Command::Eval(command) => command.run(),

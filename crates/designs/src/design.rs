@@ -1,6 +1,8 @@
 //! What a design file says: patches, chains of them, and what is demanded.
 
 use crate::Unit;
+use crate::bending::Bending;
+use crate::seams::{PatchEdge, Seam};
 use torse_geometry::basis::Shape;
 use torse_geometry::pattern::Sheet as Metal;
 use torse_geometry::prelude::{Planes, Rail, Sheet};
@@ -17,6 +19,8 @@ pub struct Design {
     pub unit: Unit,
     /// What it is made of, if that is said.
     pub metal: Option<Material>,
+    /// How blanks are found where it is bent.
+    pub bending: Bending,
     /// What is demanded.
     pub tolerances: Tolerances,
     /// How it is looked at.
@@ -25,6 +29,8 @@ pub struct Design {
     pub patches: Vec<Patch>,
     /// The chains in the order of the file.
     pub chains: Vec<Chain>,
+    /// The edges that meet.
+    pub seams: Vec<Seam>,
     /// What is worth knowing of the files that it takes curves from.
     pub notes: Vec<String>,
     /// Surfaces that are not unrolled, in the order of the file.
@@ -103,6 +109,10 @@ pub struct Patch {
     pub ends: Ends,
     /// What is marked on it.
     pub marks: Vec<Mark>,
+    /// Whether it is bent at one line, over a tool, and not rolled.
+    pub bend: bool,
+    /// Its own names of its edges.
+    pub edges: Vec<(String, PatchEdge)>,
     /// What else is worth knowing: which developable was chosen, how much of the curves it uses.
     pub notes: Vec<String>,
 }
@@ -158,6 +168,8 @@ pub struct Chain {
     pub closed: bool,
     /// How the patches are laid out.
     pub layout: Layout,
+    /// The inside radius in millimetres over which each joint with an edge is bent, where it is bent over one.
+    pub radii: Vec<Option<f64>>,
 }
 
 /// How smooth a joint is wanted.

@@ -86,6 +86,24 @@ pub enum DesignError {
         piece: String,
         /// Why.
         reason: PatternError,
+        /// The strain that has to be allowed for all pieces to be unrolled, where that is what is missing.
+        needed: Option<f64>,
+    },
+    /// A piece cannot be bent as the design says.
+    #[error("`{piece}` has no blank: {reason}")]
+    Blank {
+        /// The chain or the patch.
+        piece: String,
+        /// Why.
+        reason: String,
+    },
+    /// The parts cannot be written as they were asked for.
+    #[error("`{design}`: {reason}")]
+    Parts {
+        /// The design.
+        design: String,
+        /// Why.
+        reason: String,
     },
     /// There is nothing to unroll.
     #[error("`{design}` has surfaces only, and only patches are unrolled")]
@@ -135,15 +153,20 @@ impl DesignError {
     #[must_use]
     pub fn ending(&self) -> Ending {
         match self {
-            Self::Format { .. } | Self::NoSuch { .. } | Self::OutOfRange { .. } => Ending::Usage,
+            Self::Format { .. }
+            | Self::NoSuch { .. }
+            | Self::OutOfRange { .. }
+            | Self::Parts { .. } => Ending::Usage,
             Self::Unreadable { .. }
             | Self::OtherKind { .. }
             | Self::Listing { .. }
             | Self::Wrong { .. }
             | Self::Pattern { .. } => Ending::BadFile,
-            Self::Patch { .. } | Self::Unroll { .. } | Self::NoPatch { .. } | Self::Mark { .. } => {
-                Ending::Missed
-            }
+            Self::Patch { .. }
+            | Self::Unroll { .. }
+            | Self::Blank { .. }
+            | Self::NoPatch { .. }
+            | Self::Mark { .. } => Ending::Missed,
             Self::Exchange(_) | Self::Figure(_) => Ending::Output,
         }
     }
@@ -154,11 +177,13 @@ impl DesignError {
         match self {
             Self::Format { known, .. } => Some(format!("the extensions are .{}", known.join(", ."))),
             Self::NoSuch { known, .. } => Some(format!("there are `{}`", known.join("`, `"))),
-            Self::Unroll { reason, .. } => match reason {
-                PatternError::NotDevelopable { strain, .. } => Some(format!(
-                    "`--allow-strain {:.1e}` flattens it all the same and marks the file",
-                    1.05 * strain
-                )),
+            Self::Unroll { reason, needed, .. } => match reason {
+                PatternError::NotDevelopable { .. } => needed.map(|strain| {
+                    format!(
+                        "`--allow-strain {:.1e}` flattens it all the same and marks the file",
+                        1.05 * strain
+                    )
+                }),
                 PatternError::Regression { .. } => {
                     Some("trim the patch with `part`, or cut it on one side of the edge".to_owned())
                 }

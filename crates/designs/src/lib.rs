@@ -37,6 +37,7 @@
 //! All lengths are in millimetres once a file is read. The same file gives the same bytes everywhere.
 #![warn(missing_docs)]
 
+mod bending;
 mod design;
 pub mod draw;
 mod error;
@@ -46,16 +47,22 @@ mod file;
 pub mod fold;
 mod holes;
 pub mod inspect;
+pub mod lint;
 pub mod listing;
 pub mod movable;
+mod polygon;
+mod seams;
 mod unit;
 pub mod unroll;
 
+pub use bending::{Bending, DesignedSurface, NeutralLine};
 pub use design::{
     Chain, Design, Ends, Layout, Mark, Material, Patch, Piece, Smoothness, Tolerances, View,
 };
 pub use error::{DesignError, Ending};
 pub use file::{
-    MOST_BYTES, MOST_CONTROLS, MOST_LINE, MOST_THINGS, keys, load, load_from, read, read_with,
+    MOST_BYTES, MOST_CONTROLS, MOST_LINE, MOST_THINGS, keys, load, load_from, load_with_settings,
+    read, read_with, read_with_settings,
 };
+pub use seams::{EdgeName, PatchEdge, Seam};
 pub use unit::Unit;

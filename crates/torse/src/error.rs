@@ -107,7 +107,12 @@ fn place(diagnostic: &dyn Diagnostic) -> Option<ErrorPlace> {
     })
 }
 
-/// An error of a design that shows all its mistakes, each with its place and help.
+/// The most mistakes of a design that are shown.
+#[cfg(feature = "designs")]
+const MAX_MISTAKES: usize = 10;
+
+/// An error of a design that shows its mistakes, each with its place and what would help: the first ten, and how many more
+/// there are.
 #[cfg(feature = "designs")]
 #[derive(Debug, Failing)]
 #[error(transparent)]
@@ -116,6 +121,11 @@ pub struct DesignFailure(pub Box<DesignError>);
 #[cfg(feature = "designs")]
 impl Diagnostic for DesignFailure {
     fn help<'a>(&'a self) -> Option<Box<dyn std::fmt::Display + 'a>> {
+        if let DesignError::Wrong { mistakes } = &*self.0 {
+            let more = mistakes.len().checked_sub(MAX_MISTAKES);
+            let more = more.filter(|more| *more > 0)?;
+            return Some(Box::new(format!("{more} more are not shown")));
+        }
         let help = self.0.help()?;
         Some(Box::new(help))
     }
@@ -123,7 +133,10 @@ impl Diagnostic for DesignFailure {
     fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn Diagnostic> + 'a>> {
         match &*self.0 {
             DesignError::Wrong { mistakes } => Some(Box::new(
-                mistakes.iter().map(|mistake| mistake as &dyn Diagnostic),
+                mistakes
+                    .iter()
+                    .take(MAX_MISTAKES)
+                    .map(|mistake| mistake as &dyn Diagnostic),
             )),
             _ => None,
         }

@@ -106,7 +106,16 @@ fn a_pattern_folds_back_to_its_design() {
     let folder = folder(CONE);
     let unrolled = run(
         folder.path(),
-        &["unroll", "part.toml", "--to", "part.dxf", "--rulings", "33"],
+        &[
+            "unroll",
+            "part.toml",
+            "--to",
+            "part.dxf",
+            "--rulings",
+            "33",
+            "--for",
+            "fold",
+        ],
     );
     assert_eq!(unrolled.code, 0, "{}", unrolled.error);
     let folded = run(
@@ -120,7 +129,16 @@ fn a_pattern_folds_back_to_its_design() {
             .starts_with("cone: 33 rulings of the file fold to within")
     );
     // The same from SVG.
-    let unrolled = ["unroll", "part.toml", "--to", "part.svg", "--rulings", "33"];
+    let unrolled = [
+        "unroll",
+        "part.toml",
+        "--to",
+        "part.svg",
+        "--rulings",
+        "33",
+        "--for",
+        "fold",
+    ];
     assert_eq!(run(folder.path(), &unrolled).code, 0);
     let from_svg = ["fold", "part.toml", "--pattern", "part.svg"];
     let from_svg = run(folder.path(), &from_svg);
@@ -338,7 +356,10 @@ fn hostile_designs_are_refused_with_a_message_and_nothing_is_written() {
 fn hostile_patterns_are_refused_with_a_message() {
     let folder = folder(CONE);
     let unrolled = |name: &str| {
-        let done = run(folder.path(), &["unroll", "part.toml", "--to", name]);
+        let done = run(
+            folder.path(),
+            &["unroll", "part.toml", "--to", name, "--for", "fold"],
+        );
         assert_eq!(done.code, 0, "{}", done.error);
         std::fs::read_to_string(folder.path().join(name)).unwrap()
     };
@@ -423,7 +444,7 @@ fn the_commands_of_the_tutorial_do_what_it_says() {
             commands += 1;
         }
     }
-    assert_eq!((designs, commands, outputs), (2, 9, 5));
+    assert_eq!((designs, commands, outputs), (2, 11, 5));
     // What it says about G2.
     std::fs::write(
         folder.path().join("hopper.toml"),
@@ -431,8 +452,144 @@ fn the_commands_of_the_tutorial_do_what_it_says() {
     )
     .unwrap();
     let refused = run(folder.path(), &["inspect", "hopper.toml"]);
-    let missed = refused.output.lines().last().unwrap();
+    let missed = refused
+        .output
+        .lines()
+        .find(|line| line.starts_with("missed: "));
+    let missed = missed.unwrap();
     assert!(refused.code == 1 && missed.starts_with("missed: ") && text.contains(missed));
     let page = std::fs::read_to_string(folder.path().join("hopper.html")).unwrap();
     assert!(!page.contains("http://www.w3.org/1999/xlink") && !page.contains("src=\"http"));
+}
+
+/// An angle of two flat legs, 40 and 25 mm to the corner on the middle of the sheet.
+const ANGLE: &str = r#"
+[curves]
+a = { bezier = [[0, 0, 0], [40, 0, 0]] }
+b = { bezier = [[0, 60, 0], [40, 60, 0]] }
+c = { bezier = [[40, 0, 0], [40, 0, 25]] }
+d = { bezier = [[40, 60, 0], [40, 60, 25]] }
+[patches]
+base = { ruled = ["a", "b"] }
+wall = { ruled = ["c", "d"] }
+[sheet]
+thickness = 1.5
+k-factor = 0.42
+"#;
+
+#[test]
+fn each_part_has_a_file_of_its_own_that_a_bureau_takes() {
+    let folder = folder(ANGLE);
+    let list = [
+        "unroll",
+        "part.toml",
+        "--to",
+        "part.dxf",
+        "--parts",
+        "parts.csv",
+    ];
+    let done = run(folder.path(), &list);
+    assert_eq!(done.code, 0, "{}", done.error);
+    assert_eq!(
+        files(folder.path()),
+        ["part-base.dxf", "part-wall.dxf", "part.toml", "parts.csv"]
+    );
+    let table = std::fs::read_to_string(folder.path().join("parts.csv")).unwrap();
+    assert!(
+        table.contains("base,part-base.dxf,1,60.0000,40.0000,2400.0000,200.0000,0,1.5,0,"),
+        "{table}"
+    );
+    let lint = ["lint", "part-base.dxf", "--thickness", "1.5"];
+    let kept = run(folder.path(), &lint);
+    assert_eq!(kept.code, 0, "{}{}", kept.output, kept.error);
+    assert!(!kept.output.contains("BROKEN") && !kept.output.contains("not judged"));
+    // The pattern of everything is for folding: text and rulings, two parts.
+    let fold = ["unroll", "part.toml", "--to", "all.dxf", "--for", "fold"];
+    assert_eq!(run(folder.path(), &fold).code, 0);
+    let broken = run(folder.path(), &["lint", "all.dxf", "--format", "json"]);
+    assert_eq!(broken.code, 1);
+    let report: serde_json::Value = serde_json::from_str(&broken.output).unwrap();
+    let broken: Vec<&str> = report["rules"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|rule| rule["outcome"] == "broken")
+        .filter_map(|rule| rule["check"].as_str())
+        .collect();
+    for check in ["text", "closed", "doubled", "one-part"] {
+        assert!(broken.contains(&check), "{broken:?}");
+    }
+    // Several files are no stream.
+    let stream = ["unroll", "part.toml", "--to", "-", "--as", "dxf"];
+    let refused = run(folder.path(), &stream);
+    assert_eq!(refused.code, 2);
+    assert!(refused.error.contains("--only") && refused.output.is_empty());
+}
+
+#[test]
+fn a_bend_is_one_line_with_its_angle_and_its_radius() {
+    let chain = "[chains.angle]\npatches = [\"base\", \"wall\"]\n";
+    let folder = folder(&format!("{ANGLE}{chain}radius = 2\n"));
+    for name in ["part.dxf", "part.svg"] {
+        let bend = [
+            "unroll",
+            "part.toml",
+            "--to",
+            name,
+            "--for",
+            "bend",
+            "--format",
+            "json",
+        ];
+        let done = run(folder.path(), &bend);
+        assert_eq!(done.code, 0, "{}", done.error);
+        let answer: serde_json::Value = serde_json::from_str(&done.output).unwrap();
+        let part = &answer["parts"]["parts"][0];
+        assert!(
+            (part["size"][0].as_f64().unwrap() - 63.631_194).abs() < 1e-6,
+            "{part}"
+        );
+        assert_eq!(part["bends"].as_array().unwrap().len(), 1);
+        assert!((part["bends"][0]["angle"].as_f64().unwrap() - 90.0).abs() < 1e-9);
+        assert_eq!(part["bends"][0]["inside_radius"], 2.0);
+    }
+    let dxf = std::fs::read_to_string(folder.path().join("part.dxf")).unwrap();
+    assert_eq!(dxf.matches("inside radius").count(), 1);
+    assert!(dxf.contains("DASHED") && !dxf.contains("\nTEXT\n"));
+    let svg = std::fs::read_to_string(folder.path().join("part.svg")).unwrap();
+    assert!(svg.contains("data-inside-radius=\"2\"") && svg.contains("stroke-dasharray"));
+    assert!(svg.contains("stroke-width=\"0.01\""));
+    // A radius that the material does not take is missed.
+    assert_eq!(run(folder.path(), &["inspect", "part.toml"]).code, 0);
+    let tight = format!("{ANGLE}least-radius = 2\n{chain}radius = 2\n");
+    std::fs::write(folder.path().join("part.toml"), tight).unwrap();
+    let missed = run(folder.path(), &["inspect", "part.toml"]);
+    assert_eq!(missed.code, 1);
+    assert!(
+        missed
+            .output
+            .contains("missed: angle: the inside radius of its edges is 1.3333 times"),
+        "{}",
+        missed.output
+    );
+    // Without a radius the growth is no number, and the edge is scored.
+    std::fs::write(folder.path().join("part.toml"), format!("{ANGLE}{chain}")).unwrap();
+    let sharp = [
+        "unroll",
+        "part.toml",
+        "--to",
+        "part.dxf",
+        "--format",
+        "json",
+    ];
+    let sharp = run(folder.path(), &sharp);
+    let answer: serde_json::Value = serde_json::from_str(&sharp.output).unwrap();
+    assert!(answer["pieces"][0]["growth"].is_null());
+    assert_eq!(
+        answer["parts"]["parts"][0]["sharp"]
+            .as_array()
+            .unwrap()
+            .len(),
+        1
+    );
 }

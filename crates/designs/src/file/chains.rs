@@ -1,9 +1,10 @@
 //! Chains of patches.
 
 use super::patches::Group;
-use super::reader::{Named, Reader, Value};
+use super::reader::{Dimension, Named, Reader, Value};
 use super::{MOST_THINGS, keys, named};
 use crate::design::{Chain, Layout, Patch, Smoothness};
+use toml::de::DeValue;
 
 const LAYOUTS: [(&str, Layout); 2] = [("attached", Layout::Attached), ("apart", Layout::Apart)];
 
@@ -30,6 +31,7 @@ pub fn chains(
             let layout = entries.take("layout").map_or(Some(Layout::Attached), |v| {
                 reader.word(v, "layout", &LAYOUTS)
             });
+            let radius = entries.take("radius");
             let Some(value) = entries.take("patches") else {
                 reader.complain(
                     &span,
@@ -72,12 +74,14 @@ pub fn chains(
                 }
                 indices.extend(found);
             }
+            let radii = radii(reader, radius, indices.len().saturating_sub(1))?;
             Some(Chain {
                 name: name.to_owned(),
                 patches: indices,
                 continuity,
                 closed: closed?,
                 layout: layout?,
+                radii,
             })
             .filter(|_| whole)
         },
@@ -108,8 +112,25 @@ pub fn chains(
                 continuity: group.continuity,
                 closed: group.closed,
                 layout: Layout::Attached,
+                radii: vec![None; group.patches.len().saturating_sub(1)],
             });
         }
     }
     chains
+}
+
+/// The inside radii of the joints: one for all, or one for each.
+fn radii(reader: &mut Reader, value: Option<Value<'_>>, joints: usize) -> Option<Vec<Option<f64>>> {
+    let Some(value) = value else {
+        return Some(vec![None; joints]);
+    };
+    let radius = |reader: &mut Reader, value: Value<'_>| {
+        reader.number_in(value, Dimension::Length, "[0, infinity)", |r| r >= 0.0)
+    };
+    if !matches!(value.get_ref(), DeValue::Array(_)) {
+        return Some(vec![Some(radius(reader, value)?); joints]);
+    }
+    let items = reader.list(value, "radii of a chain", [joints, joints])?;
+    let radii = items.into_iter().map(|item| radius(reader, item).map(Some));
+    radii.collect()
 }

@@ -16,12 +16,13 @@ pub const TOP: &[&str] = &[
     "families",
     "patches",
     "chains",
+    "seams",
     "surfaces",
 ];
 /// `[design]`.
 pub const DESIGN: &[&str] = &["title", "unit", "about"];
 /// `[sheet]`.
-pub const SHEET: &[&str] = &["thickness", "k-factor", "least-radius"];
+pub const SHEET: &[&str] = &["thickness", "k-factor", "least-radius", "surface"];
 /// `[tolerances]`.
 pub const TOLERANCES: &[&str] = &[
     "outline",
@@ -110,6 +111,8 @@ pub const PATCH: &[&str] = &[
     "panel",
     "part",
     "marks",
+    "bend",
+    "edges",
 ];
 /// A Hermite cone.
 pub const HERMITE: &[&str] = &[
@@ -128,7 +131,7 @@ pub const HERMITE: &[&str] = &[
 /// A mark.
 pub const MARK: &[&str] = &["line", "hole", "text", "at", "radius", "height", "angle"];
 /// `[chains.NAME]`.
-pub const CHAIN: &[&str] = &["patches", "continuity", "closed", "layout"];
+pub const CHAIN: &[&str] = &["patches", "continuity", "closed", "layout", "radius"];
 
 /// `[surfaces.NAME]`.
 pub const SURFACE: &[&str] = &[

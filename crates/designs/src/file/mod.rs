@@ -1,12 +1,13 @@
 //! Reading design files.
 //!
 //! The format is described in `designs/README.md` and `designs/schema.json`. Sections are read in the order points,
-//! planes, curves, families, patches, chains, surfaces, entries in the order of the file; an entry refers to what stands above it.
+//! planes, curves, families, patches, chains, seams, surfaces, entries in the order of the file; an entry refers to what stands above it.
 //! What is wrong is kept with its place, and what leans on it is passed over in silence, so that one run shows all
 //! mistakes of a file, each once.
 
 mod chains;
 mod curves;
+mod edges;
 mod formula;
 mod imports;
 mod joints;
@@ -17,6 +18,7 @@ mod placement;
 mod planes;
 mod points;
 mod reader;
+mod seams;
 mod settings;
 mod shapes;
 mod splines;
@@ -80,6 +82,18 @@ pub fn load(path: &Path) -> Result<Design, DesignError> {
 /// # Errors
 /// As [`load`].
 pub fn load_from(path: &Path, stream: impl std::io::Read) -> Result<Design, DesignError> {
+    load_with_settings(path, stream, &[])
+}
+
+/// As [`load_from`], with numbers that take the place of those of these names under `[let]`.
+///
+/// # Errors
+/// As [`load`]; a name that the file does not have is a mistake too.
+pub fn load_with_settings(
+    path: &Path,
+    stream: impl std::io::Read,
+    settings: &[(String, f64)],
+) -> Result<Design, DesignError> {
     let shown = path.display().to_string();
     let unreadable = |reason: String| DesignError::Unreadable {
         path: shown.clone(),
@@ -100,7 +114,7 @@ pub fn load_from(path: &Path, stream: impl std::io::Read) -> Result<Design, Desi
     })?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let folder = path.parent().unwrap_or(Path::new(""));
-    read_with(&name, &text, &mut |file| beside(folder, file))
+    read_with_settings(&name, &text, &mut |file| beside(folder, file), settings)
 }
 
 /// A file that a design in a folder names.
@@ -192,6 +206,36 @@ pub fn read(name: &str, text: &str) -> Result<Design, DesignError> {
 /// # Ok::<(), torse_designs::DesignError>(())
 /// ```
 pub fn read_with(name: &str, text: &str, files: Files<'_>) -> Result<Design, DesignError> {
+    read_with_settings(name, text, files, &[])
+}
+
+/// As [`read_with`], with numbers that take the place of those of these names under `[let]`.
+///
+/// # Errors
+/// As [`read`]; a name that the file does not have is a mistake too.
+///
+/// ```
+/// let text = r#"
+///     [let]
+///     r = 30
+///     [curves.rim]
+///     arc = { centre = [0, 0, 0], from = ["r", 0, 0], to = [0, "r", 0] }
+///     [patches.cone]
+///     cone = "rim"
+///     apex = [0, 0, 40]
+/// "#;
+/// let none = |_: &str| Err(String::new());
+/// let wide = torse_designs::read_with_settings("cone.toml", text, &mut { none }, &[("r".to_owned(), 45.0)])?;
+/// assert_eq!(wide.patches[0].sheet.point(0.0, 0.0).ok(), Some([45.0, 0.0, 0.0]));
+/// assert!(torse_designs::read_with_settings("cone.toml", text, &mut { none }, &[("q".to_owned(), 1.0)]).is_err());
+/// # Ok::<(), torse_designs::DesignError>(())
+/// ```
+pub fn read_with_settings(
+    name: &str,
+    text: &str,
+    files: Files<'_>,
+    settings: &[(String, f64)],
+) -> Result<Design, DesignError> {
     other_kind(name, text.as_bytes())?;
     if let Some(line) = text.lines().position(|line| line.len() > MOST_LINE) {
         return Err(DesignError::Unreadable {
@@ -204,6 +248,9 @@ pub fn read_with(name: &str, text: &str, files: Files<'_>) -> Result<Design, Des
         text: text.to_owned(),
     });
     let mut reader = Reader::new(Arc::clone(&source));
+    // Digits without an exponent are a formula that nothing is wrong with.
+    let digits = |(name, value): &(String, f64)| (name.clone(), format!("{value}"));
+    reader.settings = settings.iter().map(digits).collect();
     let (table, errors) = DeTable::parse_recoverable(&source.text);
     for error in &errors {
         let span = error.span().unwrap_or(0..0);
@@ -251,10 +298,15 @@ fn sections(
     }
     let mut take = |key: &str| sections.remove(key);
     let head = settings::head(reader, take("design"), name);
-    if let Some(value) = take("let") {
-        reader.constants(value);
+    match take("let") {
+        Some(value) => reader.constants(value),
+        None if !reader.settings.is_empty() => {
+            let help = "numbers with names stand under [let]";
+            reader.complain(&(0..0), "there is no number to be set", help);
+        }
+        None => {}
     }
-    let metal = settings::metal(reader, take("sheet"));
+    let (metal, bending) = settings::metal(reader, take("sheet"));
     let tolerances = settings::tolerances(reader, take("tolerances"));
     let view = settings::view(reader, take("view"));
     let mut parts = Parts::default();
@@ -266,6 +318,7 @@ fn sections(
     parts.families = planes::families(reader, take("families"), &parts.planes);
     let (patches, groups) = patches::patches(reader, take("patches"), &parts);
     let chains = chains::chains(reader, take("chains"), &patches, &groups);
+    let seams = seams::seams(reader, take("seams"), &patches, &groups);
     let surfaces = surfaces::surfaces(reader, take("surfaces"), &parts);
     if patches.is_empty() && surfaces.is_empty() {
         let end = reader.source().text.len();
@@ -281,10 +334,12 @@ fn sections(
         title: head.title,
         unit: head.unit,
         metal,
+        bending,
         tolerances,
         view,
         patches: patches.into_iter().filter_map(|(_, patch)| patch).collect(),
         chains,
+        seams,
         notes: imports.notes,
         surfaces: surfaces.into_iter().filter_map(|(_, one)| one).collect(),
     })

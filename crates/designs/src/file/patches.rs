@@ -1,5 +1,6 @@
 //! Patches.
 
+use super::edges;
 use super::pieces::{Cells, distributed, is_closed};
 use super::planes::{continued, pair, plane};
 use super::points::{list, point};
@@ -73,7 +74,17 @@ pub fn patches(
         |reader, name, value, known| {
             let what = format!("[patches.{name}]");
             let mut entries = reader.entries(value, &what, keys::PATCH)?;
-            patch(reader, name, &mut entries, parts, known)
+            let bend = entries.take("bend");
+            let bend = bend.map_or(Some(false), |value| reader.truth(value));
+            let edges = entries.take("edges");
+            let edges = edges.map_or(Some(Vec::new()), |value| edges::names(reader, value));
+            let mut made = patch(reader, name, &mut entries, parts, known)?;
+            let (bend, edges) = (bend?, edges?);
+            for patch in &mut made.patches {
+                patch.bend = bend;
+                patch.edges.clone_from(&edges);
+            }
+            Some(made)
         },
     );
     let (mut patches, mut groups) = (Named::new(), Vec::new());
@@ -314,6 +325,8 @@ fn trimmed(
             part,
         },
         marks,
+        bend: false,
+        edges: Vec::new(),
         notes: raw.notes,
     })
 }

@@ -53,6 +53,8 @@ pub struct Reader {
     values: BTreeMap<String, Option<Number>>,
     /// How many millimetres the unit has.
     pub unit: Rational,
+    /// Formulas that take the place of those of `[let]`, by name.
+    pub settings: Vec<(String, String)>,
 }
 
 /// A table whose entries are taken one by one.
@@ -91,6 +93,7 @@ impl Reader {
             constants: BTreeMap::new(),
             values: BTreeMap::new(),
             unit: Rational::from_integer(1.into()),
+            settings: Vec::new(),
         }
     }
 
@@ -396,8 +399,15 @@ impl Reader {
         let Some(entries) = self.table(value, "[let]") else {
             return;
         };
+        let entries_span = entries.span.clone();
         let mut plain = Vec::new();
-        for (name, span, value) in entries.rest() {
+        let settings = self.settings.clone();
+        let mut missing: Vec<&(String, String)> = settings.iter().collect();
+        for (name, span, mut value) in entries.rest() {
+            missing.retain(|(set, _)| *set != name);
+            if let Some((_, formula)) = settings.iter().rev().find(|(set, _)| *set == name) {
+                value = Spanned::new(value.span(), DeValue::String(formula.clone().into()));
+            }
             if !torse_syntax::formula::is_name(&name) || name == "pi" {
                 let help =
                     "letters, digits and `_`, a letter first, and none of the language's own";
@@ -416,6 +426,14 @@ impl Reader {
             } else {
                 plain.push((name, value));
             }
+        }
+        for (name, _) in missing {
+            let message = format!("there is no number `{name}` to be set");
+            self.complain(
+                &entries_span,
+                message,
+                "numbers with names stand under [let]",
+            );
         }
         for (name, value) in plain {
             let number = self.exact(value);

@@ -1,9 +1,11 @@
 //! What a design is called, made of and judged by.
 
 use super::keys;
-use super::reader::{Dimension, Reader, Value};
+use super::reader::{Dimension, Entries, Reader, Value};
 use crate::Unit;
+use crate::bending::{Bending, DesignedSurface, NeutralLine};
 use crate::design::{Material, Tolerances, USUAL_RULINGS, View};
+use toml::de::DeValue;
 use torse_geometry::pattern::Sheet as Metal;
 
 /// The most rulings that are shown of a patch.
@@ -45,8 +47,67 @@ pub fn head(reader: &mut Reader, section: Option<Value<'_>>, file: &str) -> Head
     head
 }
 
-pub fn metal(reader: &mut Reader, section: Option<Value<'_>>) -> Option<Material> {
-    let mut entries = reader.entries(section?, "[sheet]", keys::SHEET)?;
+/// The words for a neutral line that follows a standard.
+const STANDARDS: [(&str, &NeutralLine); 1] = [("DIN 6935", &NeutralLine::Din6935)];
+/// The most rows of a table of K-factors.
+const MAX_K_ROWS: usize = 64;
+
+/// The neutral line: a K-factor, a standard, or a table of inside radius over thickness and K-factor.
+fn neutral(reader: &mut Reader, value: Value<'_>) -> Option<NeutralLine> {
+    let share = |k: f64| (0.0..=1.0).contains(&k);
+    let span = value.span();
+    match value.get_ref() {
+        DeValue::String(text) if text.starts_with("DIN") => {
+            reader.word(value, "standard", &STANDARDS).cloned()
+        }
+        DeValue::Array(_) => {
+            let items = reader.list(value, "rows of K-factors", [2, MAX_K_ROWS])?;
+            let rows: Option<Vec<[f64; 2]>> = items
+                .into_iter()
+                .map(|item| reader.numbers(item, [Dimension::None; 2]))
+                .collect();
+            let rows = rows?;
+            let grows = rows.windows(2).all(|pair| pair[0][0] < pair[1][0]);
+            let positive = rows.iter().all(|[ratio, k]| *ratio >= 0.0 && share(*k));
+            if !(grows && positive) {
+                let message = "a row is an inside radius over the thickness, growing, and a K-factor in [0, 1]";
+                reader.complain(&span, message, "");
+                return None;
+            }
+            Some(NeutralLine::Table(rows))
+        }
+        _ => reader
+            .number_in(value, Dimension::None, "[0, 1]", share)
+            .map(NeutralLine::Constant),
+    }
+}
+
+/// What it is made of, and how its blanks are found.
+pub fn metal(reader: &mut Reader, section: Option<Value<'_>>) -> (Option<Material>, Bending) {
+    let mut bending = Bending::USUAL;
+    let entries = section.and_then(|value| reader.entries(value, "[sheet]", keys::SHEET));
+    let Some(mut entries) = entries else {
+        return (None, bending);
+    };
+    if let Some(value) = entries.take("k-factor")
+        && let Some(neutral) = neutral(reader, value)
+    {
+        bending.neutral = neutral;
+    }
+    if let Some(value) = entries.take("surface")
+        && let Some(surface) = reader.word(value, "surface", &DesignedSurface::ALL)
+    {
+        bending.surface = surface;
+    }
+    // What is rolled has its neutral line in the middle; the K-factor of one number is told for it as well.
+    let k_factor = match bending.neutral {
+        NeutralLine::Constant(k) => k,
+        _ => 0.5,
+    };
+    (material(reader, &mut entries, k_factor), bending)
+}
+
+fn material(reader: &mut Reader, entries: &mut Entries<'_>, k_factor: f64) -> Option<Material> {
     let thickness = match entries.take("thickness") {
         Some(value) => reader.number_in(value, Dimension::Length, "(0, infinity)", |t| t > 0.0),
         None => {
@@ -55,16 +116,11 @@ pub fn metal(reader: &mut Reader, section: Option<Value<'_>>) -> Option<Material
             None
         }
     };
-    let k_factor = entries.take("k-factor").map_or(Some(0.5), |value| {
-        reader.number_in(value, Dimension::None, "[0, 1]", |k| {
-            (0.0..=1.0).contains(&k)
-        })
-    });
     let least_radius = entries.take("least-radius").map_or(Some(1.0), |value| {
         reader.number_in(value, Dimension::None, "[0, infinity)", |r| r >= 0.0)
     });
     Some(Material {
-        sheet: Metal::new(thickness?, k_factor?).ok()?,
+        sheet: Metal::new(thickness?, k_factor).ok()?,
         least_radius: least_radius?,
     })
 }

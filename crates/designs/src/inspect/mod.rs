@@ -4,15 +4,18 @@
 //! estimates of [`Sheet::inspect`].
 
 mod joint;
+mod seams;
 mod surface;
 mod text;
 
 pub(crate) use joint::joint_of;
 pub use joint::{JointReport, joints};
+pub(crate) use seams::is_passed_backwards;
+pub use seams::{SeamReport, seams};
 pub use surface::SurfaceReport;
 pub(crate) use text::columns;
-pub use text::table;
 pub(crate) use text::{at_most, number, wrapped};
+pub use text::{overview, table};
 
 use crate::design::{Chain, Design, Patch};
 use crate::error::DesignError;
@@ -39,6 +42,8 @@ pub struct Report {
     pub patches: Vec<PatchReport>,
     /// The joints, chain by chain.
     pub joints: Vec<JointReport>,
+    /// The seams in the order of the file.
+    pub seams: Vec<SeamReport>,
     /// What is demanded and missed, in words; empty when the design is as wanted.
     pub missed: Vec<String>,
     /// The surfaces in the order of the file.
@@ -251,6 +256,11 @@ fn inspected(design: &Design, budget: Option<Budget>) -> Result<Report, DesignEr
         patches.push(report);
     }
     let joints = joints(design, &mut missed)?;
+    missed.extend(tight_folds(design));
+    let seams = seams(design, &mut missed).map_err(|reason| DesignError::Patch {
+        patch: design.name.clone(),
+        reason,
+    })?;
     let failed = |name: &String| {
         let patch = name.clone();
         move |reason| DesignError::Patch { patch, reason }
@@ -265,6 +275,7 @@ fn inspected(design: &Design, budget: Option<Budget>) -> Result<Report, DesignEr
         unit: "mm",
         patches,
         joints,
+        seams,
         missed,
         notes: design.notes.clone(),
     })
@@ -417,12 +428,12 @@ fn measured(
     let radius = least.map(|radius| if apexes.is_empty() { radius } else { 0.0 });
     let inside = |radius: f64| {
         let metal = design.metal?;
-        Some(metal.sheet.inside_radius(radius) / metal.sheet.thickness())
+        Some(radius / metal.sheet.thickness() - design.bending.surface.share())
     };
     let inside_radius = match (apexes.is_empty(), least, design.metal) {
         (true, Some(radius), _) => inside(radius),
         (false, Some(_), Some(metal)) => {
-            let reach = beyond_apex(own, metal)?;
+            let reach = beyond_apex(own, metal, design.bending.surface.share())?;
             notes.push(format!(
                 "the inside radius is below {} times the thickness within {} mm of the apex",
                 text::number(metal.least_radius),
@@ -490,11 +501,16 @@ struct ApexReach {
 }
 
 /// On a ruling through an apex the radius is in proportion to the distance from it: measured on some rulings.
-fn beyond_apex(sheet: &Sheet, metal: crate::design::Material) -> Result<ApexReach, GeometryError> {
+/// The designed surface is at a share of the thickness from the inside.
+fn beyond_apex(
+    sheet: &Sheet,
+    metal: crate::design::Material,
+    share: f64,
+) -> Result<ApexReach, GeometryError> {
     let apex_first = Rails::<f64>::end_kinds(sheet).apexes()[0];
     let far = if apex_first { 1.0 } else { 0.0 };
     let thickness = metal.sheet.thickness();
-    let needed = thickness * (metal.least_radius + 0.5);
+    let needed = thickness * (metal.least_radius + share);
     let (mut distance, mut least) = (0.0_f64, f64::INFINITY);
     for k in 0..=4 * RULINGS {
         #[allow(clippy::cast_precision_loss)]
@@ -506,7 +522,7 @@ fn beyond_apex(sheet: &Sheet, metal: crate::design::Material) -> Result<ApexReac
         distance = distance.max((length * needed * curvature).min(length));
         least = least.min(1.0 / curvature);
     }
-    let inside = metal.sheet.inside_radius(least) / thickness;
+    let inside = least / thickness - share;
     Ok(ApexReach {
         distance,
         inside_radius: inside.is_finite().then_some(inside),
@@ -580,6 +596,29 @@ fn left_open(design: &Design, patch: &Patch) -> Result<Option<String>, GeometryE
             number(apart)
         )
     }))
+}
+
+/// What is said of the radii of edges that are smaller than the material allows.
+fn tight_folds(design: &Design) -> Vec<String> {
+    let Some(metal) = design.metal else {
+        return Vec::new();
+    };
+    let mut missed = Vec::new();
+    for chain in &design.chains {
+        let least = chain
+            .radii
+            .iter()
+            .flatten()
+            .fold(f64::INFINITY, |m, r| m.min(*r));
+        let ratio = least / metal.sheet.thickness();
+        if ratio < metal.least_radius {
+            missed.push(format!(
+                "{}: the inside radius of its edges is {ratio:.4} times the thickness, {} at least",
+                chain.name, metal.least_radius
+            ));
+        }
+    }
+    missed
 }
 
 fn judge(design: &Design, report: &PatchReport, missed: &mut Vec<String>) {

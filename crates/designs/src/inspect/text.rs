@@ -1,6 +1,6 @@
 //! The report as a table of at most 100 columns.
 
-use super::{Bounds, JointReport, Known, PatchReport, Report, SurfaceReport};
+use super::{Bounds, JointReport, Known, PatchReport, Report, SeamReport, SurfaceReport};
 
 /// The widest line.
 const WIDTH: usize = 100;
@@ -15,6 +15,12 @@ pub fn table(report: &Report) -> String {
         report.design, report.title, report.unit
     );
     text = wrapped("", &text.trim_end().replace('\n', " ")) + "\n";
+    for reason in &report.missed {
+        text.push_str(&wrapped("missed: ", reason));
+    }
+    if !report.missed.is_empty() {
+        text.push('\n');
+    }
     let heads = [
         "patch",
         "developable",
@@ -33,6 +39,12 @@ pub fn table(report: &Report) -> String {
         text.push('\n');
         let heads = ["joint", "apart", "kink", "continuity", "beta values"];
         let rows = report.joints.iter().map(joint);
+        text.push_str(&columns(&heads, &rows.collect::<Vec<_>>()));
+    }
+    if !report.seams.is_empty() {
+        text.push('\n');
+        let heads = ["seam", "lengths", "ease", "apart"];
+        let rows = report.seams.iter().map(seam);
         text.push_str(&columns(&heads, &rows.collect::<Vec<_>>()));
     }
     if !report.surfaces.is_empty() {
@@ -64,13 +76,40 @@ pub fn table(report: &Report) -> String {
         text.push_str(&wrapped("from ", note));
     }
     text.push('\n');
-    if report.missed.is_empty() {
-        text.push_str("All tolerances are met.\n");
-    }
-    for reason in &report.missed {
-        text.push_str(&wrapped("missed: ", reason));
-    }
+    text.push_str(&match report.missed.len() {
+        0 => "All tolerances are met.\n".to_owned(),
+        1 => "1 tolerance is missed.\n".to_owned(),
+        count => format!("{count} tolerances are missed.\n"),
+    });
     text
+}
+
+/// Several designs, one a line: how many patches and seams each has, how tightly it bends, what it misses first.
+#[must_use]
+pub fn overview(reports: &[Report]) -> String {
+    let rows: Vec<Vec<String>> = reports
+        .iter()
+        .map(|report| {
+            let radii = report.patches.iter().filter_map(|patch| patch.radius);
+            let radius = radii.fold(f64::INFINITY, f64::min);
+            let missed = match report.missed.as_slice() {
+                [] => "nothing".to_owned(),
+                [only] => only.clone(),
+                [first, rest @ ..] => format!("{first}; and {} more", rest.len()),
+            };
+            vec![
+                shortened(&report.design),
+                report.patches.len().to_string(),
+                if radius.is_finite() {
+                    number(radius)
+                } else {
+                    "flat".to_owned()
+                },
+                missed,
+            ]
+        })
+        .collect();
+    columns(&["design", "patches", "radius", "missed"], &rows)
 }
 
 fn row(patch: &PatchReport) -> Vec<String> {
@@ -104,6 +143,20 @@ fn row(patch: &PatchReport) -> Vec<String> {
             (None, false) => "-".to_owned(),
         },
         patch.area.map_or("-".to_owned(), number),
+    ]
+}
+
+fn seam(seam: &SeamReport) -> Vec<String> {
+    let [one, other] = &seam.edges;
+    vec![
+        format!("{one} - {other}"),
+        format!(
+            "{} and {}",
+            number(seam.lengths[0]),
+            number(seam.lengths[1])
+        ),
+        number(seam.ease),
+        number(seam.apart[0]),
     ]
 }
 

@@ -4,6 +4,7 @@ use super::lettering::{self, Drawn, Line};
 use super::{FlatPiece, position};
 use crate::design::{Design, Mark, Patch};
 use crate::error::DesignError;
+use crate::polygon::is_within;
 use torse_exchange::{Drawing, Layer, Text};
 use torse_geometry::pattern::{FlatPattern, PatternError, Place};
 
@@ -193,13 +194,4 @@ fn beside(flat: &FlatPattern, frame: &[[f64; 2]]) -> f64 {
         .filter(|point| !is_within(&outline, *point))
         .map(|point| flat.outline().distance(point))
         .fold(0.0, f64::max)
-}
-
-/// Whether a point is within a closed polygon: a ray from it crosses that an odd number of times.
-fn is_within(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
-    let next = polygon.iter().cycle().skip(1);
-    let crossed = polygon.iter().zip(next).filter(|(a, b)| {
-        (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
-    });
-    crossed.count() % 2 == 1
 }

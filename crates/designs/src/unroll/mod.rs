@@ -1,16 +1,27 @@
 //! Flat patterns of designs: every piece that is cut, with what is marked on it.
 
+mod blank;
+mod contour;
 mod drawing;
 mod lettering;
+mod listing;
+mod notches;
+mod part;
 mod summary;
 
+pub use blank::{Blank, Rolled, SharpFold, ToolBend, blank};
 pub use drawing::drawing;
+pub use listing::{PartRow, PartsList, RolledRow, SharpRow, ToolBendRow};
+pub use part::{Part, Purpose, parts};
 pub use summary::{BendRow, PieceSummary, Summary};
 pub use torse_geometry::pattern::Flattening;
 
 use crate::design::{Design, Patch, Piece};
 use crate::error::DesignError;
 use torse_geometry::pattern::{FlatPattern, PatternError, Place, Unrolling, side_by_side};
+
+/// A strain that no patch of a sheet has.
+const ANY_STRAIN: f64 = 0.9;
 
 /// What is asked of the patterns of a design.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -95,6 +106,8 @@ pub fn unroll(design: &Design, demand: &Demand) -> Result<Vec<FlatPiece>, Design
     for piece in &pieces {
         let failed = |reason| DesignError::Unroll {
             piece: piece.name.clone(),
+            needed: matches!(reason, PatternError::NotDevelopable { .. })
+                .then(|| largest_strain(design, &pieces, demand)),
             reason,
         };
         let asked = Unrolling::within(limits.outline)
@@ -111,6 +124,7 @@ pub fn unroll(design: &Design, demand: &Demand) -> Result<Vec<FlatPiece>, Design
         });
         flats = side_by_side(&flats, 0.05 * size).map_err(|reason| DesignError::Unroll {
             piece: design.name.clone(),
+            needed: None,
             reason,
         })?;
     }
@@ -118,6 +132,20 @@ pub fn unroll(design: &Design, demand: &Demand) -> Result<Vec<FlatPiece>, Design
     Ok(pieces
         .map(|(piece, flat)| FlatPiece { piece, flat })
         .collect())
+}
+
+/// The largest strain of the patches of these pieces, as far as they can be flattened at all: what has to be allowed.
+fn largest_strain(design: &Design, pieces: &[Piece], demand: &Demand) -> f64 {
+    let asked = Unrolling::within(design.tolerances.outline)
+        .developable_within(design.tolerances.strain)
+        .allow_strain(ANY_STRAIN)
+        .flattening(demand.development);
+    let patches = pieces.iter().flat_map(|piece| &piece.patches);
+    patches
+        .filter_map(|index| design.patches.get(*index))
+        .filter_map(|patch| patch.sheet.unrolled(&asked).ok())
+        .map(|flat| flat.strain())
+        .fold(0.0, f64::max)
 }
 
 /// The pattern of a piece, its patches attached.

@@ -58,7 +58,8 @@ pub struct PieceSummary {
     pub radius: Option<f64>,
     /// The bends; with allowances where the thickness is known.
     pub bends: Vec<BendRow>,
-    /// By how much the neutral axis is longer than the pattern, summed up over all bends, where a thickness is known.
+    /// By how much the neutral axis is longer than the pattern, summed up over all bends, where a thickness is known and
+    /// no edge lacks a radius. What tools bend is in the list of parts.
     pub growth: Option<f64>,
 }
 
@@ -118,9 +119,6 @@ impl Summary {
             if let Some(radius) = piece.radius {
                 words += &format!("; smallest radius {} mm", number(radius));
             }
-            if let Some(growth) = piece.growth {
-                words += &format!("; {} bends add {} mm", piece.bends.len(), number(growth));
-            }
             if piece.strained {
                 words += &format!(
                     "; STRAINED: lines change by up to {} of their length",
@@ -156,14 +154,15 @@ fn summary(design: &Design, FlatPiece { piece, flat }: &FlatPiece) -> PieceSumma
     let (rows, growth): (Vec<BendRow>, Option<f64>) = match design.metal {
         Some(metal) => {
             let all = bends(flat, &metal.sheet);
-            let growth = all.iter().map(|bend| bend.growth).sum();
+            let rounded = all.iter().all(|bend| bend.radius.is_finite());
+            let growth = rounded.then(|| all.iter().map(|bend| bend.growth).sum());
             let rows = all.iter().map(|bend| BendRow {
                 ruling: bend.ruling,
                 angle: bend.angle.to_degrees(),
                 radius: finite(bend.radius),
                 allowance: finite(bend.allowance),
             });
-            (rows.collect(), Some(growth))
+            (rows.collect(), growth)
         }
         None => {
             let rulings = flat.rulings().iter().enumerate();

@@ -7,15 +7,18 @@
     reason = "tests"
 )]
 
+mod blanks;
 mod connect;
 mod ends;
 mod hostile;
 mod joints;
 mod kinds;
+mod lint;
 mod mistakes;
 mod patterns;
 mod rails;
 mod random;
 mod schema;
+mod seams;
 mod surfaces;
 mod worked;

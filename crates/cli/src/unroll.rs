@@ -1,0 +1,178 @@
+//! `unroll`: from a design to what is cut and bent.
+
+use crate::design::{
+    Format, Pattern, answer, design, format_of, is_standard, json, setting, write,
+};
+use crate::exit::{Exit, Failure};
+use clap::Args;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+use torse_designs::export::PATTERNS;
+use torse_designs::unroll::{PartsList, Purpose, Summary, drawing, parts, unroll};
+use torse_designs::{Design, DesignError};
+use torse_exchange::{Drawing, dxf, svg};
+
+/// Unroll a design to what is cut of it, DXF or SVG.
+///
+/// Each part is turned to its smallest box and has a file of its own: of several, the name of each is added to that of the
+/// file. Refuses, with exit code 1 and without a file, what is not developable within tolerance, has its edge of regression
+/// inside, an outline that crosses itself, or a bend that has no blank.
+#[derive(Args)]
+pub struct Unroll {
+    /// The design file
+    design: PathBuf,
+    /// A number that takes the place of that of this name under [let]; may be given several times
+    #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
+    set: Vec<(String, f64)>,
+    /// Where the part goes: a file ending in .dxf or .svg; - for standard output, with --as
+    #[arg(long, value_name = "FILE")]
+    to: PathBuf,
+    /// The format, where the name of the file does not end in it: dxf or svg
+    #[arg(long, value_name = "ENDING")]
+    r#as: Option<String>,
+    /// What the file is for: cut (closed contours alone), bend (the bend lines of tools too), sew (the
+    /// notches of seams too), fold (one file of all pieces
+    /// with every ruling and its angle, as `torse fold` reads it)
+    #[arg(long = "for", value_name = "PURPOSE", value_parser = purpose, default_value = "cut")]
+    purpose: Purpose,
+    /// A table of the parts, as comma-separated values
+    #[arg(long, value_name = "FILE")]
+    parts: Option<PathBuf>,
+    #[command(flatten)]
+    pattern: Pattern,
+    /// How the answer is shown
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// A purpose by its name.
+fn purpose(name: &str) -> Result<Purpose, String> {
+    let known = Purpose::ALL.iter().find(|(own, _)| *own == name);
+    known.map(|(_, purpose)| *purpose).ok_or_else(|| {
+        let names = Purpose::ALL.map(|(name, _)| name);
+        format!("the purposes are {}", names.join(", "))
+    })
+}
+
+/// The answer for programs: the patterns, and the parts that were made of them.
+#[derive(Serialize)]
+struct Answer<'a> {
+    #[serde(flatten)]
+    summary: &'a Summary,
+    parts: &'a PartsList,
+}
+
+/// The text of a drawing in a format.
+fn text_of(drawing: &Drawing, ending: &str) -> Result<String, DesignError> {
+    let text = match ending {
+        "dxf" => dxf(drawing),
+        _ => svg(drawing),
+    };
+    Ok(text?)
+}
+
+/// The file of one of several parts: the name of the part goes before the ending. What no file name may hold becomes `_`.
+fn file_of(to: &Path, part: &str, several: bool) -> PathBuf {
+    if !several {
+        return to.to_owned();
+    }
+    let safe: String = part
+        .chars()
+        .map(|c| {
+            if c.is_alphanumeric() || "-_.".contains(c) {
+                c
+            } else {
+                '_'
+            }
+        })
+        .collect();
+    let mut name = to.file_stem().unwrap_or_default().to_owned();
+    name.push("-");
+    name.push(safe);
+    if let Some(ending) = to.extension() {
+        name.push(".");
+        name.push(ending);
+    }
+    to.with_file_name(name)
+}
+
+impl Unroll {
+    /// Writes what the purpose asks for and says what it promises.
+    pub fn run(&self) -> Result<Exit, Failure> {
+        let ending = format_of(&self.to, self.r#as.as_deref(), PATTERNS)?;
+        let design = design(&self.design, &self.set)?;
+        let pieces = unroll(&design, &self.pattern.demand())?;
+        let made = parts(&design, &pieces);
+        let summary = Summary::of(&design, &pieces);
+        if self.purpose == Purpose::Fold {
+            // The pattern is the design's, and needs no blank.
+            let list = made.map(|parts| PartsList::new(&design, &parts)).ok();
+            let text = text_of(&drawing(&design, &pieces)?, ending)?;
+            write(&self.to, text.as_bytes())?;
+            return self.end(
+                &summary,
+                list.as_ref().unwrap_or(&PartsList::new(&design, &[])),
+                false,
+            );
+        }
+        let made = made?;
+        let mut list = PartsList::new(&design, &made);
+        self.check_names(&design, &list)?;
+        let mut files = Vec::new();
+        for (part, row) in made.iter().zip(&mut list.parts) {
+            let file = file_of(&self.to, &part.name, made.len() > 1);
+            files.push((file.clone(), text_of(&part.drawing(self.purpose)?, ending)?));
+            row.file = file
+                .file_name()
+                .map(|name| name.to_string_lossy().into_owned());
+        }
+        for (file, text) in &files {
+            write(file, text.as_bytes())?;
+        }
+        if let Some(file) = &self.parts {
+            write(file, list.csv().as_bytes())?;
+        }
+        self.end(&summary, &list, true)
+    }
+
+    /// Several parts have several files: no standard output, and no two of one name.
+    fn check_names(&self, design: &Design, list: &PartsList) -> Result<(), Failure> {
+        let names: Vec<&str> = list.parts.iter().map(|part| part.name.as_str()).collect();
+        let reason = if names.len() > 1 && is_standard(&self.to) {
+            "several parts have several files, and standard output is one: ask for one with --only"
+                .to_owned()
+        } else {
+            let files: Vec<PathBuf> = names
+                .iter()
+                .map(|name| file_of(&self.to, name, names.len() > 1))
+                .collect();
+            let twice = (1..files.len())
+                .find(|k| files.get(..*k).is_some_and(|all| all.contains(&files[*k])));
+            match twice {
+                Some(k) => format!(
+                    "two parts would be written to {}: ask for each with --only",
+                    files[k].display()
+                ),
+                None => return Ok(()),
+            }
+        };
+        Err(DesignError::Parts {
+            design: design.name.clone(),
+            reason,
+        }
+        .into())
+    }
+
+    fn end(&self, summary: &Summary, list: &PartsList, shown: bool) -> Result<Exit, Failure> {
+        let text = match self.format {
+            Format::Text if shown => summary.text() + &list.text(),
+            Format::Text => summary.text(),
+            Format::Json => json(&Answer {
+                summary,
+                parts: list,
+            })?,
+        };
+        answer(&self.to, &text)?;
+        Ok(Exit::AsExpected)
+    }
+}

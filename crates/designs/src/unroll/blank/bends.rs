@@ -1,0 +1,173 @@
+//! The bends of a piece: how long each is on the blank.
+
+use super::ToolBend;
+use super::strip::Side;
+use crate::design::{Design, Material, Patch};
+use torse_geometry::pattern::{FlatPattern, Sheet};
+
+/// Rulings whose radii differ by no more, as a share, are those of a circular cylinder.
+const SAME_RADIUS: f64 = 1e-6;
+/// Rulings that turn by no more, in radians, are parallel.
+const PARALLEL: f64 = 1e-9;
+
+/// A patch that is bent.
+pub(super) struct PatchBend {
+    pub tool: ToolBend,
+    /// Its first ruling on the pattern.
+    pub start: Side,
+    /// How wide it is there, and by which factor the blank is wider.
+    pub width: f64,
+    pub factor: f64,
+}
+
+/// A bend at the joint of two flat patches.
+pub(super) struct FoldBend {
+    pub tool: ToolBend,
+    /// Where the patch before it ends on the pattern, and the one behind it starts.
+    pub start: Side,
+    pub end: Side,
+}
+
+/// The joint behind a patch of the pattern.
+pub(super) struct Joint {
+    /// The ends of the common ruling, left and right.
+    pub ends: [[f64; 2]; 2],
+    pub side: Side,
+    pub angle: f64,
+}
+
+impl Joint {
+    pub(super) fn at(flat: &FlatPattern, place: usize) -> Option<Self> {
+        let [_, ends] = flat.end_rulings(place)?;
+        Some(Self {
+            ends,
+            side: Side::ahead(ends)?,
+            angle: flat.edge_angle(place)?,
+        })
+    }
+}
+
+/// The smallest and the largest radius on the rulings of a patch of the pattern; infinite where it is flat.
+pub(super) fn radii(flat: &FlatPattern, place: usize) -> [f64; 2] {
+    // The ruling at a joint is one of both patches: it counts where the patch has no other.
+    let own = flat.rulings().iter().filter(|ruling| ruling.piece == place);
+    let radii = own.map(|ruling| ruling.radius);
+    radii.fold([f64::INFINITY, 0.0], |[low, high], radius| {
+        [low.min(radius), high.max(radius)]
+    })
+}
+
+/// The sheet of a design, with the K-factor for this inside radius.
+fn sheet(design: &Design, name: &str, inside_radius: f64) -> Result<Sheet, String> {
+    let metal = metal(design, name)?;
+    let thickness = metal.sheet.thickness();
+    let ratio = inside_radius / thickness;
+    let k = design.bending.neutral.k_factor(ratio).ok_or_else(|| {
+        format!("`k-factor` says nothing of `{name}`, whose inside radius is {ratio:.3} times the thickness")
+    })?;
+    Sheet::new(thickness, k).map_err(|error| error.to_string())
+}
+
+fn metal(design: &Design, name: &str) -> Result<Material, String> {
+    design.metal.ok_or_else(|| {
+        format!("`{name}` is bent, and the blank depends on the `thickness` under [sheet]")
+    })
+}
+
+fn tool(sheet: &Sheet, name: String, angle: f64, inside_radius: f64, designed: f64) -> ToolBend {
+    let allowance = sheet.bend_allowance(angle, inside_radius);
+    ToolBend {
+        name,
+        line: [[0.0; 2]; 2],
+        angle,
+        inside_radius,
+        k_factor: sheet.k_factor(),
+        allowance,
+        deduction: sheet.bend_deduction(angle, inside_radius),
+        growth: allowance - designed,
+    }
+}
+
+/// The bend that a patch is: an arc of a circular cylinder.
+pub(super) fn patch_bend(
+    design: &Design,
+    patch: &Patch,
+    flat: &FlatPattern,
+    place: usize,
+) -> Result<PatchBend, String> {
+    let name = &patch.name;
+    let rulings: Vec<_> = flat
+        .rulings()
+        .iter()
+        .filter(|ruling| ruling.piece == place)
+        .collect();
+    let [low, high] = radii(flat, place);
+    let no_cylinder =
+        || format!("`{name}` is said to be a bend, and is no arc of a circular cylinder");
+    if !(high.is_finite() && high - low <= SAME_RADIUS * low) {
+        return Err(format!(
+            "{}: its radius goes from {low:.4} to {high:.4} mm",
+            no_cylinder()
+        ));
+    }
+    let [first, last] = flat.end_rulings(place).ok_or_else(no_cylinder)?;
+    let start = Side::ahead(first).ok_or_else(no_cylinder)?;
+    let heights = last.map(|end| start.height(end));
+    let width = 0.5 * (heights[0] + heights[1]);
+    let length = libm::hypot(last[1][0] - last[0][0], last[1][1] - last[0][1]);
+    if (heights[0] - heights[1]).abs() > PARALLEL * length.max(width.abs()) || width <= 0.0 {
+        return Err(format!(
+            "{}: its first and last ruling are not parallel",
+            no_cylinder()
+        ));
+    }
+    let bends: f64 = rulings
+        .iter()
+        .filter(|ruling| ruling.x > 0.0 && ruling.x < 1.0)
+        .map(|ruling| ruling.bend)
+        .sum();
+    if bends == 0.0 {
+        return Err(format!("`{name}` is a bend: ask for 3 rulings or more"));
+    }
+    let metal = metal(design, name)?;
+    let radius = 0.5 * (low + high);
+    let angle = width / radius;
+    let inside_radius = radius - design.bending.surface.share() * metal.sheet.thickness();
+    if inside_radius < 0.0 {
+        return Err(format!(
+            "`{name}` has an inside radius of {inside_radius:.4} mm"
+        ));
+    }
+    let sheet = sheet(design, name, inside_radius)?;
+    let tool = tool(
+        &sheet,
+        name.clone(),
+        angle.copysign(bends),
+        inside_radius,
+        width,
+    );
+    Ok(PatchBend {
+        start,
+        width,
+        factor: tool.allowance / width,
+        tool,
+    })
+}
+
+/// The bend at a joint, over this inside radius.
+pub(super) fn joint_bend(
+    design: &Design,
+    name: String,
+    joint: &Joint,
+    inside_radius: f64,
+) -> Result<FoldBend, String> {
+    let sheet = sheet(design, &name, inside_radius)?;
+    // From the tangent points to the corner, on the designed surface.
+    let radius = inside_radius + design.bending.surface.share() * sheet.thickness();
+    let setback = radius * libm::tan(0.5 * joint.angle.abs());
+    Ok(FoldBend {
+        tool: tool(&sheet, name, joint.angle, inside_radius, 2.0 * setback),
+        start: joint.side.moved(-setback),
+        end: joint.side.moved(setback),
+    })
+}

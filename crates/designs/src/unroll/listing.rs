@@ -1,0 +1,246 @@
+//! The list of parts: what is cut, how large it is, and how it is formed.
+
+use super::part::Part;
+use crate::design::Design;
+use crate::inspect::{at_most, number, wrapped};
+use serde::Serialize;
+use std::fmt::Write;
+
+/// A part in numbers; lengths in millimetres, angles in degrees.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PartRow {
+    /// The name of the chain or the patch.
+    pub name: String,
+    /// The file that it was written to, where it was written to one.
+    pub file: Option<String>,
+    /// How many are needed of it.
+    pub count: usize,
+    /// Width and height of its smallest box.
+    pub size: [f64; 2],
+    /// The area without the openings.
+    pub area: f64,
+    /// The length of the cut, around the openings too.
+    pub cut_length: f64,
+    /// How many lines and arcs the outline has.
+    pub segments: usize,
+    /// How many openings there are.
+    pub openings: usize,
+    /// No point of the outline is farther from that of the exact part.
+    pub error: f64,
+    /// The bends over tools.
+    pub bends: Vec<ToolBendRow>,
+    /// Edges without a radius.
+    pub sharp: Vec<SharpRow>,
+    /// Patches that are rolled.
+    pub rolled: Vec<RolledRow>,
+}
+
+/// A bend over a tool.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ToolBendRow {
+    /// The patch, or the two patches of an edge.
+    pub name: String,
+    /// The angle, without a sign.
+    pub angle: f64,
+    /// `up`, towards the viewer of the drawing, or `down`.
+    pub direction: &'static str,
+    /// The inside radius.
+    pub inside_radius: f64,
+    /// Where the neutral line runs, as a share of the thickness from the inside.
+    pub k_factor: f64,
+    /// The length of the neutral line.
+    pub allowance: f64,
+    /// What the blank falls short of both outer flanges.
+    pub deduction: f64,
+    /// The ends of the bend line in the drawing.
+    pub line: [[f64; 2]; 2],
+}
+
+/// An edge that no radius is given for.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SharpRow {
+    /// The two patches.
+    pub name: String,
+    /// The angle, without a sign.
+    pub angle: f64,
+    /// `up` or `down`.
+    pub direction: &'static str,
+}
+
+/// A patch that is rolled.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RolledRow {
+    /// The patch.
+    pub name: String,
+    /// The smallest of the radii of the rulings, of each where it is tightest.
+    pub from: f64,
+    /// The largest; `null` where it is flat somewhere.
+    pub to: Option<f64>,
+}
+
+/// The parts of a design in numbers.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PartsList {
+    /// The name of the design.
+    pub design: String,
+    /// The thickness, where one is known.
+    pub thickness: Option<f64>,
+    /// The parts.
+    pub parts: Vec<PartRow>,
+}
+
+fn direction(angle: f64) -> &'static str {
+    if angle > 0.0 { "up" } else { "down" }
+}
+
+impl PartsList {
+    /// The list of these parts, none written yet.
+    #[must_use]
+    pub fn new(design: &Design, parts: &[Part]) -> Self {
+        Self {
+            design: design.name.clone(),
+            thickness: design.metal.map(|metal| metal.sheet.thickness()),
+            parts: parts.iter().map(row).collect(),
+        }
+    }
+
+    /// The list as comma-separated values with a head.
+    #[must_use]
+    pub fn csv(&self) -> String {
+        let mut text = String::from(
+            "part,file,count,width mm,height mm,area mm2,cut length mm,openings,thickness mm,bends,error mm\n",
+        );
+        for part in &self.parts {
+            let thickness = self.thickness.map(|t| t.to_string()).unwrap_or_default();
+            // Writing to a String cannot fail.
+            let _ = writeln!(
+                text,
+                "{},{},{},{:.4},{:.4},{:.4},{:.4},{},{thickness},{},{:.2e}",
+                field(&part.name),
+                field(part.file.as_deref().unwrap_or_default()),
+                part.count,
+                part.size[0],
+                part.size[1],
+                part.area,
+                part.cut_length,
+                part.openings,
+                part.bends.len() + part.sharp.len(),
+                part.error
+            );
+        }
+        text
+    }
+
+    /// The list for people, in lines of at most 100 columns.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.parts.iter().map(|part| part.text()).collect()
+    }
+}
+
+/// A field of a table, in quotes where it needs them.
+fn field(text: &str) -> String {
+    if text.contains([',', '"', '\n']) {
+        return format!("\"{}\"", text.replace('"', "\"\""));
+    }
+    text.to_owned()
+}
+
+impl PartRow {
+    fn text(&self) -> String {
+        let [width, height] = self.size.map(|length| format!("{length:.3}"));
+        let mut words = format!(
+            "{width} x {height} mm, area {} mm2, cut {} mm of {} lines and arcs{}, nowhere farther than {} mm from the exact part",
+            number(self.area),
+            number(self.cut_length),
+            self.segments,
+            match self.openings {
+                0 => String::new(),
+                1 => " and 1 opening".to_owned(),
+                count => format!(" and {count} openings"),
+            },
+            at_most(self.error)
+        );
+        for bend in &self.bends {
+            let _ = write!(
+                words,
+                "; bend {} by {} degrees {} over an inside radius of {} mm: {:.3} mm on the blank (K = {})",
+                bend.name,
+                number(bend.angle),
+                bend.direction,
+                number(bend.inside_radius),
+                bend.allowance,
+                number(bend.k_factor)
+            );
+        }
+        for fold in &self.sharp {
+            let _ = write!(
+                words,
+                "; score {} for {} degrees {}, or give its chain a `radius`",
+                fold.name,
+                number(fold.angle),
+                fold.direction
+            );
+        }
+        if !self.rolled.is_empty() {
+            let from = self.rolled.iter().map(|rolled| rolled.from);
+            let from = from.fold(f64::INFINITY, f64::min);
+            let to: Option<Vec<f64>> = self.rolled.iter().map(|rolled| rolled.to).collect();
+            let to = to.map(|all| all.into_iter().fold(0.0, f64::max));
+            let (from, to) = (number(from), to.map(number));
+            words += &match to {
+                Some(to) if to == from => format!("; roll to radius {from} mm"),
+                Some(to) => format!("; roll to radii from {from} to {to} mm"),
+                None => format!("; roll to radii from {from} mm"),
+            };
+            words += " where each ruling is tightest";
+        }
+        wrapped(&format!("cut {}: ", self.name), &words)
+    }
+}
+
+fn row(part: &Part) -> PartRow {
+    PartRow {
+        name: part.name.clone(),
+        file: None,
+        count: 1,
+        size: part.size,
+        area: part.area(),
+        cut_length: part.cut_length(),
+        segments: part.outline.len(),
+        openings: part.openings.len(),
+        error: part.error,
+        bends: part
+            .bends
+            .iter()
+            .map(|bend| ToolBendRow {
+                name: bend.name.clone(),
+                angle: bend.angle.abs().to_degrees(),
+                direction: direction(bend.angle),
+                inside_radius: bend.inside_radius,
+                k_factor: bend.k_factor,
+                allowance: bend.allowance,
+                deduction: bend.deduction,
+                line: bend.line,
+            })
+            .collect(),
+        sharp: part
+            .sharp
+            .iter()
+            .map(|fold| SharpRow {
+                name: fold.name.clone(),
+                angle: fold.angle.abs().to_degrees(),
+                direction: direction(fold.angle),
+            })
+            .collect(),
+        rolled: part
+            .rolled
+            .iter()
+            .map(|rolled| RolledRow {
+                name: rolled.name.clone(),
+                from: rolled.radii[0],
+                to: Some(rolled.radii[1]).filter(|radius| radius.is_finite()),
+            })
+            .collect(),
+    }
+}

@@ -1,0 +1,229 @@
+//! Blanks: bends as long as the formulas of the trade say, against numbers worked out by hand.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use torse_designs::unroll::{Demand, Part, parts, unroll};
+use torse_designs::{DesignError, read};
+
+fn made(text: &str) -> Result<Vec<Part>, DesignError> {
+    let design = read("x.toml", text).unwrap_or_else(|e| panic!("{e:?}"));
+    parts(&design, &unroll(&design, &Demand::default()).unwrap())
+}
+
+/// A bracket of two flanges of 40 and 25 mm outside, 60 mm wide, whose bend is a patch; drawn at a share of the
+/// thickness from the inside.
+fn bracket(sheet: &str, share: f64, [t, r]: [f64; 2]) -> String {
+    let radius = r + share * t;
+    let (a, b) = (40.0 - r - t, 25.0 - r - t);
+    format!(
+        r#"
+[curves]
+base = {{ bezier = [[0, 0, 0], [{a}, 0, 0]] }}
+base2 = {{ bezier = [[0, 60, 0], [{a}, 60, 0]] }}
+bend = {{ arc = {{ centre = [{a}, 0, {radius}], from = [{a}, 0, 0], to = [{end}, 0, {radius}] }} }}
+wall = {{ bezier = [[{end}, 0, {radius}], [{end}, 0, {top}]] }}
+wall2 = {{ bezier = [[{end}, 60, {radius}], [{end}, 60, {top}]] }}
+[patches]
+p1 = {{ ruled = ["base", "base2"] }}
+p2 = {{ cylinder = "bend", direction = [0, 60, 0], bend = true }}
+p3 = {{ ruled = ["wall", "wall2"] }}
+[chains.bracket]
+patches = ["p1", "p2", "p3"]
+continuity = "G1"
+[sheet]
+thickness = {t}
+{sheet}
+"#,
+        end = a + radius,
+        top = radius + b,
+    )
+}
+
+#[test]
+fn the_blank_of_a_bracket_depends_on_the_k_factor() {
+    for (k, length) in [(0.42, 62.131_194), (0.30, 61.848_451), (0.5, 62.319_690)] {
+        let part = made(&bracket(&format!("k-factor = {k}"), 0.5, [1.5, 2.0]))
+            .unwrap()
+            .remove(0);
+        assert!((part.size[0] - length).abs() < 1e-6, "{k}: {:?}", part.size);
+        assert!((part.size[1] - 60.0).abs() < 1e-9);
+        // A rectangle has four sides.
+        assert_eq!(part.outline.len(), 4);
+        let [bend] = part.bends.as_slice() else {
+            panic!("{:?}", part.bends)
+        };
+        assert!(
+            (bend.angle.abs() - FRAC_PI_2).abs() < 1e-9 && (bend.inside_radius - 2.0).abs() < 1e-9
+        );
+        // The middle of the bend, across the sheet.
+        let from_edge = bend.line.map(|end| end[0].min(part.size[0] - end[0]));
+        let expected = 21.5 + 0.5 * bend.allowance;
+        assert!(
+            from_edge.iter().all(|x| (x - expected).abs() < 1e-9),
+            "{from_edge:?}"
+        );
+        let ends = [
+            bend.line[0][1].min(bend.line[1][1]),
+            bend.line[0][1].max(bend.line[1][1]),
+        ];
+        assert!(ends[0].abs() < 1e-9 && (ends[1] - 60.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn the_same_part_drawn_by_any_of_its_surfaces_has_the_same_blank() {
+    for (share, name) in [(0.0, "inside"), (0.5, "middle"), (1.0, "outside")] {
+        let sheet = format!("k-factor = 0.42\nsurface = \"{name}\"");
+        let part = made(&bracket(&sheet, share, [1.5, 2.0])).unwrap().remove(0);
+        assert!(
+            (part.size[0] - 62.131_194).abs() < 1e-6,
+            "{name}: {:?}",
+            part.size
+        );
+    }
+}
+
+#[test]
+fn bends_of_the_standard_are_as_long_as_its_formula_says() {
+    // DIN 6935: L = a + b + v, with v = pi (180 - beta)/180 (r + k s/2) - 2 (r + s) for right angles; of s = 2, r = 4:
+    // k = 0.65 + lg(2)/2.
+    let [s, r] = [2.0, 4.0];
+    let k = 0.65 + 0.5 * libm::log10(2.0);
+    let v = FRAC_PI_2 * (r + 0.5 * k * s) - 2.0 * (r + s);
+    let part = made(&bracket("k-factor = \"DIN 6935\"", 0.5, [s, r]))
+        .unwrap()
+        .remove(0);
+    assert!((part.size[0] - (65.0 + v)).abs() < 1e-9, "{:?}", part.size);
+    assert!((part.bends[0].deduction + v).abs() < 1e-9);
+    // A table between its rows, and beside them.
+    let table = "k-factor = [[1, 0.33], [3, 0.43]]";
+    let part = made(&bracket(table, 0.5, [2.0, 4.0])).unwrap().remove(0);
+    assert!((part.bends[0].k_factor - 0.38).abs() < 1e-12);
+    let beside = made(&bracket(table, 0.5, [2.0, 1.0]))
+        .unwrap_err()
+        .to_string();
+    assert!(beside.contains("0.500 times the thickness"), "{beside}");
+}
+
+/// A channel: a base of 50 mm and two legs of 20 and 30 mm to the corners, the legs turned by angles in degrees.
+fn channel(radius: &str, turns: [f64; 2]) -> String {
+    let leg = |turn: f64, length: f64| {
+        let (s, c) = libm::sincos(turn.to_radians());
+        (c * length, s * length)
+    };
+    let ((x, z), (u, w)) = (leg(turns[0], 20.0), leg(turns[1], 30.0));
+    format!(
+        r#"
+[curves]
+a1 = {{ bezier = [[{x0}, 0, {z}], [0, 0, 0]] }}
+a2 = {{ bezier = [[{x0}, 80, {z}], [0, 80, 0]] }}
+b1 = {{ bezier = [[0, 0, 0], [50, 0, 0]] }}
+b2 = {{ bezier = [[0, 80, 0], [50, 80, 0]] }}
+c1 = {{ bezier = [[50, 0, 0], [{x1}, 0, {w}]] }}
+c2 = {{ bezier = [[50, 80, 0], [{x1}, 80, {w}]] }}
+[patches]
+left = {{ ruled = ["a1", "a2"] }}
+base = {{ ruled = ["b1", "b2"], marks = [{{ at = [0.5, 0.25], radius = 6 }}] }}
+right = {{ ruled = ["c1", "c2"] }}
+[sheet]
+thickness = 2
+k-factor = 0.44
+[chains.channel]
+patches = ["left", "base", "right"]
+{radius}
+"#,
+        x0 = -x,
+        x1 = 50.0 + u,
+    )
+}
+
+#[test]
+fn each_edge_loses_its_setbacks_and_gains_its_allowance() {
+    let part = made(&channel("radius = [3, 5]", [90.0, 60.0]))
+        .unwrap()
+        .remove(0);
+    let bend = |r: f64, beta: f64| beta * (r + 0.88) - 2.0 * (r + 1.0) * libm::tan(0.5 * beta);
+    let length = 100.0 + bend(3.0, FRAC_PI_2) + bend(5.0, PI / 3.0);
+    let long = part.size[0].max(part.size[1]);
+    assert!((long - length).abs() < 1e-9, "{long} {length}");
+    assert_eq!(part.bends.len(), 2);
+    let angles: Vec<f64> = part
+        .bends
+        .iter()
+        .map(|bend| bend.angle.to_degrees().abs())
+        .collect();
+    assert!((angles[0] - 90.0).abs() < 1e-9 && (angles[1] - 60.0).abs() < 1e-9);
+    assert!(part.bends[0].angle * part.bends[1].angle > 0.0);
+    // The hole keeps its distance from the bend beside it: half of the base, less its setback, from the end of the strip.
+    let (hole, _) = part.openings[0];
+    let line = |index: usize| part.bends[index].line[0][0];
+    let near = (hole[0] - line(0)).abs();
+    let expected = 25.0 - 4.0 + 0.5 * FRAC_PI_2 * 3.88;
+    assert!((near - expected).abs() < 1e-9, "{near} {expected}");
+    let apart = (line(1) - line(0)).abs();
+    let base = 50.0 - 4.0 - 6.0 * libm::tan(PI / 6.0) + 0.5 * (FRAC_PI_2 * 3.88 + PI / 3.0 * 5.88);
+    assert!((apart - base).abs() < 1e-9, "{apart} {base}");
+}
+
+#[test]
+fn legs_that_turn_two_ways_bend_up_and_down() {
+    let part = made(&channel("radius = 3", [90.0, -90.0]))
+        .unwrap()
+        .remove(0);
+    assert!(part.bends[0].angle * part.bends[1].angle < 0.0);
+    let inside =
+        channel("radius = 3", [90.0, -90.0]).replace("k-factor", "surface = \"inside\"\nk-factor");
+    let refused = made(&inside).unwrap_err().to_string();
+    assert!(refused.contains("bends the other way"), "{refused}");
+}
+
+#[test]
+fn what_cannot_be_bent_has_no_blank() {
+    let short = made(&channel("radius = 20", [90.0, 90.0]))
+        .unwrap_err()
+        .to_string();
+    assert!(short.contains("shorter than the setback"), "{short}");
+    let no_sheet = channel("radius = 3", [90.0, 90.0])
+        .replace("[sheet]\nthickness = 2\nk-factor = 0.44\n", "");
+    let no_sheet = made(&no_sheet).unwrap_err().to_string();
+    assert!(no_sheet.contains("`thickness`"), "{no_sheet}");
+    let hole = channel("radius = 3", [90.0, 90.0]).replace("at = [0.5, 0.25]", "at = [0.15, 0.25]");
+    let hole = made(&hole).unwrap_err().to_string();
+    assert!(hole.contains("lies in a bend"), "{hole}");
+    let cone = r#"
+[curves.rim]
+arc = { centre = [0, 0, 0], from = [30, 0, 0], to = [0, 30, 0] }
+[patches.cone]
+cone = "rim"
+apex = [0, 0, 40]
+range = [1, 0.5]
+bend = true
+[sheet]
+thickness = 1
+"#;
+    let cone = made(cone).unwrap_err().to_string();
+    assert!(cone.contains("no arc of a circular cylinder"), "{cone}");
+}
+
+#[test]
+fn large_radii_are_rolled_and_edges_without_a_radius_are_scored() {
+    let part = made(&channel("", [90.0, 60.0])).unwrap().remove(0);
+    assert!(part.bends.is_empty() && part.sharp.len() == 2);
+    assert!((part.size[0].max(part.size[1]) - 100.0).abs() < 1e-9);
+    let rolled = made(&bracket("", 0.5, [1.5, 2.0]).replace(", bend = true", ""))
+        .unwrap()
+        .remove(0);
+    assert!(rolled.bends.is_empty() && rolled.rolled.len() == 1);
+    assert!(
+        rolled.rolled[0]
+            .radii
+            .iter()
+            .all(|radius| (radius - 2.75).abs() < 1e-9)
+    );
+    let by_face = bracket("surface = \"outside\"", 1.0, [1.5, 2.0]).replace(", bend = true", "");
+    assert!(
+        made(&by_face)
+            .unwrap_err()
+            .to_string()
+            .contains("is rolled")
+    );
+}

@@ -1,0 +1,155 @@
+//! Edges that meet: their lengths, where they part, their notches.
+
+use torse_designs::inspect::inspect;
+use torse_designs::unroll::{Demand, parts, unroll};
+use torse_designs::{DesignError, read};
+
+/// Two panels: a flat one with a straight side of 100 mm, and one whose side has another length.
+fn panels(seam: &str, length: f64) -> String {
+    format!(
+        r#"
+seams = [{seam}]
+[curves]
+a = {{ bezier = [[0, 0, 0], [100, 0, 0]] }}
+b = {{ bezier = [[0, 50, 0], [100, 50, 0]] }}
+c = {{ bezier = [[0, 50, 0], [{length}, 50, 0]] }}
+d = {{ bezier = [[0, 90, 20], [{length}, 90, 20]] }}
+[patches.front]
+ruled = ["a", "b"]
+edges = {{ hem = "first", join = "second" }}
+[patches.back]
+ruled = ["c", "d"]
+"#
+    )
+}
+
+#[test]
+fn edges_of_equal_length_are_a_seam_and_others_are_missed_with_their_difference() {
+    let equal = read("x.toml", &panels(r#"["front.join", "back.first"]"#, 100.0)).unwrap();
+    let report = inspect(&equal).unwrap();
+    assert!(report.missed.is_empty(), "{:?}", report.missed);
+    let [seam] = report.seams.as_slice() else {
+        panic!("{:?}", report.seams)
+    };
+    assert!(
+        seam.lengths
+            .iter()
+            .all(|length| (length - 100.0).abs() < 1e-9)
+    );
+    assert!(seam.apart[0] < 1e-9 && !seam.backwards);
+    let longer = read("x.toml", &panels(r#"["front.join", "back.first"]"#, 103.0)).unwrap();
+    let report = inspect(&longer).unwrap();
+    assert_eq!(report.missed.len(), 1);
+    let missed = &report.missed[0];
+    assert!(
+        missed.contains("differ by -3.0000 mm")
+            && missed.contains("3 mm, at 1.000 of their length"),
+        "{missed}"
+    );
+    // On purpose: the first is that much longer.
+    for (ease, misses) in [(-3.0, 0), (3.0, 1)] {
+        let seam = format!(r#"["front.join", "back.first", {ease}]"#);
+        let eased = read("x.toml", &panels(&seam, 103.0)).unwrap();
+        assert_eq!(inspect(&eased).unwrap().missed.len(), misses, "{ease}");
+    }
+}
+
+#[test]
+fn curved_edges_are_measured_by_their_arc_lengths() {
+    // A quarter of a circle of radius 40, and a straight edge as long.
+    let length = 20.0 * std::f64::consts::PI;
+    let text = format!(
+        r#"
+seams = [["collar.first", "band.first"], ["collar.second", "band.first"]]
+[curves]
+neck = {{ arc = {{ centre = [0, 0, 0], from = [40, 0, 0], to = [0, 40, 0] }} }}
+low = {{ bezier = [[0, 0, 100], [{length}, 0, 100]] }}
+high = {{ bezier = [[0, 0, 120], [{length}, 0, 120]] }}
+[patches.collar]
+cone = "neck"
+apex = [0, 0, 60]
+range = [1, 0.5]
+[patches.band]
+ruled = ["low", "high"]
+"#
+    );
+    let report = inspect(&read("x.toml", &text).unwrap()).unwrap();
+    assert_eq!(report.missed.len(), 1, "{:?}", report.missed);
+    assert!(report.missed[0].contains("collar.second"));
+    let [one, other] = report.seams[0].lengths;
+    assert!(
+        (one - length).abs() < 1e-7 && (other - length).abs() < 1e-9,
+        "{one} {other}"
+    );
+}
+
+#[test]
+fn edges_that_are_not_there_are_mistakes_of_the_file() {
+    for (seam, words) in [
+        (
+            r#"["front.join", "side.first"]"#,
+            "no patch above is called `side`",
+        ),
+        (r#"["front.join", "back.top"]"#, "`back` has no edge `top`"),
+        (r#"["front.join", "back"]"#, "`back` is no edge"),
+        (r#"["front.join"]"#, "at least 2 are wanted"),
+    ] {
+        let DesignError::Wrong { mistakes } = read("x.toml", &panels(seam, 100.0)).unwrap_err()
+        else {
+            panic!("{seam}")
+        };
+        let told: Vec<String> = mistakes.iter().map(ToString::to_string).collect();
+        assert!(
+            told.iter().any(|text| text.contains(words)),
+            "{seam}: {told:?}"
+        );
+    }
+}
+
+#[test]
+fn notches_of_a_seam_are_at_equal_lengths_on_both_parts() {
+    // The second edge runs the other way.
+    let text = panels(r#"["front.join", "back.first"]"#, 100.0)
+        .replace(
+            "[[0, 50, 0], [100, 50, 0]] }\nd",
+            "[[100, 50, 0], [0, 50, 0]] }\nd",
+        )
+        .replace(
+            "[[0, 90, 20], [100, 90, 20]]",
+            "[[100, 90, 20], [0, 90, 20]]",
+        );
+    let design = read("x.toml", &text).unwrap();
+    let report = inspect(&design).unwrap();
+    assert!(
+        report.missed.is_empty() && report.seams[0].backwards,
+        "{report:?}"
+    );
+    let parts = parts(&design, &unroll(&design, &Demand::default()).unwrap()).unwrap();
+    for part in &parts {
+        assert_eq!(part.notches.len(), 3);
+        let [width, height] = part.size;
+        assert!((width - 100.0).abs() < 1e-9);
+        for [from, to] in &part.notches {
+            // From the edge inwards, across it.
+            let on_edge = from[1].abs() < 1e-9 || (from[1] - height).abs() < 1e-9;
+            assert!(on_edge && to[1] > 0.0 && to[1] < height, "{from:?} {to:?}");
+            assert!((to[0] - from[0]).abs() < 1e-9);
+        }
+    }
+    // One notch is nearer to one corner, two are nearer to the other, and these corners meet.
+    let places = |index: usize| {
+        let mut all: Vec<f64> = parts[index]
+            .notches
+            .iter()
+            .map(|[from, _]| from[0])
+            .collect();
+        all.sort_by(f64::total_cmp);
+        all
+    };
+    for places in [places(0), places(1)] {
+        let mirrored: Vec<f64> = places.iter().rev().map(|x| 100.0 - x).collect();
+        let wanted = [100.0 / 3.0, 200.0 / 3.0 - 1.5, 200.0 / 3.0 + 1.5];
+        let near = |found: &[f64]| found.iter().zip(wanted).all(|(x, y)| (x - y).abs() < 1e-9);
+        assert!(near(&places) || near(&mirrored), "{places:?}");
+    }
+}
