@@ -13,7 +13,7 @@ pub(crate) const DRAFT: &str = "Draft: no sender is named";
 /// The headings of the three parts of a letter.
 pub(crate) const PARTS: [&str; 3] = [
     "Corrections",
-    "Conditions that the text should state",
+    "What the text should state more exactly",
     "Please compare with the printed page",
 ];
 

@@ -249,7 +249,7 @@ pub const fn verdict(of: Verdict) -> Term {
         Verdict::Definition => (
             "definition",
             "definition",
-            "A well-formed definition. There is nothing to prove.",
+            "A well-formed definition. It is compared with nothing, and is not counted as checked.",
         ),
         Verdict::Underspecified => (
             "underspecified",

@@ -12,7 +12,7 @@ use crate::text::visible;
 use crate::view::{CorrectionView, correction};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
-use torse_syntax::taxonomy::Verdict;
+use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome, Restored};
 use torse_verdicts::repair;
 
@@ -101,7 +101,7 @@ pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Lette
             .iter()
             .filter_map(|outcome| ranks.get(outcome.claim.id.as_str()));
         let rank = rank.min().copied().unwrap_or(usize::MAX);
-        placed.push((part, rank, told(fault, &shows)));
+        placed.push((part, rank, told(fault, &shows, &find)));
     }
     let is_told = |id: &str| {
         paper
@@ -130,11 +130,20 @@ pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Lette
         take(Part::Condition),
         take(Part::Question),
     );
+    let is_open = |outcome: &&Outcome| {
+        outcome.verdict() == Verdict::Undecided && outcome.claim.kind != Kind::Remark
+    };
+    let undecided = claims.iter().filter(is_open).count();
     Letter {
         salutation: (!is_example(&paper.authors)).then(|| salutation(&visible(&paper.authors))),
         opening: match is_example(&paper.authors) {
             true => example(corrections.len()),
-            false => opening(corrections.len(), conditions.len(), questions.len()),
+            false => opening(
+                corrections.len(),
+                conditions.len(),
+                questions.len(),
+                undecided,
+            ),
         },
         closing: closing(paper, corrections.len(), accepted),
         corrections,
@@ -167,8 +176,11 @@ fn part(shows: &[&Outcome]) -> Option<Part> {
     shows.iter().any(limited).then_some(Part::Condition)
 }
 
-fn told(fault: &PaperFault, shows: &[&Outcome]) -> Item {
-    let find = |id: &str| shows.iter().find(|outcome| outcome.claim.id == id);
+fn told<'a>(
+    fault: &PaperFault,
+    shows: &[&'a Outcome],
+    find: &impl Fn(&String) -> Option<&'a Outcome>,
+) -> Item {
     let mut names = shows
         .first()
         .map(|claim| Names::new(claim))
@@ -222,7 +234,7 @@ fn told(fault: &PaperFault, shows: &[&Outcome]) -> Item {
     }
     Item {
         heading: match &fault.at {
-            Some(at) => spans(&visible(at), &Names::default()),
+            Some(at) => spans(&visible(at), &names),
             None => shows.first().map(|claim| place(claim)).unwrap_or_default(),
         },
         says: spans(&visible(&sentence::finished(&fault.says)), &names),
@@ -320,8 +332,13 @@ fn example(corrections: usize) -> String {
     )
 }
 
-fn opening(corrections: usize, conditions: usize, questions: usize) -> String {
-    let mut text = "Every statement of your paper was written down as a formula and decided by exact computation, with the program torse. ".to_owned();
+fn opening(corrections: usize, conditions: usize, questions: usize, undecided: usize) -> String {
+    let mut text = "Every statement of your paper that can be written as a formula was written as one and decided by exact computation, with the program torse".to_owned();
+    text.push_str(&match undecided {
+        0 => ". ".to_owned(),
+        1 => "; one is open. ".to_owned(),
+        _ => format!("; {undecided} are open. "),
+    });
     text.push_str(&match corrections {
         0 => "None was found to be false.".to_owned(),
         1 => "One place needs a correction. What changes in it is framed; changed words are bold.".to_owned(),
@@ -331,8 +348,8 @@ fn opening(corrections: usize, conditions: usize, questions: usize) -> String {
     });
     if conditions > 0 {
         text.push_str(&match conditions {
-            1 => " A condition that the text should state follows.".to_owned(),
-            _ => format!(" {conditions} conditions that the text should state follow."),
+            1 => " One point that the text should state more exactly follows.".to_owned(),
+            _ => format!(" {conditions} points that the text should state more exactly follow."),
         });
     }
     match questions {
@@ -359,7 +376,7 @@ fn closing(paper: &PaperOutcome, corrections: usize, accepted: &BTreeSet<String>
             .filter(|outcome| accepted.contains(&outcome.claim.id))
             .count();
         let mut text =
-            "Each counterexample is exact: its numbers are computed, none is rounded.".to_owned();
+            "Each counterexample is exact: its numbers are computed; where they are told as decimals, these are rounded.".to_owned();
         if proved > 0 {
             text.push_str(&format!(
                 " Of {}, {proved} {} also accepted by the proof assistant Rocq; the proofs come with torse, in the folder proofs.",

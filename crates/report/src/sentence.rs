@@ -140,7 +140,6 @@ fn failure_with(outcome: &Outcome, longest_point: usize) -> Option<String> {
         return Some(denied);
     }
     let witness = outcome.witness()?;
-    let place = place(witness, longest_point);
     let statement = failing(outcome).and_then(|text| expression(&text));
     let relation = statement
         .as_ref()
@@ -151,6 +150,9 @@ fn failure_with(outcome: &Outcome, longest_point: usize) -> Option<String> {
             },
             _ => None,
         });
+    // What a side is at the point is what fails, and no part of the point.
+    let sides = relation.map(|(left, _, right)| [text(left), text(right)]);
+    let place = place(witness, longest_point, sides.iter().flatten());
     Some(match relation {
         Some((left, relation, right)) => compared(left, relation, right, witness, &place),
         None => fails_at(witness, &place),
@@ -353,9 +355,13 @@ pub fn point(witness: &Witness) -> impl Iterator<Item = &(String, String)> {
     witness.at.iter().filter(move |(name, _)| is_shown(name))
 }
 
-/// Writes ` at k = 3, mu = 1 ` in words, unless it is longer than that.
-fn place(witness: &Witness, longest: usize) -> String {
-    let values = point(witness);
+/// Writes ` at k = 3, mu = 1 ` in words, unless it is longer than that, without the values of these names.
+fn place<'s>(
+    witness: &Witness,
+    longest: usize,
+    without: impl Iterator<Item = &'s String> + Clone,
+) -> String {
+    let values = point(witness).filter(|(name, _)| without.clone().all(|other| other != name));
     let values = values.map(|(name, value)| format!("`{name} = {value}`"));
     let values = values.collect::<Vec<String>>().join(", ");
     let short = (values.chars().count() <= longest).then_some(values);

@@ -26,7 +26,10 @@ pub struct ClaimRecord {
     pub garbled: Option<String>,
     /// The statement as the engine understood it.
     pub parsed: Option<Formula>,
-    /// The hypotheses under which it was decided: ranges with a stated source, assumptions, given equations.
+    /// Whether the statement compares a formula with anything but itself.
+    pub compared: bool,
+    /// The hypotheses under which it was decided: ranges of which the files say where they are from, assumptions, given
+    /// equations.
     pub assumed: Vec<Assumed>,
     /// The other dependencies of the statement: declared sets, definitions, unknowns.
     pub table: Dependencies,

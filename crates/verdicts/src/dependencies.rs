@@ -22,6 +22,8 @@ pub struct Dependencies {
     pub bases: Vec<Family>,
     /// The unknowns of the given equations.
     pub unknowns: Vec<Formula>,
+    /// The letters that the paper prints bold, whatever their scripts.
+    pub bold: BTreeSet<char>,
 }
 
 /// A symbol with its set.
@@ -110,6 +112,7 @@ pub fn find_dependencies(claim: &Claim, statement: &Written, core: &core::Claim)
     Dependencies {
         symbols,
         unknowns: unknowns.map(|w| notation::formula(&w.expr)).collect(),
+        bold: claim.declarations.bold_letters(),
         ..walk.table
     }
 }

@@ -45,10 +45,11 @@ impl Outcome {
         expect.is_none_or(|expected| expected == self.verdict())
     }
 
-    /// Returns the evidence; none for definitions and figures.
+    /// What the verdict rests on; none for figures, and for definitions that are compared with nothing.
     #[must_use]
     pub fn evidence(&self) -> Option<Evidence> {
-        self.finding.evidence()
+        let nothing = self.verdict() == Verdict::Definition && !self.claim.compared;
+        self.finding.evidence().filter(|_| !nothing)
     }
 
     /// Returns the statement as the engine understood it; for readings that agree, the first one's.

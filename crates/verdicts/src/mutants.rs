@@ -81,8 +81,28 @@ pub fn survivors(claim: &Claim, most: usize) -> (Vec<Survivor>, usize) {
     (survivors, decided)
 }
 
-/// Returns at most `most` claims that differ by one change and are refuted, spread evenly over all changes of a claim,
-/// with the changes in words.
+/// Whether one of at most `most` changed statements of a claim, spread evenly over all of them, is refuted, and how many were
+/// decided until then: the rest is not looked at.
+#[must_use]
+pub fn one_is_refuted(claim: &Claim, most: usize) -> (bool, usize) {
+    let Some(statement) = &claim.statement else {
+        return (false, 0);
+    };
+    let mutants = mutants(claim, &statement.expr);
+    let step = mutants.len().div_ceil(most.max(1)).max(1);
+    let mut decided = 0;
+    for mutant in mutants.iter().step_by(step) {
+        let decision = decide_written(claim, statement, &mutant.statement);
+        decided += usize::from(decision.is_some());
+        if matches!(decision, Some(Decision::Refuted(_))) {
+            return (true, decided);
+        }
+    }
+    (false, decided)
+}
+
+/// At most `most` claims that say something else by one change and that are refuted, spread evenly over all changes of
+/// a claim, with the changes in words.
 pub fn refuted(claim: &Claim, most: usize) -> impl Iterator<Item = (Claim, String)> {
     let statement = claim.statement.iter();
     let all = statement.flat_map(move |statement| {

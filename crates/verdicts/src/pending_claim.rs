@@ -11,7 +11,7 @@ use crate::finding::Finding;
 use crate::finding::Readings;
 use crate::outcome::{Outcome, ReadingOutcome};
 use crate::statement::RefutedStatement;
-use crate::{author_note, conjunction, existential, net, provenance};
+use crate::{audit, author_note, conjunction, existential, net, provenance};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use torse_algebra::work;
@@ -193,6 +193,7 @@ fn record(
         reading: entry.reading.clone(),
         garbled: entry.garbled.as_ref().map(|text| text.get_ref().clone()),
         parsed: claim.statement.as_ref().map(|s| notation::formula(&s.expr)),
+        compared: audit::compares(claim),
         assumed: provenance::assumed(claim, needed),
         table,
         author_note,

@@ -177,6 +177,7 @@ impl Sample {
                 part_of: None,
                 reading: self.reading,
                 garbled: None,
+                compared: self.parsed.is_some(),
                 parsed: self.parsed,
                 assumed: self.assumed,
                 table: Dependencies::default(),

@@ -106,7 +106,7 @@ fn is_formula(text: &str) -> bool {
 fn atoms(text: &str, names: &Names) -> Vec<Atom> {
     if is_formula(text) {
         return vec![Atom {
-            inner: Stretch::Math(markup::boxes(text)),
+            inner: Stretch::Math(names.with_vectors(markup::boxes(text))),
             behind: String::new(),
         }];
     }

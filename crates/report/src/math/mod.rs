@@ -15,6 +15,7 @@ mod names;
 mod node;
 mod prose;
 mod tidy;
+mod tokens;
 mod write;
 
 pub(crate) use change::changed;

@@ -18,6 +18,8 @@ pub(super) const PLACE: char = '⋅';
 pub(crate) struct Names {
     printed: BTreeMap<String, Node>,
     known: BTreeSet<String>,
+    /// The letters that the paper prints bold.
+    vectors: BTreeSet<char>,
 }
 
 impl Names {
@@ -63,9 +65,19 @@ impl Names {
             self.printed.entry(name).or_insert(node);
         }
         self.known.extend(others.known);
+        self.vectors.extend(others.vectors);
+    }
+
+    /// A typed formula, in which no letter has a face, with the paper's vectors bold.
+    pub(super) fn with_vectors(&self, node: Node) -> Node {
+        match self.vectors.is_empty() {
+            true => node,
+            false => node.with_bold(&self.vectors),
+        }
     }
 
     fn add(&mut self, table: &Dependencies) {
+        self.vectors.extend(&table.bold);
         let symbols = table.symbols.iter().map(|s| (s.name.as_str(), &s.display));
         let definitions = table.definitions.iter();
         let definitions = definitions.map(|d| (d.head.text.as_str(), &d.display));

@@ -1,5 +1,7 @@
 //! Boxes of mathematics: the layout, independent of any output.
 
+use std::collections::BTreeSet;
+
 /// What a correction did to a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Mark {
@@ -143,6 +145,48 @@ impl Node {
                 below: below.map(Box::new),
                 above: above.map(Box::new),
             },
+        }
+    }
+
+    /// Makes these letters bold wherever they are italic.
+    pub(crate) fn with_bold(self, letters: &BTreeSet<char>) -> Self {
+        let bold = |node: Box<Node>| Box::new(node.with_bold(letters));
+        let all = |nodes: Vec<Node>| -> Vec<Node> {
+            nodes.into_iter().map(|n| n.with_bold(letters)).collect()
+        };
+        match self {
+            Node::Letter(letter, Face::Italic) => {
+                let mut signs = letter.chars();
+                let is_one = matches!((signs.next(), signs.next()), (Some(sign), None) if letters.contains(&sign));
+                let face = if is_one { Face::Bold } else { Face::Italic };
+                Node::Letter(letter, face)
+            }
+            Node::Letter(..) | Node::Function(_) | Node::Number(_) | Node::Sign(_) | Node::Gap => {
+                self
+            }
+            Node::Row(nodes) => Node::Row(all(nodes)),
+            Node::Scripts {
+                base,
+                primes,
+                below,
+                above,
+            } => Node::Scripts {
+                base: bold(base),
+                primes,
+                below: below.map(bold),
+                above: above.map(bold),
+            },
+            Node::Accent(sign, inner) => Node::Accent(sign, bold(inner)),
+            Node::Fraction(over, under) => Node::Fraction(bold(over), bold(under)),
+            Node::Root(inner) => Node::Root(bold(inner)),
+            Node::Binomial(over, under) => Node::Binomial(bold(over), bold(under)),
+            Node::Fenced(fence, inner) => Node::Fenced(fence, bold(inner)),
+            Node::Matrix(fence, rows) => Node::Matrix(fence, rows.into_iter().map(all).collect()),
+            Node::Sum { below, above } => Node::Sum {
+                below: bold(below),
+                above: above.map(bold),
+            },
+            Node::Marked(mark, inner) => Node::Marked(mark, bold(inner)),
         }
     }
 

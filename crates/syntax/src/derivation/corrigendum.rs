@@ -31,7 +31,7 @@ pub struct Corrigendum {
     pub shows: Vec<String>,
     /// What is to be read instead.
     pub changes: Vec<Rewording>,
-    /// The claims in which it shows, in the same order, once the whole paper is corrected.
+    /// The claims in which it shows, in the same order, and others whose words change, once the whole paper is corrected.
     pub corrected: Vec<CorrectedClaim>,
 }
 
@@ -99,17 +99,12 @@ pub(super) fn corrigenda(
         }
         let mut changes = vec![];
         for change in &entry.changes {
-            let shows = entry
-                .shows
-                .iter()
-                .any(|id| id.get_ref() == change.claim.get_ref());
-            let Some(claim) = find(&change.claim).filter(|_| shows) else {
-                let message = format!("`{}` is not among `shows`", change.claim.get_ref());
-                wrong(
-                    &change.claim,
-                    message,
-                    "what is changed is a claim in which the fault shows",
-                );
+            let Some(claim) = find(&change.claim) else {
+                if !left_out.contains(change.claim.get_ref()) {
+                    let message = format!("no claim has the id `{}`", change.claim.get_ref());
+                    let help = "what is changed is the print of a claim of this paper";
+                    wrong(&change.claim, message, help);
+                }
                 continue;
             };
             if let Some(id) = &change.remark
@@ -123,10 +118,11 @@ pub(super) fn corrigenda(
                 None => claim.entry.printed.clone(),
                 Some(words) => {
                     let quote = Quote::new(source, words, None, claim.entry.id.get_ref());
-                    if !quote.stands_in(&claim.entry.printed) {
+                    let print = &claim.entry.printed;
+                    if !quote.stands_in(print) && !quote.fills(print) {
                         let message =
                             format!("these words are not in the print of `{}`", quote.claim);
-                        let help = "a quote has the words of `printed` letter by letter";
+                        let help = "a quote has the words of `printed` letter by letter; where that leaves words out (`...`), it may have them";
                         wrong(words, message, help);
                     }
                     words.get_ref().clone()
@@ -139,7 +135,14 @@ pub(super) fn corrigenda(
                 remark: change.remark.as_ref().map(|id| id.get_ref().clone()),
             }));
         }
-        let corrected = entry.shows.iter().filter_map(find);
+        // Data that are changed are told where they are printed, and the fault shows elsewhere.
+        let is_shown = |id: &&Spanned<String>| {
+            let mut shows = entry.shows.iter();
+            shows.any(|shown| shown.get_ref() == id.get_ref())
+        };
+        let changed = entry.changes.iter().map(|change| &change.claim);
+        let changed = changed.filter(|id| !is_shown(id));
+        let corrected = entry.shows.iter().chain(changed).filter_map(find);
         let corrected: Vec<CorrectedClaim> = corrected
             .map(|claim| {
                 let id = claim.entry.id.get_ref();

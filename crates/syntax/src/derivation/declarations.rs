@@ -161,6 +161,26 @@ impl Declarations {
             .map(|(name, range)| (name.as_str(), range))
     }
 
+    /// The letters that stand for vectors in print: those that a display has in bold, but not a name that is declared and
+    /// has no display, and so is printed as it is typed.
+    #[must_use]
+    pub fn bold_letters(&self) -> BTreeSet<char> {
+        let displays = self.displays.values();
+        let after = displays.flat_map(|display| display.split("\\mathbf").skip(1));
+        let letters = after.filter_map(|rest| rest.trim_start_matches([' ', '{']).chars().next());
+        let is_plain = |letter: &char| {
+            let name = letter.to_string();
+            let declared = self.symbol(&name).is_some()
+                || self.definition(&name).is_some()
+                || self.basis(&name).is_some();
+            declared && self.display(&name).is_none()
+        };
+        letters
+            .filter(char::is_ascii_alphabetic)
+            .filter(|letter| !is_plain(letter))
+            .collect()
+    }
+
     /// How a name is printed: mathematics between dollar signs.
     #[must_use]
     pub fn display(&self, name: &str) -> Option<&str> {

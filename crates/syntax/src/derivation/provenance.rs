@@ -77,6 +77,57 @@ impl Quote {
         let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
         plain(printed).contains(&plain(&self.words))
     }
+
+    /// Whether these are the words of a print with what it leaves out: its pieces between `...`, remarks in square
+    /// brackets aside, stand in them in their order. A print that leaves nothing out has nothing to fill.
+    #[must_use]
+    pub fn fills(&self, printed: &str) -> bool {
+        let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let pieces = pieces(printed);
+        let words = plain(&self.words);
+        let mut rest = words.as_str();
+        pieces.len() > 1
+            && pieces.iter().all(|piece| {
+                let found = rest.split_once(plain(piece).as_str());
+                rest = found.map_or(rest, |(_, after)| after);
+                found.is_some()
+            })
+    }
+}
+
+/// A print at `...` and at remarks in square brackets with words in them, cut into what stands between.
+fn pieces(printed: &str) -> Vec<&str> {
+    let mut pieces = vec![];
+    let (mut start, mut position) = (0, 0);
+    while let Some(rest) = printed.get(position..).filter(|rest| !rest.is_empty()) {
+        let length = gap(rest);
+        if length > 0 {
+            pieces.extend(printed.get(start..position));
+            start = position + length;
+        }
+        let step = rest.chars().next().map_or(1, char::len_utf8);
+        position += length.max(step);
+    }
+    pieces.extend(printed.get(start..));
+    pieces
+}
+
+/// How long `...` or a remark in square brackets is with which a text begins; zero where it begins with neither. A bracket
+/// is one of a formula unless two words of letters stand in it, or `...`.
+fn gap(text: &str) -> usize {
+    if text.starts_with("...") {
+        return 3;
+    }
+    let inner = text.strip_prefix('[').and_then(|rest| rest.split_once(']'));
+    let Some((inner, _)) = inner else {
+        return 0;
+    };
+    let is_word = |word: &&str| word.len() > 1 && word.chars().all(char::is_alphabetic);
+    let is_remark = inner.trim() == "..." || inner.split_whitespace().filter(is_word).count() > 1;
+    match is_remark {
+        true => inner.len() + 2,
+        false => 0,
+    }
 }
 
 /// What `printed`, `in` and `ours` say; one of the first and last is wanted. `own` is the id of the claim that says it,
@@ -129,4 +180,41 @@ pub(super) fn provenance(
     };
     errors.0.push(mistake);
     Provenance::Stated
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fills(words: &str, printed: &str) -> bool {
+        let source = Arc::new(Source {
+            name: String::new(),
+            text: String::new(),
+        });
+        let words = toml::Spanned::new(0..0, words.to_owned());
+        Quote::new(&source, &words, None, "p/a").fills(printed)
+    }
+
+    #[test]
+    fn words_fill_what_a_print_leaves_out_and_nothing_else() {
+        let whole = "For fixed c the length and location of J(0) will not change";
+        assert!(fills(
+            whole,
+            "[with c fixed] the ... location of J(0) will not change"
+        ));
+        assert!(fills(whole, "the length ... of J(0) will not change"));
+        assert!(fills(
+            whole,
+            "... location of J(0) [and of others] will not change"
+        ));
+        assert!(!fills(
+            whole,
+            "the location ... length of J(0) will not change"
+        ));
+        assert!(!fills(whole, "the length ... of J(1) will not change"));
+        assert!(!fills(whole, "the length and location of J(0)"));
+        // Brackets of a formula are none of a remark.
+        assert!(!fills("[a - b] c d", "[a - b] c"));
+        assert!(fills("[a - b] c d e", "[a - b] c [...] e"));
+    }
 }

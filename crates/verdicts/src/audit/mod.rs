@@ -20,6 +20,8 @@ mod slips;
 mod subject;
 mod unstated;
 
+pub(crate) use sides::compares;
+
 use crate::outcome::Outcome;
 use formulas::Formulas;
 use print::Print;

@@ -2,6 +2,7 @@
 
 use super::{Sign, Subject, sign};
 use crate::conjunction::conjuncts;
+use torse_syntax::derivation::Claim;
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::formula::{Expr, Node, Relation};
 use torse_syntax::notation;
@@ -16,30 +17,69 @@ pub(super) fn equal(subject: &Subject<'_>) -> Vec<Sign> {
     let statement = subject.claim.statement.as_ref().filter(|_| !definition);
     let mut signs = vec![];
     for part in statement.iter().flat_map(|w| conjuncts(&w.expr)) {
-        let Node::Compare(first, rest) = &part.node else {
-            continue;
-        };
-        let mut left: &Expr = first;
-        for (relation, right) in rest {
-            let opened = |side: &Expr| opened(side, &subject.claim.declarations, DEPTH);
-            let equal = opened(left).placeless() == opened(right).placeless();
-            if *relation == Relation::Equal && equal {
+        for (left, relation, right) in comparisons(part) {
+            if relation == Relation::Equal && are_equal(left, right, &subject.claim.declarations) {
                 let (left, right) = (notation::text(left), notation::text(right));
                 let seen = format!("`{left}` and `{right}` are the same formula");
                 signs.push(sign(Flag::EqualSides, seen));
             }
-            left = right;
         }
     }
     signs
 }
 
-/// Replaces names by the bodies of their plain definitions.
+/// Whether the statement of a claim, or of a reading, compares a formula with anything but itself: a definition that does
+/// not says how a name is written, and nothing that could be wrong.
+pub(crate) fn compares(claim: &Claim) -> bool {
+    let statement = claim.statement.iter();
+    let readings = claim.readings.iter();
+    let statements = statement.chain(readings.filter_map(|of| of.claim.statement.as_ref()));
+    let mut parts = statements.flat_map(|w| conjuncts(&w.expr));
+    parts.any(|part| match &part.node {
+        Node::Compare(..) => comparisons(part).iter().any(|(left, relation, right)| {
+            *relation != Relation::Equal || !are_equal(left, right, &claim.declarations)
+        }),
+        _ => true,
+    })
+}
+
+/// The comparisons of a chain, two by two; none where a formula is no comparison.
+fn comparisons(part: &Expr) -> Vec<(&Expr, Relation, &Expr)> {
+    let Node::Compare(first, rest) = &part.node else {
+        return vec![];
+    };
+    let mut left: &Expr = first;
+    let mut list = vec![];
+    for (relation, right) in rest {
+        list.push((left, *relation, right));
+        left = right;
+    }
+    list
+}
+
+fn are_equal(left: &Expr, right: &Expr, declarations: &Declarations) -> bool {
+    let opened = |side: &Expr| opened(side, declarations, DEPTH).placeless();
+    opened(left) == opened(right)
+}
+
+/// The formula with the bodies of definitions in place of their names, of functions where they are taken at their own
+/// parameters.
 fn opened(expr: &Expr, declarations: &Declarations, depth: usize) -> Expr {
-    if let Node::Name(name) = &expr.node
+    let named = match &expr.node {
+        Node::Name(name) => Some((name, [].as_slice())),
+        Node::Call(head, arguments) | Node::Index(head, arguments) => match &head.node {
+            Node::Name(name) => Some((name, arguments.as_slice())),
+            _ => None,
+        },
+        _ => None,
+    };
+    if let Some((name, arguments)) = named
         && let Some(definition) = declarations.definition(name)
-        && definition.parameters.is_empty()
         && depth > 0
+        && arguments.len() == definition.parameters.len()
+        && arguments.iter().zip(&definition.parameters).all(
+            |(argument, parameter)| matches!(&argument.node, Node::Name(name) if name == parameter),
+        )
     {
         return opened(&definition.body.expr, declarations, depth - 1);
     }

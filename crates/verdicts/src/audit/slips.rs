@@ -2,7 +2,7 @@
 
 use super::{Sign, Subject, sign};
 use crate::conjunction::conjuncts;
-use crate::mutants::survivors;
+use crate::mutants::one_is_refuted;
 use torse_algebra::work;
 use torse_syntax::formula::Node;
 use torse_syntax::taxonomy::{Flag, Verdict};
@@ -29,9 +29,9 @@ pub(super) fn none_is_noticed(subject: &Subject<'_>) -> Vec<Sign> {
     }
     let mut decided = 0;
     for most in TRIED {
-        match work::within(WORK, || survivors(subject.claim, most)) {
-            Ok((survivors, tried)) if survivors.len() == tried => decided = tried,
-            // One was refuted, or the work ran out.
+        match work::within(WORK, || one_is_refuted(subject.claim, most)) {
+            Ok((false, tried)) => decided = tried,
+            // Or there was too much to do.
             _ => return vec![],
         }
     }
