@@ -213,7 +213,7 @@ fn with_all_corrections_in_force_every_claim_in_which_a_fault_shows_is_true_and_
             }
         }
     }
-    assert_eq!(left, []);
+    assert!(left.is_empty(), "{left:?}");
 }
 
 #[test]
