@@ -299,6 +299,10 @@ fn status_table() -> String {
         (Verdict::Partial, "partial"),
     ];
     let papers = OF_OTHERS;
+    let uncompared = |slug: &str| {
+        let definitions = claims_of(slug).filter(|c| c.verdict() == Verdict::Definition);
+        definitions.filter(|c| c.evidence().is_none()).count()
+    };
     let remarks = |slug: &str| {
         let remarks = claims_of(slug).filter(|c| c.claim.kind == Kind::Remark);
         remarks.count()
@@ -316,6 +320,13 @@ fn status_table() -> String {
             lines.push(format!(
                 "| `{word}` | {} |",
                 counts.map(|n| n.to_string()).join(" | ")
+            ));
+        }
+        if verdict == Verdict::Definition {
+            let counts = papers.map(|slug| uncompared(slug).to_string());
+            lines.push(format!(
+                "| of these compared with nothing | {} |",
+                counts.join(" | ")
             ));
         }
     }
