@@ -3,6 +3,7 @@
 use crate::exit::{Exit, Failure};
 use crate::terminal;
 use std::collections::BTreeSet;
+use torse::annotations::{Annotation, AnnotationLevel};
 
 /// Maximum number of mistakes that are shown. Each is shown with the lines around it, which takes time in long files.
 const MAX_SHOWN: usize = 100;
@@ -12,6 +13,7 @@ const MAX_SHOWN: usize = 100;
 pub struct Diagnostics {
     shown: BTreeSet<String>,
     texts: Vec<String>,
+    annotations: Vec<Annotation>,
     /// How many came after the last one that is shown.
     further: usize,
 }
@@ -23,10 +25,23 @@ impl Diagnostics {
             self.further += 1;
             return;
         }
-        let text = terminal::shown(&mistake.into());
+        let mistake = mistake.into();
+        let text = terminal::shown(&mistake);
         if self.shown.insert(text.clone()) {
             self.texts.push(text);
+            self.annotations.push(Annotation {
+                level: AnnotationLevel::Error,
+                rule: "mistake",
+                claim: None,
+                message: mistake.to_string(),
+                place: torse::diagnostic_place(&mistake),
+            });
         }
+    }
+
+    /// Those that are shown, with their places.
+    pub fn annotations(&self) -> &[Annotation] {
+        &self.annotations
     }
 
     /// Whether there are none.

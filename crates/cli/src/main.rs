@@ -36,6 +36,7 @@ mod watchdog;
 use clap::{CommandFactory, Parser, Subcommand};
 use exit::{Exit, Failure};
 use std::process::ExitCode;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 /// Finds and corrects errors in published formulas, with proofs, and unrolls surfaces to patterns.
@@ -44,7 +45,7 @@ use std::time::Duration;
 /// computation; it computes every verdict anew on every run. A design is a file with control data of developable
 /// surfaces, which torse measures, unrolls, exports and draws.
 #[derive(Parser)]
-#[command(name = "torse", version, max_term_width = 100, after_help = EXAMPLES, after_long_help = LONG_EXAMPLES)]
+#[command(name = "torse", version = VERSION, max_term_width = 100, after_help = EXAMPLES, after_long_help = LONG_EXAMPLES)]
 struct Arguments {
     /// End the run after this many seconds, without verdicts (exit code 8)
     #[arg(long, value_name = "SECONDS", global = true, default_value_t = TIME_LIMIT, value_parser = clap::value_parser!(u64).range(1..))]
@@ -52,6 +53,9 @@ struct Arguments {
     #[command(subcommand)]
     command: Command,
 }
+
+/// The version, and the commit that it was built from where that is known.
+const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), env!("TORSE_COMMIT"));
 
 const EXAMPLES: &str = "\
 Examples:
@@ -181,22 +185,52 @@ fn main() -> ExitCode {
         }
         Err(help) => help.exit(),
     };
-    // If a claim panics, it is undecided, with the reason; the place in our code would not help the user.
-    std::panic::set_hook(Box::new(|_| {}));
-    // There is one pool, made here; if there is one already, its threads suffice.
+    // A claim that panics is undecided and says why; the place in our code is told only where the whole run ends.
+    let panicked = Arc::new(Mutex::new(String::new()));
+    let last = Arc::clone(&panicked);
+    std::panic::set_hook(Box::new(move |panic| {
+        *last.lock().unwrap_or_else(PoisonError::into_inner) = panic.to_string();
+    }));
+    // There is one pool, made here; were there one already, its threads would do.
     let _ = rayon::ThreadPoolBuilder::new()
         .stack_size(STACK)
         .build_global();
     let main = std::thread::Builder::new().stack_size(STACK);
-    let exit = main
-        .spawn(move || run(&arguments))
-        .map_err(|error| error.to_string())
-        .and_then(|thread| thread.join().map_err(|_| "it has failed".to_owned()));
+    let exit = match main.spawn(move || run(&arguments)) {
+        Ok(thread) => thread.join().map_err(|_| {
+            let last = panicked.lock().unwrap_or_else(PoisonError::into_inner);
+            internal_error(&last)
+        }),
+        Err(error) => Err(format!("torse cannot go on: {error}\n")),
+    };
     match exit {
         Ok(exit) => exit.into(),
         Err(reason) => {
-            terminal::remark(&format!("torse failed: {reason}\n"));
+            terminal::remark(&reason);
             ExitCode::from(101)
+        }
+    }
+}
+
+/// What is said of a fault of our own.
+fn internal_error(panicked: &str) -> String {
+    format!(
+        "internal error: torse {VERSION} has failed, and your files are not to blame\n  {}\n\
+         Please report it to the maintainers (CITATION.cff names them) with these lines, the command and the files that it \
+         read.\n",
+        panicked.replace('\n', "\n  ")
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_internal_error_says_what_failed_and_where_to_report_it() {
+        let message = internal_error("panicked at src/x.rs:1:2:\nwhy");
+        for part in [VERSION, "src/x.rs:1:2", "why", "CITATION.cff"] {
+            assert!(message.contains(part), "{message}");
         }
     }
 }

@@ -2,14 +2,15 @@
 
 use crate::baseline::{self, Verdicts};
 use crate::derivations::Derivations;
+use crate::diagnostics::Diagnostics;
 use crate::exit::{Exit, Failure};
-use crate::format::Format;
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::watch::Watch;
 use crate::{figures, proofs, terminal, verdicts, watchdog};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use std::path::PathBuf;
+use torse::annotations::{annotations, github, sarif};
 use torse_report::{ReportError, verdicts_json_with_kernel};
 use torse_syntax::derivation::Paper;
 
@@ -25,9 +26,10 @@ pub struct Verify {
     /// Papers, claims, or prefixes of ids
     #[arg(value_name = "PAPER|ID")]
     names: Vec<String>,
-    /// Print a table, or JSON for programs
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    /// A table for readers, JSON for programs, or what deserves a look with its place in the files: as a log of SARIF, or as
+    /// commands of a workflow of GitHub
+    #[arg(long, value_enum, default_value_t = VerifyFormat::Text)]
+    format: VerifyFormat,
     /// Show only differences from this earlier run (its JSON); the exit code is 1 if a verdict, its evidence or its
     /// conditions differ
     #[arg(long, value_name = "FILE.json")]
@@ -50,11 +52,28 @@ pub struct Verify {
     derivations: Derivations,
 }
 
+/// In what form verdicts are told.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum VerifyFormat {
+    Text,
+    Json,
+    Sarif,
+    Github,
+}
+
+impl VerifyFormat {
+    /// Whether only what deserves a look is told.
+    fn is_annotations(self) -> bool {
+        matches!(self, Self::Sarif | Self::Github)
+    }
+}
+
 const EXAMPLES: &str = "\
 Examples:
   torse verify
   torse verify gbt-developable hermite-developable/ex-4
   torse verify --format json > verdicts.json
+  torse verify --format sarif > torse.sarif
   torse verify --against verdicts.json
   torse verify my-paper --watch
   torse verify hermite-developable --proofs my-proofs
@@ -78,15 +97,19 @@ impl Verify {
         watchdog::finished();
         let mut exit = Exit::from_outcomes(run.outcomes(), &self.names);
         let json = match (self.format, &before) {
-            (Format::Text, None) => String::new(),
-            _ => self.json(&papers, &run)?,
+            (VerifyFormat::Json, _) | (_, Some(_)) => self.json(&papers, &run)?,
+            _ => String::new(),
         };
-        // If no claim is right, there is nothing to show.
-        if mistakes.is_empty() || run.outcomes().next().is_some() {
+        if self.format.is_annotations() {
+            terminal::print(&self.annotated(&papers, &run, &mistakes)?)?;
+        } else if mistakes.is_empty() || run.outcomes().next().is_some() {
+            // Where nothing is right there is nothing to show.
             match self.format {
-                Format::Text if before.is_some() => {}
-                Format::Text => terminal::print(&verdicts::text(&run.papers))?,
-                Format::Json => terminal::print(&json)?,
+                VerifyFormat::Text if before.is_none() => {
+                    terminal::print(&verdicts::text(&run.papers))?;
+                }
+                VerifyFormat::Json => terminal::print(&json)?,
+                _ => {}
             }
         }
         if let Some(before) = before {
@@ -94,8 +117,8 @@ impl Verify {
             let now = now.map_err(ReportError::from)?;
             let found = baseline::differences(&before.named(&self.names), &now);
             match self.format {
-                Format::Text => terminal::print(&baseline::text(&found))?,
-                Format::Json => terminal::remark(&baseline::text(&found)),
+                VerifyFormat::Text => terminal::print(&baseline::text(&found))?,
+                _ => terminal::remark(&baseline::text(&found)),
             }
             if !found.is_empty() {
                 exit = exit.max(Exit::Differs);
@@ -108,6 +131,27 @@ impl Verify {
             terminal::remark(&slowest(&run));
         }
         Ok(mistakes.tell(exit))
+    }
+
+    /// What deserves a look.
+    fn annotated(
+        &self,
+        papers: &[Paper],
+        run: &Run,
+        mistakes: &Diagnostics,
+    ) -> Result<String, Failure> {
+        let mut found = mistakes.annotations().to_vec();
+        found.extend(annotations(papers, run.outcomes()));
+        let folder = self.derivations.find()?;
+        let here = std::env::current_dir().unwrap_or_default();
+        let folder = folder.strip_prefix(&here).unwrap_or(&folder);
+        // Separators as in the addresses of a repository.
+        let parts = folder.iter().map(|part| part.to_string_lossy());
+        let folder = parts.collect::<Vec<_>>().join("/").replacen("//", "/", 1);
+        Ok(match self.format {
+            VerifyFormat::Sarif => sarif(&found, &folder, env!("CARGO_PKG_VERSION")),
+            _ => github(&found, &folder),
+        })
     }
 
     fn json(&self, papers: &[Paper], run: &Run) -> Result<String, ReportError> {

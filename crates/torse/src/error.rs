@@ -80,7 +80,7 @@ impl Error {
     /// ```
     #[must_use]
     pub fn place(&self) -> Option<ErrorPlace> {
-        place(self).or_else(|| self.related()?.find_map(place))
+        diagnostic_place(self)
     }
 
     /// Returns what would help, if known.
@@ -95,8 +95,14 @@ impl Error {
     }
 }
 
-/// Returns the place of the first label.
-fn place(diagnostic: &dyn Diagnostic) -> Option<ErrorPlace> {
+/// Where something is wrong, as its diagnostic says; of several mistakes, the first that has a place.
+#[must_use]
+pub fn diagnostic_place(diagnostic: &dyn Diagnostic) -> Option<ErrorPlace> {
+    label_place(diagnostic).or_else(|| diagnostic.related()?.find_map(label_place))
+}
+
+/// The place of the first label.
+fn label_place(diagnostic: &dyn Diagnostic) -> Option<ErrorPlace> {
     let label = diagnostic.labels()?.next()?;
     let source: &dyn SourceCode = diagnostic.source_code()?;
     let read = source.read_span(label.inner(), 0, 0).ok()?;

@@ -92,6 +92,8 @@
 #![warn(missing_docs)]
 
 #[cfg(feature = "papers")]
+pub mod annotations;
+#[cfg(feature = "papers")]
 mod decided;
 #[cfg(feature = "designs")]
 mod design;
@@ -115,7 +117,7 @@ pub use design::{Design, Pattern, connect, contents, report_text};
 #[cfg(feature = "designs")]
 pub use error::DesignFailure;
 #[cfg(any(feature = "papers", feature = "designs"))]
-pub use error::{Error, ErrorPlace};
+pub use error::{Error, ErrorPlace, diagnostic_place};
 #[cfg(feature = "papers")]
 pub use explanation::{Explanation, ExplanationLine};
 #[cfg(feature = "papers")]

@@ -85,6 +85,12 @@ impl Paper {
         Ok(Self { read })
     }
 
+    /// The paper with all its parts.
+    #[must_use]
+    pub fn parts(&self) -> &derivation::Paper {
+        &self.read
+    }
+
     /// Decides all claims.
     ///
     /// # Errors

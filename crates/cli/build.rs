@@ -1,0 +1,44 @@
+//! Names the commit of the build: that of the repository, or that which an archive of the package was made from, or none.
+
+use std::path::Path;
+use std::process::Command;
+
+/// What git says, in the folder of the package.
+fn git(arguments: &[&str]) -> Option<String> {
+    let output = Command::new("git").args(arguments).output().ok()?;
+    let text = String::from_utf8(output.stdout).ok()?;
+    output.status.success().then(|| text.trim().to_owned())
+}
+
+/// The commit of the repository that has this file; another one above an archive is not meant.
+fn repository() -> Option<String> {
+    git(&["ls-files", "--error-unmatch", "build.rs"])?;
+    for file in ["HEAD", "logs/HEAD"] {
+        let path = git(&["rev-parse", "--git-path", file])?;
+        if Path::new(&path).exists() {
+            println!("cargo::rerun-if-changed={path}");
+        }
+    }
+    git(&["rev-parse", "--short=12", "HEAD"])
+}
+
+/// The commit that cargo writes into an archive.
+fn archive() -> Option<String> {
+    let text = std::fs::read_to_string(".cargo_vcs_info.json").ok()?;
+    let (_, rest) = text.split_once("\"sha1\"")?;
+    let commit: String = rest
+        .chars()
+        .filter(char::is_ascii_hexdigit)
+        .take(12)
+        .collect();
+    (commit.len() == 12).then_some(commit)
+}
+
+fn main() {
+    println!("cargo::rerun-if-changed=build.rs");
+    let commit = archive().or_else(repository);
+    let shown = commit
+        .map(|commit| format!(" ({commit})"))
+        .unwrap_or_default();
+    println!("cargo::rustc-env=TORSE_COMMIT={shown}");
+}
