@@ -62,3 +62,16 @@ def test_what_sympy_assumes_of_a_symbol_is_a_hypothesis():
 def test_what_has_no_exact_meaning_is_refused(term):
     with pytest.raises((TypeError, ValueError)):
         torse.equal(term, 1)
+
+
+def test_symbols_that_would_be_read_as_something_else_are_refused():
+    x = sympy.Symbol("x")
+    for symbol in (sympy.oo, sympy.EulerGamma, sympy.Symbol("pi"), sympy.Symbol("x y"), sympy.zoo):
+        with pytest.raises(ValueError):
+            torse.equal(symbol + x, x)
+    # Two symbols of one name are not one variable.
+    with pytest.raises(ValueError, match="two symbols"):
+        torse.equal(x, sympy.Symbol("x", positive=True))
+    with pytest.raises(ValueError, match="range"):
+        torse.equal(sympy.Symbol("n", integer=True), 1)
+    assert torse.equal(sympy.pi * x, x * sympy.pi)

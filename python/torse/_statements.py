@@ -62,7 +62,7 @@ def decide(statement, where="", budget=None):
 
 
 def equal(left, right, where="", budget=None):
-    """Decides whether two terms, texts or expressions of SymPy, are equal for all values for which they have a meaning.
+    """Decides whether two terms, texts or expressions of SymPy, are equal for all values for which they have a meaning as real numbers.
 
     >>> import torse
     >>> bool(torse.equal("(a + b)^2", "a^2 + 2*a*b + b^2"))
@@ -70,5 +70,5 @@ def equal(left, right, where="", budget=None):
     """
     left, of_left = _sympy.term(left)
     right, of_right = _sympy.term(right)
-    setting = _sympy.setting(where, {**of_left, **of_right})
+    setting = _sympy.setting(where, of_left, of_right)
     return Decided(_torse.decide(f"({left}) == ({right})", setting, budget))

@@ -1,12 +1,24 @@
 """Expressions of SymPy as texts in the notation of torse. SymPy is imported only where an expression of it comes in."""
 
+import re
+import sys
+
+# Names of the notation: a symbol that is called so would be read as something else.
+RESERVED = {
+    "pi", "inf", "and", "or", "not", "in", "exists", "forall", "D", "at", "sum", "product", "integral", "binom",
+    "factorial", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh", "sqrt", "abs", "dot", "cross", "det", "transpose",
+    "inverse", "solve", "norm", "agrees", "fails", "coefficients", "identity", "nonnegative", "independent",
+    "variation_diminishing",
+}
+
 
 def _is_sympy(value):
-    return type(value).__module__.partition(".")[0] == "sympy"
+    sympy = sys.modules.get("sympy")
+    return sympy is not None and isinstance(value, sympy.Basic)
 
 
 def term(value):
-    """A term as a text, with what the symbols of SymPy assume."""
+    """A term as a text, with its symbols of SymPy by name."""
     if isinstance(value, str):
         return value, {}
     if isinstance(value, int) and not isinstance(value, bool):
@@ -17,7 +29,7 @@ def term(value):
 
 
 def statement(value):
-    """A statement as a text, with what the symbols of SymPy assume."""
+    """A statement as a text, with its symbols of SymPy by name."""
     if isinstance(value, str):
         return value, {}
     if _is_sympy(value) and (getattr(value, "is_Relational", False) or getattr(value, "is_Boolean", False)):
@@ -26,59 +38,74 @@ def statement(value):
     raise TypeError("a text or a relation of SymPy is wanted; `torse.equal` takes two terms")
 
 
-def setting(where, assumed):
-    """The setting as a text. What SymPy assumes of a symbol comes first, so that what is said here counts."""
+def setting(where, *assumptions):
+    """The setting as a text. What SymPy assumes of a symbol comes first, unless the same name is declared here."""
     given = [where] if isinstance(where, str) or _is_sympy(where) else list(where)
-    texts = []
+    texts, assumptions = [], list(assumptions)
     for entry in given:
         if isinstance(entry, str):
-            texts.append(entry)
+            texts.extend(part.strip() for part in entry.split(";") if part.strip())
         else:
             text, more = statement(entry)
             texts.append(text)
-            assumed = {**more, **assumed}
-    said = ";".join(texts)
-    declared = {
-        name.strip()
-        for entry in said.split(";")
-        for sign in (" in ", ":")
-        if sign in entry and ":=" not in entry
-        for name in entry.split(sign)[0].split(",")
-    }
-    own = [entry for name, entries in sorted(assumed.items()) for entry in entries if name not in declared]
-    return "; ".join(own + [text for text in texts if text.strip()])
+            assumptions.append(more)
+    symbols = {}
+    for symbol in (symbol for more in assumptions for symbol in more.values()):
+        if symbols.setdefault(symbol.name, symbol) != symbol:
+            raise ValueError(f"two symbols are called {symbol.name}, and assume different things")
+    declared = {name.strip() for text in texts for name in _declared(text)}
+    own = []
+    for name, symbol in sorted(symbols.items()):
+        if name not in declared:
+            own.extend(_assumption(symbol))
+    return "; ".join(own + texts)
+
+
+def _declared(entry):
+    """The names that an entry of a setting declares."""
+    if ":=" in entry:
+        return []
+    for sign in (" in ", ":"):
+        if sign in entry:
+            return entry.split(sign)[0].split(",")
+    return []
 
 
 def _assumed(expression):
-    """What the symbols assume: name to entries of a setting."""
+    """The symbols that are free, by name."""
     found = {}
-    for symbol in sorted(expression.free_symbols, key=str):
-        entries = []
-        if symbol.is_integer:
-            if symbol.is_positive:
-                entries.append(f"{symbol.name} in 1..")
-            elif symbol.is_nonnegative:
-                entries.append(f"{symbol.name} in 0..")
-            else:
-                entries.append(f"{symbol.name} in ..")
-        elif symbol.is_positive:
-            entries.append(f"{symbol.name} > 0")
-        elif symbol.is_negative:
-            entries.append(f"{symbol.name} < 0")
-        elif symbol.is_nonnegative:
-            entries.append(f"{symbol.name} >= 0")
-        elif symbol.is_nonpositive:
-            entries.append(f"{symbol.name} <= 0")
-        elif symbol.is_nonzero:
-            entries.append(f"{symbol.name} != 0")
-        if symbol.is_real is False:
-            raise ValueError(f"{symbol.name} is no real number")
-        found[symbol.name] = entries
+    for symbol in expression.free_symbols:
+        if found.setdefault(symbol.name, symbol) != symbol:
+            raise ValueError(f"two symbols are called {symbol.name}, and assume different things")
     return found
 
 
+def _assumption(symbol):
+    """What a symbol assumes, as entries of a setting. What cannot be said is left out: more is decided then, not less."""
+    name = symbol.name
+    if symbol.is_real is False:
+        raise ValueError(f"{name} is no real number")
+    if symbol.is_integer:
+        if symbol.is_positive:
+            return [f"{name} in 1.."]
+        if symbol.is_nonnegative:
+            return [f"{name} in 0.."]
+        raise ValueError(f"the range of the integer {name} is wanted: where='{name} in 0..'")
+    if symbol.is_positive:
+        return [f"{name} > 0"]
+    if symbol.is_negative:
+        return [f"{name} < 0"]
+    if symbol.is_nonnegative:
+        return [f"{name} >= 0"]
+    if symbol.is_nonpositive:
+        return [f"{name} <= 0"]
+    if symbol.is_nonzero:
+        return [f"{name} != 0"]
+    return []
+
+
 def _printed(expression):
-    from sympy import E, S
+    from sympy import E, Rational, S, Symbol, pi
     from sympy.printing.str import StrPrinter
 
     names = {
@@ -88,6 +115,18 @@ def _printed(expression):
     signs = {"==": "==", "!=": "!=", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
 
     class Printer(StrPrinter):
+        def _print(self, part, **options):
+            # Other constants, infinity among them, have names that would be read as those of variables.
+            known = isinstance(part, (Symbol, Rational)) or part is pi or part is E
+            if getattr(part, "is_Atom", False) and not known:
+                raise ValueError(f"torse has no notation for {part}")
+            return super()._print(part, **options)
+
+        def _print_Symbol(self, symbol):
+            if not re.fullmatch(r"[^\W\d_]\w*", symbol.name) or symbol.name in RESERVED:
+                raise ValueError(f"`{symbol.name}` cannot be the name of a variable")
+            return symbol.name
+
         def _bracketed(self, part):
             text = self._print(part)
             return text if part.is_Symbol or (part.is_Integer and part >= 0) else f"({text})"
@@ -111,12 +150,6 @@ def _printed(expression):
 
         def _print_Exp1(self, _):
             return "exp(1)"
-
-        def _print_Float(self, number):
-            raise ValueError(f"{number} is no exact number: write it as a fraction")
-
-        def _print_ImaginaryUnit(self, _):
-            raise ValueError("there are real numbers only")
 
         def _print_Function(self, call):
             name = type(call).__name__

@@ -6,6 +6,7 @@
 
 mod build;
 
+#[cfg(feature = "pdf")]
 pub(crate) use build::figure_file;
 
 use crate::applicability::Construction;
