@@ -57,6 +57,17 @@ pub fn det<S: Scalar>(a: &[S; 3], b: &[S; 3], c: &[S; 3]) -> S {
     dot(a, &cross(b, c))
 }
 
+/// The determinant of four vectors with four coordinates, by Laplace's expansion along two of them.
+#[must_use]
+pub(crate) fn det4<S: Scalar>(a: &[S; 4], b: &[S; 4], c: &[S; 4], d: &[S; 4]) -> S {
+    let minor = |x: &[S; 4], y: &[S; 4], i: usize, j: usize| {
+        x[i].clone() * y[j].clone() - x[j].clone() * y[i].clone()
+    };
+    let even = |i, j, k, l| minor(a, b, i, j) * minor(c, d, k, l);
+    even(0, 1, 2, 3) - even(0, 2, 1, 3) + even(0, 3, 1, 2) + even(1, 2, 0, 3) - even(1, 3, 0, 2)
+        + even(2, 3, 0, 1)
+}
+
 /// `(1 - t) a + t b`, exact at both ends.
 #[must_use]
 pub fn lerp<S: Scalar, const D: usize>(a: &[S; D], b: &[S; D], t: &S) -> [S; D] {

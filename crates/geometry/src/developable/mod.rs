@@ -3,6 +3,7 @@
 mod certificate;
 mod connect;
 mod enclosure;
+mod ends;
 mod extent;
 mod forms;
 mod hermite;
@@ -21,6 +22,7 @@ pub use connect::{
 };
 pub(crate) use connect::{Landscape, Node, Step, StepKind, Way, all_branches, may_exist, ways};
 pub use enclosure::{Enclosed, EnclosedCertificate, enclose, enclose_by_models};
+pub(crate) use ends::regular_end;
 pub(crate) use extent::Extent;
 pub use forms::RulingForms;
 pub use hermite::{HermiteCone, QuarticData, QuinticData, cone_system};

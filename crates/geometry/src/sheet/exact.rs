@@ -4,7 +4,7 @@ use super::{Point, Rail, RailCurve};
 use crate::basis::Shape;
 use crate::curve::{Curve, EllipticHelix};
 use crate::scalars::exact;
-use crate::vector::{cross, det, sub};
+use crate::vector::{cross, det, det4, sub};
 use torse_algebra::{Integer, Rational};
 
 /// Control points `w p` with their weights `w`, exactly.
@@ -51,7 +51,14 @@ fn are_similar(first: &Rail, second: &Rail) -> bool {
                 let vectors = [cosine, sine, arc.rise()];
                 vectors.into_iter().flatten().map(|c| exact(*c)).collect()
             };
-            p.range() == q.range() && are_proportional(&moving(p), &moving(q))
+            // Whole turns, four quarters, make no difference.
+            let turns = [0, 1].map(|end| {
+                let apart = exact(p.range()[end]) - exact(q.range()[end]);
+                apart / Rational::from_integer(Integer::from(4))
+            });
+            turns[0] == turns[1]
+                && *turns[0].denom() == Integer::ONE
+                && are_proportional(&moving(p), &moving(q))
         }
         _ => false,
     }
@@ -121,33 +128,10 @@ fn vanishes(first: &Rail, second: &Rail, p: &Homogeneous, q: &Homogeneous) -> bo
         let jets = (a.derivatives(&x, 1), b.derivatives(&x, 1));
         let (Ok(a), Ok(b)) = jets else { return false };
         match (a.as_slice(), b.as_slice()) {
-            ([a0, a1], [b0, b1]) => {
-                plucker(a0, a1, b0, b1) == Rational::from_integer(Integer::ZERO)
-            }
+            ([a0, a1], [b0, b1]) => det4(a0, a1, b0, b1) == Rational::from_integer(Integer::ZERO),
             _ => false,
         }
     })
-}
-
-/// The determinant of four vectors by Laplace's expansion along two of them.
-fn plucker(a: &[Rational; 4], b: &[Rational; 4], c: &[Rational; 4], d: &[Rational; 4]) -> Rational {
-    let minor = |x: &[Rational; 4], y: &[Rational; 4], i: usize, j: usize| {
-        x[i].clone() * y[j].clone() - x[j].clone() * y[i].clone()
-    };
-    let pairs = [
-        ([0, 1], [2, 3], false),
-        ([0, 2], [1, 3], true),
-        ([0, 3], [1, 2], false),
-        ([1, 2], [0, 3], false),
-        ([1, 3], [0, 2], true),
-        ([2, 3], [0, 1], false),
-    ];
-    let mut sum = Rational::from_integer(Integer::ZERO);
-    for ([i, j], [k, l], odd) in pairs {
-        let term = minor(a, b, i, j) * minor(c, d, k, l);
-        sum = if odd { sum - term } else { sum + term };
-    }
-    sum
 }
 
 #[cfg(test)]

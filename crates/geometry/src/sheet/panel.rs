@@ -2,7 +2,8 @@
 
 use super::{PiecewiseRail, Point, Rail, Sheet, SweptEdge};
 use crate::developable::{
-    Connections, Landscape, Node, ParameterBox, Step, StepKind, Way, all_branches, may_exist, ways,
+    Connections, Landscape, NODE_RADIUS, Node, ParameterBox, Step, StepKind, Way, all_branches,
+    may_exist, ways,
 };
 use crate::error::{GeometryError, Place, Result};
 use crate::vector::{cross, dot, norm, sub, unit};
@@ -70,6 +71,10 @@ const MOST_FANS: f64 = 0.3;
 const SMOOTH: f64 = 1e-6;
 /// Two points that count as one, as a share of the size of the rails.
 const SAME_POINT: f64 = 1e-12;
+/// How often rulings are looked for across from those that are known.
+const SINGLE_ROUNDS: usize = 2;
+/// The most rulings of their own.
+const MAX_SINGLES: usize = 128;
 /// Rulings of a fan at which its normal is looked at.
 const FAN_SAMPLES: u32 = 32;
 
@@ -194,6 +199,66 @@ fn corner(square: [usize; 2]) -> Node {
     square.map(|k| k as f64)
 }
 
+/// Rulings of their own in which two fans meet smoothly: solutions on the borders of the squares, where the rail has no
+/// corner, and those across from the ends of arcs and from one another.
+fn single_rulings(
+    rails: &[Pieces; 2],
+    squares: &[([usize; 2], Connections<Rail, Rail>)],
+    arcs: &[Vec<Node>],
+) -> Vec<Node> {
+    let near = |a: &Node, b: &Node| (0..2).all(|k| (a[k] - b[k]).abs() <= 1e-8);
+    // On arcs, fans meet the arc.
+    let ends = || arcs.iter().flat_map(|nodes| [nodes.first(), nodes.last()]);
+    let on_arc = |found: &Connections<Rail, Rail>, curve: usize, node: &Node| {
+        (0..found.branches().len())
+            .filter(|number| found.is_regular(*number))
+            .filter_map(|number| found.on_branch(number, curve, node[curve]))
+            .any(|place| near(&place, node))
+    };
+    let mut singles: Vec<Node> = Vec::new();
+    for (square, found) in squares {
+        let [i, j] = corner(*square);
+        // At a corner of a rail its tangent has two directions: two fans meet smoothly where it has one.
+        for (curve, border) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            if !rails[curve].is_corner(square[curve] + border) {
+                let places = found.on_line(curve, [0.0, 1.0][border]);
+                singles.extend(places.into_iter().map(|[s, t]| [s + i, t + j]));
+            }
+        }
+    }
+    let order = |a: &Node, b: &Node| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal);
+    singles.retain(|place| !ends().flatten().any(|node| near(node, place)));
+    singles.sort_by(order);
+    singles.dedup_by(|a, b| near(a, b));
+    let mut sources: Vec<Node> = ends().flatten().copied().chain(singles.clone()).collect();
+    for _ in 0..SINGLE_ROUNDS {
+        let mut next: Vec<Node> = Vec::new();
+        for source in &sources {
+            for curve in 0..2 {
+                for (square, found) in squares {
+                    let offset = corner(*square);
+                    let value = source[curve] - offset[curve];
+                    if !(1e-8..=1.0 - 1e-8).contains(&value) {
+                        continue;
+                    }
+                    let mut places = found.on_line(curve, value);
+                    places.retain(|place| !on_arc(found, curve, place));
+                    next.extend(places.iter().map(|[s, t]| [s + offset[0], t + offset[1]]));
+                }
+            }
+        }
+        let all = singles.iter().chain(&sources).copied();
+        let known: Vec<Node> = ends().flatten().copied().chain(all).collect();
+        next.retain(|place| !known.iter().any(|node| near(node, place)));
+        next.sort_by(order);
+        next.dedup_by(|a, b| near(a, b));
+        next.truncate(MAX_SINGLES.saturating_sub(singles.len()));
+        singles.extend_from_slice(&next);
+        sources = next;
+    }
+    singles
+}
+
 impl PanelRails {
     fn of(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<Self> {
         let rails = [Pieces::of(first)?, Pieces::of(second)?];
@@ -214,7 +279,6 @@ impl PanelRails {
         }
         let mut regular = Vec::new();
         let mut arcs: Vec<Vec<Node>> = Vec::new();
-        let mut corners = Vec::new();
         for (index, (square, found)) in squares.iter().enumerate() {
             let [i, j] = corner(*square);
             for (number, branch) in found.branches().iter().enumerate() {
@@ -223,25 +287,9 @@ impl PanelRails {
                     arcs.push(branch.nodes().iter().map(|[s, t]| [s + i, t + j]).collect());
                 }
             }
-            // At a corner of a rail its tangent has two directions: two fans meet smoothly where it has one.
-            for (curve, border) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-                if !rails[curve].is_corner(square[curve] + border) {
-                    let places = found.on_border(curve, border);
-                    corners.extend(places.into_iter().map(|[s, t]| [s + i, t + j]));
-                }
-            }
         }
-        // On arcs, fans meet the arc.
-        let known = |place: &Node| {
-            arcs.iter()
-                .flat_map(|nodes| [nodes.first(), nodes.last()])
-                .flatten()
-                .any(|node| (0..2).all(|k| (node[k] - place[k]).abs() <= 1e-8))
-        };
-        corners.retain(|place| !known(place));
-        corners.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
-        corners.dedup_by(|a, b| (0..2).all(|k| (a[k] - b[k]).abs() <= 1e-8));
-        arcs.extend(corners.into_iter().map(|place| vec![place]));
+        let singles = single_rulings(&rails, &squares, &arcs);
+        arcs.extend(singles.into_iter().map(|place| vec![place]));
         Ok(Self {
             rails,
             squares,
@@ -250,28 +298,28 @@ impl PanelRails {
         })
     }
 
-    /// The boxes that hold all solutions.
-    fn elements(&self) -> Vec<ParameterBox> {
+    /// The boxes that hold all solutions through which a panel may pass.
+    fn elements(&self) -> Result<Vec<ParameterBox>> {
         let mut all = Vec::new();
         for (square, found) in &self.squares {
-            let [i, j] = corner(*square);
-            let placed = |cell: &ParameterBox| ParameterBox {
-                s: cell.s.map(|s| s + i),
-                t: cell.t.map(|t| t + j),
-            };
-            all.extend(found.undecided().iter().map(placed));
-            all.extend(found.falling().iter().map(placed));
+            let mut cells: Vec<ParameterBox> = found.undecided().to_vec();
+            cells.extend_from_slice(found.falling());
             // Link by link: the box of a whole branch would promise too much.
             for link in found.branches().iter().flat_map(|b| b.nodes().windows(2)) {
                 if let [from, to] = link {
-                    all.push(placed(&ParameterBox {
-                        s: [from[0], to[0]],
-                        t: [from[1], to[1]],
-                    }));
+                    let reach = |k: usize| [from[k] - NODE_RADIUS, to[k] + NODE_RADIUS];
+                    let (s, t) = (reach(0), reach(1));
+                    cells.push(ParameterBox { s, t });
                 }
             }
+            let [i, j] = corner(*square);
+            let cells = found.passable(cells)?.into_iter();
+            all.extend(cells.map(|cell| ParameterBox {
+                s: cell.s.map(|s| s + i),
+                t: cell.t.map(|t| t + j),
+            }));
         }
-        all
+        Ok(all)
     }
 
     fn piece(&self, step: &Step) -> Result<Vec<PanelPiece>> {
@@ -517,10 +565,10 @@ impl Sheet {
             (Some(_), _) => return all(&along, &own, false),
             (None, None) => {}
         }
-        let possible = |landscape: &PanelRails| {
-            landscape.is_closed() || may_exist(landscape.size(), &landscape.elements())
+        let possible = |landscape: &PanelRails| -> Result<bool> {
+            Ok(landscape.is_closed() || may_exist(landscape.size(), &landscape.elements()?))
         };
-        if !possible(&along) && !possible(&against) {
+        if !possible(&along)? && !possible(&against)? {
             let ranges = |nodes: &Vec<Node>| {
                 let (first, last) = (nodes.first()?, nodes.last()?);
                 (nodes.len() > 1).then_some(())?;

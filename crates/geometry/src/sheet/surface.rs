@@ -7,7 +7,7 @@ use crate::coordinate::Coordinate;
 use crate::developable::{
     Bounds, Branch, Certificate, ConnectingPatch, EnclosedCertificate, EnvelopingPatch, Gap,
     HermiteCone, Reason, Regularity, SelfIntersection, TangentPatch, certify, connect, enclose,
-    enclose_by_models, prove_regular, self_intersection,
+    enclose_by_models, prove_regular, regular_end, self_intersection,
 };
 use crate::error::Result;
 use crate::model::Model;
@@ -328,6 +328,30 @@ impl Sheet {
         let (sheet, bits) = self.enclosed(budget)?;
         // One evaluation of first derivatives each, where an enclosure takes two of order six.
         Ok(prove_regular(&sheet, bits, budget.cells.saturating_mul(16)))
+    }
+
+    /// Proves that the sheet is regular between its first or `last` ruling, where that is special by its kind (a tip, or a
+    /// ruling on which both edges stand still), and the ruling at the distance `width` of the parameter, but for the special
+    /// one itself. Returns a bound of the angle between the tangent planes at both ends of a ruling there, in radians; `None`
+    /// where that is not proved, and for an ordinary end.
+    ///
+    /// # Errors
+    /// Where the control data have no models.
+    ///
+    /// ```
+    /// use torse_geometry::prelude::*;
+    /// // A gore: a cylinder between two planes that meet at its first ruling.
+    /// let profile = Rail::bezier(&[[0.0, 0.0, 0.0], [60.0, 0.0, 50.0], [200.0, 0.0, 20.0]])?;
+    /// let edges = [0.25, -0.25].map(|slope| SweptEdge::Cut([slope, 1.0, 0.0, 0.0]));
+    /// let gore = Sheet::cylinder(&profile, [0.0, 1.0, 0.0], edges)?;
+    /// assert_eq!(gore.regular_end(false, 0.001)?, Some(0.0));
+    /// assert_eq!(gore.regular_end(true, 0.001)?, None);
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn regular_end(&self, last: bool, width: f64) -> Result<Option<f64>> {
+        let models = self.over(&|x| Model::exact(*x))?;
+        let kinds = Rails::<f64>::end_kinds(self);
+        Ok(regular_end(&models, kinds, last, width))
     }
 
     /// Whether the sheet passes through itself in space.

@@ -3,6 +3,7 @@
 
 mod engineering;
 mod kinds;
+mod net;
 mod part;
 mod partials;
 mod principal;
@@ -11,6 +12,7 @@ mod ruled;
 mod tensor;
 
 pub use kinds::{EndKinds, RailEnd, RailKind, RulingEnd};
+pub use net::{BezierNet, CurvatureProof, CurvedPlace};
 pub use part::Part;
 pub use partials::{Forms, Partials};
 pub use principal::Principal;

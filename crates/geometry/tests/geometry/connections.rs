@@ -83,7 +83,7 @@ fn the_rulings_of_a_torse_are_found_from_two_curves_on_it() {
     assert!(certificate.is_regular(), "{certificate:?}");
     // Half a tangent from the edge; |S'| is least at the start, where it is one.
     assert!(
-        (certificate.clearance.unwrap().value - 0.5).abs() < 1e-6,
+        (certificate.clearance.unwrap().value - 0.5).abs() < 1e-9,
         "{certificate:?}"
     );
     assert_eq!(unroll(&patch, 32, 1e-6).unwrap().strain(), 0.0);

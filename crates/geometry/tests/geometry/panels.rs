@@ -1,5 +1,6 @@
 //! Whole panels between rails: their pieces meet smoothly, and they cover both rails.
 
+use torse_geometry::Affine;
 use torse_geometry::curve::{EndCondition, Spacing, interpolate};
 use torse_geometry::prelude::*;
 use torse_geometry::vector::{cross, dot, norm, sub};
@@ -313,6 +314,44 @@ fn random_hull_pairs_have_the_panels_that_brute_force_finds() {
         }
     }
     println!("{whole} whole, {none} without, {undecided} undecided");
+    assert!(undecided <= 4, "{whole} {none} {undecided}");
     // What brute force finds is found.
     assert_eq!(missed, 0, "{whole} {none} {undecided}");
+}
+
+#[test]
+fn tubes_between_random_loops_close() {
+    let mut random = Random(7_654_321);
+    let (mut closed, mut undecided) = (0, 0);
+    for k in 0..20 {
+        let by = [0.1, 0.25][k % 2];
+        let mut image = |rail: &PiecewiseRail| {
+            let mut row = |axis: usize| {
+                [0, 1, 2].map(|other| f64::from(u8::from(axis == other)) + by * random.next())
+            };
+            let linear = [row(0), row(1), row(2)];
+            let shift = [0, 1, 2].map(|_| 10.0 * random.next());
+            rail.mapped(&Affine { linear, shift }).unwrap()
+        };
+        let [first, second] = reducer().each_ref().map(&mut image);
+        let Panels::Found(panels) = Sheet::panels(&first, &second).unwrap() else {
+            undecided += 1;
+            continue;
+        };
+        closed += 1;
+        let best = &panels[0];
+        assert!(best.closed && best.folds == 0, "{k}: {best:?}");
+        let [gap, kink] = joints(best);
+        assert!(gap < 1e-5 && kink < 1e-3, "{k}: {gap:e} {kink:e}");
+        for piece in &best.pieces {
+            let sheet = piece.sheet.away_from_apex();
+            let sheet = sheet.unwrap_or_else(|| piece.sheet.clone());
+            assert!(
+                sheet.certify(17).unwrap().is_regular(),
+                "tube {k}: {piece:?}"
+            );
+        }
+    }
+    println!("{closed} closed, {undecided} undecided");
+    assert!(undecided <= 1, "{closed} closed, {undecided} undecided");
 }

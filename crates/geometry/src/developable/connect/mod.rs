@@ -36,6 +36,7 @@ use crate::error::{GeometryError, Place, Result, count};
 use crate::scalars::{Over, exact_ball};
 use crate::vector::{cross, dot, norm, sub};
 use equation::{Contact, Equation};
+use std::cmp::Ordering;
 use torse_algebra::Ball;
 
 /// Why a branch was preferred.
@@ -176,14 +177,11 @@ impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Connections<P, Q> {
         Some(place(0.5 * (from + to)))
     }
 
-    /// The solutions with the parameter of this curve (0, 1) at its start (0) or end (1), at which the tangent planes at both
-    /// ends have the patch on the same side: as many as samples show.
-    pub(crate) fn on_border(&self, curve: usize, border: usize) -> Vec<Node> {
+    /// The solutions with this value of the parameter of this curve (0, 1), at which the tangent planes at both ends have the
+    /// patch on the same side: as many as samples show.
+    pub(crate) fn on_line(&self, curve: usize, value: f64) -> Vec<Node> {
         const SAMPLES: u32 = 128;
-        let place = |x: f64| {
-            let border = count(border);
-            if curve == 0 { [border, x] } else { [x, border] }
-        };
+        let place = |x: f64| if curve == 0 { [value, x] } else { [x, value] };
         let at = |x: f64| -> Option<[f64; 2]> {
             let [s, t] = place(x);
             let (one, two) = (
@@ -243,6 +241,64 @@ impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Connections<P, Q> {
         dot(&cross(&one.first, &ruling), &cross(&two.first, &ruling)) > 0.0
     }
 }
+
+impl<P, Q> Connections<P, Q>
+where
+    P: SpaceCurve<f64> + Over<f64, Ball, Object: SpaceCurve<Ball>> + Clone,
+    Q: SpaceCurve<f64> + Over<f64, Ball, Object: SpaceCurve<Ball>> + Clone,
+{
+    /// What is left of cells when those parts are taken away in which it is proved that there is no solution, or none at
+    /// which the tangent planes at both ends have the patch on the same side: no panel passes there.
+    ///
+    /// # Errors
+    /// As [`connect`].
+    pub(crate) fn passable(&self, cells: Vec<ParameterBox>) -> Result<Vec<ParameterBox>> {
+        let (first, second) = (&self.curves.0, &self.curves.1);
+        let bits = precision((first, second))?;
+        let ball = |x: &f64| exact_ball(*x, bits);
+        let (one, two) = (first.over(&ball)?, second.over(&ball)?);
+        let over =
+            |[from, to]: [f64; 2]| Ball::from_bounds(&crate::exact(from), &crate::exact(to), bits);
+        let mut kept = Vec::new();
+        let mut work = 0;
+        let mut open: Vec<(ParameterBox, u32)> =
+            cells.into_iter().rev().map(|cell| (cell, 0)).collect();
+        while let Some((cell, depth)) = open.pop() {
+            work += 1;
+            let contacts = (
+                Contact::of(&one, &over(cell.s)),
+                Contact::of(&two, &over(cell.t)),
+            );
+            let (Ok(a), Ok(b)) = contacts else {
+                kept.push(cell);
+                continue;
+            };
+            let ruling = sub(&b.point, &a.point);
+            let side = dot(&cross(&a.first, &ruling), &cross(&b.first, &ruling)).sign();
+            let value = Equation::of(&a, &b).value.sign();
+            if side == Some(Ordering::Less) || value.is_some_and(Ordering::is_ne) {
+                continue;
+            }
+            if side == Some(Ordering::Greater) || depth >= SIDE_DEPTH || work >= MAX_SIDE_CELLS {
+                kept.push(cell);
+                continue;
+            }
+            let halves = |[from, to]: [f64; 2]| {
+                let middle = 0.5 * (from + to);
+                [[from, middle], [middle, to]]
+            };
+            for s in halves(cell.s) {
+                open.extend(halves(cell.t).map(|t| (ParameterBox { s, t }, depth + 1)));
+            }
+        }
+        Ok(kept)
+    }
+}
+
+/// How often a cell is halved to see on which side of it the patch lies.
+const SIDE_DEPTH: u32 = 4;
+/// Cells looked at for that, at most.
+const MAX_SIDE_CELLS: usize = 20_000;
 
 /// Bits after the point, for curves of the size of one.
 const BITS: usize = 96;
