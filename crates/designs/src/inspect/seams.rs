@@ -1,6 +1,5 @@
 //! Edges that meet: how long both are, and where they part.
 
-use super::text::number;
 use crate::design::Design;
 use crate::seams::{EdgeName, PatchEdge, Seam};
 use serde::Serialize;
@@ -45,15 +44,15 @@ pub fn seams(design: &Design, missed: &mut Vec<String>) -> Result<Vec<SeamReport
             let [one, other] = &report.edges;
             let ease = match seam.ease {
                 0.0 => String::new(),
-                ease => format!(" with an ease of {} mm", number(ease)),
+                ease => format!(" with an ease of {ease} mm"),
             };
             missed.push(format!(
                 "the seam of {one}, {:.4} mm, and {other}, {:.4} mm{ease}: they differ by {:.4} mm, {allowed} allowed; at \
-                 equal shares they are farthest apart, {} mm, at {:.3} of their length",
+                 equal shares they are farthest apart, {:.4} mm, at {:.3} of their length",
                 report.lengths[0],
                 report.lengths[1],
                 report.difference,
-                number(report.apart[0]),
+                report.apart[0],
                 report.apart[1]
             ));
         }

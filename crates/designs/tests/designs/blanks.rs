@@ -227,3 +227,17 @@ fn large_radii_are_rolled_and_edges_without_a_radius_are_scored() {
             .contains("is rolled")
     );
 }
+
+#[test]
+fn a_shelf_bracket_by_its_inside_is_as_long_as_the_standard_says() {
+    let part = made(include_str!("../files/bracket.toml"))
+        .unwrap()
+        .remove(0);
+    // 86 + 61 + 20 mm of flat legs, and two bends over 4 and 3 mm.
+    assert!(
+        (part.size[0] - 178.455_103_6).abs() < 1e-6,
+        "{:?}",
+        part.size
+    );
+    assert_eq!((part.bends.len(), part.openings.len()), (2, 2));
+}

@@ -43,7 +43,7 @@ fn edges_of_equal_length_are_a_seam_and_others_are_missed_with_their_difference(
     let missed = &report.missed[0];
     assert!(
         missed.contains("differ by -3.0000 mm")
-            && missed.contains("3 mm, at 1.000 of their length"),
+            && missed.contains("3.0000 mm, at 1.000 of their length"),
         "{missed}"
     );
     // On purpose: the first is that much longer.
@@ -151,5 +151,18 @@ fn notches_of_a_seam_are_at_equal_lengths_on_both_parts() {
         let wanted = [100.0 / 3.0, 200.0 / 3.0 - 1.5, 200.0 / 3.0 + 1.5];
         let near = |found: &[f64]| found.iter().zip(wanted).all(|(x, y)| (x - y).abs() < 1e-9);
         assert!(near(&places) || near(&mirrored), "{places:?}");
+    }
+}
+
+#[test]
+fn the_gores_of_an_elbow_meet_along_all_their_mitres() {
+    let design = read("x.toml", include_str!("../files/gored-elbow.toml")).unwrap();
+    let report = inspect(&design).unwrap();
+    assert!(report.missed.is_empty() && report.seams.len() == 4);
+    for seam in &report.seams {
+        assert!(
+            seam.difference.abs() < 1e-6 && seam.apart[0] < 1e-6,
+            "{seam:?}"
+        );
     }
 }
