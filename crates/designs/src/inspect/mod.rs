@@ -4,17 +4,19 @@
 //! estimates of [`Sheet::inspect`].
 
 mod joint;
+mod numbers;
 mod seams;
 mod surface;
 mod text;
 
 pub(crate) use joint::joint_of;
 pub use joint::{JointReport, joints};
+pub(crate) use numbers::{at_most, number};
 pub(crate) use seams::is_passed_backwards;
 pub use seams::{SeamReport, seams};
 pub use surface::SurfaceReport;
 pub(crate) use text::columns;
-pub(crate) use text::{at_most, number, wrapped};
+pub(crate) use text::wrapped;
 pub use text::{overview, table};
 
 use crate::design::{Chain, Design, Patch};
@@ -436,8 +438,8 @@ fn measured(
             let reach = beyond_apex(own, metal, design.bending.surface.share())?;
             notes.push(format!(
                 "the inside radius is below {} times the thickness within {} mm of the apex",
-                text::number(metal.least_radius),
-                text::number(reach.distance)
+                number(metal.least_radius),
+                number(reach.distance)
             ));
             reach.inside_radius
         }

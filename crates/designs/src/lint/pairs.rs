@@ -212,7 +212,8 @@ fn along_line(short: &Segment, long: &Segment, within: f64) -> Option<(f64, f64)
 
 /// The longest run of equally spaced shares at which something holds.
 fn longest_run(holds: impl Fn(f64) -> bool) -> Option<(f64, f64)> {
-    let (mut best, mut run): (Option<(f64, f64)>, Option<(f64, f64)>) = (None, None);
+    let mut best: Option<(f64, f64)> = None;
+    let mut run: Option<(f64, f64)> = None;
     for k in 0..=SAMPLES {
         let share = f64::from(k) / f64::from(SAMPLES);
         run = holds(share).then(|| (run.map_or(share, |(from, _)| from), share));

@@ -1,0 +1,73 @@
+//! Numbers as people write them.
+
+/// A number with four digits, as people write it.
+pub fn number(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 || size < 1e-12 {
+        // Rounding of lengths and angles.
+        return "0".to_owned();
+    }
+    if !(1e-3..1e6).contains(&size) {
+        return format!("{value:.2e}");
+    }
+    let decimals = if size >= 1000.0 {
+        0
+    } else if size >= 100.0 {
+        1
+    } else if size >= 10.0 {
+        2
+    } else {
+        3
+    };
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') {
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    text
+}
+
+/// A number with three digits that is not below the value.
+pub fn at_most(value: f64) -> String {
+    if value <= 0.0 || !value.is_finite() {
+        return number(value);
+    }
+    let exponent = libm::floor(libm::log10(value));
+    let unit = libm::pow(10.0, exponent - 2.0);
+    let rounded = (value / unit * (1.0 - 1e-12)).ceil() * unit;
+    if (1e-3..1e6).contains(&rounded) {
+        let digits = (2.0 - exponent).clamp(0.0, 6.0);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let text = format!("{rounded:.*}", digits as usize);
+        if text.contains('.') {
+            return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+        }
+        return text;
+    }
+    format!("{rounded:.2e}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        let shown = [
+            0.0, 1e-15, 12.0, 0.123_456, 123.456, -7.5, 123_456.7, 1e9, 2.5e-7,
+        ]
+        .map(number);
+        let wanted = [
+            "0", "0", "12", "0.123", "123.5", "-7.5", "123457", "1.00e9", "2.50e-7",
+        ];
+        assert_eq!(shown, wanted);
+    }
+
+    #[test]
+    fn bounds_are_rounded_upwards() {
+        let shown = [0.0, 0.088_252_2, 0.0883, 2.501, 123_456.7, 1.234_4e-7].map(at_most);
+        assert_eq!(
+            shown,
+            ["0", "0.0883", "0.0883", "2.51", "124000", "1.24e-7"]
+        );
+    }
+}
