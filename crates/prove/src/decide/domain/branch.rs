@@ -2,7 +2,7 @@
 //!
 //! An equation `p x + r = 0` says what x is where p is not zero. [`Branch::solve`] is the only function that gives a symbol a value,
 //! and it says what becomes of the points at which p is zero ([`Cases`]): they are another branch, which is decided from the
-//! hypotheses as they stand and `p == 0` ([`crate::split`]).
+//! hypotheses as they stand and `p == 0` (module `split`).
 
 use super::{Constraint, Domain};
 use crate::decide::conditions;
