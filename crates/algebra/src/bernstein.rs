@@ -13,7 +13,7 @@ use crate::rational_box::RationalBox;
 use num_integer::Integer as _;
 use num_traits::Zero;
 
-/// Why a polynomial has no Bernstein form here.
+/// Why a polynomial has no Bernstein form on a box.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum BernsteinError {
     /// A term has more or fewer exponents than the box has sides.
@@ -119,19 +119,20 @@ impl BernsteinForm {
         self.numerators.iter().map(|n| &self.scale * n)
     }
 
-    /// The coefficients without their common positive factor [`Self::scale`]: what signs are read from.
+    /// The coefficients divided by their common positive factor [`Self::scale`]; they have the signs of the
+    /// coefficients.
     #[must_use]
     pub fn numerators(&self) -> &[Integer] {
         &self.numerators
     }
 
-    /// The positive number that each numerator is to be multiplied with.
+    /// The positive common factor of the coefficients: each coefficient is a numerator times this.
     #[must_use]
     pub fn scale(&self) -> &Rational {
         &self.scale
     }
 
-    /// The least and the greatest coefficient: bounds of all values on the box.
+    /// The smallest and the largest coefficient; they bound all values of the polynomial on the box.
     #[must_use]
     pub fn bounds(&self) -> (Rational, Rational) {
         let (least, greatest) = (self.numerators.iter().min(), self.numerators.iter().max());
@@ -139,7 +140,7 @@ impl BernsteinForm {
         (exact(least), exact(greatest))
     }
 
-    /// The corners of the box with the values there.
+    /// The corners of the box, each with the value of the polynomial there.
     pub fn corners(&self) -> impl Iterator<Item = (Vec<Rational>, Rational)> {
         self.numerators
             .iter()
@@ -161,15 +162,15 @@ impl BernsteinForm {
             })
     }
 
-    /// The forms on the two halves of the box across one side; `None` if there is no such side or it is a
-    /// point.
+    /// The forms on the two halves of the box, split across side `axis`; `None` if there is no such side or its
+    /// length is zero.
     #[must_use]
     pub fn halves(&self, axis: usize) -> Option<(Self, Self)> {
         let (low, high) = self.region.halves(axis)?;
         let half = |region, toward_low: fn(&mut [Integer])| {
             let mut numerators = self.numerators.clone();
             on_each_line(&mut numerators, &self.degrees, axis, toward_low);
-            // Common factors of two are taken back out.
+            // Cancel common factors of two.
             let zeros = numerators
                 .iter()
                 .filter_map(Integer::trailing_zeros)
@@ -191,7 +192,7 @@ impl BernsteinForm {
     }
 }
 
-/// The degree in each variable, at most [`BernsteinForm::MAX_COEFFICIENTS`] coefficients in all.
+/// The degree in each variable; refuses forms of more than [`BernsteinForm::MAX_COEFFICIENTS`] coefficients.
 fn degrees_of(terms: &[Term], region: &RationalBox) -> Result<Vec<usize>, BernsteinError> {
     let expected = region.dimension();
     let mut degrees = vec![0; expected];
@@ -238,7 +239,7 @@ fn on_each_line<T: Clone>(
     }
 }
 
-/// `p(x)` to `p(origin + width t)`, by repeated Horner steps.
+/// Replaces `p(x)` by `p(origin + width t)`, by repeated Horner steps.
 fn move_origin(line: &mut [Rational], origin: &Rational, width: &Rational) {
     let length = line.len();
     if !origin.is_zero() {
@@ -257,9 +258,9 @@ fn move_origin(line: &mut [Rational], origin: &Rational, width: &Rational) {
     }
 }
 
-/// Power coefficients on `[0, 1]` to Bernstein coefficients: `b_j = sum_(i <= j) C(j,i)/C(d,i) a_i`.
+/// Converts power coefficients on `[0, 1]` to Bernstein coefficients: `b_j = sum_(i <= j) C(j,i)/C(d,i) a_i`.
 ///
-/// With `a_i` divided by `C(d,i)` that is what the sums of Pascal's triangle give.
+/// After each `a_i` is divided by `C(d,i)`, the sums of Pascal's triangle compute these.
 fn to_bernstein(line: &mut [Rational], binomials: &[Integer]) {
     for (c, binomial) in line.iter_mut().zip(binomials) {
         *c = &*c / binomial;
@@ -289,7 +290,7 @@ fn lower_half(line: &mut [Integer]) {
             line[i] = &line[i] + &line[i - 1];
         }
     }
-    // Entry i has been summed i times, which stands for i halvings.
+    // Entry i was summed i times, so it lacks d - i doublings of the common factor 2^d.
     for (i, c) in line.iter_mut().enumerate() {
         *c = &*c << (degree - i);
     }

@@ -1,9 +1,9 @@
-//! Fractions of polynomials that record what they were divided by.
+//! Fractions of polynomials that record every divisor.
 //!
-//! The denominator is kept as a product of primitive factors with exponents: sums use the least common
-//! multiple of the factor lists, and a factor cancels when it divides the numerator exactly. Every
-//! divisor ever used stays in [`Fraction::conditions`], even after it cancels: the value is known only
-//! where none of them vanishes, and a verdict must say so.
+//! The denominator is kept as a product of primitive factors with exponents. A sum uses the least common multiple of
+//! the factor lists, and a factor cancels if it divides the numerator exactly. Every divisor stays in
+//! [`Fraction::conditions`], even after it cancels: the value is established only where no divisor vanishes, and a
+//! verdict must say so.
 //!
 //! **Theorem.** The polynomial ring modulo its relations is an integral domain, so a fraction is zero
 //! wherever it is defined if and only if its numerator has no terms.
@@ -21,24 +21,27 @@ use crate::rational::Rational;
 use crate::symbol::Symbol;
 use std::collections::BTreeMap;
 
-/// `numerator / product of factors`, with the conditions under which it is defined.
+/// A quotient `numerator / product of factors` of polynomials, with the divisors that must not vanish.
+///
+/// Invariants: factors and conditions are primitive and not constant; conditions are sorted; no factor divides the
+/// numerator (except inside of an operation).
 #[derive(Clone, Debug)]
 pub struct Fraction {
     numerator: Polynomial,
     /// Primitive nonconstant factors and their exponents.
     denominator: BTreeMap<Polynomial, u32>,
-    /// Everything that was divided by, primitive: each must not vanish.
+    /// Every divisor that was used, in primitive form, sorted.
     conditions: Vec<Polynomial>,
 }
 
 impl Fraction {
-    /// Whether both are the same in form, with the same conditions; equal fractions need not be.
+    /// Whether the two have the same form and the same conditions. Equal fractions may differ in either.
     ///
     /// ```
     /// use torse_algebra::Fraction;
     /// let x = Fraction::named("x");
-    /// let one = x.clone().over(&x).unwrap();
-    /// assert!(one == Fraction::integer(1) && !one.is_identical(&Fraction::integer(1)));
+    /// let quotient = x.clone().over(&x).unwrap();
+    /// assert!(quotient == Fraction::integer(1) && !quotient.is_identical(&Fraction::integer(1)));
     /// ```
     #[must_use]
     pub fn is_identical(&self, other: &Self) -> bool {
@@ -91,25 +94,26 @@ impl Fraction {
         powers.fold(Polynomial::integer(1), |product, power| &product * &power)
     }
 
-    /// The divisors that were used on the way here, primitive and in order; none may vanish.
+    /// The divisors that were used in computing this fraction, primitive and sorted. The value is established where
+    /// none of them vanishes.
     #[must_use]
     pub fn conditions(&self) -> &[Polynomial] {
         &self.conditions
     }
 
-    /// Whether this is zero wherever it is defined.
+    /// Whether the fraction is zero wherever it is defined.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.numerator.is_zero()
     }
 
-    /// The polynomial, if there is no denominator.
+    /// Returns the numerator if there is no denominator.
     #[must_use]
     pub fn as_polynomial(&self) -> Option<&Polynomial> {
         self.denominator.is_empty().then_some(&self.numerator)
     }
 
-    /// The rational number, if no symbol occurs.
+    /// Returns the rational number if no symbol occurs.
     #[must_use]
     pub fn as_rational(&self) -> Option<Rational> {
         self.as_polynomial().and_then(Polynomial::as_constant)
@@ -129,7 +133,8 @@ impl Fraction {
         all
     }
 
-    /// The same value with nothing recorded but its denominator: for a value that is known where its divisors vanish, too.
+    /// Keeps as conditions only the factors of the denominator: for a value that is known to be right also where
+    /// other divisors vanish.
     #[must_use]
     pub fn without_conditions(mut self) -> Self {
         let divisors = self.denominator.keys().filter(|p| !p.is_exponential());
@@ -137,7 +142,7 @@ impl Fraction {
         self
     }
 
-    /// The same value with `conditions` recorded as well (primitive, nonconstant ones are kept).
+    /// Adds primitive `conditions` to the recorded ones, except constants and exponentials, which cannot vanish.
     #[must_use]
     pub fn under(mut self, conditions: &[Polynomial]) -> Self {
         self.conditions = merged(&self.conditions, conditions);

@@ -1,14 +1,12 @@
 //! Truncated Taylor series: exact derivatives of any order by arithmetic.
 //!
-//! A [`Jet`] of order `n` holds `c_0 + c_1 t + ... + c_n t^n` modulo `t^(n+1)`. These form a ring, and taking
-//! the Taylor coefficients of a function at a point respects sums and products. So a formula evaluated
-//! at [`Jet::variable`] gives the Taylor coefficients of what it computes, and its k-th derivative is
-//! `k! c_k`. Quotients and quarter turns follow from the equations that define them, `q b = a` and
-//! `s' = (pi/2) u' c`, `c' = -(pi/2) u' s`, by comparing coefficients (Griewank and Walther,
-//! *Evaluating Derivatives*, 2nd ed., chapter 13).
+//! A [`Jet`] of order `n` holds `c_0 + c_1 t + ... + c_n t^n` modulo `t^(n+1)`. Jets form a ring, and the map from a
+//! function to its Taylor coefficients at a point respects sums and products. So a formula evaluated at
+//! [`Jet::variable`] yields its Taylor coefficients, and its k-th derivative is `k! c_k`. Quotients and quarter turns
+//! are computed from their defining equations, `q b = a` and `s' = (pi/2) u' c`, `c' = -(pi/2) u' s`, by comparing
+//! coefficients (Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapter 13).
 //!
-//! A jet over jets differentiates in two directions, for its coefficients are Taylor series themselves;
-//! mixed partial derivatives need nothing more:
+//! A jet whose scalars are jets differentiates in two directions, which yields mixed partial derivatives:
 //!
 //! ```
 //! use torse_algebra::{Jet, rational::integer};
@@ -26,7 +24,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// The Taylor coefficients `c_0, ..., c_n` of a function at a point, over any scalar.
 ///
-/// The operators combine jets of different order at the smaller one: more is not known.
+/// The operators truncate to the smaller order of their operands.
 ///
 /// ```
 /// use torse_algebra::{Jet, Scalar, rational::{integer, ratio}};
@@ -43,7 +41,7 @@ pub struct Jet<S> {
 }
 
 impl<S> Jet<S> {
-    /// The largest order of a jet; a request for more is answered with this order.
+    /// The largest order of a jet. Constructors use this order where a larger one is asked for.
     pub const MAX_ORDER: usize = 4096;
 
     /// The series `value + rest[0] t + rest[1] t^2 + ...`, of order `rest.len()`.
@@ -54,7 +52,7 @@ impl<S> Jet<S> {
         }
     }
 
-    /// The order `n` of the last coefficient known.
+    /// The order `n`, that is, the index of the last coefficient.
     #[must_use]
     pub fn order(&self) -> usize {
         self.coefficients.len() - 1
@@ -84,14 +82,14 @@ impl<S: Scalar> Jet<S> {
         jet
     }
 
-    /// A number that does not depend on the variable.
+    /// A constant, as a jet of the given order.
     #[must_use]
     pub fn of_constant(value: S, order: usize) -> Self {
         let zero = value.zero_like();
         Self::from_coefficients(value, vec![zero; order.min(Self::MAX_ORDER)])
     }
 
-    /// A number that does not depend on the variable, as a jet of the order of `self`.
+    /// A constant, as a jet of the order of `self`.
     #[must_use]
     pub fn constant_like(&self, value: S) -> Self {
         Self::of_constant(value, self.order())
@@ -129,7 +127,7 @@ impl<S: Scalar> Jet<S> {
         let Some(highest) = exponent.checked_ilog2() else {
             return self.one_like();
         };
-        // The binary digits of the exponent behind the first.
+        // The binary digits of the exponent after the leading one.
         (0..highest).rev().fold(self.clone(), |power, place| {
             let square = power.clone() * power;
             if exponent >> place & 1 == 1 {
@@ -186,9 +184,9 @@ impl<S: Scalar> Mul for Jet<S> {
 
     fn mul(self, other: Self) -> Self {
         let (a, b) = (&self.coefficients, &other.coefficients);
-        let known = a.len().min(b.len());
+        let length = a.len().min(b.len());
         Self {
-            coefficients: (1..=known)
+            coefficients: (1..=length)
                 .filter_map(|n| convolution(&a[..n], &b[..n]))
                 .collect(),
         }
@@ -200,7 +198,7 @@ impl<S: Scalar> Scalar for Jet<S> {
         self.constant_like(self.value().constant(q))
     }
 
-    /// `b_0 q_n = a_n - (b_1 q_(n-1) + ... + b_n q_0)`: only the value of the divisor is divided by.
+    /// Solves `b_0 q_n = a_n - (b_1 q_(n-1) + ... + b_n q_0)` for `q_n`, so the only divisor is the value `b_0`.
     fn divided_by(&self, divisor: &Self) -> Result<Self, ExactError> {
         let (a, b) = (&self.coefficients, &divisor.coefficients);
         let mut quotient = Vec::with_capacity(a.len());
@@ -216,7 +214,8 @@ impl<S: Scalar> Scalar for Jet<S> {
         })
     }
 
-    /// With `w_k = (pi/2) k u_k`: `n s_n = w_1 c_(n-1) + ... + w_n c_0`, and `-n c_n` the same with `s`.
+    /// With `w_k = (pi/2) k u_k`: `n s_n = w_1 c_(n-1) + ... + w_n c_0`, and `-n c_n` is the same sum with `s` for
+    /// `c`.
     fn quarter_turn(&self) -> Result<(Self, Self), ExactError> {
         let (sine, cosine) = self.value().quarter_turn()?;
         if self.order() == 0 {
@@ -254,8 +253,8 @@ impl<S: Scalar> Scalar for Jet<S> {
     }
 }
 
-/// A jet is known to be zero when all its coefficients are, and known not to be when its value is not,
-/// which is also when it can be divided by.
+/// A jet is known to be zero if all its coefficients are. It is known to be nonzero if its value is; exactly then it
+/// is a valid divisor.
 impl<S: Scalar + ZeroTest> ZeroTest for Jet<S> {
     fn is_known_zero(&self) -> bool {
         self.coefficients.iter().all(ZeroTest::is_known_zero)

@@ -1,9 +1,9 @@
 //! Exact formulas.
 //!
-//! Sparse polynomials ([`Polynomial`]) over the rationals in named symbols with pi, square roots of primes and
-//! pairs sin/cos of a quarter turn, exponentials, [`Fraction`]s that remember what they were divided by, truncated
-//! power series ([`Jet`]), Bernstein forms ([`bernstein`]), real roots ([`sturm`]) and matrices over all
-//! of these. The numbers they are made of come from [`torse_numbers`] and are named here again.
+//! Sparse polynomials ([`Polynomial`]) over the rationals in named symbols, pi, square roots of primes, sines and
+//! cosines, and exponentials; [`Fraction`]s that record their divisors; truncated power series ([`Jet`]); Bernstein
+//! forms ([`bernstein`]); real roots ([`sturm`]); and matrices over any of these scalars. The number types come from
+//! [`torse_numbers`] and are re-exported here.
 #![warn(missing_docs)]
 
 pub mod bernstein;

@@ -1,9 +1,9 @@
 //! Small dense matrices over exact scalars.
 //!
-//! [`Matrix::determinant`] expands row by row (Laplace) and keeps one minor for each set of columns, so it needs only
-//! `+`, `-`, `*`: right over every commutative ring, jets and polynomials included. It takes `n 2^(n-1)` products,
-//! fewest of all for the sizes of geometry, and refuses `n >` [`Matrix::EXPANSION_LIMIT`]. [`Matrix::solve`]
-//! eliminates (Gauss and Jordan).
+//! [`Matrix::determinant`] expands row by row (Laplace) and keeps one minor for each set of columns. It needs only
+//! `+`, `-`, `*`, so it is correct over every commutative ring, including jets and polynomials. It takes `n 2^(n-1)`
+//! products, the fewest of all methods for the sizes of geometry, and refuses `n >` [`Matrix::EXPANSION_LIMIT`].
+//! [`Matrix::solve`] uses Gauss-Jordan elimination.
 
 mod determinant;
 mod solve;
@@ -11,7 +11,7 @@ mod solve;
 use crate::scalar::{ExactError, Scalar};
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// The operations of a commutative ring. Implemented by every type that has them.
+/// The operations of a commutative ring, implemented by every type that has them.
 pub trait Ring:
     Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
@@ -22,7 +22,7 @@ impl<T> Ring for T where
 {
 }
 
-/// Why a matrix could not be made or worked with. Rows and columns are counted from zero.
+/// Why a matrix operation failed. Rows and columns are counted from zero.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum MatrixError {
     /// There are no rows or no columns.
@@ -66,7 +66,7 @@ pub enum MatrixError {
         /// The number of rows or columns.
         count: usize,
     },
-    /// The matrix is larger than an algorithm of exponential cost takes.
+    /// The matrix is larger than an algorithm of exponential cost accepts.
     #[error("size {size} exceeds {limit}, the largest for this algorithm")]
     TooLarge {
         /// The number of rows.
@@ -80,8 +80,8 @@ pub enum MatrixError {
         /// The column without a pivot.
         column: usize,
     },
-    /// No entry of this column is known to differ from zero, but one may (enclosures).
-    #[error("no entry of column {column} can be told from zero at this precision")]
+    /// Some entry of this column may differ from zero, but none is known to (for enclosures).
+    #[error("no entry of column {column} is known to be nonzero at this precision")]
     PivotUndecided {
         /// The column.
         column: usize,
@@ -112,7 +112,7 @@ pub struct Matrix<T> {
 }
 
 impl<T> Matrix<T> {
-    /// The matrix with these rows.
+    /// Makes a matrix from its rows.
     ///
     /// # Errors
     /// [`MatrixError::Empty`] and [`MatrixError::Ragged`].
@@ -138,7 +138,7 @@ impl<T> Matrix<T> {
         })
     }
 
-    /// The matrix with `entry(row, column)` at each place.
+    /// Makes a matrix whose entries are `entry(row, column)`.
     ///
     /// # Errors
     /// [`MatrixError::Empty`].
@@ -157,7 +157,7 @@ impl<T> Matrix<T> {
         Ok(Self { columns, entries })
     }
 
-    /// The matrix with one column.
+    /// Makes a matrix of one column.
     ///
     /// # Errors
     /// [`MatrixError::Empty`].
@@ -188,13 +188,13 @@ impl<T> Matrix<T> {
         self.entries.chunks_exact(self.columns)
     }
 
-    /// The entry in this row and column.
+    /// The entry in this row and column, or `None` outside of the matrix.
     #[must_use]
     pub fn get(&self, row: usize, column: usize) -> Option<&T> {
         self.rows().nth(row).and_then(|entries| entries.get(column))
     }
 
-    /// The same shape with each entry mapped.
+    /// Maps each entry; the shape stays the same.
     #[must_use]
     pub fn map<U>(&self, entry: impl FnMut(&T) -> U) -> Matrix<U> {
         Matrix {
@@ -203,7 +203,7 @@ impl<T> Matrix<T> {
         }
     }
 
-    /// The entry of a row and column known to exist.
+    /// The entry in this row and column, which must exist.
     fn at(&self, row: usize, column: usize) -> &T {
         &self.entries[row * self.columns + column]
     }
@@ -229,7 +229,7 @@ impl<T> Matrix<T> {
 }
 
 impl<T: Clone> Matrix<T> {
-    /// Rows and columns exchanged.
+    /// The transposed matrix.
     #[must_use]
     pub fn transposed(&self) -> Self {
         let rows = self.row_count();
@@ -242,7 +242,7 @@ impl<T: Clone> Matrix<T> {
         }
     }
 
-    /// The rows and columns with these indices, in the order given.
+    /// The submatrix of these rows and columns, in the given order.
     ///
     /// # Errors
     /// [`MatrixError::OutOfRange`] and [`MatrixError::Empty`].
@@ -285,7 +285,7 @@ impl<T: Ring> Matrix<T> {
 }
 
 impl<S: Scalar> Matrix<S> {
-    /// The square matrix of this size with ones on the diagonal, made like an entry of `self`.
+    /// The identity matrix of this size; its numbers are made in the context of an entry of `self`.
     fn identity_like(&self, size: usize) -> Result<Self, MatrixError> {
         let entry = self.at(0, 0);
         Self::from_fn(size, size, |i, j| {

@@ -5,7 +5,7 @@ use crate::rational::{Integer, remainder};
 /// The Mersenne prime 2^61 - 1.
 pub const PRIME: u64 = (1 << 61) - 1;
 
-/// The residue of a number below 2^64: as 2^61 is 1, the high bits are added to the low ones.
+/// Reduces a number below 2^64: since 2^61 is congruent to 1, the high bits are added to the low bits.
 pub(crate) fn folded(n: u64) -> u64 {
     let sum = (n & PRIME) + (n >> 61);
     if sum >= PRIME { sum - PRIME } else { sum }
@@ -22,7 +22,7 @@ pub fn plus(a: u64, b: u64) -> u64 {
 #[allow(clippy::cast_possible_truncation)]
 pub fn times(a: u64, b: u64) -> u64 {
     let product = u128::from(a) * u128::from(b);
-    // Below 2^122: both parts are below 2^61.
+    // The product is below 2^122, so both parts are below 2^61.
     folded((product as u64 & PRIME) + (product >> 61) as u64)
 }
 
@@ -46,7 +46,7 @@ pub fn power(base: u64, mut exponent: u64) -> u64 {
     result
 }
 
-/// One over a residue, by Fermat's theorem; nothing for zero.
+/// The inverse of a residue, by Fermat's theorem; `None` for zero.
 #[must_use]
 pub fn inverse(a: u64) -> Option<u64> {
     (a != 0).then(|| power(a, PRIME - 2))

@@ -1,4 +1,4 @@
-//! Boxes with rational corners, and how they are halved.
+//! Boxes with rational corners, and their bisection.
 
 use crate::rational::{Rational, integer};
 
@@ -67,8 +67,7 @@ impl RationalBox {
         self.sides.len()
     }
 
-    /// The two halves on either side of the middle of one side; `None` if there is no such side or it is
-    /// a point.
+    /// Splits the box at the middle of one side; `None` if there is no such side or its length is zero.
     #[must_use]
     pub fn halves(&self, axis: usize) -> Option<(Self, Self)> {
         let side = self.sides.get(axis)?;
@@ -81,11 +80,10 @@ impl RationalBox {
         Some((low, high))
     }
 
-    /// Whether the boxes fill this one, overlapping at most along faces.
+    /// Whether the boxes fill this one and overlap at most along faces.
     ///
-    /// They are taken apart along middle planes that cut none of them, until each piece is one of the
-    /// boxes. So `true` is a proof; `false` may also mean that they fill it in another way than by repeated
-    /// halving.
+    /// The box is split along middle planes that cut none of the boxes, until each piece is one of them. So `true` is
+    /// a proof; `false` may also mean that the boxes fill it, but not by repeated bisection.
     #[must_use]
     pub fn is_filled_by(&self, boxes: &[&Self]) -> bool {
         if boxes
@@ -108,7 +106,7 @@ impl RationalBox {
                     .iter()
                     .partition(|piece| piece.sides[axis].1 <= *plane);
                 let above = |piece: &&Self| piece.sides[axis].0 >= *plane;
-                // Pieces on both sides: so each cut leaves fewer to take apart, and none goes on forever.
+                // There are boxes on both sides, so each split leaves fewer boxes in a piece, and the recursion ends.
                 let cuts = !below.is_empty() && !rest.is_empty() && rest.iter().all(above);
                 cuts.then_some([(low, below), (high, rest)])
             });

@@ -1,20 +1,20 @@
 //! Real roots of polynomials in one variable, counted and isolated exactly.
 //!
 //! **Sturm (1829).** Let `p_0 = p`, `p_1 = p'` and `p_(i+1) = -(p_(i-1) mod p_i)`, up to positive factors, and let
-//! `V(x)` be the number of sign changes in `p_0(x), p_1(x), ...`, zeros left out. When all members are divided
-//! by the last one (the greatest common divisor of `p` and `p'`), `V(a) - V(b)` is the number of
-//! *distinct* real roots in `(a, b]`, for all `a < b`, roots among them or not. The division keeps
-//! `p_1/p_0 = sum m_i/(x - r_i)`, whose residues are positive, and that is all the proof uses.
+//! `V(x)` be the number of sign changes in `p_0(x), p_1(x), ...` without zeros. Divide all members by the last one
+//! (the greatest common divisor of `p` and `p'`). Then `V(a) - V(b)` is the number of *distinct* real roots in `(a,
+//! b]` for all `a < b`, even if `a` or `b` is a root. The division keeps `p_1/p_0 = sum m_i/(x - r_i)`, whose
+//! residues are positive; the proof uses nothing else.
 //!
-//! The members are kept as primitive integer polynomials, so nothing is ever rounded and coefficients
-//! stay small. Polynomials are plain slices of coefficients, ascending: `[c_0, c_1, ...]`.
+//! The members are primitive integer polynomials, so nothing is rounded and coefficients stay small. Polynomials are
+//! slices of coefficients, ascending: `[c_0, c_1, ...]`.
 //!
 //! ```
 //! use torse_algebra::{SturmSequence, rational::{integer, ratio}};
 //! // (x - 1)^2 (x + 2) = x^3 - 3 x + 2.
 //! let roots = SturmSequence::new(&[integer(2), integer(-3), integer(0), integer(1)])?;
 //! assert_eq!(roots.count(..), 2);
-//! assert_eq!(roots.count(integer(-2)..integer(1)), 1); // from -2 on, 1 left out
+//! assert_eq!(roots.count(integer(-2)..integer(1)), 1); // -2 included, 1 excluded
 //! let root = &roots.isolate(integer(0)..=integer(5))?[0];
 //! assert!(roots.refine(root, &ratio(1, 1000).unwrap())?.contains(&integer(1)));
 //! # Ok::<(), torse_algebra::sturm::SturmError>(())
@@ -58,27 +58,27 @@ pub enum SturmError {
     /// The interval has no point.
     #[error("the interval is empty")]
     EmptyInterval,
-    /// The width to refine to is not positive.
+    /// The requested width is not positive.
     #[error("a root cannot be refined to width {width}")]
     WidthNotPositive {
-        /// The width asked for.
+        /// The requested width.
         width: Rational,
     },
     /// Bisection stopped after [`SturmSequence::MAX_BISECTIONS`].
-    #[error("after {bisections} bisections {count} roots are left between {lower} and {upper}")]
+    #[error("after {bisections} bisections {count} roots remain between {lower} and {upper}")]
     BudgetSpent {
         /// The number of bisections made.
         bisections: usize,
-        /// Lower end of the interval at hand.
+        /// Lower end of the current interval.
         lower: Rational,
-        /// Upper end of the interval at hand.
+        /// Upper end of the current interval.
         upper: Rational,
-        /// How many roots the interval holds.
+        /// The number of roots in that interval.
         count: usize,
     },
 }
 
-/// The Sturm sequence of a polynomial: what it takes to count its distinct real roots anywhere.
+/// The Sturm sequence of a polynomial. It counts the distinct real roots in any interval.
 #[derive(Debug, Clone)]
 pub struct SturmSequence {
     /// The polynomial times a positive number.
@@ -90,13 +90,12 @@ pub struct SturmSequence {
 impl SturmSequence {
     /// The largest degree accepted.
     pub const MAX_DEGREE: usize = 128;
-    /// The largest number of bits of a coefficient, once denominators are cleared and common factors
-    /// are gone.
+    /// The largest number of bits of a coefficient after denominators are cleared and common factors cancelled.
     pub const MAX_BITS: usize = 1 << 14;
-    /// The most bisections one call makes.
+    /// The largest number of bisections in one call.
     pub const MAX_BISECTIONS: usize = 4096;
 
-    /// The sequence of the polynomial with these coefficients, ascending; zeros at the end are ignored.
+    /// The sequence of the polynomial with these coefficients, ascending; trailing zeros are ignored.
     ///
     /// # Errors
     /// [`SturmError::ZeroPolynomial`], [`SturmError::DegreeTooLarge`],
@@ -160,7 +159,7 @@ impl SturmSequence {
                 Ordering::Equal | Ordering::Greater => return 0,
             }
         }
-        // (a, b] plus a if it is a root and included, minus b if it is one and excluded.
+        // Count (a, b], add a if it is an included root, subtract b if it is an excluded root.
         let at_lower =
             usize::from(includes(lower) && finite(lower).is_some_and(|a| self.is_root(a)));
         let at_upper =
@@ -178,14 +177,14 @@ impl SturmSequence {
         self.sign_at(x).is_eq()
     }
 
-    /// The sign of the square-free part, which changes at every root.
+    /// The sign of the square-free part at a point; it changes at every root.
     fn square_free_sign_at(&self, x: &Rational) -> Ordering {
         self.members
             .first()
             .map_or(Ordering::Equal, |first| integral::sign_at(first, x))
     }
 
-    /// The number of sign changes along the sequence, zeros left out.
+    /// The number of sign changes along the sequence, ignoring zeros.
     fn variations(&self, sign: impl Fn(&[Integer]) -> Ordering) -> usize {
         let signs: Vec<_> = self
             .members
@@ -197,7 +196,7 @@ impl SturmSequence {
     }
 }
 
-/// The end of an interval, if it has one there.
+/// The finite end of an interval; `None` if it is unbounded there.
 fn finite(bound: Bound<&Rational>) -> Option<&Rational> {
     match bound {
         Bound::Included(end) | Bound::Excluded(end) => Some(end),
@@ -205,7 +204,7 @@ fn finite(bound: Bound<&Rational>) -> Option<&Rational> {
     }
 }
 
-/// Whether an interval contains its end.
+/// Whether an interval contains this end.
 fn includes(bound: Bound<&Rational>) -> bool {
     matches!(bound, Bound::Included(_))
 }

@@ -1,20 +1,20 @@
-//! The symbols that polynomials are made of.
+//! The symbols of polynomials.
 //!
-//! Independence is what makes a zero normal form decide an identity, so every symbol states its one
-//! relation, if it has any: pi is transcendental; a variable x is algebraically independent of the
-//! pair sin, cos of its quarter turn (or of one part of it); the pair satisfies sin^2 + cos^2 = 1; square roots of distinct
-//! primes satisfy r^2 = p and nothing else; everything named is free. Exponentials of different monomials in the
-//! variables are independent of one another, of the variables and of their sines and cosines, which are exponentials of
-//! imaginary multiples (Ax 1971: exponents that are linearly independent over the rationals modulo constants have
-//! exponentials that are independent over the rational functions). The number e, which is the exponential without
-//! variables, is transcendental; whether it is independent of pi is not known. So a zero normal form proves an identity
-//! there as well, and a nonzero one in e and pi alone refutes nothing until an enclosure tells it from zero.
+//! A zero normal form decides an identity only because the symbols are algebraically independent up to known
+//! relations: pi is transcendental; a variable x is algebraically independent of the pair sin, cos of its quarter
+//! turn (or of one fraction of it); the pair satisfies sin^2 + cos^2 = 1; square roots of distinct primes satisfy r^2
+//! = p and nothing else; named symbols are free. Exponentials of different monomials in the variables are independent
+//! of one another, of the variables and of their sines and cosines, which are exponentials of imaginary multiples (Ax
+//! 1971: if exponents are linearly independent over the rationals modulo constants, their exponentials are
+//! algebraically independent over the rational functions). The number e, which is the exponential without variables,
+//! is transcendental; whether it is independent of pi is not known. So a zero normal form also proves an identity
+//! between e and pi, but a nonzero normal form in e and pi alone refutes nothing until an enclosure excludes zero.
 
 use crate::affine::Affine;
 use std::fmt;
 use std::sync::Arc;
 
-/// What a variable counts where it stands in an angle.
+/// The unit of a variable that is an angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Unit {
     /// Quarter turns: the angle is pi/2 times the variable.
@@ -23,15 +23,15 @@ pub enum Unit {
     Radian,
 }
 
-/// The angle of a sine or cosine, for a variable x: a part of `pi/2*x` or of `x`.
+/// The angle of a sine or cosine of a variable x: a fraction of `pi/2*x` or of `x`.
 ///
-/// The sines of x and of x/2 are not independent; of one variable and unit the finest part that occurs makes all others
-/// by the addition theorems ([`Finest`](crate::Finest)).
+/// The sines of x and of x/2 are not independent. The addition theorems express all angles of one variable and unit
+/// by the finest fraction that occurs ([`Finest`](crate::Finest)).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Angle {
-    /// What the variable counts.
+    /// The unit of the variable.
     pub unit: Unit,
-    /// Into how many parts the angle is divided.
+    /// The number of parts into which the angle is divided.
     pub parts: u16,
 }
 
@@ -47,17 +47,17 @@ impl Angle {
         parts: 1,
     };
 
-    /// The same divided into so many parts.
+    /// The same angle divided into this many parts.
     #[must_use]
     pub const fn over(self, parts: u16) -> Self {
         Self { parts, ..self }
     }
 }
 
-/// What stands under an exponential: a monomial in named variables, divided into parts. Without variables it is the
-/// number one, divided.
+/// An exponent: a monomial in named variables divided by an integer. Without variables the monomial is the number
+/// one.
 ///
-/// The exponentials of x and of x/2 are not independent; as for angles, the finest part makes all others
+/// The exponentials of x and of x/2 are not independent; as for angles, the finest fraction expresses all others
 /// ([`Finest`](crate::Finest)).
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Exponent {
@@ -66,7 +66,7 @@ pub struct Exponent {
 }
 
 impl Exponent {
-    /// A monomial, its variables in order, divided into so many parts.
+    /// The monomial with these variables, in order, divided by `parts`.
     pub(crate) fn new(powers: Vec<(Arc<str>, u16)>, parts: u16) -> Self {
         let powers = powers.into();
         Self { powers, parts }
@@ -78,13 +78,13 @@ impl Exponent {
         &self.powers
     }
 
-    /// Into how many parts the monomial is divided.
+    /// The number by which the monomial is divided.
     #[must_use]
     pub fn parts(&self) -> u16 {
         self.parts
     }
 
-    /// The same monomial in other parts.
+    /// The same monomial divided by another number.
     #[must_use]
     pub fn over(&self, parts: u16) -> Self {
         Self {
@@ -110,8 +110,8 @@ impl fmt::Display for Exponent {
     }
 }
 
-/// One symbol of a polynomial ring. The order of the variants is the order in which terms sort:
-/// control points first, then names, then constants and functions.
+/// One symbol of a polynomial ring. The order of the variants is the order of terms: control points first, then
+/// names, then constants and functions.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Symbol {
     /// A member of a family, such as the control point `R[k-2]` or the net entry `Q[i,1]`.
@@ -120,13 +120,13 @@ pub enum Symbol {
     Named(Arc<str>),
     /// The positive square root of a prime.
     Root(u32),
-    /// The circle number.
+    /// The number pi.
     Pi,
-    /// The sine of an angle made from the named variable.
+    /// The sine of an angle of the named variable.
     Sin(Arc<str>, Angle),
-    /// The cosine of an angle made from the named variable.
+    /// The cosine of an angle of the named variable.
     Cos(Arc<str>, Angle),
-    /// The exponential of a monomial or, without variables, a root of the number e.
+    /// The exponential of a monomial; without variables, a root of the number e.
     Exp(Exponent),
 }
 
@@ -143,7 +143,7 @@ impl Symbol {
         Self::Indexed(Arc::from(name), index)
     }
 
-    /// Whether the symbol is the named variable or a function of it.
+    /// Whether the symbol is this variable, a function of it, or has it in an index.
     #[must_use]
     pub fn depends_on(&self, variable: &str) -> bool {
         match self {
@@ -154,7 +154,7 @@ impl Symbol {
         }
     }
 
-    /// Whether the symbol is a number: pi, a root, or a power of e.
+    /// Whether the symbol is a constant number: pi, a root of a prime, or a root of e.
     #[must_use]
     pub fn is_number(&self) -> bool {
         match self {
@@ -164,9 +164,9 @@ impl Symbol {
         }
     }
 
-    /// The names of the variables that the symbol is a function of, its own for a named one.
+    /// The variables that the symbol is a function of; a named symbol is a function of itself.
     pub fn names(&self) -> impl Iterator<Item = &Arc<str>> {
-        let one = match self {
+        let angle_variable = match self {
             Self::Named(name) | Self::Sin(name, _) | Self::Cos(name, _) => Some(name),
             Self::Exp(_) | Self::Indexed(..) | Self::Root(_) | Self::Pi => None,
         };
@@ -174,10 +174,10 @@ impl Symbol {
             Self::Exp(exponent) => exponent.powers(),
             _ => &[],
         };
-        one.into_iter().chain(many.iter().map(|(name, _)| name))
+        angle_variable.into_iter().chain(many.iter().map(|(name, _)| name))
     }
 
-    /// The cosine that belongs to a sine.
+    /// The cosine of the same angle, if the symbol is a sine.
     pub(crate) fn partner(&self) -> Option<Self> {
         match self {
             Self::Sin(name, angle) => Some(Self::Cos(Arc::clone(name), *angle)),

@@ -58,7 +58,7 @@ impl Elaborator<'_> {
                     let refused = existential::refuse(sought, &hypothesis.statement.terms());
                     refused.map_err(|f| f.within(&hypothesis.origin))?;
                 }
-                existential::put_in(self, claim, statement)?
+                existential::instantiate(self, claim, statement)?
             }
         };
         let mut names: Vec<Arc<str>> = vec![];

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
-/// `constant + sum of multiples of integer symbols`.
+/// An integer constant plus integer multiples of integer symbols. No multiple is stored as zero; arithmetic
+/// saturates.
 ///
 /// ```
 /// use torse_numbers::Affine;
@@ -50,26 +51,26 @@ impl Affine {
         self.constant
     }
 
-    /// The multiple of the symbol `name`.
+    /// Returns the multiple of the symbol `name`, zero if the symbol does not occur.
     #[must_use]
     pub fn multiple_of(&self, name: &str) -> i64 {
         self.multiples.get(name).copied().unwrap_or(0)
     }
 
-    /// The symbols that occur, in order of their names, with their multiples.
+    /// Iterates over the symbols that occur, in alphabetical order, with their multiples.
     pub fn multiples(&self) -> impl Iterator<Item = (&str, i64)> {
         self.multiples
             .iter()
             .map(|(name, multiple)| (&**name, *multiple))
     }
 
-    /// The form with the symbol `name` replaced by `value`.
+    /// Replaces the symbol `name` by `value`.
     #[must_use]
     pub fn substituted(&self, name: &str, value: &Affine) -> Self {
-        let mut rest = self.clone();
-        match rest.multiples.remove(name) {
-            None => rest,
-            Some(multiple) => rest + value.clone() * multiple,
+        let mut result = self.clone();
+        match result.multiples.remove(name) {
+            None => result,
+            Some(multiple) => result + value.clone() * multiple,
         }
     }
 }

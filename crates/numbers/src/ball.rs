@@ -70,8 +70,8 @@ fn shifted_down(value: &Integer, shift: usize, toward: Toward) -> Integer {
 }
 
 impl Ball {
-    /// The largest precision a ball is made with; a request for more is answered with this many bits,
-    /// which is a wider enclosure and still a true one.
+    /// The largest precision of a ball. Constructors use this precision where a larger one is asked for: the
+    /// enclosure is then wider, but still correct.
     pub const MAX_BITS: usize = 1 << 16;
 
     /// The tightest ball of this precision around a rational number, exact when the denominator
@@ -81,12 +81,12 @@ impl Ball {
         Self::from_bounds(value, value, bits)
     }
 
-    /// The tightest ball of this precision that contains both rational numbers, in either order, and
-    /// all between them.
+    /// Returns the smallest ball of this precision that contains the closed interval between the two numbers, given
+    /// in either order.
     #[must_use]
-    pub fn from_bounds(one: &Rational, other: &Rational, bits: usize) -> Self {
+    pub fn from_bounds(first: &Rational, second: &Rational, bits: usize) -> Self {
         let bits = bits.min(Self::MAX_BITS);
-        let (least, greatest) = (one.min(other), one.max(other));
+        let (least, greatest) = (first.min(second), first.max(second));
         Self {
             lo: floor_quotient(&(least.numer() << bits), least.denom()),
             hi: ceiling_quotient(&(greatest.numer() << bits), greatest.denom()),
@@ -110,7 +110,7 @@ impl Ball {
         self.bits
     }
 
-    /// The same number at another precision: exact when that is no smaller, else rounded outward.
+    /// Changes the precision: exact if `bits` is not smaller than before, else rounded outward.
     #[must_use]
     pub fn with_bits(&self, bits: usize) -> Self {
         self.rescaled(bits.min(Self::MAX_BITS))
@@ -166,7 +166,7 @@ impl Ball {
         &self.lo * value.denom() <= scaled && scaled <= &self.hi * value.denom()
     }
 
-    /// Whether all numbers of the ball are at most two to the minus `places` in size.
+    /// Whether every number of the ball has an absolute value of at most `2^-places`.
     #[must_use]
     pub fn is_within(&self, places: usize) -> bool {
         let most = Integer::ONE << self.bits;
@@ -175,8 +175,8 @@ impl Ball {
             .all(|end| end.abs() << places <= most)
     }
 
-    /// How many binary places after the point are zero in all numbers of the ball, as far as its digits go: all are less than
-    /// two to the minus this in size. 0 where some is larger than one.
+    /// A lower bound of the number of zero binary digits after the point: every number of the ball has an absolute
+    /// value below two to the minus this. Returns 0 if the ball contains numbers larger than one.
     #[must_use]
     pub fn leading_zeros(&self) -> usize {
         let length = self.lo.bit_len().max(self.hi.bit_len());
@@ -189,7 +189,7 @@ impl Ball {
         !self.lo.is_positive() && !self.hi.is_negative()
     }
 
-    /// How the number compares with zero; `None` when this enclosure does not decide it.
+    /// The sign of the enclosed number; `None` if the ball contains numbers of different signs.
     #[must_use]
     pub fn sign(&self) -> Option<Ordering> {
         if self.lo.is_positive() {
@@ -311,7 +311,7 @@ impl Ball {
         })
     }
 
-    /// Doubles `(a, b)` with `a <= x <= b` for every `x` in the ball, the closest there are.
+    /// The largest double `a` and the smallest double `b` with `a <= x <= b` for every `x` in the ball.
     ///
     /// An end outside the range of doubles becomes an infinity or the largest finite double,
     /// whichever lies outward.
@@ -363,8 +363,8 @@ fn greatest_double_below(numerator: &Integer, bits: usize) -> f64 {
     } else {
         numerator << amount
     };
-    // Two factors, because 2^-1074 itself is out of reach of a quotient of powers; both products are
-    // exact, for the first stays normal and the second is a double by the choice of the exponent.
+    // Two factors, because 2^-1074 cannot be made by one call of powi. Both products are exact: the first is a normal
+    // number, and the second is a double by the choice of the exponent.
     let power = |n: i64| f64::powi(2.0, i32::try_from(n).unwrap_or(0));
     let half = exponent / 2;
     i64::try_from(&top).map_or(f64::NAN, |top| {
@@ -393,11 +393,11 @@ impl Scalar for Ball {
     }
 
     fn scaled(&self, q: &Rational) -> Self {
-        let (one, other) = (&self.lo * q.numer(), &self.hi * q.numer());
+        let (first, second) = (&self.lo * q.numer(), &self.hi * q.numer());
         let (least, greatest) = if q.is_negative() {
-            (other, one)
+            (second, first)
         } else {
-            (one, other)
+            (first, second)
         };
         Self {
             lo: floor_quotient(&least, q.denom()),

@@ -1,40 +1,40 @@
-//! Faults planted on purpose, to see that each is caught.
+//! Deliberate faults, made in tests to show that each is caught.
 //!
-//! A tool that says "proved" has to show what happens when it errs. Each [`InjectedFault`] names one deliberate mistake of an
-//! engine like this one; the place where it would be made asks [`injected`]. They can be made with debug assertions alone, in
-//! what tests are built from, and only [`with`] makes one, which nothing but tests calls. In a release the answer is the
-//! constant `false` and nothing of them is left in the program.
+//! A tool that says "proved" has to show what happens when it errs. Each [`InjectedFault`] names one deliberate
+//! mistake of an engine like this one; the code that could make the mistake asks [`injected`]. Faults exist only in
+//! builds with debug assertions, and only [`with`], which nothing but tests calls, makes one. In a release build
+//! [`injected`] is the constant `false`, so the compiler removes them.
 
 /// A deliberate mistake.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InjectedFault {
-    /// A symbol that is eliminated leaves its declared range behind nowhere.
+    /// The declared range of an eliminated symbol is forgotten: no constraint takes its place.
     RangeForgotten,
     /// The conditions of a proof are dropped.
     ConditionDropped,
     /// An assumption is used with the wrong sign.
     AssumptionReversed,
-    /// What is assumed of one symbol bounds it on the wrong side.
+    /// An assumption about one symbol bounds it on the wrong side.
     BoundReversed,
     /// A multiple of an assumption enters a certificate of sign with the wrong sign.
     CertificateSign,
-    /// Zero or more is taken for more than zero.
+    /// A nonnegative number is taken for a positive one.
     ZeroTakenForPositive,
-    /// An index of a sum of symbolic length is left free in the argument of a basis.
+    /// The index of a sum of symbolic length stays free in the argument of a basis.
     IndexLeftFree,
-    /// A basis below the degree of its seeds is taken to be its seeds.
+    /// A basis of lower degree than its seeds is taken for the seeds.
     DegreeBelowSeeds,
     /// An empty sum has a term.
     EmptySumHasTerm,
-    /// A derivative is taken after its point is put in.
+    /// A point is substituted before the derivative is taken.
     ValueBeforeDerivative,
-    /// The derivative of a power of the step lacks the factor of the power.
+    /// The derivative of a power of the step lacks the exponent as a factor.
     PowerWithoutFactor,
     /// The derivative of the cosine has the wrong sign.
     CosineRate,
     /// The cosine of a sum of angles has the wrong sign.
     AngleSum,
-    /// A determinant is a permanent.
+    /// A determinant is computed as a permanent (without the signs).
     DeterminantWithoutSigns,
     /// Only the first half of a conjunction is decided.
     SecondHalfIgnored,
@@ -42,33 +42,33 @@ pub enum InjectedFault {
     ClosedEndExcluded,
     /// A counterexample need not satisfy the assumptions.
     WitnessAnywhere,
-    /// A decimal agrees when it is one unit of its last place off.
+    /// A decimal counts as agreeing although it is off by one unit in its last place.
     RoundingTooWide,
-    /// A candidate for a correction is not proved.
+    /// A candidate for a correction is accepted without a proof.
     CorrectionUnproved,
-    /// A coefficient of a determinant is taken for positive on a cell without a look.
+    /// A coefficient of a determinant is taken for positive on a cell without a test.
     CoefficientUnlooked,
-    /// The root of a square is that of which it is the square, whatever its sign.
+    /// The root of a square is taken for the base, whatever the sign of the base.
     RootSignIgnored,
-    /// An integral is what its antiderivative is at the upper end.
+    /// An integral is the antiderivative at the upper end alone.
     LowerEndForgotten,
     /// A product that telescopes ends one factor early.
     LastFactorForgotten,
     /// The checker of proofs reads a difference as a sum.
     DifferenceReadAsSum,
-    /// Of several derivatives around a smooth function the highest order counts, not the sum.
+    /// Of nested derivatives of a smooth function the highest order is used instead of the sum of the orders.
     OrdersByMaximum,
-    /// A property of a basis does not see what `at` puts in.
+    /// A property of a basis does not see the values substituted by `at`.
     PropertyOutsideScope,
-    /// The body of a definition does not see what is moved.
+    /// The body of a definition does not see the values substituted by `at`.
     DefinitionOutsideScope,
-    /// The body of a definition sees the index of a sum.
+    /// The index of a sum is visible in the body of a definition.
     IndexCaptured,
-    /// A left-out argument of a basis is not moved.
+    /// `at` does not move an argument of a basis that is left out in the text.
     LeftOutNotMoved,
-    /// Whether the variable of a derivative occurs in a root is not asked of the seeds of a basis.
+    /// The seeds of a basis are not searched for the variable of a derivative under a root.
     SeedOverlooked,
-    /// The denial of `p and q` is `not p and not q`.
+    /// The negation of `p and q` is `not p and not q`.
     DenialOfBoth,
     /// The second link of a chain compares with the first side.
     ChainFromFirst,
@@ -76,7 +76,7 @@ pub enum InjectedFault {
     PrimesOnce,
     /// An integral goes from its upper to its lower end.
     EndsExchanged,
-    /// A function is differentiated by its first parameter, whichever is named.
+    /// A function is differentiated by its first parameter, whichever parameter is named.
     FirstParameter,
     /// A witness may lie on an open end of its set.
     OpenEndIncluded,
@@ -86,7 +86,7 @@ pub enum InjectedFault {
     SignBeforePower,
     /// The printed digits of a number are not counted.
     DecimalsForgotten,
-    /// What is declared further in does not hide what is declared further out.
+    /// An outer declaration hides an inner one of the same name.
     OuterDeclarationKept,
     /// The last hypothesis of a claim is not read.
     HypothesisLeftOut,
@@ -94,19 +94,19 @@ pub enum InjectedFault {
     OpenEndClosed,
     /// The upper end of a root is rounded down.
     RoundedInward,
-    /// The term of a sum does not see its index.
+    /// The term of a sum does not see the index of the sum.
     IndexNotSeen,
-    /// What `at` moves is read as if nothing were moved.
+    /// The values substituted by `at` are ignored.
     MovedNotSeen,
-    /// A derivative of a higher order is the first one.
+    /// A derivative of higher order is computed as the first derivative.
     OrderForgotten,
     /// The factors of the step of a basis change places.
     StepFactorsExchanged,
     /// Premise and conclusion change places.
     ImplicationReversed,
-    /// The hyperbolic cosine is made of a difference.
+    /// The hyperbolic cosine is half a difference of exponentials instead of half a sum.
     CoshAsDifference,
-    /// An absolute value is the number itself.
+    /// The absolute value of a number is the number itself.
     SizeAsItself,
     /// The arguments of a function come in the opposite order.
     ArgumentsExchanged,
@@ -116,9 +116,9 @@ pub enum InjectedFault {
     PrintedSignLost,
     /// The points at which a divisor of an elimination vanishes are forgotten.
     CaseForgotten,
-    /// The evaluator of trees remembers a value whatever was moved since.
+    /// The evaluator of trees returns a remembered value although substituted values have changed since.
     StaleMemory,
-    /// The stream of points makes the same choice always.
+    /// The stream of random points always makes the same choice.
     StreamDegenerate,
 }
 
@@ -127,14 +127,14 @@ thread_local! {
     static CHOSEN: std::cell::Cell<Option<InjectedFault>> = const { std::cell::Cell::new(None) };
 }
 
-/// Whether this mistake is to be made on this thread.
+/// Whether this thread is to make the mistake.
 #[cfg(debug_assertions)]
 #[must_use]
 pub fn injected(fault: InjectedFault) -> bool {
     CHOSEN.get() == Some(fault)
 }
 
-/// Whether this mistake is to be made: no.
+/// Whether to make the mistake: never in a release build.
 #[cfg(not(debug_assertions))]
 #[inline(always)]
 #[must_use]
@@ -142,11 +142,11 @@ pub const fn injected(_: InjectedFault) -> bool {
     false
 }
 
-/// Makes one mistake, and no other, wherever it can be made while the job is done on this thread.
+/// Runs `job` on this thread with this one fault injected, and restores the former state afterwards.
 #[cfg(debug_assertions)]
 pub fn with<T>(fault: InjectedFault, job: impl FnOnce() -> T) -> T {
     let before = CHOSEN.replace(Some(fault));
-    let done = job();
+    let result = job();
     CHOSEN.set(before);
-    done
+    result
 }

@@ -1,9 +1,9 @@
-//! Numbers that can be trusted.
+//! Exact and certified numbers.
 //!
-//! [`Integer`]s and [`Rational`]s of any size, whose order is right; intervals that enclose a real number to any
-//! number of bits ([`Ball`]) with pi, sine and cosine; integer-affine index forms ([`Affine`]); and the one
-//! trait, [`Scalar`], that lets a formula be written once and run on each of them, on doubles and on all
-//! the algebra builds from them.
+//! [`Integer`]s and [`Rational`]s of any size with a correct order; intervals that enclose a real number to any
+//! number of bits ([`Ball`]), with pi, sine and cosine; integer-affine index forms ([`Affine`]). The trait [`Scalar`]
+//! lets a formula be written once and evaluated on each of them, on doubles, and on the scalars that `algebra` builds
+//! from them. [`work`] counts and limits what a computation may cost.
 #![warn(missing_docs)]
 
 pub mod affine;

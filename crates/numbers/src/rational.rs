@@ -1,15 +1,15 @@
-//! The rational numbers, exact, with an order that is right.
+//! The rational numbers, exact and with a correct order.
 //!
-//! [`Rational`] holds a `num_rational::Ratio` over `dashu_int::IBig`: the field's usual rational type over the
-//! integers whose arithmetic measured 3 to 8 times faster than over `num-bigint`. What is inside stays inside,
-//! because not all of it can be trusted. `Ratio` compares through the floor of a quotient, and `dashu_int` (0.4 to
-//! 0.6.2) answers 0 instead of -1 for the floor of a quotient between -1 and 0: its truncated quotient 0 carries
-//! no sign. So `-1/2 > 0` holds for the inner type, `floor`, `ceil` and `round` err in the same way, and `==` and
-//! hashing recurse once for each step of Euclid's algorithm. Its ring operations are right. They alone are used
-//! here; order, equality, hash and rounding are this module's own.
+//! [`Rational`] wraps `num_rational::Ratio` over `dashu_int::IBig`, whose arithmetic was measured to be 3 to 8 times
+//! faster than that of `num-bigint`. The inner type is private because its order cannot be trusted: `Ratio` compares
+//! through the floor of a quotient, and `dashu_int` (0.4 to 0.6.2) returns 0 instead of -1 for the floor of a
+//! quotient between -1 and 0, because its truncated quotient 0 carries no sign. So `-1/2 > 0` holds for the inner
+//! type, `floor`, `ceil` and `round` are wrong in the same way, and `==` and hashing recurse once for each step of
+//! Euclid's algorithm. Its ring operations are correct, and only they are used here; this module implements order,
+//! equality, hash and rounding itself.
 //!
-//! The theorem behind them: a number is in lowest terms with a positive denominator, and in that form it is
-//! unique. Hence numbers are equal if their parts are, and `a/b < c/d` if `a d < c b`.
+//! Both rest on one theorem: the form in lowest terms with a positive denominator is unique. Hence numbers are equal
+//! if and only if their parts are, and `a/b < c/d` if and only if `a d < c b`.
 
 mod machine;
 mod operators;
@@ -26,8 +26,8 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 /// Integers of any size.
 ///
-/// Do not divide them with the floor functions of `num_integer`: they err for quotients between -1 and 0 (see the
-/// [module](self)). Residues are found with [`remainder`].
+/// Do not use the floor functions of `num_integer` on them: they are wrong for quotients between -1 and 0 (see the
+/// [module](self)). For residues use [`remainder`].
 pub type Integer = dashu_int::IBig;
 
 #[allow(
@@ -38,8 +38,8 @@ type Inner = num_rational::Ratio<Integer>;
 
 /// A rational number of any size, always in lowest terms with a positive denominator.
 ///
-/// Numbers have the usual operators, by value and by reference, among themselves; `num_traits` gives zero, one,
-/// signs and sums. Their order is that of the number line:
+/// Implements the usual operators, by value and by reference; `num_traits` provides zero, one, signs and sums. The
+/// order is that of the number line:
 ///
 /// ```
 /// use torse_numbers::rational::{integer, ratio};
@@ -63,7 +63,7 @@ impl Rational {
         Self(Inner::new(numerator, denominator))
     }
 
-    /// The number `numerator / denominator` in lowest terms; nothing for a denominator of zero.
+    /// Returns the number `numerator / denominator` in lowest terms, or `None` if the denominator is zero.
     ///
     /// ```
     /// use torse_numbers::{Integer, Rational};
@@ -75,7 +75,7 @@ impl Rational {
         (!denominator.is_zero()).then(|| Self::new(numerator, denominator))
     }
 
-    /// The number of a numerator and a denominator that are in lowest terms already, the denominator positive.
+    /// Makes a number of parts that are in lowest terms already; the denominator is positive.
     #[inline]
     pub(crate) fn in_lowest_terms(numerator: Integer, denominator: Integer) -> Self {
         debug_assert!(denominator.is_positive());
@@ -120,7 +120,7 @@ impl Rational {
     /// One over the number.
     ///
     /// # Panics
-    /// When the number is zero. [`Scalar::divided_by`](crate::Scalar::divided_by) answers with an error instead.
+    /// When the number is zero; [`Scalar::divided_by`](crate::Scalar::divided_by) returns an error instead.
     #[inline]
     #[must_use]
     pub fn recip(&self) -> Self {
@@ -183,8 +183,8 @@ pub fn integer(n: i64) -> Rational {
     Rational::from(n)
 }
 
-/// The double nearest to `q` up to a few units in the last place, finite for every rational in the
-/// range of doubles; for display and for seeding searches, never for deciding anything.
+/// Returns a double within a few units in the last place of `q`, finite for every rational in the range of doubles.
+/// It is meant for display and as a starting point of searches; nothing may be decided by it.
 ///
 /// ```
 /// use torse_numbers::rational::{ratio, to_f64};
@@ -208,7 +208,7 @@ pub fn to_f64(q: &Rational) -> f64 {
     } else {
         magnitude / (q.denom().clone() << amount)
     };
-    // In two steps: the power of two may be too small for a double where the product is not.
+    // In two steps: the power of two alone may be too small for a double although the product is not.
     let exponent = i32::try_from((-shift).clamp(-2200, 2200)).unwrap_or(0);
     let (first, second) = (exponent / 2, exponent - exponent / 2);
     let leading = ToPrimitive::to_f64(&quotient).unwrap_or(f64::INFINITY);

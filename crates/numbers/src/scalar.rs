@@ -1,4 +1,4 @@
-//! One definition, many scalars.
+//! One definition for all kinds of numbers.
 //!
 //! Bases, curves and plane families are written once over [`Scalar`] and run on `f64` (fast),
 //! [`Rational`] (exact, where no transcendental number enters), balls (certified enclosures), jets
@@ -15,13 +15,13 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// Why an exact or certified scalar could not carry out an operation.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum ExactError {
-    /// The divisor is zero, or (for enclosures) cannot be told from zero at this precision.
+    /// The divisor is zero, or is an enclosure that contains zero.
     #[error("division by zero (or by an enclosure that contains zero): {divisor}")]
     DivisionByZero {
         /// The divisor as text.
         divisor: String,
     },
-    /// sin and cos of this quarter turn are not numbers of this scalar's kind.
+    /// The sine and cosine of this quarter turn are not numbers of this kind.
     #[error("the sine and cosine of a quarter turn times {argument} are not exact here")]
     NoExactTurn {
         /// The argument as text.
@@ -30,29 +30,29 @@ pub enum ExactError {
     /// The result, or what it would be computed from, has too many binary digits.
     #[error("a number of {bits} binary digits is too large: at most {limit}")]
     TooLarge {
-        /// How many digits the number has, or may have.
+        /// The number of digits that the number has or may have.
         bits: usize,
-        /// How many it may have at most.
+        /// The largest number of digits allowed.
         limit: usize,
     },
-    /// The exponential is not a number of this scalar's kind.
+    /// The exponential is not a number of this kind.
     #[error("the exponential of {argument} has no value here")]
     NoExponential {
         /// The exponent as text.
         argument: String,
     },
-    /// Pi is not a number of this scalar's kind.
+    /// Pi is not a number of this kind.
     #[error("pi is not a number of this kind")]
     NoPi,
-    /// What is put in for a variable cannot stand in an index.
-    #[error("{value} cannot be put into the index of {member}")]
+    /// A value that is not an integer form was substituted into an index.
+    #[error("{value} cannot be substituted into the index of {member}")]
     NoIndex {
         /// The member of a family, as text.
         member: String,
-        /// What was to be put in, as text.
+        /// The substituted value, as text.
         value: String,
     },
-    /// The square root is not a number of this scalar's kind.
+    /// The square root is not a number of this kind.
     #[error("the square root of {radicand} does not exist here")]
     NoSquareRoot {
         /// The radicand as text.
@@ -62,8 +62,8 @@ pub enum ExactError {
 
 /// A commutative ring with partial division and the trigonometric pair of a quarter turn.
 ///
-/// Implementations: `f64`, [`Rational`], [`Ball`](crate::Ball), `Jet` over any scalar,
-/// and `Fraction`. The ring operators never fail; what may fail says so.
+/// Implemented by `f64`, [`Rational`], [`Ball`](crate::Ball), `Jet` over any scalar, and `Fraction`. The ring
+/// operators never fail; operations that may fail return a `Result`.
 pub trait Scalar:
     Clone
     + std::fmt::Debug
@@ -91,8 +91,8 @@ pub trait Scalar:
     /// `self / divisor`.
     ///
     /// # Errors
-    /// [`ExactError::DivisionByZero`] when the divisor is zero or cannot be told from zero. `f64`
-    /// refuses a zero divisor too, so that no infinity enters through the generic layer.
+    /// [`ExactError::DivisionByZero`] when the divisor is zero or its enclosure contains zero. `f64` refuses a zero
+    /// divisor too, so that generic code never produces an infinity.
     fn divided_by(&self, divisor: &Self) -> Result<Self, ExactError>;
 
     /// `(sin(pi/2 * self), cos(pi/2 * self))`.
@@ -102,11 +102,11 @@ pub trait Scalar:
     /// `self` is an integer, for fractions unless `self` is a plain variable or a multiple of 1/2.
     fn quarter_turn(&self) -> Result<(Self, Self), ExactError>;
 
-    /// The number pi in the context of `self`: what differentiating a quarter turn brings in.
+    /// The number pi in the context of `self`. It enters when a quarter turn is differentiated.
     ///
     /// # Errors
-    /// [`ExactError::NoPi`] where pi is not a number of this kind, as for rationals. That is what the
-    /// provided method answers.
+    /// [`ExactError::NoPi`] where pi is not a number of this kind, as for rationals; the provided method returns this
+    /// error.
     fn pi_like(&self) -> Result<Self, ExactError> {
         Err(ExactError::NoPi)
     }
@@ -176,10 +176,9 @@ impl Scalar for Rational {
     }
 }
 
-/// What can be said about a number being zero.
+/// Tests whether a number is zero.
 ///
-/// Exact numbers decide it, so that one of the two answers is always yes. An enclosure may know
-/// neither. Both answers being yes is a contradiction and never happens.
+/// For an exact number exactly one of the two answers is yes. For an enclosure both may be no. Both are never yes.
 pub trait ZeroTest {
     /// Whether the number is certainly zero.
     fn is_known_zero(&self) -> bool;

@@ -1,21 +1,22 @@
-//! A stack for walks over terms.
+//! A large stack for recursion over terms.
 //!
-//! Formulas are bounded in height and definitions in depth, so every walk over a term ends; but their product is more frames
-//! than the stack of a thread holds, which is two megabytes unless the program says otherwise. So whoever walks over terms
-//! does so on a stack that is as large as any of them needs.
+//! Formulas are bounded in height and definitions in depth, so every recursion over a term ends. But the product of
+//! the two bounds is more frames than the default stack of a thread (two megabytes) holds. Code that recurses over
+//! terms therefore runs on a stack large enough for the deepest term.
 //!
-//! The stack is made on the calling thread (by the crate `stacker`), not by a thread of its own: what a thread counts or
-//! keeps for itself, such as the work of a job, is the same inside and outside, and there is no thread to be had in a web page.
+//! The crate `stacker` makes that stack on the calling thread, not on a thread of its own. So thread-local state,
+//! such as the work counted for a job, is the same inside and outside, and the code also works in a web page, where
+//! no thread can be started.
 
-/// Bytes of a stack. Memory is taken only as far as a stack grows.
+/// Size of the stack in bytes. The system provides memory only for the part that is used.
 const STACK: usize = 256 << 20;
 
-/// Bytes that any walk may need. A stack with as many left is as good as a new one.
-const ENOUGH: usize = 128 << 20;
+/// A stack with this many bytes left is used as it is: no recursion over terms needs more.
+const MIN_FREE: usize = 128 << 20;
 
-/// Does something that walks over terms, on a stack that is large enough for all that can be written.
+/// Runs `job` on a stack that is large enough for a recursion over any term.
 ///
-/// On a platform whose stacks cannot be exchanged, such as WebAssembly, it is done on the stack that there is.
+/// On platforms where stacks cannot be exchanged, such as WebAssembly, the job runs on the current stack.
 ///
 /// ```
 /// use torse_numbers::stack;
@@ -30,5 +31,5 @@ const ENOUGH: usize = 128 << 20;
 /// # Ok::<(), std::io::Error>(())
 /// ```
 pub fn deep<T>(job: impl FnOnce() -> T) -> T {
-    stacker::maybe_grow(ENOUGH, STACK, job)
+    stacker::maybe_grow(MIN_FREE, STACK, job)
 }

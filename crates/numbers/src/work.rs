@@ -1,34 +1,35 @@
-//! The work and the memory that one job may cost.
+//! Limits of the work and the memory that one job may cost.
 //!
-//! Work is counted, not timed: a unit is about one product of two coefficients of a word each, some ten nanoseconds, and
-//! what costs more spends more. So a job that is too much is too much on every machine, and its answer, "more work than
-//! the budget allows", is the same everywhere. Memory is counted where formulas are made and given back where they are
-//! dropped.
+//! Work is counted, not timed: a unit is about one product of two one-word coefficients (some ten nanoseconds), and
+//! more expensive operations spend more units. So a job that exceeds its budget does so on every machine, with the
+//! same answer, "more work than the budget allows". Memory is counted where formulas are made and released where they
+//! are dropped.
 //!
-//! Every thread has a meter. [`within`] starts a job with a limit, and the operations that can grow [`spend`] before they
-//! work and [`hold`] what they made. A job that meets a limit is *over*: nothing is unwound, each later [`spend`] of it is
-//! refused, and its [`within`] returns the [`Spent`] limit in place of whatever the job came to.
+//! Every thread has a meter. [`within`] starts a job with a limit. Operations whose cost can grow call [`spend`]
+//! before they work and [`hold`] for the memory of their results. A job that reaches a limit is *over*: nothing is
+//! unwound, but every later [`spend`] of the job is refused, and its [`within`] returns the limit ([`Spent`]) instead
+//! of the job's result.
 //!
-//! # What is computed by a job that is over
+//! # Values computed by a job that is over
 //!
-//! An operation that cannot return an error, such as a product of polynomials, answers with a small value in place of the
-//! true one once its [`spend`] is refused. No such value may outlive the job:
-//! - [`within`] drops what the job returns;
-//! - what writes into memory that others read, or into a variable of the caller, asks [`check`] first;
-//! - what can return an error asks [`check`] and does, so that a job that is over ends soon.
+//! An operation that cannot return an error, such as a product of polynomials, returns a small wrong value after its
+//! [`spend`] was refused. No such value may outlive the job:
+//! - [`within`] drops the result of the job;
+//! - code that writes to a cache or to a variable of the caller calls [`check`] first;
+//! - code that can return an error calls [`check`] and does so, so that a job that is over ends soon.
 //!
-//! Jobs may be nested: what an inner one spends is spent by the outer one too, and when the inner one is over the outer one
-//! goes on.
+//! Jobs may be nested: the work of an inner job counts for the outer job too. When the inner job is over, the outer
+//! job goes on.
 
 use std::cell::Cell;
 
-/// The most bytes that a job may hold at once, in formulas.
+/// The largest memory, in bytes, that the formulas of a job may occupy at once.
 ///
-/// The hardest claim of the papers holds some megabytes. With what an operation needs besides, and two or three threads, a
-/// process stays below a gigabyte.
+/// The hardest claim of the papers needs some megabytes. With this limit a process of two or three threads stays
+/// below a gigabyte, including the temporary memory of its operations.
 pub const MAX_MEMORY: u64 = 256 << 20;
 
-/// The limit of a job that it met.
+/// The limit that a job reached.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Spent {
@@ -38,10 +39,10 @@ pub enum Spent {
         /// The limit in units.
         limit: u64,
     },
-    /// A power that no formula holds.
+    /// An exponent that exceeds the largest one of a formula.
     #[error("a power with an exponent above {limit}")]
     Exponent {
-        /// The highest exponent.
+        /// The largest exponent.
         limit: u16,
     },
     /// More memory than a job may hold.
@@ -52,13 +53,13 @@ pub enum Spent {
     },
 }
 
-/// What one thread has spent and holds.
+/// The work and memory counted on one thread.
 struct Meter {
     spent: Cell<u64>,
     limit: Cell<u64>,
-    /// What the innermost job may spend, for its error.
+    /// The budget of the innermost job, for its error.
     budget: Cell<u64>,
-    /// Below zero where formulas of other threads are dropped here.
+    /// Negative if formulas made on other threads were dropped on this one.
     held: Cell<i64>,
     most: Cell<i64>,
     over: Cell<Option<Spent>>,
@@ -77,7 +78,7 @@ thread_local! {
     };
 }
 
-/// What the job around had when an inner one began; put back at its end, in a panic too.
+/// The limits of the outer job while an inner job runs; restored when the inner job ends, even by a panic.
 struct Around {
     limit: u64,
     budget: u64,
@@ -95,13 +96,13 @@ impl Drop for Around {
     }
 }
 
-/// Does a job that may spend so many units, or as many as the job around it has left if that is less, and hold
-/// [`MAX_MEMORY`] more than the outermost job found held.
+/// Runs a job that may spend at most `limit` units (fewer if the outer job has fewer left) and may hold at most
+/// [`MAX_MEMORY`] more than was held when the outermost job began.
 ///
-/// What the job leaves behind when it is over must be its own: see the [module](self).
+/// A job that is over may have changed only state of its own: see the [module](self).
 ///
 /// # Errors
-/// The limit that the job met. Inside a job that is over nothing is begun.
+/// The limit that the job reached. If the outer job is over, `job` does not run.
 ///
 /// ```
 /// use torse_numbers::work::{Spent, spend, within};
@@ -138,7 +139,7 @@ pub fn within<T>(limit: u64, job: impl FnOnce() -> T) -> Result<T, Spent> {
     over.map(|()| done)
 }
 
-/// What many jobs of one kind may spend, each and together.
+/// A budget shared by many jobs of one kind, with a limit for each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Allowance {
     each: u64,
@@ -146,7 +147,7 @@ pub struct Allowance {
 }
 
 impl Allowance {
-    /// So many units for each job, and so many for all.
+    /// Allows `each` units for one job and `together` units for all.
     #[must_use]
     pub fn new(each: u64, together: u64) -> Self {
         Self {
@@ -155,10 +156,10 @@ impl Allowance {
         }
     }
 
-    /// Does one of the jobs, as [`within`] does.
+    /// Runs one of the jobs, as [`within`] does.
     ///
     /// # Errors
-    /// The limit that the job met: its own, or what the jobs before it left.
+    /// The limit that the job reached: its own, or what earlier jobs left of the total.
     ///
     /// ```
     /// use torse_numbers::work::{Allowance, spend};
@@ -168,16 +169,16 @@ impl Allowance {
     /// ```
     pub fn within<T>(&mut self, job: impl FnOnce() -> T) -> Result<T, Spent> {
         let before = spent();
-        let done = within(self.each.min(self.left), job);
+        let result = within(self.each.min(self.left), job);
         self.left = self.left.saturating_sub(spent().saturating_sub(before));
-        done
+        result
     }
 }
 
 /// Spends units before the work is done.
 ///
 /// # Errors
-/// Where fewer units are left, or a limit was met before, the job is over and nothing is spent.
+/// If fewer units are left, or a limit was reached before, the job is over and nothing is spent.
 pub fn spend(units: u64) -> Result<(), Spent> {
     METER.with(|meter| {
         if let Some(limit) = meter.over.get() {
@@ -196,7 +197,8 @@ pub fn spend(units: u64) -> Result<(), Spent> {
     })
 }
 
-/// Ends the job by a limit that is not counted here; `false` outside of every job, where nothing could tell.
+/// Ends the current job by a limit that is not counted here. Returns `false` outside of any job, where the limit
+/// could not be reported.
 #[must_use]
 pub fn end(limit: Spent) -> bool {
     METER.with(|meter| {
@@ -208,18 +210,18 @@ pub fn end(limit: Spent) -> bool {
     })
 }
 
-/// Whether the job is not over.
+/// Returns an error if the current job is over.
 ///
 /// # Errors
-/// The limit that the job met.
+/// The limit that the job reached.
 pub fn check() -> Result<(), Spent> {
     METER.with(|meter| meter.over.get().map_or(Ok(()), Err))
 }
 
-/// Whether so many bytes more may be held, which is asked before they are made.
+/// Checks, before memory is allocated, that `bytes` more may be held.
 ///
 /// # Errors
-/// Where they may not, or a limit was met before, the job is over.
+/// If they may not, or a limit was reached before, the job is over.
 pub fn room(bytes: usize) -> Result<(), Spent> {
     METER.with(|meter| {
         if meter.over.get().is_none()
@@ -231,7 +233,7 @@ pub fn room(bytes: usize) -> Result<(), Spent> {
     })
 }
 
-/// Holds bytes that were made. Where they are too many the job is over.
+/// Counts `bytes` of a new value as held. If too many are held, the job is over.
 pub fn hold(bytes: usize) {
     METER.with(|meter| {
         let held = meter.held.get().saturating_add(size(bytes));
@@ -242,13 +244,13 @@ pub fn hold(bytes: usize) {
     });
 }
 
-/// Gives back bytes that are dropped.
+/// Counts `bytes` of a dropped value as released.
 pub fn give_back(bytes: usize) {
-    // While a thread ends there is nothing left to count.
+    // While a thread is being destroyed its meter is gone, and nothing needs to be counted.
     let _ = METER.try_with(|meter| meter.held.set(meter.held.get().saturating_sub(size(bytes))));
 }
 
-/// The units spent on this thread so far, by jobs that met a limit too.
+/// The units spent on this thread so far, including those of jobs that are over.
 #[must_use]
 pub fn spent() -> u64 {
     METER.with(|meter| meter.spent.get())

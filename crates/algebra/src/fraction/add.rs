@@ -6,12 +6,12 @@ use std::collections::BTreeMap;
 use std::ops::{Add, Neg, Sub};
 
 fn sum(a: &Fraction, b: &Fraction) -> Fraction {
-    a.beside(b).cancelled()
+    a.sum_uncancelled(b).cancelled()
 }
 
 impl Fraction {
-    /// The sum over the least common multiple of the denominators; nothing is cancelled yet.
-    pub(super) fn beside(&self, other: &Self) -> Self {
+    /// The sum over the least common multiple of the denominators, not yet cancelled.
+    pub(super) fn sum_uncancelled(&self, other: &Self) -> Self {
         let conditions = merged(&self.conditions, &other.conditions);
         if self.denominator == other.denominator {
             return Self {
@@ -70,7 +70,7 @@ impl Sub for Fraction {
     }
 }
 
-/// Equality of values where both are defined; conditions do not count.
+/// Compares values where both are defined; conditions are ignored.
 impl PartialEq for Fraction {
     fn eq(&self, other: &Self) -> bool {
         if self.denominator == other.denominator {

@@ -1,4 +1,4 @@
-//! Division, which records the divisor, and cancellation, which forgets nothing.
+//! Division and cancellation; both keep every divisor as a condition.
 
 use super::{Fraction, merged};
 use crate::polynomial::Polynomial;
@@ -17,13 +17,13 @@ impl Fraction {
     /// let (x, y) = (Fraction::named("x"), Fraction::named("y"));
     /// let quotient = (x.clone() * y.clone()).over(&y).unwrap();
     /// assert_eq!(quotient.to_string(), "x");
-    /// assert_eq!(quotient.conditions()[0].to_string(), "y"); // cancelled, not forgotten
+    /// assert_eq!(quotient.conditions()[0].to_string(), "y"); // cancelled, but recorded
     /// ```
     pub fn over(&self, divisor: &Self) -> Result<Self, ExactError> {
         Ok(self.clone().divided(divisor, 1)?.cancelled())
     }
 
-    /// `self / divisor^exponent`, recording the divisor; nothing is cancelled yet.
+    /// `self / divisor^exponent`, not yet cancelled; records the divisor.
     pub(super) fn divided(mut self, divisor: &Self, exponent: u32) -> Result<Self, ExactError> {
         if divisor.is_zero() {
             return Err(ExactError::DivisionByZero {
@@ -44,8 +44,8 @@ impl Fraction {
         Ok(self)
     }
 
-    /// Splits a nonzero polynomial into its content and primitive factors, by single symbols and by the
-    /// factors this fraction's denominator already has.
+    /// Splits a nonzero polynomial into its content and primitive factors. Single symbols and the factors of this
+    /// fraction's denominator are split off; the remainder is not factored.
     fn factors_of(&self, p: &Polynomial) -> (Rational, BTreeMap<Polynomial, u32>) {
         let (content, mut rest) = p.primitive();
         let mut factors = BTreeMap::new();
@@ -62,7 +62,7 @@ impl Fraction {
                 rest = quotient;
             }
         }
-        // A leftover constant can only be a unit of the primitive part.
+        // The remaining content is a rational number, so it belongs to the content of the whole.
         let (more, rest) = rest.primitive();
         if !rest.is_constant() {
             *factors.entry(rest).or_insert(0) += 1;
@@ -70,7 +70,7 @@ impl Fraction {
         (content * more, factors)
     }
 
-    /// Cancels denominator factors that divide the numerator, wholly or in part.
+    /// Cancels powers of denominator factors that divide the numerator.
     pub(super) fn cancelled(mut self) -> Self {
         if self.numerator.is_zero() {
             self.denominator.clear();

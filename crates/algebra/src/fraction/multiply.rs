@@ -9,7 +9,7 @@ impl Mul for &Fraction {
     fn mul(self, other: Self) -> Fraction {
         let numerator = &self.numerator * &other.numerator;
         let conditions = merged(&self.conditions, &other.conditions);
-        // A number brings nothing that cancels, unless it is zero.
+        // A nonzero number adds no factor that could cancel.
         let brings_nothing = |factor: &Fraction| {
             factor.denominator.is_empty() && factor.numerator.is_constant() && !factor.is_zero()
         };

@@ -1,4 +1,4 @@
-//! Fractions as scalars: what is written once for all of them runs on formulas.
+//! Fractions as [`Scalar`]s: generic code over scalars also computes formulas.
 
 use super::Fraction;
 use crate::rational::Rational;
@@ -52,7 +52,7 @@ impl Fraction {
     /// `(sin(self), cos(self))` with `self` in radians; see [`Polynomial::sine_cosine`](crate::Polynomial::sine_cosine).
     ///
     /// # Errors
-    /// [`ExactError::NoExactTurn`] when the pair is not exact here.
+    /// [`ExactError::NoExactTurn`] when the pair is not a pair of polynomials.
     pub fn sine_cosine(&self) -> Result<(Self, Self), ExactError> {
         let polynomial = self
             .as_polynomial()
@@ -66,7 +66,7 @@ impl Fraction {
     /// The exponential; see [`Polynomial::exponential`](crate::Polynomial::exponential).
     ///
     /// # Errors
-    /// [`ExactError::NoExponential`] when it has no value here.
+    /// [`ExactError::NoExponential`] when the exponential is not a quotient of polynomials.
     pub fn exponential(&self) -> Result<Self, ExactError> {
         let polynomial = self
             .as_polynomial()

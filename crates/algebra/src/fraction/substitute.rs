@@ -1,4 +1,4 @@
-//! Replacing symbols, in the value and in what it was divided by.
+//! Substitution of symbols in the value and in its recorded divisors.
 
 use super::{Fraction, merged};
 use crate::affine::Affine;
@@ -9,10 +9,10 @@ use crate::symbol::{Angle, Symbol, Unit};
 use std::collections::BTreeMap;
 
 impl Fraction {
-    /// The fraction with each symbol for which `value` answers replaced by that fraction.
+    /// Replaces each symbol for which `value` returns a fraction by that fraction.
     ///
     /// # Errors
-    /// [`ExactError::DivisionByZero`] when a denominator vanishes under the replacement.
+    /// [`ExactError::DivisionByZero`] when a denominator becomes zero.
     pub fn substituted(
         &self,
         value: impl Fn(&Symbol) -> Option<Fraction>,
@@ -41,8 +41,8 @@ impl Fraction {
         Ok(result)
     }
 
-    /// A polynomial with symbols replaced, over the least common multiple of the divisors of all terms; nothing is cancelled
-    /// yet.
+    /// Replaces symbols of a polynomial, over the least common multiple of the denominators of all terms; not yet
+    /// cancelled.
     fn replaced(p: &Polynomial, value: &impl Fn(&Symbol) -> Option<Self>) -> Self {
         let values: Vec<Option<Self>> = p.symbols().iter().map(value).collect();
         let groups = p.grouped(|symbol| values.get(symbol).is_some_and(Option::is_some));
@@ -61,10 +61,11 @@ impl Fraction {
             term
         };
         let terms = groups.into_iter().map(term);
-        terms.fold(Self::zero(), |sum, term| sum.beside(&term))
+        terms.fold(Self::zero(), |sum, term| sum.sum_uncancelled(&term))
     }
 
-    /// The integer-affine form that the fraction is, such as `m - 2`: what can stand in an index.
+    /// Returns the integer-affine form that equals the fraction, such as `m - 2`, or `None` if there is none. Only
+    /// such forms can be indices.
     #[must_use]
     pub fn as_affine(&self) -> Option<Affine> {
         let mut total = Affine::number(0);
@@ -83,8 +84,8 @@ impl Fraction {
         Some(total)
     }
 
-    /// The fraction with the variable `name` at `value` wherever it stands: by itself, under sine, cosine and exponential, in
-    /// the indices of members of families, and in the recorded conditions.
+    /// Substitutes `value` for the variable `name` everywhere: where it stands alone, under sine, cosine and
+    /// exponential, in the indices of members of families, and in the recorded conditions.
     ///
     /// ```
     /// use torse_algebra::{Affine, Fraction, Symbol};
@@ -96,10 +97,10 @@ impl Fraction {
     /// ```
     ///
     /// # Errors
-    /// [`ExactError::NoExactTurn`] when the sine and cosine at `value` are not exact here;
-    /// [`ExactError::NoExponential`] when an exponential there has no value;
-    /// [`ExactError::NoIndex`] when the variable stands in an index where `value` cannot;
-    /// [`ExactError::DivisionByZero`] when a denominator vanishes there.
+    /// [`ExactError::NoExactTurn`] when sine and cosine at `value` are not polynomials; [`ExactError::NoExponential`]
+    /// when an exponential at `value` is no quotient of polynomials; [`ExactError::NoIndex`] when the variable stands
+    /// in an index and `value` is no integer-affine form; [`ExactError::DivisionByZero`] when a denominator becomes
+    /// zero.
     pub fn at(&self, name: &str, value: &Fraction) -> Result<Self, ExactError> {
         let mut present = self.symbols();
         present.extend(self.conditions.iter().flat_map(|p| p.symbols().to_vec()));

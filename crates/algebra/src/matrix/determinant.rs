@@ -6,7 +6,7 @@ use crate::scalar::Scalar;
 use std::collections::BTreeMap;
 
 impl<T> Matrix<T> {
-    /// The most rows that [`Matrix::determinant`] expands: `16 * 2^15` products.
+    /// The largest number of rows that [`Matrix::determinant`] accepts; it costs `16 * 2^15` products.
     pub const EXPANSION_LIMIT: usize = 16;
 }
 
@@ -57,7 +57,7 @@ impl<T: Ring> Matrix<T> {
             }
             minors = larger;
         }
-        // Only the set of all columns is left.
+        // After all rows only the minor of all columns remains.
         minors.into_values().next().ok_or(MatrixError::Empty)
     }
 }

@@ -4,12 +4,12 @@ use super::{Matrix, MatrixError};
 use crate::scalar::{Scalar, ZeroTest};
 
 impl<S: Scalar + ZeroTest> Matrix<S> {
-    /// The matrix `X` with `self * X = right`, by Gauss-Jordan elimination with the first pivot known
-    /// not to be zero. That choice is for exact scalars; it controls no rounding.
+    /// Solves `self * X = right` by Gauss-Jordan elimination. The pivot is the first entry known to be nonzero, which
+    /// suits exact scalars; rounding errors are not controlled.
     ///
     /// # Errors
     /// [`MatrixError::NotSquare`], [`MatrixError::ShapeMismatch`], [`MatrixError::Singular`];
-    /// [`MatrixError::PivotUndecided`] where zero cannot be decided.
+    /// [`MatrixError::PivotUndecided`] where no entry is known to be nonzero, but one may be.
     pub fn solve(&self, right: &Self) -> Result<Self, MatrixError> {
         let size = self.square_size()?;
         if right.row_count() != size {
@@ -28,7 +28,7 @@ impl<S: Scalar + ZeroTest> Matrix<S> {
                 });
             };
             rows.swap(k, pivot_row);
-            // Columns up to k are never read again, so only those to the right are computed.
+            // Entries in columns up to k are not read again, so only the columns to the right are updated.
             let pivot = rows[k][k].clone();
             for entry in &mut rows[k][k + 1..] {
                 *entry = entry.divided_by(&pivot)?;

@@ -30,8 +30,8 @@ pub(super) fn common_symbols(a: &Polynomial, b: &Polynomial) -> Arc<[Symbol]> {
     Arc::from(all)
 }
 
-/// The exponents of `p` as rows over `symbols`, which contain those of `p`. The order of the rows is
-/// kept: a new column is the same in all of them.
+/// The exponents of `p` as rows over `symbols`, which contain those of `p`. Rows stay in order, since every row gets
+/// the same zeros in the new columns.
 pub(super) fn widened<'p>(p: &'p Polynomial, symbols: &Arc<[Symbol]>) -> Cow<'p, [u16]> {
     if p.body.symbols == *symbols {
         return Cow::Borrowed(&p.body.exponents);
@@ -173,10 +173,11 @@ impl Polynomial {
         self.multiple(factor.numer(), factor.denom())
     }
 
-    /// The multiple by a number in lowest terms that is not zero.
+    /// The multiple by a nonzero number in lowest terms.
     ///
-    /// Numerator and denominator of the number have no common factor, nor have coefficients and denominator of the
-    /// polynomial: what cancels is common to one of each.
+    /// Numerator and denominator of the number are coprime, and so are the coefficients and the denominator of the
+    /// polynomial. So only the numerator and the polynomial's denominator, and the coefficients and the number's
+    /// denominator, can have common factors.
     pub(super) fn multiple(&self, numerator: &Integer, denominator: &Integer) -> Self {
         if numerator.is_one() && denominator.is_one() {
             return self.clone();

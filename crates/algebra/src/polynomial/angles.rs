@@ -1,7 +1,7 @@
-//! One unit for all angles of a variable, and for all multiples of an exponent.
+//! A common unit for all angles of a variable and for all fractions of an exponent.
 //!
-//! The sines of x/2 and of x are not independent: `sin(x) = 2 sin(x/2) cos(x/2)`. Where both occur, so that a normal form
-//! is zero only for the zero function, everything is written in the finest part that makes all of them.
+//! The sines of x/2 and of x are not independent: `sin(x) = 2 sin(x/2) cos(x/2)`. Where both occur, everything is
+//! rewritten in the finest fraction of the angle. Then a normal form is zero if and only if the function is.
 
 use super::Polynomial;
 use super::trigonometry::{MAX_MULTIPLE, multiple_of};
@@ -11,7 +11,8 @@ use num_integer::lcm;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The finest part in which each variable stands in angles, for the variables with more than one.
+/// For each variable that occurs with several fractions of its angle (or exponent): the common fraction of all of
+/// them.
 ///
 /// ```
 /// use torse_algebra::{Finest, Fraction};
@@ -28,7 +29,7 @@ use std::sync::Arc;
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Finest(BTreeMap<Divided, u16>);
 
-/// What is divided into parts.
+/// An angle or an exponent, of which fractions occur.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 enum Divided {
     /// The angle of a variable.
@@ -38,7 +39,7 @@ enum Divided {
 }
 
 impl Divided {
-    /// What is divided in this symbol, and into how many parts.
+    /// The angle or exponent of a symbol, and the number of parts into which the symbol divides it.
     fn new(symbol: &Symbol) -> Option<(Self, u16)> {
         match symbol {
             Symbol::Sin(name, angle) | Symbol::Cos(name, angle) => {
@@ -51,11 +52,12 @@ impl Divided {
 }
 
 impl Finest {
-    /// What these symbols need; nothing for a variable whose parts have no common part that is coarse enough to be
-    /// written in.
+    /// Collects the fractions of angles and exponents in `symbols`. A variable is left out if the common fraction
+    /// would be too fine to be written.
     #[must_use]
     pub fn new<'s>(symbols: impl Iterator<Item = &'s Symbol>) -> Self {
-        // The least common multiple, and whether it differs from any of the parts.
+        // For each angle or exponent: the least common multiple of the numbers of parts, and whether it differs from
+        // one of these numbers.
         let mut all: BTreeMap<Divided, (u64, bool)> = BTreeMap::new();
         for (divided, parts) in symbols.filter_map(Divided::new) {
             let parts = u64::from(parts);
@@ -74,13 +76,13 @@ impl Finest {
         )
     }
 
-    /// Whether nothing has to be written anew.
+    /// Whether no symbol has to be rewritten.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// The value of a symbol in the finest parts, for one that stands in a coarser part.
+    /// A symbol with a coarser angle or exponent, written in the finest parts; `None` for all other symbols.
     #[must_use]
     pub fn value(&self, symbol: &Symbol) -> Option<Polynomial> {
         let (divided, own) = Divided::new(symbol)?;
@@ -103,7 +105,7 @@ impl Finest {
         })
     }
 
-    /// The fraction in the finest parts; none where a divisor of it turns out to be zero.
+    /// Rewrites a fraction in the finest parts; `None` if a divisor of it then is zero.
     #[must_use]
     pub fn write(&self, value: &Fraction) -> Option<Fraction> {
         if self.is_empty() {

@@ -1,4 +1,4 @@
-//! What the copies of a polynomial share.
+//! The shared data of all copies of a polynomial.
 
 use crate::rational::Integer;
 use crate::symbol::Symbol;
@@ -7,16 +7,16 @@ use num_integer::Integer as _;
 use std::sync::Arc;
 use torse_numbers::work;
 
-/// The table of a polynomial. Its memory is counted from [`Body::shared`] to its end.
+/// The table of terms of a polynomial. Its memory is counted from [`Body::shared`] until it is dropped.
 #[derive(PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Body {
     /// The symbols that occur, ascending.
     pub(super) symbols: Arc<[Symbol]>,
-    /// Exponents, one row of `symbols.len()` a term, rows strictly descending.
+    /// The exponents: one row of `symbols.len()` numbers for each term; rows are strictly descending.
     pub(super) exponents: Vec<u16>,
-    /// Nonzero integer coefficients, one a term.
+    /// The nonzero integer coefficients, one for each term.
     pub(super) coefficients: Vec<Integer>,
-    /// The common denominator, positive and coprime to the coefficients taken together.
+    /// The common denominator: positive, and coprime to the content of the coefficients.
     pub(super) denominator: Integer,
 }
 
@@ -27,13 +27,13 @@ impl Drop for Body {
 }
 
 impl Body {
-    /// Counts the memory of a table, which does not change from here on.
+    /// Counts the memory of a table and shares it; the table does not change afterwards.
     pub(super) fn shared(self) -> Arc<Self> {
         work::hold(self.bytes());
         Arc::new(self)
     }
 
-    /// About the bytes that the table holds: the first, middle and last coefficient stand for all.
+    /// Estimates the bytes that the table occupies from the lengths of the first, middle and last coefficient.
     fn bytes(&self) -> usize {
         let terms = self.coefficients.len();
         let some = [0, terms / 2, terms.saturating_sub(1)].map(|term| self.coefficients.get(term));
@@ -53,7 +53,8 @@ impl Body {
         })
     }
 
-    /// Whether every symbol is seen to occur, which needs no list where they are few.
+    /// Whether every symbol is seen to occur; needs no allocation for up to 64 symbols. `false` may also mean that
+    /// there are more.
     fn all_occur(&self) -> bool {
         let width = self.symbols.len();
         if width > u64::BITS as usize {
@@ -105,7 +106,7 @@ impl Body {
             .collect();
     }
 
-    /// Cancels what coefficients and denominator have in common.
+    /// Cancels the common factor of the coefficients and the denominator.
     pub(super) fn cancel_content(&mut self) {
         let common = self.content_within(&self.denominator);
         if !common.is_one() {
@@ -118,7 +119,7 @@ impl Body {
 
     /// The greatest common divisor of a number and all coefficients.
     pub(super) fn content_within(&self, number: &Integer) -> Integer {
-        // Neighbouring terms tend to share their factors. Terms from all over leave no common one sooner.
+        // Neighbouring terms tend to have common factors. A spread order finds sooner that there is none.
         let step = self.coefficients.len().isqrt().max(1);
         let spread = (0..step).flat_map(|first| self.coefficients.iter().skip(first).step_by(step));
         let mut common = number.clone();

@@ -1,4 +1,4 @@
-//! Derivation: partial derivatives by a variable, with the chain rule for its sine, cosine and exponentials.
+//! Derivatives: partial derivatives by a variable, with the chain rule for its sines, cosines and exponentials.
 
 use super::Polynomial;
 use crate::fault_injection::{InjectedFault, injected};
@@ -7,7 +7,7 @@ use crate::symbol::{Symbol, Unit};
 use std::sync::Arc;
 
 impl Polynomial {
-    /// The partial derivative by one symbol, all others held fixed.
+    /// The partial derivative by one symbol while all other symbols are constant.
     #[must_use]
     pub fn partial(&self, symbol: &Symbol) -> Self {
         let Ok(column) = self.body.symbols.binary_search(symbol) else {
@@ -34,7 +34,7 @@ impl Polynomial {
         )
     }
 
-    /// The derivative by the variable `name`, where sin(pi x/2)' = pi/2 cos(pi x/2) and so on.
+    /// The derivative by the variable `name`, including the chain rule, as in sin(pi x/2)' = pi/2 cos(pi x/2).
     ///
     /// ```
     /// use torse_algebra::{Polynomial, Scalar};

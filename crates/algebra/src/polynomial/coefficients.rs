@@ -1,7 +1,7 @@
-//! How the coefficients of a product are multiplied and summed.
+//! Arithmetic of coefficients in a product of polynomials.
 //!
-//! The layout of the rows (`dense`, `sparse`) and the arithmetic of the coefficients are chosen apart. Each
-//! kind of arithmetic here is taken only where a bound from the factors proves that no sum can leave it.
+//! The layout of the rows (`dense`, `sparse`) and the arithmetic of the coefficients are chosen independently. An
+//! arithmetic is chosen only if a bound computed from the factors proves that no sum can overflow.
 
 use crate::rational::Integer;
 use dashu_int::ops::BitTest;
@@ -23,13 +23,13 @@ pub(super) trait Coefficients {
     fn value(&self, sum: Self::Sum) -> Integer;
 }
 
-/// The most bits of a coefficient.
+/// The largest number of bits of a coefficient.
 fn bits(coefficients: &[Integer]) -> usize {
     coefficients.iter().map(BitTest::bit_len).max().unwrap_or(0)
 }
 
-/// The bits, without the sign, that hold every coefficient of the product: a row of it is the sum of at
-/// most as many products as the shorter factor has terms.
+/// A bound of the bits, without the sign, of every coefficient of the product: a coefficient is a sum of at most as
+/// many products as the shorter factor has terms.
 fn sum_bits(a: &[Integer], b: &[Integer]) -> usize {
     let collisions = usize::BITS - a.len().min(b.len()).leading_zeros();
     bits(a) + bits(b) + collisions as usize
@@ -40,11 +40,11 @@ fn converted<'a, T: TryFrom<&'a Integer>>(coefficients: &'a [Integer]) -> Option
     coefficients.iter().map(|c| T::try_from(c).ok()).collect()
 }
 
-/// Factors of one word, sums of two.
+/// One-word factors, two-word sums.
 pub(super) struct Words;
 
 impl Words {
-    /// The coefficients of the factors, if this arithmetic holds their product.
+    /// Converts the coefficients of the factors; `None` if a sum could overflow.
     pub(super) fn factors(a: &[Integer], b: &[Integer]) -> Option<(Vec<i64>, Vec<i64>)> {
         if sum_bits(a, b) > 127 {
             return None;
@@ -74,7 +74,7 @@ impl Coefficients for Words {
     }
 }
 
-/// Factors of two words, sums of four.
+/// Two-word factors, four-word sums.
 pub(super) struct DoubleWords;
 
 /// An integer of 256 bits in two's complement.
@@ -85,7 +85,7 @@ pub(super) struct FourWords {
 }
 
 impl DoubleWords {
-    /// The coefficients of the factors, if this arithmetic holds their product.
+    /// Converts the coefficients of the factors; `None` if a sum could overflow.
     pub(super) fn factors(a: &[Integer], b: &[Integer]) -> Option<(Vec<i128>, Vec<i128>)> {
         if sum_bits(a, b) > 255 {
             return None;
@@ -104,7 +104,7 @@ impl Coefficients for DoubleWords {
 
     fn add_product(&self, sum: &mut FourWords, x: &i128, y: &i128) {
         let (low, high) = x.cast_unsigned().carrying_mul(y.cast_unsigned(), 0);
-        // Read as unsigned, a negative factor is 2^128 too large.
+        // As an unsigned number, a negative factor is too large by 2^128.
         let excess = ((x >> 127) & y).wrapping_add((y >> 127) & x);
         let (low, carry) = sum.low.overflowing_add(low);
         sum.low = low;

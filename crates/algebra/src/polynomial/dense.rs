@@ -1,21 +1,22 @@
-//! Multiplication into a table with a cell for every row of exponents that the product can have.
+//! Multiplication in a table that has one cell for every possible row of exponents of the product.
 //!
-//! The cells are numbered by exponents as digits of a number with mixed base, most significant first, so
-//! the number of a product of terms is the sum of their numbers, and the cells from last to first are the
-//! rows in descending order: nothing is sorted. Worth it while the table is not much larger than the
-//! number of products that fall into it.
+//! Cells are numbered by reading the exponents as the digits of a mixed-base number, most significant first. So the
+//! number of a product of terms is the sum of their numbers, and the cells from last to first are the rows in
+//! descending order: nothing has to be sorted. The method pays if the table is not much larger than the number of
+//! products.
 
 use super::coefficients::Coefficients;
 use crate::rational::Integer;
 
-/// The most bytes of a table, without what its big integers hold elsewhere.
+/// The largest size of a table in bytes, not counting the memory of its big integers.
 const MAX_BYTES: usize = 1 << 25;
-/// The most cells for each product of two terms.
+/// The largest number of cells for each product of two terms.
 const CELLS_PER_PRODUCT: usize = 4;
-/// A table is not worth its setup for fewer products.
+/// With fewer products, setting up a table does not pay.
 const MIN_PRODUCTS: usize = 256;
 
-/// The number of cells of a table of sums `S`, where it is worth making: few cells for each product of two terms.
+/// The number of cells of a table of sums `S`, or `None` if the table does not pay: then there are too many cells for
+/// each product of two terms, or too few products.
 pub(super) fn cells<S>(highest: &[u16], terms_a: usize, terms_b: usize) -> Option<usize> {
     let products = terms_a.checked_mul(terms_b)?;
     if products < MIN_PRODUCTS {
@@ -30,7 +31,7 @@ pub(super) fn cells<S>(highest: &[u16], terms_a: usize, terms_b: usize) -> Optio
     })
 }
 
-/// The terms of the product, by a table of `cells` cells.
+/// Computes the terms of the product in a table of `cells` cells.
 pub(super) fn product<K: Coefficients>(
     kind: &K,
     highest: &[u16],
@@ -57,14 +58,14 @@ pub(super) fn product<K: Coefficients>(
     read(kind, &mut table, highest)
 }
 
-/// The number of a row: its exponents as digits.
+/// The cell number of a row: its exponents as digits.
 fn number(row: &[u16], highest: &[u16]) -> usize {
     row.iter().zip(highest).fold(0, |number, (digit, top)| {
         number * (usize::from(*top) + 1) + usize::from(*digit)
     })
 }
 
-/// The rows of the cells that are not zero, in descending order, and their contents.
+/// Reads the nonzero cells: their rows in descending order, and their values.
 fn read<K: Coefficients>(
     kind: &K,
     table: &mut [K::Sum],
@@ -83,7 +84,7 @@ fn read<K: Coefficients>(
             if !kind.is_zero(cell) {
                 coefficients.push(kind.value(std::mem::replace(cell, kind.zero())));
                 exponents.extend_from_slice(&row);
-                // At most `last`, so nothing is lost.
+                // The digit is at most `last`, which is a u16, so the cast is exact.
                 exponents.push(digit as u16);
             }
         }

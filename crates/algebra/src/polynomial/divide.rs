@@ -1,14 +1,12 @@
-//! Exact division: long division by leading terms that stops as soon as a term does not divide.
+//! Exact division: long division by leading terms that stops at the first term that does not divide.
 //!
-//! The quotient is found in the free polynomial ring. A quotient there is a quotient modulo the
-//! relations too, so a result is always right; `None` means only that no quotient without use of the
-//! relations exists.
+//! The quotient is computed in the free polynomial ring. A quotient in that ring is also a quotient modulo the
+//! relations, so a result is always correct; `None` means only that no quotient exists without use of the relations.
 //!
-//! Most divisions are attempts that fail, so everything that shows it early is looked at. The degree of a
-//! quotient in each symbol is the difference of the degrees, and its first and last terms are the quotients of
-//! the first and last terms. **Gauss' lemma:** a quotient of a polynomial with integer coefficients by a
-//! primitive one has integer coefficients. So no fraction is ever made, and a coefficient that does not divide
-//! ends the division.
+//! Most divisions are attempts that fail, so cheap tests come first. The degree of the quotient in each symbol is the
+//! difference of the degrees, and its first and last terms are the quotients of the first and last terms. **Gauss'
+//! lemma:** if a polynomial with integer coefficients has a quotient by a primitive one, the quotient has integer
+//! coefficients. So no fractions are needed, and the division ends at a coefficient that does not divide.
 
 use super::add::widened;
 use super::packed::{Difference, Row, widths};
@@ -20,10 +18,10 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
-/// The most steps one division may take; it ends long before in every use the engine makes of it.
+/// The largest number of steps of one division; divisions of the prover end long before.
 const MAX_STEPS: usize = 200_000;
 
-/// Rows of exponents and the integer coefficients that belong to them, rows descending.
+/// Rows of exponents, descending, with their integer coefficients.
 #[derive(Clone, Copy)]
 struct Terms<'a> {
     width: usize,
@@ -43,7 +41,7 @@ impl Terms<'_> {
         degrees
     }
 
-    /// The rows of the first and of the last term.
+    /// The rows of the first and of the last term; `None` if there are no terms.
     fn ends(&self) -> Option<[&[u16]; 2]> {
         let mut rows = self.exponents.chunks_exact(self.width);
         let first = rows.next()?;
@@ -56,12 +54,12 @@ impl Terms<'_> {
     }
 }
 
-/// The difference of two rows, if it is one.
+/// The difference of two rows, or `None` if an exponent would be negative.
 fn less(a: &[u16], b: &[u16]) -> Option<Vec<u16>> {
     a.iter().zip(b).map(|(a, b)| a.checked_sub(*b)).collect()
 }
 
-/// The quotient of two integers, if it is one.
+/// The quotient of two integers, or `None` if it is not an integer.
 fn integer_quotient(a: &Integer, b: &Integer) -> Option<Integer> {
     if b.is_one() {
         return Some(a.clone());
@@ -70,8 +68,8 @@ fn integer_quotient(a: &Integer, b: &Integer) -> Option<Integer> {
     remainder.is_zero().then_some(quotient)
 }
 
-/// The terms of the quotient: rows, descending, and coefficients. `limits` are its highest exponents, `widths` the bits
-/// of the columns, one more than the exponents of the dividend need.
+/// Computes the terms of the quotient: rows, descending, and coefficients. `limits` are the largest exponents of the
+/// quotient; `widths` are the bits of the columns, one more than the exponents of the dividend need.
 fn quotient<R: Difference>(
     dividend: Terms<'_>,
     (divisor, content): (Terms<'_>, &Integer),
@@ -118,7 +116,7 @@ fn quotient<R: Difference>(
 }
 
 impl Polynomial {
-    /// `self / divisor` if the division leaves no remainder, without use of the relations.
+    /// Returns the quotient `self / divisor` if the division leaves no remainder, without use of the relations.
     ///
     /// ```
     /// use torse_algebra::Polynomial;
@@ -135,7 +133,7 @@ impl Polynomial {
         if self.is_zero() {
             return Some(Self::zero());
         }
-        // A symbol of the divisor that does not occur in the dividend rules division out at once.
+        // Division fails if the divisor has a symbol that does not occur in the dividend.
         let occurs = |s| self.body.symbols.binary_search(s).is_ok();
         if !divisor.body.symbols.iter().all(occurs) {
             return None;
@@ -157,7 +155,7 @@ impl Polynomial {
             less(&limits, &less(a, b)?)?;
         }
         let content = divisor.content();
-        // A bit more a column: it tells whether a difference of two rows is one.
+        // One more bit for each column, which shows whether a difference of two rows is negative there.
         let widths: Vec<u32> = widths(&degrees).iter().map(|w| w + 1).collect();
         let bits: u32 = widths.iter().sum();
         let divide = if bits <= u64::BITS {

@@ -6,11 +6,11 @@ use crate::symbol::Symbol;
 use std::collections::BTreeMap;
 
 impl Polynomial {
-    /// The value with each symbol replaced by `value(symbol)`, in the context of `like` (which is
-    /// returned scaled by zero for the zero polynomial). The first error of `value` is returned.
+    /// Evaluates with `value(symbol)` for each symbol, in the context of `like` (the zero polynomial evaluates to
+    /// `like` scaled by zero).
     ///
     /// # Errors
-    /// Whatever `value` returns for a symbol that has no value.
+    /// The first error that `value` returns.
     pub fn evaluate<S: Scalar, E>(
         &self,
         like: &S,
@@ -22,7 +22,7 @@ impl Polynomial {
             .iter()
             .map(&mut value)
             .collect::<Result<Vec<S>, E>>()?;
-        // Powers of each symbol are made once and shared by all terms.
+        // The powers of each symbol are computed once and shared by all terms.
         let mut powers: Vec<Vec<S>> = values.iter().map(|_| vec![like.one_like()]).collect();
         for (column, (list, value)) in powers.iter_mut().zip(&values).enumerate() {
             let highest = self
@@ -53,7 +53,7 @@ impl Polynomial {
         Ok(total.scaled(&scale))
     }
 
-    /// The polynomial with each symbol for which `value` answers replaced by that polynomial.
+    /// Replaces each symbol for which `value` returns a polynomial by that polynomial.
     #[must_use]
     pub fn substituted(&self, value: impl Fn(&Symbol) -> Option<Polynomial>) -> Self {
         let values: Vec<Option<Self>> = self.body.symbols.iter().map(&value).collect();
@@ -75,8 +75,8 @@ impl Polynomial {
         total
     }
 
-    /// The terms by the powers of some symbols, chosen by their places: the exponents of these, and what stands beside them,
-    /// which is never multiplied out again.
+    /// Groups the terms by the powers of the symbols in chosen columns. Returns the exponents of these symbols and,
+    /// for each, the polynomial in the other symbols that they multiply.
     pub(crate) fn grouped(&self, chosen: impl Fn(usize) -> bool) -> Vec<(Vec<u16>, Self)> {
         let mut groups: BTreeMap<Vec<u16>, Vec<(Vec<u16>, crate::Integer)>> = BTreeMap::new();
         for (row, coefficient) in self.rows().zip(&self.body.coefficients) {

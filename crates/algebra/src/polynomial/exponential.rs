@@ -1,8 +1,8 @@
-//! The exponential of a polynomial, where it is a quotient of polynomials again.
+//! The exponential of a polynomial, if it is a quotient of polynomials.
 //!
-//! `exp(a + b) = exp(a) exp(b)` splits the exponent into its terms; a term is a rational multiple of a monomial in named
-//! variables, and its exponential a power of that of one part of the monomial. What is divided by are exponentials alone,
-//! which vanish nowhere and are no condition.
+//! `exp(a + b) = exp(a) exp(b)` splits the exponent into its terms. A term is a rational multiple of a monomial in
+//! named variables, and its exponential is a power of the exponential of one part of that monomial. All divisors are
+//! exponentials, which vanish nowhere, so they are not conditions.
 
 use super::Polynomial;
 use crate::fraction::Fraction;
@@ -10,11 +10,11 @@ use crate::scalar::ExactError;
 use crate::symbol::{Exponent, Symbol};
 use num_traits::{Signed, ToPrimitive};
 
-/// The largest multiple of a part that is expanded, and the finest part.
+/// The largest multiple of a part that is expanded, and the largest number of parts.
 pub(super) const MAX_MULTIPLE: u64 = 64;
 
 impl Polynomial {
-    /// The exponential of the polynomial.
+    /// The exponential of this polynomial.
     ///
     /// ```
     /// use torse_algebra::{Polynomial, rational::ratio};
@@ -25,8 +25,8 @@ impl Polynomial {
     /// ```
     ///
     /// # Errors
-    /// [`ExactError::NoExponential`] for pi, roots, sines and members of families in the exponent, and for multiples
-    /// above 64 or parts finer than a 64th.
+    /// [`ExactError::NoExponential`] if pi, roots, sines or members of families occur in the exponent, and for
+    /// multiples above 64 or more than 64 parts.
     pub fn exponential(&self) -> Result<Fraction, ExactError> {
         let refused = || ExactError::NoExponential {
             argument: self.to_string(),
@@ -55,7 +55,7 @@ impl Polynomial {
 }
 
 impl Polynomial {
-    /// Whether this is a multiple of a product of exponentials, which vanishes nowhere.
+    /// Whether this is a constant multiple of a product of exponentials, which vanishes nowhere.
     #[must_use]
     pub fn is_exponential(&self) -> bool {
         let mut symbols = self.symbols().iter();
@@ -66,7 +66,7 @@ impl Polynomial {
 }
 
 impl Exponent {
-    /// What stands in the exponent.
+    /// The exponent as a polynomial.
     #[must_use]
     pub fn polynomial(&self) -> Polynomial {
         let one = Polynomial::constant(&crate::rational::Rational::new(

@@ -1,11 +1,11 @@
 //! Greatest common divisors.
 //!
-//! Used to keep fractions and printed formulas small; no verdict depends on it. The relations are not
-//! used: the gcd is that of the normal forms in the free polynomial ring.
+//! They keep fractions and printed formulas small; no verdict depends on them. The relations are not used: the result
+//! is the gcd of the normal forms in the free polynomial ring.
 //!
-//! First images modulo a prime, with all symbols but one replaced by numbers: **if the leading
-//! coefficient survives, the degree of the image's gcd bounds the degree of the gcd in that symbol from
-//! above.** Most pairs are coprime or one divides the other, and the bounds show it; what is left goes
+//! The first step computes images modulo a prime, with all symbols but one replaced by numbers: **if the leading
+//! coefficient does not vanish in the image, the degree of the gcd of the images bounds the degree of the gcd in that
+//! symbol from above.** Most pairs are coprime, or one divides the other, and the bounds show it. Other pairs go
 //! through a primitive remainder sequence in the symbol of the smallest bound, within a budget.
 
 use super::modular;
@@ -14,15 +14,14 @@ use crate::rational::integer;
 use crate::symbol::Symbol;
 use num_traits::Zero;
 
-/// Above this many terms a remainder sequence is not attempted: simplification must stay cheap.
+/// With more terms no remainder sequence is tried: simplification must stay cheap.
 const MAX_TERMS: usize = 300;
-/// The most bits of a coefficient in a remainder sequence.
+/// The largest number of bits of a coefficient in a remainder sequence.
 const MAX_BITS: usize = 2_000;
 
 impl Polynomial {
-    /// A greatest common divisor with coprime integer coefficients and positive leading coefficient.
-    /// Where the remainder sequence would be long the answer is one: a common divisor always, the
-    /// greatest for all but large arguments.
+    /// Returns a common divisor with coprime integer coefficients and positive leading coefficient. It is the
+    /// greatest common divisor unless the remainder sequence would be too long; then it is one.
     ///
     /// ```
     /// use torse_algebra::Polynomial;
@@ -56,7 +55,7 @@ impl Polynomial {
         let Some((_, main)) = bounds.iter().min() else {
             return Self::integer(1);
         };
-        // If the bounds allow the whole of one argument, try it.
+        // If the bounds admit one argument as the gcd, try it.
         for (candidate, target) in [(self, other), (other, self)] {
             let allowed = candidate.body.symbols.iter().all(|s| {
                 bounds
@@ -74,12 +73,14 @@ impl Polynomial {
     }
 
     fn remainder_sequence(&self, other: &Self, main: &Symbol) -> Self {
-        let (short, long) = match self.len() <= other.len() {
-            true => (self, other),
-            false => (other, self),
+        let (short, long) = if self.len() <= other.len() {
+            (self, other)
+        } else {
+            (other, self)
         };
         let (content, part) = short.split_content(main);
-        // What divides every coefficient of the long one need not be known: what it shares with the short one is enough.
+        // The content of the longer one is not needed; its common divisor with the content of the shorter one
+        // suffices.
         let content = long.content_with(content, main);
         let (mut a, mut b) = if long.degree_in(main) >= part.degree_in(main) {
             (long.clone(), part)
@@ -118,7 +119,7 @@ impl Polynomial {
     fn content_with(&self, first: Self, main: &Symbol) -> Self {
         let coefficients = self.coefficients_in(main);
         let mut coefficients: Vec<&Self> = coefficients.iter().filter(|c| !c.is_zero()).collect();
-        // Short ones first: their divisors are found soonest, and mostly there is none.
+        // Short coefficients first: their common divisor is found soonest, and is mostly one.
         coefficients.sort_by_key(|c| c.len());
         coefficients.into_iter().fold(first, |g, c| {
             if g.as_constant().is_some_and(|v| !v.is_zero()) {
@@ -129,26 +130,27 @@ impl Polynomial {
         })
     }
 
-    /// The remainder of `lead^n * self` divided by `divisor`; `None` when it grows past the limit.
+    /// The remainder of `lead^n * self` divided by `divisor`; `None` if it exceeds the limits.
     fn pseudo_remainder(&self, divisor: &Self, main: &Symbol) -> Option<Self> {
         let divisor_coefficients = divisor.coefficients_in(main);
         let lead = divisor_coefficients.last()?;
         let degree = divisor.degree_in(main);
-        let mut rest = self.clone();
-        while !rest.is_zero() && rest.degree_in(main) >= degree {
-            if rest.len() > 4 * MAX_TERMS || rest.largest_bits() > MAX_BITS {
+        let mut remainder = self.clone();
+        while !remainder.is_zero() && remainder.degree_in(main) >= degree {
+            if remainder.len() > 4 * MAX_TERMS || remainder.largest_bits() > MAX_BITS {
                 return None;
             }
-            let step = rest.degree_in(main) - degree;
-            let top = rest.coefficients_in(main).pop()?;
+            let step = remainder.degree_in(main) - degree;
+            let top = remainder.coefficients_in(main).pop()?;
             let shift = Self::symbol(main.clone()).power(u32::from(step));
-            rest = &(&rest * lead) - &(&(&top * &shift) * divisor);
+            remainder = &(&remainder * lead) - &(&(&top * &shift) * divisor);
         }
-        Some(rest)
+        Some(remainder)
     }
 
-    /// Whether a symbol occurs in one term alone, and that is a multiple of the symbol. Then the polynomial is
-    /// irreducible, but for a constant: one factor would be free of the symbol and divide its coefficient.
+    /// Whether some symbol occurs in exactly one term, and there with exponent one alone (the term is a constant
+    /// multiple of the symbol). Then the polynomial is irreducible up to a constant: one factor would be free of the
+    /// symbol and divide its coefficient.
     #[must_use]
     pub(crate) fn is_linear_somewhere(&self) -> bool {
         let alone = |row: &[u16]| {

@@ -1,10 +1,9 @@
 //! Sparse multivariate polynomials over the rationals, in normal form.
 //!
-//! A polynomial is one positive denominator, integer coefficients, and a table of exponents, sorted in
-//! descending lexicographic order. The normal form is unique: only symbols that occur are listed, the
-//! denominator and the coefficients have no common factor, every sine has degree at most one (from
-//! sin^2 = 1 - cos^2) and every root of a prime has degree at most one. The symbols satisfy no other
-//! algebraic relation (see [`crate::symbol`]), hence
+//! A polynomial consists of a positive denominator, integer coefficients, and a table of exponents in descending
+//! lexicographic order. The normal form is unique: only symbols that occur are listed, the denominator and the
+//! coefficients have no common factor, every sine has degree at most one (by sin^2 = 1 - cos^2) and every root of a
+//! prime has degree at most one. The symbols satisfy no other algebraic relation (see [`crate::symbol`]), hence
 //!
 //! **Theorem.** A polynomial is the zero function if and only if its normal form has no terms.
 //!
@@ -39,7 +38,7 @@ use num_traits::{One, Signed, Zero};
 use std::fmt;
 use std::sync::Arc;
 
-/// A polynomial in normal form; see the [module](self). A copy shares its terms.
+/// A polynomial in normal form; see the [module](self). Copies share their terms.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Polynomial {
     body: Arc<Body>,
@@ -54,7 +53,8 @@ pub struct Term<'a> {
     pub powers: Vec<(&'a Symbol, u16)>,
 }
 
-/// The symbols of a constant. Each thread has a list of its own: all would wait for each other to count the copies of one.
+/// The empty list of symbols. Each thread has its own, since a shared reference count would make all threads wait for
+/// each other.
 fn no_symbols() -> Arc<[Symbol]> {
     thread_local! {
         static NONE: Arc<[Symbol]> = Arc::new([]);
@@ -63,7 +63,7 @@ fn no_symbols() -> Arc<[Symbol]> {
 }
 
 impl Polynomial {
-    /// The polynomial of these parts, which are in normal form.
+    /// Makes a polynomial of parts that are in normal form.
     fn new(
         symbols: Arc<[Symbol]>,
         exponents: Vec<u16>,
@@ -81,7 +81,7 @@ impl Polynomial {
         }
     }
 
-    /// A constant in lowest terms that is not zero.
+    /// A nonzero constant in lowest terms.
     fn number(numerator: Integer, denominator: Integer) -> Self {
         Self::new(no_symbols(), vec![], vec![numerator], denominator)
     }
@@ -126,13 +126,13 @@ impl Polynomial {
         Self::symbol(Symbol::named(name))
     }
 
-    /// Whether this is the zero polynomial, which decides whether it is the zero function.
+    /// Whether this is the zero polynomial, that is, the zero function.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.body.coefficients.is_empty()
     }
 
-    /// The value, if no symbol occurs.
+    /// Returns the value if no symbol occurs, else `None`.
     #[must_use]
     pub fn as_constant(&self) -> Option<Rational> {
         match (&*self.body.symbols, self.body.coefficients.as_slice()) {
@@ -175,8 +175,7 @@ impl Polynomial {
         &self.body.denominator
     }
 
-    /// The binary digits of the longest of the integers that the coefficients consist of: numerators over the common
-    /// denominator.
+    /// The bits of the longest integer of the normal form: of the numerators or the common denominator.
     #[must_use]
     pub fn bits(&self) -> usize {
         let numerators = self.body.coefficients.iter().map(BitTest::bit_len).max();
@@ -221,7 +220,7 @@ impl Polynomial {
             .unwrap_or(0)
     }
 
-    /// The coefficient of the first term, zero for the zero polynomial.
+    /// The coefficient of the first term; zero for the zero polynomial.
     #[must_use]
     pub fn leading_coefficient(&self) -> Rational {
         self.body
@@ -232,8 +231,8 @@ impl Polynomial {
             })
     }
 
-    /// The polynomial divided by its content: coprime integer coefficients, the leading one positive.
-    /// Returns the content and the primitive part; the content of zero is zero.
+    /// Returns the content and the primitive part: the polynomial divided by the content, with coprime integer
+    /// coefficients and a positive leading coefficient. The content of zero is zero.
     #[must_use]
     pub fn primitive(&self) -> (Rational, Self) {
         let common = self
@@ -264,7 +263,7 @@ impl Polynomial {
         (Rational::new(signed, self.body.denominator.clone()), part)
     }
 
-    /// The coefficients by powers of `symbol`, ascending: `self = sum of coefficient * symbol^power`.
+    /// The coefficients of the powers of `symbol`, ascending: `self = sum of coefficient * symbol^power`.
     #[must_use]
     pub fn coefficients_in(&self, symbol: &Symbol) -> Vec<Self> {
         let Ok(column) = self.body.symbols.binary_search(symbol) else {

@@ -12,12 +12,12 @@ fn number(n: usize) -> u64 {
     (z ^ (z >> 31)) % PRIME
 }
 
-/// The polynomial in each of the `mains` alone, ascending, with the other symbols replaced by fixed numbers (the
-/// same for every polynomial: `all` lists the symbols that get numbers). Denominators are units and
+/// The images of the polynomial in each of the `mains`, ascending, with the other symbols replaced by fixed numbers
+/// that are the same for every polynomial (`all` lists the symbols that get numbers). Denominators are units and are
 /// left out.
 ///
-/// Each term is multiplied out once, with the numbers of all symbols; the power of one of them is taken out again, which
-/// is possible because none is zero.
+/// Each term is evaluated once, with the numbers of all symbols; then the power of the main symbol is divided out,
+/// which is possible because no number is zero.
 fn images(p: &Polynomial, mains: &[&Symbol], all: &[Symbol]) -> Vec<Vec<u64>> {
     let degrees = degrees(p);
     let values = p
@@ -29,7 +29,7 @@ fn images(p: &Polynomial, mains: &[&Symbol], all: &[Symbol]) -> Vec<Vec<u64>> {
     let forth: Vec<Vec<u64>> = values.iter().zip(&degrees).map(powers).collect();
     let mut images = vec![];
     for main in mains {
-        // A symbol that does not occur has no column: the image is a constant.
+        // A symbol that does not occur has no column, and its image is a constant.
         let column = p.symbols().binary_search(main).ok();
         let own = column.and_then(|c| Some((*values.get(c)?, *degrees.get(c)?)));
         let (value, degree) = own.unwrap_or((1, 0));
@@ -67,7 +67,7 @@ fn degrees(p: &Polynomial) -> Vec<u16> {
     degrees
 }
 
-/// The powers of a residue from 1 on.
+/// The powers of a residue: `1, value, ..., value^degree`.
 fn powers_up_to(value: u64, degree: u16) -> Vec<u64> {
     let next = |power: &u64| Some(times(*power, value));
     let powers = std::iter::successors(Some(1), next);
@@ -103,11 +103,11 @@ fn gcd_degree(mut a: Vec<u64>, mut b: Vec<u64>) -> usize {
 /// Upper bounds for the degrees in `mains` of the gcd of two nonzero polynomials.
 pub(super) fn gcd_degree_bounds(a: &Polynomial, b: &Polynomial, mains: &[&Symbol]) -> Vec<u16> {
     let all = super::add::common_symbols(a, b);
-    let (of_a, of_b) = (images(a, mains, &all), images(b, mains, &all));
+    let (images_a, images_b) = (images(a, mains, &all), images(b, mains, &all));
     let bound = |(image_a, image_b): (Vec<u64>, Vec<u64>)| {
         let trivial = u16::try_from(image_a.len().min(image_b.len()).saturating_sub(1));
         let trivial = trivial.unwrap_or(u16::MAX);
-        // The bound needs one leading coefficient that does not vanish in the image.
+        // The bound is valid only if one of the leading coefficients does not vanish in the image.
         if image_a.last() == Some(&0) && image_b.last() == Some(&0) {
             return trivial;
         }
@@ -115,7 +115,7 @@ pub(super) fn gcd_degree_bounds(a: &Polynomial, b: &Polynomial, mains: &[&Symbol
             .unwrap_or(trivial)
             .min(trivial)
     };
-    of_a.into_iter().zip(of_b).map(bound).collect()
+    images_a.into_iter().zip(images_b).map(bound).collect()
 }
 
 #[cfg(test)]

@@ -1,14 +1,14 @@
 //! Multiplication.
 //!
-//! Two choices are made apart. The arithmetic of the coefficients (`coefficients`): machine integers of the
-//! least size that a bound from the factors proves large enough, integers of any size, or short fractions
-//! where the common denominator is long (`quotients`). The layout of the rows: a table with a cell for every
-//! row where the product fills its box of exponents well (`dense`), a hash table otherwise (`sparse`), with
-//! rows packed into one machine word of 64 or 128 bits where the degrees of the product fit (`packed`).
+//! Two choices are made independently. The arithmetic of the coefficients (`coefficients`): the smallest machine
+//! integers that a bound computed from the factors proves sufficient, else integers of any size, or short fractions
+//! if the common denominator is long (`quotients`). The layout of the rows: a table with a cell for every possible
+//! row if the product fills its box of exponents well (`dense`), else a hash table (`sparse`), with rows packed into
+//! a word of 64 or 128 bits if the degrees of the product fit (`packed`).
 //!
-//! The methods are those of M. Monagan and R. Pearce, "Sparse polynomial division using a heap" (Journal of
-//! Symbolic Computation 46, 2011) for packing, and of FLINT for the choice between layouts; a hash table in
-//! ranges takes the place of the heap.
+//! The methods are those of M. Monagan and R. Pearce, "Sparse polynomial division using a heap" (Journal of Symbolic
+//! Computation 46, 2011) for packing, and of FLINT for the choice of the layout; a hash table on ranges of rows
+//! replaces the heap.
 
 use super::add::{common_symbols, widened};
 use super::coefficients::{Coefficients, DoubleWords, Integers, Words};
@@ -19,10 +19,10 @@ use crate::rational::Integer;
 use std::ops::Mul;
 use torse_numbers::work::room;
 
-/// So many terms are made before it is looked at whether there is room for more.
-const TERMS_BETWEEN_LOOKS: usize = 1 << 14;
+/// After this many terms the remaining memory is checked again.
+const TERMS_BETWEEN_CHECKS: usize = 1 << 14;
 
-/// The highest exponent of each column of the product; none when one is above `u16::MAX`.
+/// The highest exponent of each column of the product; `None` if one is above `u16::MAX`.
 fn highest(rows_a: &[u16], rows_b: &[u16], columns: usize) -> Option<Vec<u16>> {
     let top = |rows: &[u16], column: usize| -> u16 {
         let exponents = rows.iter().skip(column).step_by(columns);
@@ -32,7 +32,7 @@ fn highest(rows_a: &[u16], rows_b: &[u16], columns: usize) -> Option<Vec<u16>> {
     sums.collect()
 }
 
-/// The terms of the product: rows in descending order and coefficients.
+/// Computes the terms of the product: rows in descending order, and coefficients.
 fn terms<K: Coefficients>(
     kind: &K,
     highest: &[u16],
@@ -53,7 +53,7 @@ fn terms<K: Coefficients>(
     }
 }
 
-/// The same by the hash table, with rows in the form `R`.
+/// Computes the terms in a hash table, with rows in the form `R`.
 fn sparse_terms<R: Row, K: Coefficients>(
     kind: &K,
     widths: &[u32],
@@ -71,7 +71,7 @@ fn sparse_terms<R: Row, K: Coefficients>(
     let mut over = false;
     sparse::product(kind, &packed(rows_a, a), &packed(rows_b, b), |row, sum| {
         let terms = coefficients.len() + 1;
-        if terms.is_multiple_of(TERMS_BETWEEN_LOOKS) {
+        if terms.is_multiple_of(TERMS_BETWEEN_CHECKS) {
             over = over || room(terms * bytes).is_err();
         }
         if over {
@@ -84,7 +84,7 @@ fn sparse_terms<R: Row, K: Coefficients>(
 }
 
 /// # Panics
-/// When an exponent of the product is above `u16::MAX`, outside of a job: see [`torse_numbers::work`].
+/// When an exponent of the product is above `u16::MAX` outside of a job: see [`torse_numbers::work`].
 impl Mul for &Polynomial {
     type Output = Polynomial;
     fn mul(self, other: Self) -> Polynomial {
@@ -135,10 +135,10 @@ impl Mul for Polynomial {
 }
 
 impl Polynomial {
-    /// `self` to the power `exponent`, by repeated squaring.
+    /// `self` to the power of `exponent`, by repeated squaring.
     ///
     /// # Panics
-    /// When an exponent of the result is above `u16::MAX`, outside of a job: see [`torse_numbers::work`].
+    /// When an exponent of the result is above `u16::MAX` outside of a job: see [`torse_numbers::work`].
     #[must_use]
     pub fn power(&self, exponent: u32) -> Self {
         let mut result = Self::constant(&crate::rational::integer(1));

@@ -1,31 +1,31 @@
-//! Rows of exponents as words, or as they are.
+//! Rows of exponents packed into words, or as they are.
 
-/// A row of exponents in a form that is compared and added at once: its order is the order of rows, and the
-/// sum of two is the sum of the rows.
+/// A row of exponents in a form that is compared and added as a whole: the order of the packed forms is the order of
+/// the rows, and their sum is the packed sum.
 pub(super) trait Row: Ord + Clone {
-    /// The row `exponents`, whose columns have so many bits each.
+    /// Packs the row `exponents`; `widths` are the bits of the columns.
     fn pack(exponents: &[u16], widths: &[u32]) -> Self;
     /// Appends the exponents to `into`.
     fn unpack(&self, widths: &[u32], into: &mut Vec<u16>);
     /// The row of the product of two monomials.
     fn plus(&self, other: &Self) -> Self;
-    /// A number whose upper half depends on all of the row.
+    /// A hash whose upper half depends on the whole row.
     fn hash(&self) -> u64;
 }
 
-/// Rows that are subtracted.
+/// Rows that can be subtracted.
 pub(super) trait Difference: Row {
-    /// A bit above the exponent of each column, for [`Row::less`].
+    /// The highest bit of each column, for [`Difference::less`].
     fn guards(widths: &[u32]) -> Self;
-    /// The row that added to `other` gives this one, if there is one. The exponents of both leave the highest bit of each
-    /// column free, and `guards` are those bits.
+    /// The difference `self - other`, or `None` if an exponent would be negative. In both rows the highest bit of
+    /// each column must be zero; `guards` are these bits.
     fn less(&self, other: &Self, guards: &Self) -> Option<Self>;
 }
 
-/// An odd number whose bits show no pattern: 2^64 divided by the golden ratio.
+/// An odd number with irregular bits: 2^64 divided by the golden ratio.
 const SPREAD: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// The product with [`SPREAD`], its upper half folded on the lower one.
+/// The upper half of the product with [`SPREAD`], combined with the lower half by exclusive or.
 fn spread(word: u64) -> u64 {
     let (low, high) = word.carrying_mul(SPREAD, 0);
     low ^ high
@@ -54,11 +54,11 @@ macro_rules! packed {
             fn unpack(&self, widths: &[u32], into: &mut Vec<u16>) {
                 let start = into.len();
                 into.resize(start + widths.len(), 0);
-                let mut rest = *self;
+                let mut remaining = *self;
                 for (slot, width) in into.iter_mut().skip(start).zip(widths).rev() {
-                    // A column has 16 bits at most, so nothing is lost.
-                    *slot = (rest & ((1 << width) - 1)) as u16;
-                    rest >>= width;
+                    // A column has at most 16 bits, so the cast is exact.
+                    *slot = (remaining & ((1 << width) - 1)) as u16;
+                    remaining >>= width;
                 }
             }
 
@@ -79,8 +79,8 @@ macro_rules! packed {
             }
 
             fn less(&self, other: &Self, guards: &Self) -> Option<Self> {
-                // Each column of the first has its highest bit, so none borrows from the next one, and the bit is left
-                // where the exponent was not below the other one.
+                // With the guard bit set no column borrows from the next one. The guard bit remains set exactly if
+                // the exponent is at least the other one.
                 let difference = (self | guards) - other;
                 (difference & guards == *guards).then_some(difference & !guards)
             }

@@ -1,9 +1,9 @@
-//! Coefficients as fractions of their own.
+//! Coefficients as fractions with denominators of their own.
 //!
-//! A polynomial keeps one common denominator. When the coefficients have unrelated denominators it is about
-//! their product, and so thousands of digits long, as is each integer coefficient over it, though each
-//! fraction in lowest terms is short. Then the products are summed as short fractions, without looking for
-//! common factors, and a sum is brought over the common denominator once instead of at every product.
+//! A polynomial keeps one common denominator. If the denominators of the coefficients are unrelated, the common one
+//! is about their product, thousands of digits long, and so is each integer coefficient over it, although each
+//! coefficient in lowest terms is short. Then products are summed as short fractions, without looking for common
+//! factors, and a sum is brought over the common denominator once instead of at every product.
 
 use super::Polynomial;
 use super::coefficients::Coefficients;
@@ -11,14 +11,14 @@ use crate::rational::Integer;
 use dashu_int::ops::BitTest;
 use num_integer::Integer as _;
 
-/// The terms of each factor that are reduced on trial.
+/// The number of terms of each factor that are reduced to lowest terms as a sample.
 const TRIALS: usize = 8;
-/// A term is reduced only if it takes part in so many products on average.
+/// Terms are reduced only if each takes part in this many products on average.
 const PRODUCTS_PER_TERM: usize = 8;
-/// How much longer the estimated work with the common denominator must be.
+/// Fractions are used only if the estimated work with the common denominator is this many times larger.
 const MARGIN: usize = 4;
-/// Longer denominators of sums are brought over the common one. Adding to a sum is then a few dozen words of
-/// work, little beside the hundreds of words of a common denominator that is worth avoiding.
+/// A sum whose denominator has more bits is brought over the common denominator. So an addition costs a few dozen
+/// words of work, little compared with the hundreds of words of a common denominator that is worth avoiding.
 const MAX_BITS: usize = 1024;
 
 /// A fraction whose denominator is positive; in lowest terms when it is a coefficient.
@@ -28,7 +28,7 @@ pub(super) struct Quotient {
     denominator: Integer,
 }
 
-/// An integer multiple of one over the common denominator, and a fraction.
+/// The number `whole / common + part`, where `common` is the common denominator.
 #[derive(Clone)]
 pub(super) struct Sum {
     whole: Integer,
@@ -49,7 +49,7 @@ fn lowest(p: &Polynomial, c: &Integer) -> Quotient {
     }
 }
 
-/// The average bits of the denominators of some coefficients in lowest terms.
+/// The average number of bits of the denominators of sampled coefficients in lowest terms.
 fn trial(p: &Polynomial) -> usize {
     let step = p.len().div_ceil(TRIALS).max(1);
     let tried = p.body.coefficients.iter().step_by(step);
@@ -57,29 +57,29 @@ fn trial(p: &Polynomial) -> usize {
     bits.sum::<usize>() / p.len().div_ceil(step).max(1)
 }
 
-/// The average bits of the coefficients.
+/// The average number of bits of the coefficients.
 fn length(p: &Polynomial) -> usize {
     let bits = p.body.coefficients.iter().map(BitTest::bit_len);
     bits.sum::<usize>() / p.len().max(1)
 }
 
 impl Quotients {
-    /// The arithmetic for the product of `a` and `b`, if it promises to be faster than integers over the
-    /// common denominator.
+    /// Chooses this arithmetic for the product of `a` and `b` if it promises to be faster than integers over the
+    /// common denominator; else `None`.
     pub(super) fn if_faster(a: &Polynomial, b: &Polynomial) -> Option<Self> {
         let products = a.len().saturating_mul(b.len());
         let common = a.body.denominator.bit_len() + b.body.denominator.bit_len();
         if common <= MAX_BITS || products < PRODUCTS_PER_TERM * (a.len() + b.len()) {
             return None;
         }
-        // Bringing a fraction over the common denominator is one product and one quotient of that with the
-        // denominator of the fraction.
+        // Bringing a fraction over the common denominator costs one product and one division by the denominator of
+        // the fraction.
         let own = common.saturating_mul(2 * (trial(a) + trial(b)));
         let integers = length(a).saturating_mul(length(b));
         (own.saturating_mul(MARGIN) <= integers).then(|| Self::new(a, b))
     }
 
-    /// The arithmetic for the product of `a` and `b`, fast or not.
+    /// This arithmetic for the product of `a` and `b`, whether fast or not.
     pub(super) fn new(a: &Polynomial, b: &Polynomial) -> Self {
         Self {
             common: &a.body.denominator * &b.body.denominator,
@@ -91,7 +91,7 @@ impl Quotients {
         p.body.coefficients.iter().map(|c| lowest(p, c)).collect()
     }
 
-    /// The numerator of a fraction over the common denominator, of which its value is a multiple.
+    /// The numerator of the fraction over the common denominator, which is a multiple of its own.
     fn over_common(&self, part: &Quotient) -> Integer {
         &part.numerator * &self.common / &part.denominator
     }

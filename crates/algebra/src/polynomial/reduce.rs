@@ -1,7 +1,7 @@
 //! The relations: sin^2 = 1 - cos^2 and sqrt(p)^2 = p, used as rewriting rules from left to right.
 //!
-//! Each rule lowers the degree of its symbol and the rules share no symbol on the left, so rewriting
-//! ends and does not depend on the order (the left sides are coprime powers, hence a Groebner basis).
+//! Each rule lowers the degree of its symbol, and no two rules share a symbol on the left. So rewriting terminates,
+//! and its result does not depend on the order (the left sides are coprime powers, hence a Groebner basis).
 
 use super::{Polynomial, cost};
 use crate::rational::Integer;

@@ -1,35 +1,34 @@
-//! Multiplication by a hash table of rows, one range of rows after the other.
+//! Multiplication in a hash table, one range of rows after the other.
 //!
-//! A product of `n` and `m` terms has up to `n m` rows, and usually far fewer. Each is looked up in a hash
-//! table and its coefficients are summed there, so that only the rows of the result are sorted and stored.
-//! So that the table stays in the cache, the rows are split at pivots into ranges of about
-//! [`BLOCK`] products, which are multiplied from the highest to the lowest: both factors are sorted, hence
-//! the products `a_i * b` of a range are consecutive terms of `b`, and a cursor for each `a_i` finds them.
-//! The pivots are quantiles of a coarse grid of products; a bad split costs time and memory, nothing else.
-//! Rows that all fall on one place of the table cost a walk of the table each, so the work is bounded by
-//! the products times the rows of a range.
+//! A product of `n` and `m` terms has up to `n m` rows, and usually far fewer. Each row is looked up in a hash table
+//! that sums its coefficients, so only the rows of the result are sorted and stored. To keep the table in the cache,
+//! pivots split the rows into ranges of about [`BLOCK`] products, which are computed from the highest to the lowest.
+//! Both factors are sorted, so the products `a_i * b` in a range come from consecutive terms of `b`, and a cursor for
+//! each `a_i` finds them. The pivots are quantiles of a coarse grid of products; a bad split costs time and memory,
+//! but changes no result. If all rows hash to one place, each lookup walks the table, so the work is bounded by the
+//! number of products times the rows of a range.
 //!
-//! Few products are sorted directly: a table is not worth its setup.
+//! If there are few products they are sorted directly, since a table would not pay.
 
 use super::coefficients::Coefficients;
 use super::packed::Row;
 
-/// Up to so many products are sorted.
-const FEW: usize = 512;
-/// The products of a range, so many that their rows and sums fit into the second cache.
+/// The largest number of products that are sorted directly.
+const MAX_SORTED: usize = 512;
+/// The number of products of a range: their rows and sums fit into the second-level cache.
 const BLOCK: usize = 1 << 12;
-/// The products in the grid for each range.
+/// The number of grid products for each range.
 const SAMPLES: usize = 16;
 
-/// Hands the rows of the product with their sums to `emit`, in descending order, zero sums left out. Both
-/// factors are in descending order.
+/// Passes the rows of the product with their nonzero sums to `emit`, in descending order. Both factors are in
+/// descending order.
 pub(super) fn product<R: Row, K: Coefficients>(
     kind: &K,
     a: &[(R, K::Factor)],
     b: &[(R, K::Factor)],
     mut emit: impl FnMut(&R, K::Sum),
 ) {
-    // Each range looks at every term of `a`.
+    // Each range visits every term of `a`, so `a` is the shorter factor.
     let (a, b) = if a.len() <= b.len() { (a, b) } else { (b, a) };
     let products = a.len().saturating_mul(b.len());
     let mut emit = |row: &R, sum| {
@@ -37,7 +36,7 @@ pub(super) fn product<R: Row, K: Coefficients>(
             emit(row, sum);
         }
     };
-    if products <= FEW {
+    if products <= MAX_SORTED {
         sorted(kind, a, b, emit);
         return;
     }
@@ -71,7 +70,7 @@ fn sorted<R: Row, K: Coefficients>(
     for (row_a, x) in a {
         pairs.extend(b.iter().map(|(row_b, y)| (row_a.plus(row_b), x, y)));
     }
-    // The rows of one term are in order already, which a stable sort makes use of.
+    // The rows made from one term of `a` are already in order, which makes the stable sort fast.
     pairs.sort_by(|p, q| q.0.cmp(&p.0));
     for run in pairs.chunk_by(|p, q| p.0 == q.0) {
         let mut sum = kind.zero();
@@ -84,7 +83,7 @@ fn sorted<R: Row, K: Coefficients>(
     }
 }
 
-/// Up to `ranges - 1` rows that split the products into ranges of about the same size, descending.
+/// Up to `ranges - 1` rows, descending, that split the products into ranges of about the same size.
 fn pivots<R: Row, F>(a: &[(R, F)], b: &[(R, F)], ranges: usize) -> Vec<R> {
     if ranges <= 1 {
         return vec![];
@@ -109,11 +108,12 @@ fn pivots<R: Row, F>(a: &[(R, F)], b: &[(R, F)], ranges: usize) -> Vec<R> {
 
 /// Sums by row: an open hash table with linear probing.
 struct Table<R, S> {
-    /// One more than the number of the row at this place, 0 for none; at least twice as many as rows.
+    /// For each place one plus the number of its row, or 0 for a free place. There are at least twice as many places
+    /// as rows.
     places: Vec<usize>,
     rows: Vec<R>,
     sums: Vec<S>,
-    /// The rows and their numbers, while they are sorted.
+    /// Rows and their numbers, used for sorting.
     order: Vec<(R, usize)>,
 }
 
@@ -132,7 +132,7 @@ impl<R: Row, S> Table<R, S> {
         let mask = self.places.len() - 1;
         // The upper bits of the hash depend on all bits of the row.
         let mut place = (row.hash() >> 32) as usize & mask;
-        // At least half of the places are free, and numbers are those of rows.
+        // The loop ends because at least half of the places are free; entries are valid row numbers.
         loop {
             let number = self.places[place];
             if number == 0 || self.rows[number - 1] == *row {
@@ -142,7 +142,7 @@ impl<R: Row, S> Table<R, S> {
         }
     }
 
-    /// The sum of `row`, which is `zero` when it is new.
+    /// The sum of `row`, which starts as `zero` for a new row.
     fn sum(&mut self, row: R, zero: impl Fn() -> S) -> &mut S {
         let place = self.place(&row);
         let mut number = self.places[place];
@@ -166,7 +166,7 @@ impl<R: Row, S> Table<R, S> {
         }
     }
 
-    /// Hands out the rows in descending order with their sums, and empties the table.
+    /// Passes the rows in descending order with their sums to `emit`, and empties the table.
     fn drain(&mut self, zero: impl Fn() -> S, mut emit: impl FnMut(&R, S)) {
         self.order.extend(self.rows.drain(..).zip(0..));
         self.order.sort_unstable_by(|x, y| y.0.cmp(&x.0));

@@ -1,8 +1,9 @@
-//! Sine and cosine of a quarter turn times a polynomial, where they are polynomials again, and the
-//! polynomial ring as a [`Scalar`].
+//! Sine and cosine of a quarter turn times a polynomial, if they are polynomials; and the polynomial ring as a
+//! [`Scalar`].
 //!
-//! The argument may be a rational combination of variables plus a multiple of 1/6: sums of angles by the addition
-//! theorems, a part of a variable as a symbol of its own, and the exact values at multiples of 15 degrees.
+//! The argument may be a rational combination of variables plus a multiple of 1/6. Sums of angles are expanded by the
+//! addition theorems, a fraction of the angle of a variable is a symbol of its own, and values at multiples of 15
+//! degrees are exact.
 
 use super::Polynomial;
 use crate::fault_injection::{InjectedFault, injected};
@@ -13,9 +14,9 @@ use dashu_int::ops::BitTest;
 use num_traits::{One, Signed, ToPrimitive};
 use std::sync::Arc;
 
-/// The most binary digits of a radicand, numerator and denominator together.
+/// The largest number of bits of a radicand, numerator and denominator together.
 const MAX_RADICAND_BITS: usize = 1 << 14;
-/// The largest multiple of a variable that is expanded, and the finest part of one.
+/// The largest multiple of the angle of a variable that is expanded, and the largest number of parts.
 pub(super) const MAX_MULTIPLE: u64 = 64;
 
 type Pair = (Polynomial, Polynomial);
@@ -72,7 +73,7 @@ pub(super) fn multiple_of(name: &Arc<str>, angle: Angle, multiple: i64) -> Pair 
     (1..multiple.unsigned_abs()).fold(once.clone(), |sum, _| sum_of_angles(&sum, &once))
 }
 
-/// (sin, cos) of a polynomial argument in a unit.
+/// (sin, cos) of a polynomial argument in the given unit.
 pub(crate) fn pair(argument: &Polynomial, unit: Unit) -> Result<Pair, ExactError> {
     let refused = || ExactError::NoExactTurn {
         argument: argument.to_string(),
@@ -97,12 +98,11 @@ pub(crate) fn pair(argument: &Polynomial, unit: Unit) -> Result<Pair, ExactError
 }
 
 impl Polynomial {
-    /// `(sin(self), cos(self))` with `self` in radians: a rational combination of variables and
-    /// multiples of pi/12. A combination of quarter turns of variables (pi/2 * x) is taken as
-    /// such.
+    /// `(sin(self), cos(self))` with `self` in radians: a rational combination of variables and multiples of pi/12.
+    /// Multiples of pi/2 * x are treated as quarter turns of the variable x.
     ///
     /// # Errors
-    /// [`ExactError::NoExactTurn`] when the pair is not a polynomial in this ring's symbols.
+    /// [`ExactError::NoExactTurn`] when the sine and cosine are not polynomials in the symbols of this ring.
     pub fn sine_cosine(&self) -> Result<(Self, Self), ExactError> {
         let by_pi = self.coefficients_in(&Symbol::Pi);
         let refused = || ExactError::NoExactTurn {
@@ -127,9 +127,9 @@ impl Polynomial {
     /// roots of primes.
     ///
     /// # Errors
-    /// [`ExactError::NoSquareRoot`] for negative numbers and for those whose square-free part has a
-    /// prime factor above one million; [`ExactError::TooLarge`] for a radicand whose parts have more than
-    /// 2^14 binary digits together, because prime factors are found by trial.
+    /// [`ExactError::NoSquareRoot`] for negative numbers and for those whose square-free part has a prime factor
+    /// above one million; [`ExactError::TooLarge`] for a radicand whose parts have more than 2^14 binary digits
+    /// together, because prime factors are found by trial division.
     ///
     /// ```
     /// use torse_algebra::{Polynomial, rational::ratio};
@@ -167,7 +167,7 @@ impl Polynomial {
             if exponent > 0 {
                 root = &root * &root_factor(&prime, exponent).ok_or_else(refused)?;
             }
-            // After 2 the odd numbers.
+            // After 2 only odd numbers are tried.
             prime += if prime == two { 1 } else { 2 };
         }
         if !rest.is_one() {

@@ -1,6 +1,6 @@
-//! Polynomials with integer coefficients, ascending, without zeros at the end; empty is zero.
+//! Polynomials with integer coefficients, ascending, without trailing zeros; the empty list is zero.
 //!
-//! Everything is done up to a *positive* factor, which no sign notices.
+//! All results are correct up to a *positive* factor, which changes no sign.
 
 use crate::rational::{Integer, Rational};
 use num_integer::Integer as _;
@@ -20,7 +20,7 @@ pub(super) fn cleared(coefficients: &[Rational]) -> Vec<Integer> {
     )
 }
 
-/// Divided by the greatest common divisor of the coefficients, and cut after the last nonzero one.
+/// Divides by the greatest common divisor of the coefficients and drops trailing zeros.
 fn primitive(mut polynomial: Vec<Integer>) -> Vec<Integer> {
     let length = polynomial
         .iter()
@@ -28,7 +28,7 @@ fn primitive(mut polynomial: Vec<Integer>) -> Vec<Integer> {
         .map_or(0, |last| last + 1);
     polynomial.truncate(length);
     let content = polynomial.iter().fold(Integer::ZERO, |gcd, c| {
-        // Once it is one it stays one.
+        // A gcd of one stays one.
         if gcd.is_one() || c.is_zero() {
             gcd
         } else if gcd.is_zero() {
@@ -55,7 +55,7 @@ pub(super) fn derivative(polynomial: &[Integer]) -> Vec<Integer> {
     )
 }
 
-/// A positive multiple of `-(a mod b)`, for `b` not zero.
+/// A positive multiple of `-(a mod b)`, for nonzero `b`.
 pub(super) fn negated_remainder(a: &[Integer], b: &[Integer]) -> Vec<Integer> {
     let Some((leading, lower)) = b.split_last() else {
         return Vec::new();
@@ -78,8 +78,7 @@ pub(super) fn negated_remainder(a: &[Integer], b: &[Integer]) -> Vec<Integer> {
     rest.into_iter().map(|c| -c).collect()
 }
 
-/// `a / b` up to a positive factor, for `b` a divisor of `a` and primitive: then the quotient has integer
-/// coefficients (Gauss).
+/// A positive multiple of `a / b`, for a primitive divisor `b` of `a`. The quotient has integer coefficients (Gauss).
 pub(super) fn exact_quotient(a: &[Integer], b: &[Integer]) -> Vec<Integer> {
     let Some((leading, lower)) = b.split_last() else {
         return a.to_vec();
@@ -99,7 +98,7 @@ pub(super) fn exact_quotient(a: &[Integer], b: &[Integer]) -> Vec<Integer> {
     quotient
 }
 
-/// The sign at a rational point, by Horner's rule for `denominator^degree * p(numerator/denominator)`.
+/// The sign at a rational point, from `denominator^degree * p(numerator/denominator)` by Horner's rule.
 pub(super) fn sign_at(polynomial: &[Integer], x: &Rational) -> Ordering {
     let mut power = Integer::ONE;
     let mut sum = Integer::ZERO;
@@ -110,7 +109,7 @@ pub(super) fn sign_at(polynomial: &[Integer], x: &Rational) -> Ordering {
     sum.cmp(&Integer::ZERO)
 }
 
-/// The sign far out on the side of `direction`.
+/// The sign at plus or minus infinity, on the side of `direction`.
 pub(super) fn sign_at_infinity(polynomial: &[Integer], direction: Ordering) -> Ordering {
     let leading = polynomial
         .last()

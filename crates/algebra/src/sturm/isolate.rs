@@ -1,4 +1,4 @@
-//! One interval for each root, and narrower ones on demand.
+//! Isolating intervals of roots, and their refinement.
 
 use super::{SturmError, SturmSequence, finite, includes, integral};
 use crate::rational::{Integer, Rational};
@@ -6,7 +6,8 @@ use num_traits::Signed;
 use std::cmp::Ordering;
 use std::ops::{Bound, RangeBounds};
 
-/// Where one root of a polynomial lies: at a rational point, or strictly between two that are no roots.
+/// An enclosure of one root: a rational point that is the root, or an open interval that contains it and whose ends
+/// are not roots.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RootInterval {
     lower: Rational,
@@ -14,25 +15,25 @@ pub struct RootInterval {
 }
 
 impl RootInterval {
-    /// The greatest number known not to exceed the root.
+    /// A lower bound of the root.
     #[must_use]
     pub fn lower(&self) -> &Rational {
         &self.lower
     }
 
-    /// The least number known not to lie below the root.
+    /// An upper bound of the root.
     #[must_use]
     pub fn upper(&self) -> &Rational {
         &self.upper
     }
 
-    /// The root itself when it is known to be rational.
+    /// The root itself, if it is known to be rational.
     #[must_use]
     pub fn exact(&self) -> Option<&Rational> {
         (self.lower == self.upper).then_some(&self.lower)
     }
 
-    /// Whether the point lies between the ends, or is one.
+    /// Whether the point lies in the closed interval between the bounds.
     #[must_use]
     pub fn contains(&self, x: &Rational) -> bool {
         self.lower <= *x && *x <= self.upper
@@ -52,11 +53,11 @@ pub(super) fn middle(a: &Rational, b: &Rational) -> Rational {
 }
 
 impl SturmSequence {
-    /// One interval for each distinct root in the given interval, in ascending order. They share at most
-    /// ends that are no roots.
+    /// Returns one interval for each distinct root in the given interval, in ascending order. Neighbouring intervals
+    /// have at most an end in common, which is not a root.
     ///
     /// # Errors
-    /// [`SturmError::BudgetSpent`] when roots are too close to be told apart.
+    /// [`SturmError::BudgetSpent`] when roots are too close to be separated.
     pub fn isolate(
         &self,
         interval: impl RangeBounds<Rational>,
@@ -65,7 +66,7 @@ impl SturmSequence {
         if self.count((start, end)) == 0 {
             return Ok(Vec::new());
         }
-        // There is a root inside, so the bounded interval is not empty; far ends are no roots.
+        // The interval contains a root, so it is not empty after it is bounded; the new ends are not roots.
         let bound = integral::root_bound(&self.polynomial);
         let lower = finite(start).cloned().unwrap_or_else(|| -bound.clone());
         let upper = finite(end).cloned().unwrap_or(bound);
@@ -107,10 +108,10 @@ impl SturmSequence {
         Ok(found)
     }
 
-    /// The same root in an interval no wider than `width`.
+    /// Encloses the same root in an interval no wider than `width`.
     ///
     /// # Errors
-    /// [`SturmError::WidthNotPositive`]; [`SturmError::BudgetSpent`] when that takes too many bisections.
+    /// [`SturmError::WidthNotPositive`]; [`SturmError::BudgetSpent`] when too many bisections are needed.
     pub fn refine(
         &self,
         root: &RootInterval,
@@ -121,29 +122,29 @@ impl SturmSequence {
                 width: width.clone(),
             });
         }
-        self.bisected_until(root, |now| &now.upper - &now.lower <= *width)
+        self.bisected_until(root, |current| &current.upper - &current.lower <= *width)
     }
 
-    /// Bisects around a root until the interval is as wanted or the root is known exactly.
+    /// Bisects around a root until the interval satisfies `accept` or the root is known exactly.
     pub(super) fn bisected_until(
         &self,
         root: &RootInterval,
-        wanted: impl Fn(&RootInterval) -> bool,
+        accept: impl Fn(&RootInterval) -> bool,
     ) -> Result<RootInterval, SturmError> {
-        let mut now = root.clone();
-        let above = self.square_free_sign_at(&now.upper);
+        let mut current = root.clone();
+        let above = self.square_free_sign_at(&current.upper);
         for _ in 0..Self::MAX_BISECTIONS {
-            if now.exact().is_some() || wanted(&now) {
-                return Ok(now);
+            if current.exact().is_some() || accept(&current) {
+                return Ok(current);
             }
-            let half = middle(&now.lower, &now.upper);
+            let half = middle(&current.lower, &current.upper);
             match self.square_free_sign_at(&half) {
-                Ordering::Equal => now = RootInterval::point(half),
-                sign if sign == above => now.upper = half,
-                _ => now.lower = half,
+                Ordering::Equal => current = RootInterval::point(half),
+                sign if sign == above => current.upper = half,
+                _ => current.lower = half,
             }
         }
-        let RootInterval { lower, upper } = now;
+        let RootInterval { lower, upper } = current;
         Err(SturmError::BudgetSpent {
             bisections: Self::MAX_BISECTIONS,
             lower,

@@ -7,18 +7,18 @@ use num_traits::Zero;
 use std::cmp::Ordering;
 use std::ops::{Bound, RangeBounds};
 
-/// How a polynomial compares with zero on an interval.
+/// The sign of a polynomial on an interval.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SignOn {
     /// Positive everywhere.
     Positive,
     /// Negative everywhere.
     Negative,
-    /// Never negative, and zero at these roots only.
+    /// Never negative, and zero exactly at these roots.
     NonNegative(Vec<RootInterval>),
-    /// Never positive, and zero at these roots only.
+    /// Never positive, and zero exactly at these roots.
     NonPositive(Vec<RootInterval>),
-    /// Zero everywhere: the interval is a single root.
+    /// Zero everywhere: the interval is a single point, which is a root.
     Zero,
     /// Both signs occur.
     Mixed {
@@ -32,7 +32,7 @@ pub enum SignOn {
 impl SturmSequence {
     /// The sign of the polynomial on the interval.
     ///
-    /// Between neighbouring roots the sign is constant, so one point of each gap decides.
+    /// Between neighbouring roots the sign is constant, so one point between each pair decides it.
     ///
     /// ```
     /// use torse_algebra::{SturmSequence, rational::integer, sturm::SignOn};
@@ -43,14 +43,14 @@ impl SturmSequence {
     /// ```
     ///
     /// # Errors
-    /// [`SturmError::EmptyInterval`]; [`SturmError::BudgetSpent`] when roots cannot be told apart.
+    /// [`SturmError::EmptyInterval`]; [`SturmError::BudgetSpent`] when roots cannot be separated.
     pub fn sign_on(&self, interval: impl RangeBounds<Rational>) -> Result<SignOn, SturmError> {
         let (start, end) = (interval.start_bound(), interval.end_bound());
         if is_empty(start, end) {
             return Err(SturmError::EmptyInterval);
         }
         let mut roots = self.isolate((start, end))?;
-        // The ends of the interval move out of the way of the gaps beside the roots.
+        // Refine the enclosures so that no end of the interval lies strictly inside of one.
         for root in &mut roots {
             *root = self.bisected_until(root, |now| {
                 !is_at(start, now.lower()) && !is_at(end, now.upper())
@@ -88,7 +88,7 @@ fn is_at(bound: Bound<&Rational>, x: &Rational) -> bool {
     finite(bound) == Some(x)
 }
 
-/// One point of the interval in each gap between neighbouring roots, and before and after them all.
+/// One point of the interval between each two neighbouring roots, before the first and after the last root.
 fn points_of_gaps(
     start: Bound<&Rational>,
     end: Bound<&Rational>,
@@ -105,7 +105,7 @@ fn points_of_gaps(
     let mut points = Vec::new();
     match finite(start) {
         None => points.push(first.lower() - integer(1)),
-        // An end that is a root has no gap before it.
+        // If the end is a root, there is nothing before the first root.
         Some(a) if a == first.lower() => {}
         Some(a) => points.push(middle(a, first.lower())),
     }

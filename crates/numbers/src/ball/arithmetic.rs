@@ -31,7 +31,8 @@ fn difference(a: &Ball, b: &Ball) -> Ball {
     }
 }
 
-/// The extremes of `x y` over a rectangle are attained at its corners, and the signs tell at which; in units of `4^-bits`.
+/// The extremes of `x y` over a rectangle, in units of `4^-bits`. They are attained at corners, and the signs of the
+/// factors determine at which ones.
 fn extremes(a: &Ball, b: &Ball) -> (Integer, Integer) {
     match (Side::of(a), Side::of(b)) {
         (Side::Right, _) => from_the_right(a, b),
@@ -50,7 +51,7 @@ fn product(a: &Ball, b: &Ball) -> Ball {
     rounded(&lo, &hi, a.bits)
 }
 
-/// From units of `4^-bits`, outward.
+/// Rounds outward from units of `4^-bits` to units of `2^-bits`.
 fn rounded(lo: &Integer, hi: &Integer, bits: usize) -> Ball {
     Ball {
         lo: shifted_down(lo, bits, Toward::MinusInfinity),
@@ -79,7 +80,7 @@ impl Side {
     }
 }
 
-/// The extremes of `x y` with `x >= 0`, in units of `4^-bits`.
+/// The extremes of `x y` for `x >= 0`, in units of `4^-bits`.
 fn from_the_right(x: &Ball, y: &Ball) -> (Integer, Integer) {
     (
         if y.lo.is_negative() {
@@ -96,7 +97,7 @@ fn from_the_right(x: &Ball, y: &Ball) -> (Integer, Integer) {
 }
 
 impl Ball {
-    /// The sum of the products of pairs, rounded once, with this many bits.
+    /// The sum of the products of pairs at a precision of `bits`, rounded only once.
     ///
     /// ```
     /// use torse_numbers::{Ball, rational::{integer, ratio}};
@@ -129,7 +130,7 @@ impl Ball {
         rounded(&least, &greatest, bits)
     }
 
-    /// `self / divisor`, or nothing when the divisor contains zero.
+    /// Returns `self / divisor`, or `None` if the divisor contains zero.
     pub(super) fn quotient(&self, divisor: &Self) -> Option<Self> {
         let mut storage = None;
         let (x, y) = aligned(self, divisor, &mut storage);

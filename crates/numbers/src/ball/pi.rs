@@ -9,8 +9,8 @@ use super::Ball;
 use crate::rational::Integer;
 use std::sync::{Mutex, PoisonError};
 
-/// The longest `(B, floor(pi 2^B))` computed so far; precision 0 means none.
-static MAX_CHARS: Mutex<(usize, Integer)> = Mutex::new((0, Integer::ZERO));
+/// The largest precision `B` used so far, with `floor(pi 2^B)`; precision 0 means that nothing was computed yet.
+static LONGEST: Mutex<(usize, Integer)> = Mutex::new((0, Integer::ZERO));
 
 impl Ball {
     /// The ball `[n, n + 1] * 2^-bits` around pi, of width one unit.
@@ -37,8 +37,8 @@ pub(super) fn enclosure(bits: usize) -> Ball {
 
 /// `floor(pi 2^bits)`.
 fn floor_of_scaled_pi(bits: usize) -> Integer {
-    // The value under a poisoned lock is still a whole pair: it is replaced in one assignment.
-    let mut longest = MAX_CHARS.lock().unwrap_or_else(PoisonError::into_inner);
+    // A poisoned lock still holds a consistent pair, because the pair is replaced by one assignment.
+    let mut longest = LONGEST.lock().unwrap_or_else(PoisonError::into_inner);
     if longest.0 <= bits {
         *longest = (bits + 64, computed_floor(bits + 64));
     }

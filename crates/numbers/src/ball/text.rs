@@ -1,4 +1,4 @@
-//! Balls as decimal text that claims no digit it does not know.
+//! Balls as decimal text that prints no uncertain digit.
 
 use super::Ball;
 use crate::rational::Integer;
@@ -13,7 +13,7 @@ impl Ball {
     /// - `45.7079...` when all numbers in the ball begin with these digits (they are cut, not rounded);
     /// - `[45.7079, 45.7080]` otherwise: decimal bounds, rounded outward.
     ///
-    /// More digits than [`Ball::bits`] never say more and are not printed.
+    /// At most [`Ball::bits`] digits are printed, since further digits would carry no information.
     ///
     /// ```
     /// use torse_numbers::{Ball, rational::ratio};
@@ -70,7 +70,8 @@ fn fixed_point(numerator: &Integer, digits: usize) -> String {
     format!("{sign}{whole}{point}{fraction}")
 }
 
-/// [`Ball::decimal`] with the digits asked for as in `{:.20}`, by default as many as the precision holds.
+/// Prints as [`Ball::decimal`] with the number of digits given as in `{:.20}`; by default with all that the precision
+/// holds.
 impl fmt::Display for Ball {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // log10(2) = 0.30102...

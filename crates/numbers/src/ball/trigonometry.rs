@@ -63,8 +63,8 @@ fn in_first_quadrant(fraction: &Integer, places: usize, bits: usize) -> (Ball, B
         return (Ball::integer(0, bits), Ball::integer(1, bits));
     }
     let halvings = bits.sqrt() * 3 / 5 + 2;
-    // The error grows by 4^halvings; 16 bits hold it before that, and what is left is a small part of
-    // a unit of the result.
+    // The error grows by 4^halvings; 16 more bits hold the error before the doublings, so what remains is a small
+    // part of one unit of the result.
     let guard = 2 * halvings + 16;
     let working = bits + guard;
     let Kernel {
@@ -88,12 +88,12 @@ fn in_first_quadrant(fraction: &Integer, places: usize, bits: usize) -> (Ball, B
 struct Kernel {
     sine: Integer,
     versine: Integer,
-    /// Neither value is off by more than this.
+    /// A bound of the absolute error of both values.
     error: Integer,
 }
 
 impl Kernel {
-    /// For a quarter turn times `fraction * 2^-places`, by at least 2 halvings.
+    /// Computes the pair for a quarter turn times `fraction * 2^-places`, with at least 2 halvings.
     fn new(fraction: &Integer, places: usize, working: usize, halvings: usize) -> Self {
         let one = Integer::ONE << working;
         let pi = pi::enclosure(working);

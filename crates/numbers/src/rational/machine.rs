@@ -1,14 +1,14 @@
-//! The ring operations of numbers whose parts are machine words, without big integers in between.
+//! Arithmetic of rational numbers whose parts are machine words, without big integers.
 //!
-//! Most rational numbers that a proof meets are short, and the general operations of the inner type spend their time on
-//! divisions of two words each. Here greatest common divisors are those of single words, and no product of two
-//! words is longer than two, so that nothing can overflow (Knuth, The Art of Computer Programming 2, section 4.5.1).
+//! Most rational numbers of a proof are short, and the general operations of the inner type spend their time on
+//! divisions of two-word integers. Here greatest common divisors are taken of single words, and a product of two
+//! words has at most two words, so nothing can overflow (Knuth, The Art of Computer Programming 2, section 4.5.1).
 
 use super::{Integer, Rational};
 use num_integer::Integer as _;
 use std::cmp::Ordering;
 
-/// Numerator and denominator; the smallest numerator, which has no negative, is left to the general operations.
+/// Numerator and denominator as words, if they fit. `i64::MIN` is refused because it has no negative.
 fn words(q: &Rational) -> Option<(i64, i64)> {
     let numerator = i64::try_from(q.numer()).ok().filter(|n| *n != i64::MIN)?;
     Some((numerator, i64::try_from(q.denom()).ok()?))
@@ -28,12 +28,13 @@ fn made(numerator: i128, denominator: i128) -> Rational {
     Rational::in_lowest_terms(Integer::from(numerator), Integer::from(denominator))
 }
 
+/// `a/b * c/d`, cancelled crosswise before the multiplication.
 #[inline]
 fn product((a, b): (i64, i64), (c, d): (i64, i64)) -> Rational {
-    let (across, back) = (common(a, d), common(c, b));
+    let (first, second) = (common(a, d), common(c, b));
     made(
-        i128::from(a / across) * i128::from(c / back),
-        i128::from(b / back) * i128::from(d / across),
+        i128::from(a / first) * i128::from(c / second),
+        i128::from(b / second) * i128::from(d / first),
     )
 }
 
@@ -44,9 +45,9 @@ fn sum((a, b): (i64, i64), (c, d): (i64, i64)) -> Rational {
         return made(numerator, i128::from(b) * i128::from(d));
     }
     let numerator = i128::from(a) * i128::from(d / shared) + i128::from(c) * i128::from(b / shared);
-    // What is left to cancel divides the shared part of the denominators.
-    let rest = i64::try_from(numerator % i128::from(shared)).unwrap_or(0);
-    let cancelled = rest.gcd(&shared);
+    // A remaining common factor divides the shared part of the denominators.
+    let remainder = i64::try_from(numerator % i128::from(shared)).unwrap_or(0);
+    let cancelled = remainder.gcd(&shared);
     let numerator = match cancelled {
         1 => numerator,
         by => numerator / i128::from(by),
@@ -84,13 +85,13 @@ pub(super) fn div(x: &Rational, y: &Rational) -> Option<Rational> {
     Some(product(words(x)?, inverse))
 }
 
-/// How they compare, if both numbers are short: denominators are positive.
+/// Compares two short numbers by cross-multiplication, since denominators are positive; `None` if one is not short.
 pub(super) fn cmp(x: &Rational, y: &Rational) -> Option<Ordering> {
     let ((a, b), (c, d)) = (words(x)?, words(y)?);
     Some((i128::from(a) * i128::from(d)).cmp(&(i128::from(c) * i128::from(b))))
 }
 
-/// Remainders are left to the inner type.
+/// Returns `None`: remainders are computed by the inner type.
 pub(super) fn rem(_: &Rational, _: &Rational) -> Option<Rational> {
     None
 }

@@ -1,5 +1,4 @@
-//! The ring operations, quotients and signs, by value and by reference: those of [`words`] for short numbers, the inner
-//! type's for others.
+//! Operators by value and by reference: short numbers are computed by [`machine`], others by the inner type.
 
 use super::{Inner, Integer, Rational, machine};
 use num_traits::{Num, One, Signed, Zero};

@@ -27,7 +27,7 @@ impl Ord for Rational {
         if let Some(order) = machine::cmp(self, other) {
             return order;
         }
-        // Denominators are positive: the signs are those of the numerators.
+        // Denominators are positive, so the sign of a number is that of its numerator.
         if self.denom() == other.denom() || self.is_negative() != other.is_negative() {
             return self.numer().cmp(other.numer());
         }

@@ -1,10 +1,10 @@
-//! Rounding to integers, for all signs.
+//! Rounding to integers, correct for all signs.
 
 use super::{Integer, Rational};
 use dashu_int::ops::{DivEuclid, RemEuclid};
 use num_traits::Signed;
 
-/// The greatest integer that is at most `numerator / denominator`.
+/// Returns the greatest integer that is at most `numerator / denominator`.
 ///
 /// ```
 /// use torse_numbers::{Integer, rational::floor_quotient};
@@ -15,8 +15,8 @@ use num_traits::Signed;
 /// When the denominator is zero.
 #[must_use]
 pub fn floor_quotient(numerator: &Integer, denominator: &Integer) -> Integer {
-    // The Euclidean quotient leaves a remainder in [0, abs(denominator)): for a positive denominator
-    // that is the floor.
+    // The Euclidean remainder lies in [0, abs(denominator)), so for a positive denominator the Euclidean quotient is
+    // the floor.
     if denominator.is_negative() {
         (-numerator).div_euclid(-denominator)
     } else {
@@ -29,7 +29,7 @@ pub(crate) fn ceiling_quotient(numerator: &Integer, denominator: &Integer) -> In
     -floor_quotient(&-numerator, denominator)
 }
 
-/// The residue of `n` modulo `modulus`: from zero on and below the size of the modulus, which is not zero.
+/// Returns the residue of `n` in `[0, abs(modulus))`.
 ///
 /// ```
 /// use torse_numbers::{Integer, rational::remainder};
@@ -56,7 +56,7 @@ impl Rational {
         Self::from_integer(ceiling_quotient(self.numer(), self.denom()))
     }
 
-    /// The nearest integer, of two the one farther from zero.
+    /// Returns the nearest integer; a tie is rounded away from zero.
     ///
     /// ```
     /// use torse_numbers::rational::{integer, ratio};
@@ -65,7 +65,7 @@ impl Rational {
     /// ```
     #[must_use]
     pub fn round(&self) -> Self {
-        // Half a unit further out, then toward zero: (2 n + d) / (2 d) for n >= 0.
+        // Add half a unit away from zero, then truncate: (2 n + d) / (2 d) for n >= 0.
         let twice = self.denom() * 2;
         let outward = if self.is_negative() {
             self.numer() * 2 - self.denom()
@@ -75,13 +75,13 @@ impl Rational {
         Self::from_integer(outward / twice)
     }
 
-    /// The integer next to the number on the side of zero.
+    /// Rounds toward zero.
     #[must_use]
     pub fn trunc(&self) -> Self {
         Self::from_integer(self.to_integer())
     }
 
-    /// What [`Rational::trunc`] cuts off; it has the sign of the number.
+    /// The number minus its [`Rational::trunc`]; it has the sign of the number.
     #[must_use]
     pub fn fract(&self) -> Self {
         Self::in_lowest_terms(self.numer() % self.denom(), self.denom().clone())

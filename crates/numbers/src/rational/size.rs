@@ -1,12 +1,12 @@
-//! Numbers of bounded size: what input may ask for and is refused before it is computed.
+//! Bounds on the size of numbers: results that would be too large are refused before they are computed.
 
 use super::{Integer, Rational, RationalError};
 use crate::scalar::ExactError;
 use dashu_int::ops::BitTest;
 
 impl Rational {
-    /// The most binary digits of the numerator or denominator of a number that the checked operations make:
-    /// about a million, 315,653 decimal ones.
+    /// The largest number of binary digits of a numerator or denominator that the checked operations return: about a
+    /// million (315,653 decimal digits).
     pub const MAX_BITS: usize = 1 << 20;
 
     /// The longest decimal that [`Rational::from_decimal`] reads, in characters.
@@ -23,7 +23,7 @@ impl Rational {
         self.numer().bit_len().max(self.denom().bit_len())
     }
 
-    /// The power with an integer exponent, if it is within bounds.
+    /// The power with an integer exponent, if its size is within bounds.
     ///
     /// ```
     /// use torse_numbers::{ExactError, rational::integer};
@@ -34,8 +34,8 @@ impl Rational {
     /// ```
     ///
     /// # Errors
-    /// [`ExactError::TooLarge`] when numerator or denominator may have more than [`Rational::MAX_BITS`] binary
-    /// digits: when the digits of the base times the exponent are more, except for the powers of 0, 1 and -1;
+    /// [`ExactError::TooLarge`] when the number of digits of the base times the exponent exceeds
+    /// [`Rational::MAX_BITS`] (powers of 0, 1 and -1 are always computed);
     /// [`ExactError::DivisionByZero`] for a negative power of zero.
     pub fn checked_pow(&self, exponent: i32) -> Result<Self, ExactError> {
         let unit = self.is_integer() && self.bits() <= 1;
@@ -55,7 +55,7 @@ impl Rational {
         Ok(self.pow(exponent))
     }
 
-    /// The number, if it is within bounds: for results that a chain of sums and products makes larger and larger.
+    /// Returns the number if its size is within bounds: for chains of sums and products that may grow.
     ///
     /// # Errors
     /// [`ExactError::TooLarge`] when it has more than [`Rational::MAX_BITS`] binary digits.
@@ -67,7 +67,7 @@ impl Rational {
         Ok(self)
     }
 
-    /// The number that a decimal without sign and exponent says, such as `12` or `0.125`.
+    /// Reads a decimal without sign and exponent, such as `12` or `0.125`.
     ///
     /// ```
     /// use torse_numbers::{Rational, rational::ratio};

@@ -4,11 +4,11 @@ use super::{Integer, Rational};
 use std::fmt;
 use std::str::FromStr;
 
-/// Why a text is no rational number.
+/// Why a text is not a rational number.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum RationalError {
-    /// A part of the text is no integer.
-    #[error("{part:?} is no integer")]
+    /// A part of the text is not an integer.
+    #[error("{part:?} is not an integer")]
     NoInteger {
         /// The part.
         part: String,
@@ -16,7 +16,7 @@ pub enum RationalError {
     /// The denominator is zero.
     #[error("the denominator is zero")]
     ZeroDenominator,
-    /// The text is longer than a number within bounds.
+    /// The text is longer than the text of the largest number within bounds.
     #[error("a number of {characters} characters is too long: at most {limit}")]
     TooLong {
         /// Its length.

@@ -1,4 +1,4 @@
-//! Every arithmetic in every layout against the sum of all products of two terms, one after the other.
+//! Compares every arithmetic in every layout with the sum of all products of pairs of terms.
 
 use super::*;
 use proptest::prelude::*;
@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 /// Distinct rows with nonzero coefficients.
 type Terms = BTreeMap<Vec<u16>, Integer>;
-/// The same one after the other in descending order: all exponents, all coefficients.
+/// The same terms in descending order, as a list of all exponents and a list of all coefficients.
 type Flat = (Vec<u16>, Vec<Integer>);
 
 fn flat(terms: &Terms) -> Flat {
@@ -29,7 +29,7 @@ fn naive(a: &Terms, b: &Terms) -> Flat {
     flat(&sums)
 }
 
-/// A polynomial in `columns` variables with these integers over `denominator`, before any normal form.
+/// A polynomial in `columns` variables with these integers over `denominator`, not in normal form.
 fn polynomial(terms: &Terms, columns: usize, denominator: &Integer) -> Polynomial {
     let names = ["x", "y", "z", "w"].into_iter().take(columns);
     let (exponents, coefficients) = flat(terms);
@@ -110,8 +110,8 @@ fn assert_naive(a: &Terms, b: &Terms, columns: usize) {
     if let Some((x, y)) = DoubleWords::factors(&x, &y) {
         results.extend(layouts(&DoubleWords, columns, (&rows_a, &x), (&rows_b, &y)));
     }
-    // A product of small numbers, so that fractions shorten, in all powers up to a length beyond that at
-    // which sums are brought over the common denominator.
+    // A product of small numbers, so that fractions can be reduced, in all powers up to a length above which sums are
+    // brought over the common denominator.
     let denominators = [(30_030_u32, 1), (30_030, 90)];
     for (base, power) in denominators {
         let denominator = Integer::from(base).pow(power);
@@ -236,7 +236,7 @@ fn the_bounds_admit_the_largest_sums_that_fit_and_no_larger_ones() {
     let (words, more) = (equal(-(1 << 125), 7), equal(-(1 << 125), 8));
     assert!(DoubleWords::factors(&words, &words).is_some());
     assert!(DoubleWords::factors(&more, &more).is_none());
-    // All products of n terms x^i with n terms x^j in one row.
+    // All products of n terms x^i and n terms x^j with i + j fixed fall into one row.
     let ascending: Terms = (0..7)
         .map(|i| (vec![i], Integer::from(-(1_i128 << 125))))
         .collect();
@@ -334,7 +334,7 @@ fn a_well_filled_box_goes_by_the_table_and_a_scattered_or_vast_one_does_not() {
     assert_eq!(cells(&[6, 6, 6], 9, 9), None);
     assert_eq!(cells(&[1400, 1500, 1600], 64, 64), None);
     assert_eq!(cells(&[u16::MAX; 9], usize::MAX, 2), None);
-    // However many the products, so many cells of 16 bytes have room, and half as many of 32.
+    // However many products there are, there is room for this many cells of 16 bytes, and for half as many of 32.
     assert_eq!(cells(&[127, 127, 127], 5000, 5000), Some(1 << 21));
     assert_eq!(
         dense::cells::<[i128; 2]>(&[127, 127, 127], 5000, 5000),
