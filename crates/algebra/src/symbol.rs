@@ -174,7 +174,9 @@ impl Symbol {
             Self::Exp(exponent) => exponent.powers(),
             _ => &[],
         };
-        angle_variable.into_iter().chain(many.iter().map(|(name, _)| name))
+        angle_variable
+            .into_iter()
+            .chain(many.iter().map(|(name, _)| name))
     }
 
     /// The cosine of the same angle, if the symbol is a sine.

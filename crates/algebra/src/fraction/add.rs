@@ -32,7 +32,7 @@ impl Fraction {
                     &p * &factor.power(exponent - own.get(factor).copied().unwrap_or(0))
                 })
         };
-        let lifted = |of: &Self| &of.numerator * &missing(&of.denominator);
+        let lifted = |fraction: &Self| &fraction.numerator * &missing(&fraction.denominator);
         Self {
             numerator: &lifted(self) + &lifted(other),
             denominator,

@@ -22,9 +22,10 @@ impl<S: Scalar + ZeroTest> Matrix<S> {
             .collect();
         for k in 0..size {
             let Some(pivot_row) = (k..size).find(|&i| rows[i][k].is_known_nonzero()) else {
-                return Err(match rows[k..].iter().all(|row| row[k].is_known_zero()) {
-                    true => MatrixError::Singular { column: k },
-                    false => MatrixError::PivotUndecided { column: k },
+                return Err(if rows[k..].iter().all(|row| row[k].is_known_zero()) {
+                    MatrixError::Singular { column: k }
+                } else {
+                    MatrixError::PivotUndecided { column: k }
                 });
             };
             rows.swap(k, pivot_row);

@@ -36,9 +36,10 @@ impl Body {
     /// Estimates the bytes that the table occupies from the lengths of the first, middle and last coefficient.
     fn bytes(&self) -> usize {
         let terms = self.coefficients.len();
-        let some = [0, terms / 2, terms.saturating_sub(1)].map(|term| self.coefficients.get(term));
+        let sample =
+            [0, terms / 2, terms.saturating_sub(1)].map(|term| self.coefficients.get(term));
         let bits = |c: &Integer| c.bit_len();
-        let longest = some.into_iter().flatten().map(bits).max().unwrap_or(0);
+        let longest = sample.into_iter().flatten().map(bits).max().unwrap_or(0);
         let term = size_of::<Integer>() + longest / 8;
         size_of::<Self>() + size_of_val(self.exponents.as_slice()) + terms * term
     }

@@ -182,11 +182,11 @@ impl Polynomial {
 
 /// sqrt(prime^exponent).
 fn root_factor(prime: &crate::Integer, exponent: usize) -> Option<Polynomial> {
-    let whole = Polynomial::constant(&Rational::from_integer(prime.pow(exponent / 2)));
+    let integer_part = Polynomial::constant(&Rational::from_integer(prime.pow(exponent / 2)));
     if exponent.is_multiple_of(2) {
-        return Some(whole);
+        return Some(integer_part);
     }
-    Some(&whole * &Polynomial::symbol(Symbol::Root(u32::try_from(prime.clone()).ok()?)))
+    Some(&integer_part * &Polynomial::symbol(Symbol::Root(u32::try_from(prime.clone()).ok()?)))
 }
 
 impl Scalar for Polynomial {

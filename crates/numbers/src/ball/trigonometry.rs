@@ -47,9 +47,9 @@ pub(super) fn quarter_turn(x: &Ball, bits: usize) -> (Ball, Ball) {
 
 /// `(sin, cos)` of a quarter turn times the dyadic number `numerator * 2^-places`.
 fn at_point(numerator: &Integer, places: usize, bits: usize) -> (Ball, Ball) {
-    let whole = numerator >> places;
-    let (s, c) = in_first_quadrant(&(numerator - (&whole << places)), places, bits);
-    match (whole.bit(1), whole.bit(0)) {
+    let turns = numerator >> places;
+    let (s, c) = in_first_quadrant(&(numerator - (&turns << places)), places, bits);
+    match (turns.bit(1), turns.bit(0)) {
         (false, false) => (s, c),
         (false, true) => (c, -s),
         (true, false) => (-s, -c),
