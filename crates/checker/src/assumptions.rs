@@ -1,5 +1,5 @@
-//! The domain of a claim as the checker sees it: hypotheses expanded, eliminated symbols replaced by their values, and
-//! what was divided by.
+//! The domain of a claim in the checker: expanded hypotheses, eliminated symbols replaced by their values, and the
+//! divisors that occurred.
 
 use super::apart::Apart;
 use super::expand::Expander;
@@ -16,7 +16,7 @@ use torse_core::{self as core, Hypothesis, Set, Source, Statement};
 use torse_numbers::rational::integer;
 use torse_syntax::formula::{Connective, Relation};
 
-/// A comparison of a hypothesis with zero.
+/// A comparison with zero that a hypothesis states.
 #[derive(Debug, Clone)]
 pub struct Compared {
     /// Left minus right.
@@ -25,12 +25,12 @@ pub struct Compared {
     pub relation: Relation,
     /// The field of the hypothesis.
     pub source: Source,
-    /// The eliminated symbols that have their values in it.
+    /// The eliminated symbols that were replaced in it.
     pub met: Met,
 }
 
 impl Compared {
-    /// What an equation `p x + r = 0` says where p is zero: `r = 0`.
+    /// What an equation `p x + r = 0` implies where p is zero: `r = 0`.
     fn rests(&self, zero: &Self) -> Vec<Self> {
         let (own, zero_above) = (&self.difference.above, &zero.difference.above);
         if zero_above.is_number() {
@@ -56,35 +56,35 @@ impl Compared {
 pub struct Hypotheses {
     /// The comparisons, in order.
     pub all: Vec<Compared>,
-    /// Why one cannot be expanded.
+    /// Why some hypothesis could not be expanded.
     pub gap: Option<Unsupported>,
-    /// Why a given one cannot.
+    /// Why some given equation could not be expanded.
     pub gap_in_given: Option<Unsupported>,
 }
 
-/// Eliminated symbols: what is said with their values is so only if they have them.
+/// Eliminated symbols that were replaced. A result that uses their values is valid only if they have these values.
 pub type Met = BTreeSet<Symbol>;
 
 /// A claim with the eliminations of a proof.
 pub struct Domain<'a> {
     pub claim: &'a core::Claim,
     pub work: &'a Work,
-    /// What is not zero, and what is, besides what the claim says.
+    /// Polynomials that are assumed to be nonzero, and to be zero, in addition to the hypotheses of the claim.
     pub(super) conditions: &'a [Polynomial],
     zeros: &'a [Polynomial],
-    /// The chosen integers.
+    /// The chosen integer values.
     fixed: BTreeMap<Symbol, Quotient>,
     pub(super) groups: &'a [Elimination<Polynomial>],
-    /// What never vanishes on the declared sets; shown apart from here.
+    /// Polynomials that never vanish on the declared sets; this is checked elsewhere.
     pub(super) nonzero: Vec<Polynomial>,
-    /// What does not vanish where all eliminated symbols have their values, by signs that were checked.
+    /// Polynomials that do not vanish where all eliminated symbols have their values; their signs were checked.
     pub(super) apart: RefCell<Apart>,
     values: RefCell<BTreeMap<usize, Rc<BTreeMap<Symbol, Quotient>>>>,
     hypotheses: RefCell<BTreeMap<usize, Rc<Hypotheses>>>,
-    /// The eliminated symbols that were met.
+    /// The eliminated symbols that were used.
     pub(super) used: RefCell<BTreeSet<Symbol>>,
-    /// What was divided by in terms, by how many groups had their values then: where more symbols are replaced, it is known
-    /// not to vanish only after these have been shown to have their values.
+    /// The divisors in terms, by the number of groups that were replaced at that time. If further symbols are
+    /// replaced, a divisor is known not to vanish only after these symbols are shown to have their values.
     pub(super) divisors: RefCell<BTreeMap<usize, BTreeMap<Polynomial, Met>>>,
 }
 
@@ -116,23 +116,23 @@ impl<'a> Domain<'a> {
         }
     }
 
-    /// The same, where these polynomials are known not to vanish.
+    /// The domain in which these polynomials are known to be nonzero.
     pub fn with_nonzero(mut self, nonzero: Vec<Polynomial>) -> Self {
         self.nonzero = nonzero;
         self
     }
 
-    /// Why a hypothesis cannot be read: what rests on it looks wrong, and may be right.
+    /// Why some hypothesis could not be expanded. A proof that uses it may look wrong without being so.
     pub fn unread(&self) -> Option<Unsupported> {
         self.hypotheses(self.groups.len()).gap.clone()
     }
 
-    /// How many groups of symbols are eliminated.
+    /// The number of groups of eliminated symbols.
     pub fn groups(&self) -> usize {
         self.groups.len()
     }
 
-    /// The values of the symbols that the first groups eliminate, in terms of the others.
+    /// The values of the symbols that the first `groups` groups eliminate, in terms of the other symbols.
     fn values(&self, groups: usize) -> Result<Rc<BTreeMap<Symbol, Quotient>>, Unsupported> {
         if let Some(known) = self.values.borrow().get(&groups) {
             return Ok(Rc::clone(known));
@@ -143,8 +143,11 @@ impl<'a> Domain<'a> {
             let mut own = vec![];
             for determined in &group.values {
                 let value = Quotient::from_ratio(&determined.value, self.work)?;
-                let put = |symbol: &Symbol| values.get(symbol).cloned();
-                own.push((determined.symbol.clone(), value.replaced(&put, self.work)?));
+                let value_of = |symbol: &Symbol| values.get(symbol).cloned();
+                own.push((
+                    determined.symbol.clone(),
+                    value.replaced(&value_of, self.work)?,
+                ));
             }
             values.extend(own);
         }
@@ -154,7 +157,8 @@ impl<'a> Domain<'a> {
         Ok(values)
     }
 
-    /// Runs with an expander in which the symbols of the first groups have their values; also those that were met.
+    /// Runs a job with an expander that replaces the symbols of the first `groups` groups; also returns the symbols
+    /// that were replaced.
     pub(super) fn expanding<T>(
         &self,
         groups: usize,
@@ -193,7 +197,7 @@ impl<'a> Domain<'a> {
         Ok((result, met.into_inner()))
     }
 
-    /// Notes that eliminated symbols matter, and those in whose terms they have their values.
+    /// Records that eliminated symbols are used, and the symbols that occur in their values.
     pub fn note(&self, met: &Met) {
         let mut pending: Vec<Symbol> = met.iter().cloned().collect();
         while let Some(symbol) = pending.pop() {
@@ -210,7 +214,7 @@ impl<'a> Domain<'a> {
         }
     }
 
-    /// Whether given equations determine unknowns here.
+    /// Whether given equations determine unknowns in this proof.
     fn solves_given(&self) -> bool {
         let mut groups = self.groups.iter();
         groups.any(|group| matches!(group.by, Determining::Given { .. }))
@@ -246,7 +250,7 @@ impl<'a> Domain<'a> {
         Ok(entries)
     }
 
-    /// The comparisons of the hypotheses, where the symbols of the first groups have their values.
+    /// The comparisons of the hypotheses, with the symbols of the first `groups` groups replaced.
     pub(super) fn hypotheses(&self, groups: usize) -> Rc<Hypotheses> {
         if let Some(known) = self.hypotheses.borrow().get(&groups) {
             return Rc::clone(known);
@@ -281,7 +285,7 @@ impl<'a> Domain<'a> {
         found
     }
 
-    /// That a polynomial is zero, where the symbols of the first groups have their values.
+    /// The equation that a polynomial is zero, with the symbols of the first `groups` groups replaced.
     pub(super) fn replaced(
         &self,
         groups: usize,
@@ -289,14 +293,14 @@ impl<'a> Domain<'a> {
     ) -> Result<Compared, Unsupported> {
         let values = self.values(groups)?;
         let met = RefCell::new(Met::new());
-        let put = |symbol: &Symbol| {
+        let value_of = |symbol: &Symbol| {
             let value = values.get(symbol)?;
             if !self.fixed.contains_key(symbol) {
                 met.borrow_mut().insert(symbol.clone());
             }
             Some(value.clone())
         };
-        let difference = Quotient::from(zero.clone()).replaced(&put, self.work)?;
+        let difference = Quotient::from(zero.clone()).replaced(&value_of, self.work)?;
         Ok(Compared {
             difference,
             relation: Relation::Equal,
@@ -313,12 +317,12 @@ impl<'a> Domain<'a> {
     ) -> Result<(), Unsupported> {
         let strange = || Unsupported::Construct("a hypothesis that is no comparison");
         let mut gap = None;
-        // The places of given equations count those that are written.
-        let of_exponents = match hypothesis.source {
+        // The entries of given equations are referred to by position, so these must be kept as written.
+        let exponents = match hypothesis.source {
             Source::Given => None,
-            _ => hypothesis.statement.of_exponents(),
+            _ => hypothesis.statement.compare_exponents(),
         };
-        for statement in [&hypothesis.statement].into_iter().chain(&of_exponents) {
+        for statement in [&hypothesis.statement].into_iter().chain(&exponents) {
             for (relation, left, right) in compared(statement).ok_or_else(strange)? {
                 match self.compare(groups, hypothesis, relation, left, right) {
                     Ok(all) => found.extend(all),
@@ -350,7 +354,7 @@ impl<'a> Domain<'a> {
             met: met.clone(),
         };
         if relation == Relation::Different && differences.len() > 1 {
-            // Vectors differ where the sum of the squares of the differences is positive.
+            // Vectors differ if and only if the sum of the squared differences is positive.
             let mut sum = Quotient::default();
             for difference in &differences {
                 sum = sum.plus(&difference.times(difference, self.work)?, self.work)?;
@@ -363,8 +367,8 @@ impl<'a> Domain<'a> {
         Ok(differences.into_iter().map(one).collect())
     }
 
-    /// Everything that bounds the domain: the comparisons of the hypotheses, and the declared sets, where the symbols of the
-    /// first groups have their values.
+    /// All constraints of the domain: the comparisons of the hypotheses and the declared sets, with the symbols of
+    /// the first `groups` groups replaced.
     pub fn constraints(
         &self,
         groups: usize,
@@ -408,7 +412,7 @@ impl<'a> Domain<'a> {
         Ok((found, gap))
     }
 
-    /// The ends of a declared set.
+    /// The bounds of a declared set.
     fn bounds(
         &self,
         set: &Set,
@@ -421,9 +425,8 @@ impl<'a> Domain<'a> {
                     let turns = Polynomial::symbol(Symbol::Pi).scaled(&c.turns);
                     Quotient::from(turns.plus(&Polynomial::constant(c.rational.clone())))
                 };
-                let end = |closed: bool, with: Relation, without: Relation| match closed {
-                    true => with,
-                    false => without,
+                let end = |closed: bool, with: Relation, without: Relation| {
+                    if closed { with } else { without }
                 };
                 let lower = interval.lower.iter().map(|b| {
                     let relation = end(b.closed, Relation::AtLeast, Relation::Greater);
@@ -456,7 +459,7 @@ impl<'a> Domain<'a> {
     }
 }
 
-/// The comparisons that a hypothesis consists of; a denied one is the opposite one.
+/// The comparisons of which a hypothesis is a conjunction; a negated comparison is the opposite one.
 fn compared(statement: &Statement) -> Option<Vec<(Relation, &core::Term, &core::Term)>> {
     match statement {
         Statement::Compare {
@@ -470,7 +473,7 @@ fn compared(statement: &Statement) -> Option<Vec<(Relation, &core::Term, &core::
     }
 }
 
-/// Those of the denial of a statement, where that is a conjunction.
+/// The comparisons of which the negation of a statement is a conjunction.
 fn denied(statement: &Statement) -> Option<Vec<(Relation, &core::Term, &core::Term)>> {
     match statement {
         Statement::Compare {

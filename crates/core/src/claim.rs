@@ -1,8 +1,9 @@
-//! A claim in core terms: a statement, and the one domain on which it is meant.
+//! A claim in core terms: a statement and the domain on which it is claimed.
 //!
 //! The claim says that its statement is true for **all** values in the declared sets that satisfy every hypothesis
 //! and at which every term of the statement is defined. `given` equations are hypotheses like `assume` ones; their
-//! unknowns range over all values that satisfy them. What a claim says there is (`exists`) has a witness in its place.
+//! unknowns range over all values that satisfy them. An existential symbol (`exists`) has been replaced by its
+//! witness.
 
 use crate::{Set, Statement, Term};
 use std::collections::BTreeMap;
@@ -12,11 +13,11 @@ use torse_syntax::derivation::Origin;
 /// A claim in core terms.
 #[derive(Debug, Clone)]
 pub struct Claim {
-    /// The declared symbols that occur in the statement, the hypotheses and the unknowns, and those in whose terms
-    /// their sets and index ranges are declared.
+    /// The declared symbols that occur in the statement, the hypotheses and the unknowns, and the symbols that occur
+    /// in the declarations of their sets and index ranges.
     pub symbols: BTreeMap<Arc<str>, Set>,
-    /// What is assumed, in the order of the file: `assume`, then `given`; then what the ends of declared intervals say
-    /// that are formulas, of every symbol in the claim.
+    /// The hypotheses in the order of the file: `assume`, then `given`; then, for every symbol of the claim, the
+    /// bounds of its declared interval that are formulas.
     pub hypotheses: Vec<Hypothesis>,
     /// The unknowns of the `given` equations: scalar symbols, coordinates or members.
     pub unknowns: Vec<Term>,
@@ -27,9 +28,9 @@ pub struct Claim {
 /// One hypothesis.
 #[derive(Debug, Clone)]
 pub struct Hypothesis {
-    /// What is assumed.
+    /// The assumed statement.
     pub statement: Statement,
-    /// In which field it stands.
+    /// The field of the claim that states it.
     pub source: Source,
     /// Where it was written.
     pub origin: Origin,
@@ -44,6 +45,6 @@ pub enum Source {
     Assume,
     /// `given`
     Given,
-    /// No field: what the symbol of a root is, see [`Claim::rooted`].
+    /// No field: the hypothesis defines the symbol of a root, see [`Claim::rooted`].
     Root,
 }

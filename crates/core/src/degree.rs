@@ -1,25 +1,26 @@
-//! Which forms are linear in symbols by the way they are written.
+//! A syntactic test whether a form is linear in some symbols.
 //!
-//! `coefficients` has a value where its forms are linear in the symbols. Most are by their form: sums of products in
-//! which a symbol stands once. Nothing has to be assumed of these, and a statement about their coefficients can be
-//! denied. Of all others nothing is said here.
+//! `coefficients` has a value where its forms are linear in the symbols. Most forms are linear by the way they are
+//! written: sums of products in which a symbol occurs once. For these nothing has to be assumed, and a statement
+//! about their coefficients can be negated. About all other forms this module makes no statement.
 //!
-//! A form that is linear in several symbols together is a polynomial in them whatever its other parts are worth: each
-//! coefficient is what the form is worth where one symbol is 1 and the others are 0, less what it is worth where all are 0. It
-//! divides by nothing that depends on the symbols, so that it is defined there where it is defined anywhere else.
+//! A form that passes the test is a polynomial in the symbols, whatever the values of its other parts: each
+//! coefficient is the value of the form where one symbol is 1 and the others are 0, minus its value where all are 0.
+//! The form divides by nothing that depends on the symbols, so it is defined at those points if it is defined
+//! anywhere for the same values of the other symbols.
 
 use super::{BuiltIn, Node, Term};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_syntax::formula::Operator;
 
-/// The most parts that are looked at.
+/// The largest number of parts that are visited.
 const MAX_PARTS: usize = 50_000;
-/// How deep terms may be nested, not counting chains of one operator.
+/// The largest nesting depth of terms; a chain of one operator counts once.
 const MAX_DEPTH: usize = 300;
 
-/// Whether a form is a sum of products with at most one factor that has one of the symbols, whose other factors, divisors
-/// included, have none. The symbols are named as they are declared.
+/// Whether the form is a sum of products in which at most one factor contains one of the symbols, while all other
+/// factors and all divisors contain none. Symbols are named as declared.
 #[must_use]
 pub fn is_linear(form: &Term, symbols: &BTreeSet<Arc<str>>) -> bool {
     let mut degrees = Degrees {
@@ -31,18 +32,18 @@ pub fn is_linear(form: &Term, symbols: &BTreeSet<Arc<str>>) -> bool {
     degrees.degree(form).is_some_and(|degree| degree <= 1)
 }
 
-/// Bounds of the degree in some symbols together.
+/// Upper bounds of the joint degree in some symbols.
 struct Degrees<'a> {
     symbols: &'a BTreeSet<Arc<str>>,
-    /// What is known of the variables in scope. The calls of a function share its body and its parameters, which have the
-    /// degrees of one call after the other: nothing is remembered of a body.
+    /// The degrees of the variables in scope. All calls of a function share its body and its parameters, whose
+    /// degrees differ from call to call, so the degree of a body is not cached.
     variables: BTreeMap<u32, u32>,
     seen: usize,
     depth: usize,
 }
 
 impl Degrees<'_> {
-    /// A bound of the degree of every entry; none where the term is not seen to be a polynomial.
+    /// An upper bound of the degree of every entry, or `None` if the term is not recognized as a polynomial.
     fn degree(&mut self, term: &Term) -> Option<u32> {
         self.seen += 1;
         if self.seen > MAX_PARTS || self.depth >= MAX_DEPTH {
@@ -54,23 +55,24 @@ impl Degrees<'_> {
         degree
     }
 
-    fn of_name(&self, name: &Arc<str>) -> u32 {
+    fn degree_of_name(&self, name: &Arc<str>) -> u32 {
         u32::from(self.symbols.contains(name))
     }
 
     fn node(&mut self, term: &Term) -> Option<u32> {
         match &*term.node {
             Node::Number(_) | Node::Pi => Some(0),
-            Node::Symbol(name) | Node::Vector(name, _) => Some(self.of_name(name)),
+            Node::Symbol(name) | Node::Vector(name, _) => Some(self.degree_of_name(name)),
             Node::Variable(variable) => self.variables.get(&variable.number()).copied(),
             Node::Member(points, indices) => {
-                // Members are free of each other: one that is not meant has degree zero, and this bound is no less.
+                // A family counts as a symbol, although members are independent: for other members the degree is
+                // zero, and the bound holds as well.
                 self.without(indices)?;
-                Some(self.of_name(&points.name))
+                Some(self.degree_of_name(&points.name))
             }
             Node::Negative(inner) | Node::Opened { body: inner, .. } => self.degree(inner),
             Node::Binary(..) => self.chain(term),
-            Node::List(items) => self.most(items),
+            Node::List(items) => self.max_degree(items),
             Node::Entry(of, indices) => {
                 self.without(indices)?;
                 self.degree(of)
@@ -102,7 +104,7 @@ impl Degrees<'_> {
                 at,
                 ..
             } => {
-                // The coefficients of a polynomial are differentiated one by one.
+                // The derivative is taken of each coefficient of the polynomial.
                 self.without([order, at])?;
                 self.variables.insert(variable.number(), 0);
                 self.degree(body)
@@ -153,23 +155,23 @@ impl Degrees<'_> {
                 self.without([matrix])?;
                 self.degree(right)
             }
-            // A derivative by a symbol has no higher degree in any.
+            // Differentiating by a symbol does not raise the degree in any symbol.
             (BuiltIn::Coefficients, [forms, _]) => self.degree(forms),
             _ => self.without(arguments),
         }
     }
 
-    /// The largest of the bounds.
-    fn most<'t>(&mut self, terms: impl IntoIterator<Item = &'t Term>) -> Option<u32> {
-        let mut most = 0;
+    /// The largest degree bound of the terms.
+    fn max_degree<'t>(&mut self, terms: impl IntoIterator<Item = &'t Term>) -> Option<u32> {
+        let mut maximum = 0;
         for term in terms {
-            most = most.max(self.degree(term)?);
+            maximum = maximum.max(self.degree(term)?);
         }
-        Some(most)
+        Some(maximum)
     }
 
-    /// Zero for terms in which the symbol does not occur.
+    /// Zero if the symbols occur in none of the terms; else `None`.
     fn without<'t>(&mut self, terms: impl IntoIterator<Item = &'t Term>) -> Option<u32> {
-        self.most(terms).filter(|degree| *degree == 0)
+        self.max_degree(terms).filter(|degree| *degree == 0)
     }
 }

@@ -1,11 +1,11 @@
-//! Core terms: what a formula means, with nothing left to look up.
+//! Core terms: formulas with every name resolved.
 //!
-//! The text of a claim leans on its surroundings: names are declared elsewhere, definitions stand for formulas,
-//! `F'` is a derivative, arguments may be left out. A core term leans on nothing. Every name is resolved, every
-//! definition is opened, and every binder (`sum`, `product`, `integral`, `D`, `at`, the parameters of functions and of basis families) binds a
-//! [`Variable`] of its own that no text can write and that occurs nowhere else. So `D` differentiates by a variable that
-//! has no value yet, whatever value the symbol of the same name has: the value is put in afterwards, by the meaning of
-//! [`Node::Derivative`] itself.
+//! The text of a claim depends on its surroundings: names are declared elsewhere, definitions abbreviate formulas,
+//! `F'` is a derivative, arguments may be left out. A core term depends on nothing else. Every name is resolved,
+//! every definition is opened, and every binder (`sum`, `product`, `integral`, `D`, `at`, the parameters of functions
+//! and of basis families) binds a [`Variable`] of its own that no text can write and that occurs nowhere else. So `D`
+//! differentiates by a variable that has no value yet, even if the symbol of the same name has one;
+//! [`Node::Derivative`] substitutes the point after differentiating.
 //!
 //! `derivations/SEMANTICS.md` gives the meaning of each construct; the room `semantics` executes it.
 
@@ -25,7 +25,7 @@ use torse_syntax::derivation::Origin;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Connective, Operator, Place, Relation};
 
-/// A variable of one binder. Two variables are the same if their numbers are; the name is for messages.
+/// A variable of one binder. Variables are equal if their numbers are; the name is for messages.
 #[derive(Debug, Clone)]
 pub struct Variable {
     number: u32,
@@ -33,7 +33,7 @@ pub struct Variable {
 }
 
 impl Variable {
-    /// The variable with this number. Whoever makes variables gives each binder a number of its own.
+    /// Makes the variable with this number. The caller must give each binder a number of its own.
     #[must_use]
     pub fn new(number: u32, name: &str) -> Self {
         Self {
@@ -42,7 +42,7 @@ impl Variable {
         }
     }
 
-    /// The number that tells this variable from all others of the same claim.
+    /// The number that identifies this variable within a claim.
     #[must_use]
     pub fn number(&self) -> u32 {
         self.number
@@ -78,9 +78,9 @@ impl Ord for Variable {
 /// A term: a number, a vector or a matrix. Parts are shared.
 #[derive(Debug, Clone)]
 pub struct Term {
-    /// What it is.
+    /// The kind of term, with its parts.
     pub node: Arc<Node>,
-    /// Where it stands in its text (see [`Node::Opened`] for terms of other texts).
+    /// The place of the term in its text (see [`Node::Opened`] for terms from other texts).
     pub place: Place,
 }
 
@@ -89,13 +89,13 @@ pub struct Term {
 pub enum Node {
     /// A rational number.
     Number(Rational),
-    /// The circle number.
+    /// The number pi.
     Pi,
     /// A declared real number or integer of the claim.
     Symbol(Arc<str>),
     /// A variable of an enclosing binder.
     Variable(Variable),
-    /// A declared vector of the claim; `None` is one generic coordinate that stands for all.
+    /// A declared vector of the claim; `None` is one generic coordinate, which represents all.
     Vector(Arc<str>, Option<u8>),
     /// A member of a declared family of points or numbers. Undefined where an index is outside its range.
     Member(Arc<Points>, Vec<Term>),
@@ -104,16 +104,16 @@ pub enum Node {
     Basis {
         /// The family.
         family: Arc<Family>,
-        /// Which function.
+        /// The index of the function.
         index: Term,
-        /// Of which degree.
+        /// The degree of the function.
         degree: Term,
         /// Variable and shape parameters, as many as the family has [`Family::variables`].
         arguments: Vec<Term>,
     },
-    /// `-x`.
+    /// The negative `-x`.
     Negative(Term),
-    /// `a + b`. Undefined for a division by zero, and for zero to a negative power.
+    /// A binary operation such as `a + b`. Undefined for a division by zero, and for zero to a negative power.
     Binary(Operator, Term, Term),
     /// `[a, b, c]`: a vector, or a matrix as a list of rows.
     List(Vec<Term>),
@@ -121,66 +121,66 @@ pub enum Node {
     Entry(Term, Vec<Term>),
     /// The sum of `term` for all integers from `low` to `high`, zero if there are none.
     Sum {
-        /// Bound in `term`.
+        /// The variable that is bound in `term`.
         index: Variable,
         /// The first value.
         low: Term,
         /// The last value.
         high: Term,
-        /// What is added.
+        /// The summand.
         term: Term,
     },
     /// The product of `term` for all integers from `low` to `high`, one if there are none.
     Product {
-        /// Bound in `term`.
+        /// The variable that is bound in `term`.
         index: Variable,
         /// The first value.
         low: Term,
         /// The last value.
         high: Term,
-        /// What is multiplied.
+        /// The factor.
         term: Term,
     },
     /// The integral of `body` by the variable from `low` to `high`.
     Integral {
-        /// Bound in `body`.
+        /// The variable that is bound in `body`.
         variable: Variable,
-        /// Where it begins.
+        /// The lower limit.
         low: Term,
-        /// Where it ends.
+        /// The upper limit.
         high: Term,
-        /// What is integrated, entry by entry.
+        /// The integrand, integrated entry by entry.
         body: Term,
     },
-    /// `body` with the variable standing for the value: an applied function, or `at`.
+    /// `body` with the variable replaced by the value: an applied function, or `at`.
     Let {
-        /// Bound in `body`.
+        /// The variable that is bound in `body`.
         variable: Variable,
-        /// What it stands for.
+        /// The value of the variable.
         value: Term,
         /// The formula.
         body: Term,
     },
-    /// The derivative of `body` by the variable, of this order, at this point.
+    /// The derivative of `body` by the variable, of the given order, at the given point.
     Derivative {
-        /// Bound in `body`.
+        /// The variable that is bound in `body`.
         variable: Variable,
-        /// How often: an integer that is not negative.
+        /// The order: a nonnegative integer.
         order: Term,
         /// The formula.
         body: Term,
-        /// Whether no variable of an enclosing binder occurs in the formula, besides that of the derivative.
+        /// Whether no variable of an enclosing binder occurs in `body`, except the variable of this derivative.
         closed: bool,
-        /// Where.
+        /// The point at which the derivative is taken.
         at: Term,
     },
     /// A built-in function.
     Apply(BuiltIn, Vec<Term>),
-    /// The opened body of a definition. Outside of binders of its own it contains no variable if `closed`.
+    /// The body of a definition. If `closed`, no variable of an enclosing binder occurs in it.
     Opened {
         /// The name of the definition.
         name: Arc<str>,
-        /// The text in which the places of the body are.
+        /// The text to which the places of the body refer.
         origin: Arc<Origin>,
         /// Whether no variable of an enclosing binder occurs in the body.
         closed: bool,
@@ -194,9 +194,9 @@ pub enum Node {
 pub struct Points {
     /// The name.
     pub name: Arc<str>,
-    /// The dimension of a member; 1 for numbers, `None` for one generic coordinate.
+    /// The dimension of a member: 1 for numbers, `None` for one generic coordinate.
     pub dimension: Option<u8>,
-    /// The range of each index, both ends included, in integer symbols of the claim; empty if none is declared.
+    /// The range of each index, both ends included, in integer symbols of the claim; empty if no range is declared.
     pub ranges: Vec<(Affine, Affine)>,
 }
 
@@ -214,8 +214,8 @@ pub struct Family {
     pub seeds: Vec<Term>,
     /// The two factors a and b of the step.
     pub step: (Term, Term),
-    /// The variables that stand in the step for the index i and the degree k of the function that is made, if the step
-    /// depends on them: `a` counts for i from 0 to k - 1 and `b` for i from 1 to k, and nowhere else have they to be defined.
+    /// The variables for the index i and the degree k of the new function, if the step depends on them. `a` is used
+    /// for i from 0 to k - 1 and `b` for i from 1 to k; elsewhere they need not be defined.
     pub counters: Option<(Variable, Variable)>,
     /// Whether no variable of an enclosing binder occurs in seeds and step.
     pub closed: bool,
@@ -228,13 +228,13 @@ pub enum BuiltIn {
     Binomial,
     /// `factorial(n)` for n >= 0.
     Factorial,
-    /// `sqrt(q)`: the root that is not negative; undefined for negative numbers.
+    /// `sqrt(q)`: the nonnegative root; undefined for negative numbers.
     SquareRoot,
     /// `sin(a)`, in radians.
     Sine,
     /// `cos(a)`, in radians.
     Cosine,
-    /// `exp(a)`, the number e to this power.
+    /// `exp(a)`, the number e to the power a.
     Exponential,
     /// `dot(a, b)`.
     Dot,
@@ -259,7 +259,8 @@ pub enum BuiltIn {
 /// A statement.
 #[derive(Debug, Clone)]
 pub enum Statement {
-    /// `left relation right`, entry by entry for `==`; `!=` is the denial of `==`; order is for numbers.
+    /// `left relation right`, entry by entry for `==`; `!=` is the negation of `==`; order relations are for numbers
+    /// only.
     Compare {
         /// The relation.
         relation: Relation,
@@ -268,22 +269,22 @@ pub enum Statement {
         /// The right side.
         right: Term,
     },
-    /// The printed decimals agree with the value, entry by entry: rounded or cut off there.
+    /// The printed decimals agree with the value, entry by entry, whether it was rounded or truncated.
     Agrees {
         /// The value.
         value: Term,
-        /// Each printed number with its digits after the point, if it has a point, and whether a minus sign stands
-        /// before it.
+        /// Each printed number, with the number of its digits after the point (if it has a point), and whether it has
+        /// a minus sign.
         printed: Vec<Printed>,
-        /// Where the printed numbers stand.
+        /// The place of the printed numbers.
         place: Place,
     },
     /// A property of a basis family at every degree and for all values of its variables.
     Family(FamilyProperty, Arc<Family>),
-    /// Both, one of both, or the second wherever the first.
+    /// Two statements joined by `and`, `or` or `implies`.
     Join(Connective, Box<Statement>, Box<Statement>),
     /// `fails(p)`: there is a point of the domain at which p is defined and false. As a hypothesis, which only proofs
-    /// make: p is false at the point.
+    /// make, it says that p is false at the point.
     Not(Box<Statement>),
 }
 
@@ -294,7 +295,7 @@ pub struct Printed {
     pub value: Rational,
     /// Digits after the decimal point, if there is a point.
     pub decimals: Option<u32>,
-    /// Whether a minus sign is printed, which `-0.00` needs.
+    /// Whether a minus sign is printed; needed for `-0.00`, which is zero with a sign.
     pub negative: bool,
 }
 
@@ -305,18 +306,18 @@ pub enum FamilyProperty {
     Nonnegative,
     /// The functions are linearly independent.
     Independent,
-    /// A curve crosses no line more often than its control polygon: at every degree, or at these.
+    /// A curve crosses no line more often than its control polygon: at every degree, or at the given degrees.
     VariationDiminishing(Option<Degrees>),
 }
 
 /// Degrees of a basis family, both ends included.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Degrees {
-    /// The first, not below that of the seeds.
+    /// The first degree, at least the degree of the seeds.
     pub least: u8,
-    /// The last, not below the first.
+    /// The last degree, at least the first.
     pub most: u8,
 }
 
-/// The declared set of a symbol, as it stands in the derivation file.
+/// The declared set of a symbol, as in the derivation file.
 pub type Set = SymbolKind;

@@ -1,22 +1,22 @@
-//! The terms that a walk has been at, so that shared parts are visited once.
+//! The set of visited terms, so that a traversal visits shared parts once.
 
 use super::Term;
 use std::collections::HashSet;
 use std::hash::{BuildHasherDefault, Hasher};
 use std::sync::Arc;
 
-/// Terms by their addresses.
+/// A set of terms, identified by address.
 #[derive(Default)]
 pub struct Visited(HashSet<usize, BuildHasherDefault<Address>>);
 
 impl Visited {
-    /// Whether the walk was not at this term before. It is now.
+    /// Adds a term; returns whether it was not in the set before.
     pub fn is_new(&mut self, term: &Term) -> bool {
         self.0.insert(Arc::as_ptr(&term.node).addr())
     }
 }
 
-/// The hash of an address: nobody chooses addresses to collide, so one product spreads them well enough.
+/// A hash of addresses. Addresses are not chosen by an adversary, so one multiplication spreads them well enough.
 #[derive(Default)]
 struct Address(u64);
 
@@ -32,7 +32,7 @@ impl Hasher for Address {
     }
 
     fn write_usize(&mut self, address: usize) {
-        // Two to the 64 over the golden ratio (Fibonacci hashing); the upper bits are the best mixed ones.
+        // Fibonacci hashing: multiply by 2^64 divided by the golden ratio. The upper bits are mixed best.
         let mixed = (self.0 ^ address as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         self.0 = mixed.rotate_left(32);
     }

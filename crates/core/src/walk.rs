@@ -1,4 +1,4 @@
-//! Walks over core terms and statements.
+//! Traversal of core terms and statements.
 
 use super::visited::Visited;
 use super::{BuiltIn, Family, Node, Statement, Term, Variable};
@@ -48,10 +48,10 @@ impl Term {
         }
     }
 
-    /// The same term with its direct parts changed.
+    /// Rebuilds the term with each direct part changed.
     ///
     /// # Errors
-    /// Those of `change`.
+    /// The errors of `change`.
     pub fn with_parts<E>(
         &self,
         change: &mut dyn FnMut(&Term) -> Result<Term, E>,
@@ -153,7 +153,7 @@ impl Term {
         })
     }
 
-    /// The term of which this one is the exponential; 0 for the number 1.
+    /// Returns a if the term is `exp(a)`, and 0 if it is the number 1.
     fn exponent(&self) -> Option<Self> {
         match &*self.node {
             Node::Apply(BuiltIn::Exponential, items) => match items.as_slice() {
@@ -195,7 +195,7 @@ impl Term {
         self.is_bound(std::collections::BTreeSet::new())
     }
 
-    /// The same where the variable of this number may occur.
+    /// Whether no variable of an enclosing binder occurs, except possibly the variable of this number.
     pub fn is_closed_but_for(&self, variable: u32) -> bool {
         self.is_bound([variable].into())
     }
@@ -223,17 +223,17 @@ impl Term {
             }
             term.each_part(&mut |part| pending.push(part));
         }
-        // No two binders have the same variable.
+        // Each binder has a variable of its own, so no scopes need be tracked.
         used.iter().all(|variable| bound.contains(variable))
     }
 
-    /// Calls `found` with the name of every declared symbol that occurs, those of the seeds and steps of basis families
-    /// included. Shared parts are visited once.
+    /// Calls `found` with the name of every declared symbol that occurs, including those in the seeds and steps of
+    /// basis families. Shared parts are visited once.
     pub fn declared_names(&self, found: &mut impl FnMut(&Arc<str>)) {
         self.further_names(&mut Visited::default(), found);
     }
 
-    /// The same of the parts that were not visited before.
+    /// As [`Term::declared_names`], but skips the parts in `seen`, and adds the others to it.
     pub fn further_names(&self, seen: &mut Visited, found: &mut impl FnMut(&Arc<str>)) {
         let mut pending = vec![self];
         while let Some(term) = pending.pop() {
@@ -265,8 +265,8 @@ impl Family {
         self.seeds.iter().chain([&self.step.0, &self.step.1])
     }
 
-    /// The family with other formulas for its seeds and step, which is another one: nothing that is remembered of this one by
-    /// its name is true of it.
+    /// The family with changed seeds and step. It is a different family of the same name, so nothing that was cached
+    /// under the name applies to it.
     #[must_use]
     pub fn with_formulas(&self, mut change: impl FnMut(&Term) -> Term) -> Self {
         Self {
@@ -280,7 +280,8 @@ impl Family {
         }
     }
 
-    /// All variables that it binds: its own, and those that count in the step.
+    /// All variables that the family binds: the variable, the shape parameters, and those for index and degree in the
+    /// step.
     pub fn bound(&self) -> impl Iterator<Item = &Variable> {
         let counters = self.counters.iter();
         let counters = counters.flat_map(|(index, order)| [index, order]);
@@ -294,7 +295,7 @@ impl Family {
 }
 
 impl Statement {
-    /// The number of its statements: itself, and those that it joins or denies.
+    /// The number of statements in it: itself, and those that it joins or negates.
     #[must_use]
     pub fn size(&self) -> u64 {
         match self {
@@ -304,7 +305,7 @@ impl Statement {
         }
     }
 
-    /// The same statement with every term changed.
+    /// Changes every term of the statement.
     #[must_use]
     pub fn mapped(&self, change: &dyn Fn(&Term) -> Term) -> Self {
         let never = |term: &Term| Ok::<_, std::convert::Infallible>(change(term));
@@ -313,8 +314,8 @@ impl Statement {
         }
     }
 
-    /// The same statement with every term changed, and the seeds and steps of those families of its properties in which
-    /// variables of enclosing binders may stand.
+    /// Changes every term of the statement, and the seeds and steps of those basis families in which variables of
+    /// enclosing binders may occur.
     #[must_use]
     pub fn mapped_throughout(&self, change: &dyn Fn(&Term) -> Term) -> Self {
         match self {
@@ -331,10 +332,11 @@ impl Statement {
         }
     }
 
-    /// What it says of exponents: the exponential is strictly increasing, so `exp(a) == exp(b)` says `a == b`, `exp(a) < exp(b)`
-    /// says `a < b`, and the number 1 is the exponential of 0. `None` where no comparison is one of two exponentials.
+    /// The comparison of exponents that is equivalent to a comparison of exponentials: the exponential is strictly
+    /// increasing, so `exp(a) == exp(b)` means `a == b`, `exp(a) < exp(b)` means `a < b`, and the number 1 is the
+    /// exponential of 0. Returns `None` if no comparison is one of two exponentials.
     #[must_use]
-    pub fn of_exponents(&self) -> Option<Self> {
+    pub fn compare_exponents(&self) -> Option<Self> {
         match self {
             Self::Compare {
                 relation,
@@ -349,20 +351,22 @@ impl Statement {
                     right: b,
                 })
             }
-            Self::Join(Connective::And, a, b) => match (a.of_exponents(), b.of_exponents()) {
-                (None, None) => None,
-                (first, second) => Some(Self::Join(
-                    Connective::And,
-                    Box::new(first.unwrap_or_else(|| (**a).clone())),
-                    Box::new(second.unwrap_or_else(|| (**b).clone())),
-                )),
-            },
-            Self::Not(inner) => Some(Self::Not(Box::new(inner.of_exponents()?))),
+            Self::Join(Connective::And, a, b) => {
+                match (a.compare_exponents(), b.compare_exponents()) {
+                    (None, None) => None,
+                    (first, second) => Some(Self::Join(
+                        Connective::And,
+                        Box::new(first.unwrap_or_else(|| (**a).clone())),
+                        Box::new(second.unwrap_or_else(|| (**b).clone())),
+                    )),
+                }
+            }
+            Self::Not(inner) => Some(Self::Not(Box::new(inner.compare_exponents()?))),
             _ => None,
         }
     }
 
-    /// The families whose properties it states.
+    /// The families whose properties the statement is about.
     #[must_use]
     pub fn families(&self) -> Vec<&Arc<Family>> {
         match self {
@@ -373,10 +377,10 @@ impl Statement {
         }
     }
 
-    /// The same where a change may fail.
+    /// As [`Statement::mapped`], for a change that may fail.
     ///
     /// # Errors
-    /// Those of `change`.
+    /// The errors of `change`.
     pub fn try_mapped<E>(&self, change: &dyn Fn(&Term) -> Result<Term, E>) -> Result<Self, E> {
         Ok(match self {
             Self::Compare {
@@ -419,13 +423,13 @@ impl Statement {
         }
     }
 
-    /// Calls `found` with the name of every declared symbol that occurs; for a property of a basis, with those of the
-    /// names of its variables, whose declared sets it is about.
+    /// Calls `found` with the name of every declared symbol that occurs. For a property of a basis these include the
+    /// names of its variables, because the property is about their declared sets.
     pub fn declared_names(&self, found: &mut impl FnMut(&Arc<str>)) {
         self.further_names(&mut Visited::default(), found);
     }
 
-    /// The same of the terms that were not visited before.
+    /// As [`Statement::declared_names`], but skips the terms in `seen`, and adds the others to it.
     pub fn further_names(&self, seen: &mut Visited, found: &mut impl FnMut(&Arc<str>)) {
         match self {
             Self::Family(_, family) => {

@@ -353,7 +353,7 @@ impl<'a> ProofContext<'a> {
             let before = pending.len();
             let (mut rest, mut obstacle) = (vec![], None);
             for hypothesis in pending {
-                let of_exponents = hypothesis.statement.of_exponents();
+                let of_exponents = hypothesis.statement.compare_exponents();
                 let said = of_exponents.as_ref().unwrap_or(&hypothesis.statement);
                 let taken = self
                     .branch

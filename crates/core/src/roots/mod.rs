@@ -1,17 +1,17 @@
 //! Roots of formulas as symbols.
 //!
-//! `sqrt(r)` is the number w with `w^2 == r` and `w >= 0`, and where r < 0 there is none. So a claim in which `sqrt(r)` stands
-//! says the same as the claim with a new symbol w in its place, of the set `[0, inf)`, under the hypothesis `w^2 == r`: a point
-//! of the first at which the root is defined is a point of the second, with one value of w, and every point of the second is
-//! one of the first. [`Claim::rooted`] makes this claim. `norm(v)` is the root of `dot(v, v)`. Roots of the same radicand are
-//! the same symbol.
+//! `sqrt(r)` is the number w with `w^2 == r` and `w >= 0`; for r < 0 there is none. So a claim in which `sqrt(r)`
+//! occurs is equivalent to the claim in which a new symbol w of the set `[0, inf)` replaces it, under the hypothesis
+//! `w^2 == r`: a point of the first at which the root is defined is a point of the second with exactly one value of
+//! w, and conversely. [`Claim::rooted`] makes the second claim. `norm(v)` is the root of `dot(v, v)`. Roots of the
+//! same radicand become the same symbol.
 //!
 //! **Under a derivative** the radicand changes with the variable. By Taylor's theorem a derivative of order n at u depends on
 //! the root through its first n derivatives there, so the root becomes the polynomial `c_0 + c_1 (x - u) + ... + c_n (x - u)^n` with
 //! `c_0 = w = sqrt(r(u))` and, since its square is r up to order n, `c_k = (r_k - sum of c_j c_(k-j) for 0 < j < k)/(2 c_0)`, where
 //! `r_k` is the k-th derivative of r at u over k!. So the derivative is defined where r(u) > 0.
 //!
-//! Roots of what contains no symbol are numbers and stay what they are.
+//! A root whose radicand contains no symbol is a number and is not replaced.
 
 mod name;
 mod part;
@@ -26,21 +26,22 @@ use torse_syntax::derivation::declarations::{Bound, Interval};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Operator, Place, Relation};
 
-/// The first number of a variable made here; those of texts are smaller.
+/// The number of the first variable made here; the variables of texts have smaller numbers.
 const FIRST_VARIABLE: u32 = u32::MAX / 2;
-/// The most roots of one claim.
+/// The largest number of roots of one claim.
 const MAX_ROOTS: usize = 24;
-/// The highest order of a derivative of a root.
+/// The largest order of a derivative of a root.
 const MAX_ORDER: u32 = 4;
-/// The most terms that are visited.
+/// The largest number of terms that are visited.
 const MAX_NODES: usize = 200_000;
 
 impl Claim {
-    /// The claim with a symbol for each root of a formula, under the hypotheses that say what they are; its statement is
-    /// written at `origin`.
+    /// Replaces each root of a formula by a symbol and adds the hypotheses that define these symbols; `origin` is the
+    /// origin of the statement.
     ///
     /// # Errors
-    /// [`Fault`] for a root that changes with the index of a sum, and for too many or too large ones.
+    /// [`Fault`] for a root that depends on the index of a sum, for more than 24 roots, and for radicands that are
+    /// too large.
     pub fn rooted(&self, origin: &Origin) -> Result<Self, Fault> {
         let applies = |s: &Statement| s.terms().into_iter().any(has_root);
         if !applies(&self.statement) && !self.hypotheses.iter().any(|h| applies(&h.statement)) {
@@ -69,14 +70,14 @@ impl Claim {
         })
     }
 
-    /// The symbols that stand for roots, each with its radicand, those first of which others are made.
+    /// The symbols that stand for roots, with their radicands. A root that occurs in the radicand of another comes first.
     pub fn roots(&self) -> impl Iterator<Item = (&Arc<str>, &Term)> {
         self.hypotheses.iter().filter_map(Hypothesis::root)
     }
 }
 
 impl Hypothesis {
-    /// The symbol of a root and its radicand, if this is the hypothesis that says what it is.
+    /// The symbol of a root and its radicand, if this hypothesis defines one.
     #[must_use]
     pub fn root(&self) -> Option<(&Arc<str>, &Term)> {
         let Statement::Compare { left, right, .. } = &self.statement else {
@@ -92,7 +93,7 @@ impl Hypothesis {
     }
 }
 
-/// The numbers from zero on.
+/// The set of nonnegative numbers.
 fn nonnegative() -> Set {
     let zero = Bound {
         value: rational::integer(0).into(),
@@ -108,7 +109,7 @@ fn has_root(term: &Term) -> bool {
     term.applies(BuiltIn::SquareRoot) || term.applies(BuiltIn::Norm)
 }
 
-/// A symbol and what it is the root of.
+/// The symbol of a root, and its radicand.
 struct Root {
     name: Arc<str>,
     radicand: Term,
@@ -132,10 +133,10 @@ impl Root {
     }
 }
 
-/// What the variable of an enclosing binder is.
+/// What kind of variable an enclosing binder has.
 #[derive(Clone)]
 enum Binder {
-    /// A name for a term, in which no other such name stands.
+    /// A variable that abbreviates a term, which contains no such variables.
     Name(Term),
     /// The variable of a derivative.
     Differential,
@@ -145,14 +146,14 @@ enum Binder {
     Integration,
 }
 
-/// The enclosing binders by the numbers of their variables.
+/// The enclosing binders, by the numbers of their variables.
 type Scope = BTreeMap<u32, Binder>;
 
 #[derive(Default)]
 struct Work {
     roots: Vec<Root>,
-    /// The symbols by what they are the roots of.
-    known: BTreeMap<String, Arc<str>>,
+    /// The symbols of the roots, by the keys of their radicands.
+    names: BTreeMap<String, Arc<str>>,
     made: u32,
     nodes: usize,
 }
@@ -175,7 +176,8 @@ impl Work {
         statement.try_mapped(&|term| work.borrow_mut().term(term, &Scope::new()))
     }
 
-    /// The term with its roots as symbols; those that change with the variable of an enclosing derivative are left to it.
+    /// Replaces the roots in a term by symbols. Roots that depend on the variable of an enclosing derivative are left
+    /// unchanged; the derivative expands them.
     fn term(&mut self, term: &Term, scope: &Scope) -> Result<Term, Fault> {
         if !has_root(term) {
             return Ok(term.clone());
@@ -285,7 +287,7 @@ impl Work {
         items.iter().map(|item| self.term(item, scope)).collect()
     }
 
-    /// The root of a radicand whose own roots are symbols.
+    /// The symbol of the root of a radicand in which roots have been replaced already.
     fn root(&mut self, radicand: Term, place: Place, scope: &Scope) -> Result<Term, Fault> {
         let radicand = named(&radicand, scope);
         let bound = |kind: fn(&Binder) -> bool| {
@@ -294,11 +296,11 @@ impl Work {
             numbers.any(|number| mentions(&radicand, number))
         };
         if bound(|binder| matches!(binder, Binder::Index)) {
-            let what = "a root that changes with the index of a sum";
+            let what = "a root that depends on the index of a sum";
             return Err(Fault::limit(place, what));
         }
         if bound(|binder| matches!(binder, Binder::Integration)) {
-            let what = "a root that changes with the variable of an integral: state what it is, and integrate that";
+            let what = "a root that depends on the variable of an integral: write it without the root, and integrate that";
             return Err(Fault::limit(place, what));
         }
         let moves = bound(|binder| matches!(binder, Binder::Differential));
@@ -307,7 +309,7 @@ impl Work {
             return Ok(made(node, place));
         }
         let key = key(&radicand).ok_or_else(|| Fault::limit(place, "so large a radicand"))?;
-        if let Some(name) = self.known.get(&key) {
+        if let Some(name) = self.names.get(&key) {
             return Ok(made(Node::Symbol(Arc::clone(name)), place));
         }
         if self.roots.len() >= MAX_ROOTS {
@@ -315,10 +317,10 @@ impl Work {
             return Err(Fault::limit(place, what));
         }
         let taken = |name: &str| self.roots.iter().any(|root| *root.name == *name);
-        let name = name::of_root(&radicand).filter(|name| !taken(name));
+        let name = name::root_text(&radicand).filter(|name| !taken(name));
         let name = name.unwrap_or_else(|| format!("\u{221a}{}", self.roots.len() + 1));
         let name: Arc<str> = name.into();
-        self.known.insert(key, Arc::clone(&name));
+        self.names.insert(key, Arc::clone(&name));
         self.roots.push(Root {
             name: Arc::clone(&name),
             radicand,
@@ -326,7 +328,7 @@ impl Work {
         Ok(made(Node::Symbol(name), place))
     }
 
-    /// The body of a derivative, where roots that change with its variable are their Taylor polynomials.
+    /// The body of a derivative, in which roots that depend on its variable are replaced by their Taylor polynomials.
     fn expanded(&mut self, term: &Term, around: &Around<'_>) -> Result<Term, Fault> {
         if !term.applies(BuiltIn::SquareRoot) || !mentions(term, around.variable.number()) {
             return Ok(term.clone());
@@ -372,7 +374,7 @@ impl Work {
         }
     }
 
-    /// Taylor's polynomial of a root, of a radicand as it stands and with its own roots expanded.
+    /// The Taylor polynomial of a root; `expanded` is the radicand with its own roots expanded.
     fn series(
         &mut self,
         radicand: &Term,
@@ -387,9 +389,9 @@ impl Work {
             Fault::limit(place, what)
         })?;
         let number = |n: u32| made(Node::Number(integer(i64::from(n))), place);
-        let there = replaced(radicand, around.variable.number(), around.at);
-        let there = self.term(&there, around.scope)?;
-        let mut coefficients = vec![self.root(there, place, around.scope)?];
+        let at_point = replaced(radicand, around.variable.number(), around.at);
+        let at_point = self.term(&at_point, around.scope)?;
+        let mut coefficients = vec![self.root(at_point, place, around.scope)?];
         let twice = binary(
             Operator::Multiply,
             number(2),
@@ -418,7 +420,7 @@ impl Work {
         }))
     }
 
-    /// The derivative of the radicand, of this order, at the point.
+    /// The derivative of the radicand of the given order at the point.
     fn rate(&mut self, radicand: &Term, order: u32, around: &Around<'_>) -> Term {
         let place = radicand.place;
         let variable = Variable {
@@ -439,13 +441,13 @@ impl Work {
     }
 }
 
-/// A derivative whose body is expanded.
+/// A derivative whose body is being expanded.
 struct Around<'s> {
     variable: &'s Variable,
     order: Option<u32>,
-    /// Where it is taken, without names.
+    /// The point at which the derivative is taken, without abbreviating variables.
     at: &'s Term,
-    /// The binders around it.
+    /// The enclosing binders.
     scope: &'s Scope,
 }
 
@@ -459,7 +461,7 @@ fn nothing(place: Place) -> Fault {
     Fault::limit(place, "a root of nothing")
 }
 
-/// The term with the names of enclosing binders replaced by what they stand for.
+/// Replaces the variables that abbreviate terms by these terms.
 fn named(term: &Term, scope: &Scope) -> Term {
     let mut term = term.clone();
     for (number, binder) in scope {
@@ -470,7 +472,7 @@ fn named(term: &Term, scope: &Scope) -> Term {
     term
 }
 
-/// The order of a derivative, if it is a number.
+/// The order of a derivative, if it is a literal number.
 fn literal(order: &Term) -> Option<u32> {
     match &*order.node {
         Node::Number(value) if value.is_integer() => u32::try_from(&value.to_integer()).ok(),

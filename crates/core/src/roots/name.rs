@@ -1,4 +1,4 @@
-//! The name of a root: the text of the formula, where it can be written in the symbols of the claim.
+//! Names of roots: the text of the root, if it can be written in the symbols of the claim.
 
 use crate::{BuiltIn, Node, Term};
 use std::collections::BTreeMap;
@@ -6,13 +6,14 @@ use std::sync::Arc;
 use torse_syntax::formula::{self, Expr, Operator};
 use torse_syntax::notation;
 
-/// The longest name.
+/// The largest length of a name.
 const MAX_NAME: usize = 160;
-/// The most parts of a formula that is written.
+/// The largest number of parts of a formula that is written.
 const MAX_PARTS: usize = 200;
 
-/// `sqrt(r)`, `norm(v)` or `abs(a)` as a text that is read as the same formula; nothing if that would be long.
-pub(super) fn of_root(radicand: &Term) -> Option<String> {
+/// The text of `sqrt(r)`, `norm(v)` or `abs(a)`, which parses to the same formula; `None` if the text would be too
+/// long.
+pub(super) fn root_text(radicand: &Term) -> Option<String> {
     let same = |a: &Term, b: &Term| Arc::ptr_eq(&a.node, &b.node);
     let (head, argument) = match &*radicand.node {
         Node::Apply(BuiltIn::Dot, items) => match items.as_slice() {
@@ -28,7 +29,7 @@ pub(super) fn of_root(radicand: &Term) -> Option<String> {
     (text.len() <= MAX_NAME).then_some(text)
 }
 
-/// What the variables of names stand for.
+/// The terms that variables abbreviate.
 type Names = BTreeMap<u32, Expr>;
 
 struct Writer {
@@ -48,7 +49,7 @@ impl Writer {
         let node = match &*term.node {
             Node::Number(value) => return Some(Expr::number(value)),
             Node::Pi => return Some(Expr::name("pi")),
-            // The derivative of a smooth function at a place has a formula for a name.
+            // The name of a symbol that stands for the derivative of a smooth function is itself a formula.
             Node::Symbol(name) | Node::Vector(name, _) => return formula::parse(name).ok(),
             Node::Variable(variable) => return names.get(&variable.number()).cloned(),
             Node::Opened {
@@ -90,7 +91,7 @@ impl Writer {
                 at,
                 ..
             } => {
-                // By a symbol, at its value.
+                // The derivative is by a symbol, at the value of that symbol.
                 let symbol = self.written(at, names)?;
                 let formula::Node::Name(name) = &symbol.node else {
                     return None;

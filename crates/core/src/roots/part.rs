@@ -1,4 +1,4 @@
-//! Parts of core terms: what they mention, replacement of variables, and what tells terms from one another.
+//! Helpers on core terms: occurrence and replacement of variables, and keys that identify terms.
 
 use crate::{Node, Term};
 use std::collections::{BTreeMap, BTreeSet};
@@ -6,10 +6,10 @@ use std::fmt::Write as _;
 use std::sync::Arc;
 use torse_numbers::fault_injection::{InjectedFault, injected};
 
-/// The longest key.
+/// The largest length of a key.
 const MAX_KEY: usize = 60_000;
 
-/// Whether the variable of this number occurs. No two binders have the same variable.
+/// Whether the variable of this number occurs. Each binder has a variable of its own, so no scopes need be tracked.
 pub(super) fn mentions(term: &Term, number: u32) -> bool {
     let mut seen = BTreeSet::new();
     let mut pending = vec![term];
@@ -30,7 +30,7 @@ pub(super) fn mentions(term: &Term, number: u32) -> bool {
     false
 }
 
-/// Whether nothing in the term may have more than one value.
+/// Whether the term contains nothing whose value may vary.
 pub(super) fn is_number(term: &Term) -> bool {
     match &*term.node {
         Node::Symbol(_)
@@ -43,13 +43,13 @@ pub(super) fn is_number(term: &Term) -> bool {
     }
 }
 
-/// The term with a variable replaced.
+/// Replaces a variable by a term.
 pub(super) fn replaced(term: &Term, number: u32, by: &Term) -> Term {
-    let mut done: BTreeMap<usize, Term> = BTreeMap::new();
-    put(term, number, by, &mut done)
+    let mut cache: BTreeMap<usize, Term> = BTreeMap::new();
+    replace(term, number, by, &mut cache)
 }
 
-fn put(term: &Term, number: u32, by: &Term, done: &mut BTreeMap<usize, Term>) -> Term {
+fn replace(term: &Term, number: u32, by: &Term, cache: &mut BTreeMap<usize, Term>) -> Term {
     if matches!(&*term.node, Node::Variable(variable) if variable.number() == number) {
         return by.clone();
     }
@@ -57,10 +57,11 @@ fn put(term: &Term, number: u32, by: &Term, done: &mut BTreeMap<usize, Term>) ->
         return term.clone();
     }
     let address = Arc::as_ptr(&term.node).addr();
-    if let Some(known) = done.get(&address) {
+    if let Some(known) = cache.get(&address) {
         return known.clone();
     }
-    let mut parts = |part: &Term| Ok::<_, std::convert::Infallible>(put(part, number, by, done));
+    let mut parts =
+        |part: &Term| Ok::<_, std::convert::Infallible>(replace(part, number, by, cache));
     let changed = match term.with_parts(&mut parts) {
         Ok(changed) => changed,
         Err(impossible) => match impossible {},
@@ -73,7 +74,9 @@ fn put(term: &Term, number: u32, by: &Term, done: &mut BTreeMap<usize, Term>) ->
             arguments,
         } if family.formulas().any(|formula| mentions(formula, number)) => Term {
             node: Arc::new(Node::Basis {
-                family: Arc::new(family.with_formulas(|formula| put(formula, number, by, done))),
+                family: Arc::new(
+                    family.with_formulas(|formula| replace(formula, number, by, cache)),
+                ),
                 index: index.clone(),
                 degree: degree.clone(),
                 arguments: arguments.clone(),
@@ -82,7 +85,7 @@ fn put(term: &Term, number: u32, by: &Term, done: &mut BTreeMap<usize, Term>) ->
         },
         _ => changed,
     };
-    // What was closed but for this variable may not be so with what takes its place.
+    // A part that was closed may not be closed after the replacement.
     let closed = match &*changed.node {
         Node::Opened {
             name, origin, body, ..
@@ -114,12 +117,12 @@ fn put(term: &Term, number: u32, by: &Term, done: &mut BTreeMap<usize, Term>) ->
         },
         None => changed,
     };
-    done.insert(address, changed.clone());
+    cache.insert(address, changed.clone());
     changed
 }
 
-/// A text that is the same for terms that are written alike, up to the names of bound variables and definitions. Nothing for
-/// very large ones.
+/// A text that is equal for terms that are written alike, up to the names of bound variables and definitions; `None`
+/// for very large terms.
 pub(super) fn key(term: &Term) -> Option<String> {
     let mut text = String::new();
     let mut variables = BTreeMap::new();
@@ -143,7 +146,7 @@ fn write(term: &Term, variables: &mut BTreeMap<u32, usize>, text: &mut String) -
         Node::Variable(variable) => write!(text, "v{}", bound(variable.number(), variables)),
         Node::Vector(name, dimension) => write!(text, "w{{{name}}}{dimension:?}"),
         Node::Member(points, _) => write!(text, "m{{{}}}", points.name),
-        // What stands for a symbol below `at` or `D` may stand in the seeds.
+        // The seeds may contain a variable that `at` or `D` puts in the place of a symbol.
         Node::Basis { family, .. } if !family.closed => {
             write!(text, "b{{{}", family.name).ok()?;
             for formula in family.formulas() {
