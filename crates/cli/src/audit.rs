@@ -53,13 +53,13 @@ impl Audit {
         selection::select(papers.clone(), &self.names, &left_out)?;
         // A part is audited together with its sentence.
         let wanted = |claim: &Claim| {
-            let id = claim.whole().unwrap_or(claim.entry.id.get_ref());
+            let id = claim.sentence_id().unwrap_or(claim.entry.id.get_ref());
             let named = |claim: &Claim| {
                 let id = claim.entry.id.get_ref();
                 self.names.is_empty() || self.names.iter().any(|name| selection::means(name, id))
             };
             let all = papers.iter().flat_map(|paper| &paper.claims);
-            named(claim) || all.filter(|c| c.whole() == Some(id)).any(named)
+            named(claim) || all.filter(|c| c.sentence_id() == Some(id)).any(named)
         };
         let ids = papers.iter().flat_map(|paper| &paper.claims);
         let ids = ids.filter(|claim| wanted(claim));

@@ -1,29 +1,29 @@
-//! Why a formula has no value: mistakes of the author, and limits of the engine.
+//! Why a formula has no value: either a mistake of the author, or a limit of the program.
 
 use crate::derivation::{DerivationError, Origin};
 use crate::formula::{Place, hints};
 use torse_numbers::ExactError;
 
-/// What went wrong.
+/// The kind of problem.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum Problem {
-    /// A name that nothing declares.
+    /// An undeclared name.
     #[error("`{name}` is not declared")]
     UnknownName {
         /// The name.
         name: String,
-        /// The declared name that looks most like it.
+        /// The declared name that is most similar.
         similar: Option<String>,
     },
     /// A value of the wrong type.
     #[error("{what} where {wanted} is needed")]
     WrongType {
-        /// What stands there.
+        /// What was found.
         what: &'static str,
-        /// What would be right.
+        /// What is needed.
         wanted: &'static str,
     },
-    /// Vectors or matrices whose sizes do not fit.
+    /// Vectors or matrices whose sizes do not match.
     #[error("{left} does not fit {right}")]
     Shapes {
         /// One size.
@@ -41,7 +41,7 @@ pub enum Problem {
         /// How many there are.
         found: usize,
     },
-    /// A shape parameter that was left out where a parameter of a definition has its name.
+    /// An argument of a basis was left out where a parameter of a definition has the same name.
     #[error("`{family}` leaves out its argument `{argument}`, which is ambiguous here: write it")]
     LeftOut {
         /// The basis family.
@@ -65,28 +65,28 @@ pub enum Problem {
         /// The divisor.
         divisor: String,
     },
-    /// Definitions that call each other without end, or nearly so.
+    /// Definitions that refer to one another in a circle, or are nested too deeply.
     #[error("definitions are nested deeper than {limit} levels: is one defined through itself?")]
     Circular {
         /// The limit.
         limit: usize,
     },
-    /// Something the engine cannot carry out symbolically.
+    /// An operation that is not supported, or exceeds a limit.
     #[error("{what}")]
     Limit {
-        /// What it is, in words.
+        /// A description.
         what: String,
     },
 }
 
-/// A problem and its place.
+/// A problem with its place.
 #[derive(Debug, Clone)]
 pub struct Fault {
     /// What went wrong.
     pub problem: Box<Problem>,
-    /// Where in the text of the formula.
+    /// The place in the text of the formula.
     pub place: Place,
-    /// The text, once it is known; a fault in a definition points into the definition.
+    /// The text, once it is known; a fault inside of a definition points into the definition.
     pub origin: Option<Origin>,
 }
 
@@ -107,7 +107,7 @@ impl Fault {
         Self::at(place, Problem::Limit { what: what.into() })
     }
 
-    /// The fault of an exact operation.
+    /// Converts the error of an exact operation.
     #[must_use]
     pub fn exact(place: Place, error: ExactError) -> Self {
         match error {
@@ -118,7 +118,8 @@ impl Fault {
         }
     }
 
-    /// Whether the author is not to blame: the formula means something that is not reached here.
+    /// Whether the author made no mistake: the formula is valid, but exceeds what the program supports, or a divisor
+    /// vanishes.
     #[must_use]
     pub fn is_limit(&self) -> bool {
         matches!(
@@ -127,14 +128,14 @@ impl Fault {
         )
     }
 
-    /// The fault in the text `origin`, unless it already points into another text.
+    /// Sets the text that the place refers to, unless it is set already.
     #[must_use]
     pub fn within(mut self, origin: &Origin) -> Self {
         self.origin.get_or_insert_with(|| origin.clone());
         self
     }
 
-    /// The error for the author of the file.
+    /// Makes the error that is shown to the author of the file; `origin` is the text if the fault has none.
     #[must_use]
     pub fn into_error(self, origin: &Origin) -> DerivationError {
         let origin = self.origin.unwrap_or_else(|| origin.clone());
@@ -146,7 +147,7 @@ impl Fault {
     }
 }
 
-/// What would be right.
+/// A hint at what would be correct.
 fn help(problem: &Problem) -> Option<String> {
     match problem {
         Problem::UnknownName { name, similar } => Some(unknown(name, similar.as_deref())),
@@ -167,7 +168,7 @@ fn unknown(name: &str, similar: Option<&str>) -> String {
     let declared = "Names are declared under [symbols], [define], [basis] or `let`";
     if similar == Some(name) {
         return format!(
-            "`{name}` is no number by itself: a function takes arguments, `{name}(x)`, a basis its index and degree, \
+            "`{name}` is not a number by itself: a function takes arguments, `{name}(x)`, a basis its index and degree, \
              `{name}[0,2](x)`"
         );
     }

@@ -1,16 +1,16 @@
-//! The Greek letters: how files spell them, how they look, how LaTeX calls them.
+//! The Greek letters: their spelling in files, their signs, and their LaTeX commands.
 //!
-//! One table for claims, reports, letters, sliders and labels of figures, so that a name looks the same wherever it is
-//! read. Letters that look like Latin ones are not in it: nobody can tell them apart.
+//! Claims, reports, letters, sliders and figure labels share this table, so that a name looks the same everywhere.
+//! Letters that look like Latin ones are left out, since a reader cannot distinguish them.
 
 /// A Greek letter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct GreekLetter {
-    /// How files spell it; Typst calls it the same.
+    /// The spelling in files, which is also the name in Typst.
     pub name: &'static str,
-    /// How it is shown.
+    /// The sign that is shown.
     pub sign: char,
-    /// The command of LaTeX for the letter in the form in which it is shown.
+    /// The LaTeX command for the letter in the shown form.
     pub latex: &'static str,
 }
 
@@ -22,7 +22,7 @@ const fn varied(name: &'static str, sign: char, latex: &'static str) -> GreekLet
     GreekLetter { name, sign, latex }
 }
 
-/// All letters, small ones first, in the order of the alphabet.
+/// All letters: lower case, then upper case, each in alphabetical order.
 pub const LETTERS: [GreekLetter; 34] = [
     letter("alpha", 'α'),
     letter("beta", 'β'),
@@ -60,7 +60,7 @@ pub const LETTERS: [GreekLetter; 34] = [
     letter("Omega", 'Ω'),
 ];
 
-/// Other signs that are printed for a letter of the table.
+/// Other signs that are printed for letters of the table.
 const VARIANTS: [(char, &str); 7] = [
     ('µ', "mu"),
     ('ς', "sigma"),
@@ -71,7 +71,7 @@ const VARIANTS: [(char, &str); 7] = [
     ('ϖ', "pi"),
 ];
 
-/// The letter that files spell like this.
+/// The letter with this spelling in files.
 ///
 /// ```
 /// use torse_syntax::greek;
@@ -83,7 +83,7 @@ pub fn by_name(name: &str) -> Option<GreekLetter> {
     LETTERS.into_iter().find(|letter| letter.name == name)
 }
 
-/// The letter that a printed sign is, in any of its forms.
+/// The letter with this sign, in any of its printed forms.
 ///
 /// ```
 /// use torse_syntax::greek;

@@ -1,7 +1,7 @@
-//! The language in which papers are stated.
+//! The language in which the statements of papers are written.
 //!
-//! Data flow one way: [`formula`] turns text into trees, [`derivation`] reads files of declarations, claims and
-//! figures, [`notation`] writes trees back: as text, LaTeX, Typst, Rust and SymPy. Nothing here decides or
+//! Data flow in one direction: [`formula`] parses texts to trees, [`derivation`] reads files of declarations, claims
+//! and figures, and [`notation`] writes trees as text, LaTeX, Typst, Rust and SymPy. Nothing here decides or
 //! evaluates anything.
 #![warn(missing_docs)]
 

@@ -1,6 +1,6 @@
-//! The name that may have been meant.
+//! Suggestions for misspelled names.
 
-/// Of the candidates the one that looks most like a name that nothing has; `None` when none comes near.
+/// The candidate that is most similar to `name`; `None` if none is similar enough.
 ///
 /// ```
 /// use torse_syntax::similar::similar;
@@ -12,7 +12,7 @@
 pub fn similar<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let near = candidates.into_iter();
     near.map(|candidate| (edit_distance(name, candidate), candidate))
-        // A name without any letter of the other one is not near.
+        // A name that shares no letter is not similar.
         .filter(|(distance, candidate)| {
             let longer = candidate.chars().count().max(name.chars().count());
             *distance <= 1 + candidate.len() / 4 && *distance < longer

@@ -1,6 +1,6 @@
-//! The words of claims: what kind of statement the paper makes, and what is true of it.
+//! The classification of claims: the kind of statement that the paper makes, and the verdict on it.
 //!
-//! A derivation file says the kind, and may say the verdict that it expects.
+//! A derivation file states the kind, and may state the expected verdict.
 
 use serde::Serialize;
 
@@ -18,9 +18,9 @@ pub enum Kind {
     Inequality,
     /// A printed value.
     Value,
-    /// A property in words.
+    /// A property that is stated in words.
     Property,
-    /// Something that is built.
+    /// A construction.
     Construction,
     /// A figure.
     Figure,
@@ -30,7 +30,7 @@ pub enum Kind {
     Remark,
 }
 
-/// What is true of the printed statement.
+/// The verdict on a printed statement.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, serde::Deserialize,
 )]
@@ -44,9 +44,9 @@ pub enum Verdict {
     Misprint,
     /// False, with an exact counterexample.
     False,
-    /// The sentence has more than one reading, and what is true of it depends on the reading.
+    /// The sentence has several readings, and its truth depends on the reading.
     Depends,
-    /// Not decided; the reason and what was tried are stated.
+    /// Not decided; the reason and the attempts are stated.
     Undecided,
     /// No point satisfies the hypotheses.
     Vacuous,
@@ -54,7 +54,7 @@ pub enum Verdict {
     Definition,
     /// The data needed to decide are not printed.
     Underspecified,
-    /// Not a statement this engine is for; the reason is stated.
+    /// The statement is outside the scope of this program; the reason is stated.
     OutOfScope,
     /// A figure redrawn from printed data alone.
     Reproduced,
@@ -62,47 +62,47 @@ pub enum Verdict {
     Partial,
 }
 
-/// A sign that a statement may not be what the paper prints.
+/// A sign that a statement may differ from what the paper prints.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, serde::Deserialize,
 )]
 #[serde(rename_all = "kebab-case")]
 pub enum Flag {
-    /// The sides of an equation are equal as they are written.
+    /// The two sides of an equation are identical formulas.
     EqualSides,
-    /// Nothing occurs in the statement that the paper defines.
+    /// The statement contains nothing that the paper defines.
     NothingOfThePaper,
-    /// A number of the print does not occur in the statement.
+    /// A printed number does not occur in the statement.
     LacksNumber,
-    /// A name of the print does not occur in the statement.
+    /// A printed name does not occur in the statement.
     LacksName,
-    /// A relation of the print does not occur in the statement.
+    /// A printed relation does not occur in the statement.
     LacksRelation,
-    /// A number of the statement does not occur in the print.
+    /// A number in the statement is not printed.
     AddsNumber,
-    /// A name of the statement does not occur in the print.
+    /// A name in the statement is not printed.
     AddsName,
-    /// A relation of the statement does not occur in the print.
+    /// A relation in the statement is not printed.
     AddsRelation,
-    /// What is stated is among the hypotheses.
+    /// The conclusion is among the hypotheses.
     AssumedConclusion,
     /// The statement has fewer parts than the sentence.
     ShortConjunction,
-    /// A sentence about every degree is stated for one.
+    /// A sentence about every degree is stated for one degree.
     OneDegree,
     /// A sentence about vectors is stated for one coordinate.
     OneCoordinate,
-    /// A sentence about all is stated for one instance.
+    /// A universal sentence is stated for one instance.
     OneInstance,
-    /// No slip in the statement would be noticed.
+    /// No mutant of the statement is refuted, so a slip in it would go unnoticed.
     NoMutant,
-    /// The reading speaks of what is not stated.
+    /// The reading mentions something that is not stated.
     UnstatedReading,
-    /// Nothing is stated of a sentence with a relation.
+    /// A sentence with a relation has no statement.
     UnstatedRelation,
     /// A hypothesis of ours is not needed.
     UnneededHypothesis,
-    /// The quotation of a hypothesis does not say it.
+    /// The quotation for a hypothesis does not state the hypothesis.
     QuoteSaysOtherwise,
     /// What is excused by the copy is a sign, a relation or the number of an equation, which no defect of a copy explains.
     GarbledExcuse,

@@ -433,7 +433,7 @@ fn a_quote_that_is_not_printed_is_a_mistake_at_its_words() {
         ),
         (
             "{ states = 'x > 0', printed = 'p', in = 'mini/c' }",
-            "no claim has the id `mini/c`, so these are no words of its|p",
+            "no claim has the id `mini/c`, so these words are in no print|p",
         ),
         (
             "{ states = 'x > 0', printed = 'p', ours = 'o' }",
@@ -529,7 +529,7 @@ fn readings_are_claims_that_add_to_the_fields_of_the_sentence() {
     for (claims, expected) in [
         (
             format!("{head}{literal}"),
-            "one reading alone is the statement|literal",
+            "a single reading belongs in `states`|literal",
         ),
         (
             format!("{head}{literal}{literal}"),
@@ -562,7 +562,7 @@ fn parts_are_called_after_their_sentence_and_used_together() {
     assert_eq!(told, Vec::<String>::new());
     let claims = &loaded.papers[0].claims;
     assert_eq!(claims[2].uses, ["mini/a.one", "mini/a.two"]);
-    assert_eq!(claims[0].whole().unwrap(), "mini/a");
+    assert_eq!(claims[0].sentence_id().unwrap(), "mini/a");
 
     let (_, told) = told_of("parts", &[part("mini/a.one", "mini/b")]);
     assert_eq!(told, ["`mini/a.one` is no part of `mini/b`|mini/b"]);
@@ -596,8 +596,8 @@ fn a_finding_is_words_with_formulas_in_braces() {
     for (text, expected) in [
         ("is {x", "this `{` has no partner|{"),
         ("is x}", "this `}` has no partner|}"),
-        ("is $x", "this `$` has no partner|$"),
-        ("is {x : many}", "`many` is no form of a number| many"),
+        ("is $x", "this `$` is not matched|$"),
+        ("is {x : many}", "`many` is not a format of a number| many"),
         (
             "is {x +}",
             "expected a number, a name or a bracket, found the end of the formula|",
@@ -624,7 +624,7 @@ fn names_are_displayed_as_the_paper_prints_them() {
             "y = '$y$'",
             "`y` is not declared, so it is not displayed|$y$",
         ),
-        ("x = 'xi'", "`xi` is no mathematics: write `$...$`|xi"),
+        ("x = 'xi'", "`xi` is not mathematics: write `$...$`|xi"),
     ] {
         let claim = claim("mini/a", "x == x", &format!("display = {{ {display} }}"));
         let (_, told) = told_of("display", &[claim]);

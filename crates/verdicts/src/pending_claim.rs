@@ -189,7 +189,7 @@ fn record(
         at: entry.at.clone(),
         kind: entry.kind,
         printed: entry.printed.clone(),
-        part_of: claim.whole().cloned(),
+        part_of: claim.sentence_id().cloned(),
         reading: entry.reading.clone(),
         garbled: entry.garbled.as_ref().map(|text| text.get_ref().clone()),
         parsed: claim.statement.as_ref().map(|s| notation::formula(&s.expr)),

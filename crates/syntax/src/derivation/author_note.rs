@@ -1,7 +1,8 @@
-//! The sentence in which a file tells what was found: words, with formulas in braces for the numbers.
+//! The author's note on a claim: a sentence about the finding, with formulas in braces that are evaluated.
 //!
-//! Nobody types a number that the engine knows: `'the two planes meet at {cosine : degrees}'` gets its number from the
-//! claim's own definitions, at the witness where there is one. Braces between dollar signs belong to mathematics.
+//! Numbers that can be computed are not typed: in `'the two planes meet at {cosine : degrees}'` the number is
+//! computed from the definitions of the claim, at the witness if there is one. Braces between dollar signs belong to
+//! mathematics.
 
 use super::error::{DerivationError, LoadError};
 use super::schema::Text;
@@ -10,7 +11,7 @@ use super::written::Written;
 use crate::formula::{Place, parse};
 use std::sync::Arc;
 
-/// A sentence with holes for numbers.
+/// A sentence in which formulas (holes) are replaced by their values.
 #[derive(Debug, Clone)]
 pub struct AuthorNote {
     /// Words and holes, in order.
@@ -18,7 +19,7 @@ pub struct AuthorNote {
 }
 
 impl AuthorNote {
-    /// The formulas of its holes.
+    /// The formulas of the holes.
     pub fn holes(&self) -> impl Iterator<Item = &Written> {
         self.pieces.iter().filter_map(|piece| match piece {
             Piece::Words(_) => None,
@@ -28,7 +29,7 @@ impl AuthorNote {
 }
 
 impl AuthorNote {
-    /// The sentence, if it has no holes.
+    /// The sentence as a text, or `None` if it has holes.
     #[must_use]
     pub fn without_holes(&self) -> Option<String> {
         let words = self.pieces.iter().map(|piece| match piece {
@@ -39,32 +40,32 @@ impl AuthorNote {
     }
 }
 
-/// A part of such a sentence.
+/// A part of an author's note.
 #[derive(Debug, Clone)]
 pub enum Piece {
     /// Words, with mathematics between dollar signs.
     Words(String),
-    /// A number to be computed.
+    /// A formula whose value is shown, and the format of the number.
     Hole(Written, Form),
 }
 
-/// How a number is written.
+/// The format of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// An integer or simple fraction as it is, all else with four digits.
+    /// An integer or simple fraction as it is, other numbers with four digits.
     Plain,
-    /// A decimal with so many digits that count.
+    /// A decimal with this many significant digits.
     Digits(u8),
-    /// In per cent.
+    /// A percentage.
     Percent,
-    /// The angle in degrees of which the number is the cosine.
+    /// The number is a cosine; its angle is shown in degrees.
     Degrees,
 }
 
-/// The most digits of a hole.
+/// The largest number of digits of a hole.
 const MAX_DIGITS: u8 = 30;
 
-/// Reads a sentence.
+/// Reads an author's note.
 pub(super) fn author_note(source: &Arc<Source>, text: &Text) -> Result<AuthorNote, LoadError> {
     let origin = Origin::from_spanned(source, text);
     let wrong = |start: usize, end: usize, message: String| {
@@ -85,7 +86,7 @@ pub(super) fn author_note(source: &Arc<Source>, text: &Text) -> Result<AuthorNot
         let rest = text.get(position + 1..).unwrap_or("");
         let end = rest.find('}').filter(|_| next == '{');
         let Some(inside) = end.and_then(|end| rest.get(..end)) else {
-            let message = format!("this `{next}` has no partner");
+            let message = format!("this `{next}` is not matched");
             return Err(wrong(position, position + 1, message));
         };
         let (formula, form) = inside.split_once(':').unwrap_or((inside, ""));
@@ -95,7 +96,7 @@ pub(super) fn author_note(source: &Arc<Source>, text: &Text) -> Result<AuthorNot
             LoadError::Derivation(Box::new(DerivationError::syntax(&origin, &error)))
         })?;
         let form = read_form(form).ok_or_else(|| {
-            let message = format!("`{}` is no form of a number", form.trim());
+            let message = format!("`{}` is not a format of a number", form.trim());
             wrong(start + formula.len() + 1, start + inside.len(), message)
         })?;
         pieces.push(Piece::Words(std::mem::take(&mut words)));
@@ -104,7 +105,7 @@ pub(super) fn author_note(source: &Arc<Source>, text: &Text) -> Result<AuthorNot
     }
     if mathematics {
         let last = text.rfind('$').unwrap_or(0);
-        return Err(wrong(last, last + 1, "this `$` has no partner".to_owned()));
+        return Err(wrong(last, last + 1, "this `$` is not matched".to_owned()));
     }
     pieces.push(Piece::Words(words));
     pieces.retain(|piece| !matches!(piece, Piece::Words(words) if words.is_empty()));

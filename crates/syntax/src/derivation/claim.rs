@@ -1,4 +1,4 @@
-//! A claim of a file: its formulas parsed, its fields checked against each other.
+//! A claim of a derivation file: its formulas are parsed and its fields are checked against one another.
 
 use super::author_note::{AuthorNote, author_note};
 use super::declarations::Declarations;
@@ -19,75 +19,76 @@ use std::sync::Arc;
 use toml::Spanned;
 use torse_numbers::fault_injection::{InjectedFault, injected};
 
-/// The most readings of a sentence: each is decided as a claim of its own.
+/// The largest number of readings of a sentence; each is decided as a claim of its own.
 const MAX_READINGS: usize = 16;
 
 /// A claim, parsed but not decided.
 #[derive(Debug, Clone)]
 pub struct Claim {
-    /// The fields of the file.
+    /// The fields of the claim in the file.
     pub entry: ClaimEntry,
-    /// Where the claim's id stands, for errors about the claim as a whole.
+    /// The place of the claim's id, for errors about the claim as a whole.
     pub origin: Origin,
-    /// Symbols, bases and definitions it may use: its own, its file's, its paper's.
+    /// The symbols, bases and definitions that it may use: its own, those of its file and those of its paper.
     pub declarations: Arc<Declarations>,
     /// The given equations.
     pub given: Vec<Hypothesis>,
     /// The unknowns.
     pub unknowns: Vec<Written>,
-    /// The numbers of which it says that there are such.
+    /// The existential symbols: numbers that the claim says to exist.
     pub existentials: Vec<Existential>,
     /// The assumptions.
     pub assumptions: Vec<Hypothesis>,
     /// The statement, if it has one.
     pub statement: Option<Written>,
-    /// What the sentence may mean; none if it has one meaning, the statement.
+    /// The possible readings of the sentence; empty if there is only one, the statement.
     pub readings: Vec<Reading>,
-    /// What was found, in a sentence with holes for numbers.
+    /// The author's note about the finding.
     pub author_note: Option<AuthorNote>,
-    /// Why signs that the statement is not the print are none.
+    /// The answers to signs that the statement is not what the paper prints.
     pub answers: Vec<Answer>,
-    /// The ids of the claims that it rests on; of a sentence in parts all of them.
+    /// The ids of the claims that it depends on; if one of them is split into parts, the ids of all parts.
     pub uses: Vec<String>,
-    /// The printed values of the same example, this one included: the values of the file whose ids agree
-    /// up to the first point. Empty in the members themselves.
+    /// All printed values of the same example, this one included: the values of the file whose ids agree up to the
+    /// first point. Empty in the members of the list itself.
     pub example: Arc<[Claim]>,
     /// The drawing of a figure.
     pub figure: Option<Figure>,
 }
 
-/// One of the things that a sentence may mean.
+/// One possible reading of a sentence.
 #[derive(Debug, Clone)]
 pub struct Reading {
-    /// A word for it.
+    /// A short name of the reading.
     pub name: String,
-    /// The sentence as it is read here, in words.
+    /// The sentence in words, as this reading understands it.
     pub says: String,
-    /// The claim that it makes of the sentence: the fields of the claim and its own together, without readings.
+    /// The claim in this reading: the fields of the sentence together with those of the reading; it has no readings
+    /// itself.
     pub claim: Claim,
 }
 
-/// Why a sign that the statement is not the print is none.
+/// An answer to a sign (flag) that the statement is not what the paper prints.
 #[derive(Debug, Clone)]
 pub struct Answer {
-    /// The sign.
+    /// The flag.
     pub flag: Flag,
     /// Words of the paper.
     pub quote: Quote,
-    /// How they answer it, where that is not plain.
+    /// Why the words answer the flag, where that is not plain.
     pub says: Option<String>,
     /// Where the flag stands in the file.
     pub origin: Origin,
 }
 
 impl Claim {
-    /// The id in the inventory of the sentence of which this is a part.
+    /// The id in the inventory of the sentence of which this claim is a part.
     #[must_use]
-    pub fn whole(&self) -> Option<&String> {
+    pub fn sentence_id(&self) -> Option<&String> {
         self.entry.part_of.as_ref().map(Spanned::get_ref)
     }
 
-    /// The quotes that say where hypotheses and ranges are printed, those of its readings too.
+    /// The quotations that hypotheses and ranges refer to, including those of its readings.
     #[must_use]
     pub fn quotes(&self) -> Vec<&Quote> {
         let hypotheses = self.assumptions.iter().chain(&self.given);
@@ -99,8 +100,8 @@ impl Claim {
         quotes
     }
 
-    /// Whether a formula of the claim mentions a declaration that is wrong, be it through others.
-    pub(super) fn rests_on_wrong(&self) -> bool {
+    /// Whether a formula of the claim uses an invalid declaration, directly or through definitions.
+    pub(super) fn uses_invalid_declaration(&self) -> bool {
         let hypotheses = self.given.iter().chain(&self.assumptions);
         let formulas = hypotheses.map(|h| &h.formula).chain(&self.unknowns);
         let holes = self.author_note.iter().flat_map(AuthorNote::holes);
@@ -112,12 +113,15 @@ impl Claim {
         let figure = self.figure.as_ref();
         self.declarations
             .depends_on_invalid(formulas.map(|w| &w.expr))
-            || figure.is_some_and(|figure| figure.declarations.any_wrong())
-            || self.readings.iter().any(|r| r.claim.rests_on_wrong())
+            || figure.is_some_and(|figure| figure.declarations.any_invalid())
+            || self
+                .readings
+                .iter()
+                .any(|r| r.claim.uses_invalid_declaration())
     }
 }
 
-/// Shows every value of an example all values of it.
+/// Gives every printed value the list of all values of its example.
 pub(super) fn gather_examples(claims: &mut [Claim]) {
     let mut examples: BTreeMap<String, Vec<Claim>> = BTreeMap::new();
     for value in claims.iter().filter(|c| c.entry.kind == Kind::Value) {
@@ -139,7 +143,7 @@ fn example(claim: &Claim) -> &str {
         .map_or(id.as_str(), |(example, _)| example)
 }
 
-/// A claim with those of its formulas that are well formed.
+/// Parses a claim; its ill-formed formulas are reported and left out.
 pub(super) fn claim(
     source: &Arc<Source>,
     shared: &Arc<Declarations>,
@@ -171,11 +175,11 @@ pub(super) fn claim(
         origin: Origin::range(source, answer.flag.span().start, answer.flag.span().end),
     };
     let answers = entry.answers.iter().map(answer).collect();
-    let told = entry.finding.as_ref().map(|text| author_note(source, text));
+    let note = entry.finding.as_ref().map(|text| author_note(source, text));
     let mut claim = formulas(source, shared, entry, errors);
     claim.readings = readings;
     claim.answers = answers;
-    claim.author_note = told.and_then(|told| errors.keep(told));
+    claim.author_note = note.and_then(|note| errors.keep(note));
     claim.figure = claim.entry.figure.clone().map(|drawn| {
         let id = claim.entry.id.get_ref().clone();
         let (origin, claims) = (claim.origin.clone(), vec![id.clone()]);
@@ -185,7 +189,7 @@ pub(super) fn claim(
     claim
 }
 
-/// The formulas of a claim, with its own declarations.
+/// Parses the formulas of a claim under its own declarations.
 fn formulas(
     source: &Arc<Source>,
     shared: &Arc<Declarations>,
@@ -254,7 +258,7 @@ fn hypotheses(
     found
 }
 
-/// The claim that a reading makes of a sentence.
+/// The entry of the claim that results from one reading of a sentence.
 fn read_as(entry: &ClaimEntry, reading: &ReadingEntry) -> ClaimEntry {
     let mut entry = entry.clone();
     let more = reading.clone();
@@ -269,7 +273,7 @@ fn read_as(entry: &ClaimEntry, reading: &ReadingEntry) -> ClaimEntry {
     entry
 }
 
-/// Fields that want each other, or exclude each other.
+/// Checks fields that require or exclude one another.
 fn check_fields(source: &Arc<Source>, entry: &ClaimEntry, errors: &mut Errors) {
     let mut wrong = |text: &Spanned<String>, message: &str, help: &str| {
         let origin = Origin::from_spanned(source, text);
@@ -302,7 +306,7 @@ fn check_fields(source: &Arc<Source>, entry: &ClaimEntry, errors: &mut Errors) {
             wrong(&reading.name, "each reading has a name of its own", help);
         }
         if reading.says.get_ref().trim().is_empty() {
-            let message = "a reading says in words what it makes of the sentence";
+            let message = "each reading says in words how it reads the sentence";
             wrong(&reading.says, message, help);
         }
     }
@@ -312,13 +316,14 @@ fn check_fields(source: &Arc<Source>, entry: &ClaimEntry, errors: &mut Errors) {
         wrong(&first_above.name, &message, help);
     }
     match (entry.readings.as_slice(), &entry.states) {
-        ([only], _) => wrong(&only.name, "one reading alone is the statement", help),
+        ([only], _) => wrong(&only.name, "a single reading belongs in `states`", help),
         ([_, ..], Some(states)) => {
             let message = "a sentence with `readings` has no `states` of its own";
             wrong(states, message, help);
         }
         ([first, ..], None) if undecidable => {
-            let message = "what is read in two ways is not called undecidable";
+            let message =
+                "a sentence with `readings` is neither `underspecified` nor `out_of_scope`";
             wrong(&first.name, message, help);
         }
         _ => {}

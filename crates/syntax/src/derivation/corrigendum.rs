@@ -1,7 +1,8 @@
-//! Corrigenda: the faults of a paper as its authors are told of them, and the claims as they stand once all are corrected.
+//! Corrigenda: the errors of a paper as they are reported to its authors, and the affected claims after all
+//! corrections.
 //!
-//! The corrected definitions of all corrigenda are in force together: what is claimed of the corrected text is claimed of
-//! it as a whole.
+//! The corrected definitions of all corrigenda apply together, so every claim about the corrected text is about the
+//! paper with all corrections.
 
 use super::author_note::{AuthorNote, author_note};
 use super::claim::Claim;
@@ -18,47 +19,47 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use toml::Spanned;
 
-/// A fault of a paper.
+/// An error of a paper.
 #[derive(Debug, Clone)]
 pub struct Corrigendum {
     /// Its id: `paper/corrigendum.name`.
     pub id: String,
-    /// Where the paper has it, if that is not the place of the first claim.
+    /// Its place in the paper, if that is not the place of the first claim.
     pub at: Option<String>,
-    /// What is wrong, in one sentence with holes for numbers, which are those of the first claim.
+    /// The error in one sentence; formulas in it are evaluated in the first claim.
     pub says: AuthorNote,
-    /// The ids of the claims in which it shows.
+    /// The ids of the claims in which the error shows.
     pub shows: Vec<String>,
-    /// What is to be read instead.
+    /// The corrected wording.
     pub changes: Vec<Rewording>,
     /// The claims in which it shows, in the same order, and others whose words change, once the whole paper is corrected.
     pub corrected: Vec<CorrectedClaim>,
 }
 
-/// Words of a paper, and what is to be read instead.
+/// A passage of a paper and its corrected wording.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Rewording {
-    /// The id of the claim in whose print they stand.
+    /// The id of the claim whose printed text contains the passage.
     pub claim: String,
-    /// The words, or the whole print of the claim.
+    /// The passage; it may be the whole printed text of the claim.
     pub printed: String,
-    /// What is to be read instead.
+    /// The corrected wording.
     pub reads: String,
-    /// The id of the remark that states it.
+    /// The id of the remark that states the correction.
     pub remark: Option<String>,
 }
 
-/// A claim with the corrections of its paper.
+/// A claim with all corrections of its paper applied.
 #[derive(Debug, Clone)]
 pub struct CorrectedClaim {
     /// The claim.
     pub claim: Claim,
-    /// Whether the file states it anew; if not, a correction that was found takes the place of its statement.
+    /// Whether the file restates the claim; if not, a correction that was found replaces its statement.
     pub restated: bool,
 }
 
-/// The corrigenda of a paper with these claims. Those that name no claim of it, or quote words that are not printed, are
-/// mistakes.
+/// Reads the corrigenda of a paper. Reports entries that name no claim of the paper, or quote words that are not
+/// printed.
 pub(super) fn corrigenda(
     entries: &[(Arc<Source>, CorrigendumEntry)],
     claims: &[Claim],
@@ -66,7 +67,7 @@ pub(super) fn corrigenda(
     errors: &mut Errors,
 ) -> Vec<Corrigendum> {
     let mut shown = BTreeSet::new();
-    // Each definition is complained of once, and not for each claim that is read with it.
+    // Check the definitions once here, so that an error is not reported again for each claim.
     for (source, entry) in entries {
         add_definitions(&mut Declarations::default(), source, &entry.define, errors);
     }
@@ -78,8 +79,12 @@ pub(super) fn corrigenda(
             errors.0.push(LoadError::Derivation(Box::new(error)));
         };
         if entry.says.get_ref().trim().is_empty() || entry.shows.is_empty() {
-            let help = "`says` has the fault in one sentence, `shows` the claims in which it shows";
-            wrong(&entry.id, "this tells of no fault".to_owned(), help);
+            let help = "`says` states the fault in one sentence, `shows` lists the claims in which it shows";
+            wrong(
+                &entry.id,
+                "this corrigendum states no fault".to_owned(),
+                help,
+            );
         }
         let find =
             |id: &Spanned<String>| claims.iter().find(|c| c.entry.id.get_ref() == id.get_ref());
@@ -111,7 +116,7 @@ pub(super) fn corrigenda(
                 && find(id).is_none_or(|remark| remark.entry.kind != Kind::Remark)
                 && !left_out.contains(id.get_ref())
             {
-                let message = format!("`{}` is no remark", id.get_ref());
+                let message = format!("`{}` is not a remark", id.get_ref());
                 wrong(id, message, "`remark` names a claim of the kind `remark`");
             }
             let printed = match &change.printed {
@@ -150,7 +155,7 @@ pub(super) fn corrigenda(
                     c.claim.get_ref() == id && (c.states.is_some() || c.remark.is_some())
                 };
                 let change = entry.changes.iter().find(restates);
-                // A statement of its own comes before that of the remark to which the change leads.
+                // A statement given with the change takes precedence over that of the remark.
                 let stated = change.filter(|change| change.states.is_none());
                 let remark = stated.and_then(|change| change.remark.as_ref());
                 let remark = remark.and_then(find);
@@ -169,7 +174,8 @@ pub(super) fn corrigenda(
     entries.iter().map(made).collect()
 }
 
-/// The claim with the corrected definitions of all corrigenda, and with the statement of the change or of the remark.
+/// Corrects a claim: applies the corrected definitions of all corrigenda, and takes the statement of the change or of
+/// the remark.
 fn correct(
     source: &Arc<Source>,
     claim: &Claim,

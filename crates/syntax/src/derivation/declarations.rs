@@ -1,4 +1,4 @@
-//! What names mean: symbols with their domains, basis families, definitions.
+//! Declarations: symbols with their domains, basis families, definitions.
 
 pub use super::interval::{Bound, Constant, End, Interval};
 
@@ -15,48 +15,48 @@ use toml::Spanned;
 use torse_numbers::Affine;
 use torse_numbers::fault_injection::{InjectedFault, injected};
 
-/// What a declared symbol stands for.
+/// The kind of a declared symbol.
 #[derive(Debug, Clone)]
 pub enum SymbolKind {
     /// A real number of an interval.
     Real(Box<Interval>),
-    /// An integer with bounds, both included.
+    /// An integer with optional bounds, both included.
     Integer {
-        /// The least value.
+        /// The smallest value.
         least: Option<Affine>,
-        /// The greatest value.
+        /// The largest value.
         most: Option<Affine>,
     },
-    /// A vector; `None` is one generic coordinate.
+    /// A vector of this dimension; `None` is one generic coordinate.
     Vector(Option<u8>),
-    /// A family of points; dimension 1 is a family of scalars, `None` one generic coordinate.
+    /// A family of points of this dimension; 1 is a family of numbers, `None` one generic coordinate.
     Family {
         /// The dimension of a member.
         dimension: Option<u8>,
-        /// The range of each index, both ends included, if declared.
+        /// The range of each index, both ends included, if it is declared.
         ranges: Vec<(Affine, Affine)>,
     },
 }
 
-/// A declaration of which the file says where it is from.
+/// The declared range of a symbol, with its provenance.
 #[derive(Debug, Clone)]
 pub struct Range {
-    /// Where it is from.
+    /// Where the range comes from.
     pub provenance: Provenance,
-    /// What the name stands for outside, if it is declared there.
+    /// The outer declaration of the name that this one hides.
     pub outer: Option<SymbolKind>,
-    /// Where it stands.
+    /// The place of the declaration.
     pub origin: Origin,
 }
 
 /// A named formula or function.
 #[derive(Debug, Clone)]
 pub struct Definition {
-    /// The parameters; none for a plain name.
+    /// The parameters; empty for a plain name.
     pub parameters: Vec<String>,
-    /// Whether the parameters are indices, `Q[i]`: integers, which stand in square brackets.
+    /// Whether the parameters are integer indices in square brackets, as in `Q[i]`.
     pub indexed: bool,
-    /// What it is.
+    /// The formula.
     pub body: Written,
 }
 
@@ -75,27 +75,27 @@ pub struct Basis {
     pub seeds: Vec<Written>,
     /// The two factors a and b of the step.
     pub step: (Written, Written),
-    /// The names that stand in the step for i and k, if it depends on them.
+    /// The names for i and k in the step, if the step depends on them.
     pub counters: Option<(String, String)>,
-    /// Whether there is no step: the functions have one degree, and those of others are refused.
+    /// Whether there is no step: all functions have one degree, and other degrees are refused.
     pub is_list: bool,
 }
 
-/// Everything that names can mean in a claim.
+/// All names that a claim may use, with their meanings.
 #[derive(Debug, Clone, Default)]
 pub struct Declarations {
     symbols: BTreeMap<String, SymbolKind>,
-    /// Arbitrary smooth functions of one variable, by the dimension of their values, and what one of their derivatives
-    /// at a place is.
+    /// The smooth functions of one variable: the dimension of their values, and the kind of symbol of a derivative at
+    /// a place.
     functions: BTreeMap<String, (Option<u8>, SymbolKind)>,
     bases: BTreeMap<String, Arc<Basis>>,
     definitions: BTreeMap<String, Definition>,
-    /// Where declarations are from, as far as the files say it.
+    /// The provenance of declarations, where the files state it.
     ranges: BTreeMap<String, Range>,
-    /// How names are printed.
+    /// How names are displayed.
     displays: BTreeMap<String, String>,
-    /// Names whose declaration is wrong.
-    wrong: BTreeSet<String>,
+    /// Names whose declaration is invalid.
+    invalid: BTreeSet<String>,
 }
 
 impl Declarations {
@@ -121,7 +121,7 @@ impl Declarations {
         !self.functions.is_empty()
     }
 
-    /// Declares a smooth function, or replaces what the name meant.
+    /// Declares a smooth function; replaces any other meaning of the name.
     pub fn declare_function(&mut self, name: &str, dimension: Option<u8>) {
         let kind = match dimension {
             Some(1) => SymbolKind::Real(Box::default()),
@@ -133,12 +133,12 @@ impl Declarations {
         self.functions.insert(name.to_owned(), (dimension, kind));
     }
 
-    /// The same with one symbol declared, or declared otherwise.
+    /// A copy in which one symbol is declared, or declared differently.
     #[must_use]
     pub fn with_symbol(&self, name: &str, kind: SymbolKind) -> Self {
-        let mut more = self.clone();
-        more.symbols.insert(name.to_owned(), kind);
-        more
+        let mut extended = self.clone();
+        extended.symbols.insert(name.to_owned(), kind);
+        extended
     }
 
     /// The declared symbols by name.
@@ -148,13 +148,13 @@ impl Declarations {
             .map(|(name, kind)| (name.as_str(), kind))
     }
 
-    /// Where the declaration of a symbol is from, if the file says it.
+    /// The declared range of a symbol with its provenance, if the file states it.
     #[must_use]
     pub fn range(&self, name: &str) -> Option<&Range> {
         self.ranges.get(name)
     }
 
-    /// The symbols of whose declaration the file says where it is from.
+    /// The symbols whose declarations state their provenance.
     pub fn ranges(&self) -> impl Iterator<Item = (&str, &Range)> {
         self.ranges
             .iter()
@@ -218,11 +218,11 @@ impl Declarations {
         self.symbols.remove(&name);
         self.functions.remove(&name);
         self.ranges.remove(&name);
-        self.wrong.remove(&name);
+        self.invalid.remove(&name);
         self.definitions.insert(name, definition);
     }
 
-    /// Declares a number or replaces what the name meant; it may have any real value.
+    /// Declares a real number of any value; replaces any other meaning of the name.
     pub fn declare_number(&mut self, name: String) {
         self.definitions.remove(&name);
         self.functions.remove(&name);
@@ -247,8 +247,8 @@ impl Declarations {
             .map(String::as_str)
     }
 
-    /// Adds or replaces symbols; they hide definitions of the same name. Those that are wrong are marked as such.
-    /// `own` is the id of the claim whose symbols they are, if they are those of one.
+    /// Adds or replaces symbols, which hide definitions of the same name. Invalid declarations are reported and
+    /// marked. `own` is the id of the claim that declares the symbols, if a claim does.
     pub(super) fn add_symbols(
         &mut self,
         source: &Arc<Source>,
@@ -263,7 +263,7 @@ impl Declarations {
             if let Some(dimension) = &entry.function {
                 match smooth(source, name, entry, dimension) {
                     Ok(dimension) => {
-                        self.wrong.remove(name);
+                        self.invalid.remove(name);
                         self.declare_function(name, dimension);
                     }
                     Err(error) => {
@@ -282,7 +282,7 @@ impl Declarations {
                 }
             };
             let outer = self.symbols.get(name).cloned();
-            self.wrong.remove(name);
+            self.invalid.remove(name);
             self.declare(name, kind);
             self.ranges.remove(name);
             if let Some(from) = entry.from() {
@@ -297,7 +297,7 @@ impl Declarations {
         }
     }
 
-    /// Adds or replaces how names are printed.
+    /// Adds or replaces the display forms of names.
     pub(super) fn add_displays(
         &mut self,
         source: &Arc<Source>,
@@ -312,9 +312,9 @@ impl Declarations {
             };
             let inside = text.get_ref().strip_prefix('$');
             let inside = inside.and_then(|rest| rest.strip_suffix('$'));
-            let known = self.names().any(|known| known == name) || self.wrong.contains(name);
+            let known = self.names().any(|known| known == name) || self.invalid.contains(name);
             if inside.is_none_or(|inside| inside.is_empty() || inside.contains('$')) {
-                let message = format!("`{}` is no mathematics: write `$...$`", text.get_ref());
+                let message = format!("`{}` is not mathematics: write `$...$`", text.get_ref());
                 errors.0.push(at(message));
             } else if !known {
                 let message = format!("`{name}` is not declared, so it is not displayed");
@@ -325,7 +325,7 @@ impl Declarations {
         }
     }
 
-    /// Adds or replaces basis families. Those that are wrong are marked as such.
+    /// Adds or replaces basis families. Invalid ones are reported and marked.
     pub(super) fn add_bases(
         &mut self,
         source: &Arc<Source>,
@@ -335,7 +335,7 @@ impl Declarations {
         for (name, entry) in table {
             match errors.keep(basis(source, name, entry)) {
                 Some(basis) => {
-                    self.wrong.remove(name);
+                    self.invalid.remove(name);
                     self.bases.insert(name.clone(), Arc::new(basis));
                 }
                 None => self.mark_invalid([name.clone()]),
@@ -343,22 +343,22 @@ impl Declarations {
         }
     }
 
-    /// Marks names whose declaration is wrong.
+    /// Marks names whose declaration is invalid.
     pub(super) fn mark_invalid(&mut self, names: impl IntoIterator<Item = String>) {
-        self.wrong.extend(names);
+        self.invalid.extend(names);
     }
 
-    /// Whether a declaration is wrong.
-    pub(super) fn any_wrong(&self) -> bool {
-        !self.wrong.is_empty()
+    /// Whether any declaration is invalid.
+    pub(super) fn any_invalid(&self) -> bool {
+        !self.invalid.is_empty()
     }
 
-    /// Whether formulas mention a declaration that is wrong, be it through others.
+    /// Whether the formulas use an invalid declaration, directly or through definitions.
     pub(super) fn depends_on_invalid<'e>(
         &'e self,
         formulas: impl Iterator<Item = &'e Expr>,
     ) -> bool {
-        if self.wrong.is_empty() {
+        if self.invalid.is_empty() {
             return false;
         }
         let mut seen = BTreeSet::new();
@@ -366,7 +366,7 @@ impl Declarations {
         while let Some(expr) = pending.pop() {
             for written in expr.names() {
                 for name in [written, written.trim_end_matches('\'')] {
-                    if self.wrong.contains(name) {
+                    if self.invalid.contains(name) {
                         return true;
                     }
                     if !seen.insert(name) {
@@ -386,7 +386,7 @@ impl Declarations {
         false
     }
 
-    /// A lower bound of an index form, from the bounds of the integer symbols in it.
+    /// A lower bound of an index form, computed from the bounds of its integer symbols.
     #[must_use]
     pub fn least(&self, form: &Affine) -> Option<i64> {
         self.extreme(form, |kind, positive| match kind {
@@ -401,7 +401,7 @@ impl Declarations {
         })
     }
 
-    /// An upper bound of an index form.
+    /// An upper bound of an index form, computed from the bounds of its integer symbols.
     #[must_use]
     pub fn greatest(&self, form: &Affine) -> Option<i64> {
         self.least(&(form.clone() * -1)).map(|least| -least)
@@ -412,14 +412,14 @@ impl Declarations {
         form: &Affine,
         bound: impl Fn(&SymbolKind, bool) -> Option<Affine>,
     ) -> Option<i64> {
-        // Bounds may name other symbols (i runs to k): replace until only a number is left.
-        let mut rest = form.clone();
+        // A bound may contain other symbols (i runs to k), so substitute until only a number is left.
+        let mut form = form.clone();
         for _ in 0..16 {
-            if let Some(value) = rest.as_number() {
+            if let Some(value) = form.as_number() {
                 return Some(value);
             }
-            // Dependent symbols first: those whose bound names another symbol.
-            let candidates: Vec<(String, i64)> = rest
+            // Symbols whose bound contains another symbol come first.
+            let candidates: Vec<(String, i64)> = form
                 .multiples()
                 .map(|(name, m)| (name.to_owned(), m))
                 .collect();
@@ -428,7 +428,7 @@ impl Declarations {
                 Some((name, value))
             });
             let (name, value) = replacement.max_by_key(|(_, value)| value.as_number().is_none())?;
-            rest = rest.substituted(name, &value);
+            form = form.substituted(name, &value);
         }
         None
     }
@@ -442,19 +442,18 @@ fn complaint(origin: &Origin, message: String) -> LoadError {
     )))
 }
 
-/// Fails unless a declared name can be written.
+/// Fails unless the name follows the syntax of names.
 fn check_name(origin: &Origin, name: &str) -> Result<(), LoadError> {
-    match is_name(name) {
-        true => Ok(()),
-        false => Err(complaint(
-            origin,
-            format!(
-                "`{name}` cannot be a name: names are letters, digits and `_`, and not words of the language"
-            ),
-        )),
+    if is_name(name) {
+        return Ok(());
     }
+    Err(complaint(
+        origin,
+        format!(
+            "`{name}` cannot be a name: names are letters, digits and `_`, and not words of the language"
+        ),
+    ))
 }
-
 fn basis(source: &Arc<Source>, name: &str, entry: &BasisEntry) -> Result<Basis, LoadError> {
     let at = |range: std::ops::Range<usize>| Origin::range(source, range.start, range.end);
     let variable = at(entry.variable.span());
@@ -518,7 +517,7 @@ fn basis(source: &Arc<Source>, name: &str, entry: &BasisEntry) -> Result<Basis, 
     })
 }
 
-/// The dimension of the values of a smooth function. Nothing else is said of it.
+/// Reads the dimension of the values of a smooth function; no other field is allowed.
 fn smooth(
     source: &Arc<Source>,
     name: &str,
@@ -560,7 +559,7 @@ fn dimension(written: &Spanned<Dimension>) -> Option<u8> {
     }
 }
 
-/// What a symbol is; it may say one thing only.
+/// Reads the kind of a symbol; exactly one kind may be given.
 fn symbol_kind(
     source: &Arc<Source>,
     name: &str,
@@ -568,7 +567,7 @@ fn symbol_kind(
 ) -> Result<(SymbolKind, std::ops::Range<usize>), LoadError> {
     let text = |text: &Option<Spanned<String>>| text.as_ref().map(Spanned::span);
     let dimensions = |d: &Option<Spanned<Dimension>>| d.as_ref().map(Spanned::span);
-    let said: Vec<_> = [
+    let given: Vec<_> = [
         text(&entry.interval),
         text(&entry.integer),
         dimensions(&entry.vector),
@@ -577,11 +576,11 @@ fn symbol_kind(
     .into_iter()
     .flatten()
     .collect();
-    let place = said.last().cloned().unwrap_or(0..0);
+    let place = given.last().cloned().unwrap_or(0..0);
     let found = |kind| Ok((kind, place.clone()));
     let origin = Origin::range(source, place.start, place.end);
     check_name(&origin, name)?;
-    if said.len() > 1 {
+    if given.len() > 1 {
         let message = format!(
             "`{name}` can be one of `in`, `integer`, `vector`, `family` and `function` only"
         );
@@ -593,7 +592,7 @@ fn symbol_kind(
             complaint(
                 &origin,
                 format!(
-                    "`{}` is no integer range: write `>= 2`, `<= 5` or `0..k`",
+                    "`{}` is not an integer range: write `>= 2`, `<= 5` or `0..k`",
                     text.get_ref()
                 ),
             )
@@ -612,7 +611,7 @@ fn symbol_kind(
                     let origin = Origin::from_spanned(source, text);
                     return Err(complaint(
                         &origin,
-                        format!("`{}` is no index range: write `0..k`", text.get_ref()),
+                        format!("`{}` is not an index range: write `0..k`", text.get_ref()),
                     ));
                 }
             }

@@ -1,4 +1,4 @@
-//! Definitions of a file: heads and bodies.
+//! Definitions of a derivation file.
 
 use super::declarations::{Declarations, Definition};
 use super::error::{DerivationError, LoadError};
@@ -10,7 +10,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use toml::Spanned;
 
-/// Parses definitions: the key is a name, a head `F(z, mu)`, or a member `Q[i]` of a family. Those that are wrong are marked as such.
+/// Parses definitions. The key is a name, a head `F(z, mu)`, or a member `Q[i]` of a family. Invalid ones are
+/// reported and marked.
 pub(super) fn add_definitions(
     declarations: &mut Declarations,
     source: &Arc<Source>,
@@ -26,7 +27,7 @@ pub(super) fn add_definitions(
     }
 }
 
-/// What a head `F(z, mu)` defines, even if it is wrong.
+/// The name that a head such as `F(z, mu)` defines; works for malformed heads too.
 pub(super) fn name_of(head: &str) -> String {
     let name = head.split(['(', '[']).next().unwrap_or(head);
     name.trim().to_owned()
@@ -51,7 +52,7 @@ fn definition(
         _ => Some((name(&head)?, vec![], false)),
     });
     let Some((name, parameters, indexed)) = parts else {
-        let message = format!("`{head}` is no name and no head such as `F(z, mu)` or `Q[i]`");
+        let message = format!("`{head}` is neither a name nor a head such as `F(z, mu)` or `Q[i]`");
         return Err(wrong(&body.origin, message));
     };
     let distinct: BTreeSet<&String> = parameters.iter().collect();

@@ -1,11 +1,11 @@
-//! What can be wrong with a derivation file: one error type that shows file, line and caret.
+//! Errors of derivation files, shown with file, line and caret.
 
 use super::source::{Origin, Source};
 use crate::formula::{Place, SyntaxError};
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use std::sync::Arc;
 
-/// A mistake in a derivation file, with the place where it stands and what would be right.
+/// A mistake in a derivation file, its place, and a hint at what would be correct.
 #[derive(Debug, Clone, thiserror::Error, Diagnostic)]
 #[error("{message}")]
 pub struct DerivationError {
@@ -33,7 +33,7 @@ impl DerivationError {
         }
     }
 
-    /// The same error with a hint what would be right.
+    /// Adds a hint at what would be correct.
     #[must_use]
     pub fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
@@ -51,7 +51,7 @@ impl DerivationError {
     }
 }
 
-/// A name that a reader takes for another one. It is a name of its own, so this is no mistake.
+/// A warning: a name that a reader would take for another one. It is a name of its own, so this is not an error.
 #[derive(Debug, Clone, thiserror::Error, Diagnostic)]
 #[error("`{name}` is written with {letters}, and looks like `{other}`")]
 #[diagnostic(
@@ -61,9 +61,9 @@ impl DerivationError {
 pub struct LookAlike {
     /// The name as it stands in the file.
     pub name: String,
-    /// The name that it is taken for.
+    /// The name that a reader would take it for.
     pub other: String,
-    /// Which letters are not those that they seem to be, by their numbers in Unicode.
+    /// The characters that look like other ones, by their Unicode numbers.
     letters: String,
     #[source_code]
     source_code: NamedSource<Arc<Source>>,
@@ -72,7 +72,7 @@ pub struct LookAlike {
 }
 
 impl LookAlike {
-    /// A name at a place of a formula, and the one that it is taken for.
+    /// Warns of a name at a place of a formula; `other` is the name that a reader would take it for.
     #[must_use]
     pub fn new(origin: &Origin, place: Place, name: &str, other: &str) -> Self {
         let pairs = name.chars().zip(other.chars());
@@ -98,17 +98,17 @@ pub enum LoadError {
     Unreadable {
         /// The path as given.
         path: String,
-        /// What the system said.
+        /// The reason that the system gave.
         reason: String,
     },
-    /// The folder holds no paper.
+    /// The folder contains no paper.
     #[error("no `*/paper.toml` in {path}")]
     #[diagnostic(help("a folder of derivations has one folder a paper, each with a paper.toml"))]
     Empty {
         /// The path as given.
         path: String,
     },
-    /// A file is wrong.
+    /// A file is invalid.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Derivation(#[from] Box<DerivationError>),

@@ -1,7 +1,7 @@
-//! What a claim says there is: the field `exists`.
+//! Existential symbols: the field `exists` of a claim.
 //!
-//! `exists = ['r', 's == a/b']` says of the numbers r and s that for all values of the other symbols there are some in their
-//! declared intervals for which the statement is true. Behind `==` stands a witness, a formula in the other symbols.
+//! `exists = ['r', 's == a/b']` says: for all values of the other symbols there are r and s in their declared
+//! intervals for which the statement is true. The formula after `==`, in the other symbols, is a witness.
 
 use super::declarations::{Declarations, SymbolKind};
 use super::error::{DerivationError, LoadError};
@@ -12,18 +12,18 @@ use crate::formula::{Node, Relation};
 use std::sync::Arc;
 use toml::Spanned;
 
-/// A number of which a claim says that there is one.
+/// A number that a claim says to exist.
 #[derive(Debug, Clone)]
 pub struct Existential {
-    /// The symbol that stands for it.
+    /// The symbol.
     pub name: String,
-    /// What it is, if the claim says it.
+    /// The witness, if the claim gives one.
     pub witness: Option<Written>,
-    /// Where it is named.
+    /// The place of the entry.
     pub origin: Origin,
 }
 
-/// The entries of `exists` that are well formed.
+/// Reads the entries of `exists`; invalid ones are reported and left out.
 pub(super) fn existentials(
     source: &Arc<Source>,
     declarations: &Declarations,
@@ -52,15 +52,16 @@ pub(super) fn existentials(
             _ => None,
         };
         let Some((name, value)) = parts else {
-            let message = format!("`{}` names no number that there is", text.get_ref());
+            let message = format!("`{}` does not name a number that exists", text.get_ref());
             errors.0.push(wrong(message));
             continue;
         };
         let real = matches!(declarations.symbol(&name), Some(SymbolKind::Real(_)));
         if !real || found.iter().any(|other| other.name == name) {
-            let message = match real {
-                true => format!("`{name}` is named twice"),
-                false => format!("`{name}` is not declared as a real number"),
+            let message = if real {
+                format!("`{name}` is named twice")
+            } else {
+                format!("`{name}` is not declared as a real number")
             };
             errors.0.push(wrong(message));
             continue;

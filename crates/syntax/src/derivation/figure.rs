@@ -1,8 +1,8 @@
-//! A figure of a derivation file: what it shows is written in formulas of the claims' language.
+//! A figure of a derivation file, whose contents are formulas of the language of claims.
 //!
-//! Whether a figure is reproduced is read off what its file lists: it is [`Verdict::Reproduced`] if it is drawn
-//! from printed data alone, [`Verdict::Partial`] if something was assumed, and [`Verdict::Underspecified`] if data
-//! had to be replaced.
+//! The verdict of a figure follows from the lists in its file: [`Verdict::Reproduced`] if it is drawn from printed
+//! data alone, [`Verdict::Partial`] if something was assumed, and [`Verdict::Underspecified`] if data had to be
+//! replaced.
 
 use super::declarations::Declarations;
 use super::definitions::add_definitions;
@@ -14,26 +14,25 @@ use crate::taxonomy::Verdict;
 use std::sync::Arc;
 use toml::Spanned;
 
-/// A figure of a file, not evaluated.
+/// A figure of a file, not yet evaluated.
 #[derive(Debug, Clone)]
 pub struct Figure {
-    /// The name, `paper/name`.
+    /// The id, `paper/name`.
     pub id: String,
     /// The claims that it illustrates.
     pub claims: Vec<String>,
     /// The fields of the file.
     pub entry: FigureEntry,
-    /// Where it stands, for errors about the figure as a whole.
+    /// The place of the figure, for errors about it as a whole.
     pub origin: Origin,
     /// The file.
     pub source: Arc<Source>,
-    /// What its formulas may use.
+    /// The declarations that its formulas may use.
     pub declarations: Arc<Declarations>,
 }
 
 impl Figure {
-    /// What the figure says about the paper's: nothing is decided by drawing, but something had to be assumed
-    /// or not.
+    /// The verdict. Drawing decides nothing; the verdict says only whether data had to be assumed or replaced.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         match (
@@ -47,7 +46,7 @@ impl Figure {
     }
 }
 
-/// A figure that is not the paper's: it has an id of its own.
+/// Reads a figure that the paper does not have; it has an id of its own.
 pub(super) fn own_figure(
     source: &Arc<Source>,
     shared: &Arc<Declarations>,
@@ -76,7 +75,7 @@ pub(super) fn own_figure(
     ))
 }
 
-/// The figure of a claim, or of our own.
+/// Reads a figure, of a claim or of our own.
 pub(super) fn figure(
     source: &Arc<Source>,
     origin: Origin,

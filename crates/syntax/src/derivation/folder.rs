@@ -1,4 +1,4 @@
-//! The files of a paper's folder: only regular files inside of it, and none that is too large.
+//! Reads the files of a paper's folder: only regular files inside of it, of limited size.
 
 use super::error::{DerivationError, LoadError};
 use super::source::{Origin, Source, whole};
@@ -7,14 +7,15 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 use toml::Spanned;
 
-/// The most bytes of one file: the largest of the three papers has a hundredth of that.
+/// The largest size of a file in bytes, about a hundred times that of the largest file of the three papers.
 pub const MAX_BYTES: u64 = 4 * 1024 * 1024;
 
-/// Reads a file of the paper's folder `slug` in `folder`.
+/// Reads a file in the folder `slug` below `folder`.
 ///
 /// # Errors
-/// [`LoadError::Unreadable`] for what is no regular file (opening a pipe would wait, a device never ends), for a link that
-/// leads out of the paper's folder, for a file of more than [`MAX_BYTES`] bytes, and for what is no UTF-8.
+/// [`LoadError::Unreadable`] for anything but a regular file (opening a pipe would block, and a device may never
+/// end), for a link that leads out of the paper's folder, for a file of more than [`MAX_BYTES`] bytes, and for a file
+/// that is not UTF-8.
 pub fn read(folder: &Path, slug: &str, name: &str) -> Result<Arc<Source>, LoadError> {
     let home = folder.join(slug);
     let path = home.join(name);
@@ -25,7 +26,7 @@ pub fn read(folder: &Path, slug: &str, name: &str) -> Result<Arc<Source>, LoadEr
     let system = |error: std::io::Error| refused(error.to_string());
     let metadata = std::fs::metadata(&path).map_err(system)?;
     if !metadata.is_file() {
-        return Err(refused("it is no regular file".to_owned()));
+        return Err(refused("it is not a regular file".to_owned()));
     }
     let real = |path: &PathBuf| path.canonicalize().map_err(system);
     if !real(&path)?.starts_with(real(&home)?) {
@@ -33,7 +34,7 @@ pub fn read(folder: &Path, slug: &str, name: &str) -> Result<Arc<Source>, LoadEr
     }
     let mut bytes = vec![];
     let file = std::fs::File::open(&path).map_err(system)?;
-    // The file may have grown since.
+    // The file may have grown since its size was read, so limit the read as well.
     file.take(MAX_BYTES + 1)
         .read_to_end(&mut bytes)
         .map_err(system)?;
@@ -48,7 +49,8 @@ pub fn read(folder: &Path, slug: &str, name: &str) -> Result<Arc<Source>, LoadEr
     Ok(Arc::new(Source { name, text }))
 }
 
-/// Fails unless the name of a file with claims stays in the paper's folder: `claims.toml`, `part/one.toml`.
+/// Fails unless the name of a file with claims stays within the paper's folder, such as `claims.toml` or
+/// `part/one.toml`.
 pub fn check_name(source: &Arc<Source>, name: &Spanned<String>) -> Result<(), LoadError> {
     let path = Path::new(name.get_ref());
     let inside = |component: Component<'_>| matches!(component, Component::Normal(_));
@@ -57,20 +59,20 @@ pub fn check_name(source: &Arc<Source>, name: &Spanned<String>) -> Result<(), Lo
         return Ok(());
     }
     let origin = Origin::from_spanned(source, name);
-    let message = format!("`{}` is no file below the paper's folder", name.get_ref());
+    let message = format!("`{}` is not a file in the paper's folder", name.get_ref());
     let error = DerivationError::at(&origin, whole(name), message)
         .with_help("`claims` lists files of this folder, such as `claims.toml`");
     Err(LoadError::Derivation(Box::new(error)))
 }
 
-/// Whether a word may be a part of the name of a file anywhere.
+/// Whether a word is allowed in file names on every system.
 fn is_plain(word: &str) -> bool {
     let letter = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
     !word.is_empty() && word.chars().all(letter)
 }
 
-/// Fails unless the id is `slug/name` with a name of letters, digits, `-`, `_` and `.`, none of them a point at an end or
-/// beside another point: outputs are called after ids.
+/// Fails unless the id is `slug/name`, where the name consists of letters, digits, `-`, `_` and `.`, has no point at
+/// either end and no two adjacent points. Output files are named after ids.
 pub fn check_id(source: &Arc<Source>, id: &Spanned<String>, slug: &str) -> Result<(), LoadError> {
     let name = id.get_ref().strip_prefix(slug);
     let name = name.and_then(|rest| rest.strip_prefix('/'));

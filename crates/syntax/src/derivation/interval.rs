@@ -1,4 +1,4 @@
-//! Intervals of real numbers, as declarations write them.
+//! Intervals of real numbers in declarations.
 
 use super::error::{DerivationError, LoadError};
 use super::source::{Origin, Source, whole};
@@ -19,7 +19,7 @@ pub struct Constant {
 }
 
 impl Constant {
-    /// The number, if pi does not occur in it.
+    /// The number as a rational, if pi does not occur in it.
     #[must_use]
     pub fn as_rational(&self) -> Option<&Rational> {
         (self.turns == rational::integer(0)).then_some(&self.rational)
@@ -44,7 +44,7 @@ pub struct Bound {
     pub closed: bool,
 }
 
-/// An end of an interval that is a formula in declared symbols.
+/// A bound of an interval that is a formula in declared symbols.
 #[derive(Debug, Clone)]
 pub struct End {
     /// The formula.
@@ -53,34 +53,37 @@ pub struct End {
     pub closed: bool,
 }
 
-/// An interval of real numbers; an end that is missing in both ways is infinite.
+/// An interval of real numbers. A side with neither a numeric nor a formula bound is unbounded.
 ///
-/// Ends that are numbers say which set it is. Ends that are formulas say it point by point, of the values of the
-/// symbols in them: a claim in which the symbol occurs has them as hypotheses, see [`Interval::relations`].
+/// Numeric bounds determine the set. Bounds that are formulas depend on the values of other symbols, so a claim in
+/// which the symbol occurs has them as hypotheses, see [`Interval::relations`].
 #[derive(Debug, Clone, Default)]
 pub struct Interval {
-    /// The lower end, if it is a number.
+    /// The lower bound, if it is a number.
     pub lower: Option<Bound>,
-    /// The upper end, if it is a number.
+    /// The upper bound, if it is a number.
     pub upper: Option<Bound>,
-    /// The lower end, if it is a formula.
+    /// The lower bound, if it is a formula.
     pub above: Option<End>,
-    /// The upper end, if it is a formula.
+    /// The upper bound, if it is a formula.
     pub below: Option<End>,
 }
 
 impl Interval {
-    /// The ends that are formulas.
+    /// The bounds that are formulas.
     pub fn formulas(&self) -> impl Iterator<Item = &End> {
         self.above.iter().chain(&self.below)
     }
 
-    /// What the ends that are formulas say of a symbol of this interval: `a <= t`, `t <= b`.
+    /// The bounds that are formulas as relations for a symbol of this interval: `a <= t`, `t <= b`.
     #[must_use]
     pub fn relations(&self, name: &str) -> Vec<Written> {
-        let relation = |end: &End| match end.closed {
-            true => Relation::AtMost,
-            false => Relation::Less,
+        let relation = |end: &End| {
+            if end.closed {
+                Relation::AtMost
+            } else {
+                Relation::Less
+            }
         };
         let symbol = |end: &End| Expr {
             node: Node::Name(name.to_owned()),
@@ -101,8 +104,8 @@ impl Interval {
     }
 }
 
-/// `[-1, 1]`, `(0, inf)`, `[a, 2*b]`: ends are rationals, rational multiples of pi, or formulas in other declared
-/// symbols than the one whose interval it is.
+/// Reads `[-1, 1]`, `(0, inf)`, `[a, 2*b]`. Bounds are rational numbers, rational multiples of pi, or formulas in
+/// declared symbols other than `symbol`.
 pub(super) fn interval(
     source: &Arc<Source>,
     symbol: &str,
@@ -111,14 +114,14 @@ pub(super) fn interval(
     let origin = Origin::from_spanned(source, text);
     let wrong = || {
         let message = format!(
-            "`{}` is no interval: write `[-1, 1]`, `(0, inf)`, `[0, c]` and so on",
+            "`{}` is not an interval: write `[-1, 1]`, `(0, inf)`, `[0, c]` and so on",
             text.get_ref()
         );
         let error = DerivationError::at(&origin, whole(text), message);
         LoadError::Derivation(Box::new(error))
     };
     let ([low, high], [left, right], start) = parts(text.get_ref()).ok_or_else(wrong)?;
-    // Infinity is an end of its side only.
+    // `inf` is allowed on the right only, `-inf` on the left only.
     if low.trim() == "inf" || high.trim() == "-inf" {
         return Err(wrong());
     }
@@ -159,7 +162,7 @@ pub(super) fn interval(
     Ok(interval)
 }
 
-/// The two ends, whether they are closed, and where the first one begins.
+/// The texts of the two bounds, whether each is closed, and the offset of the first one.
 fn parts(text: &str) -> Option<([&str; 2], [bool; 2], usize)> {
     let inside = text.trim();
     let before = text.len() - text.trim_start().len();
@@ -178,16 +181,16 @@ fn parts(text: &str) -> Option<([&str; 2], [bool; 2], usize)> {
     Some(([low, high], [left, right], before + 1))
 }
 
-/// What an end is.
+/// The kinds of bounds.
 enum Found {
     Infinite,
     Number(Constant),
     Formula(Written),
-    /// No end: a formula without a value, or one in the symbol itself.
+    /// An invalid bound: a formula without a value, or one that contains the symbol itself.
     Nothing,
 }
 
-/// Reads an end of the interval of a symbol, which begins after `start` bytes of the text.
+/// Reads a bound of the interval of `symbol`, which begins at byte `start` of the text.
 fn end(origin: &Origin, symbol: &str, text: &str, start: usize) -> Result<Found, LoadError> {
     if matches!(text.trim(), "inf" | "-inf") {
         return Ok(Found::Infinite);
@@ -200,7 +203,7 @@ fn end(origin: &Origin, symbol: &str, text: &str, start: usize) -> Result<Found,
         }
         Ok(expr) => Ok(match constant(&expr) {
             Some(number) => Found::Number(number),
-            // What names nothing and is no number, such as 1/0, has no value at all.
+            // A constant formula that is not a number, such as 1/0, has no value.
             None if expr.names().iter().all(|name| *name == "pi") => Found::Nothing,
             None if expr.names().contains(&symbol) => Found::Nothing,
             None => Found::Formula(Written { expr, origin }),
@@ -208,7 +211,7 @@ fn end(origin: &Origin, symbol: &str, text: &str, start: usize) -> Result<Found,
     }
 }
 
-/// A constant formula: rationals and rational multiples of pi.
+/// The value of a constant formula: a rational number plus a rational multiple of pi.
 fn constant(expr: &Expr) -> Option<Constant> {
     use crate::formula::Operator;
     use num_traits::Zero;

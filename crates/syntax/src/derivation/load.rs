@@ -1,7 +1,7 @@
-//! Reading a folder of derivations and parsing every formula in it.
+//! Loads a folder of derivations and parses every formula in it.
 //!
-//! What is wrong is collected and left out, and what rests on it is left out with it: so all mistakes of a folder are
-//! shown at once, and nothing is complained of that is wrong only because something else is.
+//! Invalid entries are reported and left out, together with everything that depends on them. So all mistakes of a
+//! folder are shown at once, and nothing is reported that is wrong only because something else is.
 
 use super::claim::{Claim, claim, gather_examples};
 use super::corrigendum::corrigenda;
@@ -22,19 +22,20 @@ use std::path::Path;
 use std::sync::Arc;
 use toml::Spanned;
 
-/// The papers of a folder, and what is wrong with them.
+/// The papers of a folder, and all mistakes in them.
 #[derive(Debug)]
 pub struct Loaded {
-    /// The papers, with the claims and figures that are well formed.
+    /// The papers, with their valid claims and figures.
     pub papers: Vec<Paper>,
     /// All mistakes, in the order of papers and files.
     pub errors: Vec<LoadError>,
-    /// The ids of the claims and figures that are left out: they are wrong, or rest on a declaration that is.
+    /// The ids of the claims and figures that are left out because they are invalid or depend on an invalid
+    /// declaration.
     pub left_out: Vec<String>,
 }
 
 impl Loaded {
-    /// The papers if nothing is wrong.
+    /// Returns the papers if there are no mistakes.
     ///
     /// # Errors
     /// The first mistake.
@@ -46,7 +47,7 @@ impl Loaded {
     }
 }
 
-/// Loads all papers below `folder`, in the order of their folders' names, if nothing is wrong with them.
+/// Loads all papers below `folder`, in the order of the names of their folders, and fails if any is invalid.
 ///
 /// # Errors
 /// The first mistake that [`load_all`] finds.
@@ -54,11 +55,11 @@ pub fn load(folder: &Path) -> Result<Vec<Paper>, LoadError> {
     load_all(folder)?.complete()
 }
 
-/// Loads all papers below `folder`, in the order of their folders' names, as far as they are well formed.
+/// Loads all papers below `folder`, in the order of the names of their folders, leaving out invalid entries.
 ///
 /// # Errors
-/// [`LoadError`] if the folder cannot be read or holds no paper. All other mistakes are in [`Loaded::errors`]:
-/// unreadable files, TOML errors, unknown fields, syntax errors, repeated ids.
+/// [`LoadError`] if the folder cannot be read or contains no paper. All other mistakes are collected in
+/// [`Loaded::errors`]: unreadable files, TOML errors, unknown fields, syntax errors, repeated ids.
 pub fn load_all(folder: &Path) -> Result<Loaded, LoadError> {
     let unreadable = |error: std::io::Error| LoadError::Unreadable {
         path: folder.display().to_string(),
@@ -67,7 +68,7 @@ pub fn load_all(folder: &Path) -> Result<Loaded, LoadError> {
     let mut slugs = vec![];
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
-        // Whatever it is: one that cannot be read is a mistake, not nothing.
+        // A `paper.toml` of any kind counts: one that cannot be read is reported, not skipped.
         if path.join("paper.toml").symlink_metadata().is_ok() {
             slugs.extend(
                 path.file_name()
@@ -89,8 +90,7 @@ pub fn load_all(folder: &Path) -> Result<Loaded, LoadError> {
     Ok(reading.loaded(papers))
 }
 
-/// Loads the paper of one folder, that with a `paper.toml`. It stands for itself: what it says of other papers cannot be
-/// looked up.
+/// Loads the paper in a folder that contains a `paper.toml`. References to other papers cannot be resolved.
 ///
 /// # Errors
 /// The first mistake.
@@ -105,7 +105,7 @@ pub fn open(folder: &Path) -> Result<Paper, LoadError> {
     paper(|name| folder::read(above, &slug, name))
 }
 
-/// Loads one paper through `read`, which returns a file of its folder.
+/// Loads one paper; `read` returns the content of a file of its folder.
 ///
 /// # Errors
 /// The first mistake.
@@ -118,19 +118,19 @@ pub fn paper(read: impl Fn(&str) -> Result<Arc<Source>, LoadError>) -> Result<Pa
     })
 }
 
-/// What was found so far.
+/// The state of loading.
 #[derive(Default)]
 struct Reading {
     errors: Errors,
     left_out: Vec<String>,
-    /// Every id, of what is left out too.
+    /// All ids used so far, including those of entries that are left out.
     ids: BTreeSet<String>,
-    /// The ids of sentences that are stated in parts.
-    wholes: BTreeSet<String>,
+    /// The ids of sentences that are split into parts.
+    sentences: BTreeSet<String>,
 }
 
 impl Reading {
-    /// A paper with what is well formed in it; none if its head is wrong.
+    /// Loads a paper with its valid entries; `None` if its head is invalid.
     fn paper(&mut self, read: impl Fn(&str) -> Result<Arc<Source>, LoadError>) -> Option<Paper> {
         let source = self.errors.keep(read("paper.toml"))?;
         let mut sections = self.errors.keep(sections(&source))?;
@@ -173,7 +173,7 @@ impl Reading {
         })
     }
 
-    /// Adds the declarations of a file. Those that are wrong are marked as such.
+    /// Adds the declarations of a file. Invalid ones are reported and marked.
     fn declare(
         &mut self,
         declarations: &mut Declarations,
@@ -212,9 +212,9 @@ impl Reading {
         let entries: Vec<ClaimEntry> = list(source, sections.remove("claim"), &mut self.errors);
         let drawn: Vec<Spanned<FigureEntry>> =
             list(source, sections.remove("figure"), &mut self.errors);
-        let told: Vec<CorrigendumEntry> =
+        let corrigenda: Vec<CorrigendumEntry> =
             list(source, sections.remove("corrigendum"), &mut self.errors);
-        for entry in told {
+        for entry in corrigenda {
             self.add_id(source, &entry.id);
             self.errors.keep(folder::check_id(source, &entry.id, slug));
             faults.push((Arc::clone(source), entry));
@@ -239,12 +239,14 @@ impl Reading {
             let id = entry.id.clone();
             let before = self.errors.0.len();
             self.add_id(source, &id);
-            let whole = entry.part_of.as_ref();
-            self.wholes.extend(whole.map(|id| id.get_ref().clone()));
+            let sentence = entry.part_of.as_ref();
+            self.sentences
+                .extend(sentence.map(|id| id.get_ref().clone()));
             let claim = claim(source, &shared, slug, entry, &mut self.errors);
-            match self.errors.0.len() == before && !claim.rests_on_wrong() {
-                true => more.push(claim),
-                false => self.left_out.push(id.into_inner()),
+            if self.errors.0.len() == before && !claim.uses_invalid_declaration() {
+                more.push(claim)
+            } else {
+                self.left_out.push(id.into_inner())
             }
         }
         gather_examples(&mut more);
@@ -256,7 +258,7 @@ impl Reading {
             if let Some(id) = &id {
                 self.add_id(source, id);
             }
-            let wrong = |figure: &Figure| figure.declarations.any_wrong();
+            let wrong = |figure: &Figure| figure.declarations.any_invalid();
             match figure.filter(|figure| self.errors.0.len() == before && !wrong(figure)) {
                 Some(figure) => own_figures.push(figure),
                 None => self.left_out.extend(id.map(Spanned::into_inner)),
@@ -264,7 +266,7 @@ impl Reading {
         }
     }
 
-    /// An id may be used once in a folder.
+    /// Records an id, which may be used only once in a folder.
     fn add_id(&mut self, source: &Arc<Source>, id: &Spanned<String>) {
         if !self.ids.insert(id.get_ref().clone()) {
             let message = format!("the id `{}` is used twice", id.get_ref());
@@ -274,9 +276,9 @@ impl Reading {
         }
     }
 
-    /// Looks at what claims say of each other, and ends.
+    /// Resolves references between claims, and finishes.
     fn loaded(mut self, mut papers: Vec<Paper>) -> Loaded {
-        references::resolve(&mut papers, &self.ids, &self.wholes, &mut self.errors);
+        references::resolve(&mut papers, &self.ids, &self.sentences, &mut self.errors);
         Loaded {
             papers,
             errors: self.errors.0,

@@ -1,4 +1,4 @@
-//! Letters that look like others: two names that nobody can tell apart are two names all the same, and a reader is told.
+//! Look-alike characters: two names that look the same to a reader are different names, so the reader is warned.
 
 use super::claim::Claim;
 use super::declarations::Declarations;
@@ -7,8 +7,8 @@ use super::written::Written;
 use crate::formula::{Expr, Node};
 use std::collections::BTreeSet;
 
-/// Letters that are drawn like a Latin or Greek one, with that one. Those that a formula tells apart, such as nu and v or
-/// the two shapes of phi, are not among them.
+/// Pairs of characters: those of the first text look like the Latin or Greek ones at the same positions of the
+/// second. Characters that readers of formulas distinguish, such as nu and v or the two shapes of phi, are left out.
 ///
 /// From the list of confusable characters of Unicode Technical Standard 39.
 const LOOK_ALIKES: [(&str, &str); 3] = [
@@ -17,15 +17,15 @@ const LOOK_ALIKES: [(&str, &str); 3] = [
         "aecopxyijsdhqwABESKMHIJOPCTYX",
     ),
     ("ΑΒΕΖΗΙΚΜΝΟΡΤΥΧο", "ABEZHIKMNOPTYXo"),
-    // Micro, ohm, kelvin and angstrom sign; small letters of scripts and numerals.
+    // Micro sign, ohm sign, kelvin sign, angstrom sign; script letters and Roman numerals.
     (
         "\u{b5}\u{2126}\u{212a}\u{212b}\u{210e}\u{2113}\u{2170}\u{2174}\u{2179}",
         "\u{3bc}\u{3a9}K\u{c5}hlivx",
     ),
 ];
 
-/// The letter that this one is taken for.
-fn taken_for(letter: char) -> Option<char> {
+/// The character that a reader would take this one for.
+fn look_alike(letter: char) -> Option<char> {
     let among = |(from, to): &(&str, &str)| {
         let place = from.chars().position(|own| own == letter)?;
         to.chars().nth(place)
@@ -33,7 +33,7 @@ fn taken_for(letter: char) -> Option<char> {
     LOOK_ALIKES.iter().find_map(among)
 }
 
-/// The name that this one is taken for; none where a letter shows that it is of another script.
+/// The name that a reader would take this one for; `None` if a character shows that the name is in another script.
 ///
 /// ```
 /// use torse_syntax::derivation::name_taken_for;
@@ -44,13 +44,13 @@ fn taken_for(letter: char) -> Option<char> {
 /// ```
 #[must_use]
 pub fn name_taken_for(name: &str) -> Option<String> {
-    let other: String = name.chars().map(|c| taken_for(c).unwrap_or(c)).collect();
+    let other: String = name.chars().map(|c| look_alike(c).unwrap_or(c)).collect();
     let greek = |c: char| ('\u{391}'..='\u{3c9}').contains(&c);
     let usual = |c: char| c.is_ascii() || greek(c) || c == '\u{c5}';
     (other != name && other.chars().all(usual)).then_some(other)
 }
 
-/// Names of formulas that are taken for others, each once a file.
+/// Finds names in formulas that a reader would take for others, each reported once for a file.
 pub(super) fn look_alikes(declarations: &Declarations, claims: &[Claim]) -> Vec<LookAlike> {
     let mut search = Search::default();
     search.declarations(declarations);
@@ -62,7 +62,7 @@ pub(super) fn look_alikes(declarations: &Declarations, claims: &[Claim]) -> Vec<
 
 #[derive(Default)]
 struct Search {
-    /// Files with names.
+    /// The names reported so far, with their files.
     seen: BTreeSet<(String, String)>,
     found: Vec<LookAlike>,
 }
@@ -125,7 +125,7 @@ mod tests {
                     letter.is_alphabetic() && other.is_alphabetic(),
                     "{letter}{other}"
                 );
-                assert_eq!(taken_for(other), None, "{other}");
+                assert_eq!(look_alike(other), None, "{other}");
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Derivation files: papers and their claims as data.
 //!
-//! A folder of derivations holds one folder a paper. Its `paper.toml` names the paper, declares symbols,
+//! A folder of derivations contains one folder for each paper. Its `paper.toml` names the paper, declares symbols,
 //! basis families and definitions, and lists the files with claims, in order.
 
 mod author_note;

@@ -1,4 +1,4 @@
-//! A paper: its head, what it declares, its claims and figures.
+//! A paper: its bibliographic head, its declarations, its claims and figures.
 
 use super::claim::Claim;
 use super::corrigendum::Corrigendum;
@@ -12,20 +12,20 @@ use std::sync::Arc;
 /// A paper with its claims in order.
 #[derive(Debug, Clone)]
 pub struct Paper {
-    /// Who and what.
+    /// The bibliographic head.
     pub head: PaperHead,
-    /// What `paper.toml` declares.
+    /// The declarations of `paper.toml`.
     pub declarations: Arc<Declarations>,
     /// The claims.
     pub claims: Vec<Claim>,
-    /// The faults of which its authors are told.
+    /// The errors that are reported to its authors.
     pub corrigenda: Vec<Corrigendum>,
-    /// Figures that are not the paper's.
+    /// Figures that the paper does not have.
     pub own_figures: Vec<Figure>,
 }
 
 impl Paper {
-    /// The names of its formulas that a reader takes for others, each once a file.
+    /// Names in its formulas that a reader would take for others, each once for a file.
     #[must_use]
     pub fn look_alikes(&self) -> Vec<LookAlike> {
         look_alikes(&self.declarations, &self.claims)

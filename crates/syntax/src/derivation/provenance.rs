@@ -1,4 +1,5 @@
-//! Where a hypothesis is from: whether the paper says it, and where, or we do, and why.
+//! The provenance of a hypothesis: either the paper states it, at a quoted place, or we assume it, for a stated
+//! reason.
 
 use super::error::{DerivationError, LoadError};
 use super::schema::Text;
@@ -9,23 +10,23 @@ use super::written::Written;
 use crate::formula::Place;
 use std::sync::Arc;
 
-/// A formula that is assumed.
+/// An assumed formula.
 #[derive(Debug, Clone)]
 pub struct Hypothesis {
     /// The formula.
     pub formula: Written,
-    /// Where it is from.
+    /// Where the formula comes from.
     pub provenance: Provenance,
 }
 
-/// Where a hypothesis is from.
+/// Where a hypothesis comes from.
 #[derive(Debug, Clone)]
 pub enum Provenance {
-    /// It is part of the statement as the file states it; nothing is said of the print.
+    /// It is part of the statement in the file; no claim is made about the printed text.
     Stated,
-    /// The paper says it.
+    /// The paper states it in these words.
     Printed(Quote),
-    /// The paper does not say it.
+    /// The paper does not state it; it is our assumption.
     Ours {
         /// Why it is assumed.
         reason: String,
@@ -42,7 +43,7 @@ impl Provenance {
         }
     }
 
-    /// Whether the paper does not say it.
+    /// Whether it is our assumption.
     #[must_use]
     pub fn is_ours(&self) -> bool {
         matches!(self, Self::Ours { .. })
@@ -54,14 +55,14 @@ impl Provenance {
 pub struct Quote {
     /// The words.
     pub words: String,
-    /// The id of the claim in whose print they stand.
+    /// The id of the claim whose printed text contains them.
     pub claim: String,
-    /// Where the quote stands in the file.
+    /// The place of the quotation in the file.
     pub origin: Origin,
 }
 
 impl Quote {
-    /// Words of a file; `within` names the claim, else it is `own`.
+    /// Quotes words of a file. The printed text is that of the claim `within` if given, else of the claim `own`.
     #[must_use]
     pub fn new(source: &Arc<Source>, words: &Text, within: Option<&Text>, own: &str) -> Self {
         Self {
@@ -71,7 +72,7 @@ impl Quote {
         }
     }
 
-    /// Whether a print has these words; blanks and line ends are all one.
+    /// Whether a printed text contains the words; differences in whitespace are ignored.
     #[must_use]
     pub fn stands_in(&self, printed: &str) -> bool {
         let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -130,8 +131,8 @@ fn gap(text: &str) -> usize {
     }
 }
 
-/// What `printed`, `in` and `ours` say; one of the first and last is wanted. `own` is the id of the claim that says it,
-/// if it is one.
+/// Reads the fields `printed`, `in` and `ours`, of which either the first or the last is required. `own` is the id of
+/// the claim that contains them, if a claim does.
 pub(super) fn provenance(
     source: &Arc<Source>,
     from: &FromEntry,

@@ -1,4 +1,5 @@
-//! One statement with its setting in a line: a paper of one claim, for who has no folder.
+//! A single statement with a one-line setting, read as a paper of one claim, for users without a folder of
+//! derivations.
 //!
 //! The setting is a list with semicolons between its entries:
 //!
@@ -10,7 +11,7 @@
 //! | `H(t) := t^2 + 1` | a definition |
 //! | `x >= 0`, `a^2 + b^2 == 1` | a hypothesis |
 //!
-//! A name that occurs and is not declared is a real number.
+//! An undeclared name is a real number.
 
 use super::definitions::name_of;
 use super::error::LoadError;
@@ -22,13 +23,13 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use toml::{Table, Value};
 
-/// The id of the paper, and of its claim before the stroke.
+/// The id of the paper; the id of its claim begins with it.
 const PAPER: &str = "question";
 
-/// A paper whose one claim, `question/1`, states `states` in this setting.
+/// Makes a paper whose only claim, `question/1`, states `states` in this setting.
 ///
 /// # Errors
-/// The first mistake of the statement or of the setting, at its place in the files that they stand for.
+/// The first mistake in the statement or the setting, at its place.
 ///
 /// ```
 /// let paper = torse_syntax::derivation::question("x + y >= x", "x, y in [0, 1]")?;
@@ -85,7 +86,7 @@ pub fn question(states: &str, setting: &str) -> Result<Paper, LoadError> {
 fn text(text: &str) -> Value {
     Value::String(text.to_owned())
 }
-
+/// The declarations and hypotheses of a setting.
 /// What the entries of a setting declare.
 #[derive(Default)]
 struct Setting {
@@ -95,7 +96,8 @@ struct Setting {
 }
 
 impl Setting {
-    /// Reads the entries; what is no declaration is a hypothesis, and is complained of as a formula if it is none.
+    /// Reads the entries. An entry that is not a declaration is taken for a hypothesis, whose syntax is checked
+    /// later.
     fn read(setting: &str) -> Self {
         let mut read = Self::default();
         for entry in setting.split(';').map(str::trim) {
@@ -116,7 +118,7 @@ impl Setting {
         read
     }
 
-    /// The names that the statement and the setting use as numbers and nobody declares, in the order of the alphabet.
+    /// The undeclared names that the statement and the setting use as numbers, in alphabetical order.
     fn undeclared(&self, states: &str) -> BTreeSet<String> {
         let bodies = self
             .definitions
@@ -133,7 +135,7 @@ impl Setting {
         for (bound, formula) in bodies.chain(hypotheses) {
             add(formula.as_str().unwrap_or_default(), &bound);
         }
-        // The ends of declared sets name symbols too.
+        // The bounds of declared sets may contain symbols too.
         for set in self.symbols.values().filter_map(Value::as_table) {
             for end in set.values().filter_map(Value::as_str) {
                 let ends = end.split(['[', ']', '(', ')', ',', '.', '<', '>', '=']);
@@ -149,7 +151,7 @@ impl Setting {
     }
 }
 
-/// The names before the sign and what follows it, if names stand there.
+/// The names before the sign and the text after it, if all of them are names.
 fn declared<'e>(entry: &'e str, sign: &str) -> Option<(Vec<&'e str>, &'e str)> {
     let (names, set) = entry.split_once(sign)?;
     let names: Vec<&str> = names.split(',').map(str::trim).collect();
@@ -161,20 +163,20 @@ fn declared<'e>(entry: &'e str, sign: &str) -> Option<(Vec<&'e str>, &'e str)> {
     names.iter().all(is_name).then_some((names, set.trim()))
 }
 
-/// The declaration of a symbol of this set.
+/// The declaration of a symbol with this set.
 fn symbol(set: &str) -> Value {
     let mut declaration = Table::new();
-    let mut put = |key: &str, value: Value| declaration.insert(key.to_owned(), value);
+    let mut insert = |key: &str, value: Value| declaration.insert(key.to_owned(), value);
     let dimension = |count: &str| {
         let count = count.trim();
         count.parse().map_or_else(|_| text(count), Value::Integer)
     };
     if let Some(count) = set.strip_prefix("vector ") {
-        put("vector", dimension(count));
+        insert("vector", dimension(count));
     } else if let Some(count) = set.strip_prefix("function ") {
-        put("function", dimension(count));
+        insert("function", dimension(count));
     } else if set.starts_with(['[', '(']) {
-        put("in", text(set));
+        insert("in", text(set));
     } else if let Some((low, high)) = set.split_once("..") {
         let (low, high) = (low.trim(), high.trim());
         let range = match (low.is_empty(), high.is_empty()) {
@@ -182,10 +184,10 @@ fn symbol(set: &str) -> Value {
             (true, false) => format!("<= {high}"),
             _ => format!("{low}..{high}"),
         };
-        put("integer", text(&range));
+        insert("integer", text(&range));
     } else {
-        // No set of ours: the loader says what would be one.
-        put("in", text(set));
+        // Not a known form: leave it to the loader to report.
+        insert("in", text(set));
     }
     Value::Table(declaration)
 }
@@ -199,8 +201,8 @@ fn parameters(head: &str) -> Vec<String> {
     names.map(|name| name.trim().to_owned()).collect()
 }
 
-/// The names that stand for numbers, without those that a sum or product binds and without functions that are called. The
-/// variable of an integral is a declared symbol, like that of a derivative.
+/// Collects the names that stand for numbers, except the bound variables of sums and products, and functions that are
+/// applied. The variable of an integral is a declared symbol, like that of a derivative.
 fn free_numbers(formula: &Expr, bound: &[String], found: &mut BTreeSet<String>) {
     match &formula.node {
         Node::Name(name) => {

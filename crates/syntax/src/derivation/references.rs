@@ -1,4 +1,5 @@
-//! What claims say of each other: the claims that they use, the sentences of which they are parts, the words of other
+//! References between claims: the claims that they use, the sentences of which they are parts, and quotations from
+//! other claims.
 //! prints.
 
 use super::claim::Claim;
@@ -10,28 +11,28 @@ use super::table::Errors;
 use crate::formula::Place;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Looks up all ids and quotes. Where a claim uses a sentence that is stated in parts it uses all of them. `ids` are
-/// those of all claims and figures, `wholes` those of sentences in parts; what was left out is among them, and not
-/// complained of.
+/// Resolves all ids and quotations. A claim that uses a sentence split into parts uses all of the parts. `ids` are
+/// the ids of all claims and figures, `sentences` those of sentences in parts; both include entries that were left
+/// out, which are not reported again.
 pub(super) fn resolve(
     papers: &mut [Paper],
     ids: &BTreeSet<String>,
-    wholes: &BTreeSet<String>,
+    sentences: &BTreeSet<String>,
     errors: &mut Errors,
 ) {
     let mut prints: BTreeMap<String, Vec<String>> = BTreeMap::new();
     let mut parts: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for claim in papers.iter().flat_map(|paper| &paper.claims) {
         let id = claim.entry.id.get_ref();
-        for id in std::iter::once(id).chain(claim.whole()) {
+        for id in std::iter::once(id).chain(claim.sentence_id()) {
             let printed = claim.entry.printed.clone();
             prints.entry(id.clone()).or_default().push(printed);
         }
-        if let Some(whole) = claim.whole() {
+        if let Some(whole) = claim.sentence_id() {
             parts.entry(whole.clone()).or_default().push(id.clone());
         }
     }
-    let known = |id: &String| ids.contains(id) || wholes.contains(id);
+    let known = |id: &String| ids.contains(id) || sentences.contains(id);
     for claim in papers.iter_mut().flat_map(|paper| &mut paper.claims) {
         let mut uses = vec![];
         for used in &claim.entry.uses {
@@ -68,7 +69,7 @@ pub(super) fn resolve(
     }
 }
 
-/// A part is called after the sentence of which it is one, and the sentence is no claim beside its parts.
+/// Checks that the id of a part begins with the id of its sentence, and that the sentence is not also a claim.
 fn part(claim: &Claim, ids: &BTreeSet<String>, errors: &mut Errors) {
     let Some(sentence) = &claim.entry.part_of else {
         return;
@@ -98,7 +99,7 @@ fn part(claim: &Claim, ids: &BTreeSet<String>, errors: &mut Errors) {
     }
 }
 
-/// The words must stand in the print of the claim that is named.
+/// Checks that the quoted words occur in the printed text of the named claim.
 fn quoted(quote: &Quote, prints: &BTreeMap<String, Vec<String>>, known: bool) -> Option<LoadError> {
     let place = Place {
         start: 0,
@@ -113,13 +114,13 @@ fn quoted(quote: &Quote, prints: &BTreeMap<String, Vec<String>>, known: bool) ->
         Some(prints) => {
             let found = prints.iter().any(|printed| quote.stands_in(printed));
             let message = format!("`{words}` is not in the print of `{claim}`");
-            let help = "a quote has the words of `printed` letter by letter; only blanks and line ends may differ";
+            let help = "a quotation repeats the words of `printed` letter by letter; only blanks and line ends may differ";
             (!found).then(|| wrong(origin, place, message, help))
         }
-        // Left out because it is wrong itself.
+        // The claim was left out because it is invalid itself.
         None if known => None,
         None => {
-            let message = format!("no claim has the id `{claim}`, so these are no words of its");
+            let message = format!("no claim has the id `{claim}`, so these words are in no print");
             let help = "the claim is named by its full id, such as `gbt-developable/eq-2.2`";
             Some(wrong(origin, place, message, help))
         }

@@ -1,11 +1,11 @@
-//! Texts of files and places in them, for error messages.
+//! Texts of files, and places in them for error messages.
 
 use crate::formula::Place;
 use miette::{MietteError, NamedSource, SourceCode, SourceSpan, SpanContents};
 use std::sync::Arc;
 use toml::Spanned;
 
-/// A derivation file: its name as shown to the user, and its text.
+/// A derivation file: its displayed name and its text.
 #[derive(Debug)]
 pub struct Source {
     /// The path relative to the folder of derivations, with `/`.
@@ -25,16 +25,16 @@ impl SourceCode for Source {
     }
 }
 
-/// The last column at which a caret is drawn; further on the formula as a whole is pointed at.
-const FARTHEST_COLUMN: usize = 30_000;
+/// The last column at which a caret is drawn; beyond it the error points at the whole formula.
+const MAX_COLUMN: usize = 30_000;
 
 /// Where a formula comes from: a range of a file.
 #[derive(Debug, Clone)]
 pub struct Origin {
     /// The file.
     pub source: Arc<Source>,
-    /// The byte of the file at which the text of the formula starts; none when the text was written
-    /// with escapes, so that its bytes are not those of the file.
+    /// The byte of the file at which the text of the formula starts; `None` if the text is written with escapes, so
+    /// that its bytes are not those of the file.
     start: Option<usize>,
     /// The range of the whole TOML value.
     whole: (usize, usize),
@@ -56,14 +56,14 @@ impl Origin {
         }
     }
 
-    /// The origin of the part of the text that begins after `offset` bytes.
+    /// The origin of the rest of the text from byte `offset` on.
     #[must_use]
     pub fn after(mut self, offset: usize) -> Self {
         self.start = self.start.map(|start| start + offset);
         self
     }
 
-    /// The origin of anything else in a file.
+    /// The origin of a range of a file that is not a string value.
     #[must_use]
     pub fn range(source: &Arc<Source>, start: usize, end: usize) -> Self {
         Self {
@@ -73,25 +73,25 @@ impl Origin {
         }
     }
 
-    /// The range in the file of a place in the formula.
+    /// The range in the file that corresponds to a place in the formula.
     #[must_use]
     pub fn span(&self, place: Place) -> SourceSpan {
         match self.start {
-            // A caret so far to the right that no terminal shows it would not be drawn either.
-            Some(start) if place.start > FARTHEST_COLUMN => (start, 1).into(),
+            // Terminals do not show carets so far to the right.
+            Some(start) if place.start > MAX_COLUMN => (start, 1).into(),
             Some(start) => (start + place.start, place.end.saturating_sub(place.start)).into(),
             None => (self.whole.0, self.whole.1.saturating_sub(self.whole.0)).into(),
         }
     }
 
-    /// The file as miette wants it. Its text is shared: a file may have many mistakes.
+    /// The file in the form that `miette` needs. The text is shared, since a file may have many mistakes.
     #[must_use]
     pub fn named_source(&self) -> NamedSource<Arc<Source>> {
         NamedSource::new(&self.source.name, Arc::clone(&self.source)).with_language("toml")
     }
 }
 
-/// The whole of a text.
+/// The place that covers a whole text.
 pub(super) fn whole(text: &Spanned<String>) -> Place {
     Place {
         start: 0,

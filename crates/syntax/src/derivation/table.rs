@@ -1,4 +1,4 @@
-//! TOML tables entry by entry, so that one wrong entry hides no other.
+//! Reads TOML tables entry by entry, so that an invalid entry does not hide others.
 
 use super::error::{DerivationError, LoadError};
 use super::source::{Origin, Source};
@@ -10,21 +10,21 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Error, ValueDeserializer};
 
-/// Everything that is wrong, in the order in which it is met.
+/// All mistakes in the order in which they are found.
 #[derive(Debug, Default)]
 pub struct Errors(pub Vec<LoadError>);
 
 impl Errors {
-    /// The value, or its error kept.
+    /// Returns the value, or records the error and returns `None`.
     pub fn keep<T>(&mut self, result: Result<T, LoadError>) -> Option<T> {
         result.map_err(|error| self.0.push(error)).ok()
     }
 }
 
-/// A part of a file as TOML, not yet read.
+/// A part of a file as TOML, not yet deserialized.
 type Value<'s> = Spanned<DeValue<'s>>;
 
-/// The top of a file: its sections by name.
+/// The sections of a file, by name.
 pub fn sections(source: &Arc<Source>) -> Result<BTreeMap<String, Value<'_>>, LoadError> {
     let table = DeTable::parse(&source.text).map_err(|error| wrong(source, &error, 0..0))?;
     Ok(entries(table.into_inner()))
@@ -37,7 +37,7 @@ fn entries(table: DeTable<'_>) -> BTreeMap<String, Value<'_>> {
         .collect()
 }
 
-/// A value by its schema.
+/// Deserializes a value.
 pub fn entry<'s, T: Deserialize<'s>>(
     source: &Arc<Source>,
     value: Value<'s>,
@@ -46,7 +46,7 @@ pub fn entry<'s, T: Deserialize<'s>>(
     T::deserialize(ValueDeserializer::from(value)).map_err(|error| wrong(source, &error, range))
 }
 
-/// A table of entries of one kind; those that are wrong are named instead.
+/// Deserializes a table of entries of one kind. Returns the valid ones, and the names of the invalid ones.
 pub fn table<'s, T: Deserialize<'s>>(
     source: &Arc<Source>,
     value: Option<Value<'s>>,
@@ -72,7 +72,7 @@ pub fn table<'s, T: Deserialize<'s>>(
     (read, unread)
 }
 
-/// A list of tables of one kind, without those that are wrong.
+/// Deserializes a list of tables of one kind; invalid ones are reported and left out.
 pub fn list<'s, T: Deserialize<'s>>(
     source: &Arc<Source>,
     value: Option<Value<'s>>,
@@ -94,7 +94,7 @@ pub fn list<'s, T: Deserialize<'s>>(
     }
 }
 
-/// The sections that are left over are none of the language.
+/// Reports remaining sections, which are unknown.
 pub fn nothing_else(
     source: &Arc<Source>,
     left: BTreeMap<String, Value<'_>>,
@@ -111,15 +111,15 @@ pub fn nothing_else(
 }
 
 fn kind(source: &Arc<Source>, range: Range<usize>, wanted: &str) -> LoadError {
-    complaint(source, range, format!("{wanted} is wanted here"))
+    complaint(source, range, format!("expected {wanted}"))
 }
 
-fn wrong(source: &Arc<Source>, error: &Error, whole: Range<usize>) -> LoadError {
-    let range = error.span().unwrap_or(whole);
+fn wrong(source: &Arc<Source>, error: &Error, default_range: Range<usize>) -> LoadError {
+    let range = error.span().unwrap_or(default_range);
     complaint(source, range, error.message().to_owned())
 }
 
-/// An error about a range of a file, of which something is always shown.
+/// Makes an error about a range of a file; at least one character is shown.
 pub fn complaint(source: &Arc<Source>, range: Range<usize>, message: String) -> LoadError {
     let end = range.end.max(range.start + 1).min(source.text.len());
     let origin = Origin::range(source, range.start.min(end), end);

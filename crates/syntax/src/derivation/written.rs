@@ -20,7 +20,7 @@ pub fn written(source: &Arc<Source>, text: &Spanned<String>) -> Result<Written, 
     Ok(parsed(source, text)?)
 }
 
-/// Parses a text of a file that is being evaluated.
+/// Parses a text of a file, with the error type of evaluation.
 pub fn parsed(
     source: &Arc<Source>,
     text: &Spanned<String>,

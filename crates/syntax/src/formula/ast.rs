@@ -1,5 +1,5 @@
-//! The syntax tree of formulas. Every node knows its place in the text, so that every later stage can
-//! point at what it complains about.
+//! The syntax tree of formulas. Every node has its place in the text, so that later stages can point at it in
+//! messages.
 
 use std::sync::Arc;
 use torse_numbers::Rational;
@@ -84,7 +84,7 @@ impl Relation {
         }
     }
 
-    /// The relation that holds where this one does not.
+    /// The negation: the relation that holds where this one does not.
     #[must_use]
     pub fn opposite(self) -> Self {
         match self {
@@ -97,7 +97,7 @@ impl Relation {
         }
     }
 
-    /// The relation between the sides exchanged.
+    /// The equivalent relation after the sides are exchanged.
     #[must_use]
     pub fn mirrored(self) -> Self {
         match self {
@@ -136,18 +136,18 @@ impl Connective {
 /// A formula with its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Expr {
-    /// What it is.
+    /// The kind of formula, with its parts.
     pub node: Node,
-    /// Where it stands.
+    /// The place in the text.
     pub place: Place,
 }
 
 /// The kinds of formulas.
 ///
-/// Parts are shared, so that a copy with a small change costs the way to the change and no more.
+/// Parts are shared, so a copy with one small change costs only the nodes on the path to the change.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Node {
-    /// A number; `decimals` counts the printed digits after the point, if there is a point.
+    /// A number. `decimals` is the number of printed digits after the point, if there is a point.
     Number {
         /// The exact value.
         value: Rational,
@@ -156,7 +156,7 @@ pub enum Node {
     },
     /// A name, primes included: `mu`, `H''`.
     Name(String),
-    /// `f(x, y)`.
+    /// An application `f(x, y)`.
     Call(Arc<Expr>, Vec<Expr>),
     /// `R[i]`, `g[i,k]`, or the entry of a vector or matrix.
     Index(Arc<Expr>, Vec<Expr>),
@@ -166,7 +166,7 @@ pub enum Node {
     Binary(Operator, Arc<Expr>, Arc<Expr>),
     /// `[a, b, c]`: a vector, or a matrix as a list of rows.
     List(Vec<Expr>),
-    /// `a == b`, `a < b <= c`: a chain of comparisons, all of which are meant.
+    /// `a == b`, `a < b <= c`: a chain of comparisons, all of which are asserted.
     Compare(Arc<Expr>, Vec<(Relation, Expr)>),
     /// `p and q`.
     Join(Connective, Arc<Expr>, Arc<Expr>),
@@ -175,7 +175,7 @@ pub enum Node {
 }
 
 impl Expr {
-    /// A formula without a place of its own, for formulas that were not written by anyone.
+    /// Makes a formula without a place, for formulas that do not come from a text.
     #[must_use]
     pub fn made(node: Node) -> Self {
         Self {
@@ -184,36 +184,36 @@ impl Expr {
         }
     }
 
-    /// A name, made.
+    /// Makes the formula of a name.
     #[must_use]
     pub fn name(name: &str) -> Self {
         Self::made(Node::Name(name.to_owned()))
     }
 
-    /// A rational number, made: written as a quotient or negative where it is one.
+    /// Makes the formula of a rational number: a quotient unless it is an integer, with a minus sign if negative.
     #[must_use]
     pub fn number(value: &Rational) -> Self {
         use num_traits::Signed;
         if value.is_negative() && value.is_integer() {
             return Self::made(Node::Negative(Arc::new(Self::number(&-value.clone()))));
         }
-        let whole = |n: &torse_numbers::Integer| {
+        let integer = |n: &torse_numbers::Integer| {
             Self::made(Node::Number {
                 value: Rational::from_integer(n.clone()),
                 decimals: None,
             })
         };
         if value.is_integer() {
-            return whole(value.numer());
+            return integer(value.numer());
         }
         Self::made(Node::Binary(
             Operator::Divide,
             Arc::new(Self::number(&Rational::from_integer(value.numer().clone()))),
-            Arc::new(whole(value.denom())),
+            Arc::new(integer(value.denom())),
         ))
     }
 
-    /// `self operator other`, made.
+    /// Makes the formula `self operator other`.
     #[must_use]
     pub fn with(self, operator: Operator, other: Self) -> Self {
         Self::made(Node::Binary(operator, Arc::new(self), Arc::new(other)))
@@ -236,23 +236,23 @@ impl Expr {
         }
     }
 
-    /// The formula with another direct part at this position; the other parts are shared. `None` if there is no such part.
+    /// Replaces the direct part at this position; the other parts are shared. `None` if there is no such part.
     #[must_use]
     pub fn with_part(&self, position: usize, part: Self) -> Option<Self> {
-        let mut whole = self.clone();
-        let slot = match (&mut whole.node, position) {
+        let mut copy = self.clone();
+        let slot = match (&mut copy.node, position) {
             (Node::Call(head, _) | Node::Index(head, _), 0) => head,
             (Node::Call(_, rest) | Node::Index(_, rest), n) => {
                 *rest.get_mut(n - 1)? = part;
-                return Some(whole);
+                return Some(copy);
             }
             (Node::List(items), n) => {
                 *items.get_mut(n)? = part;
-                return Some(whole);
+                return Some(copy);
             }
             (Node::Compare(_, rest), n) if n > 0 => {
                 rest.get_mut(n - 1)?.1 = part;
-                return Some(whole);
+                return Some(copy);
             }
             (Node::Negative(only) | Node::Not(only), 0) => only,
             (Node::Binary(_, first, _) | Node::Join(_, first, _) | Node::Compare(first, _), 0) => {
@@ -262,18 +262,19 @@ impl Expr {
             _ => return None,
         };
         *slot = Arc::new(part);
-        Some(whole)
+        Some(copy)
     }
 
-    /// The formula with every direct part changed; parts that stay as they are are shared.
+    /// Changes every direct part; unchanged parts are shared.
     #[must_use]
     pub fn with_parts(&self, change: impl Fn(&Self) -> Self) -> Self {
         let each = |items: &[Self]| items.iter().map(&change).collect();
         let one = |part: &Arc<Self>| {
             let changed = change(part);
-            match changed.is_copy_of(part) {
-                true => Arc::clone(part),
-                false => Arc::new(changed),
+            if changed.is_copy_of(part) {
+                Arc::clone(part)
+            } else {
+                Arc::new(changed)
             }
         };
         let node = match &self.node {
@@ -296,7 +297,7 @@ impl Expr {
         }
     }
 
-    /// Whether this is a copy of a formula, with the very same parts; equal formulas need not be copies.
+    /// Whether this is a copy of `other` that shares its parts. Equal formulas need not be copies of each other.
     fn is_copy_of(&self, other: &Self) -> bool {
         let same = Arc::ptr_eq;
         let copies = |xs: &[Self], ys: &[Self]| {
@@ -327,7 +328,7 @@ impl Expr {
             }
     }
 
-    /// The same formula with every place forgotten: equal formulas are equal then, wherever they were written.
+    /// Removes all places, so that formulas compare equal wherever they were written.
     #[must_use]
     pub fn placeless(&self) -> Self {
         Self {

@@ -1,13 +1,13 @@
-//! What people type who know the formulas of papers, and what the language has for it.
+//! Hints for what users of mathematical notation commonly type: the corresponding syntax of the language.
 
 use super::ast::Node;
 use super::token::Token;
 
-/// What to write for a character that is not of the language.
+/// The hint for a character that is not in the language.
 pub fn character(found: char) -> Option<&'static str> {
     Some(match found {
         '=' => "an equation is written with `==`",
-        '|' => "the norm of a vector is written `norm(v)`, the size of a number `abs(x)`",
+        '|' => "the norm of a vector is written `norm(v)`, the absolute value of a number `abs(x)`",
         '\u{2225}' | '\u{2016}' => "the norm of a vector is written `norm(v)`",
         '\u{2265}' | '\u{2a7e}' => "write `>=`",
         '\u{2264}' | '\u{2a7d}' => "write `<=`",
@@ -45,7 +45,7 @@ pub fn character(found: char) -> Option<&'static str> {
     })
 }
 
-/// What may have been meant where `found` comes after `before` and cannot.
+/// The hint for a token `found` that cannot follow `before`.
 pub fn unexpected(before: Option<&Token>, found: Option<&Token>) -> Option<String> {
     let operand = |token: &Token| match token {
         Token::Number(text) | Token::Name(text) => Some(text.clone()),
@@ -68,13 +68,13 @@ pub fn unexpected(before: Option<&Token>, found: Option<&Token>) -> Option<Strin
     }
 }
 
-/// Functions that are printed without brackets.
+/// Functions that papers print without brackets.
 const FUNCTIONS: [&str; 9] = [
     "sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "sqrt", "det",
 ];
 
-/// What a formula is, in words, if it can never be a function.
-pub fn no_function(node: &Node) -> Option<String> {
+/// Describes a formula that can never be a function; `None` if it may be one.
+pub fn kind_if_not_function(node: &Node) -> Option<String> {
     Some(match node {
         Node::Name(_) | Node::Call(..) | Node::Index(..) => return None,
         Node::Number { .. } => "a number".to_owned(),
@@ -84,10 +84,10 @@ pub fn no_function(node: &Node) -> Option<String> {
     })
 }
 
-/// What to write for a name that is not declared.
+/// The hint for an undeclared name.
 pub fn name(unknown: &str) -> Option<&'static str> {
     Some(match unknown {
-        "\u{3c0}" | "Pi" | "PI" => "the circle number is written `pi`",
+        "\u{3c0}" | "Pi" | "PI" => "the number pi is written `pi`",
         "cot" => "`cot` is not in the language: write `cos(x)/sin(x)`",
         "sec" => "`sec` is not in the language: write `1/cos(x)`",
         "csc" => "`csc` is not in the language: write `1/sin(x)`",

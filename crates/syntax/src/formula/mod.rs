@@ -20,24 +20,24 @@ pub const WORDS: [&str; 4] = ["and", "or", "not", "implies"];
 /// Why a text is not a formula.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SyntaxError {
-    /// A character that starts no token.
+    /// A character that begins no token.
     #[error("`{found}` does not belong in a formula")]
     UnknownCharacter {
         /// The character.
         found: char,
-        /// Where.
+        /// Its place.
         place: Place,
     },
-    /// Something else was expected here.
+    /// Something other than the expected token.
     #[error("expected {expected}, found {found}")]
     Unexpected {
         /// What would be right.
         expected: &'static str,
         /// What stands there.
         found: String,
-        /// What would be right, where it can be guessed.
+        /// A hint, if there is one.
         help: Option<String>,
-        /// Where.
+        /// Its place.
         place: Place,
     },
     /// A bracket that is never closed.
@@ -53,15 +53,15 @@ pub enum SyntaxError {
     TooDeep {
         /// The limit.
         limit: usize,
-        /// Where it was passed.
+        /// The place at which the limit is exceeded.
         place: Place,
     },
-    /// A tree that is too high: operations are nested too deeply, be it without brackets.
+    /// The tree is too high: operations are nested too deeply, even without brackets.
     #[error("the operations of the formula are nested deeper than {limit} levels")]
     TooHigh {
         /// The limit.
         limit: usize,
-        /// The operations that pass it.
+        /// The place of the operations that exceed the limit.
         place: Place,
     },
     /// A formula that is too long.
@@ -69,9 +69,9 @@ pub enum SyntaxError {
     TooLong {
         /// The limit.
         limit: usize,
-        /// How many there are.
+        /// The number of tokens found.
         found: usize,
-        /// Where it was passed.
+        /// The place at which the limit is exceeded.
         place: Place,
     },
     /// A number that is too long.
@@ -79,31 +79,31 @@ pub enum SyntaxError {
     TooManyDigits {
         /// The limit.
         limit: usize,
-        /// How many there are.
+        /// The number of digits found.
         found: usize,
-        /// Where.
+        /// Its place.
         place: Place,
     },
-    /// Something that is no function is followed by arguments.
-    #[error("{what} is no function and cannot be followed by `(`")]
+    /// Something other than a function is followed by arguments.
+    #[error("{what} is not a function and cannot be followed by `(`")]
     NoFunction {
         /// What it is.
         what: String,
         /// What would be right.
         help: String,
-        /// Where.
+        /// Its place.
         place: Place,
     },
-    /// An exponent that is no integer.
-    #[error("the exponent is no integer")]
+    /// An exponent that is not an integer.
+    #[error("the exponent is not an integer")]
     Exponent {
-        /// Where.
+        /// Its place.
         place: Place,
     },
 }
 
 impl SyntaxError {
-    /// Where the text is wrong.
+    /// The place of the error.
     #[must_use]
     pub fn place(&self) -> Place {
         match self {
@@ -119,12 +119,12 @@ impl SyntaxError {
         }
     }
 
-    /// What would be right, where it can be guessed.
+    /// A hint at what would be correct, if there is one.
     ///
     /// ```
     /// use torse_syntax::formula::parse;
     /// let error = parse("sin^2(x)").unwrap_err();
-    /// assert_eq!(error.to_string(), "the number 2 is no function and cannot be followed by `(`");
+    /// assert_eq!(error.to_string(), "the number 2 is not a function and cannot be followed by `(`");
     /// assert!(error.help().unwrap().contains("sin(x)^2"));
     /// ```
     #[must_use]

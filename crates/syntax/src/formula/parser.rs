@@ -1,9 +1,9 @@
 //! From tokens to a syntax tree: precedence climbing.
 //!
-//! Every walk over a tree may recurse: the parser bounds the height of what it hands out. A chain of more than
-//! [`SHORT`] operands, which would lean to the left as deep as it is long, becomes a chain of groups, as if
-//! brackets were written; sums, products, conjunctions and disjunctions are associative. So a sum of ten thousand
-//! terms is a tree of height 75, and what is printed of it is read back as the same tree.
+//! Every traversal of a tree may recurse, because the parser bounds the height of trees. A chain of more than
+//! [`MAX_UNGROUPED`] operands, which would be a left-leaning tree as high as the chain is long, becomes a chain of
+//! groups, as if brackets were written; sums, products, conjunctions and disjunctions are associative. So a sum of
+//! ten thousand terms is a tree of height 75, and its printed text is parsed to the same tree.
 
 use super::SyntaxError;
 use super::ast::{Connective, Expr, Node, Operator, Place, Relation};
@@ -14,18 +14,19 @@ use std::sync::Arc;
 use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::{Integer, Rational};
 
-/// How deep brackets and prefixes may nest.
+/// The largest nesting depth of brackets and prefixes.
 const MAX_DEPTH: usize = 100;
-/// The greatest height of a tree.
+/// The largest height of a tree.
 const MAX_HEIGHT: usize = 300;
-/// The most numbers, names and signs of one formula: ten thousand terms such as `2*x^3*y` fit, and the formulas of
-/// papers have a few hundred.
+/// The largest number of tokens of a formula: ten thousand terms such as `2*x^3*y` fit; formulas of papers have a few
+/// hundred tokens.
 const MAX_TOKENS: usize = 100_000;
-/// How many operands of a long chain stand on one level.
+/// The number of operands in a group of a long chain.
 const GROUP: usize = 32;
-/// A chain of at most so many operands is left as it is. The first group of a longer one is written without brackets, and
-/// so is the first group of that: what is written is then a chain of at most this many operands, and stays as it is.
-const SHORT: usize = 5 * GROUP;
+/// A chain of at most this many operands is not grouped. The first group of a longer chain is written without
+/// brackets, and so is the first group of that group. So the written chain has at most this many operands, and is not
+/// grouped again when it is parsed.
+const MAX_UNGROUPED: usize = 5 * GROUP;
 
 /// Parses a formula or a statement.
 ///
@@ -60,14 +61,14 @@ pub fn parse(text: &str) -> Result<Expr, SyntaxError> {
     }
 }
 
-/// A formula and the height of its tree.
+/// A formula with the height of its tree.
 struct Tree {
     expr: Expr,
     height: usize,
 }
 
 impl Tree {
-    /// A tree over parts of which the highest is given.
+    /// Makes a node over parts whose largest height is given.
     fn over(height: usize, node: Node, place: Place) -> Parsed {
         let height = height + 1;
         if height > MAX_HEIGHT {
@@ -100,17 +101,18 @@ impl Tree {
 
 type Parsed = Result<Tree, SyntaxError>;
 
-/// A chain of operands, each with the link before it, as one tree that groups to the left. The link of the first
-/// operand is `opening`. A long chain is cut into groups that begin after an `opening`: only there brackets change nothing.
+/// Joins a chain of operands, each with the operator before it, into one tree that groups to the left. The operator
+/// of the first operand is `opening`. A long chain is divided into groups that begin after an `opening`, because only
+/// there brackets do not change the value.
 fn grouped<L: Copy + PartialEq>(
     mut links: Vec<(L, Tree)>,
     opening: L,
     join: impl Fn(L, Tree, Tree) -> Parsed,
 ) -> Result<Option<Tree>, SyntaxError> {
-    let mut most = SHORT;
+    let mut limit = MAX_UNGROUPED;
     loop {
-        let short = links.len() <= most;
-        most = 2 * GROUP;
+        let short = links.len() <= limit;
+        limit = 2 * GROUP;
         let mut groups: Vec<(L, Tree)> = vec![];
         let mut length = 0;
         for (link, tree) in links {
@@ -186,7 +188,7 @@ impl Parser {
         found
     }
 
-    /// Runs `inner` one level deeper.
+    /// Parses `inner` one level deeper.
     fn deeper(&mut self, inner: impl FnOnce(&mut Self) -> Parsed) -> Parsed {
         if self.depth >= MAX_DEPTH {
             return Err(SyntaxError::TooDeep {
@@ -200,7 +202,7 @@ impl Parser {
         result
     }
 
-    /// Operands with links between them; `link` takes the link that comes next, if one does.
+    /// Parses operands with operators between them; `link` parses the next operator if there is one.
     fn chain<L: Copy + PartialEq>(
         &mut self,
         opening: L,
@@ -276,9 +278,11 @@ impl Parser {
             .find(|relation| self.sign(relation.sign()))
     }
 
-    /// The first of these operators, if it comes next.
-    fn operator(&mut self, of: [Operator; 2]) -> Option<Operator> {
-        of.into_iter().find(|operator| self.sign(operator.sign()))
+    /// Parses one of these operators if it comes next.
+    fn operator(&mut self, operators: [Operator; 2]) -> Option<Operator> {
+        operators
+            .into_iter()
+            .find(|operator| self.sign(operator.sign()))
     }
 
     fn sum(&mut self) -> Parsed {
@@ -318,7 +322,7 @@ impl Parser {
         Ok(base)
     }
 
-    /// Fails for what is printed as `sin^2(x)`.
+    /// Refuses a power of a function such as `sin^2(x)`.
     fn no_power_of_a_function(&self, base: &Expr) -> Result<(), SyntaxError> {
         let ahead = |offset| self.tokens.get(self.next + offset);
         match (&base.node, ahead(0), ahead(1)) {
@@ -340,7 +344,7 @@ impl Parser {
         loop {
             let open = self.place();
             if self.sign("(") {
-                if let Some(what) = hints::no_function(&head.expr.node) {
+                if let Some(what) = hints::kind_if_not_function(&head.expr.node) {
                     return Err(SyntaxError::NoFunction {
                         what,
                         help: "a product is written with `*`".to_owned(),
@@ -369,7 +373,7 @@ impl Parser {
             .map_or_else(Place::default, |(_, place)| *place)
     }
 
-    /// Items up to the closing bracket, at least one, and the height of the highest.
+    /// Parses items up to the closing bracket, at least one; also returns the largest height of an item.
     fn listed(
         &mut self,
         bracket: &'static str,
@@ -446,13 +450,13 @@ impl Parser {
     }
 }
 
-/// The place of an exponent that is a printed fraction.
+/// The place of an exponent that is a literal fraction.
 fn fractional(exponent: &Expr) -> Option<Place> {
     let number = |expr: &Expr| match &expr.node {
         Node::Number { value, .. } => Some(value.clone()),
         _ => None,
     };
-    let whole = match &exponent.node {
+    let is_integer = match &exponent.node {
         Node::Number { value, .. } => value.is_integer(),
         Node::Negative(inner) => return fractional(inner),
         Node::Binary(Operator::Divide, a, b) => {
@@ -461,10 +465,10 @@ fn fractional(exponent: &Expr) -> Option<Place> {
         }
         _ => return None,
     };
-    (!whole).then_some(exponent.place)
+    (!is_integer).then_some(exponent.place)
 }
 
-/// Digits with an optional decimal point, exactly.
+/// The exact value of digits with an optional decimal point.
 fn number(text: &str) -> Node {
     let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
     let digits = format!("{whole}{fraction}");

@@ -1,4 +1,4 @@
-//! From text to tokens, with winnow.
+//! Tokens of formulas, parsed with `winnow`.
 
 use super::SyntaxError;
 use super::ast::Place;
@@ -8,7 +8,7 @@ use winnow::prelude::*;
 use winnow::stream::LocatingSlice;
 use winnow::token::{one_of, take_while};
 
-/// A word of the language.
+/// A token of the language.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Token {
     /// Digits, perhaps with a decimal point: `45.708`.
@@ -19,7 +19,7 @@ pub enum Token {
     Sign(&'static str),
 }
 
-/// A token and where it stands.
+/// A token with its place.
 pub type Placed = (Token, Place);
 
 type Input<'a> = LocatingSlice<&'a str>;
@@ -35,11 +35,11 @@ fn begins_a_name(c: char) -> bool {
     c.is_alphabetic() || c == '_'
 }
 
-/// Whether a text can stand for a symbol, a basis family or a definition: letters of any script, the digits 0 to 9
-/// and `_`, not a digit first, then perhaps primes; and not a word of the language, nor `pi`.
+/// Whether a text may name a symbol, a basis family or a definition: letters of any script, digits 0 to 9 and `_`,
+/// not beginning with a digit, optionally followed by primes; not a word of the language, nor `pi`.
 ///
-/// All other characters are left to names that no text can write: a stage that needs a name of its own
-/// puts one of them into it.
+/// No other characters occur in names that a user can write. A stage that needs a name of its own includes one of
+/// them, so it cannot collide with a user's name.
 #[must_use]
 pub fn is_name(text: &str) -> bool {
     let stem = text.trim_end_matches('\'');
@@ -64,12 +64,13 @@ fn sign(input: &mut Input<'_>) -> ModalResult<Token> {
     alt(SIGNS.map(|sign| sign.value(Token::Sign(sign)))).parse_next(input)
 }
 
-/// Longer signs first.
+/// The signs; longer signs precede their prefixes.
 const SIGNS: [&str; 16] = [
     "==", "!=", "<=", ">=", "<", ">", "+", "-", "*", "/", "^", "(", ")", "[", "]", ",",
 ];
 
-/// The most digits of a number. Printed numbers have a dozen, and every step with a number of n digits costs n^2.
+/// The largest number of digits of a number. Printed numbers have a dozen, and an operation on n digits costs up to
+/// n^2.
 const MAX_DIGITS: usize = 1_000;
 
 /// The tokens of `text`.

@@ -1,4 +1,4 @@
-//! Declared sets, as formulas and in words.
+//! Declared sets as formulas and as words.
 
 use super::text::text;
 use crate::derivation::declarations::{Bound, Constant, End, SymbolKind};
@@ -6,16 +6,22 @@ use crate::formula::{Expr, Node, Operator, Relation};
 use std::sync::Arc;
 use torse_numbers::{Affine, Rational, rational};
 
-/// `0 < mu <= 1`; none for the whole line and for what is no range of numbers.
+/// The range as a statement such as `0 < mu <= 1`; `None` for the whole real line and for kinds other than numbers.
 #[must_use]
 pub fn statement(name: &str, kind: &SymbolKind) -> Option<Expr> {
-    let below = |closed: bool| match closed {
-        true => Relation::AtMost,
-        false => Relation::Less,
+    let below = |closed: bool| {
+        if closed {
+            Relation::AtMost
+        } else {
+            Relation::Less
+        }
     };
-    let above = |closed: bool| match closed {
-        true => Relation::AtLeast,
-        false => Relation::Greater,
+    let above = |closed: bool| {
+        if closed {
+            Relation::AtLeast
+        } else {
+            Relation::Greater
+        }
     };
     let (low, high) = match kind {
         SymbolKind::Real(interval) => (
@@ -40,7 +46,7 @@ pub fn statement(name: &str, kind: &SymbolKind) -> Option<Expr> {
     Some(Expr::made(Node::Compare(Arc::new(first), rest)))
 }
 
-/// An end of an interval, and whether it belongs to it.
+/// A bound of an interval as a formula, and whether it belongs to the interval.
 fn end(number: &Option<Bound>, formula: &Option<End>) -> Option<(Expr, bool)> {
     let number = number.as_ref();
     let number = number.map(|bound| (constant(&bound.value), bound.closed));
@@ -50,9 +56,12 @@ fn end(number: &Option<Bound>, formula: &Option<End>) -> Option<(Expr, bool)> {
 
 fn constant(value: &Constant) -> Expr {
     let zero = rational::integer(0);
-    let turns = |q: &Rational| match *q == rational::integer(1) {
-        true => Expr::name("pi"),
-        false => Expr::number(q).with(Operator::Multiply, Expr::name("pi")),
+    let turns = |q: &Rational| {
+        if *q == rational::integer(1) {
+            Expr::name("pi")
+        } else {
+            Expr::number(q).with(Operator::Multiply, Expr::name("pi"))
+        }
     };
     match (value.rational == zero, value.turns == zero) {
         (_, true) => Expr::number(&value.rational),
@@ -61,7 +70,7 @@ fn constant(value: &Constant) -> Expr {
     }
 }
 
-/// An integer form as a formula.
+/// An integer-affine form as a formula.
 fn affine(form: &Affine) -> Expr {
     let number = |n: i64| Expr::number(&rational::integer(n));
     let mut sum: Option<Expr> = None;
@@ -121,9 +130,10 @@ pub fn words(name: &str, kind: &SymbolKind) -> String {
                 .iter()
                 .map(|(low, high)| format!("{}..{}", printed(low), printed(high)))
                 .collect();
-            let indices = match ranges.is_empty() {
-                true => String::new(),
-                false => format!("[{}]", ranges.join(", ")),
+            let indices = if ranges.is_empty() {
+                String::new()
+            } else {
+                format!("[{}]", ranges.join(", "))
             };
             match dimension {
                 Some(1) => format!("{name}{indices}, numbers"),

@@ -1,4 +1,4 @@
-//! LaTeX mathematics, with the macros of amsmath.
+//! Writes formulas as LaTeX mathematics, with the macros of amsmath.
 
 use super::names::Word;
 use super::typeset::{Fence, Typeset};
@@ -7,7 +7,7 @@ use crate::formula::{Connective, Expr, Relation};
 
 struct Latex;
 
-/// Braces around what is more than one letter or number.
+/// Puts braces around a text of more than one character.
 fn script(text: &str) -> String {
     if text.chars().count() == 1 {
         text.to_owned()
@@ -22,7 +22,7 @@ fn upright(macro_name: &str, word: &str) -> String {
 }
 
 impl Latex {
-    /// Fences that grow with tall contents.
+    /// Brackets that grow with tall contents.
     fn fenced(open: &str, inner: &str, close: &str) -> String {
         let tall = ["\\frac", "\\sum", "\\binom", "matrix}", "\\left"];
         if tall.iter().any(|part| inner.contains(part)) {
@@ -115,7 +115,7 @@ impl Typeset for Latex {
     }
 
     fn juxtaposed(&self, a: &str, b: &str) -> String {
-        // Words next to letters need air.
+        // Words need a thin space between them and adjacent letters.
         let worded = a.contains("\\mathrm") || b.contains("\\mathrm");
         format!("{a} {}{b}", if worded { "\\, " } else { "" })
     }

@@ -1,8 +1,8 @@
-//! Formulas written out: the derivation language, Typst, LaTeX, Rust and SymPy.
+//! Writes formulas in the derivation language, Typst, LaTeX, Rust and SymPy.
 //!
-//! One walk over the tree decides brackets by precedence, a notation only says how each construct
-//! looks. What is written in the derivation language is read back as the same tree, so that every
-//! formula the engine shows can be put into a file.
+//! One traversal of the tree decides by precedence where brackets are needed; a notation only defines how each
+//! construct looks. A formula written in the derivation language parses to the same tree, so every formula that is
+//! shown can be copied into a file.
 
 pub mod domain;
 mod latex;

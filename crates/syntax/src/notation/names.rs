@@ -1,7 +1,7 @@
-//! How names are read: `mu_1`, `Q2`, `H''`.
+//! How names such as `mu_1`, `Q2`, `H''` are displayed.
 //!
-//! One generic rule and no list of special cases: trailing digits and what follows an underscore are
-//! subscripts, Greek words are Greek letters, other words stay upright words.
+//! One generic rule without special cases: trailing digits and the parts after underscores are subscripts, names of
+//! Greek letters become Greek letters, other words are set upright.
 
 use crate::greek::{self, GreekLetter};
 
@@ -11,32 +11,32 @@ const FUNCTIONS: [&str; 17] = [
     "max", "det", "sinh", "cosh", "tanh",
 ];
 
-/// A name taken apart.
+/// A name split into stem, subscripts and primes.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Name<'a> {
-    /// What carries the subscripts.
+    /// The part that carries the subscripts.
     pub stem: &'a str,
-    /// Trailing digits of the stem, then the parts behind underscores.
+    /// The trailing digits of the stem, then the parts after underscores.
     pub subscripts: Vec<&'a str>,
-    /// How many primes.
+    /// The number of primes.
     pub primes: usize,
 }
 
-/// What a single word is in mathematics.
+/// How a single word is displayed in mathematics.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Word<'a> {
     /// One letter, or digits: set as it is.
     Plain(&'a str),
     /// A Greek letter.
     Greek(GreekLetter),
-    /// The name of a function that the notations know.
+    /// The name of a function that the typesetting languages know.
     Function(&'a str),
     /// A word, set upright.
     Text(&'a str),
 }
 
 impl<'a> Name<'a> {
-    /// Takes `name` apart.
+    /// Splits a name.
     pub fn new(name: &'a str) -> Self {
         let body = name.trim_end_matches('\'');
         let primes = name.len() - body.len();
@@ -64,7 +64,7 @@ impl<'a> Name<'a> {
 }
 
 impl<'a> Word<'a> {
-    /// Sorts a word.
+    /// Classifies a word.
     pub fn new(word: &'a str) -> Self {
         if let Some(letter) = greek::by_name(word) {
             Self::Greek(letter)
@@ -78,8 +78,8 @@ impl<'a> Word<'a> {
     }
 }
 
-/// The name as an identifier of a programming language: primes become `_d1`, `_d2`, ..., a reserved
-/// word gets an underscore behind it.
+/// The name as an identifier of a programming language: primes become `_d1`, `_d2`, ..., and a reserved word gets a
+/// trailing underscore.
 pub(super) fn identifier(name: &str, reserved: &[&str]) -> String {
     let body = name.trim_end_matches('\'');
     match name.len() - body.len() {

@@ -1,13 +1,11 @@
-//! Rust code in doubles.
-//!
-//! The convention is stated at [`rust()`].
+//! Writes formulas as Rust code in `f64`; [`rust()`] documents the conventions.
 
 use super::names::identifier;
 use super::walk::{Level, Notation, Piece, member, named_call, plain_integer, plain_name};
 use crate::formula::{Connective, Expr, Node, Relation};
 use std::collections::BTreeSet;
 
-/// Words that Rust reserves and that could be names here.
+/// Reserved words of Rust that could be names in a formula.
 const RESERVED: [&str; 38] = [
     "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern",
     "false", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut",
@@ -15,15 +13,15 @@ const RESERVED: [&str; 38] = [
     "use", "where", "while",
 ];
 
-/// Derivatives above this have no name of their own.
+/// The largest order of a derivative that is written as a function name.
 const MAX_ORDER: usize = 9;
 
-/// Code in `f64`, knowing the names of integers.
+/// Writes code in `f64`; knows which names are integers.
 struct Doubles<'a> {
     integers: BTreeSet<&'a str>,
 }
 
-/// Code in `i32`, for indices and ranges.
+/// Writes code in `i32`, for indices and ranges.
 struct Integers;
 
 impl Notation for Integers {
@@ -39,7 +37,7 @@ impl Notation for Integers {
 }
 
 impl Doubles<'_> {
-    /// What is indexed or called; a name is that of an array or function, never of an integer.
+    /// The object that is indexed or called; a name is that of an array or function, never of an integer.
     fn head(&self, head: &Expr) -> String {
         match plain_name(head) {
             Some(name) => identifier(name, &RESERVED),
@@ -47,8 +45,8 @@ impl Doubles<'_> {
         }
     }
 
-    /// The function of a member of a family, or of a derivative of a named function, with the indices
-    /// that come before its arguments.
+    /// The function name of a member of a family, or of a derivative of a named function, and the indices that become
+    /// its first arguments.
     fn function<'e>(&self, head: &'e Expr) -> Option<(String, &'e [Expr])> {
         if let Node::Index(..) = &head.node {
             let (name, indices) = member(head)?;
@@ -108,7 +106,7 @@ impl Notation for Doubles<'_> {
 
     fn power(&self, base: &Expr, exponent: &Expr) -> Piece {
         let object = match &base.node {
-            // A bare literal has no type to look the method up in.
+            // A literal needs a type suffix before a method call.
             Node::Number { .. } => format!("{}_f64", self.operand(base, Level::Atom)),
             _ => self.operand(base, Level::Atom),
         };
@@ -116,9 +114,9 @@ impl Notation for Doubles<'_> {
             Node::Negative(inner) => inner,
             _ => exponent,
         };
-        let whole = plain_integer(inner).is_some()
+        let is_integer = plain_integer(inner).is_some()
             || plain_name(inner).is_some_and(|name| self.integers.contains(name));
-        Piece::atom(if whole {
+        Piece::atom(if is_integer {
             format!("{object}.powi({})", Integers.write(exponent).text)
         } else {
             format!("{object}.powf({})", self.write(exponent).text)
@@ -127,11 +125,15 @@ impl Notation for Doubles<'_> {
 
     fn index(&self, head: &Expr, indices: &[Expr]) -> Piece {
         let head = self.head(head);
-        let one = |index: &Expr| match plain_integer(index) {
+        let subscript = |index: &Expr| match plain_integer(index) {
             Some(number) => format!("[{number}]"),
             None => format!("[{} as usize]", Integers.operand(index, Level::Atom)),
         };
-        Piece::atom(indices.iter().fold(head, |text, index| text + &one(index)))
+        Piece::atom(
+            indices
+                .iter()
+                .fold(head, |text, index| text + &subscript(index)),
+        )
     }
 
     fn call(&self, head: &Expr, arguments: &[Expr]) -> Piece {
@@ -239,11 +241,10 @@ fn integers(expr: &Expr) -> BTreeSet<&str> {
 
 /// The formula as Rust code in doubles.
 ///
-/// Names that occur in an index, in the range of a sum or in a binomial are `i32` variables, every
-/// other name is an `f64` (or a point with the same operators). Members of a family of functions are
-/// called with the index, `g(i, k, x)`. Functions of vectors (`dot`, `det`, ...), `binom` and
-/// derivatives (`H''` and `D(H, x, 2)` at a point are `H_d2`, others `derivative(f, x, n)`) are left to
-/// whoever uses the code.
+/// Names that occur in an index, in the range of a sum or in a binomial are `i32` variables; every other name is an
+/// `f64` (or a point with the same operators). A member of a family of functions is called with its index, `g(i, k,
+/// x)`. The user of the code must supply functions of vectors (`dot`, `det`, ...), `binom`, and derivatives: `H''`
+/// and `D(H, x, 2)` at a point become `H_d2`, others `derivative(f, x, n)`.
 ///
 /// ```
 /// use torse_syntax::{notation, formula::parse};

@@ -1,4 +1,4 @@
-//! SymPy code, exact: quotients and decimals become rationals, never floats.
+//! Writes formulas as exact SymPy code: quotients and decimals become rationals, never floats.
 
 use super::names::identifier;
 use super::walk::{Level, Notation, Piece, member, named_call, plain_integer, plain_name};
@@ -6,7 +6,7 @@ use crate::formula::{Connective, Expr, Node, Relation};
 
 struct Sympy;
 
-/// Words that Python reserves and that could be names here.
+/// Reserved words of Python that could be names in a formula.
 const RESERVED: [&str; 33] = [
     "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue",
     "def", "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import",
@@ -14,19 +14,19 @@ const RESERVED: [&str; 33] = [
 ];
 
 impl Sympy {
-    /// A function call in SymPy's own name.
+    /// A call of the SymPy function `name`.
     fn apply(&self, name: &str, arguments: &[&Expr]) -> Piece {
         let arguments: Vec<String> = arguments.iter().map(|a| self.write(a).text).collect();
         Piece::atom(format!("{name}({})", arguments.join(", ")))
     }
 
-    /// A member of a family of functions, applied: `g(i, k, x)`.
+    /// An applied member of a family of functions: `g(i, k, x)`.
     fn function(&self, name: &str, indices: &[Expr], arguments: &[Expr]) -> Piece {
         let all: Vec<&Expr> = indices.iter().chain(arguments).collect();
         self.apply(&identifier(name, &RESERVED), &all)
     }
 
-    /// `diff(F(x), x, n)`; a named function is applied to the variable, for a bare name would be a
+    /// `diff(F(x), x, n)`. A named function is applied to the variable, because SymPy would take a bare name for a
     /// constant.
     fn derivative(&self, function: &Expr, rest: &[Expr]) -> Piece {
         let applied = match member(function) {
@@ -36,7 +36,7 @@ impl Sympy {
         Piece::atom(format!("diff({}, {})", applied.text, self.listed(rest)))
     }
 
-    /// An operand that must not be a bare Python number, because Python would divide in floats.
+    /// An operand that must not be a bare Python number, since Python would divide it in floats.
     fn exact(&self, expr: &Expr, level: Level) -> String {
         if expr.names().is_empty() {
             format!("sympify({})", self.write(expr).text)
@@ -124,7 +124,7 @@ impl Notation for Sympy {
     }
 
     fn list(&self, items: &[Expr]) -> Piece {
-        // Rows stay plain lists inside one matrix.
+        // The rows are plain lists inside one matrix.
         let cell = |item: &Expr| match &item.node {
             Node::List(row) => format!("[{}]", self.listed(row)),
             _ => self.write(item).text,
@@ -171,7 +171,7 @@ impl Notation for Sympy {
     }
 }
 
-/// The formula as SymPy code, exact: no number becomes a float.
+/// The formula as exact SymPy code.
 ///
 /// Points of a family are indexed (`R[k - 2]`, an `IndexedBase`), members of a family of functions are
 /// called with the index (`g(i, k, x)`), lists are matrices, `H''` is `H_d2`.

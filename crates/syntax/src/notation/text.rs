@@ -1,4 +1,4 @@
-//! The derivation language itself: what [`crate::formula::parse`] reads back as the same tree.
+//! Writes formulas in the derivation language; [`crate::formula::parse`] reads the result back as the same tree.
 
 use super::walk::{Level, Notation, Piece};
 use crate::formula::Expr;
@@ -18,7 +18,7 @@ impl Notation for Text {
     }
 }
 
-/// The formula in the derivation language, with no more brackets than needed.
+/// The formula in the derivation language, with as few brackets as possible.
 ///
 /// ```
 /// use torse_syntax::{notation, formula::parse};

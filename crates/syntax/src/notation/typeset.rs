@@ -1,13 +1,13 @@
-//! What Typst and LaTeX share: how the constructs of the language are set as mathematics.
+//! The parts of mathematical typesetting that Typst and LaTeX share.
 //!
-//! A typesetting language states its primitives ([`Typeset`]: attachments, fractions, fences); every such
-//! language is then a [`Notation`].
+//! A typesetting language defines its primitives ([`Typeset`]: attachments, fractions, brackets); every such language
+//! is then a [`Notation`].
 
 use super::names::{Name, Word};
 use super::walk::{Level, Notation, Piece, member, named_call, plain_integer, plain_name};
 use crate::formula::{Connective, Expr, Node, Operator, Relation};
 
-/// What stands around a matrix.
+/// The brackets of a matrix.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Fence {
     /// Round brackets: the matrix.
@@ -26,9 +26,9 @@ pub(super) trait Typeset {
 
     /// A word: a letter, a Greek letter, a known function or upright text.
     fn word(&self, word: &Word<'_>) -> String;
-    /// A word that is applied to arguments.
+    /// A word that is set as an operator with arguments.
     fn operator(&self, word: &str) -> String;
-    /// Primes, subscript and superscript; empty strings for none.
+    /// A base with primes, subscript and superscript; empty strings if there are none.
     fn attached(&self, base: &str, primes: usize, below: &str, above: &str) -> String;
     fn fraction(&self, above: &str, below: &str) -> String;
     fn root(&self, radicand: &str) -> String;
@@ -42,18 +42,18 @@ pub(super) trait Typeset {
     fn integral(&self, body: &str, variable: &str, from: &str, to: &str) -> String;
     /// `derivative` at `variable = value`, with a bar.
     fn restricted(&self, derivative: &str, variable: &str, value: &str) -> String;
-    /// A product without a sign.
+    /// A product without a sign between the factors.
     fn juxtaposed(&self, a: &str, b: &str) -> String;
     fn relation_sign(&self, relation: Relation) -> &'static str;
     fn connective_sign(&self, connective: Connective) -> &'static str;
 
-    /// A name with more primes and subscripts than it has itself.
+    /// A name with additional primes and subscripts.
     fn decorated(&self, name: &str, primes: usize, indices: &[String]) -> String {
         let name = Name::new(name);
         self.with_parts(self.word(&Word::new(name.stem)), &name, primes, indices)
     }
 
-    /// A name at the head of a call: a word is then an operator.
+    /// A name at the head of a call; a word is set as an operator.
     fn function(&self, name: &str) -> String {
         let name = Name::new(name);
         let stem = match Word::new(name.stem) {
@@ -63,7 +63,7 @@ pub(super) trait Typeset {
         self.with_parts(stem, &name, 0, &[])
     }
 
-    /// `stem` with the primes and subscripts of `name` and more.
+    /// `stem` with the primes and subscripts of `name` and additional ones.
     fn with_parts(
         &self,
         stem: String,
@@ -94,7 +94,7 @@ impl<T: Typeset> Notation for T {
     }
 
     fn name(&self, name: &str) -> Piece {
-        // Primes stand where a power would.
+        // Primes occupy the place of an exponent.
         let level = if name.ends_with('\'') {
             Level::Power
         } else {
@@ -130,7 +130,7 @@ impl<T: Typeset> Notation for T {
 
     fn quotient(&self, a: &Expr, b: &Expr) -> Piece {
         let (above, below) = (self.write(a), self.write(b).text);
-        // A minus sign of the numerator belongs before the fraction.
+        // A minus sign of the numerator is set before the fraction.
         match above.text.strip_prefix('-') {
             Some(positive) if above.level >= Level::Product => Piece::new(
                 Level::Negative,
@@ -155,7 +155,7 @@ impl<T: Typeset> Notation for T {
     }
 
     fn index(&self, head: &Expr, indices: &[Expr]) -> Piece {
-        // A[1][2] has one subscript, 1, 2.
+        // `A[1][2]` gets one subscript, 1, 2.
         let mut all = indices.iter().collect::<Vec<_>>();
         let mut head = head;
         while let Node::Index(inner, more) = &head.node {
@@ -207,7 +207,7 @@ impl<T: Typeset> Notation for T {
     }
 }
 
-/// The functions of the language with a notation of their own.
+/// The built-in functions that have a notation of their own.
 fn special<T: Typeset>(t: &T, name: &str, arguments: &[Expr]) -> Option<Piece> {
     let inner = |expr| t.write(expr).text;
     Some(match (name, arguments) {
@@ -256,9 +256,10 @@ fn raised<T: Typeset>(t: &T, matrix: &Expr, above: &str) -> Piece {
     Piece::new(Level::Power, t.attached(&base, 0, "", above))
 }
 
-/// `d^n F / d x^n`, or the operator before what is differentiated; an empty order is the first.
+/// `d^n F / d x^n`, or the operator `d^n / d x^n` followed by the expression; an empty order means the first
+/// derivative.
 fn derivative<T: Typeset>(t: &T, function: &Expr, variable: &Expr, order: &str) -> Piece {
-    // Several arguments, or a derivative already taken: partial.
+    // Partial if there are several arguments, or if a derivative was taken already.
     let partial = match named_call(function) {
         Some(("D", _)) => true,
         Some((_, arguments)) => arguments.len() > 1,
@@ -270,7 +271,7 @@ fn derivative<T: Typeset>(t: &T, function: &Expr, variable: &Expr, order: &str) 
     let quotient = |name| t.fraction(&format!("{above} {}", t.write(name).text), &below);
     match &function.node {
         Node::Name(_) => return Piece::new(Level::Power, quotient(function)),
-        // At plain variables the function may be named apart from them.
+        // If the arguments are plain variables, only the function name is set in the numerator.
         Node::Call(head, arguments)
             if plain_name(head).is_some_and(|name| name != "D")
                 && arguments.iter().all(|x| plain_name(x).is_some()) =>
@@ -292,8 +293,8 @@ fn derivative<T: Typeset>(t: &T, function: &Expr, variable: &Expr, order: &str) 
     )
 }
 
-/// `F''(0)` for a named function or member of a family and at most three derivatives by its own variable,
-/// a quotient of partial differentials for a derivative by a parameter, else the derivative with a bar.
+/// `F''(0)` for at most three derivatives of a named function or member of a family by its own variable; partial
+/// differentials for a derivative by a parameter; otherwise the derivative with a bar.
 fn derivative_at<T: Typeset>(t: &T, derivative: &[Expr], value: &Expr) -> Option<Piece> {
     let (function, variable, order) = match derivative {
         [function, variable] => (function, variable, Some(1)),
@@ -301,7 +302,7 @@ fn derivative_at<T: Typeset>(t: &T, derivative: &[Expr], value: &Expr) -> Option
         _ => return None,
     };
     let at = t.write(value).text;
-    // Primes are for the function's own variable: at another name it is a derivative by a parameter.
+    // Primes denote derivatives by the function's own variable; another name is a parameter.
     let by_parameter = plain_name(value).is_some_and(|name| plain_name(variable) != Some(name));
     if by_parameter && plain_name(function).is_some() {
         let power = derivative.get(2).map(|order| t.write(order).text);
@@ -343,7 +344,7 @@ fn written<T: Typeset>(t: &T, rows: &[&[Expr]]) -> Vec<Vec<String>> {
     rows.iter().map(cells).collect()
 }
 
-/// Whether the first thing written is a digit, so that a factor before it needs a dot.
+/// Whether the text begins with a digit, so that a factor before it needs a dot.
 fn begins_with_number(expr: &Expr) -> bool {
     match &expr.node {
         Node::Number { .. } => true,
@@ -352,7 +353,7 @@ fn begins_with_number(expr: &Expr) -> bool {
     }
 }
 
-/// Whether the last thing written is a number, so that a fraction behind it would read as a mixed one.
+/// Whether the text ends with a number, so that a following fraction would look like a mixed number.
 fn ends_with_number(expr: &Expr) -> bool {
     match &expr.node {
         Node::Number { .. } => true,

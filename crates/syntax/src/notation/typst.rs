@@ -1,8 +1,8 @@
-//! Typst mathematics, for the math mode of Typst 0.15.
+//! Writes formulas as Typst mathematics, for the math mode of Typst 0.15.
 //!
-//! Only functions and symbols of the standard math scope are used, everything else is a single letter
-//! or quoted text. A space stands before the brackets of an argument list, so that Typst never reads
-//! them as part of a subscript or as a call of its own.
+//! Uses only functions and symbols of the standard math scope; other names are single letters or quoted text. A space
+//! precedes the brackets of an argument list, so that Typst does not read them as part of a subscript or as a
+//! function call.
 
 use super::names::Word;
 use super::typeset::{Fence, Typeset};
@@ -11,7 +11,7 @@ use crate::formula::{Connective, Expr, Relation};
 
 struct Typst;
 
-/// Brackets around what is more than one letter or number; Typst does not show them.
+/// Puts brackets, which Typst does not show, around a text of more than one letter or number.
 fn script(text: &str) -> String {
     let single = text.chars().count() == 1 || text.chars().all(|c| c.is_ascii_digit());
     if single {

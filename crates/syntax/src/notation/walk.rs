@@ -1,16 +1,15 @@
-//! One walk over the syntax tree for every notation.
+//! The traversal of syntax trees that all notations share.
 //!
-//! A notation says how each construct looks; the walk knows which operand needs brackets. Brackets are
-//! decided by comparing levels: every written piece carries how tightly it holds together, every place
-//! for an operand says how tightly it must.
+//! A notation defines how each construct looks; the traversal decides which operands need brackets. It compares
+//! levels: every written piece has the level of its loosest operator, and every operand position requires a level.
 
 use crate::formula::{Connective, Expr, Node, Operator, Relation};
 use torse_numbers::{Integer, Rational};
 
-/// More printed decimals than this are not written out (no file has them; it bounds the work).
+/// The largest number of decimals that are written out; it bounds the work (no file has so many).
 const MAX_DECIMALS: u32 = 10_000;
 
-/// How tightly a piece of written text holds together, loosest first.
+/// How tightly a piece of text binds, loosest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Level {
     Implies,
@@ -19,19 +18,19 @@ pub(super) enum Level {
     Not,
     Relation,
     Sum,
-    /// Whole as a summand, not as a factor: `a . b`.
+    /// Can be a summand without brackets, but not a factor: `a . b`.
     Term,
-    /// Like a term, and everything written behind it would belong to it: a sigma sum.
+    /// Like a term, but a factor written after it would belong to it: a sum with a sigma sign.
     Open,
     Product,
     /// Begins with a minus sign.
     Negative,
-    /// Whole as a factor, not as the base of a power.
+    /// Can be a factor without brackets, but not the base of a power.
     Power,
     Atom,
 }
 
-/// Written text and how tightly it holds together.
+/// A written text with its level.
 #[derive(Debug, Clone)]
 pub(super) struct Piece {
     pub text: String,
@@ -48,8 +47,8 @@ impl Piece {
     }
 }
 
-/// A way to write formulas. The provided methods write the derivation language; a notation overrides
-/// where it differs.
+/// A notation for formulas. The provided methods write the derivation language; other notations override those that
+/// differ.
 pub(super) trait Notation {
     /// A number from its digits, with at most one decimal point.
     fn number(&self, digits: &str) -> Piece {
@@ -81,7 +80,7 @@ pub(super) trait Notation {
         )
     }
 
-    /// `a + b - c`: a sum from its first operand and the signed rest.
+    /// A sum `a + b - c`, given its first operand and the signed others.
     fn sum(&self, first: &Expr, rest: &[(Operator, &Expr)]) -> Piece {
         let mut text = self.operand(first, Level::Sum);
         for (operator, term) in rest {
@@ -173,12 +172,12 @@ pub(super) trait Notation {
         )
     }
 
-    /// Text in brackets.
+    /// Puts a text in brackets.
     fn bracketed(&self, inner: &str) -> String {
         format!("({inner})")
     }
 
-    /// Any formula.
+    /// Writes any formula.
     fn write(&self, expr: &Expr) -> Piece {
         match &expr.node {
             Node::Number { value, decimals } => match digits(value, *decimals) {
@@ -203,7 +202,7 @@ pub(super) trait Notation {
         }
     }
 
-    /// A formula where at least `level` is needed, in brackets if it is looser.
+    /// Writes an operand for a position that requires `level`, in brackets if it binds more loosely.
     fn operand(&self, expr: &Expr, level: Level) -> String {
         let piece = self.write(expr);
         if piece.level < level {
@@ -213,14 +212,14 @@ pub(super) trait Notation {
         }
     }
 
-    /// Formulas with commas between.
+    /// Formulas separated by commas.
     fn listed(&self, items: &[Expr]) -> String {
         let items: Vec<String> = items.iter().map(|item| self.write(item).text).collect();
         items.join(", ")
     }
 }
 
-/// The operands of a sum that groups to the left. Unrolled, because normal forms have thousands of terms.
+/// The operands of a sum that groups to the left. Computed by a loop, because normal forms have thousands of terms.
 fn summands(expr: &Expr) -> (&Expr, Vec<(Operator, &Expr)>) {
     let (mut first, mut rest) = (expr, vec![]);
     while let Node::Binary(operator @ (Operator::Add | Operator::Subtract), a, b) = &first.node {
@@ -231,8 +230,7 @@ fn summands(expr: &Expr) -> (&Expr, Vec<(Operator, &Expr)>) {
     (first, rest)
 }
 
-/// The digits of a number as it was printed; `None` if it is not a nonnegative decimal of that many
-/// places.
+/// The digits of a number as printed; `None` if it is not a nonnegative decimal with this many places.
 fn digits(value: &Rational, decimals: Option<u32>) -> Option<String> {
     let places = usize::try_from(decimals.unwrap_or(0).min(MAX_DECIMALS)).ok()?;
     let scaled = value * Rational::from_integer(Integer::from(10).pow(places));
@@ -248,7 +246,7 @@ fn digits(value: &Rational, decimals: Option<u32>) -> Option<String> {
     Some(format!("{whole}.{fraction}"))
 }
 
-/// The name, if the formula is nothing else.
+/// The name, if the formula is a name.
 pub(super) fn plain_name(expr: &Expr) -> Option<&str> {
     match &expr.node {
         Node::Name(name) => Some(name),
@@ -256,7 +254,7 @@ pub(super) fn plain_name(expr: &Expr) -> Option<&str> {
     }
 }
 
-/// The integer, if the formula is a small one written out.
+/// The integer, if the formula is a small nonnegative integer literal.
 pub(super) fn plain_integer(expr: &Expr) -> Option<u32> {
     match &expr.node {
         Node::Number {
@@ -275,7 +273,7 @@ pub(super) fn named_call(expr: &Expr) -> Option<(&str, &[Expr])> {
     }
 }
 
-/// A name, or a member of a named family, with its indices.
+/// A name, or a member of a named family with its indices.
 pub(super) fn member(expr: &Expr) -> Option<(&str, &[Expr])> {
     match &expr.node {
         Node::Name(name) => Some((name, &[])),

@@ -79,13 +79,13 @@ pub fn audit<'a>(
 ) -> Vec<Audited<'a>> {
     let mut together: BTreeMap<&str, usize> = BTreeMap::new();
     for (claim, _) in claims {
-        if let Some(whole) = claim.whole() {
+        if let Some(whole) = claim.sentence_id() {
             *together.entry(whole).or_default() += parts::relations_of(claim);
         }
     }
     let setting = Setting::new(papers);
     let audited = |(claim, outcome): &(&'a Claim, &'a Outcome)| {
-        let whole = claim.whole().and_then(|id| together.get(id.as_str()));
+        let whole = claim.sentence_id().and_then(|id| together.get(id.as_str()));
         let signs = stack::deep(|| signs(claim, outcome, &setting, whole.copied()));
         done();
         answered(claim, signs)

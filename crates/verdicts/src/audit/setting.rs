@@ -14,7 +14,7 @@ impl<'a> Setting<'a> {
     pub fn new(papers: &'a [Paper]) -> Self {
         let mut claims: BTreeMap<&str, Vec<&Claim>> = BTreeMap::new();
         for claim in papers.iter().flat_map(|paper| &paper.claims) {
-            let whole = claim.whole().map(String::as_str);
+            let whole = claim.sentence_id().map(String::as_str);
             for id in whole.into_iter().chain([claim.entry.id.get_ref().as_str()]) {
                 claims.entry(id).or_default().push(claim);
             }
@@ -29,7 +29,11 @@ impl<'a> Setting<'a> {
     /// Returns the print of the claim, of the other parts of its sentence, and of the claims that it uses or quotes.
     /// The words of remarks are ours and left out.
     pub fn prints(&self, claim: &Claim) -> String {
-        let ids = claim.uses.iter().chain(claim.whole()).map(String::as_str);
+        let ids = claim
+            .uses
+            .iter()
+            .chain(claim.sentence_id())
+            .map(String::as_str);
         let quoted = claim.quotes().into_iter().map(|quote| quote.claim.as_str());
         let others = ids.chain(quoted).flat_map(|id| self.named(id));
         let others = others.filter(|other| other.entry.kind != Kind::Remark);
@@ -47,7 +51,10 @@ impl<'a> Setting<'a> {
 
     /// Returns the claim, the other parts of its sentence, and all claims that these rest on.
     pub fn rests_on(&self, claim: &'a Claim) -> Vec<&'a Claim> {
-        let parts = claim.whole().into_iter().flat_map(|id| self.named(id));
+        let parts = claim
+            .sentence_id()
+            .into_iter()
+            .flat_map(|id| self.named(id));
         let mut pending: Vec<&Claim> = parts.copied().chain([claim]).collect();
         let (mut seen, mut found) = (BTreeSet::new(), vec![]);
         while let Some(claim) = pending.pop() {

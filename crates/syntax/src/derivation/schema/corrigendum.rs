@@ -1,49 +1,49 @@
-//! Corrigenda as TOML: what the authors of a paper are told, fault by fault.
+//! Corrigenda as TOML: the errors of a paper, as they are reported to its authors.
 
 use super::Text;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// A fault of the paper, wherever it shows.
+/// An error of the paper, wherever it shows.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CorrigendumEntry {
     /// Its id: `paper/corrigendum.name`.
     pub id: Text,
-    /// Where the paper has it; the place of the first claim if left out.
+    /// Its place in the paper; by default the place of the first claim.
     pub at: Option<String>,
-    /// What is wrong, in one sentence.
+    /// The error in one sentence.
     pub says: Text,
-    /// The claims in which it shows.
+    /// The claims in which the error shows.
     pub shows: Vec<Text>,
-    /// What the paper's own names mean once it is corrected: definitions that take the place of those of the files.
+    /// Corrected definitions, which replace those of the files.
     #[serde(default)]
     pub define: BTreeMap<String, Text>,
-    /// What is to be read instead.
+    /// The corrected wording.
     #[serde(default, rename = "change")]
     pub changes: Vec<ChangeEntry>,
 }
 
-/// Words of the paper, and what is to be read instead.
+/// A passage of the paper, and its corrected wording.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ChangeEntry {
-    /// The claim in whose print they stand.
+    /// The claim whose printed text contains the passage.
     pub claim: Text,
-    /// The words; the whole print of the claim if left out.
+    /// The passage; by default the whole printed text of the claim.
     pub printed: Option<Text>,
-    /// What is to be read instead, in the notation of the paper; left out where other words of the paper are corrected, and
-    /// only what the claim states changes with them.
+    /// The corrected wording in the notation of the paper. Left out if other passages are corrected, and only the
+    /// statement of this claim changes with them.
     pub reads: Option<Text>,
-    /// The corrected statement of the claim; left out where the corrected definitions, or a correction that was found, are
-    /// enough.
+    /// The corrected statement of the claim. Left out if the corrected definitions, or a correction that was found,
+    /// are enough.
     pub states: Option<Text>,
-    /// The remark that states what is true; it is the corrected statement where there is no `states`.
+    /// The remark that states the correction; the corrected statement is that of the remark unless `states` is given.
     pub remark: Option<Text>,
-    /// Definitions of the corrected statement alone.
+    /// Definitions for the corrected statement only.
     #[serde(default, rename = "let")]
     pub local: BTreeMap<String, Text>,
-    /// What the corrected text assumes besides.
+    /// Additional assumptions of the corrected text.
     #[serde(default)]
     pub assume: Vec<Text>,
 }

@@ -5,31 +5,31 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use toml::Spanned;
 
-/// A figure: `[claim.figure]` draws the figure that the claim is about, `[[figure]]` one of our own.
+/// A figure: `[claim.figure]` draws the figure of the claim, `[[figure]]` one that the paper does not have.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FigureEntry {
-    /// The name of a figure of our own, `paper/name`; the figure of a claim has the claim's.
+    /// The id of a figure of our own, `paper/name`; the figure of a claim has the id of the claim.
     pub id: Option<Text>,
     /// The claims that a figure of our own illustrates.
     #[serde(default)]
     pub claims: Vec<Text>,
-    /// A line that names the figure.
+    /// A one-line title.
     pub title: String,
-    /// What it shows, for the reader of a report.
+    /// The caption, for the reader of a report.
     pub caption: String,
-    /// What is seen, for those who cannot see it.
+    /// A description for those who cannot see the figure.
     pub alt: String,
-    /// What is not printed and was filled with a default.
+    /// Data that are not printed and were assumed.
     #[serde(default)]
     pub assumes: Vec<String>,
-    /// Data that are not printed and were replaced by our own.
+    /// Data that are not printed and were replaced by data of our own.
     #[serde(default)]
     pub stand_in: Vec<String>,
-    /// Symbols of this figure alone.
+    /// Symbols that are declared for this figure only.
     #[serde(default)]
     pub symbols: BTreeMap<String, SymbolEntry>,
-    /// Definitions of this figure alone.
+    /// Definitions for this figure only.
     #[serde(default, rename = "let")]
     pub local: BTreeMap<String, Text>,
     /// Values of symbols, in the order of the file: numbers, vectors, families of points (as a matrix).
@@ -44,12 +44,12 @@ pub struct FigureEntry {
     /// The unknowns of the given equations.
     #[serde(default)]
     pub solve_for: Vec<Text>,
-    /// Symbols that a reader may move in the interactive version, and where they start.
+    /// Symbols that a reader may move in the interactive version, with their initial values.
     #[serde(default)]
     pub sliders: BTreeMap<String, Text>,
-    /// The developable of the figure, for readers who move and unroll it.
+    /// The developable of the figure, for the interactive version in which it is unrolled.
     pub torse: Option<TorseEntry>,
-    /// Panels in a row; as many as look well if left out.
+    /// The number of panels in a row; chosen automatically if left out.
     pub columns: Option<usize>,
     /// Width and height of a panel in pixels of 1/96 inch.
     pub size: Option<[u32; 2]>,
@@ -57,18 +57,18 @@ pub struct FigureEntry {
     pub panel: Vec<PanelEntry>,
 }
 
-/// A developable that follows sliders.
+/// A developable that depends on sliders.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TorseEntry {
-    /// What a reader may move: `[least, at first, greatest]`. Their values in `set` of the figure do not count.
+    /// The sliders: `[least, initial, greatest]`. Values of these symbols in `set` of the figure are ignored.
     pub sliders: BTreeMap<String, Text>,
-    /// Values in place of those of the figure; they may follow sliders.
+    /// Values that replace those of the figure; they may depend on sliders.
     #[serde(default)]
     pub set: BTreeMap<String, Text>,
     /// Azimuth and elevation in degrees.
     pub view: [f64; 2],
-    /// The pieces, one joined to the other.
+    /// The pieces, each joined to the next.
     pub piece: Vec<PieceEntry>,
 }
 
@@ -76,62 +76,62 @@ pub struct TorseEntry {
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PieceEntry {
-    /// How its rulings are given.
+    /// How its rulings are defined.
     pub draw: Rulings,
-    /// A plane [p, q, r, s] that runs, or for a ruled piece two points that run.
+    /// A plane [p, q, r, s] that depends on the running variable, or for a ruled piece two points that depend on it.
     pub at: Vec<Text>,
-    /// What runs: `"x"`, `"x in [0, 1/2]"`.
+    /// The running variable: `"x"`, `"x in [0, 1/2]"`.
     pub over: Text,
-    /// Where each ruling starts and ends.
+    /// The parameter values at which each ruling starts and ends.
     pub along: Text,
-    /// Rulings are shown to this distance from where they are counted, both ways.
+    /// The largest distance, in both directions, to which rulings are shown from their parameter origin.
     pub limit: Option<Text>,
-    /// Its entry in the legend.
+    /// Its label in the legend.
     #[serde(default)]
     pub label: String,
-    /// Its number in the palette.
+    /// Its colour, as a number of the palette.
     #[serde(default)]
     pub colour: usize,
 }
 
-/// How the rulings of a piece are given, and what its `along` counts.
+/// How the rulings of a piece are defined, and what its `along` means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rulings {
-    /// Lines in which a plane that runs meets its neighbours: multiples of the cross product of the normal and its
-    /// derivative, from the foot of the origin.
+    /// Characteristic lines of a family of planes. `along` counts multiples of the cross product of the normal and
+    /// its derivative, from the point nearest to the origin.
     Envelope,
-    /// Tangents of their edge of regression: multiples of its derivative.
+    /// Tangents of the edge of regression. `along` counts multiples of its derivative.
     Tangent,
-    /// Segments between two curves: shares of the way.
+    /// Segments between two curves. `along` is the fraction of the way from the first to the second.
     Ruled,
 }
 
-/// A panel, or with `for` one panel for each round of its loops.
+/// A panel; with `for`, one panel for each iteration of its loops.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PanelEntry {
     /// The caption; `{name}` stands for the value of a loop.
     #[serde(default)]
     pub caption: String,
-    /// One panel for each round.
+    /// One panel for each iteration.
     #[serde(default, rename = "for")]
     pub loops: Vec<Loop>,
-    /// More values of symbols.
+    /// Additional values of symbols.
     #[serde(default)]
     pub set: BTreeMap<String, Text>,
-    /// More values of families with two indices.
+    /// Additional values of families with two indices.
     #[serde(default)]
     pub nets: BTreeMap<String, Vec<Text>>,
     /// Titles of the axes.
     pub axes: Option<Spanned<Vec<String>>>,
-    /// The interval `[low, high]` shown of the first axis.
+    /// The shown interval `[low, high]` of the first axis.
     pub x: Option<Text>,
     /// The interval shown of the second axis.
     pub y: Option<Text>,
     /// The interval shown of the third axis.
     pub z: Option<Text>,
-    /// Relation of the units of a plane panel.
+    /// The ratio of the units of the axes of a plane panel.
     #[serde(default)]
     pub aspect: Aspect,
     /// What surrounds the drawing.
@@ -149,44 +149,45 @@ pub struct PanelEntry {
     pub layer: Vec<LayerEntry>,
 }
 
-/// A loop: names that run through lists of values in step. Several loops are nested, the first outermost.
+/// A loop: names that take the values of lists of equal length in parallel. Several loops are nested, the first
+/// outermost.
 pub type Loop = BTreeMap<String, Spanned<Vec<Text>>>;
 
-/// One thing that is drawn, or with `for` one for each round of its loops.
+/// A layer of a drawing; with `for`, one layer for each iteration of its loops.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LayerEntry {
-    /// What it is.
+    /// The shape that is drawn.
     pub draw: Spanned<Shape>,
     /// Its positions, as a formula.
     pub at: Text,
-    /// The variables that run: `"x"`, `"x in [0, 1/2]"`, `"i in 0..3"`.
+    /// The running variables: `"x"`, `"x in [0, 1/2]"`, `"i in 0..3"`.
     #[serde(default)]
     pub over: Vec<Text>,
-    /// One layer for each round.
+    /// One layer for each iteration.
     #[serde(default, rename = "for")]
     pub loops: Vec<Loop>,
     /// The number of samples along each running variable.
     #[serde(default)]
     pub samples: Vec<Spanned<u32>>,
-    /// A number on a surface that becomes its colour.
+    /// A number on a surface that determines its colour.
     pub shade: Option<Text>,
-    /// Its entry in the legend; `{name}` stands for the value of a loop.
+    /// Its label in the legend; `{name}` stands for the value of a loop.
     #[serde(default)]
     pub label: String,
     /// The text of a note.
     #[serde(default)]
     pub text: String,
-    /// Everything about its looks.
+    /// The appearance.
     #[serde(default)]
     pub style: Style,
 }
 
-/// What a layer is.
+/// The shape of a layer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Shape {
-    /// A curve; one variable runs.
+    /// A curve; one running variable.
     Curve,
     /// A control polygon; a list of points.
     Polygon,
@@ -200,15 +201,15 @@ pub enum Shape {
     Region,
     /// A text beside a point.
     Note,
-    /// A surface in space; two variables run.
+    /// A surface in space; two running variables.
     Surface,
-    /// A control net in space; two indices run.
+    /// A control net in space; two running indices.
     Net,
     /// The plane p X + q Y + r Z = s in space, as the vector [p, q, r, s].
     Plane,
 }
 
-/// The looks of a layer; what is left out is chosen.
+/// The appearance of a layer; what is left out is chosen automatically.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Style {
@@ -220,9 +221,9 @@ pub struct Style {
     pub dash: Option<Dash>,
     /// Shape of marked points.
     pub marker: Option<Marker>,
-    /// From 0, invisible, to 1.
+    /// Opacity from 0 (invisible) to 1.
     pub opacity: Option<f64>,
-    /// Number of parts into which parameter lines cut a surface, along each variable.
+    /// The number of parts into which parameter lines divide a surface, along each variable.
     pub lines: Option<[usize; 2]>,
     /// Whether a surface is outlined.
     pub border: Option<Border>,
@@ -236,7 +237,7 @@ pub struct Style {
 pub enum ColourName {
     /// A number of the palette.
     Palette(usize),
-    /// A colour of its own.
+    /// A named colour.
     Named(NamedColour),
 }
 
@@ -244,9 +245,9 @@ pub enum ColourName {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NamedColour {
-    /// That of text.
+    /// The colour of text.
     Ink,
-    /// That of secondary lines.
+    /// The colour of secondary lines.
     Grey,
 }
 

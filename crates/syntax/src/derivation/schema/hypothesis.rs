@@ -1,4 +1,4 @@
-//! Hypotheses as TOML: a formula, or a table that says where the formula is from.
+//! Hypotheses as TOML: a formula, or a table that also states the provenance of the formula.
 
 use super::Text;
 use serde::de::value::MapAccessDeserializer;
@@ -12,18 +12,18 @@ use toml::Spanned;
 pub struct HypothesisEntry {
     /// The formula.
     pub states: Text,
-    /// Where it is from; none for an entry that is a formula alone.
+    /// The provenance; `None` for an entry that is a formula alone.
     pub from: Option<FromEntry>,
 }
 
-/// Where a hypothesis or a range is from.
+/// The fields that state the provenance of a hypothesis or a range.
 #[derive(Debug, Clone, Default)]
 pub struct FromEntry {
     /// The words of the paper.
     pub printed: Option<Text>,
-    /// The claim in whose print they stand; the claim itself if left out.
+    /// The claim whose printed text contains them; by default the claim itself.
     pub within: Option<Text>,
-    /// Why it is assumed though the paper does not say it.
+    /// Why it is assumed although the paper does not state it.
     pub ours: Option<Text>,
 }
 

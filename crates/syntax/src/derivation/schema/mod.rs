@@ -11,14 +11,15 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
-/// A text of the file and its place there.
+/// A text with its place in the file.
 pub type Text = Spanned<String>;
 
 /// The bibliographic head of a paper.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PaperHead {
-    /// The slug, the name of the folder. Files are called after it: it is a plain name ([`is_plain`]).
+    /// The slug, which is also the name of the folder. Files are named after it, so it must be a plain name
+    /// ([`is_plain`]).
     #[serde(deserialize_with = "plain")]
     pub id: String,
     /// The title.
@@ -34,8 +35,8 @@ pub struct PaperHead {
     pub claims: Vec<Text>,
 }
 
-/// Whether a file may be called after this name, in whatever folder: letters, digits, `-`, `_` and `.`, no point at the
-/// beginning and none beside another.
+/// Whether files can be named after this name in any folder: it consists of letters, digits, `-`, `_` and `.`, does
+/// not begin with a point, and has no two adjacent points.
 ///
 /// ```
 /// use torse_syntax::derivation::schema::is_plain;
@@ -50,16 +51,17 @@ pub fn is_plain(name: &str) -> bool {
 
 fn plain<'d, D: serde::Deserializer<'d>>(deserializer: D) -> Result<String, D::Error> {
     let name = String::deserialize(deserializer)?;
-    match is_plain(&name) {
-        true => Ok(name),
-        false => Err(serde::de::Error::custom(format!(
+    if is_plain(&name) {
+        Ok(name)
+    } else {
+        Err(serde::de::Error::custom(format!(
             "`{name}` cannot be the id of a paper: files are called after it, so it is made of letters, digits, `-`, `_` \
              and single points, and does not begin with a point"
-        ))),
+        )))
     }
 }
 
-/// A symbol: what it stands for and where it lives.
+/// A symbol, declared with its kind and its domain.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SymbolEntry {
@@ -77,20 +79,20 @@ pub struct SymbolEntry {
     /// Any smooth function of one variable: the dimension of its values, 1 for numbers, or `"any"` for one generic
     /// coordinate.
     pub function: Option<Spanned<Dimension>>,
-    /// The words of the paper that say so.
+    /// The words of the paper that state the domain.
     pub printed: Option<Text>,
-    /// The claim in whose print they stand; the claim itself if left out.
+    /// The claim whose printed text contains them; by default the claim itself.
     pub printed_in: Option<Text>,
-    /// Why it is assumed though the paper does not say it.
+    /// Why the domain is assumed although the paper does not state it.
     pub ours: Option<Text>,
 }
 
 impl SymbolEntry {
-    /// Where the declaration is from, if the file says it.
+    /// The fields that state the provenance of the declaration, if the file has any.
     #[must_use]
     pub fn from(&self) -> Option<FromEntry> {
-        let said = [&self.printed, &self.printed_in, &self.ours];
-        said.iter().any(|text| text.is_some()).then(|| FromEntry {
+        let fields = [&self.printed, &self.printed_in, &self.ours];
+        fields.iter().any(|text| text.is_some()).then(|| FromEntry {
             printed: self.printed.clone(),
             within: self.printed_in.clone(),
             ours: self.ours.clone(),
@@ -102,9 +104,9 @@ impl SymbolEntry {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(untagged)]
 pub enum Dimension {
-    /// So many coordinates.
+    /// This many coordinates.
     Number(u8),
-    /// One generic coordinate stands for all: for statements that are linear in the vectors.
+    /// One generic coordinate, which represents all; for statements that are linear in the vectors.
     Any(AnyDimension),
 }
 
@@ -129,10 +131,11 @@ pub struct BasisEntry {
     pub degree: Spanned<u8>,
     /// The functions of the lowest degree.
     pub seeds: Vec<Text>,
-    /// The two factors of the step `g[i,k] = a*g[i,k-1] + b*g[i-1,k-1]`; left out for a list of functions of one degree.
+    /// The two factors of the step `g[i,k] = a*g[i,k-1] + b*g[i-1,k-1]`; left out for a list of functions of a single
+    /// degree.
     #[serde(default)]
     pub step: Vec<Text>,
-    /// The name that stands in the step for the index i of the function that is made.
+    /// The name that stands in the step for the index i of the new function.
     pub index: Option<Text>,
     /// The name that stands in the step for its degree k.
     pub order: Option<Text>,
@@ -142,9 +145,9 @@ pub struct BasisEntry {
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ClaimEntry {
-    /// The id of the inventory: `paper/name`.
+    /// The id in the inventory: `paper/name`.
     pub id: Text,
-    /// Where the paper says it.
+    /// The place in the paper.
     pub at: String,
     /// What kind of statement it is.
     pub kind: Kind,
@@ -155,12 +158,12 @@ pub struct ClaimEntry {
     pub part_of: Option<Text>,
     /// How a garbled or unclear print was read.
     pub reading: Option<String>,
-    /// What in the finding may be a confusion of the copy at hand.
+    /// What in the finding may be an error of our copy of the paper.
     pub garbled: Option<Text>,
-    /// Symbols of this claim alone.
+    /// Symbols that are declared for this claim only.
     #[serde(default)]
     pub symbols: BTreeMap<String, SymbolEntry>,
-    /// Definitions of this claim alone.
+    /// Definitions for this claim only.
     #[serde(default, rename = "let")]
     pub local: BTreeMap<String, Text>,
     /// Linear equations that determine the unknowns.
@@ -169,7 +172,7 @@ pub struct ClaimEntry {
     /// The unknowns of the given equations.
     #[serde(default)]
     pub solve_for: Vec<Text>,
-    /// Numbers of which the statement says that there are such, each perhaps with what it is.
+    /// Numbers that the statement says to exist, each optionally with a witness.
     #[serde(default)]
     pub exists: Vec<Text>,
     /// Assumptions of the statement.
@@ -177,70 +180,70 @@ pub struct ClaimEntry {
     pub assume: Vec<HypothesisEntry>,
     /// The statement in the formula language.
     pub states: Option<Text>,
-    /// In place of `states`: what the sentence may mean, two readings or more.
+    /// Instead of `states`: two or more possible readings of the sentence.
     #[serde(default)]
     pub readings: Vec<ReadingEntry>,
-    /// Why there is nothing to decide: what the paper does not print.
+    /// Why there is nothing to decide: the data that the paper does not print.
     pub underspecified: Option<String>,
-    /// Why this is not a statement for this engine.
+    /// Why the statement is outside the scope of this program.
     pub out_of_scope: Option<String>,
     /// The drawing of a figure.
     pub figure: Option<Box<FigureEntry>>,
-    /// Claims this one rests on.
+    /// Claims on which this one depends.
     #[serde(default)]
     pub uses: Vec<Text>,
-    /// The verdict that this claim is known to get; a run that differs fails.
+    /// The verdict that this claim is known to get; a run with another verdict fails.
     pub expect: Option<Verdict>,
-    /// What was found, in a sentence with holes for numbers.
+    /// The author's note about the finding, a sentence in which formulas are evaluated.
     pub finding: Option<Text>,
-    /// How names of this claim are printed.
+    /// How names of this claim are displayed.
     #[serde(default)]
     pub display: BTreeMap<String, Text>,
-    /// Why signs that the statement is not the print are none.
+    /// Answers to signs that the statement is not what the paper prints.
     #[serde(default)]
     pub answers: Vec<AnswerEntry>,
-    /// Anything a reader should know.
+    /// Any other information for the reader.
     pub note: Option<String>,
 }
 
-/// One of the things that a sentence may mean. What it says is added to what the claim says.
+/// One possible reading of a sentence. Its fields are added to those of the claim.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ReadingEntry {
-    /// A word for it, such as `literal`.
+    /// A short name, such as `literal`.
     pub name: Text,
-    /// The sentence as it is read here, in words.
+    /// The sentence in words, as this reading understands it.
     pub says: Text,
     /// The statement in the formula language.
     pub states: Text,
-    /// More symbols.
+    /// Additional symbols.
     #[serde(default)]
     pub symbols: BTreeMap<String, SymbolEntry>,
-    /// More definitions.
+    /// Additional definitions.
     #[serde(default, rename = "let")]
     pub local: BTreeMap<String, Text>,
-    /// More equations for unknowns.
+    /// Additional equations for unknowns.
     #[serde(default)]
     pub given: Vec<HypothesisEntry>,
-    /// More unknowns.
+    /// Additional unknowns.
     #[serde(default)]
     pub solve_for: Vec<Text>,
-    /// More assumptions.
+    /// Additional assumptions.
     #[serde(default)]
     pub assume: Vec<HypothesisEntry>,
 }
 
-/// Why a sign that the statement is not the print is none: words of the paper.
+/// An answer to a sign (flag) that the statement is not what the paper prints: words of the paper.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct AnswerEntry {
-    /// The sign.
+    /// The flag.
     pub flag: Spanned<Flag>,
     /// The words.
     pub quote: Text,
-    /// The claim in whose print they stand; the claim itself if left out.
+    /// The claim whose printed text contains them; by default the claim itself.
     #[serde(rename = "in")]
     pub within: Option<Text>,
-    /// How they answer it, where that is not plain.
+    /// Why the words answer the flag, where that is not plain.
     pub says: Option<String>,
 }

@@ -66,9 +66,10 @@ fn any_expr() -> impl Strategy<Value = Expr> {
                 1 => (boxed.clone(), some.clone()).prop_map(|(f, i)| Node::Index(f, i)),
                 2 => boxed.clone().prop_map(Node::Negative),
                 8 => (operator.clone(), boxed.clone(), boxed.clone())
-                    .prop_map(|(o, a, b)| match readable_exponent(&b) {
-                        true => Node::Binary(o, a, b),
-                        false => Node::Binary(Add, a, b),
+                    .prop_map(|(o, a, b)| if readable_exponent(&b) {
+                        Node::Binary(o, a, b)
+                    } else {
+                        Node::Binary(Add, a, b)
                     }),
                 1 => some.prop_map(Node::List),
                 1 => (boxed.clone(), prop::collection::vec((relation.clone(), inner), 1..3))
