@@ -1,4 +1,4 @@
-//! Claims of derivation files to core claims.
+//! Elaborates claims of derivation files to core claims.
 
 use crate::elaborator::{Elaborator, is_about_domain, misplaced};
 use crate::existential;
@@ -8,17 +8,17 @@ use torse_core::{Claim, Hypothesis, Set, Source, Visited, stack};
 use torse_syntax::derivation::{self, Written};
 use torse_syntax::fault::Fault;
 
-/// The core of a claim of a derivation file, with `statement` as its statement (the claim's own, or another one
-/// about the same domain, such as a correction).
+/// Elaborates a claim of a derivation file. `statement` is the claim's own statement, or another one about the same
+/// domain, such as a correction.
 ///
 /// # Errors
-/// [`Fault`], pointing into the text that caused it: unknown names, wrong kinds, wrong numbers of arguments.
+/// [`Fault`], which points into the text, for unknown names, wrong kinds and wrong numbers of arguments.
 pub fn elaborate(claim: &derivation::Claim, statement: &Written) -> Result<Claim, Fault> {
     Elaborator::new(&claim.declarations).claim(claim, statement)
 }
 
 impl Elaborator<'_> {
-    /// The same as [`elaborate`], with the definitions that were opened before.
+    /// As [`elaborate`], reusing definitions that this elaborator has opened before.
     ///
     /// # Errors
     /// As [`elaborate`].
@@ -53,9 +53,9 @@ impl Elaborator<'_> {
             .collect::<Result<Vec<_>, _>>()?;
         let statement = match claim.existentials.as_slice() {
             [] => within(statement)?,
-            sought => {
+            existentials => {
                 for hypothesis in &hypotheses {
-                    let refused = existential::refuse(sought, &hypothesis.statement.terms());
+                    let refused = existential::refuse(existentials, &hypothesis.statement.terms());
                     refused.map_err(|f| f.within(&hypothesis.origin))?;
                 }
                 existential::instantiate(self, claim, statement)?
@@ -63,7 +63,7 @@ impl Elaborator<'_> {
         };
         let mut names: Vec<Arc<str>> = vec![];
         let mut add = |name: &Arc<str>| names.push(Arc::clone(name));
-        // Statements of one claim share the definitions that they use.
+        // Visit the definitions that several statements share only once.
         let mut seen = Visited::default();
         for hypothesis in &hypotheses {
             hypothesis.statement.further_names(&mut seen, &mut add);
@@ -74,7 +74,7 @@ impl Elaborator<'_> {
         statement.further_names(&mut seen, &mut add);
         let mut symbols = self.symbols_of(names.clone());
         let mut bounded: BTreeSet<Arc<str>> = BTreeSet::new();
-        // What the ends of a range say may name symbols whose ranges have such ends again.
+        // The ends of a range may contain symbols whose own ranges have formulas as ends.
         while let Some((name, relations)) = symbols.iter().find_map(|(name, set)| match set {
             Set::Real(interval) if interval.formulas().next().is_some() => {
                 (!bounded.contains(name)).then(|| (Arc::clone(name), interval.relations(name)))

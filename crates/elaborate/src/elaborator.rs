@@ -1,8 +1,8 @@
 //! From syntax trees to core terms.
 //!
-//! One walk that carries a [`Scope`]: the variables of enclosing binders by their names in the text (`locals`), and
-//! the variables that stand for declared symbols below a `D` or an `at` by that symbol (`globals`). Definitions see
-//! the second only: they are formulas in the declared symbols, wherever they are used.
+//! One recursive traversal with a [`Scope`]: the variables of enclosing binders by their names in the text
+//! (`locals`), and the variables that replace declared symbols below a `D` or an `at` by that symbol (`globals`). The
+//! body of a definition sees `globals` only, because it is a formula in the declared symbols wherever it is used.
 
 mod binders;
 mod built_in;
@@ -28,12 +28,12 @@ use torse_syntax::formula::{self, Connective, Expr, Place};
 use torse_syntax::greek;
 use torse_syntax::similar::similar;
 
-/// How deep definitions may use each other.
+/// The largest depth of definitions that use one another.
 const MAX_DEPTH: usize = 80;
-/// The most nodes of core terms that one formula may open to.
+/// The largest number of core nodes that one formula may open to.
 const MAX_NODES: u64 = 400_000;
 
-/// What a formula stands for.
+/// What a formula is.
 #[derive(Debug, Clone)]
 pub enum Meaning {
     /// A number, a vector or a matrix.
@@ -54,7 +54,7 @@ impl Meaning {
     }
 }
 
-/// A function: a term in its own variables.
+/// A function: a term with bound parameters.
 #[derive(Debug, Clone)]
 pub struct Lambda {
     /// The name, for messages.
@@ -65,7 +65,7 @@ pub struct Lambda {
     pub body: Term,
 }
 
-/// Opens formulas under declarations. Definitions are opened once.
+/// Elaborates formulas under given declarations. Each definition is opened once and cached.
 #[derive(Debug)]
 pub struct Elaborator<'a> {
     declarations: &'a Declarations,
@@ -76,7 +76,7 @@ pub struct Elaborator<'a> {
     families: RefCell<BTreeMap<String, Arc<Family>>>,
     points: RefCell<BTreeMap<String, Arc<Points>>>,
     parts: RefCell<Parts>,
-    /// Where smooth functions were taken, by the text of the place.
+    /// For each smooth function the places at which it was evaluated, by the text of the place.
     places: RefCell<BTreeMap<Arc<str>, BTreeMap<String, At>>>,
 }
 
@@ -99,16 +99,16 @@ impl<'a> Elaborator<'a> {
         }
     }
 
-    /// The declarations.
+    /// The declarations under which formulas are elaborated.
     #[must_use]
     pub fn declarations(&self) -> &'a Declarations {
         self.declarations
     }
 
-    /// The core of a formula, whatever it stands for.
+    /// Elaborates a formula, which may be a term, a statement or a function.
     ///
     /// # Errors
-    /// [`Fault`] for undeclared names, what stands at the wrong place, and wrong numbers of arguments.
+    /// [`Fault`] for undeclared names, wrong kinds, and wrong numbers of arguments.
     pub fn meaning(&self, expr: &Expr) -> Outcome<Meaning> {
         self.nodes.set(0);
         stack::deep(|| {
@@ -122,7 +122,7 @@ impl<'a> Elaborator<'a> {
         })
     }
 
-    /// The core of a formula.
+    /// Elaborates a formula that is a term.
     ///
     /// # Errors
     /// As [`Elaborator::meaning`].
@@ -131,7 +131,7 @@ impl<'a> Elaborator<'a> {
         stack::deep(|| self.in_jets(self.term_in(expr, &Scope::default())?))
     }
 
-    /// The core of a statement.
+    /// Elaborates a statement.
     ///
     /// # Errors
     /// As [`Elaborator::meaning`].
@@ -140,7 +140,7 @@ impl<'a> Elaborator<'a> {
         stack::deep(|| self.statement_in_jets(self.statement_in(expr, &Scope::default())?))
     }
 
-    /// The core of a statement in which closed terms stand for declared symbols, wherever these occur: as `at` puts values in.
+    /// Elaborates a statement in which closed terms replace declared symbols wherever they occur, as `at` does.
     ///
     /// # Errors
     /// As [`Elaborator::meaning`].
@@ -158,7 +158,7 @@ impl<'a> Elaborator<'a> {
             bound.push((variable, value));
         }
         let statement = self.statement_in(expr, &scope)?;
-        let put = |term: &Term| {
+        let substitute = |term: &Term| {
             bound.iter().fold(term.clone(), |body, (variable, value)| {
                 let place = body.place;
                 let node = Node::Let {
@@ -170,15 +170,15 @@ impl<'a> Elaborator<'a> {
             })
         };
         for (_, value) in &bound {
-            apart(&statement, value)?;
+            check_no_shared_variable(&statement, value)?;
         }
-        self.statement_in_jets(statement.mapped_throughout(&put))
+        self.statement_in_jets(statement.mapped_throughout(&substitute))
     }
 
     /// The basis family of this name.
     ///
     /// # Errors
-    /// [`Fault`] in its seeds or step, and if there is none.
+    /// [`Fault`] if there is no such basis, or an error in its seeds or step.
     pub fn family(&self, name: &str, place: Place) -> Outcome<Arc<Family>> {
         let basis = self
             .declarations
@@ -187,7 +187,7 @@ impl<'a> Elaborator<'a> {
         stack::deep(|| self.family_of(name, basis, &Scope::default()))
     }
 
-    /// The declared symbols of these names, and those in whose terms their sets are declared.
+    /// The declared sets of these symbols, and of the symbols that occur in the declarations of these sets.
     #[must_use]
     pub fn symbols_of(&self, mut names: Vec<Arc<str>>) -> BTreeMap<Arc<str>, Set> {
         let mut all: BTreeMap<Arc<str>, Set> = BTreeMap::new();
@@ -321,7 +321,7 @@ impl<'a> Elaborator<'a> {
         }
     }
 
-    /// Counts nodes that are made.
+    /// Counts new nodes and fails above [`MAX_NODES`].
     fn count(&self, nodes: u64, place: Place) -> Outcome<()> {
         self.nodes.set(self.nodes.get().saturating_add(nodes));
         if self.nodes.get() > MAX_NODES {
@@ -331,7 +331,7 @@ impl<'a> Elaborator<'a> {
         Ok(())
     }
 
-    /// Once more what was opened before. Terms are shared; a statement is a tree of its own, and its size is counted.
+    /// Copies a cached meaning. The copy shares terms; a statement is copied as a tree, so its size is counted.
     fn copied(&self, meaning: &Meaning, place: Place) -> Outcome<Meaning> {
         if let Meaning::Statement(statement) = meaning {
             self.count(statement.size(), place)?;
@@ -348,9 +348,10 @@ impl<'a> Elaborator<'a> {
             return term(Node::Variable(variable.clone()));
         }
         if let Some(definition) = self.declarations.definition(name) {
-            let outside = match injected(InjectedFault::DefinitionOutsideScope) {
-                true => Scope::default(),
-                false => scope.outside(),
+            let outside = if injected(InjectedFault::DefinitionOutsideScope) {
+                Scope::default()
+            } else {
+                scope.outside()
             };
             return self.definition(name, definition, place, &outside);
         }
@@ -376,7 +377,7 @@ impl<'a> Elaborator<'a> {
         if name == "pi" {
             return term(Node::Pi);
         }
-        // F'' is the second derivative of F by its first parameter.
+        // `F''` is the second derivative of F by its first parameter.
         let base = name.trim_end_matches('\'');
         let closed = scope.globals.is_empty() && !scope.locals.contains_key(base);
         if closed && let Some(meaning) = self.opened.borrow().get(name) {
@@ -427,9 +428,10 @@ impl<'a> Elaborator<'a> {
         let inside = definition.parameters.iter().zip(&parameters).fold(
             scope.clone(),
             |scope, (name, variable)| {
-                let local = match definition.indexed {
-                    true => Local::Index,
-                    false => Local::Continuous,
+                let local = if definition.indexed {
+                    Local::Index
+                } else {
+                    Local::Continuous
                 };
                 scope.with_local(name, variable, local)
             },
@@ -517,7 +519,7 @@ impl<'a> Elaborator<'a> {
         }
     }
 
-    /// The family that a formula in its index defines, by its name.
+    /// The definition of an indexed family of this name, if nothing in scope hides it.
     fn indexed_definition(&self, name: &str, scope: &Scope) -> Option<&'a Definition> {
         let hidden = scope.locals.contains_key(name) || scope.globals.contains_key(name);
         let definition = self.declarations.definition(name).filter(|_| !hidden)?;
@@ -539,7 +541,7 @@ impl<'a> Elaborator<'a> {
         if injected(InjectedFault::ArgumentsExchanged) {
             values.reverse();
         }
-        // Variables of their own: no value can mention the parameter of another one.
+        // Each parameter is a variable of its own, so no argument can contain the parameter of another.
         let bound = function.parameters.iter().zip(values).rev();
         Ok(
             bound.fold(function.body.clone(), |body, (parameter, value)| {
@@ -560,7 +562,7 @@ impl<'a> Elaborator<'a> {
             .chain(scope.locals.keys().map(String::as_str))
             .chain(NAMES)
             .collect();
-        // A Greek letter may be declared by its name.
+        // Suggest the spelled name of a Greek letter if that name is declared.
         let sign = name.chars().next().filter(|_| name.chars().count() == 1);
         let spelled = sign.and_then(greek::by_sign).map(|letter| letter.name);
         let spelled = spelled.filter(|name| candidates.contains(name));
@@ -576,21 +578,22 @@ impl<'a> Elaborator<'a> {
     }
 }
 
-/// Fails where a value is written in a symbol whose name a property in the statement takes for the variable of its basis: what
-/// is decided of a property does not tell the two apart.
-fn apart(statement: &Statement, value: &Term) -> Outcome<()> {
+/// Fails if the value contains a symbol that has the name of a variable of a basis whose property the statement is
+/// about: the decision procedures for such properties cannot distinguish the two.
+fn check_no_shared_variable(statement: &Statement, value: &Term) -> Outcome<()> {
     let mut taken = false;
     for family in statement.families() {
         value.declared_names(&mut |name| {
             taken |= family.variables.iter().any(|own| own.name() == &**name);
         });
     }
-    match taken {
-        true => Err(Fault::limit(
+    if taken {
+        Err(Fault::limit(
             value.place,
             "a property of a basis at a value in the basis's own variable or shape parameters",
-        )),
-        false => Ok(()),
+        ))
+    } else {
+        Ok(())
     }
 }
 

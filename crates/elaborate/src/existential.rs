@@ -1,12 +1,13 @@
-//! What there is: a witness in the place of each number that a claim seeks.
+//! Existential claims: each symbol that a claim says to exist is replaced by a witness.
 //!
-//! "For all values of the other symbols there is an r in its interval for which p(r) is true" follows from the claim "p(w), and w
-//! is in the interval" for any formula w in the other symbols that has a value at every point of the domain. That claim is what
-//! [`put_in`] makes. It is a claim without `exists`, decided, netted and replayed like any other; that it is false says nothing
-//! of other witnesses. Of the formulas that may be witnesses only quotients may have no value somewhere, and their divisors
-//! are conditions of the verdict: see [`may_lack_a_value`].
+//! "For all values of the other symbols there is an r in its interval for which p(r) is true" follows from the claim
+//! "p(w), and w is in the interval" for any formula w in the other symbols that has a value at every point of the
+//! domain. [`instantiate`] makes that claim. It has no `exists` and is decided, checked at points and replayed like
+//! any other; if it is false, other witnesses may still exist. Of all parts that a witness may contain, only
+//! quotients can be undefined somewhere, and their divisors become conditions of the verdict: see
+//! [`may_lack_a_value`].
 //!
-//! Of `q implies p(r)` the conclusion alone is made so: where q is false any r of the interval will do.
+//! In `q implies p(r)` only the conclusion is instantiated; where q is false every r of the interval works.
 
 use crate::elaborator::Elaborator;
 use num_traits::Signed;
@@ -20,8 +21,8 @@ use torse_syntax::derivation::{Claim, Existential, Written};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Connective, Operator, Place, Relation};
 
-/// The statement of a claim with witnesses for what it seeks.
-pub(super) fn put_in(
+/// The statement with a witness in the place of each existential symbol.
+pub(super) fn instantiate(
     elaborator: &Elaborator<'_>,
     claim: &Claim,
     statement: &Written,
@@ -40,7 +41,7 @@ pub(super) fn put_in(
         let term = elaborator.term(&witness.expr);
         let term = term.map_err(|f| f.within(&witness.origin))?;
         if let Some(place) = may_lack_a_value(elaborator, &term) {
-            let what = "a witness that may have no value: it is made by sums, products, powers, quotients, sines, \
+            let what = "a witness that may be undefined: it may contain only sums, products, powers, quotients, sines, \
                         cosines, exponentials and lengths";
             return Err(Fault::limit(place, what).within(&witness.origin));
         }
@@ -52,7 +53,8 @@ pub(super) fn put_in(
         .statement_where(&statement.expr, &witnesses)
         .map_err(within)?;
     if denies(&body) {
-        let what = "`fails`, or a property of a basis, about what there is: say it of each point";
+        let what =
+            "`fails`, or a property of a basis, in an existential claim: state it for each point";
         return Err(within(Fault::limit(statement.expr.place, what)));
     }
     let mut members = vec![];
@@ -84,7 +86,7 @@ pub(super) fn put_in(
     })
 }
 
-/// Fails where one of the names that a claim seeks occurs.
+/// Fails if one of the existential symbols occurs in the terms.
 pub(super) fn refuse(existential: &[Existential], terms: &[&Term]) -> Result<(), Fault> {
     for term in terms {
         let mut found = None;
@@ -95,7 +97,7 @@ pub(super) fn refuse(existential: &[Existential], terms: &[&Term]) -> Result<(),
         });
         if let Some(name) = found {
             let what = format!(
-                "`{name}` is what there is: hypotheses, other ranges and witnesses cannot speak of it"
+                "`{name}` is existential: it cannot occur in hypotheses, other ranges or witnesses"
             );
             return Err(Fault::limit(term.place, what));
         }
@@ -103,7 +105,7 @@ pub(super) fn refuse(existential: &[Existential], terms: &[&Term]) -> Result<(),
     Ok(())
 }
 
-/// Whether nothing that is sought occurs before `implies`.
+/// Whether no existential symbol occurs in the premise of the implication.
 fn premise_is_free(elaborator: &Elaborator<'_>, claim: &Claim, statement: &Written) -> bool {
     let torse_syntax::formula::Node::Join(_, premise, _) = &statement.expr.node else {
         return false;
@@ -120,7 +122,7 @@ fn denies(statement: &Statement) -> bool {
     }
 }
 
-/// Whether an interval has a point whatever the symbols are.
+/// Whether an interval is nonempty for all values of the symbols.
 fn is_inhabited(interval: &Interval) -> bool {
     if interval.formulas().next().is_some() {
         return false;
@@ -136,7 +138,7 @@ fn is_inhabited(interval: &Interval) -> bool {
     }
 }
 
-/// What the ends that are numbers say of a witness.
+/// The statements that the numeric ends of the interval make about a witness.
 fn between(interval: &Interval, witness: &Term) -> Vec<Statement> {
     let made = |node| Term {
         node: Arc::new(node),
@@ -172,10 +174,10 @@ fn between(interval: &Interval, witness: &Term) -> Vec<Statement> {
     lower.chain(upper).collect()
 }
 
-/// A part of a formula that may be without a value other than by its divisors, if there is one.
+/// Returns a part of the formula that may be undefined for a reason other than a zero divisor.
 ///
-/// A divisor in which an integer occurs counts too: statements are decided at single values of the integers, and what has no value
-/// at one of them says nothing there.
+/// A divisor that contains an integer symbol counts too: statements are decided for single values of the integers,
+/// and a term that is undefined at one of them would make the statement there vacuous.
 fn may_lack_a_value(elaborator: &Elaborator<'_>, term: &Term) -> Option<Place> {
     let mut seen = BTreeSet::new();
     let mut pending = vec![term];
@@ -239,7 +241,7 @@ fn may_lack_a_value(elaborator: &Elaborator<'_>, term: &Term) -> Option<Place> {
     None
 }
 
-/// Whether a radicand is a number that is not negative, or a square as it is written.
+/// Whether a radicand is a nonnegative number, or the square of a term by the way it is written.
 fn is_not_negative(radicand: &Term) -> bool {
     match &*radicand.node {
         Node::Number(q) => *q >= rational::integer(0),

@@ -1,7 +1,7 @@
 //! From syntax trees to core terms.
 //!
-//! Names are resolved, definitions are opened, families and smooth functions are carried out. Nothing here is trusted:
-//! what a statement means is worked out from its text a second time, in the room `semantics`.
+//! This room resolves names, opens definitions, and replaces families and smooth functions. Its results are not
+//! trusted: the room `semantics` works out the meaning of each statement from its text a second time.
 #![warn(missing_docs)]
 
 mod claim;

@@ -1,4 +1,4 @@
-//! What names mean below binders, and the names that binders take.
+//! Scopes: the meaning of names below binders.
 
 use super::{Elaborator, Outcome, wrong};
 use std::collections::BTreeMap;
@@ -7,16 +7,16 @@ use torse_core::{Node, Term, Variable};
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{self, Expr};
 
-/// What may be done with the variable of a binder.
+/// The kind of a bound variable, which decides what may be done with it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Local {
-    /// The parameter of a function, or what stands for a symbol: it takes every value near one.
+    /// The parameter of a function, or a variable that replaces a symbol: it takes all values in a neighbourhood.
     Continuous,
     /// The index of a sum: an integer.
     Index,
 }
 
-/// What names mean at one place, before the declarations are asked.
+/// The meaning of names at one place; takes precedence over the declarations.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scope {
     pub(super) locals: BTreeMap<String, (Variable, Local)>,
@@ -25,19 +25,20 @@ pub(super) struct Scope {
 
 impl Scope {
     pub(super) fn with_local(&self, name: &str, variable: &Variable, local: Local) -> Self {
-        let mut more = self.clone();
-        more.locals
+        let mut extended = self.clone();
+        extended
+            .locals
             .insert(name.to_owned(), (variable.clone(), local));
-        more
+        extended
     }
 
     pub(super) fn with_global(&self, name: &str, variable: &Variable) -> Self {
-        let mut more = self.clone();
-        more.globals.insert(name.to_owned(), variable.clone());
-        more
+        let mut extended = self.clone();
+        extended.globals.insert(name.to_owned(), variable.clone());
+        extended
     }
 
-    /// What a definition sees.
+    /// The scope of the body of a definition: replaced symbols, but no local variables.
     pub(super) fn outside(&self) -> Self {
         Self {
             locals: BTreeMap::new(),
@@ -48,15 +49,15 @@ impl Scope {
 
 /// A name that `D` or `at` binds.
 pub(super) struct Bound {
-    /// What stands for it inside.
+    /// The variable inside.
     pub(super) variable: Variable,
-    /// What it is outside.
+    /// The term that the name stands for outside.
     pub(super) outside: Term,
-    /// The scope inside.
+    /// The scope of the body.
     pub(super) scope: Scope,
 }
 
-/// What binds a name.
+/// The kind of binder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Use {
     Derivative,
@@ -64,7 +65,7 @@ pub(super) enum Use {
 }
 
 impl Elaborator<'_> {
-    /// The variable that `D` or `at` binds, from the name in the text.
+    /// Makes the variable that `D` or `at` binds, given the name in the text.
     pub(super) fn bound(&self, variable: &Expr, scope: &Scope, usage: Use) -> Outcome<Bound> {
         let place = variable.place;
         let formula::Node::Name(name) = &variable.node else {

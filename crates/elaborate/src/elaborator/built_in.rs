@@ -2,7 +2,7 @@
 
 use super::binders::{Local, Scope, Use};
 use super::denial;
-use super::{Elaborator, Lambda, Meaning, Outcome, apart, wrong};
+use super::{Elaborator, Lambda, Meaning, Outcome, check_no_shared_variable, wrong};
 use std::sync::Arc;
 use torse_core::{
     BuiltIn, Degrees, Family, FamilyProperty, Node, Printed, Statement, Term, Variable,
@@ -13,7 +13,7 @@ use torse_syntax::derivation::declarations::Basis;
 use torse_syntax::fault::{Fault, Problem};
 use torse_syntax::formula::{self, Expr, Operator, Place};
 
-/// The names of the built-in functions.
+/// The names of the built-in functions, used for suggestions.
 pub(super) const NAMES: [&str; 30] = [
     "sum",
     "product",
@@ -48,8 +48,8 @@ pub(super) const NAMES: [&str; 30] = [
 ];
 
 impl Elaborator<'_> {
-    /// The family that a property is about, with what stands for declared symbols in this scope in its seeds and its step:
-    /// a shape parameter for which something stands is none.
+    /// The family that a property is about. Terms that replace declared symbols in this scope are substituted in its
+    /// seeds and its step, and a replaced shape parameter is no longer a parameter.
     fn named_family(&self, name: &Expr, scope: &Scope) -> Outcome<Arc<Family>> {
         let formula::Node::Name(basis) = &name.node else {
             return Err(wrong(name.place, "a formula", "the name of a basis"));
@@ -75,7 +75,7 @@ impl Elaborator<'_> {
         if fixed.is_empty() {
             return Ok(family);
         }
-        let put = |part: &Term| {
+        let substitute = |part: &Term| {
             fixed.iter().fold(part.clone(), |body, (own, outer)| {
                 let place = body.place;
                 let node = Node::Let {
@@ -86,14 +86,14 @@ impl Elaborator<'_> {
                 self.made(node, place)
             })
         };
-        let mut other = family.with_formulas(put);
+        let mut other = family.with_formulas(substitute);
         other
             .variables
             .retain(|own| !scope.globals.contains_key(own.name()));
         Ok(Arc::new(other))
     }
 
-    /// The list of functions of this name, if it is one.
+    /// The basis of this name, if it is a list of functions without a step.
     fn list<'e>(&self, name: &'e Expr) -> Option<(&'e str, &Basis)> {
         let formula::Node::Name(name) = &name.node else {
             return None;
@@ -173,9 +173,10 @@ impl Elaborator<'_> {
             ("integral", [body, variable, low, high]) => {
                 let (low, high) = (self.term_in(low, scope)?, self.term_in(high, scope)?);
                 let bound = self.bound(variable, scope, Use::Derivative)?;
-                let (low, high) = match injected(InjectedFault::EndsExchanged) {
-                    true => (high, low),
-                    false => (low, high),
+                let (low, high) = if injected(InjectedFault::EndsExchanged) {
+                    (high, low)
+                } else {
+                    (low, high)
                 };
                 let node = Node::Integral {
                     low,
@@ -193,7 +194,7 @@ impl Elaborator<'_> {
             ("at", [inner, variable, point]) => {
                 let value = self.term_in(point, scope)?;
                 let bound = self.bound(variable, scope, Use::At)?;
-                let put = |body: Term| {
+                let bind = |body: Term| {
                     self.made(
                         Node::Let {
                             variable: bound.variable.clone(),
@@ -203,19 +204,20 @@ impl Elaborator<'_> {
                         place,
                     )
                 };
-                let inside = match injected(InjectedFault::MovedNotSeen) {
-                    true => scope,
-                    false => &bound.scope,
+                let inside = if injected(InjectedFault::MovedNotSeen) {
+                    scope
+                } else {
+                    &bound.scope
                 };
                 return Ok(match self.open(inner, inside)? {
-                    Meaning::Term(body) => Meaning::Term(put(body)),
+                    Meaning::Term(body) => Meaning::Term(bind(body)),
                     Meaning::Function(function) => Meaning::Function(Lambda {
-                        body: put(function.body),
+                        body: bind(function.body),
                         ..function
                     }),
                     Meaning::Statement(statement) => {
-                        apart(&statement, &value)?;
-                        Meaning::Statement(statement.mapped_throughout(&|term| put(term.clone())))
+                        check_no_shared_variable(&statement, &value)?;
+                        Meaning::Statement(statement.mapped_throughout(&|term| bind(term.clone())))
                     }
                 });
             }
@@ -253,7 +255,7 @@ impl Elaborator<'_> {
                 let property = FamilyProperty::VariationDiminishing(degrees);
                 return Ok(Meaning::Statement(Statement::Family(property, family)));
             }
-            // The tangent is what it is defined to be, so that its poles are divisors like all others.
+            // The tangent is opened to its definition, so its poles are treated like all other zero divisors.
             ("tan", [angle]) => {
                 let angle = self.term_in(angle, scope)?;
                 let part = |function| self.made(Node::Apply(function, vec![angle.clone()]), place);
@@ -305,7 +307,7 @@ impl Elaborator<'_> {
         ))
     }
 
-    /// `D(F, x, n)` of a function is a function; of a formula, a formula.
+    /// The derivative `D(F, x, n)`: a function if F is a function, else a formula.
     pub(super) fn derivative(
         &self,
         inner: &Expr,
@@ -352,7 +354,7 @@ impl Elaborator<'_> {
         };
         match self.open(inner, &bound.scope)? {
             Meaning::Term(body) => Ok(Meaning::Term(derivative(body))),
-            // By a symbol that is no parameter: by a shape parameter, say.
+            // The symbol is not a parameter; it may be a shape parameter, for example.
             Meaning::Function(function) => Ok(Meaning::Function(Lambda {
                 body: derivative(function.body),
                 ..function
@@ -361,7 +363,8 @@ impl Elaborator<'_> {
         }
     }
 
-    /// The hyperbolic functions are the halves of the sum and the difference of two exponentials, and their quotient.
+    /// Opens the hyperbolic functions to halves of the sum and the difference of two exponentials, and to the
+    /// quotient of these.
     fn hyperbolic(&self, name: &str, x: &Term, place: Place) -> Term {
         let power = |x: Term| self.made(Node::Apply(BuiltIn::Exponential, vec![x]), place);
         let (up, down) = (
@@ -383,7 +386,7 @@ impl Elaborator<'_> {
         self.made(Node::Binary(Operator::Divide, above, below), place)
     }
 
-    /// The function that is the derivative of a function by one of its parameters.
+    /// The derivative of a function by one of its parameters, as a function.
     pub(super) fn differentiated(
         &self,
         function: &Lambda,
@@ -414,19 +417,19 @@ impl Elaborator<'_> {
     }
 }
 
-/// Fails where something stands for the variable of a basis: a property is about all of its values.
+/// Fails if a term replaces the variable of the basis, because a property is about all values of that variable.
 fn quantified(basis: &Basis, place: Place, scope: &Scope) -> Outcome<()> {
-    match scope.globals.contains_key(&basis.variable) {
-        true => Err(wrong(
+    if scope.globals.contains_key(&basis.variable) {
+        return Err(wrong(
             place,
             "a property of a basis at one value of the variable of the basis",
             "a symbol that the property is not about",
-        )),
-        false => Ok(()),
+        ));
     }
+    Ok(())
 }
 
-/// A number that is a degree, not below another one.
+/// Reads a degree that is at least `least`.
 fn degree(number: &Expr, least: u8, wanted: &'static str) -> Outcome<u8> {
     let value = match &number.node {
         formula::Node::Number { value, .. } if value.is_integer() => {
@@ -454,9 +457,10 @@ fn printed_numbers(printed: &Expr) -> Outcome<Vec<Printed>> {
         let (value, decimals) =
             found.ok_or_else(|| wrong(item.place, "a formula", "a printed number"))?;
         Ok(Printed {
-            value: match negative && !injected(InjectedFault::PrintedSignLost) {
-                true => -value,
-                false => value,
+            value: if negative && !injected(InjectedFault::PrintedSignLost) {
+                -value
+            } else {
+                value
             },
             decimals,
             negative,

@@ -1,7 +1,8 @@
-//! `not p` is about the point, `fails(p)` about the domain.
+//! The two kinds of negation: `not p` is about a point, `fails(p)` about the domain.
 //!
-//! At a point a comparison is denied by the opposite one, and `and`, `or` and `implies` by De Morgan's rules. What is said to fail
-//! somewhere is no statement about a point: it stands alone or beside others in a conjunction, and nowhere else.
+//! At a point, `not` of a comparison is the opposite comparison, and `and`, `or` and `implies` are negated by De
+//! Morgan's rules. `fails(p)` says that p is false somewhere in the domain, so it is not a statement about a point:
+//! it may stand alone or as a part of a conjunction, and nowhere else.
 
 use super::{Outcome, wrong};
 use torse_core::Statement;
@@ -9,10 +10,11 @@ use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Connective, Expr, Place};
 
-/// The statement that is true at the points at which this one is false, and defined where it is.
+/// The negation at a point: true where `statement` is false, and defined at the same points.
 ///
 /// # Errors
-/// [`Fault`] for what has no opposite: a property of a basis, printed numbers, what fails somewhere.
+/// [`Fault`] for statements that have no opposite: properties of a basis, agreement with printed numbers, and
+/// `fails`.
 pub(super) fn opposite(statement: Statement, tree: &Expr) -> Outcome<Statement> {
     Ok(match statement {
         Statement::Compare {
@@ -38,25 +40,26 @@ pub(super) fn opposite(statement: Statement, tree: &Expr) -> Outcome<Statement> 
         Statement::Agrees { .. } | Statement::Family(..) | Statement::Not(_) => {
             return Err(wrong(
                 tree.place,
-                "a denial at each point of what is no comparison",
-                "a comparison, or `fails(..)`: it does not hold everywhere",
+                "the negation, at each point, of something other than a comparison",
+                "a comparison, or `fails(..)` to say that it does not hold everywhere",
             ));
         }
     })
 }
 
-/// The statement, unless it is one about the domain.
+/// Returns the statement if it is about points.
 ///
 /// # Errors
-/// [`Fault`] for a statement in which something is said to fail somewhere.
+/// [`Fault`] for a statement that contains `fails`.
 pub(super) fn about_points(statement: Statement, tree: &Expr) -> Outcome<Statement> {
-    match is_about_domain(&statement) {
-        true => Err(misplaced(tree.place)),
-        false => Ok(statement),
+    if is_about_domain(&statement) {
+        Err(misplaced(tree.place))
+    } else {
+        Ok(statement)
     }
 }
 
-/// Whether something is said to fail somewhere.
+/// Whether the statement contains `fails`, so that it is about the domain.
 pub(crate) fn is_about_domain(statement: &Statement) -> bool {
     match statement {
         Statement::Not(_) => true,
@@ -65,7 +68,7 @@ pub(crate) fn is_about_domain(statement: &Statement) -> bool {
     }
 }
 
-/// `fails` where it may not stand.
+/// The error for a `fails` at a place where it is not allowed.
 pub(crate) fn misplaced(place: Place) -> Fault {
     wrong(
         place,

@@ -36,7 +36,7 @@ impl Elaborator<'_> {
                 return self.member(name, basis, indices, &[], place, scope);
             }
             if let Some(SymbolKind::Family { dimension, ranges }) = self.declarations.symbol(name) {
-                // The coordinate of a point may stand behind its indices: outcomes write it so.
+                // Findings write the coordinate of a point as one more index.
                 if let Some((coordinate, indices)) = indices.split_last()
                     && indices.len() == ranges.len()
                     && !ranges.is_empty()
@@ -135,9 +135,10 @@ impl Elaborator<'_> {
                     },
                 ));
             }
-            let outside = match injected(InjectedFault::LeftOutNotMoved) {
-                true => Scope::default(),
-                false => scope.outside(),
+            let outside = if injected(InjectedFault::LeftOutNotMoved) {
+                Scope::default()
+            } else {
+                scope.outside()
             };
             match self.named(left_out, place, &outside)? {
                 Meaning::Term(term) => all.push(term),
@@ -153,7 +154,7 @@ impl Elaborator<'_> {
         Ok(Meaning::Term(self.made(node, place)))
     }
 
-    /// That all functions of a list are nonnegative.
+    /// The statement that all functions of the list are nonnegative.
     pub(super) fn all_nonnegative(
         &self,
         name: &str,
@@ -185,7 +186,7 @@ impl Elaborator<'_> {
         all.ok_or_else(|| wrong(place, "a list without functions", "a list of functions"))
     }
 
-    /// The family in a scope of globals: where none is bound it is opened once.
+    /// The family, in a scope of replaced symbols. If there are none, the family is opened once and cached.
     pub(super) fn family_of(
         &self,
         name: &str,
@@ -228,9 +229,10 @@ impl Elaborator<'_> {
             };
             Ok(self.made(node, written.expr.place))
         };
-        let (a, b) = match injected(InjectedFault::StepFactorsExchanged) {
-            true => (&basis.step.1, &basis.step.0),
-            false => (&basis.step.0, &basis.step.1),
+        let (a, b) = if injected(InjectedFault::StepFactorsExchanged) {
+            (&basis.step.1, &basis.step.0)
+        } else {
+            (&basis.step.0, &basis.step.1)
         };
         let family = Arc::new(Family {
             name: Arc::from(name),
@@ -254,7 +256,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// Whether a formula is this number.
+/// Whether a formula is this literal number.
 fn is_number(expr: &Expr, number: u8) -> bool {
     let wanted = rational::integer(i64::from(number));
     matches!(&expr.node, formula::Node::Number { value, .. } if *value == wanted)

@@ -1,7 +1,7 @@
-//! Parts that many formulas have in common, each opened once.
+//! Caches the core terms of parts that many formulas share.
 //!
-//! Formulas that differ from one in a single place share all its other parts, and a part outside of binders opens to the
-//! same term wherever it stands.
+//! A formula and its single-place variants share all parts outside of that place, and a part outside of all binders
+//! always opens to the same term.
 
 use super::Elaborator;
 use super::binders::Scope;
@@ -10,11 +10,11 @@ use std::sync::Arc;
 use torse_core::Term;
 use torse_syntax::formula::{Expr, Node};
 
-/// The parts by their addresses; they are held, so that no other formula gets one.
+/// The cached parts, by address. The trees are kept alive so that no address is reused.
 #[derive(Debug, Default)]
 pub(super) struct Parts {
     opened: BTreeMap<usize, (Arc<Expr>, Option<Term>)>,
-    /// The addresses of their terms.
+    /// The addresses of the cached terms.
     terms: BTreeSet<usize>,
 }
 
@@ -25,32 +25,32 @@ impl Scope {
 }
 
 impl Elaborator<'_> {
-    /// From here on the parts of this formula are opened once.
+    /// From now on, the parts of this formula are opened once and cached.
     pub fn keep_parts_of(&self, formula: &Expr) {
         let mut parts = self.parts.borrow_mut();
         let mut pending = vec![formula];
-        while let Some(whole) = pending.pop() {
-            for part in shared(whole) {
+        while let Some(node) = pending.pop() {
+            for part in shared(node) {
                 let address = Arc::as_ptr(part).addr();
                 let entry = parts.opened.entry(address);
                 entry.or_insert_with(|| (Arc::clone(part), None));
             }
-            pending.extend(whole.parts());
+            pending.extend(node.parts());
         }
     }
 
-    /// Whether a term is that of a part that is opened once: its address stands for it.
+    /// Whether the term is a cached one, which its address then identifies.
     #[must_use]
     pub fn is_kept(&self, term: &Term) -> bool {
         let parts = self.parts.borrow();
         parts.terms.contains(&Arc::as_ptr(&term.node).addr())
     }
 
-    /// The term of a part that was opened before.
+    /// The cached term of a part.
     pub(super) fn kept(&self, expr: &Expr, scope: &Scope) -> Option<Term> {
         let parts = self.parts.borrow();
-        let known = parts.opened.get(&std::ptr::from_ref(expr).addr())?;
-        known.1.clone().filter(|_| scope.is_outermost())
+        let entry = parts.opened.get(&std::ptr::from_ref(expr).addr())?;
+        entry.1.clone().filter(|_| scope.is_outermost())
     }
 
     pub(super) fn keep(&self, expr: &Expr, scope: &Scope, term: &Term) {
@@ -65,7 +65,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// The direct parts that copies of a formula share.
+/// The direct parts that are shared by pointer between copies of a formula.
 fn shared(formula: &Expr) -> Vec<&Arc<Expr>> {
     match &formula.node {
         Node::Call(only, _)

@@ -1,22 +1,23 @@
-//! Arbitrary smooth functions: from values of functions to their jets.
+//! Arbitrary smooth functions, replaced by their jets (values and derivatives at points).
 //!
-//! A declared smooth function is any function with derivatives of all orders, and a formula sees of it a few values
-//! and derivatives at a few places. By Taylor's theorem the derivatives of a formula at a place depend on those of the
-//! function there, up to their order, and on nothing else; and by Hermite's interpolation there is a polynomial, so a
-//! smooth function, with any given derivatives up to a finite order at finitely many different places. So "for all smooth
-//! functions" says the same as "for all values of `c(u)`, `c'(u)`, `c''(u)`, ...", and these are symbols like all others.
+//! A declared smooth function is any function with derivatives of all orders, and a formula evaluates a few of its
+//! derivatives at a few places. By Taylor's theorem the derivatives of a formula at a place depend on those of the
+//! function there, up to the order of the derivative, and on nothing else. By Hermite interpolation there is a
+//! polynomial, hence a smooth function, with any given derivatives up to a finite order at finitely many different
+//! places. So "for all smooth functions" is equivalent to "for all values of `c(u)`, `c'(u)`, `c''(u)`, ...", and
+//! these become symbols like any others.
 //!
-//! While formulas are opened, `c(t)` is a member of the family of the values of c, [`Node::Member`] with t for an index.
-//! Here these become
+//! While formulas are opened, `c(t)` is a member of the family of the values of c: [`Node::Member`] with the index t.
+//! Then these members are replaced:
 //!
-//! * `c^(k)(u)`, where nothing is differentiated: the symbol of this name;
+//! `c^(k)(u)`, outside of any derivative: by the symbol of this name;
 //! * inside of derivatives by variables in t, Taylor's polynomial about the place, whose degree is the sum of their orders: a
 //!   mixed derivative of the orders m and n sees m + n derivatives of the function. A derivative
 //!   whose formula sees such a function is taken by the difference from the place, `D(e(x), x)` at u as `D(e(u + h), h)` at 0,
 //!   which keeps the polynomials short.
 //!
-//! Two places of one function have to be different for all values in the declared sets; otherwise their values are not
-//! independent, and the formula is refused.
+//! Two places of one function have to be different for all values in the declared sets. Otherwise the values there
+//! are not independent, and the formula is refused.
 
 mod place;
 
@@ -32,13 +33,13 @@ use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Expr, Operator, Place};
 use torse_syntax::notation;
 
-/// The highest order of a derivative of a smooth function.
+/// The largest order of a derivative of a smooth function.
 const MAX_ORDER: usize = 12;
 
-/// Where the variables of enclosing binders are; `None` for what takes no place of a function.
+/// The places of the variables of enclosing binders; `None` for a variable that is no place of a function.
 type Scope = BTreeMap<u32, Option<At>>;
 
-/// A derivative of a smooth function, not yet anywhere.
+/// A derivative of a smooth function, before its argument is resolved to a place.
 struct Pure {
     function: Arc<str>,
     dimension: Option<u8>,
@@ -46,17 +47,17 @@ struct Pure {
     argument: Argument,
 }
 
-/// Where a [`Pure`] derivative is taken.
+/// The argument of a [`Pure`] derivative.
 #[derive(Clone)]
 enum Argument {
-    /// At the value of a variable.
+    /// The variable of this number.
     Variable(u32),
-    /// At a place.
+    /// A place.
     At(Box<At>),
 }
 
 impl Elaborator<'_> {
-    /// The declared smooth function of this name: the family of its values.
+    /// The declared smooth function of this name, as the family of its values.
     pub(super) fn smooth(&self, name: &str, dimension: Option<u8>, place: Place) -> Lambda {
         let name: Arc<str> = Arc::from(name);
         let parameter = self.fresh("x");
@@ -73,7 +74,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// The term with its smooth functions replaced by their jets.
+    /// Replaces the smooth functions in a term by their jets.
     pub(super) fn in_jets(&self, term: Term) -> Outcome<Term> {
         if !self.declarations().has_functions() {
             return Ok(term);
@@ -86,7 +87,7 @@ impl Elaborator<'_> {
         work.term(&term, &Scope::new())
     }
 
-    /// The statement with its smooth functions replaced by their jets.
+    /// Replaces the smooth functions in a statement by their jets.
     pub(super) fn statement_in_jets(&self, statement: Statement) -> Outcome<Statement> {
         if !self.declarations().has_functions() {
             return Ok(statement);
@@ -94,13 +95,14 @@ impl Elaborator<'_> {
         statement.try_mapped(&|term| self.in_jets(term.clone()))
     }
 
-    /// A derivative of a function at a place: its symbol. The place is kept, and has to be apart from the others.
+    /// The symbol of a derivative of a function at a place. Records the place, and fails unless it is different from
+    /// all other places of the function.
     fn jet(&self, pure: &Pure, order: usize, at: &At, place: Place) -> Outcome<Node> {
         let mut places = self.places.borrow_mut();
-        let known = places.entry(Arc::clone(&pure.function)).or_default();
+        let known_places = places.entry(Arc::clone(&pure.function)).or_default();
         let argument = notation::text(&at.name);
-        if !known.contains_key(&argument) {
-            for (other, before) in known.iter() {
+        if !known_places.contains_key(&argument) {
+            for (other, before) in known_places.iter() {
                 if !apart(self.declarations(), &before.kind, &at.kind) {
                     let function = &pure.function;
                     return Err(Fault::limit(
@@ -112,7 +114,7 @@ impl Elaborator<'_> {
                     ));
                 }
             }
-            known.insert(argument, at.clone());
+            known_places.insert(argument, at.clone());
         }
         let head = Expr::name(&format!("{}{}", pure.function, "'".repeat(order)));
         let call = torse_syntax::formula::Node::Call(Arc::new(head), vec![at.name.clone()]);
@@ -124,7 +126,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// One walk over a term.
+/// One traversal of a term.
 struct Lowering<'e, 'a> {
     elaborator: &'e Elaborator<'a>,
     mentions: RefCell<BTreeMap<usize, bool>>,
@@ -154,7 +156,7 @@ impl Lowering<'_, '_> {
         Ok(())
     }
 
-    /// The function whose value this node is.
+    /// The smooth function whose value this node is, with its dimension and its argument.
     fn function<'t>(&self, node: &'t Node) -> Option<(&'t Arc<str>, Option<u8>, &'t Term)> {
         let Node::Member(points, indices) = node else {
             return None;
@@ -170,7 +172,7 @@ impl Lowering<'_, '_> {
         is_function.then_some((&points.name, points.dimension, argument))
     }
 
-    /// Whether a smooth function occurs. Shared parts are visited once.
+    /// Whether a smooth function occurs. The answer is cached for shared parts.
     fn mentions(&self, term: &Term) -> bool {
         let key = Arc::as_ptr(&term.node).addr();
         if let Some(known) = self.mentions.borrow().get(&key) {
@@ -268,19 +270,19 @@ impl Lowering<'_, '_> {
         let difference = self.elaborator.fresh(variable.name());
         let step = self.made(Node::Variable(difference.clone()), place);
         let mut inside = scope.clone();
-        let here = match (self.at(at, scope)?, is_literal(order)) {
-            (Some(here), Some(order)) => {
-                let mut here = self.settled(here, outside.clone());
-                here.orders.insert(difference.number(), order);
-                here.difference = Difference::Term(match here.difference {
+        let moved_place = match (self.at(at, scope)?, is_literal(order)) {
+            (Some(moved_place), Some(order)) => {
+                let mut moved_place = self.settled(moved_place, outside.clone());
+                moved_place.orders.insert(difference.number(), order);
+                moved_place.difference = Difference::Term(match moved_place.difference {
                     Difference::Term(before) => self.binary(Operator::Add, before, step.clone()),
                     _ => step.clone(),
                 });
-                Some(here)
+                Some(moved_place)
             }
             _ => None,
         };
-        inside.insert(variable.number(), here);
+        inside.insert(variable.number(), moved_place);
         let moved = Node::Let {
             variable: variable.clone(),
             value: self.binary(Operator::Add, outside, step),
@@ -297,7 +299,7 @@ impl Lowering<'_, '_> {
         Ok(self.made(node, place))
     }
 
-    /// The function and its derivatives at a place, as far as the derivatives around it look.
+    /// The Taylor polynomial of a function about a place, up to the total order of the enclosing derivatives.
     fn taylor(&self, pure: &Pure, at: &At, place: Place) -> Outcome<Term> {
         let order = at.order();
         if pure.order.saturating_add(order) > MAX_ORDER {
@@ -331,7 +333,7 @@ impl Lowering<'_, '_> {
         Ok(sum)
     }
 
-    /// A term that is a derivative of a smooth function, with nothing else in it.
+    /// Recognizes a term that is nothing but a derivative of a smooth function.
     fn pure(
         &self,
         term: &Term,
@@ -354,7 +356,7 @@ impl Lowering<'_, '_> {
                 body,
             } => {
                 let mut inside = names.clone();
-                // What is called has to have a value, even if it is not used.
+                // The argument must have a value even if the body does not use it.
                 inside.insert(variable.number(), Some(self.argument(value, scope, names)?));
                 self.pure(body, scope, &inside)
             }
@@ -377,7 +379,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// What an argument comes down to.
+    /// Resolves an argument to a variable or a place.
     fn argument(
         &self,
         term: &Term,
@@ -389,7 +391,7 @@ impl Lowering<'_, '_> {
                 Some(known) => known.clone(),
                 None => Some(Argument::Variable(variable.number())),
             },
-            // Anything else may mention the names of functions in between.
+            // Other terms may contain parameters of the functions in between, which are not resolved here.
             _ if names.is_empty() || term.is_closed() => {
                 let at = self.at(term, scope).ok()??;
                 let at = match at.difference {

@@ -1,4 +1,4 @@
-//! The places at which smooth functions are taken, and which of them are certainly different.
+//! The places at which smooth functions are evaluated, and which places are certainly different.
 
 use super::{Lowering, Pure, Scope};
 use crate::elaborator::Outcome;
@@ -10,24 +10,24 @@ use torse_numbers::{Rational, rational};
 use torse_syntax::derivation::declarations::{Bound, Declarations, Interval, SymbolKind};
 use torse_syntax::formula::{self, Expr, Operator};
 
-/// The place of an argument, and how far the variables of enclosing derivatives lead away from it.
+/// The place of an argument, and how far enclosing derivatives move the argument away from it.
 #[derive(Debug, Clone)]
 pub(in crate::elaborator) struct At {
     /// The place as a formula in declared symbols.
     pub(super) name: Expr,
-    /// The same, as a term.
+    /// The same formula as a term.
     pub(super) place: Term,
-    /// What is known of it.
+    /// The kind of place, by which places are distinguished.
     pub(super) kind: Kind,
     /// The argument minus the place.
     pub(super) difference: Difference,
-    /// The orders of the derivatives around it that move the argument, by their variables. What is moved by several of them
-    /// is differentiated by all.
+    /// The orders of the enclosing derivatives that move the argument, by their variables. An argument that depends
+    /// on several of these variables is differentiated by all of them.
     pub(super) orders: BTreeMap<u32, usize>,
 }
 
 impl At {
-    /// How often the derivatives around it may differentiate the argument, all together.
+    /// The total order of the enclosing derivatives.
     pub(super) fn order(&self) -> usize {
         let orders = self.orders.values();
         if injected(InjectedFault::OrdersByMaximum) {
@@ -37,18 +37,18 @@ impl At {
     }
 }
 
-/// An argument minus its place.
+/// The argument minus its place.
 #[derive(Debug, Clone)]
 pub(in crate::elaborator) enum Difference {
-    /// They are the same.
+    /// Zero: the argument is the place.
     Nothing,
     /// This term.
     Term(Term),
-    /// Not written yet.
+    /// Not computed yet.
     Open,
 }
 
-/// What tells places apart.
+/// The kind of a place, by which places are distinguished.
 #[derive(Debug, Clone)]
 pub(in crate::elaborator) enum Kind {
     /// A rational number.
@@ -60,7 +60,7 @@ pub(in crate::elaborator) enum Kind {
 }
 
 impl Lowering<'_, '_> {
-    /// The same with the difference written, from a term that has the value of the argument.
+    /// Computes the difference if it is open; `argument` is a term with the value of the argument.
     pub(super) fn settled(&self, mut at: At, argument: Term) -> At {
         if matches!(at.difference, Difference::Open) {
             let difference = self.binary(Operator::Subtract, argument, at.place.clone());
@@ -69,8 +69,8 @@ impl Lowering<'_, '_> {
         at
     }
 
-    /// The place of a term; none if it takes no place of a function. A place has a value for all values of the symbols, since
-    /// the symbol that stands for a derivative there has one.
+    /// The place of a term; `None` if the term cannot be a place of a function. A place has a value for all values of
+    /// the symbols, because the symbol of the derivative there has one.
     pub(super) fn at(&self, term: &Term, scope: &Scope) -> Outcome<Option<At>> {
         self.count(term.place)?;
         let still = |name: Expr, kind: Kind| At {
@@ -143,7 +143,7 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// The place of what is made of others.
+    /// The place of a term composed of parts whose places are known.
     fn composed(
         &self,
         term: &Term,
@@ -160,9 +160,10 @@ impl Lowering<'_, '_> {
             },
             place: self.made(place, term.place),
             kind,
-            difference: match parts.iter().all(same) {
-                true => Difference::Nothing,
-                false => Difference::Open,
+            difference: if parts.iter().all(same) {
+                Difference::Nothing
+            } else {
+                Difference::Open
             },
             orders: {
                 let orders = parts.iter().flat_map(|part| &part.orders);
@@ -202,7 +203,7 @@ pub(in crate::elaborator) fn apart(declarations: &Declarations, one: &Kind, othe
     below(&one, &other) || below(&other, &one)
 }
 
-/// Whether all of an interval with rational ends is below all of another one.
+/// Whether the interval `low` lies entirely below the interval `high`; both have rational ends.
 fn below(low: &Interval, high: &Interval) -> bool {
     let (Some(upper), Some(lower)) = (&low.upper, &high.lower) else {
         return false;
@@ -213,7 +214,7 @@ fn below(low: &Interval, high: &Interval) -> bool {
     }
 }
 
-/// Whether the operation always has a value.
+/// Whether the operation has a value for all operands, given the second one.
 fn is_total(operator: Operator, second: &Kind) -> bool {
     match (operator, second) {
         (Operator::Divide, Kind::Number(b)) => *b != rational::integer(0),
@@ -223,7 +224,7 @@ fn is_total(operator: Operator, second: &Kind) -> bool {
     }
 }
 
-/// A quotient of numbers is a number, which may be written in several ways.
+/// The kind of a quotient: quotients of numbers are compared by value, since they can be written in several ways.
 fn quotient(operator: Operator, a: &Kind, b: &Kind) -> Kind {
     match (operator, a, b) {
         (Operator::Divide, Kind::Number(a), Kind::Number(b)) if *b != rational::integer(0) => {
