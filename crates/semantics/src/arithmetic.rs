@@ -1,26 +1,26 @@
 //! The numbers a term is evaluated in.
 //!
-//! The evaluator is written once over [`Arithmetic`] and runs on real numbers that are exact where they can be and
-//! enclosed where they cannot ([`Reals`](crate::Reals)), and on quotients of polynomials
-//! ([`Polynomials`](crate::Polynomials)), which turn a statement at fixed small degrees into an identity.
+//! The evaluator is generic over [`Arithmetic`]. It runs on real numbers that are exact where possible and enclosed
+//! elsewhere ([`Reals`](crate::Reals)), and on quotients of polynomials ([`Polynomials`](crate::Polynomials)), for
+//! which a statement at fixed small degrees is an identity.
 
 use crate::no_value::{NoValue, Work};
 use std::fmt::Debug;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
-/// How two numbers compare.
+/// The result of comparing two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Comparison {
-    /// They are the same.
+    /// They are equal.
     Equal,
     /// The first is less.
     Less,
     /// The first is greater.
     Greater,
-    /// They are different; an order is not known, or there is none.
+    /// They are different; the order is not known, or does not exist.
     Apart,
-    /// They agree to so many digits that they count as equal, but no proof says so.
+    /// They agree to so many digits that they count as equal, but this is not proved.
     Near,
     /// Not known.
     Open,
@@ -28,8 +28,8 @@ pub enum Comparison {
 
 /// Arithmetic with numbers of one kind.
 ///
-/// Every operation returns the value of the mathematical operation, or says that it is undefined, or that it is not
-/// known; it spends work.
+/// Every operation spends work, and returns the exact value of the mathematical operation (an enclosure of it for
+/// balls), or an error that says that it is undefined or unknown.
 pub trait Arithmetic {
     /// A number.
     type Number: Clone + Debug + PartialEq;
@@ -45,13 +45,13 @@ pub trait Arithmetic {
         self.rational(&integer(n))
     }
 
-    /// The circle number.
+    /// The number pi.
     fn pi(&self) -> Self::Number;
 
     /// `a + b`.
     ///
     /// # Errors
-    /// [`NoValue::Unknown`] for too much work.
+    /// [`NoValue::Unknown`] if the budget of work is spent.
     fn plus(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, NoValue>;
 
     /// `-a`.
@@ -60,16 +60,16 @@ pub trait Arithmetic {
     /// `a * b`.
     ///
     /// # Errors
-    /// [`NoValue::Unknown`] for too much work or numbers that grow too large.
+    /// [`NoValue::Unknown`] if the budget of work is spent or the result is too large.
     fn times(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, NoValue>;
 
     /// `a / b`.
     ///
     /// # Errors
-    /// [`NoValue::Undefined`] if b is zero, [`NoValue::Unknown`] if that is not known.
+    /// [`NoValue::Undefined`] if b is zero, [`NoValue::Unknown`] if it is not known whether b is zero.
     fn over(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, NoValue>;
 
-    /// The root that is not negative.
+    /// The nonnegative square root.
     ///
     /// # Errors
     /// [`NoValue::Undefined`] for negative numbers, [`NoValue::Unknown`] if the sign is not known.
@@ -78,28 +78,29 @@ pub trait Arithmetic {
     /// `(sin a, cos a)` of an angle in radians.
     ///
     /// # Errors
-    /// [`NoValue::Unknown`] where they cannot be expressed.
+    /// [`NoValue::Unknown`] if the result cannot be expressed.
     fn sine_cosine(&self, a: &Self::Number) -> Result<(Self::Number, Self::Number), NoValue>;
 
     /// The exponential of a.
     ///
     /// # Errors
-    /// [`NoValue::Unknown`] where it cannot be expressed.
+    /// [`NoValue::Unknown`] if the result cannot be expressed.
     fn exponential(&self, a: &Self::Number) -> Result<Self::Number, NoValue>;
 
     /// Whether the number is zero; `None` if that is not known.
     fn is_zero(&self, a: &Self::Number) -> Option<bool>;
 
-    /// The number, if it is known to be this rational one.
+    /// The rational value, if the number is known to be rational.
     fn as_rational(&self, a: &Self::Number) -> Option<Rational>;
 
-    /// A bound of the size of the number as a power of two, if it has a size.
+    /// A bound of the absolute value as a power of two, if the numbers have absolute values.
     fn bit_length(&self, a: &Self::Number) -> Option<u64>;
 
-    /// How a compares with b; where numbers satisfy their equations only nearly, those that differ by little count as open.
+    /// Compares two numbers. With `near`, the point satisfies its equations only approximately, and numbers that
+    /// differ by little count as open.
     ///
     /// # Errors
-    /// [`NoValue::Unknown`] for too much work.
+    /// [`NoValue::Unknown`] if the budget of work is spent.
     fn compare(
         &self,
         a: &Self::Number,
@@ -114,18 +115,19 @@ pub trait Arithmetic {
         })
     }
 
-    /// Some number between two, of which nothing else is known; `None` for arithmetics that know no order.
+    /// A number of which nothing is known but that it lies between two bounds; `None` for arithmetics without an
+    /// order.
     fn between(&self, _low: &Rational, _high: &Rational) -> Option<Self::Number> {
         None
     }
 
-    /// Shares of the way between the ends of an integral, and how much the integrand counts there, where such a sum stands for
-    /// the integral: none but where two readings of one text are compared.
+    /// Nodes (as fractions of the interval of integration) and weights of a sum that replaces integrals. Only the
+    /// arithmetic that compares two readings of a text has one; for it any functional of the integrand will do.
     fn stands_for_integral(&self) -> Option<[(Rational, Rational); 2]> {
         None
     }
 
-    /// Whether it makes no difference to what is told of numbers if this one is added.
+    /// Whether adding this number changes no comparison.
     fn is_negligible(&self, a: &Self::Number) -> bool {
         self.is_zero(a) == Some(true)
     }

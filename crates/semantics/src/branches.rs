@@ -1,8 +1,10 @@
-//! The thin parts of a domain on which a statement may fail though it holds elsewhere, as the text shows them.
+//! The thin parts of a domain on which a statement may fail although it holds elsewhere, found from the text.
 //!
-//! Points that are drawn at random satisfy an equation where it is easily solved. Where a coefficient vanishes the same equation
-//! says something else: `x*(y^2 - 2) == 0` holds for x = 0, and where `y^2 == 2` for every x. So for each equation among hypotheses
-//! and premises, and each symbol in it, the points are looked for at which the equation does not move with the symbol; besides
+//! Random points satisfy an equation where it is easily solved. But where a coefficient vanishes, the equation means
+//! something else: `x*(y^2 - 2) == 0` holds for x = 0, and for every x if `y^2 == 2`. So for each equation among
+//! hypotheses and premises and each symbol in it, points are sought at which the derivative of the equation by the
+//! symbol vanishes; also points at which a premise is true, and points at which both sides of a comparison in the
+//! statement are equal.
 //! those at which a premise is true, and those at which both sides of a comparison in the statement are equal.
 
 use crate::domain::constraints::constraints;
@@ -13,20 +15,20 @@ use torse_numbers::rational::integer;
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 use torse_syntax::formula::{Connective, Expr, Node, Operator, Relation};
 
-/// How many parts of one domain are visited.
+/// The largest number of parts of one domain that are visited.
 const MAX_BRANCHES: usize = 12;
-/// How deep definitions of statements are opened.
+/// The largest depth to which definitions of statements are opened.
 const MAX_OPENED: u32 = 16;
 
 /// A thin part of a domain.
 pub(crate) struct Branch {
-    /// What is satisfied first.
+    /// The equation that is satisfied before all others.
     pub first: Expr,
-    /// All that is true there besides the hypotheses.
+    /// All that is assumed there in addition to the hypotheses.
     pub inside: Expr,
 }
 
-/// The thin parts of a domain, in the order in which they are visited.
+/// The thin parts of a domain, in the order of visits.
 pub(crate) fn branches(reading: &Reading<'_>) -> Vec<Branch> {
     let declarations = reading.declarations();
     let mut found = Found::default();
@@ -41,7 +43,7 @@ pub(crate) fn branches(reading: &Reading<'_>) -> Vec<Branch> {
             first: Expr::clone(premise),
             inside: Expr::clone(premise),
         });
-        for first in resting(declarations, &equations) {
+        for first in stationary(declarations, &equations) {
             let both = (Arc::new(first.clone()), Arc::new(Expr::clone(premise)));
             all.push(Branch {
                 first,
@@ -50,7 +52,7 @@ pub(crate) fn branches(reading: &Reading<'_>) -> Vec<Branch> {
         }
     }
     let assumed: Vec<&Expr> = reading.hypotheses().collect();
-    let rates = resting(declarations, &equations(declarations, &assumed));
+    let rates = stationary(declarations, &equations(declarations, &assumed));
     let sides = found.sides.iter();
     let sides = sides.map(|(left, right)| equal((*left).clone(), (*right).clone()));
     all.extend(rates.into_iter().chain(sides).map(|inside| Branch {
@@ -61,15 +63,15 @@ pub(crate) fn branches(reading: &Reading<'_>) -> Vec<Branch> {
     all
 }
 
-/// The equations that are true wherever all of these are.
+/// The equations that hold wherever all of these statements are true.
 fn equations<'a>(declarations: &'a Declarations, trees: &[&'a Expr]) -> Vec<(&'a Expr, &'a Expr)> {
     let all = constraints(declarations, trees).into_iter();
     let equations = all.filter(|(relation, ..)| *relation == Relation::Equal);
     equations.map(|(_, left, right)| (left, right)).collect()
 }
 
-/// That an equation does not move with a symbol, for each equation and each symbol in it.
-fn resting(declarations: &Declarations, equations: &[(&Expr, &Expr)]) -> Vec<Expr> {
+/// For each equation and each symbol in it: the statement that the derivative of the equation by the symbol vanishes.
+fn stationary(declarations: &Declarations, equations: &[(&Expr, &Expr)]) -> Vec<Expr> {
     let mut all = vec![];
     for (left, right) in equations {
         let difference = Expr::clone(left).with(Operator::Subtract, Expr::clone(right));
@@ -89,7 +91,7 @@ fn equal(left: Expr, right: Expr) -> Expr {
     ))
 }
 
-/// The declared real numbers that are written in formulas.
+/// The declared real numbers that occur in formulas.
 fn numbers_in<'a>(declarations: &Declarations, trees: [&'a Expr; 2]) -> BTreeSet<&'a str> {
     let names = trees.into_iter().flat_map(Expr::names);
     let numbers = names.filter(|name| {
@@ -99,11 +101,11 @@ fn numbers_in<'a>(declarations: &Declarations, trees: [&'a Expr; 2]) -> BTreeSet
     numbers.collect()
 }
 
-/// What a statement has in it.
+/// The parts of a statement that give rise to branches.
 #[derive(Default)]
 struct Found<'a> {
     premises: Vec<&'a Expr>,
-    /// The sides of comparisons that are no equations.
+    /// The sides of comparisons other than equations.
     sides: Vec<(&'a Expr, &'a Expr)>,
 }
 

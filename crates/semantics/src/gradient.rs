@@ -1,7 +1,8 @@
-//! Numbers to first order: a value together with its rates of change by some numbers of the point.
+//! Numbers to first order: a value with its derivatives by some numbers of the point (forward automatic
+//! differentiation).
 //!
-//! One evaluation of a term gives its value and its gradient, by the rules of the sum, the product, the quotient and
-//! the chain. Numbers that nothing changes have no rates and cost what they cost in the arithmetic that is extended.
+//! One evaluation of a term yields its value and its gradient, by the rules for sums, products, quotients and the
+//! chain rule. Constants have no derivatives and cost as much as in the underlying arithmetic.
 
 use crate::arithmetic::Arithmetic;
 use crate::name::Name;
@@ -14,29 +15,29 @@ use torse_numbers::Rational;
 
 type Outcome<A> = Result<Gradient<<A as Arithmetic>::Number>, NoValue>;
 
-/// A value, and how it changes with some numbers. A copy costs little.
+/// A value with its derivatives. Cloning is cheap.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gradient<N> {
     /// The value.
     pub value: N,
-    /// How it changes; nothing for what is constant.
+    /// The derivatives; `None` for a constant.
     change: Option<Rc<Change<N>>>,
 }
 
-/// How fast a value changes with each number, and by which numbers a second derivative may not be zero.
+/// The derivatives of a value, and the variables by which a second derivative may be nonzero.
 #[derive(Debug, Clone, PartialEq)]
 struct Change<N> {
-    /// The rates that are not zero, in the order of the numbers.
+    /// The nonzero derivatives, in the order of the variables.
     rates: Vec<(Variable, N)>,
-    /// The numbers that do not occur linearly, in order.
+    /// The variables that occur nonlinearly, in order.
     curved: Vec<Variable>,
 }
 
-/// A number of the point, by its position in [`Gradients::names`].
+/// A variable, by its position in [`Gradients::names`].
 type Variable = u32;
 
 impl<N> Gradient<N> {
-    /// What nothing changes.
+    /// A constant.
     pub fn constant(value: N) -> Self {
         Self {
             value,
@@ -52,18 +53,18 @@ impl<N> Gradient<N> {
         self.change.as_ref().map_or(&[], |change| &change.curved)
     }
 
-    /// The numbers with a rate, in order.
+    /// The variables by which the derivative is nonzero, in order.
     fn moving(&self) -> Vec<Variable> {
         self.rates().iter().map(|(variable, _)| *variable).collect()
     }
 
-    /// Every number that occurs, in order.
+    /// All variables that occur, in order.
     fn variables(&self) -> Vec<Variable> {
         union(&self.moving(), self.curved())
     }
 }
 
-/// All of two ordered lists, in order.
+/// The union of two ordered lists, in order.
 fn union(xs: &[Variable], ys: &[Variable]) -> Vec<Variable> {
     if ys.is_empty() {
         return xs.to_vec();
@@ -77,19 +78,19 @@ fn union(xs: &[Variable], ys: &[Variable]) -> Vec<Variable> {
     all
 }
 
-/// The arithmetic of numbers to first order, over an arithmetic of their values.
+/// The arithmetic of numbers to first order over an arithmetic of values.
 pub struct Gradients<A> {
     base: A,
-    /// The numbers that values change with.
+    /// The names of the variables.
     names: RefCell<Vec<Name>>,
-    /// Numbers that an index, a degree or an exponent depends on: they have no rates.
+    /// Variables on which an index, a degree or an exponent depends; they must not be differentiated by.
     discrete: RefCell<BTreeSet<Variable>>,
-    /// Whether two values that change were multiplied.
+    /// Whether two values that are not constant were multiplied.
     multiplied: Cell<bool>,
 }
 
 impl<A: Arithmetic> Gradients<A> {
-    /// An arithmetic in which nothing changes yet.
+    /// An arithmetic without variables.
     pub fn new(base: A) -> Self {
         Self {
             base,
@@ -99,7 +100,7 @@ impl<A: Arithmetic> Gradients<A> {
         }
     }
 
-    /// The number of this name, which has this value and may change.
+    /// The variable of this name, with its value.
     pub fn variable(&self, name: &Name, value: A::Number) -> Gradient<A::Number> {
         let mut names = self.names.borrow_mut();
         let known = names.iter().position(|other| other == name);
@@ -124,28 +125,30 @@ impl<A: Arithmetic> Gradients<A> {
             .cloned()
     }
 
-    /// The rates of a value that are not zero.
-    pub fn rates(&self, of: &Gradient<A::Number>) -> BTreeMap<Name, A::Number> {
-        let rates = of.rates().iter();
+    /// The nonzero derivatives of a value.
+    pub fn rates(&self, gradient: &Gradient<A::Number>) -> BTreeMap<Name, A::Number> {
+        let rates = gradient.rates().iter();
         let named =
             rates.filter_map(|(variable, rate)| Some((self.named(*variable)?, rate.clone())));
         named.collect()
     }
 
-    /// The numbers that do not occur linearly in a value.
-    pub fn curved(&self, of: &Gradient<A::Number>) -> BTreeSet<Name> {
-        of.curved()
+    /// The variables that occur nonlinearly in a value.
+    pub fn curved(&self, gradient: &Gradient<A::Number>) -> BTreeSet<Name> {
+        gradient
+            .curved()
             .iter()
             .filter_map(|variable| self.named(*variable))
             .collect()
     }
 
-    /// Whether two values that change were multiplied: numbers that occur linearly do not do so together then.
+    /// Whether two values that are not constant were multiplied. Then variables that occur linearly may not do so
+    /// jointly.
     pub fn multiplied(&self) -> bool {
         self.multiplied.get()
     }
 
-    /// Numbers that an index, a degree or an exponent depended on.
+    /// The variables on which an index, a degree or an exponent depended.
     pub fn discrete(&self) -> BTreeSet<Name> {
         let discrete = self.discrete.borrow();
         discrete
@@ -154,7 +157,7 @@ impl<A: Arithmetic> Gradients<A> {
             .collect()
     }
 
-    /// `p x + q y` to first order, where p and q are the rates of an operation with this value.
+    /// `p x + q y` to first order, where p and q are the partial derivatives of an operation with this value.
     fn combined(
         &self,
         value: A::Number,
@@ -162,10 +165,10 @@ impl<A: Arithmetic> Gradients<A> {
         (q, y): (&A::Number, &Gradient<A::Number>),
         curved: Vec<Variable>,
     ) -> Outcome<A> {
-        // A factor of zero leaves no rates.
-        let counted = |factor: &A::Number, of: &'_ Gradient<A::Number>| {
+        // A zero factor contributes no derivatives.
+        let counted = |factor: &A::Number, gradient: &'_ Gradient<A::Number>| {
             let none = self.base.is_zero(factor) == Some(true);
-            if none { 0 } else { of.rates().len() }
+            if none { 0 } else { gradient.rates().len() }
         };
         let mut xs = x.rates().iter().take(counted(p, x)).peekable();
         let mut ys = y.rates().iter().take(counted(q, y)).peekable();
@@ -199,7 +202,7 @@ impl<A: Arithmetic> Gradients<A> {
         })
     }
 
-    /// The sums of two ordered lists of rates.
+    /// The sum of two ordered lists of derivatives.
     fn sums(
         &self,
         xs: &[(Variable, A::Number)],
@@ -226,7 +229,7 @@ impl<A: Arithmetic> Gradients<A> {
         }
     }
 
-    /// What changes like this, times a constant: the product has this value.
+    /// The product of a constant factor and a number with this change; `value` is the value of the product.
     fn multiple(
         &self,
         value: A::Number,
@@ -249,7 +252,7 @@ impl<A: Arithmetic> Gradients<A> {
         })
     }
 
-    /// A function with this value and this rate, at x.
+    /// The chain rule: a function with this value and this derivative, at x.
     fn chain(&self, value: A::Number, rate: &A::Number, x: &Gradient<A::Number>) -> Outcome<A> {
         let none = self.base.integer(0);
         let constant = Gradient::constant(none.clone());
@@ -312,7 +315,7 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
             (None, None) => return Ok(Gradient::constant(value)),
         }
         self.multiplied.set(true);
-        // What occurs on both sides does not occur linearly in the product.
+        // A variable that occurs in both factors occurs nonlinearly in the product.
         let (mut shared, right) = (a.variables(), b.variables());
         shared.retain(|variable| right.binary_search(variable).is_ok());
         let curved = union(&union(a.curved(), b.curved()), &shared);
@@ -324,7 +327,7 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
         if a.change.is_none() && b.change.is_none() {
             return Ok(Gradient::constant(value));
         }
-        // a/b changes by 1/b with a and by -(a/b)/b with b.
+        // The derivatives of a/b are 1/b by a, and -(a/b)/b by b.
         let one = self.base.integer(1);
         let with_a = self.base.over(&one, &b.value)?;
         let with_b = self.base.negated(&self.base.over(&value, &b.value)?);
@@ -363,7 +366,7 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
         self.chain(power.clone(), &power, a)
     }
 
-    /// Whether the value is zero whatever the numbers are; `None` where it is zero at the point alone.
+    /// Whether the value is zero for all values of the variables; `None` if it is zero at this point only.
     fn is_zero(&self, a: &Self::Number) -> Option<bool> {
         match self.base.is_zero(&a.value) {
             Some(true) if a.change.is_some() => None,

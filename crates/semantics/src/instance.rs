@@ -1,8 +1,8 @@
 //! Statements at fixed small integers, as identities.
 //!
-//! With every integer of the claim fixed, an equation is an identity of quotients of polynomials in the other symbols:
-//! decided exactly, at every point where its divisors are not zero. That needs hypotheses that fix nothing but
-//! integers; a claim with other equations is left to the points of its domain.
+//! With every integer of the claim fixed, an equation is an identity of quotients of polynomials in the other
+//! symbols, which is decided exactly at every point where no divisor vanishes. This requires hypotheses that
+//! constrain only integers; claims with other equations are checked at points of their domain.
 
 use crate::arithmetic::Arithmetic;
 use crate::domain::Domain;
@@ -17,11 +17,11 @@ use torse_numbers::rational::integer;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
-/// How many values of an integer without an upper bound are taken.
+/// The number of values taken for an integer without an upper bound.
 const SPAN: i64 = 3;
-/// How many values of a bounded one.
+/// The largest number of values taken for a bounded integer.
 const RANGE: i64 = 12;
-/// The most instances of one claim.
+/// The largest number of instances of one claim.
 const MAX_INSTANCES: usize = 24;
 
 /// Values of the integers of a claim.
@@ -36,17 +36,17 @@ impl fmt::Display for Instance {
     }
 }
 
-/// What an equation is at one instance.
+/// The result for an equation at one instance.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Identity {
     /// Both sides are the same function.
     Holds,
-    /// They are not: the difference has so many terms.
+    /// The sides are different functions.
     Differs {
-        /// The number of terms.
+        /// The number of terms of the difference.
         terms: usize,
     },
-    /// The instance is no instance of the domain.
+    /// The instance does not belong to the domain.
     Outside,
     /// A term is undefined at every point.
     Undefined(Undefined),
@@ -63,8 +63,8 @@ impl From<NoValue> for Identity {
     }
 }
 
-/// The smallest instances of a claim: all values of short ranges, the least ones of unbounded integers, in different
-/// combinations. One empty instance for a claim without integers.
+/// The smallest instances of a claim: all values of short ranges and the smallest values of unbounded integers, in
+/// different combinations. A claim without integers has one empty instance.
 #[must_use]
 pub fn instances(reading: &Reading<'_>) -> Vec<Instance> {
     let mut pending: Vec<(Arc<str>, &SymbolKind)> = reading
@@ -73,7 +73,7 @@ pub fn instances(reading: &Reading<'_>) -> Vec<Instance> {
         .filter(|(_, set)| matches!(set, SymbolKind::Integer { .. }))
         .collect();
     let mut all = vec![Instance::default()];
-    // Integers whose bounds name others come after those.
+    // Integers whose bounds refer to others come after those.
     while !pending.is_empty() {
         let ready = pending.iter().position(|(_, set)| {
             bounds(set).all(|form| {
@@ -96,7 +96,7 @@ pub fn instances(reading: &Reading<'_>) -> Vec<Instance> {
             })
             .collect();
         if all.len() > MAX_INSTANCES {
-            // The smallest ones, by the sum of the values.
+            // Keep the smallest ones by the sum of the absolute values.
             all.sort_by_key(|instance| instance.0.values().map(|v| v.abs()).sum::<i64>());
             all.truncate(MAX_INSTANCES);
         }
@@ -131,9 +131,9 @@ fn values(set: &SymbolKind, instance: &Instance) -> std::ops::RangeInclusive<i64
     }
 }
 
-/// Decides a conjunction of equations about the domain of a claim at one instance, with a budget of work.
+/// Decides a conjunction of equations about the domain of a claim at one instance, within a budget of work.
 ///
-/// Only equations are identities: other statements are [`Identity::Open`].
+/// Only equations can be identities; other statements are [`Identity::Open`].
 #[must_use]
 pub fn identity(reading: &Reading<'_>, instance: &Instance, work: &Work) -> Identity {
     let polynomials = Polynomials { work };
@@ -167,7 +167,8 @@ fn decide(
 ) -> Result<Identity, NoValue> {
     for (relation, left, right) in &Domain::new(reading).constraints {
         for gap in gaps(left, right)? {
-            // An open condition on symbols leaves a function that is not zero somewhere different from zero.
+            // A condition `!= 0` on symbols removes only a set of measure zero, so a nonzero function remains nonzero
+            // somewhere.
             let Some(gap) = polynomials.as_rational(&gap) else {
                 if matches!(relation, Relation::Equal) {
                     let what = "an equation between symbols among the hypotheses";

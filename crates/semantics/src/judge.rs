@@ -1,8 +1,9 @@
-//! Whether statements are true at a point: their trees, in the first arithmetic that decides them.
+//! Judges the truth of statements at a point: evaluates their trees in the first arithmetic that decides them.
 //!
-//! Falsity is proved: two balls that do not meet hold different numbers. Truth of an order relation is proved likewise, and so
-//! is equality of exact numbers. Enclosed numbers are called equal if their difference is enclosed within `2^-128` times the
-//! larger of 1 and the sides: for two formulas that are no identity an agreement that no chance explains, but no proof.
+//! Falsity is proved: disjoint balls contain different numbers. Truth of an order relation is proved in the same way,
+//! and so is equality of exact numbers. Enclosed numbers are called equal if their difference is enclosed within
+//! `2^-128` times the maximum of 1 and the sides. For two formulas that are not identical, chance does not explain
+//! such an agreement; but it is not a proof.
 
 use crate::judgement::Judgement;
 use crate::name::Name;
@@ -12,7 +13,7 @@ use crate::residue::{Residue, Residues};
 use crate::tree::{At, Given, Reading, Values, joined};
 use torse_syntax::formula::{Expr, Node};
 
-/// The precisions that are tried, in bits.
+/// The precisions that are tried one after the other, in bits.
 const PRECISIONS: [usize; 2] = [320, 1280];
 
 /// A point at which statements of a claim are judged.
@@ -20,9 +21,9 @@ pub(crate) struct Judge<'j, 'a> {
     pub reading: &'a Reading<'a>,
     /// The numbers of the point.
     pub values: &'j dyn Fn(&Name) -> Option<Real>,
-    /// Whether the numbers satisfy the equations of the domain only nearly.
+    /// Whether the numbers satisfy the equations of the domain only approximately.
     pub near: bool,
-    /// The statements that are known to fail somewhere on the domain.
+    /// The statements that are known to fail somewhere in the domain.
     pub fails: &'j dyn Fn(&Expr) -> bool,
     pub work: &'j Work,
 }
@@ -30,10 +31,10 @@ pub(crate) struct Judge<'j, 'a> {
 /// The arithmetics in which a judge evaluates.
 pub(crate) struct Grounds<'j>([Reals<'j>; 2]);
 
-/// Residues for the numbers of a point.
+/// Residues modulo the prime of the numbers of a point.
 type Modulo<'g> = (&'g Residues<'g>, &'g dyn Fn(&Name) -> Option<Residue>);
 
-/// The evaluators of a judge, coarse ones first.
+/// The evaluators of a judge, cheapest first.
 pub(crate) struct Ladder<'g, 'a> {
     reading: &'a Reading<'a>,
     residues: Option<At<'a, 'g, Residues<'g>>>,
@@ -41,7 +42,7 @@ pub(crate) struct Ladder<'g, 'a> {
 }
 
 impl<'j, 'a> Judge<'j, 'a> {
-    /// The arithmetics of this judge.
+    /// The arithmetics that this judge uses.
     pub fn evaluators(&self) -> Grounds<'j> {
         let work = self.work;
         Grounds(PRECISIONS.map(|bits| Reals { bits, work }))
@@ -57,7 +58,8 @@ impl<'j> Grounds<'j> {
         self.along(judge, None, None)
     }
 
-    /// Evaluators that put the solutions of given equations into coefficients, and begin with residues where there are any.
+    /// Evaluators that differentiate `coefficients` along the solutions of given equations, and that begin with
+    /// residues if there are any.
     pub fn along<'g, 'a>(
         &'g self,
         judge: &Judge<'g, 'a>,
@@ -91,7 +93,7 @@ impl<'j> Grounds<'j> {
 }
 
 impl<'a> Ladder<'_, 'a> {
-    /// What a statement is; of what is joined each part in the first arithmetic that decides it.
+    /// Judges a statement; each part of a compound is judged in the first arithmetic that decides it.
     pub fn truth(&self, tree: &'a Expr) -> Judgement {
         let mut rights = vec![];
         let mut left = tree;
@@ -112,16 +114,17 @@ impl<'a> Ladder<'_, 'a> {
         all
     }
 
-    /// What the statement of the claim is; where something is sought with the witnesses in its place. Where it is true, whether
-    /// slips in it are seen is noted.
+    /// Judges the statement of the claim, with witnesses in the place of existential symbols. If it is true, records
+    /// whether slips in it would be noticed.
     pub fn statement(&self) -> Judgement {
         let reading = self.reading;
-        let judgement = match reading.seeks() {
-            true => self.first(|at| reading.judged(at), |at| reading.judged(at)),
-            false => self.truth(reading.tree()),
+        let judgement = if reading.seeks() {
+            self.first(|at| reading.judged(at), |at| reading.judged(at))
+        } else {
+            self.truth(reading.tree())
         };
         if judgement == Judgement::True {
-            // What has no residue is looked at with the numbers themselves.
+            // If there are no residues, slips are tried with the numbers themselves.
             if let Some(at) = &self.residues {
                 reading.look(at);
             }

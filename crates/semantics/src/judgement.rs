@@ -1,20 +1,20 @@
-//! What a statement can be at a point.
+//! The truth values of a statement at a point.
 
 use crate::no_value::{NoValue, Undefined, Unknown};
 use std::fmt;
 
-/// What a statement is at a point.
+/// The judgement on a statement at a point.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Judgement {
     /// True.
     True,
     /// False, and all parts are defined.
     False,
-    /// Some part is undefined: the claim says nothing about this point.
+    /// Some part is undefined, so the claim makes no assertion about this point.
     Undefined(Undefined),
-    /// All parts are defined, but the enclosures do not tell whether it is true.
+    /// All parts are defined, but the enclosures are too wide to decide whether it is true.
     Undecided,
-    /// Whether all parts are defined, or their values, is not known.
+    /// It is not known whether all parts are defined, or what their values are.
     Unknown(Unknown),
 }
 
@@ -39,7 +39,7 @@ impl Judgement {
         }
     }
 
-    /// Whether the statement is settled here.
+    /// The truth value, if it is decided.
     #[must_use]
     pub fn decided(&self) -> Option<bool> {
         match self {
@@ -49,7 +49,7 @@ impl Judgement {
         }
     }
 
-    /// What two parts make together; undefined or unknown if one of them is.
+    /// Joins two parts; the result is undefined or unknown if one of them is.
     pub(crate) fn joined(
         self,
         other: Self,

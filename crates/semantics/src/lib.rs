@@ -1,19 +1,19 @@
-//! What statements mean, written to be read, from the trees of their texts.
+//! The meaning of statements, computed from the syntax trees of their texts; written to be read.
 //!
-//! `derivations/SEMANTICS.md` states the meaning of each construct in mathematics; this crate executes it. Nothing is
-//! shared with the elaborator and the prover but the trees, the declarations and the numbers: a mistake there has to be made here
-//! once more, in other words, to pass.
+//! `derivations/SEMANTICS.md` states the meaning of each construct in mathematics; this crate executes it. It shares
+//! only the trees, the declarations and the numbers with the elaborator and the prover. So a mistake there goes
+//! unnoticed only if the same mistake was made here, in independently written code.
 //!
-//! - [`tree`]: the value of a tree, with one rule for each construct, over any [`Arithmetic`]: [`Reals`] (exact
-//!   where they can be, enclosed beyond), residues modulo a prime, [`Polynomials`] (identities). Derivatives are carried out on
-//!   truncated power series ([`Series`]).
-//! - [`tally`]: a statement at points of its domain, drawn from a seeded stream: the net under a proof.
-//! - [`check_witness`]: whether a printed counterexample is one: the net under a refutation.
-//! - [`beyond`]: a statement at points of its domain where a condition fails: the net under a condition.
+//! - [`tree`]: the value of a tree, with one rule for each construct, over any [`Arithmetic`]: [`Reals`] (exact where
+//!   possible, otherwise enclosed), residues modulo a prime, [`Polynomials`] (for identities). Derivatives are
+//!   computed with truncated power series ([`Series`]).
+//! - [`tally`]: judges a statement at random points of its domain; this cross-checks proofs.
+//! - [`check_witness`]: checks whether a printed counterexample is one; this cross-checks refutations.
+//! - [`beyond`]: judges a statement at points of its domain where a condition fails; this cross-checks conditions.
 //! - [`identity`] at [`instances`]: equations at fixed small integers, decided exactly.
-//! - [`tree::Compared`]: trees at random residues, to be compared with what an elaborator makes of them.
+//! - [`tree::Compared`]: evaluates trees at random residues, for comparison with what an elaborator makes of them.
 //!
-//! All work is bounded by a budget of operations, so answers are the same on every machine.
+//! All work is bounded by budgets of operations, so answers are the same on every machine.
 //!
 //! ```
 //! use std::sync::Arc;

@@ -1,15 +1,15 @@
 //! Determinants, inverses and linear systems.
 //!
-//! Elimination needs a pivot that is certainly not zero. Where none is known the determinant is expanded, which
-//! divides by nothing, and solutions follow by Cramer's rule from determinants.
+//! Elimination needs a pivot that is certainly nonzero. Where none is known, the determinant is expanded, which needs
+//! no division, and solutions are computed from determinants by Cramer's rule.
 
 use crate::arithmetic::Arithmetic;
 use crate::no_value::{NoValue, Undefined, Unknown};
 use crate::series::Series;
 
-/// The largest matrix.
+/// The largest size of a matrix.
 const MAX_SIZE: usize = 12;
-/// The largest determinant that is expanded.
+/// The largest size of a determinant that is expanded.
 const MAX_EXPANDED: usize = 6;
 
 type Rows<A> = Vec<Vec<Series<<A as Arithmetic>::Number>>>;
@@ -21,7 +21,7 @@ fn check_size(size: usize, limit: usize) -> Result<(), Unknown> {
     Ok(())
 }
 
-/// Whether the constant part of a series is certainly not zero: only then it may be divided by.
+/// Whether the constant term of a series is certainly nonzero, so that the series may be divided by.
 fn is_unit<A: Arithmetic>(x: &Series<A::Number>, a: &A) -> bool {
     match x {
         Series::Number(n) => a.is_zero(n) == Some(false),
@@ -32,7 +32,7 @@ fn is_unit<A: Arithmetic>(x: &Series<A::Number>, a: &A) -> bool {
 /// The determinant.
 ///
 /// # Errors
-/// [`NoValue::Unknown`] for large matrices and such as are not square.
+/// [`NoValue::Unknown`] for matrices that are too large or not square.
 pub fn determinant<A: Arithmetic>(rows: &Rows<A>, a: &A) -> Result<Series<A::Number>, NoValue> {
     check_size(rows.len(), MAX_SIZE)?;
     if rows.iter().any(|row| row.len() != rows.len()) {
@@ -99,10 +99,11 @@ fn without<T: Clone>(row: &[T], column: usize) -> Vec<T> {
     kept.map(|(_, x)| x.clone()).collect()
 }
 
-/// The X with `matrix * X = right`: by elimination, or by Cramer's rule where no pivot is known.
+/// Solves `matrix * X = right` by elimination, or by Cramer's rule where no pivot is known to be nonzero.
 ///
 /// # Errors
-/// [`Undefined::ZeroDivisor`] for a singular matrix, [`NoValue::Unknown`] where that is not known.
+/// [`Undefined::ZeroDivisor`] for a singular matrix, [`NoValue::Unknown`] if it is not known whether the matrix is
+/// singular.
 pub fn solution<A: Arithmetic>(
     matrix: &Rows<A>,
     right: &Rows<A>,
@@ -121,7 +122,7 @@ pub fn solution<A: Arithmetic>(
     }
 }
 
-/// Gauss and Jordan; `None` where no pivot is certainly not zero.
+/// Gauss-Jordan elimination; `None` if no pivot is certainly nonzero.
 fn eliminated<A: Arithmetic>(
     matrix: &Rows<A>,
     right: &Rows<A>,
@@ -143,7 +144,7 @@ fn eliminated<A: Arithmetic>(
         let Some(leading) = row.get(column) else {
             return Ok(None);
         };
-        // What stands before the column is zero already.
+        // The entries before this column are zero already.
         let lead: Vec<_> = row
             .iter()
             .enumerate()
@@ -179,8 +180,8 @@ fn by_determinants<A: Arithmetic>(
     a: &A,
 ) -> Result<Rows<A>, NoValue> {
     let size = matrix.len();
-    let whole = determinant(matrix, a)?;
-    if whole.is_zero(a) == Some(true) {
+    let denominator = determinant(matrix, a)?;
+    if denominator.is_zero(a) == Some(true) {
         return Err(Undefined::ZeroDivisor.into());
     }
     let width = right.first().map_or(0, Vec::len);
@@ -196,14 +197,14 @@ fn by_determinants<A: Arithmetic>(
                 row
             })
             .collect();
-        determinant(&replaced, a)?.over(&whole, a)
+        determinant(&replaced, a)?.over(&denominator, a)
     };
     (0..size)
         .map(|unknown| (0..width).map(|column| entry(unknown, column)).collect())
         .collect()
 }
 
-/// The unit matrix.
+/// The identity matrix.
 pub fn identity<A: Arithmetic>(size: usize, a: &A) -> Rows<A> {
     let row = |r| {
         (0..size)
@@ -221,11 +222,11 @@ pub fn inverse<A: Arithmetic>(matrix: &Rows<A>, a: &A) -> Result<Rows<A>, NoValu
     solution(matrix, &identity(matrix.len(), a), a)
 }
 
-/// For each right side the x with `sum of x[k] columns[k] = -right`, where rows that are not needed are left out; `None` where
-/// no pivot is known for one of the columns.
+/// Solves `sum of x[k] columns[k] = -right` for each right side, ignoring redundant rows; `None` if no pivot is known
+/// to be nonzero for one of the columns.
 ///
 /// # Errors
-/// The gaps of arithmetic.
+/// The errors of the arithmetic.
 pub fn solved_columns<A: Arithmetic>(
     columns: &Rows<A>,
     right: &Rows<A>,

@@ -1,9 +1,9 @@
-//! The numbers that make up a point: one for each symbol, coordinate and member of a family.
+//! Names of the numbers of a point: symbols, coordinates, and members of families.
 
 use std::fmt;
 use std::sync::Arc;
 
-/// What a point gives a number to. The order is alphabetical, members by their indices.
+/// The name of a number of a point. Names are ordered alphabetically, members by their indices.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Name {
     /// A declared number, integer, or the generic coordinate of a vector.
@@ -16,7 +16,7 @@ pub enum Name {
 }
 
 impl Name {
-    /// The name under which it is declared.
+    /// The declared name of which this is a part.
     #[must_use]
     pub fn declared(&self) -> &Arc<str> {
         match self {

@@ -1,7 +1,7 @@
-//! The net under verdicts: statements are judged at points of their domain.
+//! Cross-checks of verdicts: statements are judged at points of their domain.
 //!
-//! A proof that a point of the domain contradicts is wrong, and so is a refutation whose witness lies outside of the
-//! domain or satisfies the statement. Neither needs to know how the verdict was found.
+//! A proof is wrong if the statement is false at a point of the domain. A refutation is wrong if its witness lies
+//! outside of the domain or satisfies the statement. Neither check depends on how the verdict was found.
 
 use crate::branches::branches;
 use crate::domain::Domain;
@@ -13,65 +13,65 @@ use crate::tree::Reading;
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::formula::{Expr, Node, Relation};
 
-/// How deep definitions of statements are opened.
+/// The largest depth to which definitions of statements are opened.
 const MAX_OPENED: u32 = 16;
-/// The points that are judged on one thin part of a domain, and the work that finding them may take.
-const STARTS: u64 = 4;
+/// The number of points that are judged on one thin part of a domain, and the work allowed to find them.
+const POINTS_PER_BRANCH: u64 = 4;
 const BRANCH_WORK: u64 = 10_000;
 
-/// What was found at points of the domain of a claim.
+/// Statistics of a statement at points of the domain of its claim.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tally {
-    /// Points that were drawn; those outside of the domain are not counted as found.
+    /// The number of points drawn, including those outside of the domain.
     pub attempts: u64,
-    /// Points of the domain at which the statement was judged.
+    /// The number of points of the domain at which the statement was judged.
     pub found: u64,
-    /// Points at which it is true.
+    /// The number of points at which it is true.
     pub holding: u64,
-    /// The first point at which it is false. No further points are drawn then.
+    /// The first point at which it is false; no further points are drawn after it.
     pub failing: Option<Point>,
-    /// Points at which it is undefined: the claim says nothing there.
+    /// The number of points at which it is undefined, so that the claim makes no assertion there.
     pub undefined: u64,
-    /// Points at which it was not decided, and why at the first of them.
+    /// The number of points at which it was not decided.
     pub open: u64,
-    /// Those of them at which the work of one point was not enough.
+    /// The number of these points at which the budget of one point was spent.
     pub costly: u64,
-    /// The reason at the first open point.
+    /// The reason at the first undecided point.
     pub why_open: Option<String>,
-    /// Points of the domain at which a condition is not true: they are not judged further.
+    /// The number of points of the domain at which a condition is not true; they are not judged further.
     pub excepted: u64,
-    /// Whether the only point of the domain was judged: linear equations leave no choice of any of its numbers, or it has
-    /// none. No further points are drawn then.
+    /// Whether the only point of the domain was judged: linear equations determine all of its numbers, or it has no
+    /// numbers. No further points are drawn then.
     pub single: bool,
     /// Whether the budget was spent.
     pub exhausted: bool,
-    /// The parts p of `fails(p)` of which no point was found at which they are false.
+    /// The parts p of `fails(p)` for which no point was found at which p is false.
     pub unshown: Vec<Expr>,
-    /// How many thin parts of the domain the text shows.
+    /// The number of thin parts of the domain.
     pub branches: u64,
-    /// What is true on those of them on which the statement was decided at no point.
+    /// The assumptions of those thin parts on which the statement was decided at no point.
     pub unvisited: Vec<Expr>,
 }
 
 impl Tally {
-    /// Whether no point was found at which every term of the statement has a value, as far as is known: points were drawn, and
-    /// it is undefined at each of them.
+    /// Whether, as far as is known, the statement is defined nowhere: points of the domain were found, and it is
+    /// undefined at each of them.
     #[must_use]
     pub fn is_undefined(&self) -> bool {
         self.found > 0 && self.undefined == self.found
     }
 
-    /// Points at which the statement was decided.
+    /// The number of points at which the statement was decided.
     #[must_use]
     pub fn decided(&self) -> u64 {
         self.holding + u64::from(self.failing.is_some())
     }
 }
 
-/// Judges the statement of a claim at points of its domain until it is decided at `wanted` of them, found to be false
-/// at one, or the budget (in operations on numbers) is spent. Only points at which all `conditions` are true count.
+/// Judges the statement of a claim at points of its domain until it is decided at `wanted` of them, is false at one,
+/// or the budget (in operations on numbers) is spent. Only points at which all `conditions` are true count.
 ///
-/// The points are a function of the claim and the seed.
+/// The points depend only on the claim and the seed.
 #[must_use]
 pub fn tally(
     reading: &Reading<'_>,
@@ -97,11 +97,12 @@ pub fn tally(
     tally
 }
 
-/// The statement at points drawn from the whole domain: modulo a prime first, where that may tell something.
+/// Judges the statement at points of the whole domain, modulo a prime first if that may decide something.
 fn generic<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> Tally {
     let reading = survey.reading();
     if has_equation(reading.declarations(), reading.tree(), MAX_OPENED) {
-        // What they find false, and what they cannot tell, is for exact numbers, but where those would cost too much too.
+        // Exact numbers re-examine what residues find false or cannot decide, unless exact numbers would cost too
+        // much as well.
         let tally = walked(&survey.by_residues(), judged, wanted);
         let enough = tally.holding >= wanted || (tally.single && tally.holding > 0);
         let costly = tally.exhausted || tally.costly >= MAX_COSTLY_POINTS;
@@ -120,9 +121,9 @@ fn visit(tally: &mut Tally, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str
             Domain::where_true(reading, &branch.inside),
             Domain::alone(reading, &branch.first),
         );
-        let survey = Survey::new(&inside, seed, STARTS, BRANCH_WORK).beyond(&alone);
+        let survey = Survey::new(&inside, seed, POINTS_PER_BRANCH, BRANCH_WORK).beyond(&alone);
         let (mut seen, mut decided) = (0, None);
-        survey.walk(&judged.anew(), &mut |found| {
+        survey.walk(&judged.copied(), &mut |found| {
             seen += 1;
             if let Seen::Judged {
                 judgement,
@@ -137,7 +138,7 @@ fn visit(tally: &mut Tally, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str
                     tally.failing = Some(Point { values, near });
                 }
             }
-            decided.is_none() && seen < STARTS
+            decided.is_none() && seen < POINTS_PER_BRANCH
         });
         tally.branches += 1;
         if decided.is_none() {
@@ -149,7 +150,8 @@ fn visit(tally: &mut Tally, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str
     }
 }
 
-/// Whether some part of a statement is an equation, or says what numbers are: other statements gain nothing by residues.
+/// Whether a part of the statement is an equation or a property of values; residues decide nothing about other
+/// statements.
 fn has_equation(declarations: &Declarations, tree: &Expr, depth: u32) -> bool {
     let within = |tree: &Expr| has_equation(declarations, tree, depth);
     match &tree.node {
@@ -173,7 +175,7 @@ fn has_equation(declarations: &Declarations, tree: &Expr, depth: u32) -> bool {
     }
 }
 
-/// Walks until the statement is decided at `wanted` points, or false at one.
+/// Draws points until the statement is decided at `wanted` of them, or false at one.
 fn walked<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> Tally {
     let mut tally = Tally::default();
     tally.attempts = survey.walk(judged, &mut |seen| {
@@ -187,38 +189,38 @@ fn walked<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> Tally {
     tally
 }
 
-/// What a statement is where a condition fails.
+/// Statistics of a statement at points at which a condition fails.
 ///
-/// A condition is needed if the statement is false, or undefined, at a point at which it fails, or a hypothesis is undefined
-/// there: what the claim says needs that its formulas have values.
+/// A condition is needed if there is a point at which it fails and the statement is false or undefined, or a
+/// hypothesis is undefined: a claim presupposes that its formulas have values.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Beyond {
-    /// Points that were drawn.
+    /// The number of points drawn.
     pub attempts: u64,
-    /// Points of the domain at which the condition fails and the statement is true all the same.
+    /// The number of points of the domain at which the condition fails, but the statement is true.
     pub holding: u64,
-    /// Those at which the statement is false.
+    /// The number of points at which the statement is false.
     pub failing: u64,
-    /// Those at which it, or a hypothesis, is undefined.
+    /// The number of points at which the statement, or a hypothesis, is undefined.
     pub undefined: u64,
-    /// Those at which it was not decided.
+    /// The number of points at which it was not decided.
     pub open: u64,
-    /// The first point at which it is false, or else the first at which it is undefined.
+    /// The first point at which the statement is false, or else the first at which it is undefined.
     pub needed_at: Option<Point>,
 }
 
 impl Beyond {
-    /// Points at which the condition fails and the statement was judged.
+    /// The number of points at which the condition fails and the statement was judged.
     #[must_use]
     pub fn judged(&self) -> u64 {
         self.holding + self.failing + self.undefined
     }
 }
 
-/// Judges the statement at points of the domain of the claim at which `condition` fails, until it is false at one, judged
-/// at `wanted` of them, or the budget is spent. `None` if the condition is no comparison.
+/// Judges the statement at points of the claim's domain at which `condition` fails, until it is false at one, judged
+/// at `wanted` of them, or the budget is spent. `None` if the condition is not a comparison.
 ///
-/// Points that satisfy `condition`'s denial only nearly lie on the other side: they do not count.
+/// Points at which the condition fails only approximately do not count, since they may satisfy it.
 #[must_use]
 pub fn beyond(
     reading: &Reading<'_>,
@@ -227,17 +229,17 @@ pub fn beyond(
     wanted: u64,
     budget: u64,
 ) -> Option<Beyond> {
-    let denial = denied(condition)?;
+    let denial = negation(condition)?;
     let changed = Domain::where_true(reading, &denial);
-    // Points at which the condition fails are rare, so it is made to fail before anything else is solved.
+    // Points at which the condition fails are rare, so its negation is solved before everything else.
     let alone = Domain::alone(reading, &denial);
     let survey = Survey::new(&changed, seed, wanted, budget).beyond(&alone);
-    // Whether something is denied is a matter of the whole domain.
-    let whole = Domain::new(reading);
+    // Whether `fails(..)` is true depends on the whole domain.
+    let domain = Domain::new(reading);
     let judged = Judged {
         statement: None,
         conditions: vec![],
-        failing: Survey::new(&whole, seed, wanted, budget).settled(reading.tree()),
+        failing: Survey::new(&domain, seed, wanted, budget).settled(reading.tree()),
     };
     let mut beyond = Beyond::default();
     let mut undefined_at = None;
@@ -268,7 +270,7 @@ pub fn beyond(
             }
             Judgement::Undecided | Judgement::Unknown(_) => beyond.open += 1,
         }
-        // One point at which it is false says all.
+        // A single point at which the statement is false shows that the condition is needed.
         beyond.failing == 0 && beyond.judged() < wanted
     });
     beyond.needed_at = beyond.needed_at.or(undefined_at);
@@ -307,8 +309,8 @@ impl Tally {
     }
 }
 
-/// The denial of a comparison: where a condition fails. `None` for other statements.
-fn denied(condition: &Expr) -> Option<Expr> {
+/// The negation of a comparison; `None` for other statements.
+fn negation(condition: &Expr) -> Option<Expr> {
     let Node::Compare(left, rest) = &condition.node else {
         return None;
     };

@@ -1,17 +1,17 @@
-//! Why a term has no value at a point, or none that is known.
+//! Why a term has no value, or no known value, at a point.
 
 use std::cell::Cell;
 use std::fmt;
 
-/// Why there is no value.
+/// Why a term has no value.
 ///
-/// The two kinds are never mixed: [`NoValue::Undefined`] is a fact about the term at this point, [`NoValue::Unknown`] one
-/// about this evaluator.
+/// The two kinds are never mixed: [`NoValue::Undefined`] is a fact about the term at this point, [`NoValue::Unknown`]
+/// is a limitation of this evaluator.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NoValue {
-    /// The term is undefined at this point: the point says nothing about a statement with this term.
+    /// The term is undefined at this point, so a claim about the term makes no assertion there.
     Undefined(Undefined),
-    /// Whether the term has a value, or which, was not found out.
+    /// The evaluator could not determine whether the term has a value, or which.
     Unknown(Unknown),
 }
 
@@ -24,28 +24,28 @@ pub enum Undefined {
     /// The root of a negative number.
     #[error("the root of a negative number")]
     NegativeRoot,
-    /// An index, degree, order or exponent that is no integer.
-    #[error("{what} that is no integer")]
+    /// An index, degree, order or exponent that is not an integer.
+    #[error("{what} that is not an integer")]
     NoInteger {
-        /// What should be one.
+        /// What should be an integer.
         what: &'static str,
     },
-    /// A negative order of a derivative or argument of a factorial.
+    /// A negative order of a derivative, or a negative argument of a factorial.
     #[error("{what} that is negative")]
     Negative {
-        /// What should not be.
+        /// What should not be negative.
         what: &'static str,
     },
-    /// An index of a family of points, or of an entry, outside its range.
+    /// An index of a family of points, or of an entry, that is out of range.
     #[error("the index {index} of `{name}` is outside {low} to {high}")]
     IndexOutside {
         /// The family, or `entry`.
         name: String,
         /// The index.
         index: i64,
-        /// The least index.
+        /// The smallest index.
         low: i64,
-        /// The greatest one.
+        /// The largest index.
         high: i64,
     },
     /// A basis below the degree of its seeds.
@@ -53,12 +53,12 @@ pub enum Undefined {
     BelowSeeds {
         /// The family.
         name: String,
-        /// The degree asked for.
+        /// The requested degree.
         degree: i64,
-        /// That of the seeds.
+        /// The degree of the seeds.
         least: u8,
     },
-    /// A derivative where there is none: of a root at zero, of what is defined at integers only.
+    /// A derivative that does not exist: of a root at zero, or of a function of integers.
     #[error("a derivative where there is none")]
     NotDifferentiable,
     /// Coefficients of a form that is not linear in the unknowns.
@@ -69,34 +69,34 @@ pub enum Undefined {
 /// Why a value is not known.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Unknown {
-    /// The enclosure of a number is too wide to say whether it is zero, positive or an integer.
+    /// The enclosure of a number is too wide to determine its sign, or whether it is an integer.
     #[error("an enclosure is too wide")]
     Precision,
     /// The budget of work is spent.
     #[error("it takes too much work")]
     Work,
-    /// A number, power, sum or degree is too large, or a term too deep.
+    /// A number, power, sum or degree is too large, or a term is nested too deeply.
     #[error("{what} is too large")]
     Large {
         /// What.
         what: &'static str,
     },
-    /// Vectors and matrices that do not fit.
+    /// Vectors or matrices whose shapes do not match.
     #[error("{what} does not fit")]
     Shape {
         /// What.
         what: &'static str,
     },
-    /// Something this arithmetic cannot express.
+    /// An operation that this arithmetic does not support.
     #[error("{what} is not covered")]
     NotCovered {
         /// What.
         what: &'static str,
     },
-    /// The infinitesimal of a derivative was met outside of it: a fault of this evaluator.
+    /// The infinitesimal of a derivative occurs outside of it, which is a fault of this evaluator.
     #[error("the infinitesimals of two derivatives were confused")]
     Confused,
-    /// A symbol that has no value at the point.
+    /// A symbol without a value at the point.
     #[error("`{name}` has no value")]
     NoValue {
         /// Its name.
@@ -126,14 +126,14 @@ impl From<Unknown> for NoValue {
 }
 
 impl NoValue {
-    /// Operands whose shapes do not fit.
+    /// The error for operands whose shapes do not match.
     #[must_use]
     pub fn shape(what: &'static str) -> Self {
         Unknown::Shape { what }.into()
     }
 }
 
-/// A budget of work, in operations on numbers. It is the same on every machine.
+/// A budget of work, counted in operations on numbers, so it is the same on every machine.
 ///
 /// ```
 /// use torse_semantics::Work;
@@ -148,7 +148,7 @@ pub struct Work {
 }
 
 impl Work {
-    /// A budget of so many operations.
+    /// A budget of this many operations.
     #[must_use]
     pub fn new(operations: u64) -> Self {
         Self {
@@ -156,7 +156,7 @@ impl Work {
         }
     }
 
-    /// Takes so many operations.
+    /// Spends this many operations.
     ///
     /// # Errors
     /// [`Unknown::Work`] once the budget is spent.
@@ -173,7 +173,7 @@ impl Work {
         }
     }
 
-    /// What is left of the budget.
+    /// The remaining operations.
     #[must_use]
     pub fn left(&self) -> u64 {
         self.left.get()

@@ -1,6 +1,6 @@
-//! Real numbers at a point: exact as long as they are `r + t pi` with rational r and t, enclosed by a ball beyond.
+//! Real numbers at a point: exact if they are `r + t pi` with rational r and t, otherwise enclosed by a ball.
 //!
-//! So a polynomial at a rational point is decided exactly, and `sin(pi/2*x)` at 0 or 1 as well, and `exp(x)` at 0.
+//! So polynomials at rational points are decided exactly, and so are `sin(pi/2*x)` at 0 or 1 and `exp(x)` at 0.
 
 use crate::arithmetic::{Arithmetic, Comparison};
 use crate::no_value::{NoValue, Undefined, Unknown, Work};
@@ -13,27 +13,29 @@ use std::sync::Arc;
 use torse_numbers::rational::{integer, ratio};
 use torse_numbers::{Ball, Integer, Rational, Scalar};
 
-/// The longest numerator or denominator of an exact number, in bits; beyond it is enclosed.
+/// The largest number of bits of the numerator or denominator of an exact number; longer ones are enclosed.
 const MAX_EXACT_BITS: usize = 3000;
-/// Equal enclosures differ by at most two to the minus this, relative to the larger of 1 and the sides.
+/// Enclosed numbers count as equal if they differ by at most `2^-AGREEMENT_BITS` times the maximum of 1 and the
+/// sides.
 const AGREEMENT_BITS: usize = 128;
-/// At a point that satisfies its hypotheses only nearly, different numbers differ by at least two to the minus this.
+/// The separation threshold at points that satisfy the hypotheses only approximately: numbers that differ by less
+/// than `2^-SLACK_BITS` are not called different.
 pub(crate) const SLACK_BITS: usize = 64;
-/// The largest integer part of an enclosed number, in bits.
+/// The largest number of bits of the integer part of an enclosed number.
 const MAX_SIZE_BITS: u64 = 20_000;
 
-/// A real number. A copy costs little, for most of the work is copying.
+/// A real number. Cloning is cheap, because most of the work is copying.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Real {
     /// A rational number.
     Rational(Rational),
     /// `rational + turns * pi`.
     Turned(Arc<Turned>),
-    /// A number of this ball.
+    /// A number in this ball.
     Enclosed(Arc<Ball>),
 }
 
-/// `rational + turns * pi`, where turns is not zero.
+/// `rational + turns * pi` with nonzero `turns`.
 #[derive(Debug, PartialEq)]
 pub struct Turned {
     rational: Rational,
@@ -93,7 +95,7 @@ impl Real {
         Self::Turned(Arc::new(Turned { rational, turns }))
     }
 
-    /// The rational part and the multiple of pi, if the number is exact.
+    /// The rational part and the multiple of pi of an exact number.
     pub(crate) fn parts(&self) -> Option<(Cow<'_, Rational>, Cow<'_, Rational>)> {
         match self {
             Self::Rational(rational) => {
@@ -107,13 +109,13 @@ impl Real {
         }
     }
 
-    /// The ball of this precision.
+    /// The enclosure of this precision.
     #[must_use]
     pub fn ball(&self, bits: usize) -> Ball {
         self.enclosure(bits).into_owned()
     }
 
-    /// The same, not copied where it is there.
+    /// The enclosure of this precision, borrowed if the number is stored as one.
     fn enclosure(&self, bits: usize) -> Cow<'_, Ball> {
         match self {
             Self::Rational(rational) => Cow::Owned(Ball::from_rational(rational, bits)),
@@ -124,9 +126,9 @@ impl Real {
         }
     }
 
-    /// How the number compares with zero, if that is known.
+    /// The sign, if it is known.
     ///
-    /// An exact number always is: `r + t pi` is zero for r = t = 0 only, because pi is irrational.
+    /// The sign of an exact number is always known: `r + t pi` is zero only for r = t = 0, because pi is irrational.
     #[must_use]
     pub fn sign(&self) -> Option<Ordering> {
         match self {
@@ -140,7 +142,7 @@ impl Real {
         }
     }
 
-    /// Whether the number is zero, if that is known: of `r + t pi` it is without a look at the digits.
+    /// Whether the number is zero, if that is known. For `r + t pi` no digits are computed.
     pub(crate) fn is_zero(&self) -> Option<bool> {
         match self {
             Self::Rational(rational) => Some(rational.is_zero()),
@@ -149,7 +151,7 @@ impl Real {
         }
     }
 
-    /// The rational number, if it is known to be one.
+    /// The rational value, if the number is known to be rational.
     #[must_use]
     pub fn as_rational(&self) -> Option<&Rational> {
         match self {
@@ -158,7 +160,7 @@ impl Real {
         }
     }
 
-    /// A double near the number, for display.
+    /// A nearby double, for display.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         let (low, high) = self.ball(80).to_f64_bounds();
@@ -166,22 +168,22 @@ impl Real {
     }
 }
 
-/// The arithmetic of real numbers, with balls of this precision.
+/// The arithmetic of real numbers, with balls of a given precision.
 #[derive(Debug, Clone, Copy)]
 pub struct Reals<'a> {
-    /// Binary digits after the point.
+    /// The number of binary digits after the point.
     pub bits: usize,
     /// The budget.
     pub work: &'a Work,
 }
 
-/// The longer of numerator and denominator, in bits.
+/// The larger number of bits of numerator and denominator.
 pub(crate) fn length(q: &Rational) -> usize {
     q.numer().bit_len().max(q.denom().bit_len())
 }
 
 impl Reals<'_> {
-    /// The number, enclosed if it is long.
+    /// Encloses the number if it is too long.
     fn bounded(&self, real: Real) -> Real {
         let bits = match &real {
             Real::Rational(rational) => length(rational),
@@ -203,7 +205,7 @@ fn is_known_one(a: &Real) -> bool {
     a.as_rational().is_some_and(Rational::is_one)
 }
 
-/// `sin(pi t)` where it is rational and t is rational.
+/// `sin(pi t)` for rational t, if it is rational.
 fn rational_sine(t: &Rational) -> Option<Rational> {
     let sixths = t * integer(6);
     if !sixths.is_integer() {
@@ -221,7 +223,7 @@ fn rational_sine(t: &Rational) -> Option<Rational> {
     })
 }
 
-/// The root of a rational number that is a square.
+/// The square root of a rational number, if it is rational.
 fn rational_root(q: &Rational) -> Option<Rational> {
     let root = |n: &Integer| {
         let root = Integer::from(n.clone().into_parts().1.sqrt());
@@ -250,7 +252,7 @@ impl Arithmetic for Reals<'_> {
     }
 
     fn plus(&self, a: &Real, b: &Real) -> Result<Real, NoValue> {
-        // Nothing is done where a side is zero, or a factor one.
+        // Sums with zero and products with one cost nothing.
         if is_known_zero(a) {
             return Ok(b.clone());
         }
@@ -347,7 +349,7 @@ impl Arithmetic for Reals<'_> {
                 return Ok((sine.into(), cosine.into()));
             }
         };
-        // The quarter turns of a rational number of half turns are enclosed best from the number itself.
+        // For a rational multiple of pi, the number of quarter turns is rational, which yields the best enclosures.
         let half = Rational::new(1.into(), 2.into());
         let quarters = Ball::from_rational(&(&*turns * integer(2)), self.bits);
         let (sine, cosine) = quarters.quarter_turn().map_err(|_| Unknown::Precision)?;
@@ -384,8 +386,8 @@ impl Arithmetic for Reals<'_> {
         Some(Ball::from_bounds(low, high, self.bits).into())
     }
 
-    /// A difference of exact numbers is exact. Enclosed numbers are the same as far as one can see if their difference is
-    /// enclosed within `2^-128` times the larger of 1 and the sides.
+    /// Differences of exact numbers are exact. Enclosed numbers count as equal if their difference is enclosed within
+    /// `2^-128` times the maximum of 1 and the sides.
     fn compare(&self, x: &Real, y: &Real, near: bool) -> Result<Comparison, NoValue> {
         let gap = self.minus(x, y)?;
         let size = || {
@@ -409,7 +411,7 @@ impl Arithmetic for Reals<'_> {
         })
     }
 
-    /// Far below what numbers are told apart by, see the module `judge`.
+    /// Far smaller than the threshold of comparisons, see the module `judge`.
     fn is_negligible(&self, a: &Real) -> bool {
         let small = Rational::new(1.into(), Integer::from(1) << 136);
         match a {
@@ -423,15 +425,18 @@ impl Arithmetic for Reals<'_> {
     }
 
     fn bit_length(&self, a: &Real) -> Option<u64> {
-        let whole = |q: &Rational| (q.numer().bit_len() + 1).saturating_sub(q.denom().bit_len());
+        let integer_bits =
+            |q: &Rational| (q.numer().bit_len() + 1).saturating_sub(q.denom().bit_len());
         let bits = match a {
-            Real::Rational(rational) => whole(rational),
-            Real::Turned(number) => whole(&number.rational).max(whole(&number.turns) + 2),
+            Real::Rational(rational) => integer_bits(rational),
+            Real::Turned(number) => {
+                integer_bits(&number.rational).max(integer_bits(&number.turns) + 2)
+            }
             Real::Enclosed(ball) => {
                 let (low, high) = ball.to_f64_bounds();
                 let size = low.abs().max(high.abs());
                 if size < 1e300 {
-                    // A power of two above the size: doubles below this bound have small exponents.
+                    // A power of two above the absolute value; doubles below this bound have small exponents.
                     (libm::log2(size).max(0.0).ceil() as usize) + 1
                 } else {
                     ball.abs()

@@ -1,9 +1,10 @@
-//! Numbers that tell two readings of one text apart: residues modulo a prime, with functions that scramble.
+//! Numbers that distinguish two readings of a text: residues modulo a prime, where functions are pseudo-random.
 //!
-//! Two readings of one text mean the same term if they have the same value at random numbers. That needs no equation to be
-//! satisfied and no root to exist: where both readings say "the root of this", any function will do in its place that both
-//! use. So the root, the sine with the cosine, and the exponential are fixed functions here that look random; what their series
-//! are follows from the value by the usual rules, and an integral is a fixed combination of two values of the integrand.
+//! Two readings of a text mean the same term if they have equal values at random numbers. For this no equation needs
+//! to hold and no root needs to exist: where both readings apply a root, any function will do if both use the same
+//! one. So the root, sine and cosine, and the exponential are fixed pseudo-random functions here. Their power series
+//! follow from the value by the usual rules, and an integral is a fixed linear combination of two values of the
+//! integrand.
 
 use crate::arithmetic::Arithmetic;
 use crate::no_value::{NoValue, Undefined, Work};
@@ -11,15 +12,15 @@ use crate::residue::field;
 use torse_numbers::Rational;
 use torse_numbers::rational::{self, ratio};
 
-/// Integers are read back from residues up to this size.
-const LARGEST_INTEGER: u64 = 1 << 20;
+/// The largest integer that is recovered from a residue.
+const MAX_INTEGER: u64 = 1 << 20;
 
 /// A residue modulo the prime.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Class(u64);
 
 impl Class {
-    /// Any residue: a function of the text and the number, and of nothing else.
+    /// A pseudo-random residue that depends only on the text and the number.
     pub(crate) fn drawn(text: &str, number: u64) -> Self {
         let start = text.bytes().fold(number ^ SALTS[4], |hash, byte| {
             mixed(hash ^ u64::from(byte))
@@ -39,14 +40,14 @@ impl Class {
     }
 }
 
-/// The arithmetic of scrambled residues.
+/// The arithmetic of residues with pseudo-random functions.
 #[derive(Debug, Clone, Copy)]
 pub struct Scrambled<'a> {
     /// The budget.
     pub work: &'a Work,
 }
 
-/// What makes the functions different.
+/// Constants that make the functions different from one another.
 const SALTS: [u64; 5] = [
     0x9e37_79b9_7f4a_7c15,
     0xc2b2_ae3d_27d4_eb4f,
@@ -55,7 +56,7 @@ const SALTS: [u64; 5] = [
     0x8525_0000_1234_5677,
 ];
 
-/// The finisher of `SplitMix64`.
+/// The final mixing step of `SplitMix64`.
 fn mixed(mut x: u64) -> u64 {
     x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -73,7 +74,7 @@ impl Arithmetic for Scrambled<'_> {
         self.work
     }
 
-    /// Where the prime divides the denominator, any residue.
+    /// If the prime divides the denominator, a fixed residue.
     fn rational(&self, value: &Rational) -> Class {
         Class(field::residue(value).unwrap_or(SALTS[4] % field::PRIME))
     }
@@ -128,8 +129,8 @@ impl Arithmetic for Scrambled<'_> {
     fn as_rational(&self, a: &Class) -> Option<Rational> {
         let integer = |n: u64| Some(rational::integer(i64::try_from(n).ok()?));
         match (a.0, field::negative(a.0)) {
-            (n, _) if n <= LARGEST_INTEGER => integer(n),
-            (_, n) if n <= LARGEST_INTEGER => Some(-integer(n)?),
+            (n, _) if n <= MAX_INTEGER => integer(n),
+            (_, n) if n <= MAX_INTEGER => Some(-integer(n)?),
             _ => None,
         }
     }

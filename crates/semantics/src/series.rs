@@ -1,23 +1,24 @@
-//! Truncated power series in infinitesimals, one for each derivative that encloses the term.
+//! Truncated power series in infinitesimals, one infinitesimal for each derivative that encloses the term.
 //!
-//! To differentiate `body` by x at p, n times, x is given the value `p + e`, the body is evaluated with `e^(n+1) = 0`,
-//! and the coefficient of `e^n` times n! is the derivative (Taylor). The rules of the product, the quotient, the
-//! chain and so on are those of arithmetic with such series. A derivative inside a derivative has an infinitesimal
-//! of its own, one level up: its coefficients are series in the outer ones.
+//! To differentiate `body` n times by x at p, x gets the value `p + e`, the body is evaluated with `e^(n+1) = 0`, and
+//! the derivative is n! times the coefficient of `e^n` (Taylor). The product, quotient and chain rules follow from
+//! the arithmetic of series. A derivative inside of a derivative has an infinitesimal of its own, one level higher:
+//! its coefficients are series in the outer infinitesimals.
 
 use crate::arithmetic::Arithmetic;
 use crate::no_value::{NoValue, Undefined, Unknown};
 use std::rc::Rc;
 use torse_numbers::Rational;
 
-/// A number, or a series in the infinitesimal of its level. A copy shares the coefficients.
+/// A number, or a series in the infinitesimal of its level. Clones share the coefficients.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Series<N> {
     /// A number.
     Number(N),
-    /// `terms[0] + terms[1] e + terms[2] e^2 + ...`, cut off: all series of one level have as many terms.
+    /// `terms[0] + terms[1] e + terms[2] e^2 + ...`, truncated: all series of one level have the same number of
+    /// terms.
     Powers {
-        /// Which infinitesimal; the coefficients have lower ones only.
+        /// The level of the infinitesimal; the coefficients contain only lower ones.
         level: usize,
         /// The coefficients, at least one.
         terms: Rc<[Series<N>]>,
@@ -37,7 +38,7 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         Self::Number(a.integer(n))
     }
 
-    /// `self + e` with the infinitesimal of a level above all of `self`, cut off after `e^order`.
+    /// `self + e`, truncated after `e^order`, where `e` has a higher level than all infinitesimals in `self`.
     pub fn shifted<A: Arithmetic<Number = N>>(self, level: usize, order: usize, a: &A) -> Self {
         let mut terms = vec![Self::integer(0, a); order + 1];
         if let Some(slot) = terms.get_mut(1) {
@@ -74,15 +75,15 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         }
     }
 
-    /// Whether all numbers in it are such.
-    pub fn all(&self, such: &dyn Fn(&N) -> bool) -> bool {
+    /// Whether all numbers in it satisfy a predicate.
+    pub fn all(&self, predicate: &dyn Fn(&N) -> bool) -> bool {
         match self {
-            Self::Number(number) => such(number),
-            Self::Powers { terms, .. } => terms.iter().all(|term| term.all(such)),
+            Self::Number(number) => predicate(number),
+            Self::Powers { terms, .. } => terms.iter().all(|term| term.all(predicate)),
         }
     }
 
-    /// The highest infinitesimal in it, 0 for numbers.
+    /// The level of the highest infinitesimal in it; 0 for numbers.
     pub(crate) fn level(&self) -> usize {
         match self {
             Self::Number(_) => 0,
@@ -97,7 +98,8 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         }
     }
 
-    /// The level and the coefficients of both as series of the higher level of the two: one of a lower level has only the first.
+    /// The coefficients of both as series of the higher level of the two; a series of lower level has only the first
+    /// coefficient.
     fn aligned<'s>(x: &'s Self, y: &'s Self) -> (usize, &'s [Self], &'s [Self]) {
         let level = x.level().max(y.level());
         let terms = |s: &'s Self| match s {
@@ -155,7 +157,7 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         Ok(Self::powers(level, terms))
     }
 
-    /// `sum of x_j y_(k-j)` for j from `first` to k, as far as there are coefficients.
+    /// `sum of x_j y_(k-j)` for j from `first` to k; missing coefficients are zero.
     fn convolution<A: Arithmetic<Number = N>>(
         xs: &[Self],
         ys: &[Self],
@@ -166,7 +168,7 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         let pairs = (first..=k).filter_map(|j| Some((xs.get(j)?, ys.get(k - j)?)));
         let mut total: Option<Self> = None;
         for (x, y) in pairs {
-            // Most coefficients of what hardly depends on the variable are zero.
+            // Most coefficients are zero if a term hardly depends on the variable.
             if x.is_zero(a) == Some(true) || y.is_zero(a) == Some(true) {
                 continue;
             }
@@ -213,9 +215,9 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         Ok(power)
     }
 
-    /// The root: from `s^2 = x`, `s_k = (x_k - sum of s_j s_(k-j) for 0 < j < k) / (2 s_0)`.
+    /// The square root: `s^2 = x` gives `s_k = (x_k - sum of s_j s_(k-j) for 0 < j < k) / (2 s_0)`.
     ///
-    /// A root at zero has no derivative if the series begins with a first power.
+    /// A root of a series that begins with a first power has no derivative.
     pub fn square_root<A: Arithmetic<Number = N>>(&self, a: &A) -> Outcome<N> {
         let (level, terms) = match self {
             Self::Number(x) => return Ok(Self::Number(a.square_root(x)?)),
@@ -245,7 +247,7 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         Ok(Self::powers(level, root))
     }
 
-    /// `(sin, cos)`: from `s' = c f'` and `c' = -s f'`.
+    /// `(sin f, cos f)`, from `s' = c f'` and `c' = -s f'`.
     pub fn sine_cosine<A: Arithmetic<Number = N>>(&self, a: &A) -> Result<(Self, Self), NoValue> {
         let (level, terms) = match self {
             Self::Number(x) => {
@@ -283,7 +285,7 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         Ok((Self::powers(level, sines), Self::powers(level, cosines)))
     }
 
-    /// The exponential: from `e' = e f'`.
+    /// The exponential, from `e' = e f'`.
     pub fn exponential<A: Arithmetic<Number = N>>(&self, a: &A) -> Outcome<N> {
         let (level, terms) = match self {
             Self::Number(x) => return Ok(Self::Number(a.exponential(x)?)),

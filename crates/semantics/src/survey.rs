@@ -1,4 +1,4 @@
-//! A walk through points of a domain, with bounded work: exact numbers, or residues modulo a prime.
+//! Visits points of a domain with bounded work, as exact numbers or as residues modulo a prime.
 
 use crate::domain::Domain;
 use crate::domain::constraints::is_equations;
@@ -15,44 +15,44 @@ use crate::tree::Reading;
 use std::collections::BTreeSet;
 use torse_syntax::formula::{Connective, Expr, Node};
 
-/// Attempts for each wanted point, and at least.
+/// The number of attempts for each wanted point, and the smallest total number.
 const ATTEMPTS_PER_POINT: u64 = 12;
-const LEAST_ATTEMPTS: u64 = 60;
-/// No further points are drawn if none of the first so many lies in the domain.
-const MAX_UNDEFINED_DRAWS: u64 = 150;
-/// No further points are drawn if what is looked for is seen at none of the first so many of the domain.
+const MIN_ATTEMPTS: u64 = 60;
+/// The search ends if none of the first this many attempts yields a point of the domain.
+const MAX_OUTSIDE_ATTEMPTS: u64 = 150;
+/// The search ends if the statement has no value at any of the first this many points of the domain.
 pub(crate) const MAX_POINTS_WITHOUT_VALUE: u64 = 40;
-/// No further points are drawn if each of the first so many costs more than its share.
+/// The search ends if each of the first this many points costs more than its share.
 pub(crate) const MAX_COSTLY_POINTS: u64 = 3;
-/// Every how many-th point lies at the edges of the declared sets: where a statement holds, and where a condition fails.
+/// One in this many points lies at the edges of the declared sets: in general, and where a condition fails.
 const EDGES: u64 = 6;
 const EDGES_BEYOND: u64 = 2;
-/// The work that the statement and its conditions may take at one point, besides what it takes to find the point.
+/// The budget of the statement and its conditions at one point, in addition to the work of finding the point.
 const STATEMENT_WORK: u64 = 1_000_000;
-/// How deep definitions of statements are opened.
+/// The largest depth to which definitions of statements are opened.
 const MAX_OPENED: u32 = 16;
 
-/// What a drawn point turned out to be.
+/// The result for a point that was drawn.
 pub(crate) enum Seen<'s, 'a> {
-    /// One condition is not true there.
+    /// A condition is not true at the point.
     Excepted,
-    /// A point of the domain, judged.
+    /// A point of the domain, with the judgement on the statement.
     Judged {
         judgement: Judgement,
         draft: &'s Draft<'a>,
         near: bool,
-        /// Whether the hypotheses that are satisfied first are so exactly.
+        /// Whether the hypotheses that are satisfied first hold exactly.
         exactly_first: bool,
     },
 }
 
-/// What is judged at the points of a walk.
+/// What is judged at the points.
 pub(crate) struct Judged<'a> {
-    /// A statement, or nothing for that of the claim.
+    /// A statement; `None` for the statement of the claim.
     pub statement: Option<&'a Expr>,
-    /// What has to be true besides.
+    /// Conditions that must be true as well.
     pub conditions: Vec<&'a Expr>,
-    /// The parts p of `fails(p)` for which a point is known, by their addresses.
+    /// The parts p of `fails(p)` for which a point is known at which p fails, by address.
     pub failing: BTreeSet<usize>,
 }
 
@@ -65,8 +65,8 @@ impl<'a> Judged<'a> {
         }
     }
 
-    /// The same, to be judged on another domain of the same claim.
-    pub fn anew(&self) -> Self {
+    /// A copy, to be judged on another domain of the same claim.
+    pub fn copied(&self) -> Self {
         Self {
             statement: self.statement,
             conditions: self.conditions.clone(),
@@ -80,39 +80,39 @@ impl<'a> Judged<'a> {
     }
 }
 
-/// A walk through points of a domain, with bounded work.
+/// Visits points of a domain with bounded work.
 pub(crate) struct Survey<'a> {
     domain: &'a Domain<'a>,
     seed: &'a str,
     attempts: u64,
-    /// The work of one point.
+    /// The budget of one point.
     share: u64,
     /// The budget.
     pub work: Work,
-    /// Every how many-th point lies at the edges of the declared sets.
+    /// One in this many points lies at the edges of the declared sets.
     edges: u64,
-    /// Hypotheses that are satisfied first.
+    /// Hypotheses that are satisfied before all others.
     first: Option<&'a Domain<'a>>,
-    /// What points consist of.
+    /// The kind of numbers that points consist of.
     pub ground: Ground,
 }
 
-/// The numbers that points consist of.
+/// The kind of numbers that points consist of.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Ground {
-    /// Exact ones, enclosed where they have to be.
+    /// Exact numbers, enclosed where necessary.
     Reals,
     /// Residues modulo a prime.
     Residues,
 }
 
 impl<'a> Survey<'a> {
-    /// The walk through the whole domain that this text seeds, until this budget is spent.
+    /// Visits the whole domain with this seed, until the budget is spent.
     pub fn new(domain: &'a Domain<'a>, seed: &'a str, wanted: u64, budget: u64) -> Self {
         Self {
             domain,
             seed,
-            attempts: LEAST_ATTEMPTS.max(ATTEMPTS_PER_POINT * wanted),
+            attempts: MIN_ATTEMPTS.max(ATTEMPTS_PER_POINT * wanted),
             share: (budget / wanted.max(1)).saturating_mul(2),
             work: Work::new(budget),
             edges: EDGES,
@@ -126,7 +126,8 @@ impl<'a> Survey<'a> {
         self.domain.reading
     }
 
-    /// The same walk where the hypotheses of `first` are satisfied before all others, often at the edges of the declared sets.
+    /// As before, but the hypotheses of `first` are satisfied before all others, and points are often at the edges of
+    /// the declared sets.
     pub fn beyond(self, first: &'a Domain<'a>) -> Self {
         Self {
             edges: EDGES_BEYOND,
@@ -135,7 +136,7 @@ impl<'a> Survey<'a> {
         }
     }
 
-    /// The same walk modulo a prime, with a budget of its own.
+    /// As before, but modulo a prime, with a budget of its own.
     pub fn by_residues(&self) -> Self {
         Self {
             work: Work::new(self.work.left()),
@@ -144,21 +145,21 @@ impl<'a> Survey<'a> {
         }
     }
 
-    /// Judges a statement at one point after the other as long as `each` says so; returns how many were drawn.
+    /// Judges a statement at points as long as `each` returns true; returns the number of points drawn.
     pub fn walk(&self, judged: &Judged<'a>, each: &mut dyn FnMut(Seen<'_, '_>) -> bool) -> u64 {
-        let (mut costly, mut nowhere) = (0, true);
+        let (mut costly, mut none_inside) = (0, true);
         for attempt in 0..self.attempts {
             let available = self.share.min(self.work.left());
             let hopeless = (attempt == MAX_COSTLY_POINTS && costly == MAX_COSTLY_POINTS)
-                || (attempt == MAX_UNDEFINED_DRAWS && nowhere);
+                || (attempt == MAX_OUTSIDE_ATTEMPTS && none_inside);
             if available == 0 || hopeless {
                 return attempt;
             }
             let own = Work::new(available);
-            let go_on = self.one(judged, attempt, &own, each);
+            let go_on = self.attempt(judged, attempt, &own, each);
             let _ = self.work.spend(available - own.left());
             costly += u64::from(own.left() == 0);
-            nowhere &= go_on.is_none();
+            none_inside &= go_on.is_none();
             if go_on == Some(false) {
                 return attempt + 1;
             }
@@ -166,8 +167,9 @@ impl<'a> Survey<'a> {
         self.attempts
     }
 
-    /// Judges a statement at the point of this attempt: whether to go on; `None` if it is no point of the domain.
-    fn one(
+    /// Judges a statement at the point of this attempt. Returns whether to continue, and `None` if it is not a point
+    /// of the domain.
+    fn attempt(
         &self,
         judged: &Judged<'a>,
         attempt: u64,
@@ -176,7 +178,7 @@ impl<'a> Survey<'a> {
     ) -> Option<bool> {
         let stream = Stream::new(self.seed, attempt);
         let stream = match (attempt + 1) % self.edges {
-            // The corners of the declared sets, every other time.
+            // Every other time at the corners of the declared sets.
             0 if (attempt + 1).is_multiple_of(2 * self.edges) => stream.at_corner(),
             0 => stream.at_edges(),
             n if n == self.edges / 2 && self.edges > EDGES_BEYOND => stream.with_coincidences(),
@@ -201,7 +203,7 @@ impl<'a> Survey<'a> {
         let Some(judgement) = judgement else {
             return Some(each(Seen::Excepted));
         };
-        // What was solved for since may have moved them.
+        // Solving the other equations may have moved the numbers.
         let exactly_first = match self.first {
             Some(first) => !completed(first, &draft, work)?,
             None => !near,
@@ -217,8 +219,9 @@ impl<'a> Survey<'a> {
         }))
     }
 
-    /// What the statement is at the point that a draft is completed to, if the conditions are true there, and whether the
-    /// point satisfies its equations only nearly; `None` if it is no point of the domain.
+    /// Completes a draft to a point of the domain and judges the statement there if the conditions are true. Also
+    /// returns whether the point satisfies its equations only approximately; `None` if it is not a point of the
+    /// domain.
     fn exactly(
         &self,
         judged: &Judged<'a>,
@@ -248,7 +251,7 @@ impl<'a> Survey<'a> {
         Some((Some(judgement), near))
     }
 
-    /// The same modulo a prime.
+    /// As `exactly`, modulo a prime.
     fn modulo_prime(
         &self,
         judged: &Judged<'a>,
@@ -287,7 +290,7 @@ impl<'a> Survey<'a> {
         }))
     }
 
-    /// Finds, for each `fails(p)` of a statement, a point of the domain at which p is false: `fails(p)` is true then.
+    /// Finds, for each `fails(p)` in a statement, a point of the domain at which p is false; `fails(p)` is then true.
     pub fn settled(&self, statement: &'a Expr) -> BTreeSet<usize> {
         let mut failing = BTreeSet::new();
         for p in self.denied(statement) {
@@ -309,7 +312,7 @@ impl<'a> Survey<'a> {
         failing
     }
 
-    /// What is said to fail somewhere.
+    /// The parts p of `fails(p)` in a statement.
     pub fn denied(&self, statement: &'a Expr) -> Vec<&'a Expr> {
         let mut pending = vec![(statement, MAX_OPENED)];
         let mut denied = vec![];
@@ -338,7 +341,7 @@ impl<'a> Survey<'a> {
     }
 }
 
-/// Why a hypothesis is undefined at numbers that satisfy all others, but for equations that might be solved.
+/// Why a hypothesis is undefined at numbers that satisfy all others, except possibly equations that could be solved.
 fn undefined_hypothesis(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Option<Undefined> {
     let judge = Judge {
         reading: domain.reading,

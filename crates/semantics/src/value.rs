@@ -1,7 +1,7 @@
 //! Values: numbers, vectors, matrices.
 //!
-//! A vector with one generic coordinate is a number here: the formula is evaluated in that coordinate, which stands
-//! for all. The number 0 fits every shape.
+//! A vector with one generic coordinate is a number here: the formula is evaluated in that coordinate, which
+//! represents all. The number 0 matches every shape.
 
 use crate::arithmetic::Arithmetic;
 use crate::no_value::NoValue;
@@ -18,14 +18,14 @@ pub enum Value<N> {
 }
 
 type Outcome<N> = Result<Value<N>, NoValue>;
-/// Numbers of two sides that stand at the same place.
+/// Pairs of corresponding numbers of two sides.
 type Pairs<N> = Vec<(Series<N>, Series<N>)>;
 
 impl<N: Clone + PartialEq + Debug> Value<N> {
     /// The number.
     ///
     /// # Errors
-    /// [`NoValue::Unknown`] for vectors.
+    /// [`NoValue::Unknown`] for vectors and matrices.
     pub fn number(self) -> Result<Series<N>, NoValue> {
         match self {
             Self::Number(number) => Ok(number),
@@ -81,10 +81,10 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
         Self::Many(rows.into_iter().map(Self::vector).collect())
     }
 
-    /// The value with every number changed.
+    /// Changes every number in the value.
     ///
     /// # Errors
-    /// That of `change`.
+    /// The error of `change`.
     pub fn each(&self, change: &impl Fn(&Series<N>) -> Result<Series<N>, NoValue>) -> Outcome<N> {
         Ok(match self {
             Self::Number(number) => Self::Number(change(number)?),
@@ -97,7 +97,7 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
         })
     }
 
-    /// The pairs of numbers of two values of one shape; 0 fits every shape.
+    /// The pairs of corresponding numbers of two values of one shape; 0 matches every shape.
     ///
     /// # Errors
     /// [`NoValue::Unknown`] for other shapes.
@@ -131,10 +131,10 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
         }
     }
 
-    /// `self + other`, entry by entry; 0 fits every shape.
+    /// `self + other`, entry by entry; 0 matches every shape.
     ///
     /// # Errors
-    /// [`NoValue::Unknown`] for different shapes, and the gaps of arithmetic.
+    /// [`NoValue::Unknown`] for different shapes, and the errors of the arithmetic.
     pub fn plus<A: Arithmetic<Number = N>>(&self, other: &Self, a: &A) -> Outcome<N> {
         match (self, other) {
             (Self::Number(x), Self::Number(y)) => Ok(Self::Number(x.plus(y, a)?)),
@@ -164,7 +164,7 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
     /// `self * other`: a number times anything, a matrix times a vector or a matrix.
     ///
     /// # Errors
-    /// [`NoValue::Unknown`] for shapes that do not fit, and the gaps of arithmetic.
+    /// [`NoValue::Unknown`] for shapes that do not match, and the errors of the arithmetic.
     pub fn times<A: Arithmetic<Number = N>>(&self, other: &Self, a: &A) -> Outcome<N> {
         match (self, other) {
             (Self::Number(x), many) | (many, Self::Number(x)) => many.each(&|y| x.times(y, a)),
@@ -193,7 +193,7 @@ impl<N: Clone + PartialEq + Debug> Value<N> {
 /// `sum of x_i y_i`.
 ///
 /// # Errors
-/// [`NoValue::Unknown`] for different lengths, and the gaps of arithmetic.
+/// [`NoValue::Unknown`] for different lengths, and the errors of the arithmetic.
 pub fn dot<A: Arithmetic>(
     xs: &[Series<A::Number>],
     ys: &[Series<A::Number>],
@@ -208,7 +208,7 @@ pub fn dot<A: Arithmetic>(
     })
 }
 
-/// The matrix with rows and columns exchanged.
+/// The transposed matrix.
 pub fn transposed<T: Clone>(rows: &[Vec<T>]) -> Vec<Vec<T>> {
     let width = rows.first().map_or(0, Vec::len);
     (0..width)

@@ -1,4 +1,4 @@
-//! Points as text: counterexamples that the engine prints.
+//! Points as texts: reads and checks the counterexamples that are printed.
 
 use crate::domain::Domain;
 use crate::domain::point::{Outside, Point, check_hypotheses, check_sets};
@@ -16,23 +16,23 @@ use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 use torse_syntax::formula::{Connective, Expr, Node, parse};
 use torse_syntax::notation;
 
-/// The work of one judgement.
+/// The budget of one judgement.
 const POINT_WORK: u64 = 2_000_000;
-/// The precision of numbers that are not exact, in bits.
+/// The precision of inexact numbers, in bits.
 const BITS: usize = 1280;
-/// The work that may be spent on the functions of one degree.
+/// The budget for the functions of one degree.
 const DEPENDENCE_WORK: u64 = 2_000_000;
 
-/// Why a text is no point of a claim.
+/// Why a text is not a point of a claim.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Unreadable {
-    /// A name that is no symbol, coordinate or member of the claim.
+    /// A name that is not a symbol, coordinate or member of the claim.
     #[error("`{name}` is no number of the claim")]
     Name {
         /// The name.
         name: String,
     },
-    /// A value that is no closed formula with a real value.
+    /// A value that is not a closed formula with a real value.
     #[error("`{value}` is no number")]
     Value {
         /// The value.
@@ -43,7 +43,7 @@ pub enum Unreadable {
 /// Reads a point: names such as `a`, `p[1]`, `P[0,1]`, `P[0,1][2]`, values such as `3/7`, `pi/2`, `sqrt(2)`.
 ///
 /// # Errors
-/// [`Unreadable`]: what is no name of the claim, or no number.
+/// [`Unreadable`] for a name that the claim does not have, or a value that is not a number.
 pub fn read<'t>(
     claim: &Claim,
     numbers: impl IntoIterator<Item = (&'t str, &'t str)>,
@@ -68,7 +68,7 @@ pub fn read<'t>(
     })
 }
 
-/// Whether a name is that of a root, which the values of the symbols determine.
+/// Whether a name is that of a root, whose value the symbols determine.
 fn is_root(name: &str) -> bool {
     let heads = ["sqrt(", "norm(", "abs(", "\u{221a}"];
     heads.iter().any(|head| name.starts_with(head))
@@ -103,7 +103,7 @@ fn name_of(declarations: &Declarations, expr: &Expr) -> Option<Name> {
     }
     let name = match &head.node {
         Node::Name(name) => name.clone(),
-        // A smooth function at a place.
+        // A derivative of a smooth function at a place.
         Node::Call(..) => notation::text(head),
         _ => return None,
     };
@@ -142,7 +142,7 @@ fn name_of(declarations: &Declarations, expr: &Expr) -> Option<Name> {
     }
 }
 
-/// An integer, written.
+/// The value of an integer literal.
 fn integer(expr: &Expr) -> Option<i64> {
     match &expr.node {
         Node::Number { value, .. } if value.is_integer() => i64::try_from(&value.to_integer()).ok(),
@@ -151,11 +151,11 @@ fn integer(expr: &Expr) -> Option<i64> {
     }
 }
 
-/// What a counterexample turns out to be.
+/// The result of checking a counterexample.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Witness {
-    /// It lies in every declared set, satisfies every hypothesis, every part of the statement is defined there, and
-    /// the statement is false.
+    /// It lies in every declared set and satisfies every hypothesis, every part of the statement is defined there,
+    /// and the statement is false.
     Refutes,
     /// It does not belong to the domain.
     Outside(Outside),
@@ -167,9 +167,9 @@ pub enum Witness {
 
 /// Checks a counterexample to a statement about the domain of a claim.
 ///
-/// Every number that the hypotheses and the statement ask for has to be named; bounds of integers as well. Of smooth functions
-/// derivatives are named: any function with these will do. `degree`, where no symbol has this name, is the degree at which the
-/// functions of a basis are said to be dependent.
+/// Every number that the hypotheses and the statement need must be named, including bounds of integers. For smooth
+/// functions derivatives are named; any function with these derivatives will do. If no symbol is called `degree`,
+/// this name gives the degree at which the functions of a basis are claimed to be dependent.
 #[must_use]
 pub fn check_witness<'t>(
     claim: &Claim,
@@ -199,10 +199,10 @@ pub fn check_witness<'t>(
     }
 }
 
-/// Whether a point belongs to the domain of a claim, and what the statement is there.
+/// Checks that a point belongs to the domain of a claim, and judges the statement there.
 ///
 /// # Errors
-/// [`Outside`]: a number is not in its declared set, or a hypothesis is not true.
+/// [`Outside`] if a number is not in its declared set, or a hypothesis is not true.
 pub fn check(reading: &Reading<'_>, point: &Point) -> Result<Judgement, Outside> {
     let work = Work::new(POINT_WORK);
     let number = |name: &Name| {
@@ -222,8 +222,8 @@ pub fn check(reading: &Reading<'_>, point: &Point) -> Result<Judgement, Outside>
     Ok(grounds.along(&judge, reading.given(), None).statement())
 }
 
-/// Whether a statement says that the functions of a basis are independent, by itself or beside others, and those of this
-/// degree are not.
+/// Whether a statement asserts that the functions of a basis are independent (alone or in a conjunction), and those
+/// of this degree are dependent.
 fn is_dependent(reading: &Reading<'_>, statement: &Expr, degree: i64, point: &Point) -> bool {
     match &statement.node {
         Node::Join(Connective::And, a, b) => {

@@ -3,13 +3,13 @@
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
-/// How deep definitions of statements are opened.
+/// The largest depth to which definitions of statements are opened.
 const MAX_OPENED: u32 = 16;
 
 /// A comparison that every point of the domain satisfies.
 pub(crate) type Constraint<'a> = (Relation, &'a Expr, &'a Expr);
 
-/// The comparisons that are true wherever all hypotheses are: those of conjunctions, and of denials of alternatives.
+/// The comparisons that are true wherever all hypotheses are: the parts of conjunctions, and of negated disjunctions.
 pub(crate) fn constraints<'a>(
     declarations: &'a Declarations,
     hypotheses: &[&'a Expr],
@@ -21,7 +21,7 @@ pub(crate) fn constraints<'a>(
     all
 }
 
-/// Whether a hypothesis is a conjunction of equations, all of which are solved.
+/// Whether a hypothesis is a conjunction of equations, so that all of it is solved.
 pub(crate) fn is_equations(declarations: &Declarations, tree: &Expr) -> bool {
     let mut all = vec![];
     let complete = collect(declarations, tree, false, MAX_OPENED, &mut all);
@@ -31,31 +31,33 @@ pub(crate) fn is_equations(declarations: &Declarations, tree: &Expr) -> bool {
             .all(|(relation, ..)| *relation == Relation::Equal)
 }
 
-/// Adds the comparisons that a statement, or its denial, consists of: whether it says nothing else.
+/// Adds the comparisons of which a statement, or its negation, is a conjunction. Returns whether these are equivalent
+/// to it.
 fn collect<'a>(
     declarations: &'a Declarations,
     tree: &'a Expr,
-    is_denied: bool,
+    is_negated: bool,
     depth: u32,
     all: &mut Vec<Constraint<'a>>,
 ) -> bool {
     match &tree.node {
         Node::Join(connective, a, b) => {
-            let first_denied = match (connective, is_denied) {
+            let first_negated = match (connective, is_negated) {
                 (Connective::And, false) | (Connective::Implies, true) => false,
                 (Connective::Or, true) => true,
                 _ => return false,
             };
-            let first = collect(declarations, a, first_denied, depth, all);
-            collect(declarations, b, is_denied, depth, all) && first
+            let first = collect(declarations, a, first_negated, depth, all);
+            collect(declarations, b, is_negated, depth, all) && first
         }
-        Node::Not(inner) => collect(declarations, inner, !is_denied, depth, all),
-        Node::Compare(first, rest) if !is_denied || rest.len() == 1 => {
+        Node::Not(inner) => collect(declarations, inner, !is_negated, depth, all),
+        Node::Compare(first, rest) if !is_negated || rest.len() == 1 => {
             let mut left = &**first;
             for (relation, right) in rest {
-                let relation = match is_denied {
-                    true => relation.opposite(),
-                    false => *relation,
+                let relation = if is_negated {
+                    relation.opposite()
+                } else {
+                    *relation
                 };
                 all.push((relation, left, right));
                 left = right;
@@ -64,7 +66,7 @@ fn collect<'a>(
         }
         Node::Name(name) => match (declarations.definition(name), depth.checked_sub(1)) {
             (Some(definition), Some(depth)) => {
-                collect(declarations, &definition.body.expr, is_denied, depth, all)
+                collect(declarations, &definition.body.expr, is_negated, depth, all)
             }
             _ => false,
         },

@@ -1,4 +1,4 @@
-//! A point in the making: every number is drawn from its declared set when it is asked for first.
+//! A point under construction: each number is drawn from its declared set when it is first needed.
 
 use super::stream::Stream;
 use super::{Domain, set};
@@ -10,12 +10,12 @@ use torse_numbers::Affine;
 use torse_numbers::rational::integer;
 use torse_syntax::derivation::declarations::SymbolKind;
 
-/// How deep bounds of integers may name other integers.
+/// The largest depth to which bounds of integers refer to other integers.
 const MAX_DEPTH: usize = 16;
-/// The most numbers of a point.
+/// The largest number of numbers of a point.
 const MAX_NAMES: usize = 4000;
 
-/// A point in the making.
+/// A point under construction.
 pub(crate) struct Draft<'a> {
     domain: &'a Domain<'a>,
     stream: Stream,
@@ -27,7 +27,7 @@ pub(crate) struct Draft<'a> {
 }
 
 impl<'a> Draft<'a> {
-    /// The empty draft of these choices; symbols are drawn from the narrowed sets.
+    /// An empty draft for one attempt; symbols are drawn from the narrowed sets.
     pub fn new(domain: &'a Domain<'a>, stream: Stream) -> Self {
         Self {
             domain,
@@ -39,12 +39,12 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// The choices of this attempt.
+    /// The random choices of this attempt.
     pub fn stream(&self) -> &Stream {
         &self.stream
     }
 
-    /// The number of this name, drawn if need be.
+    /// The number of this name, drawn if necessary; `None` if that is impossible.
     pub fn value(&self, name: &Name) -> Option<Real> {
         self.value_within(name, MAX_DEPTH)
     }
@@ -63,7 +63,7 @@ impl<'a> Draft<'a> {
             (Name::Symbol(_), SymbolKind::Real(interval)) => {
                 let drawn = set::in_interval(interval, &self.stream, &label);
                 if set::contains(interval, &drawn, false) != Some(true) {
-                    // The ends are exchanged, or one point is left and does not belong to the interval.
+                    // The bounds are in the wrong order, or the only remaining point does not belong to the interval.
                     self.empty.set(true);
                     return None;
                 }
@@ -87,7 +87,7 @@ impl<'a> Draft<'a> {
         Some(drawn)
     }
 
-    /// The value of an index form.
+    /// The value of an index form, or `None` if a symbol in it has no integer value.
     fn form(&self, form: &Affine, depth: usize) -> Option<i64> {
         let depth = depth.checked_sub(1)?;
         let mut multiples = form.multiples();
@@ -98,32 +98,32 @@ impl<'a> Draft<'a> {
         })
     }
 
-    /// Gives a number another value.
+    /// Replaces the value of a number.
     pub fn set(&self, name: &Name, value: Real) {
         self.values.borrow_mut().insert(name.clone(), value);
     }
 
-    /// Remembers that a number satisfies the equations nearly.
+    /// Records that a number satisfies the equations only approximately.
     pub fn round(&self, name: &Name) {
         self.rounded.borrow_mut().insert(name.clone());
     }
 
-    /// Whether a number satisfies the equations nearly.
+    /// Whether a number satisfies the equations only approximately.
     pub fn is_rounded(&self, name: &Name) -> bool {
         self.rounded.borrow().contains(name)
     }
 
-    /// The numbers that satisfy the equations nearly.
+    /// The numbers that satisfy the equations only approximately.
     pub fn rounded(&self) -> BTreeSet<Name> {
         self.rounded.borrow().clone()
     }
 
-    /// Remembers numbers that linear equations leave no choice, if all others are as they are.
+    /// Records numbers that linear equations determine uniquely, given all others.
     pub fn determine(&self, names: impl IntoIterator<Item = Name>) {
         self.determined.borrow_mut().extend(names);
     }
 
-    /// Whether no other point is like this one: the equations leave no choice of any of its numbers.
+    /// Whether the domain has no other point: the equations determine all numbers of this one.
     pub fn is_determined(&self) -> bool {
         let determined = self.determined.borrow();
         let pinned = |name: &Name| match name {
@@ -136,7 +136,7 @@ impl<'a> Draft<'a> {
             .all(|name| pinned(name) || determined.contains(name))
     }
 
-    /// What is seen of all numbers drawn so far, while none is drawn.
+    /// Calls a function with all numbers drawn so far; it must not draw others.
     pub fn look<T>(&self, at: impl FnOnce(&BTreeMap<Name, Real>) -> T) -> T {
         at(&self.values.borrow())
     }

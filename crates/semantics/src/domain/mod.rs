@@ -1,10 +1,10 @@
 //! Points of the domain of a claim: numbers in the declared sets that satisfy all hypotheses.
 //!
-//! Points come as a stream that a text seeds, the claim's id, so that they are the same on every run. [`set`] draws a
-//! number of a declared set, which [`narrow`] makes smaller, [`draft`] one number after the other as they are asked for,
-//! [`sort`] puts them into the order that is assumed,
-//! [`solve`] changes some of them until the assumed and given equations hold, by the steps of [`newton`], and [`point`]
-//! checks what came out. [`constraints`] are the hypotheses that can be used so, as they stand in the text.
+//! The points form a stream seeded by a text, the claim's id, so they are the same in every run. [`set`] draws a
+//! number from a declared set, which [`narrow`] has narrowed by hypotheses; [`draft`] draws numbers one after the
+//! other as they are needed; [`sort`] puts them into an assumed order; [`solve`] changes some of them until the
+//! assumed and given equations hold, by steps of [`newton`]; [`point`] checks the result. [`constraints`] finds the
+//! hypotheses that can be used in this way, as they stand in the text.
 
 pub(crate) mod constraints;
 pub(crate) mod draft;
@@ -23,13 +23,13 @@ use narrow::Narrowed;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Expr, Relation};
 
-/// What the points of a claim have to satisfy.
+/// The conditions on the points of a claim.
 pub(crate) struct Domain<'a> {
-    /// The trees of the claim.
+    /// The syntax trees of the claim.
     pub reading: &'a Reading<'a>,
     /// All hypotheses.
     pub hypotheses: Vec<&'a Expr>,
-    /// What is solved for first.
+    /// The unknowns of the claim, which are solved for first.
     pub unknowns: Vec<&'a Expr>,
     /// The comparisons that every point satisfies.
     pub constraints: Vec<Constraint<'a>>,
@@ -47,13 +47,13 @@ impl<'a> Domain<'a> {
         )
     }
 
-    /// The part of the domain of a claim where one more hypothesis is true.
+    /// The part of the domain of a claim in which one more hypothesis is true.
     pub fn where_true(reading: &'a Reading<'a>, further: &'a Expr) -> Self {
         let all = reading.hypotheses().chain([further]);
         Self::with(reading, all.collect(), reading.unknowns().collect())
     }
 
-    /// Where one hypothesis is true, whatever the others say.
+    /// The set in which one hypothesis is true, ignoring all others.
     pub fn alone(reading: &'a Reading<'a>, hypothesis: &'a Expr) -> Self {
         Self::with(reading, vec![hypothesis], vec![])
     }

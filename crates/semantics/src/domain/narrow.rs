@@ -1,7 +1,7 @@
-//! Ranges that hypotheses narrow: `k > 0` among them says that k is to be drawn from the positive numbers, `k == 3` that it
-//! is 3.
+//! Narrows declared ranges by hypotheses: under `k > 0` positive numbers are drawn for k, under `k == 3` the number
+//! 3.
 //!
-//! This finds points sooner and excludes none: whether all hypotheses are true is asked of every point all the same.
+//! This only finds points sooner, and excludes none: all hypotheses are still checked at every point.
 
 use super::constraints::Constraint;
 use crate::name::Name;
@@ -15,21 +15,21 @@ use torse_numbers::{Affine, Rational};
 use torse_syntax::derivation::declarations::{Bound, SymbolKind};
 use torse_syntax::formula::{Expr, Node, Relation};
 
-/// The operations that the number of one hypothesis may take, and their precision where they are not exact.
+/// The budget for evaluating the number in one hypothesis, and the precision if it is not exact.
 const MAX_WORK: u64 = 100;
 const BITS: usize = 64;
 
-/// The sets that symbols are drawn from where a hypothesis compares them with a rational number.
+/// The sets from which symbols are drawn, narrowed by hypotheses that compare them with rational numbers.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Narrowed {
-    /// Those of symbols that are compared.
+    /// The narrowed sets, by symbol.
     pub sets: BTreeMap<Arc<str>, SymbolKind>,
-    /// The symbols that a hypothesis says are equal to a number.
+    /// The symbols that a hypothesis sets equal to a number.
     pub pinned: BTreeSet<Arc<str>>,
 }
 
 impl Narrowed {
-    /// What the hypotheses of a claim say of single symbols.
+    /// Narrows the sets of single symbols by the hypotheses of a claim.
     pub fn new(reading: &Reading<'_>, constraints: &[Constraint<'_>]) -> Self {
         let mut all = Self::default();
         let declarations = reading.declarations();
@@ -60,7 +60,7 @@ impl Narrowed {
     }
 }
 
-/// Narrows a set to the numbers with this relation to a number: whether it is the only one that is left.
+/// Narrows a set to the numbers that have this relation to `number`. Returns whether only one number remains.
 fn narrow(set: &mut SymbolKind, relation: Relation, number: &Rational) -> bool {
     let (below, above, closed) = match relation {
         Relation::Less => (true, false, false),
@@ -84,14 +84,14 @@ fn narrow(set: &mut SymbolKind, relation: Relation, number: &Rational) -> bool {
             }
         }
         SymbolKind::Integer { least, most } => {
-            // The last integer that is at most the number, and the first that is at least so large.
+            // The largest integer that is at most the number, and the smallest that is at least the number.
             let (numer, denom) = (number.numer(), number.denom());
             let last = i64::try_from(&floor_quotient(numer, denom));
             let first = i64::try_from(&-floor_quotient(&-numer, denom));
             let (Ok(last), Ok(first)) = (last, first) else {
                 return false;
             };
-            // Where it is an integer itself, it may not belong to them.
+            // If the number is an integer and the relation is strict, the number itself is excluded.
             let open = i64::from(!closed && last == first);
             match relation {
                 Relation::Equal => {
@@ -107,7 +107,7 @@ fn narrow(set: &mut SymbolKind, relation: Relation, number: &Rational) -> bool {
     relation == Relation::Equal
 }
 
-/// Replaces an end of an interval by one that lies further inside. Multiples of pi stay.
+/// Replaces a bound of an interval by one further inside. Multiples of pi are kept.
 fn narrow_end(end: &mut Option<Bound>, new: Bound, outside: fn(&Rational, &Rational) -> bool) {
     let keeps = end.as_ref().is_some_and(|own| {
         let (Some(a), Some(b)) = (own.value.as_rational(), new.value.as_rational()) else {
@@ -120,7 +120,7 @@ fn narrow_end(end: &mut Option<Bound>, new: Bound, outside: fn(&Rational, &Ratio
     }
 }
 
-/// Replaces a bound of an integer by one that lies further inside. Bounds that name other integers stay.
+/// Replaces a bound of an integer by one further inside. Bounds that refer to other integers are kept.
 fn narrow_bound(bound: &mut Option<Affine>, new: i64, inner: fn(i64, i64) -> i64) {
     let inside = match bound {
         None => new,
@@ -132,7 +132,7 @@ fn narrow_bound(bound: &mut Option<Affine>, new: i64, inner: fn(i64, i64) -> i64
     *bound = Some(Affine::number(inside));
 }
 
-/// The rational number that a formula without symbols is.
+/// The rational value of a formula without symbols, if it has one.
 fn number(reading: &Reading<'_>, tree: &Expr) -> Option<Rational> {
     let work = Work::new(MAX_WORK);
     let reals = Reals {

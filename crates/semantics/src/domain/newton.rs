@@ -1,5 +1,5 @@
-//! Equations to first order, and the changes that make them hold: one step of Newton's method for systems with more
-//! unknowns than equations, over any arithmetic.
+//! One step of Newton's method for systems with more unknowns than equations, over any arithmetic: equations are
+//! expanded to first order, and elimination finds the changes that make them hold.
 
 use super::Domain;
 use super::stream::Stream;
@@ -16,16 +16,17 @@ use torse_numbers::Rational;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::Expr;
 
-/// The most numbers that are candidates for a change.
+/// The largest number of unknowns that are considered for a change.
 const MAX_CANDIDATES: usize = 160;
 
-/// An equation, by its sides.
+/// The two sides of an equation.
 pub(crate) type Equation<'a> = (&'a Expr, &'a Expr);
 
-/// Expands the differences of the sides of equations at these values by the numbers that `moves` chooses.
+/// Expands the differences of the sides of equations to first order at these values. The numbers that `moves` accepts
+/// are the variables.
 ///
 /// # Errors
-/// Where a side has no value, or none that is known.
+/// [`NoValue`] if a side is undefined or its value is unknown.
 pub(crate) fn expanded<A: Arithmetic>(
     reading: &Reading<'_>,
     equations: &[Equation<'_>],
@@ -40,9 +41,10 @@ pub(crate) fn expanded<A: Arithmetic>(
             return Some(Gradient::clone(gradient));
         }
         let value = value(name)?;
-        let gradient = match moves(name) {
-            true => gradients.variable(name, value),
-            false => Gradient::constant(value),
+        let gradient = if moves(name) {
+            gradients.variable(name, value)
+        } else {
+            Gradient::constant(value)
         };
         known.borrow_mut().insert(name.clone(), gradient.clone());
         Some(gradient)
@@ -60,10 +62,10 @@ pub(crate) fn expanded<A: Arithmetic>(
     })
 }
 
-/// The differences of the sides: what [`expanded`] finds where nothing moves, for less.
+/// The differences of the sides: as [`expanded`] without variables, but cheaper.
 ///
 /// # Errors
-/// Where a side has no value, or none that is known.
+/// [`NoValue`] if a side is undefined or its value is unknown.
 pub(crate) fn differences<A: Arithmetic>(
     reading: &Reading<'_>,
     equations: &[Equation<'_>],
@@ -78,17 +80,17 @@ pub(crate) fn differences<A: Arithmetic>(
     reading.differences(equations, a, values)
 }
 
-/// A number that may be changed, with the first derivatives of all gaps by it.
+/// An unknown that may be changed, with the derivatives of all differences by it.
 struct Column<N> {
     name: Name,
     rates: Vec<N>,
-    /// What is changed first: unknowns of the claim, then what occurs linearly, numbers before integers, those without
-    /// bounds before others.
+    /// The order in which unknowns are changed: unknowns of the claim first, then those that occur linearly, real
+    /// numbers before integers, unbounded ones before bounded ones.
     rank: (bool, bool, bool, bool, i64),
 }
 
-/// What the numbers that occur have to be changed by, so that all gaps become zero; `None` if that cannot be. A gap that
-/// nothing changes has to hold already.
+/// The changes of the unknowns that make all differences zero to first order; `None` if there are none. A difference
+/// that no unknown changes must be zero already.
 pub(crate) fn changes<A: Arithmetic>(
     domain: &Domain<'_>,
     expanded: &Expanded<A::Number>,
@@ -101,7 +103,7 @@ pub(crate) fn changes<A: Arithmetic>(
     eliminated(&columns, &expanded.gaps, a, holds)
 }
 
-/// The numbers that the gaps change with, best candidates for a change first.
+/// The unknowns that change the differences, the best candidates first.
 fn columns<A: Arithmetic>(
     domain: &Domain<'_>,
     expanded: &Expanded<A::Number>,
@@ -141,14 +143,14 @@ fn columns<A: Arithmetic>(
     columns
 }
 
-/// Eliminates: what the columns have to be changed by; `None` if they cannot make all gaps zero.
+/// Solves by elimination for the changes of the columns; `None` if no changes make all differences zero.
 fn eliminated<A: Arithmetic>(
     columns: &[Column<A::Number>],
     gaps: &[Slope<A::Number>],
     a: &A,
     holds: &dyn Fn(&A::Number) -> bool,
 ) -> Option<BTreeMap<Name, A::Number>> {
-    // Rows: the rates of all columns, then minus the gap.
+    // Each row holds the derivatives by all columns, then the negative difference.
     let mut rows: Vec<Vec<A::Number>> = gaps
         .iter()
         .enumerate()
@@ -187,7 +189,7 @@ fn eliminated<A: Arithmetic>(
             break;
         }
     }
-    // An equation that nothing can change must hold.
+    // A difference that no unknown changes must be zero.
     for row in rows.iter().skip(done) {
         if row.last().is_some_and(|gap| !holds(gap)) {
             return None;

@@ -16,12 +16,13 @@ use torse_numbers::Affine;
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 use torse_syntax::formula::Expr;
 
-/// A point: a number for each symbol, coordinate and member that a statement asks for.
+/// A point: a number for each symbol, coordinate and member that a statement needs.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Point {
     /// The numbers.
     pub values: BTreeMap<Name, Real>,
-    /// Whether the equations of the domain hold only nearly, to more than 100 digits: they could not be solved exactly.
+    /// Whether the equations of the domain could not be solved exactly, so that they hold only to more than 100
+    /// digits.
     pub near: bool,
 }
 
@@ -37,7 +38,7 @@ impl fmt::Display for Point {
     }
 }
 
-/// Why a point is no point of a domain.
+/// Why a point does not belong to a domain.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Outside {
     /// A number is not in its declared set.
@@ -51,13 +52,13 @@ pub enum Outside {
     Hypothesis {
         /// Its position among the hypotheses of the claim.
         number: usize,
-        /// What it is.
+        /// The judgement of the hypothesis there.
         judgement: Judgement,
     },
 }
 
-/// Whether every number lies in its declared set, where they satisfy equations only nearly also if they are moved a little; the
-/// name of the first that does not, or is not known to.
+/// Checks that every number lies in its declared set; if the numbers satisfy equations only approximately, also after
+/// small changes. The error names the first one that does not, or is not known to.
 pub(crate) fn check_sets(
     declarations: &Declarations,
     values: &BTreeMap<Name, Real>,
@@ -101,13 +102,13 @@ fn is_in_range(
         && most.is_none_or(|high| form(high).is_some_and(|high| value <= high))
 }
 
-/// The integer that a number is.
+/// The value as a machine integer, if it is one.
 fn whole(value: &Real) -> Option<i64> {
     let value = value.as_rational().filter(|v| v.is_integer())?;
     i64::try_from(&value.to_integer()).ok()
 }
 
-/// Whether every hypothesis is true; those that are `known` to be are not judged.
+/// Checks that every hypothesis is true, except those that are `known` to be.
 pub(crate) fn check_hypotheses<'a>(
     judge: &Judge<'_, 'a>,
     domain: &Domain<'a>,
@@ -127,8 +128,8 @@ pub(crate) fn check_hypotheses<'a>(
     Ok(())
 }
 
-/// Changes a draft until it is a point of the domain, to be completed by what a statement asks for: whether it satisfies
-/// its equations only nearly; `None` if it cannot be one.
+/// Changes a draft until it is a point of the domain; a statement may then draw further numbers. Returns whether the
+/// point satisfies its equations only approximately, and `None` if it cannot be made a point of the domain.
 pub(crate) fn completed(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Option<bool> {
     sorted(domain, draft, work);
     let solved = solve(domain, draft, work)?;
@@ -141,7 +142,7 @@ pub(crate) fn completed(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> 
         fails: &|_| false,
         work,
     };
-    // The sets first: they cost nothing.
+    // Check the sets first, because that is cheap.
     draft
         .look(|values| check_sets(declarations, values, near))
         .ok()?;

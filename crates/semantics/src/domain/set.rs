@@ -1,4 +1,4 @@
-//! Numbers of declared sets.
+//! Drawing numbers from declared sets, and membership tests.
 
 use super::stream::Stream;
 use crate::arithmetic::Arithmetic;
@@ -9,15 +9,16 @@ use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 use torse_syntax::derivation::declarations::{Bound, Interval};
 
-/// How far integers go beyond their bound at most, and how many attempts it takes to go one further.
+/// Integers are drawn at most `SPAN` beyond their bound. The distance grows by one after every `ATTEMPTS_PER_STEP`
+/// attempts.
 const SPAN: i64 = 5;
 const ATTEMPTS_PER_STEP: u64 = 3;
-/// A bounded range of at most so many integers is used as a whole.
+/// From a bounded range of at most this many integers, all are drawn.
 const SHORT_RANGE: i64 = 12;
-/// What stands for an infinite end where an argument between two ends is needed.
-const FAR: i64 = 4;
+/// The finite bound that replaces an infinite one where a number between two bounds is needed.
+const FINITE_BOUND: i64 = 4;
 
-/// `a + share * b`, exactly.
+/// `a + share * b`; exact if both numbers are. An enclosed `a` is returned unchanged.
 fn moved(a: &Real, b: &Real, share: &Rational) -> Real {
     match (a.parts(), b.parts()) {
         (Some((p, s)), Some((q, t))) => Real::exact(&*p + share * &*q, &*s + share * &*t),
@@ -29,7 +30,7 @@ fn value(bound: &Bound) -> Real {
     Real::exact(bound.value.rational.clone(), bound.value.turns.clone())
 }
 
-/// The number at this share of the way through an interval; infinite ends are replaced by near ones.
+/// The number at this fraction of the way through an interval; infinite bounds are replaced by finite ones.
 fn between(interval: &Interval, share: &Rational) -> Real {
     let (lower, upper) = (
         interval.lower.as_ref().map(value),
@@ -38,16 +39,19 @@ fn between(interval: &Interval, share: &Rational) -> Real {
     let far = |n: i64| Real::from(integer(n));
     let (lower, upper) = match (lower, upper) {
         (Some(lower), Some(upper)) => (lower, upper),
-        (Some(lower), None) => (lower.clone(), moved(&lower, &far(FAR), &integer(1))),
-        (None, Some(upper)) => (moved(&upper, &far(-FAR), &integer(1)), upper),
-        (None, None) => (far(-FAR), far(FAR)),
+        (Some(lower), None) => (
+            lower.clone(),
+            moved(&lower, &far(FINITE_BOUND), &integer(1)),
+        ),
+        (None, Some(upper)) => (moved(&upper, &far(-FINITE_BOUND), &integer(1)), upper),
+        (None, None) => (far(-FINITE_BOUND), far(FINITE_BOUND)),
     };
     let rest = integer(1) - share;
     let zero = far(0);
     moved(&moved(&zero, &lower, &rest), &upper, share)
 }
 
-/// A rational number without a bound: small, and often an integer.
+/// A random rational number without bounds: small, and often an integer.
 pub(crate) fn anywhere(stream: &Stream, label: &str) -> Rational {
     if stream.corner || (stream.edges && stream.below(&format!("{label} zero"), 2) == 0) {
         return integer(0);
@@ -59,7 +63,7 @@ pub(crate) fn anywhere(stream: &Stream, label: &str) -> Rational {
         6 => 5,
         _ => 7,
     };
-    // Every third point is near the origin: what is assumed of squares holds there more often.
+    // Every third point is near the origin, where hypotheses about squares are true more often.
     let size = match stream.attempt % 3 {
         0 => 6,
         1 => 1,
@@ -69,7 +73,7 @@ pub(crate) fn anywhere(stream: &Stream, label: &str) -> Rational {
     Rational::new(numerator.into(), denominator.into())
 }
 
-/// A number of an interval: between the ends, now and then a closed end itself.
+/// A random number of an interval: mostly between the bounds, sometimes a closed bound itself.
 pub(crate) fn in_interval(interval: &Interval, stream: &Stream, label: &str) -> Real {
     let ends: Vec<&Bound> = [&interval.lower, &interval.upper]
         .into_iter()
@@ -113,7 +117,7 @@ pub(crate) fn in_interval(interval: &Interval, stream: &Stream, label: &str) -> 
     }
 }
 
-/// An integer between bounds: near the lower one at first; `None` if there is none.
+/// A random integer between bounds, near the lower one in early attempts; `None` if there is none.
 pub(crate) fn integer_between(
     least: Option<i64>,
     most: Option<i64>,

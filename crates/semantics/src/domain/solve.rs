@@ -1,9 +1,10 @@
-//! The equations of a domain: some numbers of a draft are changed until all equations hold.
+//! Solving the equations of a domain: some numbers of a draft are changed until all equations hold.
 //!
-//! This is Newton's method for a system with more unknowns than equations: the equations are expanded to first order
-//! at the draft, elimination chooses the numbers to change, and these are moved to the zero of the expansion. It ends
-//! at once, with exact numbers, if the equations are linear in the chosen numbers, and after a few rounds if one can be
-//! solved after the other. Else the numbers are rounded to many digits and the point satisfies the equations nearly.
+//! This is Newton's method for a system with more unknowns than equations: expand the equations to first order at the
+//! draft, choose the numbers to change by elimination, and move them to the zero of the expansion. It ends after one
+//! step, with exact numbers, if the equations are linear in the chosen numbers, and after a few steps if they can be
+//! solved one after the other. Otherwise the numbers are rounded to many digits, and the point satisfies the
+//! equations only approximately.
 
 use super::Domain;
 use super::draft::Draft;
@@ -19,37 +20,38 @@ use std::collections::BTreeSet;
 use torse_numbers::rational::floor_quotient;
 use torse_numbers::{Integer, Rational};
 
-/// Precision of the rounds that are not exact.
+/// The precision of steps that are not exact, in bits.
 const BITS: usize = 640;
-/// An equation holds nearly if its sides differ by at most two to the minus this.
+/// An equation holds approximately if its sides differ by at most `2^-NEAR_BITS`.
 const NEAR_BITS: usize = 400;
-/// The last round moves no number by more than two to the minus this: where an equation comes nearer to true without end, as
-/// `tanh(x) == 1` does, its sides are soon as near, and no solution is.
+/// In the last step no number may move by more than `2^-SETTLED_BITS`. This excludes equations such as `tanh(x) == 1`,
+/// whose sides come arbitrarily close although there is no solution.
 const SETTLED_BITS: usize = 100;
-/// A rounded number is taken for a simple rational one if they differ by at most two to the minus this, and the
-/// denominator has at most so many bits.
+/// A rounded number is replaced by a simple rational one if they differ by at most `2^-SNAP_BITS` and the denominator
+/// has at most `SIMPLE_BITS` bits.
 const SNAP_BITS: usize = 380;
 const SIMPLE_BITS: usize = 64;
-/// Rounds with exact numbers, and all rounds. Numbers that one solves for after others stay short; where the method only
-/// comes nearer, they double in length each time, and are rounded beyond so many bits.
+/// The number of exact steps, and of all steps. Numbers that are solved for one after the other stay short. Where the
+/// method only converges, they double in length in each step, and are rounded beyond `MAX_EXACT_BITS`.
 const EXACT_ROUNDS: usize = 5;
 const ROUNDS: usize = 16;
 const MAX_EXACT_BITS: usize = 320;
-/// Rounded numbers come nearer by so many binary places each round at least. Where they do not so many times, there is no
-/// solution near them, or a double one: the method gains two places a round there, and would take far too many.
+/// In each step rounded numbers must gain at least `PLACES` binary places. If they fail to do so `MAX_LAPSES` times,
+/// there is no solution nearby, or a double one, for which the method gains two places a step and would need far too
+/// many steps.
 const PLACES: usize = 4;
 const MAX_LAPSES: usize = 4;
 
-/// How the equations are satisfied.
+/// How well the equations hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Solved {
-    /// Exactly: the two sides of each are the same number.
+    /// Exactly: the two sides of each equation are equal.
     Exactly,
-    /// Nearly: see [`NEAR_BITS`].
+    /// Approximately: see [`NEAR_BITS`].
     Nearly,
 }
 
-/// Changes the draft until the equations hold; `None` if that does not succeed.
+/// Changes the draft until the equations hold; `None` if that fails.
 pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Option<Solved> {
     let equations = domain.equations();
     let reading = domain.reading;
@@ -57,12 +59,13 @@ pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Opti
         return Some(Solved::Exactly);
     }
     let unknowns = unknowns(domain, draft, work);
-    // Sums and products of long fractions cost many times what balls cost.
+    // Sums and products of long fractions cost many times as much as those of balls.
     let value = |name: &Name| {
         let value = draft.value(name)?;
-        Some(match draft.is_rounded(name) {
-            true => value.ball(BITS).into(),
-            false => value,
+        Some(if draft.is_rounded(name) {
+            value.ball(BITS).into()
+        } else {
+            value
         })
     };
     let expanded = |moves: &dyn Fn(&Name) -> bool| {
@@ -78,7 +81,7 @@ pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Opti
     let values = || differences(reading, &equations, &Reals { bits: BITS, work }, &value).ok();
     let (mut rounded, mut settled) = (false, false);
     let (mut places, mut lapses) = (0, 0);
-    // What one step determined, where all equations are linear.
+    // The numbers that one step has determined, if all equations are linear.
     let mut determined: Option<Vec<Name>> = None;
     for round in 0..ROUNDS {
         let found = |gaps: &[&Real]| match solved(gaps, rounded)? {
@@ -88,8 +91,8 @@ pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Opti
             },
             exactly => Some(exactly),
         };
-        // The values alone cost a fraction of the rates, which are not needed where the equations hold. Numbers that
-        // were drawn by chance do not satisfy them.
+        // Evaluating the equations costs a fraction of their derivatives, which are not needed if the equations hold
+        // already. In the first round they do not, since the numbers are random.
         if round > 0 {
             let values = values()?;
             let gaps: Vec<&Real> = values.iter().collect();
@@ -111,9 +114,9 @@ pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Opti
                 }
             }
         }
-        // The unknowns alone mostly suffice.
-        let some = expanded(&|name| unknowns.contains(name))?;
-        let gaps: Vec<&Real> = some.gaps.iter().map(|gap| &gap.value).collect();
+        // Changing the unknowns of the claim mostly suffices.
+        let by_unknowns = expanded(&|name| unknowns.contains(name))?;
+        let gaps: Vec<&Real> = by_unknowns.gaps.iter().map(|gap| &gap.value).collect();
         if let Some(solved) = found(&gaps) {
             return Some(solved);
         }
@@ -122,8 +125,10 @@ pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Opti
             let stream = draft.stream();
             changes(domain, expanded, stream, &unknowns, &reals, &is_near)
         };
-        let (used, changes) = match changes(&some) {
-            Some(changes) if !changes.is_empty() || draft.rounded().is_empty() => (some, changes),
+        let (used, changes) = match changes(&by_unknowns) {
+            Some(changes) if !changes.is_empty() || draft.rounded().is_empty() => {
+                (by_unknowns, changes)
+            }
             _ => {
                 let all = expanded(&|_| true)?;
                 let changes = changes(&all)?;
@@ -160,7 +165,7 @@ pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Opti
     None
 }
 
-/// The numbers that the unknowns of the claim consist of.
+/// The numbers of which the unknowns of the claim consist.
 pub(crate) fn unknowns(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> BTreeSet<Name> {
     let reals = Reals { bits: BITS, work };
     let values = |name: &Name| draft.value(name);
@@ -169,7 +174,7 @@ pub(crate) fn unknowns(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> B
     names.flatten().collect()
 }
 
-/// How the equations hold, if they do.
+/// How well the equations hold, if they do.
 fn solved(gaps: &[&Real], rounded: bool) -> Option<Solved> {
     if gaps.iter().all(|g| g.sign() == Some(Ordering::Equal)) {
         return Some(if rounded {
@@ -183,7 +188,7 @@ fn solved(gaps: &[&Real], rounded: bool) -> Option<Solved> {
         .then_some(Solved::Nearly)
 }
 
-/// Rounded numbers that are nearly simple rational ones are made so, if all equations hold exactly then.
+/// Replaces rounded numbers that are close to simple rational ones, if all equations then hold exactly.
 fn snapped(
     domain: &Domain<'_>,
     equations: &[Equation<'_>],
@@ -195,7 +200,7 @@ fn snapped(
         if let Some(simple) = before
             .get(&name)
             .and_then(Real::as_rational)
-            .and_then(simple)
+            .and_then(simplest_nearby)
         {
             draft.set(&name, simple.into());
         }
@@ -220,11 +225,11 @@ fn snapped(
     None
 }
 
-/// The rational number with a small denominator that agrees with a number to many digits, if there is one: a convergent
-/// of its continued fraction.
-fn simple(q: &Rational) -> Option<Rational> {
+/// The rational number with a small denominator that agrees with `q` to many digits, if there is one: a convergent of
+/// the continued fraction of `q`.
+fn simplest_nearby(q: &Rational) -> Option<Rational> {
     let (numerator, denominator) = (q.numer(), q.denom());
-    // Euclid's algorithm: its quotients are the digits of the continued fraction.
+    // The quotients in Euclid's algorithm are the terms of the continued fraction.
     let (mut above, mut below) = (numerator.clone(), denominator.clone());
     let (mut before, mut last) = ((Integer::ZERO, Integer::ONE), (Integer::ONE, Integer::ZERO));
     loop {

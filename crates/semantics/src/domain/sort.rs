@@ -1,7 +1,8 @@
-//! Chains of order among the hypotheses, `t[1] < t[2] < x`: what was drawn is sorted, and not thrown away.
+//! Chains of order among the hypotheses, such as `t[1] < t[2] < x`: the drawn numbers are sorted instead of being
+//! rejected.
 //!
-//! Numbers that stand in the wrong order are exchanged, and equal ones that have to differ are moved apart, until all
-//! comparisons between two numbers hold. Whether the point lies in the domain is asked of it afterwards, like of all others.
+//! Numbers in the wrong order are exchanged, and equal ones that must differ are moved apart, until all comparisons
+//! between two numbers hold. Whether the point lies in the domain is checked afterwards, as for all points.
 
 use super::Domain;
 use super::constraints::Constraint;
@@ -15,19 +16,19 @@ use torse_numbers::rational::ratio;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Expr, Node, Relation};
 
-/// How often all comparisons are gone through.
+/// The largest number of passes over all comparisons.
 const ROUNDS: usize = 24;
-/// The precision at which numbers that are not exact are compared.
+/// The precision at which inexact numbers are compared, in bits.
 const BITS: usize = 128;
 
-/// Sorts the numbers of a draft that the hypotheses of a claim order.
+/// Sorts the numbers of a draft according to the hypotheses of a claim.
 pub(crate) fn sorted(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) {
     let reals = Reals { bits: BITS, work };
     let chain: Vec<(Name, Name, bool)> = {
         let values = |name: &Name| draft.value(name);
         let declarations = domain.reading.declarations();
         let name = |tree: &Expr| {
-            // What an index is worth is asked of names alone: formulas are not ordered by exchanging numbers.
+            // Only names (possibly with indices) are considered; formulas cannot be ordered by exchanging numbers.
             let head = match &tree.node {
                 Node::Index(head, _) => &head.node,
                 node => node,

@@ -1,19 +1,19 @@
-//! A source of choices without state: each is a function of the seed, the number of the attempt and a label.
+//! A stateless source of random choices: each is a function of the seed, the number of the attempt and a label.
 
 use crate::name::Name;
 use torse_numbers::fault_injection::{InjectedFault, injected};
 
-/// The choices of one attempt.
+/// The random choices of one attempt.
 #[derive(Debug, Clone)]
 pub(crate) struct Stream {
     start: u64,
     /// The number of the attempt.
     pub attempt: u64,
-    /// Whether numbers are mostly taken from the edges of their sets: closed ends, and zero.
+    /// Whether many numbers are taken from the edges of their sets: closed bounds, and zero.
     pub edges: bool,
-    /// Whether all of them are, at once.
+    /// Whether all numbers are.
     pub corner: bool,
-    /// Into how many groups numbers fall that are drawn alike.
+    /// The number of groups of numbers with equal values; `None` if all are drawn independently.
     groups: Option<i64>,
 }
 
@@ -23,7 +23,7 @@ fn hashed(start: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(start, step)
 }
 
-/// The finisher of `SplitMix64`, which spreads every bit of its argument over all bits.
+/// The final mixing step of `SplitMix64`: every bit of the argument affects all bits of the result.
 fn mixed(mut x: u64) -> u64 {
     x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -42,7 +42,7 @@ impl Stream {
         }
     }
 
-    /// The same choices, of which all are at the edges.
+    /// The same choices, but all numbers are at the edges of their sets.
     pub fn at_corner(self) -> Self {
         Self {
             edges: true,
@@ -51,7 +51,7 @@ impl Stream {
         }
     }
 
-    /// The same choices where many numbers of one kind coincide.
+    /// The same choices, but many numbers of one kind are equal.
     pub fn with_coincidences(self) -> Self {
         Self {
             groups: Some(2),
@@ -59,13 +59,13 @@ impl Stream {
         }
     }
 
-    /// The label by which a number is drawn: that of its group, where numbers coincide.
+    /// The label by which a number is drawn. With coincidences, it is the label of the number's group.
     pub fn label(&self, name: &Name) -> String {
         let own = name.to_string();
         let (Some(groups), false) = (self.groups, own.contains('(')) else {
             return own;
         };
-        // Vectors coincide with all their coordinates.
+        // Vectors coincide in all coordinates.
         let (whole, coordinate) = match name {
             Name::Symbol(_) | Name::Member(_, _, None) => (own, 0),
             Name::Coordinate(name, c) => (name.to_string(), *c),
@@ -75,7 +75,7 @@ impl Stream {
         format!("group {group}[{coordinate}]")
     }
 
-    /// The same choices, of which many are at the edges of the declared sets: there conditions fail.
+    /// The same choices, but many numbers are at the edges of their sets, where conditions tend to fail.
     pub fn at_edges(self) -> Self {
         Self {
             edges: true,
@@ -83,7 +83,7 @@ impl Stream {
         }
     }
 
-    /// A choice from 0 to `count - 1`; 0 if there is nothing to choose from.
+    /// A choice from 0 to `count - 1`; 0 if `count` is not positive.
     pub fn below(&self, label: &str, count: i64) -> i64 {
         let Ok(modulus @ 1..) = u64::try_from(count) else {
             return 0;

@@ -1,4 +1,5 @@
-//! Exponentials of sums of integer multiples of products of variables, by `exp(a + b) = exp(a) exp(b)`.
+//! Exponentials of sums of integer multiples of products of variables, by `exp(a + b) = exp(a) exp(b)`. Independent
+//! of `algebra` on purpose: do not share.
 
 use super::Quotient;
 use super::sum::{Sum, Variable};
@@ -27,15 +28,15 @@ pub(super) fn exponential_quotient(exponent: &Quotient, work: &Work) -> Result<Q
             _ => None,
         };
         let names: Option<BTreeMap<_, _>> = monomial.iter().map(named).collect();
-        // A part of a variable, and a power of the number e, are no polynomials here.
+        // Fractions of a variable and powers of the number e are not supported here.
         let names = names
             .filter(|names| !names.is_empty())
             .ok_or_else(unknown)?;
-        let whole = coefficient
+        let integer_multiple = coefficient
             .is_integer()
             .then(|| i64::try_from(&coefficient.to_integer()).ok())
             .flatten();
-        let count = whole
+        let count = integer_multiple
             .filter(|n| n.abs() <= MAX_MULTIPLE)
             .ok_or_else(unknown)?;
         let power = Quotient::from(Sum::variable(Variable::Power(names)));

@@ -1,4 +1,4 @@
-//! Quotients of polynomials: the arithmetic in which a statement at fixed integers is an identity.
+//! Quotients of polynomials: in this arithmetic a statement at fixed integers is an identity.
 
 mod exponential;
 mod sum;
@@ -12,7 +12,7 @@ use sum::{Sum, Variable};
 use torse_numbers::rational::integer;
 use torse_numbers::{Integer, Rational};
 
-/// A numerator over a denominator that is not zero, never cancelled except by numbers.
+/// A quotient of polynomials whose denominator is not zero. Only constant denominators are cancelled.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quotient {
     above: Sum,
@@ -50,7 +50,7 @@ impl Quotient {
         self.above.as_constant().map(|above| above / below)
     }
 
-    /// With a constant denominator divided out, and zero over one.
+    /// Divides by a constant denominator, and writes zero as zero over one.
     fn tidy(above: Sum, below: Sum) -> Result<Self, NoValue> {
         match below.as_constant() {
             Some(number) if number.is_zero() => Err(Undefined::ZeroDivisor.into()),
@@ -95,8 +95,8 @@ impl Quotient {
 
 /// The arithmetic of quotients of polynomials.
 ///
-/// A quotient is zero if it is zero as a function. A divisor that is not zero as a function counts as different from
-/// zero: what comes out is meant where all divisors are.
+/// A quotient is zero if it is the zero function. A divisor that is not the zero function counts as nonzero, so
+/// results are valid where all divisors are nonzero.
 #[derive(Debug)]
 pub struct Polynomials<'a> {
     /// The budget.
@@ -159,7 +159,7 @@ impl Arithmetic for Polynomials<'_> {
     }
 }
 
-/// The square root of a rational number that is not negative: `sqrt(p/q) = sqrt(p q)/q`, squares pulled out.
+/// The square root of a nonnegative rational number: `sqrt(p/q) = sqrt(p q)/q`, with square factors extracted.
 fn root(value: &Quotient, work: &Work) -> Result<Quotient, NoValue> {
     let large = || NoValue::from(Unknown::Large { what: "a root" });
     let number = value.as_constant().ok_or(Unknown::NotCovered {
@@ -187,8 +187,8 @@ fn root(value: &Quotient, work: &Work) -> Result<Quotient, NoValue> {
             rest /= prime;
             exponent += 1;
         }
-        let whole = (0..exponent / 2).map(|_| integer(prime)).product();
-        sum = sum.scaled(&whole);
+        let extracted = (0..exponent / 2).map(|_| integer(prime)).product();
+        sum = sum.scaled(&extracted);
         if exponent % 2 == 1 {
             let prime = u32::try_from(prime).map_err(|_| large())?;
             sum = sum.times(&Sum::variable(Variable::Root(prime)), work)?;

@@ -1,9 +1,9 @@
-//! Polynomials as plain maps from monomials to coefficients.
+//! Polynomials as maps from monomials to coefficients.
 //!
 //! The variables are the numbers of a point, pi, square roots of primes, sines and cosines of variables, and
-//! exponentials of products of them. With
-//! `sin^2 = 1 - cos^2` and `sqrt(p)^2 = p` applied to every monomial a polynomial without terms is zero as a function,
-//! and no other one is: the remaining monomials are independent over the rational numbers.
+//! exponentials of products of them. The relations `sin^2 = 1 - cos^2` and `sqrt(p)^2 = p` are applied to every
+//! monomial. Then a polynomial is zero as a function if and only if it has no terms, because the remaining monomials
+//! are independent over the rational numbers.
 
 use crate::name::Name;
 use crate::no_value::{NoValue, Work};
@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
-/// The unit in which the angle of a sine is measured.
+/// The unit of the angle of a sine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Angle {
     /// `sin(x)`.
@@ -26,13 +26,13 @@ pub(crate) enum Angle {
 pub(crate) enum Variable {
     /// A number of the point.
     Named(Name),
-    /// The circle number.
+    /// The number pi.
     Pi,
     /// The square root of a prime.
     Root(u32),
     /// The sine of a number of the point.
     Sine(Name, Angle),
-    /// Its cosine.
+    /// The cosine of a number of the point.
     Cosine(Name, Angle),
     /// The exponential of a product of numbers of the point.
     Power(BTreeMap<Name, u32>),
@@ -62,7 +62,7 @@ impl Sum {
         self.0.is_empty()
     }
 
-    /// The number, if there is no variable.
+    /// The constant value, if there is no variable.
     pub fn as_constant(&self) -> Option<Rational> {
         match (self.0.len(), self.0.first_key_value()) {
             (0, _) => Some(Rational::zero()),
@@ -79,7 +79,7 @@ impl Sum {
         self.0.len()
     }
 
-    /// Adds a term, relations applied.
+    /// Adds a term and applies the relations.
     fn enter(&mut self, mut monomial: Monomial, coefficient: Rational) {
         if coefficient.is_zero() {
             return;

@@ -1,4 +1,5 @@
-//! Sine and cosine of sums of angles, by the addition theorems and a table of twelfths of pi.
+//! Sine and cosine of sums of angles, by the addition theorems and a table for multiples of pi/12. Independent of the
+//! checker and of `algebra` on purpose: do not share.
 
 use super::Quotient;
 use super::sum::{Angle, Sum, Variable};
@@ -7,13 +8,13 @@ use num_traits::One;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
-/// The largest multiple of a variable angle.
+/// The largest multiple of the angle of a variable.
 const MAX_MULTIPLE: i64 = 24;
 
 type Pair = (Quotient, Quotient);
 
-/// `(sin, cos)` of an angle in radians: integer multiples of variables and of their quarter turns, and
-/// multiples of pi/12.
+/// `(sin, cos)` of an angle in radians that is a sum of integer multiples of variables and of their quarter turns,
+/// and a multiple of pi/12.
 pub(super) fn sine_cosine(angle: &Quotient, work: &Work) -> Result<Pair, NoValue> {
     let unknown = || {
         NoValue::from(Unknown::NotCovered {
@@ -51,17 +52,17 @@ fn added(a: &Pair, b: &Pair, work: &Work) -> Result<Pair, NoValue> {
     Ok((sine, cosine))
 }
 
-/// An integer multiple of the angle of a variable.
+/// `(sin, cos)` of an integer multiple of the angle of a variable.
 fn multiple(
     variable: &dyn Fn(fn(crate::name::Name, Angle) -> Variable) -> Variable,
     times: &Rational,
     work: &Work,
 ) -> Result<Option<Pair>, NoValue> {
-    let whole = times
+    let integer_multiple = times
         .is_integer()
         .then(|| i64::try_from(&times.to_integer()).ok())
         .flatten();
-    let Some(count) = whole.filter(|n| n.abs() <= MAX_MULTIPLE) else {
+    let Some(count) = integer_multiple.filter(|n| n.abs() <= MAX_MULTIPLE) else {
         return Ok(None);
     };
     let sine: Quotient = Sum::variable(variable(Variable::Sine)).into();
@@ -78,7 +79,7 @@ fn multiple(
         .map(Some)
 }
 
-/// `(sin, cos)` of this multiple of pi.
+/// `(sin, cos)` of a multiple of pi, if it is a multiple of pi/12.
 fn constant(multiple: &Rational, work: &Work) -> Result<Option<Pair>, NoValue> {
     let twelfths = multiple * integer(12);
     if !twelfths.is_integer() {

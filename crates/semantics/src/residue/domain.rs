@@ -1,4 +1,4 @@
-//! Points of a domain modulo the prime.
+//! Drawing points of a domain modulo the prime.
 
 use super::Residues;
 use super::point::Point;
@@ -11,13 +11,13 @@ use crate::judge::Judge;
 use crate::judgement::Judgement;
 use crate::no_value::{Unknown, Work};
 
-/// What came of drawing a point.
+/// The result of drawing a point.
 pub(crate) enum Drawn<'d, 'a> {
     /// A point of the domain.
     Inside(Point<'d, 'a>),
-    /// No point of the domain.
+    /// The draft is not a point of the domain.
     Outside,
-    /// Whether it is one cannot be told by residues.
+    /// Residues cannot decide whether it is.
     Unknown(Unknown),
 }
 
@@ -39,7 +39,7 @@ pub(crate) fn drawn<'d, 'a>(
     if point.solve(domain, work).is_none() || !point.is_free(domain) {
         return not_covered();
     }
-    // The sets first: they cost nothing.
+    // Check the sets first, because that is cheap.
     let declarations = domain.reading.declarations();
     let outside = || {
         draft

@@ -10,8 +10,8 @@ pub(crate) const ORDER: u64 = 19_372_953_600;
 /// A number of exactly this order, `23^((PRIME - 1)/ORDER)`.
 pub(crate) const ROOT: u64 = 520_556_968_199_573_244;
 
-/// What two to the 61 is modulo the prime: below 2^36.
-const REST: u64 = (1 << 61) - PRIME;
+/// The residue of 2^61 modulo the prime; it is below 2^36.
+const TWO_POWER_61: u64 = (1 << 61) - PRIME;
 
 /// The sum of two residues.
 pub(crate) fn sum(a: u64, b: u64) -> u64 {
@@ -27,15 +27,16 @@ pub(crate) fn negative(a: u64) -> u64 {
     once_less(PRIME - a)
 }
 
-/// The product of two residues: what stands above the bit 61 counts [`REST`] each, so that `2^61 h + l` may be replaced by
-/// `REST h + l`. From below 2^122 that leads below 2^98, then below 2^74, then below 2^61 + 2^49, less than twice the prime.
+/// The product of two residues. Since 2^61 is congruent to [`TWO_POWER_61`], `2^61 h + l` may be replaced by
+/// `TWO_POWER_61 h + l`. This leads from a number below 2^122 to one below 2^98, then below 2^74, then below 2^61 +
+/// 2^49, which is less than twice the prime.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "what is left is below 2^62"
 )]
 pub(crate) fn product(a: u64, b: u64) -> u64 {
     const LOW: u128 = (1 << 61) - 1;
-    let folded = |n: u128| (n >> 61) * u128::from(REST) + (n & LOW);
+    let folded = |n: u128| (n >> 61) * u128::from(TWO_POWER_61) + (n & LOW);
     let n = folded(folded(folded(u128::from(a) * u128::from(b)))) as u64;
     once_less(n)
 }
@@ -63,7 +64,7 @@ pub(crate) fn inverse(a: u64) -> Option<u64> {
         (rest, next) = (next, rest - digit * next);
         (before, factor) = (factor, before - digit * factor);
     }
-    // The common divisor is 1 unless a is 0.
+    // The greatest common divisor is 1 unless a is 0.
     let size = u64::try_from(before.rem_euclid(signed(PRIME)?)).ok()?;
     (rest == 1).then_some(size)
 }
@@ -76,7 +77,7 @@ pub(crate) fn integer(n: i64) -> u64 {
 
 /// The residue of an integer.
 fn whole(n: &Integer) -> u64 {
-    // The remainder of the truncated division has the sign of n.
+    // The truncated remainder has the sign of n.
     let short = i64::try_from(n);
     integer(
         short.unwrap_or_else(|_| i64::try_from(&(n % Integer::from(PRIME))).unwrap_or_default()),
@@ -92,11 +93,12 @@ pub(crate) fn residue(q: &Rational) -> Option<u64> {
     Some(product(numerator, inverse(whole(q.denom()))?))
 }
 
-/// The rational number with this residue whose numerator and denominator are at most `bound`, if there is one.
+/// The rational number with this residue whose numerator and denominator are at most `bound` in size, if there is
+/// one.
 ///
-/// For `2 bound^2` below the prime there is one at most: of u/v and w/z with the same residue, uz - vw is a multiple of
-/// the prime, and too small for one. It is a convergent of Euclid's algorithm (Wang 1981).
-pub(crate) fn simple(a: u64, bound: u64) -> Option<(i64, i64)> {
+/// If `2 bound^2` is below the prime there is at most one: for u/v and w/z with the same residue, uz - vw is a
+/// multiple of the prime, but smaller than the prime. It is a convergent of Euclid's algorithm (Wang 1981).
+pub(crate) fn rational_with_residue(a: u64, bound: u64) -> Option<(i64, i64)> {
     let signed = |n: u64| i64::try_from(n).ok();
     let (mut rest, mut next) = (signed(PRIME)?, signed(a)?);
     let (mut before, mut factor) = (0_i64, 1_i64);
@@ -109,7 +111,7 @@ pub(crate) fn simple(a: u64, bound: u64) -> Option<(i64, i64)> {
             return None;
         }
     }
-    // The algorithm may meet a multiple of the fraction.
+    // The algorithm may find a multiple of the fraction.
     let common = next.unsigned_abs().gcd(factor.unsigned_abs());
     (common == 1).then(|| (next * factor.signum(), factor.abs()))
 }
@@ -147,7 +149,7 @@ mod tests {
             1,
             2,
             1 << 36,
-            REST,
+            TWO_POWER_61,
             PRIME / 2,
             ROOT,
             1 << 60,
@@ -184,11 +186,11 @@ mod tests {
                     continue;
                 }
                 let q = Rational::new(u.into(), v.into());
-                let found = residue(&q).and_then(|a| simple(a, 1 << 20));
+                let found = residue(&q).and_then(|a| rational_with_residue(a, 1 << 20));
                 assert_eq!(found, Some((u, v)));
             }
         }
-        assert_eq!(simple(ROOT, 1 << 20), None);
+        assert_eq!(rational_with_residue(ROOT, 1 << 20), None);
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! Points modulo the prime: numbers drawn as they always are, and residues for those that equations determine.
+//! Points modulo the prime: the numbers are drawn as usual, and those that equations determine are solved for as
+//! residues.
 
 use super::{Residue, Residues};
 use crate::domain::Domain;
@@ -12,19 +13,19 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use torse_syntax::derivation::declarations::SymbolKind;
 
-/// Rounds until equations hold that can be solved one after the other.
+/// The largest number of rounds in which equations are solved one after the other.
 const ROUNDS: usize = 5;
 
-/// A point: the residues of what was solved for, and the draft that has all other numbers.
+/// A point: the residues that were solved for, and a draft with all other numbers.
 pub(crate) struct Point<'d, 'a> {
     draft: &'d Draft<'a>,
     solved: RefCell<BTreeMap<Name, u64>>,
-    /// The residues of numbers of the draft.
+    /// The cached residues of numbers of the draft.
     drawn: RefCell<BTreeMap<Name, Residue>>,
 }
 
 impl<'d, 'a> Point<'d, 'a> {
-    /// The point of a draft, before its equations are solved.
+    /// The point of a draft whose equations are not yet solved.
     pub fn new(draft: &'d Draft<'a>) -> Self {
         Self {
             draft,
@@ -33,7 +34,7 @@ impl<'d, 'a> Point<'d, 'a> {
         }
     }
 
-    /// The residue of this number.
+    /// The residue of a number.
     pub fn residue(&self, name: &Name) -> Option<Residue> {
         if let Some(solved) = self.solved.borrow().get(name) {
             return Some(Residue::Class(*solved));
@@ -46,13 +47,13 @@ impl<'d, 'a> Point<'d, 'a> {
         Some(residue)
     }
 
-    /// The number itself, unless it was solved for.
+    /// The number itself, unless it was solved for as a residue.
     pub fn number(&self, name: &Name) -> Option<Real> {
         let solved = self.solved.borrow().contains_key(name);
         (!solved).then(|| self.draft.value(name)).flatten()
     }
 
-    /// Solves the equations of the domain: whether they hold now; `None` if that is not known.
+    /// Solves the equations of the domain; `None` if that fails.
     pub fn solve(&self, domain: &Domain<'_>, work: &Work) -> Option<()> {
         let equations = domain.equations();
         if equations.is_empty() {
@@ -66,23 +67,24 @@ impl<'d, 'a> Point<'d, 'a> {
             |moves: &dyn Fn(&Name) -> bool| expanded(reading, &equations, a, &value, moves).ok();
         let holds = |gap: &Residue| *gap == Residue::Class(0);
         for round in 0..ROUNDS {
-            // The values alone cost a fraction of the rates; numbers that were drawn by chance do not satisfy equations.
+            // Evaluating the equations costs a fraction of their derivatives. In the first round they do not hold,
+            // since the numbers are random.
             if round > 0 {
                 let values = differences(reading, &equations, &a, &value).ok()?;
                 if values.iter().all(&holds) {
                     return Some(());
                 }
             }
-            let some = expanded(&|name| unknowns.contains(name))?;
-            if some.gaps.iter().all(|gap| holds(&gap.value)) {
+            let by_unknowns = expanded(&|name| unknowns.contains(name))?;
+            if by_unknowns.gaps.iter().all(|gap| holds(&gap.value)) {
                 return Some(());
             }
             let changes = |expanded| {
                 let stream = self.draft.stream();
                 changes(domain, expanded, stream, &unknowns, &a, &holds)
             };
-            let (used, changes) = match changes(&some) {
-                Some(changes) => (some, changes),
+            let (used, changes) = match changes(&by_unknowns) {
+                Some(changes) => (by_unknowns, changes),
                 None => {
                     let all = expanded(&|_| true)?;
                     let changes = changes(&all)?;
@@ -109,7 +111,8 @@ impl<'d, 'a> Point<'d, 'a> {
         None
     }
 
-    /// Whether the numbers that were solved for may be any numbers: what a bounded one is worth is not seen.
+    /// Whether the numbers that were solved for have unbounded sets. For a bounded one, residues cannot decide
+    /// membership.
     pub fn is_free(&self, domain: &Domain<'_>) -> bool {
         let solved = self.solved.borrow();
         solved.keys().all(|name| match domain.set(name) {

@@ -14,7 +14,7 @@ use torse_numbers::stack;
 use torse_syntax::derivation::declarations::Basis;
 use torse_syntax::formula::Expr;
 
-/// The highest degree.
+/// The largest degree.
 const MAX_DEGREE: i64 = 60;
 
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
@@ -22,8 +22,8 @@ type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 pub(super) type Row<A> = Rc<[Series<<A as Arithmetic>::Number>]>;
 
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
-    /// A member of a family: undefined outside of the declared ranges of its indices, which are read at the point, whatever is
-    /// moved. For points of several coordinates one index more is the place of a coordinate.
+    /// A member of a family. It is undefined if an index is outside of its declared range; ranges are evaluated at
+    /// the point, whatever is moved. For points with several coordinates, an additional index selects a coordinate.
     pub(super) fn member(
         &self,
         name: &'a str,
@@ -53,7 +53,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         self.entry(value, entry, place)
     }
 
-    /// Fails for an index outside of its declared range.
+    /// Fails if an index is outside of its declared range.
     pub(super) fn check_ranges(
         &self,
         name: &str,
@@ -94,16 +94,17 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(total)
     }
 
-    /// The basis that a name means here.
+    /// The basis that a name denotes here.
     pub(super) fn basis_named(&self, name: &str, place: &Place<'a, A>) -> Option<&'a Basis> {
         let hidden = place.local(name).is_some() || self.declarations.definition(name).is_some();
-        match hidden {
-            true => None,
-            false => self.declarations.basis(name).map(|basis| &**basis),
+        if hidden {
+            return None;
         }
+        self.declarations.basis(name).map(|basis| &**basis)
     }
 
-    /// `B[i,k](x, mu)`: the function i of degree k. Left-out arguments are the names, as they are where nothing is local.
+    /// `B[i,k](x, mu)`: the function i of degree k. Arguments that are left out are the declared names, as they are
+    /// outside of local bindings.
     pub(super) fn basis_function(
         &self,
         name: &str,
@@ -145,7 +146,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         values.collect()
     }
 
-    /// All functions of one degree, from the seeds, `g[i,k] = a g[i,k-1] + b g[i-1,k-1]`.
+    /// All functions of one degree, computed from the seeds by `g[i,k] = a g[i,k-1] + b g[i-1,k-1]`.
     pub(super) fn row(
         &self,
         name: &str,
@@ -199,7 +200,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             .map(|seed| self.number(&seed.expr, inside))
             .collect::<Result<_, _>>()?;
         let (keep, shift) = (&basis.step.0.expr, &basis.step.1.expr);
-        // Where the step does not depend on index and degree, its factors are evaluated once.
+        // If the step does not depend on index and degree, its factors are evaluated once.
         let mut factors = None;
         for k in i64::from(basis.degree) + 1..=degree {
             let mut next = Vec::with_capacity(row.len() + 1);
@@ -213,7 +214,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                         factors = Some(known.clone());
                         known.map(Some)
                     }
-                    // A factor that multiplies nothing is not looked at.
+                    // A factor without a function to multiply is not evaluated.
                     Some((index, order)) => {
                         let inside = inside
                             .with_local(order, self.integer_value(k), true)

@@ -1,6 +1,6 @@
 //! Functions as values: SEMANTICS.md, "Functions".
 //!
-//! A function is not differentiated before it is applied, so no series leaves the derivative that made it.
+//! A function is differentiated only when it is applied, so no series leaves the derivative that made it.
 
 use super::environment::{Chain, Environment, Moved, Part};
 use super::evaluate::Evaluator;
@@ -14,13 +14,13 @@ use torse_numbers::rational::integer;
 use torse_syntax::derivation::declarations::{Definition, SymbolKind};
 use torse_syntax::formula::{Expr, Node};
 
-/// The highest order of a derivative.
+/// The largest order of a derivative.
 const MAX_ORDER: i64 = 40;
 
 /// A function, to be applied.
 #[derive(Debug)]
 pub(super) enum Closure<'a, N> {
-    /// A definition with parameters, under the moved names of the place where its name stands.
+    /// A definition with parameters, with the moved names at the place where its name occurs.
     Body {
         definition: &'a Definition,
         moved: Chain<Moved<'a, N>>,
@@ -62,7 +62,8 @@ type Function<'a, A> = Rc<Closure<'a, <A as Arithmetic>::Number>>;
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
-    /// The function that a formula stands for, if it is one. Nothing but the points of `at` and the orders of `D` is evaluated.
+    /// The function that a formula denotes, if it denotes one. Only the points of `at` and the orders of `D` are
+    /// evaluated.
     pub(super) fn function(
         &self,
         tree: &'a Expr,
@@ -81,7 +82,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                         if self.function(inner, place)?.is_none() {
                             return Ok(None);
                         }
-                        let inside = self.put(name, point, place)?;
+                        let inside = self.bind_at(name, point, place)?;
                         self.function(inner, &inside)
                     }
                     _ => Ok(None),
@@ -115,7 +116,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         if self.declarations.function(name).is_some() {
             return Ok(Some(Rc::new(Closure::Given { name })));
         }
-        // F'' is the second derivative of F by its first parameter.
+        // `F''` is the second derivative of F by its first parameter.
         let base = name.trim_end_matches('\'');
         let primes = name.len() - base.len();
         if primes == 0 {
@@ -131,7 +132,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }))
     }
 
-    /// `D(F, x, n)` of a function F: by its parameter x, else by what x is outside.
+    /// `D(F, x, n)` of a function F: by its parameter x if it has one of that name, otherwise by the outer meaning of
+    /// x.
     fn differentiated(
         &self,
         inner: &'a Expr,
@@ -171,7 +173,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         })))
     }
 
-    /// A name by which something is differentiated or integrated.
+    /// The variable of a derivative or an integral.
     pub(super) fn variable(
         &self,
         name: &'a Expr,
@@ -181,9 +183,10 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             return Err(NoValue::shape("a formula where a name is needed"));
         };
         if let Some(local) = place.local(name) {
-            return match local.is_index {
-                true => Err(NoValue::shape("an index where a variable is needed")),
-                false => Ok(name),
+            return if local.is_index {
+                Err(NoValue::shape("an index where a variable is needed"))
+            } else {
+                Ok(name)
             };
         }
         let is_definition = self.declarations.definition(name).is_some();
@@ -193,7 +196,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
     }
 
-    /// The inside of a binder of a variable: in the layer in which the name is found.
+    /// The environment inside of a binder of a variable; the variable is bound in the layer in which its name is
+    /// found.
     pub(super) fn bound(
         &self,
         name: &'a str,
@@ -206,8 +210,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
     }
 
-    /// The inside of `at(.., name, point)`.
-    pub(super) fn put(
+    /// The environment inside of `at(.., name, point)`.
+    pub(super) fn bind_at(
         &self,
         name: &'a Expr,
         point: &'a Expr,
@@ -272,10 +276,10 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
     }
 
-    /// `order!` times the coefficient of `e^order` of what `inside` is worth at `point + e`.
+    /// `order!` times the coefficient of `e^order` in the value of `inside` at `point + e`.
     ///
-    /// The infinitesimal has a level above all that are in use anywhere, so that a function that is applied inside of
-    /// another derivative has one of its own. That the value does not contain it any more is checked.
+    /// The infinitesimal has a level above all that are in use, so a function applied inside of another derivative
+    /// gets one of its own. The result is checked not to contain it any more.
     pub(super) fn derivative(
         &self,
         order: i64,
@@ -300,7 +304,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         })
     }
 
-    /// Runs `inside` with a level of its own, and checks that its result has none as high.
+    /// Runs `inside` with a new level, and checks that the level does not occur in its result.
     pub(super) fn at_new_level(
         &self,
         inside: impl FnOnce(usize) -> Result<Value<A::Number>, NoValue>,
@@ -314,12 +318,16 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(value)
     }
 
-    /// Fails where an infinitesimal above this level occurs: it was to be gone. This never happens unless the evaluator is
-    /// wrong.
-    fn check_levels(&self, value: &Value<A::Number>, most: usize) -> Result<(), NoValue> {
-        match value.numbers().iter().all(|series| series.level() <= most) {
-            true => Ok(()),
-            false => Err(Unknown::Confused.into()),
+    /// Fails if an infinitesimal above this level occurs, which happens only if the evaluator is wrong.
+    fn check_levels(&self, value: &Value<A::Number>, max_level: usize) -> Result<(), NoValue> {
+        if value
+            .numbers()
+            .iter()
+            .all(|series| series.level() <= max_level)
+        {
+            Ok(())
+        } else {
+            Err(Unknown::Confused.into())
         }
     }
 }

@@ -1,7 +1,8 @@
 //! `coefficients`: SEMANTICS.md, "Terms".
 //!
-//! Every symbol is moved in its turn, to first order, or to second where the form has to be linear. With given equations the
-//! unknowns U are functions of the other symbols v, and the derivative is taken along them: `F_v + F_U a` with `G_U a = -G_v`.
+//! Every symbol is moved in turn, to first order, or to second order if linearity has to be checked. With given
+//! equations the unknowns U are functions of the other symbols v, and the derivative is taken along the solutions:
+//! `F_v + F_U a` with `G_U a = -G_v`.
 
 use super::environment::{Environment, Part};
 use super::evaluate::{Evaluator, Given, Outcome};
@@ -15,9 +16,9 @@ use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 type Numbers<A> = Vec<Series<<A as Arithmetic>::Number>>;
-/// What forms are worth in an environment.
+/// The values of forms in an environment.
 type Values<'v, 'a, A> = dyn Fn(&Place<'a, A>) -> Result<Numbers<A>, NoValue> + 'v;
-/// A number of the point: of which symbol, and which of its numbers.
+/// A number of the point: its symbol, and which number of the symbol.
 type Moving<'a> = (&'a str, Part);
 
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
@@ -39,7 +40,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                 }
             }
             Some(given) => {
-                // In the equations nothing is put in.
+                // The equations themselves are evaluated without solutions put in.
                 self.given.replace(None);
                 let along = self.solutions(given, &moving, place);
                 self.given.replace(Some(given.clone()));
@@ -64,7 +65,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(Value::matrix(transposed(&columns)))
     }
 
-    /// First and second coefficients of numbers by one that is moved.
+    /// First and second coefficients of numbers by one number that is moved.
     fn rates(
         &self,
         (symbol, part): &Moving<'a>,
@@ -116,7 +117,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(all)
     }
 
-    /// For each symbol the rates of the unknowns along the solutions of the equations.
+    /// For each symbol, the derivatives of the unknowns along the solutions of the equations.
     fn solutions(
         &self,
         given: &Given<'a>,
@@ -151,7 +152,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             each.map(|rates| Ok(rates?.0)).collect()
         };
         let (by_unknowns, by_symbols) = (columns(&free)?, columns(moving)?);
-        // Rows that are not needed say the same, since the point satisfies the equations.
+        // Redundant rows are consistent, since the point satisfies the equations.
         let solved = linear::solved_columns(&by_unknowns, &by_symbols, a)?;
         solved.ok_or_else(|| {
             let what = "an unknown that the given equations do not determine";
@@ -159,7 +160,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         })
     }
 
-    /// The equations that a hypothesis consists of, be it the name of a definition.
+    /// The equations of which a hypothesis is a conjunction; names of definitions are opened.
     fn equations(
         &self,
         tree: &'a Expr,
@@ -190,7 +191,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(())
     }
 
-    /// The numbers of the point that a list of symbols, coordinates and members consists of.
+    /// The numbers of the point that a list of symbols, coordinates and members denotes.
     pub(super) fn moving_parts(
         &self,
         tree: &'a Expr,
@@ -236,10 +237,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                     let is_point = dimension.is_some_and(|d| d > 1);
                     let has_entry =
                         is_point && !ranges.is_empty() && values.len() == ranges.len() + 1;
-                    let entry = match has_entry {
-                        true => values.pop(),
-                        false => None,
-                    };
+                    let entry = if has_entry { values.pop() } else { None };
                     self.check_ranges(name, ranges, &values)?;
                     let member = |c| (name.as_str(), Part::Member(values.clone(), c));
                     return match (dimension, entry) {

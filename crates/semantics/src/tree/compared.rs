@@ -1,8 +1,8 @@
-//! A claim read from its trees at random residues, to be compared with what an elaborator made of it.
+//! Evaluates the trees of a claim at random residues, for comparison with what an elaborator made of it.
 //!
-//! Hypotheses and sets do not matter: two readings of one text agree at any numbers. Integers are drawn from their declared
-//! ranges, for sums and indices have no value elsewhere; all other numbers are any residues, and a smooth function is a polynomial
-//! with any coefficients.
+//! Hypotheses and sets do not matter, because two readings of a text agree at all numbers. Integers are drawn from
+//! their declared ranges, since sums and indices have no values elsewhere. All other numbers are arbitrary residues,
+//! and a smooth function is a polynomial with arbitrary coefficients.
 
 use super::environment::{Environment, Part};
 use super::evaluate::{Evaluator, Point};
@@ -22,23 +22,23 @@ use torse_numbers::Affine;
 use torse_syntax::derivation::declarations::{Bound, Declarations, Interval, SymbolKind};
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
-/// How deep bounds of integers may name other integers.
+/// The largest depth to which bounds of integers refer to other integers.
 const MAX_DEPTH: usize = 16;
-/// No smooth function has given values here.
+/// No derivatives of smooth functions are given here.
 static NO_JETS: Jets = Jets::none();
 
-/// Residues for the numbers of a claim: a function of the attempt, and of the names that are asked for.
+/// Residues for the numbers of a claim; they depend on the attempt and on the names.
 #[derive(Debug)]
 pub struct Assignment<'a> {
     declarations: &'a Declarations,
     stream: Stream,
     integers: RefCell<BTreeMap<String, Option<i64>>>,
-    /// The declared names that were asked for.
+    /// The declared names that were evaluated.
     asked: RefCell<BTreeSet<Arc<str>>>,
 }
 
 impl<'a> Assignment<'a> {
-    /// The residues of this attempt; integers grow with it.
+    /// The residues of this attempt; integers grow with the number of the attempt.
     #[must_use]
     pub fn new(declarations: &'a Declarations, attempt: u64) -> Self {
         Self {
@@ -49,10 +49,10 @@ impl<'a> Assignment<'a> {
         }
     }
 
-    /// The residue of a declared number; nothing for what has another meaning, or a range without an integer.
+    /// The residue of a declared number; `None` for names of other kinds, and for ranges without an integer.
     pub fn number(&self, name: &Name) -> Option<Class> {
         let declared = name.declared();
-        // A derivative of a smooth function at a place is what its text says.
+        // The derivative of a smooth function at a place is evaluated from its text.
         if declared.contains('(') {
             return None;
         }
@@ -92,7 +92,7 @@ impl<'a> Assignment<'a> {
         })
     }
 
-    /// The declared names that were asked for since this was called last.
+    /// The declared names that were evaluated since the last call.
     pub fn take_asked(&self) -> BTreeSet<Arc<str>> {
         self.asked.take()
     }
@@ -105,11 +105,11 @@ pub struct Compared<'s, 'e> {
     statement: Evaluator<'s, 'e, Scrambled<'e>>,
 }
 
-/// Words and values of a tree at residues.
+/// Words of a tree, and values of its formulas at residues.
 pub type TreeOutline<'s> = Outline<&'s Expr, Class>;
 
 impl<'s, 'e> Compared<'s, 'e> {
-    /// What trees are worth at these numbers.
+    /// Prepares the evaluation of the trees of a claim at these numbers.
     pub fn new(
         reading: &'s Reading<'s>,
         arithmetic: &'e Scrambled<'e>,
@@ -130,10 +130,10 @@ impl<'s, 'e> Compared<'s, 'e> {
         }
     }
 
-    /// The value of a formula where nothing is bound, as the statement reads it.
+    /// The value of a formula outside of all binders, as in the statement.
     ///
     /// # Errors
-    /// [`NoValue`] where it has no value, or none that is known.
+    /// [`NoValue`] if it is undefined or its value is unknown.
     pub fn value(&self, tree: &'s Expr) -> Result<Value<Class>, NoValue> {
         self.statement.value(tree, &Environment::outermost())
     }
@@ -161,7 +161,8 @@ impl<'s, 'e> Compared<'s, 'e> {
             .collect()
     }
 
-    /// The statement; where something is sought with the witnesses in its place, and that these are in their sets.
+    /// The statement. Existential symbols are replaced by their witnesses, and the conditions that these are in their
+    /// sets are added.
     pub fn statement(&self) -> TreeOutline<'s> {
         let (at, reading) = (&self.statement, self.reading);
         let mut all = vec![];
@@ -223,14 +224,15 @@ impl<'s, 'e> Compared<'s, 'e> {
 }
 
 fn relation<T, N>(bound: &Bound) -> Piece<T, N> {
-    let relation = match bound.closed {
-        true => Relation::AtMost,
-        false => Relation::Less,
+    let relation = if bound.closed {
+        Relation::AtMost
+    } else {
+        Relation::Less
     };
     Piece::Word(relation.sign().to_owned())
 }
 
-/// Whether an interval whose ends are numbers has a point.
+/// Whether an interval with rational bounds is nonempty.
 fn has_points(interval: &Interval) -> bool {
     let (Some(lower), Some(upper)) = (&interval.lower, &interval.upper) else {
         return true;

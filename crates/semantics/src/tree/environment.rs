@@ -1,20 +1,22 @@
-//! What names stand for at one place of a tree: SEMANTICS.md, "Names".
+//! The meaning of names at one place of a tree: SEMANTICS.md, "Names".
 //!
-//! There are two layers. *Local* names are bound by sums, products, the heads of definitions and the variables, parameters and
-//! counters of bases: the bodies of definitions do not see them. *Moved* names are declared symbols to which `at`, `D`, `integral`,
-//! `coefficients` or a witness gives another value: whatever is read inside sees them, through definitions as well. Both
+//! There are two layers. *Local* names are bound by sums, products, the heads of definitions, and the variables,
+//! parameters and counters of bases; the bodies of definitions do not see them. *Moved* names are declared symbols to
+//! which `at`, `D`, `integral`, `coefficients` or a witness gives another value; everything evaluated inside sees
+//! them, including the bodies of definitions. Both layers are lists with shared tails, so that a closure keeps the
+//! environment in which it was made.
 //! layers are lists that share their tails, so that a closure keeps the one that it was made in.
 
 use crate::series::Series;
 use crate::value::Value;
 use std::rc::Rc;
 
-/// A name that a binder of the text binds.
+/// A local name.
 #[derive(Debug)]
 pub(super) struct Local<'a, N> {
     pub name: &'a str,
     pub value: Value<N>,
-    /// Whether it takes integers alone: an index or a counter. Nothing is differentiated by it.
+    /// Whether it takes integer values only (an index or a counter), so that it cannot be differentiated by.
     pub is_index: bool,
 }
 
@@ -35,7 +37,7 @@ pub(super) struct Moved<'a, N> {
     pub symbol: &'a str,
     pub part: Part,
     pub value: Series<N>,
-    /// Equal for bindings of one number to one value, different otherwise.
+    /// A serial number: equal for bindings of one number to equal values, different otherwise.
     pub serial: u64,
 }
 
@@ -58,7 +60,7 @@ impl<T> Chain<T> {
         Self(Some(Rc::new((first, self.clone()))))
     }
 
-    /// From the innermost binding outwards.
+    /// Iterates from the innermost binding outwards.
     pub fn iter(&self) -> impl Iterator<Item = &T> {
         std::iter::successors(self.0.as_deref(), |link| link.1.0.as_deref()).map(|link| &link.0)
     }
@@ -85,7 +87,7 @@ impl<N> Clone for Environment<'_, N> {
 }
 
 impl<'a, N> Environment<'a, N> {
-    /// Where nothing is bound.
+    /// The environment without bindings.
     pub fn outermost() -> Self {
         Self {
             local: Chain::new(),
@@ -98,7 +100,7 @@ impl<'a, N> Environment<'a, N> {
         self.local.is_empty() && self.moved.is_empty()
     }
 
-    /// What the body of a definition sees.
+    /// The environment of the body of a definition.
     pub fn outside(&self) -> Self {
         Self {
             local: Chain::new(),
@@ -106,7 +108,7 @@ impl<'a, N> Environment<'a, N> {
         }
     }
 
-    /// With a name bound by a binder of the text.
+    /// Binds a local name.
     pub fn with_local(&self, name: &'a str, value: Value<N>, is_index: bool) -> Self {
         let local = Local {
             name,
@@ -119,12 +121,12 @@ impl<'a, N> Environment<'a, N> {
         }
     }
 
-    /// What a binder of the text binds to a name.
+    /// The local binding of a name.
     pub fn local(&self, name: &str) -> Option<&Local<'a, N>> {
         self.local.iter().find(|local| local.name == name)
     }
 
-    /// The value that a number of the point has here instead of its own.
+    /// The moved value of a number of the point.
     pub fn moved(&self, symbol: &str, part: &Part) -> Option<&Moved<'a, N>> {
         let mut all = self.moved.iter();
         all.find(|moved| moved.symbol == symbol && moved.part == *part)

@@ -1,7 +1,8 @@
 //! The value of a tree at a point: one rule for each construct, in the order of the tables of SEMANTICS.md.
 //!
-//! All parts are evaluated before the whole, so that a formula with an undefined part is undefined. Names are looked up when
-//! they are met, in the [`Environment`] of their place: there is no second tree in which they would have been resolved before.
+//! All parts are evaluated before the whole, so a formula with an undefined part is undefined. Names are resolved
+//! when they are met, in the [`Environment`] of their place; there is no second tree in which they would be resolved
+//! before.
 
 use super::environment::{Environment, Part};
 use super::jets::{Jets, Smooth};
@@ -20,8 +21,9 @@ use torse_numbers::stack;
 use torse_syntax::derivation::declarations::{Declarations, Definition, SymbolKind};
 use torse_syntax::formula::{Expr, Node, Operator};
 
-/// How deep formulas may be nested, definitions included, not counting chains of one operator: 80 definitions in each other of
-/// 300 levels each, as deep as can be written. Each definition, and each basis, sees to it that there is a stack for its own.
+/// The largest nesting depth of formulas including definitions, where a chain of one operator counts once: 80 nested
+/// definitions of 300 levels each, which is the deepest that can be written. Each definition and each basis makes
+/// sure that the stack is large enough for its own levels.
 const MAX_DEPTH: usize = 80 * 300;
 /// The largest exponent.
 const MAX_EXPONENT: i64 = 2000;
@@ -62,27 +64,27 @@ const BUILT_IN: [&str; 30] = [
     "variation_diminishing",
 ];
 
-/// What a formula stands for.
+/// The meaning of a formula.
 pub(super) enum Meaning<N> {
     /// A number, a vector or a matrix.
     Value(Value<N>),
-    /// A statement, and what it is here.
+    /// A statement, with the judgement on it here.
     Statement(Judgement),
 }
 
-/// What the values of a point are asked from, and what the evaluator is told of the claim.
+/// The values of a point, and what the evaluator knows about the claim.
 pub(crate) struct Point<'e, N> {
     /// The numbers.
     pub values: &'e dyn Fn(&Name) -> Option<N>,
-    /// Whether they satisfy the equations of the domain only nearly.
+    /// Whether they satisfy the equations of the domain only approximately.
     pub near: bool,
-    /// The statements that are known to fail somewhere on the domain.
+    /// The statements that are known to fail somewhere in the domain.
     pub failing: &'e dyn Fn(&Expr) -> bool,
 }
 
-/// A smooth function of the point; none where the point gives it no values.
+/// A smooth function of the point; `None` while its values are being computed.
 pub(super) type Known<N> = Option<Rc<Smooth<N>>>;
-/// Divisors, each with the place in the tree at which it was met.
+/// Divisors, each with the address of the tree node that divides by it.
 pub(super) type Divisors<N> = Vec<(usize, N)>;
 
 /// Evaluates trees at one point.
@@ -92,14 +94,14 @@ pub(crate) struct Evaluator<'a, 'e, A: Arithmetic> {
     pub point: Point<'e, A::Number>,
     /// The places at which derivatives of smooth functions are given.
     pub jets: &'a Jets,
-    /// The given equations and their unknowns, where `coefficients` is read with these put in.
+    /// The given equations and their unknowns, if `coefficients` is evaluated along their solutions.
     pub given: RefCell<Option<Given<'a>>>,
     pub(super) memory: Memory<'a, A::Number>,
     pub(super) smooth: RefCell<BTreeMap<&'a str, Known<A::Number>>>,
     symbols: RefCell<BTreeMap<&'a str, Series<A::Number>>>,
-    /// The divisors that are met while an integral looks for them.
+    /// Records divisors while an integral needs them.
     pub divisors: RefCell<Option<Divisors<A::Number>>>,
-    /// The leaf whose value is wrong on purpose.
+    /// The address of the leaf whose value is changed deliberately.
     pub slip: Cell<Option<usize>>,
     /// The highest level of infinitesimals in use.
     pub level: Cell<usize>,
@@ -113,7 +115,7 @@ pub(crate) struct Given<'a> {
     pub unknowns: Vec<&'a Expr>,
 }
 
-/// One level of the tree, for as long as it is held.
+/// Counts one level of nesting until it is dropped.
 pub(super) struct Deeper(Rc<Cell<usize>>);
 
 impl Drop for Deeper {
@@ -126,7 +128,7 @@ pub(super) type Outcome<A> = Result<Value<<A as Arithmetic>::Number>, NoValue>;
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 
 impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
-    /// An evaluator that remembers nothing, at a point.
+    /// An evaluator at a point, without a cache.
     pub fn new(
         declarations: &'a Declarations,
         jets: &'a Jets,
@@ -149,7 +151,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         }
     }
 
-    /// The same with a memory.
+    /// The evaluator with a cache.
     pub fn remembering(self) -> Self {
         Self {
             memory: Memory::new(),
@@ -157,7 +159,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         }
     }
 
-    /// The same where `coefficients` is read with the unknowns of given equations put in.
+    /// The evaluator with given equations: `coefficients` is evaluated along their solutions.
     pub(crate) fn along(self, given: Option<Given<'a>>) -> Self {
         Self {
             given: RefCell::new(given),
@@ -175,7 +177,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         Ok(Deeper(Rc::clone(&self.depth)))
     }
 
-    /// The number, vector or matrix that a formula is worth.
+    /// The value of a formula: a number, vector or matrix.
     pub(super) fn value(&self, tree: &'a Expr, place: &Place<'a, A>) -> Outcome<A> {
         match self.meaning(tree, place)? {
             Meaning::Value(value) if self.slip.get() == Some(std::ptr::from_ref(tree).addr()) => {
@@ -194,7 +196,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         self.value(tree, place)?.number()
     }
 
-    /// The integer that a formula is worth: exactly one, and free of infinitesimals.
+    /// The value of a formula that must be an integer and contain no infinitesimal.
     pub(super) fn integer(
         &self,
         tree: &'a Expr,
@@ -205,7 +207,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
     }
 
     fn whole(&self, value: &Series<A::Number>, what: &'static str) -> Result<i64, NoValue> {
-        // What varies with the variable of a derivative is no integer near the point.
+        // An index that depends on the differentiation variable is not locally constant.
         let number = value.as_number().ok_or(Undefined::NotDifferentiable)?;
         let rational = self.arithmetic.as_rational(number);
         let rational = rational.ok_or(Unknown::Precision)?;
@@ -219,7 +221,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         Value::Number(Series::integer(n, self.arithmetic))
     }
 
-    /// What a formula stands for.
+    /// The meaning of a formula.
     pub(super) fn meaning(
         &self,
         tree: &'a Expr,
@@ -252,7 +254,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         }
     }
 
-    /// What a name stands for: a binder, a moved symbol, a definition, a symbol, `pi`.
+    /// The meaning of a name: a local name, a moved symbol, a definition, a symbol, or `pi`.
     fn named(&self, name: &'a str, place: &Place<'a, A>) -> Result<Meaning<A::Number>, NoValue> {
         if let Some(local) = place.local(name) {
             return Ok(Meaning::Value(local.value.clone()));
@@ -282,7 +284,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         }))
     }
 
-    /// The value of a number of a declared symbol: where it is moved, what it is moved to, else its value at the point.
+    /// The value of a number of a declared symbol: its moved value if it has one, otherwise its value at the point.
     pub(super) fn symbol(
         &self,
         name: &'a str,
@@ -313,7 +315,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         Ok(value)
     }
 
-    /// The name of a function of the language, unless it means something else here.
+    /// The built-in function of this name, unless the name has another meaning here.
     pub(super) fn built_in(&self, name: &str, place: &Place<'a, A>) -> Option<&'static str> {
         let own = BUILT_IN.iter().find(|own| **own == name)?;
         let free = place.local(name).is_none() && self.declarations.definition(name).is_none();
@@ -353,15 +355,15 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         Ok(Meaning::Value(self.apply(&function, arguments)?))
     }
 
-    /// The definition that a name means here.
+    /// The definition that a name denotes here.
     fn definition_named(&self, name: &str, place: &Place<'a, A>) -> Option<&'a Definition> {
-        match place.local(name) {
-            Some(_) => None,
-            None => self.declarations.definition(name),
+        if place.local(name).is_some() {
+            return None;
         }
+        self.declarations.definition(name)
     }
 
-    /// The body of a definition with its parameters bound: it sees them and what is moved, and nothing else.
+    /// The value of the body of a definition with its parameters bound; it sees them and the moved symbols only.
     pub(super) fn called(
         &self,
         definition: &'a Definition,
@@ -385,7 +387,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         })
     }
 
-    /// `F[i]` of a definition, `B[i,k]`, `P[i]`, the entry of a vector or matrix.
+    /// `F[i]` for a definition, `B[i,k]`, `P[i]`, or an entry of a vector or matrix.
     fn indexed(&self, head: &'a Expr, indices: &'a [Expr], place: &Place<'a, A>) -> Outcome<A> {
         if let Node::Name(name) = &head.node
             && place.local(name).is_none()
@@ -413,7 +415,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         self.entry(value, indices, place)
     }
 
-    /// Entries are counted from 1.
+    /// The entry of a vector or matrix; indices begin at 1.
     pub(super) fn entry(
         &self,
         mut value: Value<A::Number>,
@@ -437,8 +439,8 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         Ok(value)
     }
 
-    /// A chain `a + b - c + ...`, or any other operator: left operands are walked without recursion, so that long sums are
-    /// not deep.
+    /// A chain `a + b - c + ...` or any other operator. Left operands are visited without recursion, so that long
+    /// sums need no deep stack.
     fn chain(&self, tree: &'a Expr, place: &Place<'a, A>) -> Outcome<A> {
         let mut rights = vec![];
         let mut left = tree;
@@ -458,7 +460,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         operator: Operator,
         left: Value<A::Number>,
         right: &'a Expr,
-        whole: &'a Expr,
+        node: &'a Expr,
         place: &Place<'a, A>,
     ) -> Outcome<A> {
         let a = self.arithmetic;
@@ -468,17 +470,17 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
             Operator::Multiply => left.times(&self.value(right, place)?, a),
             Operator::Divide => {
                 let divisor = self.number(right, place)?;
-                self.divides(whole, &divisor);
+                self.divides(node, &divisor);
                 left.each(&|x| x.over(&divisor, a))
             }
             Operator::Power => {
                 let exponent = self.integer(right, "an exponent", place)?;
-                self.power(&left.number()?, exponent, whole)
+                self.power(&left.number()?, exponent, node)
             }
         }
     }
 
-    fn power(&self, base: &Series<A::Number>, exponent: i64, whole: &'a Expr) -> Outcome<A> {
+    fn power(&self, base: &Series<A::Number>, exponent: i64, node: &'a Expr) -> Outcome<A> {
         let a = self.arithmetic;
         if exponent.abs() > MAX_EXPONENT {
             let what = "an exponent";
@@ -498,12 +500,12 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
         if exponent >= 0 {
             return Ok(Value::Number(power));
         }
-        self.divides(whole, base);
+        self.divides(node, base);
         Ok(Value::Number(Series::integer(1, a).over(&power, a)?))
     }
 
-    /// Notes what is divided by, where an integral asks for it.
-    pub(super) fn divides(&self, whole: &'a Expr, divisor: &Series<A::Number>) {
+    /// Records a divisor if an integral needs it.
+    pub(super) fn divides(&self, node: &'a Expr, divisor: &Series<A::Number>) {
         let mut divisors = self.divisors.borrow_mut();
         if let Some(all) = divisors.as_mut() {
             let mut first = divisor;
@@ -513,7 +515,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
                 first = term;
             }
             if let Some(number) = first.as_number() {
-                all.push((std::ptr::from_ref(whole).addr(), number.clone()));
+                all.push((std::ptr::from_ref(node).addr(), number.clone()));
             }
         }
     }

@@ -11,18 +11,18 @@ use std::ops::RangeInclusive;
 use torse_numbers::rational::integer;
 use torse_syntax::formula::{Expr, Node};
 
-/// The longest sum.
+/// The largest number of terms of a sum.
 const MAX_TERMS: i64 = 4000;
 /// The largest argument of a factorial and lower argument of a binomial coefficient.
 const MAX_FACTORIAL: i64 = 400;
-/// The largest unit matrix.
+/// The largest size of an identity matrix.
 const MAX_IDENTITY: i64 = 16;
 
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 type Number<A> = Series<<A as Arithmetic>::Number>;
 
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
-    /// A function of the language at arguments.
+    /// A built-in function at its arguments.
     pub(super) fn applied(
         &self,
         tree: &'a Expr,
@@ -38,7 +38,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                 return self.stated(name, arguments, place).map(Meaning::Statement);
             }
             ("at", [inner, name, point]) => {
-                return self.meaning(inner, &self.put(name, point, place)?);
+                return self.meaning(inner, &self.bind_at(name, point, place)?);
             }
             ("D", [inner, name, rest @ ..]) if rest.len() <= 1 => {
                 let order = match rest.first() {
@@ -118,7 +118,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }))
     }
 
-    /// The values of an index from one bound to the other.
+    /// The values of an index between two bounds.
     fn range(
         &self,
         low: &'a Expr,
@@ -134,17 +134,17 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(low..=high)
     }
 
-    /// An integer that is not negative.
+    /// A nonnegative integer that is at most `limit`.
     fn natural(
         &self,
         tree: &'a Expr,
         what: &'static str,
-        most: i64,
+        limit: i64,
         place: &Place<'a, A>,
     ) -> Result<i64, NoValue> {
         match self.integer(tree, what, place)? {
             n if n < 0 => Err(Undefined::Negative { what }.into()),
-            n if n > most => Err(Unknown::Large { what }.into()),
+            n if n > limit => Err(Unknown::Large { what }.into()),
             n => Ok(n),
         }
     }
@@ -161,7 +161,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
     }
 
-    /// `n (n-1) ... (n-j+1) / j!`, 0 for a negative j.
+    /// `n (n-1) ... (n-j+1) / j!`; 0 for negative j.
     fn binomial(&self, n: &Number<A>, j: i64) -> Result<Number<A>, NoValue> {
         let a = self.arithmetic;
         if j < 0 {
@@ -195,7 +195,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         ]))
     }
 
-    /// The x with `M x = b`, for a vector or a matrix b.
+    /// Solves `M x = b` for a vector or a matrix b.
     fn solved(&self, matrix: &Vec<Vec<Number<A>>>, right: Value<A::Number>) -> Outcome<A> {
         let a = self.arithmetic;
         let is_vector = matches!(&right, Value::Many(items)

@@ -1,15 +1,15 @@
 //! Integrals: SEMANTICS.md, "How it is executed".
 //!
-//! By Taylor's theorem and without any antiderivative. The integral of f from a to b is `(b - a)` times that of `f(a + (b - a) t)`
-//! for t from 0 to 1, and this interval is cut into equal pieces. On a piece with the middle c and the half width r the expansion
-//! `f = c_0 + c_1 e + ... + c_n e^n + R` with `e = t - c` and n odd gives the sum of `2 c_k r^(k+1)/(k+1)` for even k, and since
-//! `R = c_(n+1)(t') e^(n+1)` for some t' of the piece (Lagrange), where `e^(n+1)` is not negative, the integral of R is
-//! `2 r^(n+2)/(n+2)` times some number between the least and the greatest value of `c_(n+1)` on the piece. So a polynomial of a degree
-//! up to n is integrated exactly.
+//! Uses Taylor's theorem instead of antiderivatives. The integral of f from a to b is `(b - a)` times that of `f(a +
+//! (b - a) t)` for t from 0 to 1, and this interval is divided into equal pieces. On a piece with midpoint c and half
+//! width r, the expansion `f = c_0 + c_1 e + ... + c_n e^n + R` with `e = t - c` and odd n contributes the sum of `2
+//! c_k r^(k+1)/(k+1)` over even k. Since `R = c_(n+1)(t') e^(n+1)` for some t' of the piece (Lagrange), where
+//! `e^(n+1)` is nonnegative, the integral of R is `2 r^(n+2)/(n+2)` times a number between the minimum and the
+//! maximum of `c_(n+1)` on the piece. So polynomials up to degree n are integrated exactly.
 //!
-//! An integrand that has no value somewhere is looked for first, at both ends, the joints of pieces and their middles: it
-//! may be undefined there, and a divisor that has different signs at two of them vanishes between them, for it is
-//! continuous where it is defined.
+//! First the integrand is tested for points where it has no value, at both ends, the joints of pieces and their
+//! midpoints: it may be undefined there; and a divisor with different signs at two of these points vanishes between
+//! them, because it is continuous where it is defined.
 
 use super::evaluate::{Evaluator, Outcome};
 use crate::arithmetic::{Arithmetic, Comparison};
@@ -19,15 +19,15 @@ use crate::value::Value;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
-/// Into how many pieces the interval is cut, and the odd order to which f is expanded on each.
+/// The number of pieces and the odd order of the expansion on each, for successive attempts.
 const PLANS: [(i64, u16); 5] = [(1, 7), (2, 27), (4, 31), (10, 35), (24, 39)];
-/// The pieces whose ends and middles are looked at.
-const LOOKED_AT: i64 = 4;
+/// The number of pieces whose ends and midpoints are tested.
+const TESTED_PIECES: i64 = 4;
 
 type Number<A> = Series<<A as Arithmetic>::Number>;
 
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
-    /// The integral of a body, as a function of its variable, between these ends.
+    /// The integral of a body, as a function of its variable, between these limits.
     pub(super) fn integral(
         &self,
         [low, high]: &[Number<A>; 2],
@@ -51,7 +51,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
         let length = high.minus(low, a)?;
         let place = |t: &Number<A>| low.plus(&length.times(t, a)?, a);
-        self.look(&|share| body(place(&Series::rational(share, a))?))?;
+        self.check_defined(&|share| body(place(&Series::rational(share, a))?))?;
         for (pieces, order) in PLANS {
             if let Some(mean) = self.mean(pieces, order, &|t| body(place(&t)?))? {
                 return mean.each(&|x| x.times(&length, a));
@@ -60,18 +60,19 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Err(Unknown::Precision.into())
     }
 
-    /// Fails where the integrand is seen to have no value.
-    fn look(&self, at: &dyn Fn(&Rational) -> Outcome<A>) -> Result<(), NoValue> {
+    /// Fails if the integrand has no value at a tested point, or a divisor changes its sign.
+    fn check_defined(&self, at: &dyn Fn(&Rational) -> Outcome<A>) -> Result<(), NoValue> {
         let mut before: Option<Vec<(usize, Option<bool>)>> = None;
-        for step in 0..=2 * LOOKED_AT {
-            let share = Rational::new(step.into(), (2 * LOOKED_AT).into());
-            // An integral inside of this one has divisors of its own.
+        for step in 0..=2 * TESTED_PIECES {
+            let share = Rational::new(step.into(), (2 * TESTED_PIECES).into());
+            // A nested integral records its own divisors.
             let outer = self.divisors.replace(Some(vec![]));
             let value = at(&share);
             let found = self.divisors.replace(outer).unwrap_or_default();
             match value {
                 Ok(_) => {}
-                // A root may begin there with all its values, and only its rates by the outer variable are missing.
+                // A root may begin there: its values exist, and only its derivatives by an outer variable are
+                // missing.
                 Err(NoValue::Undefined(Undefined::NotDifferentiable)) if self.level.get() > 0 => {
                     return Err(Unknown::Precision.into());
                 }
@@ -103,7 +104,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
     }
 
-    /// The integral over t from 0 to 1, if it is known well enough.
+    /// The integral over t from 0 to 1, if it can be enclosed narrowly enough.
     fn mean(
         &self,
         pieces: i64,
@@ -140,9 +141,10 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             };
             let rest = match share(somewhere, order + 1, &[order + 1]) {
                 Ok(rest) => rest,
-                // Too little is known of a number of the whole piece.
+                // The enclosure of the whole piece is too wide.
                 Err(NoValue::Unknown(Unknown::Precision)) => return Ok(None),
-                // What is undefined at a number of which only the piece is known need not be so anywhere.
+                // The expression may be undefined for the enclosure of the whole piece, yet defined at every point of
+                // it.
                 Err(NoValue::Undefined(_)) => return Ok(None),
                 Err(gap) => return Err(gap),
             };

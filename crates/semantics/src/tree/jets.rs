@@ -1,25 +1,25 @@
-//! The derivatives of smooth functions that a point names, and a function that has them.
+//! The derivatives of smooth functions that a point specifies, and functions with these derivatives.
 
 use crate::series::Series;
 use std::collections::{BTreeMap, BTreeSet};
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::formula::{Expr, parse};
 
-/// The derivatives of smooth functions that a point names.
+/// The derivatives of smooth functions that a point specifies.
 #[derive(Debug, Clone)]
 pub(crate) struct Jets {
-    /// By function: the text of each place, its tree, and the orders that are named there.
+    /// For each function: the text of each place, its tree, and the orders that are specified there.
     pub(super) places: BTreeMap<String, Vec<(String, Expr, BTreeSet<usize>)>>,
-    /// How many coefficients are drawn beyond those that the point names.
+    /// The number of additional random coefficients.
     pub(super) drawn: usize,
 }
 
-/// How many coefficients are drawn beyond those that a point names, and where it names none.
+/// The number of additional random coefficients if a point specifies derivatives, and if it specifies none.
 const DRAWN: usize = 6;
 const ALL_DRAWN: usize = 24;
 
 impl Jets {
-    /// None: all of a function is drawn.
+    /// No derivatives are specified; all coefficients are random.
     pub const fn none() -> Self {
         Self {
             places: BTreeMap::new(),
@@ -27,7 +27,7 @@ impl Jets {
         }
     }
 
-    /// Those among names: `f''(u)`.
+    /// The derivatives among the names, such as `f''(u)`.
     pub fn new<'n>(declarations: &Declarations, names: impl IntoIterator<Item = &'n str>) -> Self {
         let mut places: BTreeMap<String, Vec<(String, Expr, BTreeSet<usize>)>> = BTreeMap::new();
         for name in names {
@@ -61,14 +61,14 @@ impl Jets {
 }
 
 impl Jets {
-    /// Whether a place is a formula in this symbol.
+    /// Whether a place is a formula that contains this symbol.
     pub fn are_at(&self, symbol: &str) -> bool {
         let mut places = self.places.values().flatten();
         places.any(|(_, tree, _)| tree.names().contains(&symbol))
     }
 }
 
-/// A polynomial in Newton's form, one for each coordinate: the sum of `c_k (t - z_0) ... (t - z_(k-1))`.
+/// A polynomial in Newton form for each coordinate: the sum of `c_k (t - z_0) ... (t - z_(k-1))`.
 #[derive(Debug)]
 pub(super) struct Smooth<N> {
     pub nodes: Vec<Series<N>>,

@@ -21,23 +21,23 @@ use torse_syntax::derivation::declarations::{Bound, Declarations, Interval, Symb
 use torse_syntax::derivation::{Claim, Existential, Written};
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
-/// A claim with a statement, to be judged at points, from their trees alone.
+/// A claim with a statement, prepared to be judged at points from their trees alone.
 #[derive(Debug)]
 pub struct Reading<'a> {
     claim: &'a Claim,
     statement: &'a Expr,
     jets: Jets,
-    /// The names of the numbers that a point is about. Others may have any values of their sets.
+    /// The names of the numbers that a point specifies. Other numbers may have any values of their sets.
     names: BTreeSet<String>,
-    /// What the ends of the sets of sought numbers say that are formulas.
+    /// For each existential symbol, the bounds of its set that are formulas, as relations.
     existentials: Vec<Vec<Written>>,
     /// The leaves at which slips are tried.
     leaves: Vec<&'a Expr>,
-    /// Whether a slip was seen at a point.
+    /// Whether a slip was noticed at some point.
     seen: Cell<bool>,
-    /// Whether the statement was true at a point.
+    /// Whether the statement was true at some point.
     held: Cell<bool>,
-    /// What the ends of declared sets say that are formulas.
+    /// The bounds of declared sets that are formulas, as relations.
     ends: Vec<Written>,
 }
 
@@ -45,9 +45,9 @@ pub struct Reading<'a> {
 pub struct Values<'e, N> {
     /// The number of each symbol, coordinate and member.
     pub number: &'e dyn Fn(&Name) -> Option<N>,
-    /// Whether they satisfy the equations of the domain only nearly.
+    /// Whether they satisfy the equations of the domain only approximately.
     pub near: bool,
-    /// Whether a statement is known to be false somewhere on the domain.
+    /// Whether a statement is known to be false somewhere in the domain.
     pub fails: &'e dyn Fn(&Expr) -> bool,
 }
 
@@ -64,8 +64,8 @@ pub(crate) type At<'a, 'e, A> = Evaluator<'a, 'e, A>;
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 
 impl<'a> Reading<'a> {
-    /// A statement about the domain of a claim. A point may name derivatives of smooth functions, such as `f'(u)`: `names` has
-    /// the names of its numbers.
+    /// A statement about the domain of a claim. `names` are the names of the numbers that points specify, including
+    /// derivatives of smooth functions such as `f'(u)`.
     pub fn new<'n>(
         claim: &'a Claim,
         statement: &'a Expr,
@@ -102,8 +102,8 @@ impl<'a> Reading<'a> {
         Evaluator::new(&self.claim.declarations, &self.jets, arithmetic, point).remembering()
     }
 
-    /// A number of a declared symbol that a point gives no value but as the place of a function, of which it names derivatives:
-    /// any of its set.
+    /// A value for a declared symbol that the point does not specify, although the place of a function is a formula
+    /// in it: any number of its set.
     pub(crate) fn free(&self, name: &Name) -> Option<Real> {
         let symbol = &**name.declared();
         if self.names.contains(symbol) || !self.jets.are_at(symbol) {
@@ -132,7 +132,7 @@ impl<'a> Reading<'a> {
         self.claim.unknowns.iter().map(|unknown| &unknown.expr)
     }
 
-    /// What is sought, with what the ends of its set say that are formulas.
+    /// The existential symbols, with the bounds of their sets that are formulas.
     pub(super) fn existentials(&self) -> impl Iterator<Item = (&'a Existential, &[Written])> {
         let ends = self.existentials.iter().map(Vec::as_slice);
         self.claim.existentials.iter().zip(ends)
@@ -142,24 +142,24 @@ impl<'a> Reading<'a> {
         !self.claim.existentials.is_empty()
     }
 
-    /// The hypotheses as they are written: `assume`, then `given`.
+    /// The hypotheses as written: `assume`, then `given`.
     pub(super) fn assumptions(&self) -> impl Iterator<Item = &'a Expr> {
         let all = self.claim.assumptions.iter().chain(&self.claim.given);
         all.map(|hypothesis| &hypothesis.formula.expr)
     }
 
-    /// All hypotheses: those that are written, and what the ends of declared sets say that are formulas.
+    /// All hypotheses: those that are written, and the bounds of declared sets that are formulas.
     pub(crate) fn hypotheses(&self) -> impl Iterator<Item = &Expr> {
         self.assumptions()
             .chain(self.ends.iter().map(|end| &end.expr))
     }
 
-    /// The names of the numbers that points are about.
+    /// The names of the numbers that points specify.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.names.iter().map(String::as_str)
     }
 
-    /// The value of a formula where nothing is bound.
+    /// The value of a formula outside of all binders.
     pub(crate) fn value_of<A: Arithmetic>(
         &self,
         tree: &Expr,
@@ -188,7 +188,7 @@ impl<'a> Reading<'a> {
         Ok(gaps)
     }
 
-    /// The numbers that a list of symbols, coordinates and members consists of.
+    /// The numbers that a list of symbols, coordinates and members denotes.
     pub(crate) fn names_in<A: Arithmetic>(
         &self,
         tree: &Expr,
@@ -213,7 +213,7 @@ impl<'a> Reading<'a> {
         Ok(parts.into_iter().map(name).collect())
     }
 
-    /// What the statement is at a point.
+    /// Judges the statement at a point.
     #[must_use]
     pub fn statement<A: Arithmetic>(
         &self,
@@ -223,7 +223,7 @@ impl<'a> Reading<'a> {
         self.judged(&self.at(arithmetic, values).along(self.given()))
     }
 
-    /// The same without any memory: slow, and plain.
+    /// Judges the statement without a cache: slow and simple, for tests.
     #[must_use]
     pub fn statement_plainly<A: Arithmetic>(
         &self,
@@ -240,23 +240,23 @@ impl<'a> Reading<'a> {
         self.judged(&at.along(self.given()))
     }
 
-    /// What the statement is, read by an evaluator that knows the given equations.
+    /// Judges the statement with an evaluator that knows the given equations.
     pub(crate) fn judged<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) -> Judgement {
         let outermost = Environment::outermost();
         if self.claim.existentials.is_empty() {
             return at.truth(self.statement, &outermost);
         }
-        self.there_is(at)
+        self.existential(at)
     }
 
-    /// Whether slips of the statement were looked for, and none was seen at any point.
+    /// Whether slips were tried in the statement, and none was noticed at any point.
     #[must_use]
     pub fn is_blind(&self) -> bool {
         let looked = !self.leaves.is_empty() && self.claim.existentials.is_empty();
         looked && self.held.get() && !self.seen.get()
     }
 
-    /// Notes a point at which the statement is true, and looks whether a slip in it changes a value there.
+    /// Records a point at which the statement is true, and tries whether a slip in it changes a value there.
     pub(crate) fn look<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) {
         self.held.set(true);
         if !self.seen.get() && self.claim.existentials.is_empty() {
@@ -276,9 +276,9 @@ impl<'a> Reading<'a> {
         })
     }
 
-    /// A statement about what there is, with the witnesses moved in: they are in their sets, and it is true. Of `p implies q`
-    /// with p free of what is sought, the conclusion alone is meant so.
-    fn there_is<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) -> Judgement {
+    /// Judges an existential statement with the witnesses put in: they must be in their sets, and the statement must
+    /// be true. In `p implies q` where p contains no existential symbol, only the conclusion is instantiated.
+    fn existential<'s, A: Arithmetic>(&'s self, at: &At<'s, '_, A>) -> Judgement {
         let outermost = Environment::outermost();
         let mut inside = outermost.clone();
         for existentials in &self.claim.existentials {
@@ -318,7 +318,7 @@ impl<'a> Reading<'a> {
         joined(Connective::And, members, at.truth(self.statement, &inside))
     }
 
-    /// Whether nothing that is sought is reached.
+    /// Whether a tree contains no existential symbol, directly or through definitions.
     pub(super) fn is_free(&self, tree: &Expr) -> bool {
         let names = super::memory::reached(&self.claim.declarations, [tree]);
         let mut existentials = self.claim.existentials.iter();
@@ -326,7 +326,7 @@ impl<'a> Reading<'a> {
     }
 }
 
-/// Whether the number that a symbol is moved to is in its set, as far as the ends are numbers.
+/// Whether the moved value of a symbol is in its set, as far as the bounds are numbers.
 fn is_member<'a, A: Arithmetic>(
     at: &At<'a, '_, A>,
     name: &'a str,

@@ -1,11 +1,11 @@
-//! What was evaluated before, under the same values of all that it can see.
+//! A cache of values, keyed by everything that they depend on.
 //!
-//! The body of a definition sees its parameters and the moved symbols, and of these only those that it mentions, be it
-//! through other definitions. So its value is remembered under the tree itself (trees outlive the evaluator: no address is
-//! used again), its arguments, and the serials of the moved numbers that it reaches. A serial stands for a number with its
-//! value as a series: the infinitesimals in it and where they are cut off belong to the value, so that the same place
-//! under another order, or another level, has another serial. The point and the arithmetic belong to the evaluator. A
-//! [`Memory::none`] remembers nothing; a test compares both.
+//! The body of a definition depends on its parameters and on those moved symbols that occur in it, directly or
+//! through other definitions. So its value is cached under the tree itself (trees outlive the evaluator, so no
+//! address is reused), its arguments, and the serials of the moved numbers that it reaches. A serial identifies a
+//! number together with its value as a series: infinitesimals and truncation belong to the value, so a different
+//! order or level gets a different serial. The point and the arithmetic are fixed for an evaluator. [`Memory::none`]
+//! caches nothing; a test compares both.
 
 use super::environment::Part;
 use crate::series::Series;
@@ -16,16 +16,16 @@ use std::rc::Rc;
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::formula::Expr;
 
-/// The most values of one function, or rows of one basis, that are remembered.
+/// The largest number of cached values of one function, or rows of one basis.
 const MAX_CALLS: usize = 24;
-/// The most moved numbers that are told from new ones.
+/// The largest number of moved numbers that are recognized again.
 const MAX_SERIALS: usize = 48;
 
-/// A tree, by where it is, and the serials of the moved numbers that it reaches.
+/// The address of a tree, and the serials of the moved numbers that it reaches.
 pub(super) type Key = (usize, Vec<u64>);
 /// Values by arguments.
 pub(super) type Calls<N, T> = Vec<(Vec<Value<N>>, T)>;
-/// A number with the value to which it is moved.
+/// A number with its moved value and serial.
 type Binding<'a, N> = (&'a str, Part, Series<N>, u64);
 
 /// The functions of a basis of one degree at one argument.
@@ -33,7 +33,7 @@ type Row<N> = Rc<[Series<N>]>;
 /// The rows of each basis and degree, by their arguments.
 type Rows<N> = BTreeMap<(Key, i64), Calls<N, Row<N>>>;
 
-/// What was evaluated before.
+/// A cache of values.
 pub(super) struct Memory<'a, N> {
     pub remembers: bool,
     pub values: RefCell<BTreeMap<Key, Value<N>>>,
@@ -45,7 +45,7 @@ pub(super) struct Memory<'a, N> {
 }
 
 impl<N> Memory<'_, N> {
-    /// One that forgets everything.
+    /// A cache that stores nothing.
     pub fn none() -> Self {
         Self {
             remembers: false,
@@ -58,7 +58,7 @@ impl<N> Memory<'_, N> {
         }
     }
 
-    /// One that remembers nothing yet.
+    /// An empty cache.
     pub fn new() -> Self {
         Self {
             remembers: true,
@@ -68,7 +68,7 @@ impl<N> Memory<'_, N> {
 }
 
 impl<'a, N: Clone + PartialEq> Memory<'a, N> {
-    /// The serial of a moved number: the one that it had before, or a new one.
+    /// The serial of a moved number: the former one if it is known, otherwise a new one.
     pub fn serial(&self, symbol: &'a str, part: &Part, value: &Series<N>) -> u64 {
         let mut all = self.serials.borrow_mut();
         let known = all.iter().rev().find(|(own, own_part, own_value, _)| {
@@ -88,7 +88,7 @@ impl<'a, N: Clone + PartialEq> Memory<'a, N> {
         serial
     }
 
-    /// The names that a tree reaches: those written in it, and those in what they mean.
+    /// The names that a tree reaches: those in it, and those in their definitions.
     pub fn reached(&self, declarations: &'a Declarations, tree: &'a Expr) -> Rc<BTreeSet<&'a str>> {
         let address = std::ptr::from_ref(tree).addr();
         if let Some(known) = self.reached.borrow().get(&address) {
@@ -101,7 +101,7 @@ impl<'a, N: Clone + PartialEq> Memory<'a, N> {
     }
 }
 
-/// Remembers a value, and forgets the oldest one where there are too many.
+/// Stores a value, and drops the oldest one if there are too many.
 pub(super) fn keep<N, T>(calls: &mut Calls<N, T>, arguments: Vec<Value<N>>, value: T) {
     if calls.len() >= MAX_CALLS {
         calls.remove(0);
@@ -109,7 +109,8 @@ pub(super) fn keep<N, T>(calls: &mut Calls<N, T>, arguments: Vec<Value<N>>, valu
     calls.push((arguments, value));
 }
 
-/// All names written in trees, and in the definitions and bases that they name; left-out arguments of bases are names too.
+/// All names in trees, and in the definitions and bases that they name; arguments of bases that are left out count as
+/// names.
 pub(super) fn reached<'a>(
     declarations: &'a Declarations,
     trees: impl IntoIterator<Item = &'a Expr>,

@@ -1,16 +1,16 @@
-//! What a tree means, written to be read beside `derivations/SEMANTICS.md`: one section there, one file here.
+//! The meaning of trees, written to be read beside `derivations/SEMANTICS.md`: one file for each section.
 //!
-//! - `evaluate`: names, operators, entries; `environment`: what names stand for
+//! - `evaluate`: names, operators, entries; `environment`: the meaning of names
 //! - `functions`: the functions of the language, `closure`: functions as values, and derivatives
-//! - `basis`, `property`: basis families; `smooth`: arbitrary smooth functions, `jets`: what is given of them
+//! - `basis`, `property`: basis families; `smooth`: arbitrary smooth functions, `jets`: their given derivatives
 //! - `integral`, `coefficients`
-//! - `statement`: what is true at a point; `judge`: a claim at a point
-//! - `outline`, `compared`: trees against what an elaborator makes of them
-//! - `slips`: whether points see anything
-//! - `memory`, `remembered`: what need not be evaluated twice
+//! - `statement`: truth at a point; `judge`: a claim at a point
+//! - `outline`, `compared`: comparison of trees with what an elaborator makes of them
+//! - `slips`: whether the points are able to show errors
+//! - `memory`, `remembered`: caching
 //!
-//! The trees are those of the parser, with the declarations of the file. No other reading of the text is looked at: what the
-//! elaborator makes of a claim is judged by this one.
+//! The trees are those of the parser, with the declarations of the file. No other reading of the text is used,
+//! because this one judges what the elaborator makes of a claim.
 
 mod basis;
 mod closure;

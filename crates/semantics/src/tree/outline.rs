@@ -1,8 +1,9 @@
-//! A statement as a list of words and values, to be compared with what else was made of its text.
+//! A statement as a list of words and values, for comparison with another reading of its text.
 //!
-//! Connectives and relations come first, their sides after them, so that no brackets are needed. A denial is carried to the
-//! comparisons; of a property of a basis the functions are listed, of printed decimals what is printed. Names of statements and
-//! `at` are opened. The sides are values: two texts with one outline say the same at this point, whatever is true there.
+//! Connectives and relations precede their sides, so no brackets are needed. Negations are moved to the comparisons.
+//! For a property of a basis the values of the functions are listed, for printed decimals the printed numbers. Names
+//! of statements and `at` are opened. The sides are values, so two readings with equal outlines say the same at this
+//! point, whether it is true or not.
 
 use super::environment::Environment;
 use super::evaluate::Evaluator;
@@ -14,12 +15,12 @@ use torse_numbers::Rational;
 use torse_syntax::derivation::declarations::{Basis, Bound};
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
-/// A word of a statement, or the value of a formula in it.
+/// An item of an outline.
 #[derive(Debug, Clone)]
 pub enum Piece<T, N> {
-    /// What joins or compares, or names a property.
+    /// A connective, a relation, or the name of a property.
     Word(String),
-    /// A side, with the formula where it stands under no binder.
+    /// The value of a side, with its formula if no binder encloses it.
     Value(Option<T>, Result<Value<N>, NoValue>),
 }
 
@@ -32,15 +33,15 @@ pub fn word(connective: Connective) -> String {
     connective.word().to_owned()
 }
 
-/// Where the functions of a basis are looked at, and how many degrees of them.
+/// The value of the variable at which functions of a basis are evaluated, as numerator and denominator.
 pub const BASIS_AT: (i64, i64) = (355, 113);
-/// The degrees of a basis that are looked at from that of the seeds on.
+/// The number of degrees of a basis that are evaluated, beginning with that of the seeds.
 pub const BASIS_DEGREES: i64 = 3;
 
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 type Pieces<'a, A> = Outline<&'a Expr, <A as Arithmetic>::Number>;
 
-/// The statement that a connective makes of two where it is denied: the connective, and whether each side is denied.
+/// The negation of a compound: its connective, and whether the first side is negated.
 const fn denied(connective: Connective) -> (Connective, bool) {
     match connective {
         Connective::And => (Connective::Or, true),
@@ -50,11 +51,11 @@ const fn denied(connective: Connective) -> (Connective, bool) {
 }
 
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
-    /// Adds the pieces of a statement, or of its denial.
+    /// Adds the items of a statement or of its negation.
     pub(super) fn outline(
         &self,
         tree: &'a Expr,
-        is_denied: bool,
+        is_negated: bool,
         place: &Place<'a, A>,
         all: &mut Pieces<'a, A>,
     ) {
@@ -63,35 +64,38 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         };
         match &tree.node {
             Node::Join(..) => {
-                // Long chains are walked without recursion.
-                let (mut left, mut left_denied) = (tree, is_denied);
+                // Long chains are visited without recursion.
+                let (mut left, mut left_negated) = (tree, is_negated);
                 let mut rights = vec![];
                 while let Node::Join(connective, a, b) = &left.node {
-                    let (connective, first) = match left_denied {
-                        true => denied(*connective),
-                        false => (*connective, false),
+                    let (connective, first) = if left_negated {
+                        denied(*connective)
+                    } else {
+                        (*connective, false)
                     };
                     all.push(Piece::Word(word(connective)));
-                    rights.push((b, left_denied));
-                    (left, left_denied) = (a, first);
+                    rights.push((b, left_negated));
+                    (left, left_negated) = (a, first);
                 }
-                self.outline(left, left_denied, place, all);
-                for (right, right_denied) in rights.into_iter().rev() {
-                    self.outline(right, right_denied, place, all);
+                self.outline(left, left_negated, place, all);
+                for (right, right_negated) in rights.into_iter().rev() {
+                    self.outline(right, right_negated, place, all);
                 }
             }
-            Node::Not(inner) => self.outline(inner, !is_denied, place, all),
+            Node::Not(inner) => self.outline(inner, !is_negated, place, all),
             Node::Compare(first, rest) => {
-                let joined = match is_denied {
-                    true => Connective::Or,
-                    false => Connective::And,
+                let joined = if is_negated {
+                    Connective::Or
+                } else {
+                    Connective::And
                 };
                 all.extend(rest.iter().skip(1).map(|_| Piece::Word(word(joined))));
                 let mut left = &**first;
                 for (relation, right) in rest {
-                    let relation = match is_denied {
-                        true => relation.opposite(),
-                        false => *relation,
+                    let relation = if is_negated {
+                        relation.opposite()
+                    } else {
+                        *relation
                     };
                     all.push(Piece::Word(relation.sign().to_owned()));
                     all.push(self.piece(left, place));
@@ -102,12 +106,12 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             Node::Name(name) => match self.declarations.definition(name) {
                 Some(definition) if place.local(name).is_none() => {
                     let body = &definition.body.expr;
-                    self.outline(body, is_denied, &place.outside(), all);
+                    self.outline(body, is_negated, &place.outside(), all);
                 }
                 _ => all.push(Piece::Word(format!("a name, {name}"))),
             },
             Node::Call(head, arguments) => match &head.node {
-                Node::Name(name) => self.outline_of_call(name, arguments, is_denied, place, all),
+                Node::Name(name) => self.outline_of_call(name, arguments, is_negated, place, all),
                 _ => all.push(Piece::Word("a value".to_owned())),
             },
             _ => all.push(Piece::Word("a value".to_owned())),
@@ -118,13 +122,13 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         &self,
         name: &'a str,
         arguments: &'a [Expr],
-        is_denied: bool,
+        is_negated: bool,
         place: &Place<'a, A>,
         all: &mut Pieces<'a, A>,
     ) {
         match (name, arguments) {
-            ("at", [inner, name, point]) => match self.put(name, point, place) {
-                Ok(inside) => self.outline(inner, is_denied, &inside, all),
+            ("at", [inner, name, point]) => match self.bind_at(name, point, place) {
+                Ok(inside) => self.outline(inner, is_negated, &inside, all),
                 Err(gap) => all.push(Piece::Value(None, Err(gap))),
             },
             ("fails", [inner]) => {
@@ -139,11 +143,10 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                 if let Node::Name(name) = &family.node
                     && let Some(basis) = self.declarations.basis(name)
                 {
-                    let found = match basis.is_list {
-                        true => self.outline_of_list(name, basis, place, all),
-                        false => {
-                            self.outline_of_property(property, name, (basis, degrees), place, all)
-                        }
+                    let found = if basis.is_list {
+                        self.outline_of_list(name, basis, place, all)
+                    } else {
+                        self.outline_of_property(property, name, (basis, degrees), place, all)
                     };
                     if let Err(gap) = found {
                         all.push(Piece::Value(None, Err(gap)));
@@ -156,7 +159,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
     }
 
-    /// All functions of a list are zero or more.
+    /// The statement that all functions of a list are nonnegative.
     fn outline_of_list(
         &self,
         name: &'a str,
@@ -176,7 +179,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(())
     }
 
-    /// A property, and the functions that it is about at one value of their variable.
+    /// The outline of a property: its name, and the values of its functions at one value of the variable.
     fn outline_of_property(
         &self,
         property: &str,
@@ -213,7 +216,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Piece::Value(is_outermost.then_some(tree), self.value(tree, place))
     }
 
-    /// The number that an end of an interval is.
+    /// The value of a bound of an interval.
     pub(super) fn end(&self, bound: &Bound) -> Result<Value<A::Number>, NoValue> {
         let a = self.arithmetic;
         let turns = Series::Number(a.pi()).times(&Series::rational(&bound.value.turns, a), a)?;
@@ -222,7 +225,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 }
 
-/// The printed numbers of `agrees`, as they are compared.
+/// The printed numbers of `agrees` in a canonical form.
 fn digits(printed: &Expr) -> String {
     let items = match &printed.node {
         Node::List(items) => items.as_slice(),
@@ -241,7 +244,7 @@ fn digits(printed: &Expr) -> String {
     items.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// A printed number as a word: its size, its digits after the point, and whether a minus sign stands before it.
+/// A printed number as a word: its absolute value, the number of digits after the point, and the sign.
 #[must_use]
 pub fn printed_number(size: &Rational, decimals: Option<u32>, is_negative: bool) -> String {
     let sign = if is_negative { "-" } else { "" };

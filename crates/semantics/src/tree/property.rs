@@ -1,8 +1,8 @@
 //! Properties of a basis at a point: SEMANTICS.md, "Properties of a basis".
 //!
-//! The point has one value of each shape parameter; the variable takes values over its declared set, and the degree those from
-//! that of the seeds on, or those that the statement names. Looked at are the first three degrees, and of the variable the
-//! closed ends, the middle and ten more values.
+//! The point fixes the shape parameters. The variable ranges over its declared set, and the degree over all degrees
+//! from that of the seeds on, or over those that the statement names. Evaluated are the first three degrees, and the
+//! variable at the closed bounds and at eleven values between.
 
 use super::environment::Environment;
 use super::evaluate::Evaluator;
@@ -19,19 +19,19 @@ use torse_numbers::rational::integer;
 use torse_syntax::derivation::declarations::{Basis, Bound, Constant, End, SymbolKind};
 use torse_syntax::formula::{Expr, Node, Relation};
 
-/// How many degrees are looked at.
+/// The number of degrees that are evaluated.
 const DEGREES: i64 = 3;
-/// The values of the variable between its ends, in shares of the way.
+/// The number of values of the variable between its bounds.
 const BETWEEN: i64 = 11;
-/// The polygons that are tried, and at how many values of the variable.
+/// The number of control polygons that are tried, and of values of the variable for each.
 const POLYGONS: u64 = 60;
 const ALONG: i64 = 24;
-/// How often functions have to look dependent to be so.
+/// The number of trials in which functions must look dependent.
 const TRIALS: u64 = 3;
-/// Into how many parts the unit is divided for their arguments: 2^7 times 3^2 and 7, so that angles have residues.
+/// Arguments are multiples of one over this number: 2^7 times 3^2 times 7, so that angles have residues.
 const ARGUMENT_PARTS: i64 = 8_064;
-/// What stands for an infinite end.
-const FAR: i64 = 4;
+/// The finite bound that replaces an infinite one.
+const FINITE_BOUND: i64 = 4;
 
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 
@@ -43,11 +43,11 @@ struct Shaped<'a, 's, A: Arithmetic> {
     place: &'s Place<'a, A>,
 }
 
-/// The ends of a set, and whether they belong to it.
+/// The bounds of a set, and whether they belong to it.
 type Ends<A> = [(Series<<A as Arithmetic>::Number>, bool); 2];
 
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
-    /// What a property is here.
+    /// Judges a property here.
     pub(super) fn property(
         &self,
         property: &str,
@@ -108,7 +108,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(row.to_vec())
     }
 
-    /// The ends of the declared set of the variable, and whether they belong to it.
+    /// The bounds of the declared set of the variable, and whether they belong to it.
     fn ends(&self, basis: &'a Basis) -> Result<Ends<A>, NoValue> {
         let a = self.arithmetic;
         let interval = match self.declarations.symbol(&basis.variable) {
@@ -137,14 +137,14 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(match (lower, upper) {
             (Some(lower), Some(upper)) => [lower, upper],
             (Some(lower), None) => {
-                let upper = lower.0.plus(&far(FAR), a)?;
+                let upper = lower.0.plus(&far(FINITE_BOUND), a)?;
                 [lower, (upper, false)]
             }
             (None, Some(upper)) => {
-                let lower = upper.0.minus(&far(FAR), a)?;
+                let lower = upper.0.minus(&far(FINITE_BOUND), a)?;
                 [(lower, false), upper]
             }
-            (None, None) => [(far(-FAR), false), (far(FAR), false)],
+            (None, None) => [(far(-FINITE_BOUND), false), (far(FINITE_BOUND), false)],
         })
     }
 
@@ -154,7 +154,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Series::rational(&constant.rational, a).plus(&turns, a)
     }
 
-    /// The value of the variable at a share of the way from one end to the other.
+    /// The value of the variable at a fraction of the way from one bound to the other.
     fn between(
         &self,
         [(low, _), (high, _)]: &[(Series<A::Number>, bool); 2],
@@ -188,7 +188,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(all)
     }
 
-    /// Functions are independent if the determinant of their values at as many arguments is not zero.
+    /// Functions are independent if the determinant of their values at as many arguments is nonzero.
     fn is_independent(
         &self,
         shaped: &Shaped<'a, '_, A>,
@@ -213,10 +213,10 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(all)
     }
 
-    /// Whether the functions of one degree are dependent at the shape parameters of a point: the determinant of their values at
-    /// as many arguments as there are functions is zero, each time that arguments are drawn. Of independent functions that
-    /// happens by an accident alone, whose chance is about the degree of the functions divided by the number of arguments that
-    /// may be drawn, each time.
+    /// Whether the functions of one degree are dependent at the shape parameters of a point: the determinant of their
+    /// values at as many random arguments as there are functions is zero in each trial. For independent functions the
+    /// probability of this is about the degree of the functions divided by the number of possible arguments, to the
+    /// power of the number of trials.
     pub(crate) fn are_dependent(&self, family: &'a Expr, degree: i64) -> Result<bool, NoValue> {
         let Node::Name(name) = &family.node else {
             return Err(NoValue::shape(
@@ -236,10 +236,10 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             let stream = Stream::new(name, trial);
             let mut rows = vec![];
             for row in 0..=degree {
-                // The sine and cosine of a quarter turn times the argument have residues.
-                let whole = ARGUMENT_PARTS;
-                let share = 1 + stream.below(&format!("argument {row}"), whole - 1);
-                let share = Rational::new(share.into(), whole.unsigned_abs().into());
+                // With such arguments the sine and cosine of quarter turns have residues.
+                let parts = ARGUMENT_PARTS;
+                let share = 1 + stream.below(&format!("argument {row}"), parts - 1);
+                let share = Rational::new(share.into(), parts.unsigned_abs().into());
                 let variable = Series::rational(&share, self.arithmetic);
                 rows.push(self.functions_at(&shaped, degree, variable)?);
             }
@@ -282,7 +282,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                 match a.compare(height, &line_here, false)? {
                     Comparison::Less => along.push(false),
                     Comparison::Greater => along.push(true),
-                    // Signs that are not seen only make fewer changes.
+                    // Unknown signs can only lower the number of sign changes.
                     _ => {}
                 }
             }
@@ -295,7 +295,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 }
 
-/// Changes of sign.
+/// The number of sign changes.
 fn changes(signs: &[bool]) -> usize {
     let pairs = signs.windows(2);
     pairs.filter(|pair| pair.first() != pair.last()).count()

@@ -1,4 +1,4 @@
-//! Evaluating what was not evaluated before: what the [`Memory`](super::memory::Memory) of an evaluator is asked, and told.
+//! Evaluation through the cache ([`Memory`](super::memory::Memory)).
 
 use super::environment::{Environment, Moved, Part};
 use super::evaluate::{Evaluator, Meaning, Outcome};
@@ -15,12 +15,12 @@ use torse_syntax::formula::Expr;
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
-    /// Whether values may be looked up: not while the divisors are asked for that are met on the way to them.
+    /// Whether the cache may be used: not while divisors are recorded, since a cached value would hide them.
     fn remembers(&self) -> bool {
         self.memory.remembers && self.divisors.borrow().is_none()
     }
 
-    /// The inside of what moves a number of a declared symbol.
+    /// The environment in which a number of a declared symbol is moved.
     pub(super) fn moving(
         &self,
         symbol: &'a str,
@@ -41,7 +41,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
     }
 
-    /// The serials of the moved numbers whose symbols a tree reaches, the innermost of each number.
+    /// The serials of the moved numbers whose symbols a tree reaches; for each number the innermost one.
     fn key(&self, tree: &'a Expr, reached: &BTreeSet<&'a str>, place: &Place<'a, A>) -> Key {
         let mut seen: Vec<(&str, &Part)> = vec![];
         let mut serials = vec![];
@@ -58,7 +58,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         self.marked(tree, serials)
     }
 
-    /// The key of a tree with these serials; where given equations are put into `coefficients` it is another one.
+    /// The key of a tree with these serials; with given equations for `coefficients` it is a different key.
     fn marked(&self, tree: &'a Expr, mut serials: Vec<u64>) -> Key {
         if self.given.borrow().is_some() {
             serials.push(u64::MAX);
@@ -67,13 +67,11 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     }
 
     fn key_of(&self, tree: &'a Expr, place: &Place<'a, A>) -> Key {
-        match place.moved.is_empty() {
-            true => self.marked(tree, vec![]),
-            false => {
-                let reached = self.memory.reached(self.declarations, tree);
-                self.key(tree, &reached, place)
-            }
+        if place.moved.is_empty() {
+            return self.marked(tree, vec![]);
         }
+        let reached = self.memory.reached(self.declarations, tree);
+        self.key(tree, &reached, place)
     }
 
     /// The value of the body of a definition without parameters.
@@ -121,7 +119,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(value)
     }
 
-    /// The functions of one degree of a basis at arguments; `first` is its first seed, which stands for the basis.
+    /// The functions of one degree of a basis at arguments; `first` is its first seed, whose address identifies the
+    /// basis.
     pub(super) fn remembered_row(
         &self,
         first: &'a Expr,
@@ -133,9 +132,10 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         if !self.remembers() {
             return evaluate(&arguments);
         }
-        let key = match outside.moved.is_empty() {
-            true => self.marked(first, vec![]),
-            false => self.key(first, &reached(self.declarations, parts()), outside),
+        let key = if outside.moved.is_empty() {
+            self.marked(first, vec![])
+        } else {
+            self.key(first, &reached(self.declarations, parts()), outside)
         };
         let key = (key, degree);
         if let Some(rows) = self.memory.rows.borrow().get(&key)

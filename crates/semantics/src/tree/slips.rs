@@ -1,8 +1,10 @@
-//! A net that is blind is no net: slips in a statement, which have to be seen at the points at which it holds.
+//! Tests whether the sample points are able to show errors: deliberate slips in a statement must be noticed at the
+//! points at which it holds.
 //!
-//! A slip adds one to what a leaf of the statement is worth: a number, a symbol, a member, the value of a function; to the first
-//! entry of a vector. It is seen at a point if a side of a comparison has another value there. Points at which no slip is
-//! seen say nothing of the statement: they are undefined, or zero, or remembered, or always the same.
+//! A slip adds one to the value of a leaf of the statement (a number, a symbol, a member, the value of a function),
+//! or to the first entry of a vector. It is noticed at a point if it changes the value of a side of a comparison. If
+//! no slip is noticed, the points say nothing about the statement, since its sides are undefined, zero, cached, or
+//! constant there.
 
 use super::environment::Environment;
 use super::evaluate::Evaluator;
@@ -12,10 +14,10 @@ use crate::series::Series;
 use crate::value::Value;
 use torse_syntax::formula::{Expr, Node, Operator};
 
-/// How many slips are tried, spread over the statement.
+/// The number of slips that are tried, spread over the statement.
 const SLIPS: usize = 6;
 
-/// The functions of the language that are statements: they have no value, and no leaves but the value that `agrees` is about.
+/// The built-in functions that are statements: they have no value, and no leaves except the value of `agrees`.
 const STATEMENTS: [&str; 5] = [
     "agrees",
     "fails",
@@ -24,7 +26,7 @@ const STATEMENTS: [&str; 5] = [
     "variation_diminishing",
 ];
 
-/// The leaves at which a slip is tried; none where the statement has none, as properties of a basis have none.
+/// The leaves at which slips are tried; empty for statements without leaves, such as properties of a basis.
 pub(super) fn leaves(statement: &Expr) -> Vec<&Expr> {
     let mut all = vec![];
     collect(statement, &mut all);
@@ -39,7 +41,7 @@ fn collect<'a>(tree: &'a Expr, leaves: &mut Vec<&'a Expr>) {
             leaves.push(tree);
             &[]
         }
-        // Indices and exponents are integers, of a range mostly.
+        // Indices and exponents are integers, mostly with a range.
         Node::Index(..) => {
             leaves.push(tree);
             &[]
@@ -50,7 +52,7 @@ fn collect<'a>(tree: &'a Expr, leaves: &mut Vec<&'a Expr>) {
                 Node::Name(name) => name.as_str(),
                 _ => "",
             };
-            // Names that are bound have no value, nor have functions; printed numbers and bases are none.
+            // Bound names and functions have no value; printed numbers and bases are not evaluated.
             match (name, arguments.len()) {
                 ("sum" | "product", 4) => &parts[4..],
                 ("integral", 4) => &parts[1..2],
@@ -76,7 +78,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     pub(super) fn sees_a_slip(&self, statement: &'a Expr, leaves: &[&'a Expr]) -> bool {
         let outermost = Environment::outermost();
         let sides = sides(statement);
-        // From the end: right sides are mostly the simpler ones.
+        // From the end, because right sides are mostly simpler.
         leaves.iter().rev().any(|leaf| {
             let mut sides = sides.iter().rev().filter(|side| contains(side, leaf));
             sides.any(|side| {
@@ -92,7 +94,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         })
     }
 
-    /// What a leaf with a slip is worth: one more, or one more in its first entry.
+    /// The value of a leaf with a slip: one more, or one more in its first entry.
     pub(super) fn slipped(&self, value: Value<A::Number>) -> Result<Value<A::Number>, NoValue> {
         let a = self.arithmetic;
         Ok(match value {
@@ -125,7 +127,7 @@ fn contains(tree: &Expr, part: &Expr) -> bool {
     std::ptr::eq(tree, part) || tree.parts().into_iter().any(|inner| contains(inner, part))
 }
 
-/// The formulas that a statement compares, in the order of the text.
+/// The sides of all comparisons in a statement, in the order of the text.
 fn sides(statement: &Expr) -> Vec<&Expr> {
     match &statement.node {
         Node::Compare(first, rest) => {

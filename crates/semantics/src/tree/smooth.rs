@@ -1,9 +1,9 @@
 //! Arbitrary smooth functions: SEMANTICS.md, "Smooth functions".
 //!
-//! A declared smooth function is a concrete one here, a polynomial. Where a point names derivatives, `f'(u) = 3`, it is one
-//! that has these at the values of the *texts* of the places, by Newton's interpolation with nodes that are repeated; two
-//! places with one value give no function. The coefficients of higher orders are drawn, so that a derivative that no number
-//! of the point determines has a value of its own: whoever overlooks it is found out.
+//! A declared smooth function is represented by a polynomial. If a point specifies derivatives such as `f'(u) = 3`,
+//! the polynomial has these at the values of the *texts* of the places, by Newton interpolation with repeated nodes;
+//! two places with equal values are an error. The coefficients of higher orders are random, so that a derivative that
+//! the point does not specify has a value of its own, and code that overlooks it is caught.
 
 use super::environment::Environment;
 use super::evaluate::{Evaluator, no_value};
@@ -19,7 +19,7 @@ use std::sync::Arc;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
-/// The most coefficients of a function.
+/// The largest number of coefficients of a function.
 const MAX_COEFFICIENTS: usize = 40;
 
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
@@ -33,7 +33,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         let known = self.smooth.borrow().get(name).cloned();
         let function = match known {
             Some(Some(known)) => known,
-            // The place of a function that is taken at its own value.
+            // The place of the function depends on the value of the function itself.
             Some(None) => return Err(not_placed()),
             None => {
                 self.smooth.borrow_mut().insert(name, None);
@@ -45,7 +45,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         };
         let mut values = vec![];
         for coefficients in &function.coefficients {
-            // Horner's scheme. The argument keeps its infinitesimals, be the function constant.
+            // Horner's scheme. The result keeps the infinitesimals of the argument even if the function is constant.
             let mut sum = argument.times(&Series::integer(0, a), a)?;
             for (k, coefficient) in coefficients.iter().enumerate().rev() {
                 if let Some(node) = function.nodes.get(k) {
@@ -99,9 +99,12 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             let mut derivatives: Vec<Vec<Series<A::Number>>> = vec![];
             for ((text, _), (.., orders)) in places.iter().zip(named) {
                 let order = orders.last().copied().unwrap_or(0);
-                let jet = |n| match orders.contains(&n) {
-                    true => self.jet(name, n, text, coordinate),
-                    false => Ok(self.drawn_jet(name, n, text, coordinate)),
+                let jet = |n| {
+                    if orders.contains(&n) {
+                        self.jet(name, n, text, coordinate)
+                    } else {
+                        Ok(self.drawn_jet(name, n, text, coordinate))
+                    }
                 };
                 derivatives.push((0..=order).map(jet).collect::<Result<_, _>>()?);
             }
@@ -120,7 +123,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         })
     }
 
-    /// A derivative of a function at a place that the point names.
+    /// A derivative of a function at a place, as specified by the point.
     fn jet(
         &self,
         function: &str,
@@ -139,7 +142,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(Series::Number(number))
     }
 
-    /// One that no number of the point determines.
+    /// A random derivative, for one that the point does not specify.
     fn drawn_jet(
         &self,
         function: &str,
@@ -163,10 +166,11 @@ fn drawn(stream: &Stream, label: &str) -> Rational {
     Rational::new(numerator.into(), denominator.into())
 }
 
-/// The coefficients of Newton's form. Nodes of one place stand together, and `derivatives` has the derivatives at each place.
+/// The coefficients of the Newton form. Nodes at one place are adjacent, and `derivatives` contains the derivatives
+/// at each place.
 ///
-/// The difference of nodes that are all at one place is a derivative over a factorial; else it is the quotient of the
-/// differences of one node less by the distance of the outer ones.
+/// The divided difference of nodes that are all at one place is a derivative over a factorial. Otherwise it is the
+/// difference of two divided differences of one node less, divided by the distance of the outer nodes.
 fn divided_differences<A: Arithmetic>(
     nodes: &[Series<A::Number>],
     derivatives: &[Vec<Series<A::Number>>],

@@ -1,7 +1,7 @@
-//! What a statement is at a point: SEMANTICS.md, "Statements".
+//! The truth of a statement at a point: SEMANTICS.md, "Statements".
 //!
-//! Every part is evaluated, so that a statement with an undefined part is undefined. `fails(p)` alone is about the domain: its
-//! parts do not count for where the rest is defined.
+//! Every part is evaluated, so a statement with an undefined part is undefined. Only `fails(p)` is about the domain:
+//! its parts do not affect where the statement is defined.
 
 use super::environment::Environment;
 use super::evaluate::{Evaluator, Meaning};
@@ -13,15 +13,15 @@ use torse_numbers::rational::integer;
 use torse_numbers::{Integer, Rational};
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
-/// The most digits that a printed number has after the point.
+/// The largest number of digits after the point of a printed number.
 const MAX_DECIMALS: u32 = 1000;
 
-/// The functions of numbers that have no exact values of their own.
+/// Functions whose values are mostly not exact.
 const ELEMENTARY: [&str; 8] = ["sqrt", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"];
 
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 
-/// Both are true; false as soon as one is false.
+/// The conjunction; false as soon as one side is false.
 pub(super) fn both(a: Option<bool>, b: Option<bool>) -> Option<bool> {
     match (a, b) {
         (Some(false), _) | (_, Some(false)) => Some(false),
@@ -30,12 +30,12 @@ pub(super) fn both(a: Option<bool>, b: Option<bool>) -> Option<bool> {
     }
 }
 
-/// One of both is true.
+/// The disjunction; true as soon as one side is true.
 fn either(a: Option<bool>, b: Option<bool>) -> Option<bool> {
     both(a.map(|t| !t), b.map(|t| !t)).map(|t| !t)
 }
 
-/// What two statements make together.
+/// Joins two judgements by a connective.
 pub(crate) fn joined(connective: Connective, a: Judgement, b: Judgement) -> Judgement {
     a.joined(b, |a, b| match connective {
         Connective::And => both(a, b),
@@ -45,7 +45,7 @@ pub(crate) fn joined(connective: Connective, a: Judgement, b: Judgement) -> Judg
 }
 
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
-    /// What a statement is here; gaps of its terms are a part of the answer.
+    /// Judges a statement; terms without a value make it undefined or unknown.
     pub(super) fn truth(&self, tree: &'a Expr, place: &Place<'a, A>) -> Judgement {
         match self.meaning(tree, place) {
             Ok(Meaning::Statement(judgement)) => judgement,
@@ -54,12 +54,12 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
     }
 
-    /// The same where nothing is bound.
+    /// Judges a statement outside of all binders.
     pub(crate) fn truth_of(&self, tree: &'a Expr) -> Judgement {
         self.truth(tree, &Environment::outermost())
     }
 
-    /// A comparison, a denial, or statements that are joined.
+    /// Judges a comparison, a negation, or a compound.
     pub(super) fn statement(
         &self,
         tree: &'a Expr,
@@ -72,7 +72,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                 Ok(inner.joined(Judgement::True, |truth, _| truth.map(|t| !t)))
             }
             Node::Join(..) => {
-                // Long chains are walked without recursion.
+                // Long chains are visited without recursion.
                 let mut rights = vec![];
                 let mut left = tree;
                 while let Node::Join(connective, a, b) = &left.node {
@@ -89,7 +89,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
     }
 
-    /// `a == b`, `a < b <= c`: all links of the chain.
+    /// `a == b`, `a < b <= c`: the conjunction of all links of the chain.
     fn compared(
         &self,
         first: &'a Expr,
@@ -101,7 +101,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         for (relation, right_tree) in rest {
             let right = self.value(right_tree, place)?;
             let found = match self.related(*relation, &left, &right)? {
-                // At a point that satisfies its hypotheses only nearly equal numbers may stand for different ones.
+                // At a point that satisfies its hypotheses only approximately, equal numbers may stand for different
+                // ones.
                 None if !self.point.near && self.is_same(left_tree, right_tree, place) => {
                     Some(matches!(
                         relation,
@@ -116,8 +117,8 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         Ok(Judgement::from_truth(all))
     }
 
-    /// Whether two formulas that have values are the same functions of the same rational numbers, so that enclosures of both
-    /// need not tell them apart: `exp(u)` and `exp(1)` at u = 1.
+    /// Whether two formulas apply the same functions to the same rational numbers, so that they are equal although
+    /// enclosures cannot show it: `exp(u)` and `exp(1)` at u = 1.
     fn is_same(&self, a: &'a Expr, b: &'a Expr, place: &Place<'a, A>) -> bool {
         match (&a.node, &b.node) {
             (Node::Call(f, x), Node::Call(g, y)) => {
@@ -148,7 +149,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
     }
 
-    /// Whether two values are in a relation.
+    /// Whether two values have a relation.
     pub(super) fn related(
         &self,
         relation: Relation,
@@ -184,7 +185,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         })
     }
 
-    /// The functions of the language that are statements.
+    /// The built-in functions that are statements.
     pub(super) fn stated(
         &self,
         name: &str,
@@ -213,7 +214,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
     }
 
-    /// Every entry is its printed number, rounded to as many digits as are printed, or cut off there.
+    /// Whether every entry agrees with its printed number, rounded or truncated to the printed number of digits.
     fn agrees(&self, value: &Value<A::Number>, printed: &Expr) -> Result<Option<bool>, NoValue> {
         let items = match &printed.node {
             Node::List(items) => items.as_slice(),
@@ -225,7 +226,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         if values.len() != printed.len() {
             return Err(NoValue::shape("the printed numbers to the value"));
         }
-        // An integer among decimals is read with as many digits as the decimal that has the fewest.
+        // An integer among decimals is read with as many digits as the decimal with the fewest digits.
         let decimals = printed.iter().map(|p| p.decimals).filter(|d| *d > 0);
         let fewest = decimals.min().unwrap_or(0);
         let mut all = Some(true);
@@ -250,7 +251,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             own => own,
         };
         if decimals == 0 {
-            // Integers alone are exact.
+            // If only integers are printed they are exact.
             return Ok(compared(printed.value.clone())?.exactly_equal());
         }
         if decimals > MAX_DECIMALS {
@@ -265,16 +266,17 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             not(compared(&printed.value - &half)?.less()),
             not(compared(&printed.value + &half)?.greater()),
         );
-        // Cut off: the value lies between the printed number and the next one away from zero.
-        let cut = match printed.is_negative {
-            true => both(
+        // Truncated: the value lies between the printed number and the next one away from zero.
+        let cut = if printed.is_negative {
+            both(
                 not(compared(printed.value.clone())?.greater()),
                 compared(&printed.value - &unit)?.greater(),
-            ),
-            false => both(
+            )
+        } else {
+            both(
                 not(compared(printed.value.clone())?.less()),
                 compared(&printed.value + &unit)?.less(),
-            ),
+            )
         };
         Ok(either(rounded, cut))
     }
@@ -283,9 +285,9 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
 /// A printed number.
 struct Printed {
     value: Rational,
-    /// Digits after the point; none for an integer.
+    /// The number of digits after the point; 0 for an integer.
     decimals: u32,
-    /// Whether a minus sign is printed, which `-0.00` needs.
+    /// Whether a minus sign is printed; needed for `-0.00`.
     is_negative: bool,
 }
 
@@ -299,9 +301,10 @@ impl Printed {
             return None;
         };
         Some(Self {
-            value: match is_negative {
-                true => -value.clone(),
-                false => value.clone(),
+            value: if is_negative {
+                -value.clone()
+            } else {
+                value.clone()
             },
             decimals: decimals.unwrap_or(0),
             is_negative,
@@ -310,7 +313,7 @@ impl Printed {
 }
 
 impl Comparison {
-    /// Whether the numbers are equal, or as near as only equal ones are.
+    /// Whether the numbers are equal, or as close as only equal numbers are expected to be.
     fn equal(self) -> Option<bool> {
         match self {
             Self::Equal | Self::Near => Some(true),
