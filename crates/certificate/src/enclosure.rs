@@ -1,4 +1,4 @@
-//! Printed decimals that agree with exact values.
+//! Proofs that printed decimals agree with exact values.
 
 use crate::number::decimal;
 use crate::polynomial::Polynomial;
@@ -11,18 +11,18 @@ use torse_core::Printed;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Agreement {
-    /// It is the value.
+    /// The printed number is the value.
     Exact,
-    /// It is the value rounded.
+    /// It is the rounded value.
     Rounded,
-    /// It is the value cut off.
+    /// It is the truncated value.
     CutOff,
 }
 
-/// A value with the number that is printed for it.
+/// An exact value, and the number that is printed for it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Agreeing<P> {
-    /// The exact value, a number.
+    /// The exact value, which is a constant.
     pub value: Ratio<P>,
     /// The printed number.
     #[serde(serialize_with = "as_printed")]
@@ -31,10 +31,10 @@ pub struct Agreeing<P> {
     pub how: Option<Agreement>,
 }
 
-/// Printed numbers with their values.
+/// A proof that printed numbers agree with their values.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Enclosure<P> {
-    /// Entry by entry.
+    /// The entries in order.
     pub entries: Vec<Agreeing<P>>,
 }
 
@@ -58,7 +58,7 @@ pub fn text(printed: &Printed) -> String {
     format!("{sign}{whole}.{fraction}")
 }
 
-/// One text, or several in brackets.
+/// One text, or several in square brackets.
 pub(crate) fn listed(parts: Vec<String>) -> String {
     match parts.as_slice() {
         [one] => one.clone(),
@@ -67,7 +67,7 @@ pub(crate) fn listed(parts: Vec<String>) -> String {
 }
 
 impl<P> Enclosure<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Enclosure<Q> {
         let entry = |entry: &Agreeing<P>| Agreeing {
             value: entry.value.map(change),
@@ -79,21 +79,21 @@ impl<P> Enclosure<P> {
         }
     }
 
-    /// Whether every printed number is the value itself.
+    /// Whether every printed number is exact.
     #[must_use]
     pub fn is_exact(&self) -> bool {
         let exact = |entry: &Agreeing<P>| entry.how == Some(Agreement::Exact);
         self.entries.iter().all(exact)
     }
 
-    /// The most digits after a point.
+    /// The largest number of digits after a decimal point.
     #[must_use]
     pub fn digits(&self) -> u32 {
         let digits = self.entries.iter().filter_map(|e| e.printed.decimals);
         digits.max().unwrap_or(0)
     }
 
-    /// The numbers of the entries that do not agree, from 1.
+    /// The numbers, from 1, of the entries that do not agree.
     #[must_use]
     pub fn differing(&self) -> Vec<usize> {
         let numbered = (1..).zip(&self.entries);
@@ -103,7 +103,7 @@ impl<P> Enclosure<P> {
 }
 
 impl Enclosure<Polynomial> {
-    /// The values as decimals, with some more digits than are printed.
+    /// The values as decimals with a few more digits than are printed.
     #[must_use]
     pub fn decimals(&self) -> String {
         let digits = usize::try_from(self.digits()).unwrap_or(0) + 8;
@@ -111,7 +111,7 @@ impl Enclosure<Polynomial> {
         listed(self.entries.iter().map(shown).collect())
     }
 
-    /// The steps in words.
+    /// The steps of the proof in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         let decimals = counted(self.digits(), "decimal");

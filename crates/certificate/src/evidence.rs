@@ -1,11 +1,11 @@
-//! What an answer rests on.
+//! The evidence for an answer.
 //!
-//! Verdict and evidence are two axes and never merged: the verdict says what is true of the printed
-//! statement, the evidence says what the answer rests on.
+//! Verdict and evidence are separate: the verdict says what is true of the printed statement, the evidence says how
+//! that was established.
 
 use serde::Serialize;
 
-/// What a verdict rests on.
+/// The kind of evidence for a verdict.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, serde::Deserialize,
 )]
@@ -21,8 +21,8 @@ pub enum Evidence {
     Enclosure,
     /// An exact counterexample.
     Witness,
-    /// Every degree up to a bound, no more.
+    /// Every degree up to a bound; not a proof for all degrees.
     CheckedRange,
-    /// Sample points, no more.
+    /// Sample points; not a proof.
     Sampled,
 }

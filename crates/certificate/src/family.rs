@@ -1,14 +1,14 @@
-//! Properties of a basis family at every degree.
+//! Proofs of properties of a basis family at every degree.
 
 use crate::sign::Sign;
 use serde::Serialize;
 
-/// Seeds and step factors are not negative: the step adds products of such functions, so by induction the functions of
-/// every degree are not negative.
+/// A basis is nonnegative because its seeds and step factors are: the step adds products of nonnegative functions, so
+/// by induction the functions of every degree are nonnegative.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Nonnegative<P> {
-    /// The two factors of the step, then the seeds; of a quotient its numerator, then the factors of its denominator that
-    /// change its sign.
+    /// The two factors of the step, then the seeds; for a quotient its numerator, then those factors of its
+    /// denominator that affect its sign.
     pub parts: Vec<Part<P>>,
 }
 
@@ -19,18 +19,19 @@ pub struct Part<P> {
     pub is_seed: bool,
     /// The function.
     pub function: P,
-    /// Why it is not negative; the zero function needs no reason.
+    /// Why it is nonnegative; the zero function needs no proof.
     pub sign: Option<Sign<P>>,
 }
 
-/// The functions of each degree are one function times powers of the quotient of the step factors, with positive
-/// coefficients; the quotient is monotone and no factor is negative. So the minors of the collocation matrices are those of
-/// generalised Vandermonde matrices, and the functions, which sum to one, diminish variation (Schoenberg 1930).
+/// A basis diminishes variation because the functions of each degree are a common function times powers of the
+/// quotient of the step factors, with positive coefficients, where the quotient is monotone and no factor is
+/// negative. So the minors of the collocation matrices are those of generalised Vandermonde matrices, and functions
+/// with this property that sum to one diminish variation (Schoenberg 1930).
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Powers<P> {
-    /// The two factors a, b of the step, then the seeds, none of them negative.
+    /// The two factors a, b of the step, then the seeds; all are nonnegative.
     pub parts: Vec<Part<P>>,
-    /// `b'a - ba'`, or its negative where the quotient falls.
+    /// The numerator `b'a - ba'` of the derivative of b/a, or its negative if the quotient decreases.
     pub slope: Box<Part<P>>,
 }
 
@@ -45,7 +46,7 @@ impl<P> Part<P> {
 }
 
 impl<P> Nonnegative<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Nonnegative<Q> {
         Nonnegative {
             parts: self.parts.iter().map(|part| part.map(change)).collect(),
@@ -54,7 +55,7 @@ impl<P> Nonnegative<P> {
 }
 
 impl<P: std::fmt::Display> Nonnegative<P> {
-    /// The steps in words.
+    /// The steps of the proof in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         let step = |part: &Part<P>| {
@@ -71,7 +72,7 @@ impl<P: std::fmt::Display> Nonnegative<P> {
 }
 
 impl<P> Powers<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Powers<Q> {
         Powers {
             parts: self.parts.iter().map(|part| part.map(change)).collect(),
@@ -79,7 +80,7 @@ impl<P> Powers<P> {
         }
     }
 
-    /// The steps in words.
+    /// The steps of the proof in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         vec![

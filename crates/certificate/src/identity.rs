@@ -1,60 +1,60 @@
-//! Equality: differences without terms, and differences that are combinations of equations.
+//! Proofs of equality: differences that vanish, and differences that are combinations of equations.
 
 use crate::evidence::Evidence;
 use serde::Serialize;
 
-/// The sides of an equation have the same normal form, entry by entry.
+/// A proof that the two sides of an equation have the same normal form, entry by entry.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Identity<P> {
-    /// How the difference was seen to vanish.
+    /// How the difference is seen to vanish.
     pub by: Vanishing,
-    /// Whether this shows a relation of order that includes equality.
+    /// Whether this proves an order relation that includes equality, such as `<=`.
     pub in_order: bool,
-    /// What was divided by on the way: the proof says nothing where one of them vanishes.
+    /// The divisors of the computation: nothing is proved where one of them vanishes.
     pub divisors: Vec<P>,
 }
 
-/// How a difference vanishes.
+/// How a difference is seen to vanish.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Vanishing {
     /// Its numerator has no terms.
     NormalForm,
-    /// Series of symbolic degree: the step of the recursion is an operator on the seeds, of which each power of the index
-    /// shift has coefficients without terms. So the difference vanishes for every degree at once.
+    /// As a series of symbolic degree: the step of the recursion is an operator on the seeds, and the coefficient of
+    /// each power of the index shift has no terms. So the difference vanishes for every degree at once.
     Series,
 }
 
-/// Each difference is a sum of multiples of expressions that are zero by hypothesis.
+/// A proof that each difference is a combination of expressions that are zero by hypothesis.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Combination<P> {
-    /// Which hypotheses.
+    /// The kind of equations.
     pub of: Equations,
     /// The numerators that are zero by hypothesis.
     pub equations: Vec<P>,
-    /// For each entry of the statement the multipliers of the equations: the numerator of its difference is the sum of the
-    /// products.
+    /// For each entry of the statement, the multipliers of the equations: the numerator of the difference is the sum
+    /// of the products.
     pub multipliers: Vec<Vec<P>>,
-    /// What was divided by on the way.
+    /// The divisors of the computation.
     pub divisors: Vec<P>,
-    /// Whether symbolic degrees were met.
+    /// Whether the differences are normal forms or series of symbolic degree.
     pub by: Vanishing,
 }
 
-/// The equations of a combination.
+/// The kind of equations in a combination.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Equations {
-    /// Assumed, with eliminated symbols put in.
+    /// One assumed equation, with the values of eliminated symbols substituted.
     Assumed,
-    /// The same, where one of them alone is not enough.
+    /// Several assumed equations, with the values of eliminated symbols substituted.
     Together,
-    /// The `given` ones as they stand: nothing is solved for.
+    /// The `given` equations as they stand, without solving them.
     Given,
 }
 
 impl Vanishing {
-    /// What it rests on.
+    /// The evidence.
     #[must_use]
     pub fn evidence(self) -> Evidence {
         match self {
@@ -65,7 +65,7 @@ impl Vanishing {
 }
 
 impl<P> Identity<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Identity<Q> {
         Identity {
             by: self.by,
@@ -74,7 +74,7 @@ impl<P> Identity<P> {
         }
     }
 
-    /// The steps in words.
+    /// The steps of the proof in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         let steps: &[&str] = match (self.in_order, self.by) {
@@ -90,7 +90,7 @@ impl<P> Identity<P> {
 }
 
 impl<P> Combination<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Combination<Q> {
         let all = |list: &[P]| list.iter().map(change).collect();
         Combination {
@@ -102,7 +102,7 @@ impl<P> Combination<P> {
         }
     }
 
-    /// The steps in words.
+    /// The steps of the proof in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         let step = match self.of {

@@ -1,11 +1,11 @@
 //! Proofs as values.
 //!
-//! The prover searches, and what it finds is a [`Proof`] or a [`Refuted`]: data from which verdict, evidence, conditions
-//! and the steps in words are read, and from which the proof can be written for another system. Values are generic over
-//! their polynomials, so that the prover builds them from its own and pays for nothing else; written, worded and checked
-//! are those of the plain [`Polynomial`] of this room.
+//! The prover searches, and its result is a [`Proof`] or a [`Refuted`]: data from which the verdict, the evidence,
+//! the conditions and the steps in words are derived, and from which the proof can be written for another system.
+//! Certificates are generic over their polynomials, so that the prover can build them from its own without
+//! conversion. Certificates that are written, put into words or checked use the plain [`Polynomial`] of this room.
 //!
-//! The room `checker` goes through a proof without any search.
+//! The room `checker` checks a certificate without searching.
 //!
 //! # The written form
 //!
@@ -31,7 +31,8 @@
 //! | `exists` | `not p` by a point | [`proof::refutation::Refuted`] |
 //! | `nowhere`, `defined` | no point; conditions that only say where terms are defined | [`proof::Proof`] |
 //!
-//! A refutation is `at` a point, at an `instance` of integers, or of a `denied` statement that is proved.
+//! A refutation is `at` a point, at an `instance` of integers, or of a `denied` statement that is proved to hold
+//! everywhere.
 #![warn(missing_docs)]
 
 pub mod enclosure;

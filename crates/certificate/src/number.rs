@@ -1,4 +1,4 @@
-//! Numbers made of rational numbers, pi and square roots: their order and their decimals.
+//! Constants made of rational numbers, pi and square roots: their signs, order and decimals.
 
 use crate::polynomial::Polynomial;
 use crate::ratio::Ratio;
@@ -8,10 +8,10 @@ use torse_numbers::rational::integer;
 use torse_numbers::{Ball, Rational, Scalar as _};
 use torse_syntax::formula::Relation;
 
-/// Bits of the enclosures that decide signs, tried in turn.
+/// The precisions at which signs are determined, tried one after the other.
 const BITS: [usize; 4] = [256, 1024, 4096, 16_384];
 
-/// An enclosure of a polynomial in pi and square roots alone.
+/// An enclosure of a polynomial in pi and square roots; `None` if another symbol occurs.
 #[must_use]
 pub fn enclosed(polynomial: &Polynomial, bits: usize) -> Option<Ball> {
     let mut sum = Ball::from_rational(&integer(0), bits);
@@ -33,7 +33,7 @@ pub fn enclosed(polynomial: &Polynomial, bits: usize) -> Option<Ball> {
     Some(sum)
 }
 
-/// How a number compares with zero. Zero is decided by the normal form: pi is transcendental, and the square roots of the
+/// The sign of a constant. The normal form decides whether it is zero: pi is transcendental, and the square roots of
 /// primes are independent over the rational numbers.
 #[must_use]
 pub fn order(polynomial: &Polynomial) -> Option<Ordering> {
@@ -44,9 +44,9 @@ pub fn order(polynomial: &Polynomial) -> Option<Ordering> {
         .find_map(|bits| enclosed(polynomial, bits)?.sign())
 }
 
-/// How a quotient of numbers compares with zero.
+/// The sign of a quotient of constants.
 #[must_use]
-pub fn order_of(value: &Ratio<Polynomial>) -> Option<Ordering> {
+pub fn ratio_order(value: &Ratio<Polynomial>) -> Option<Ordering> {
     match order(&value.below)? {
         Ordering::Equal => None,
         Ordering::Greater => order(&value.above),
@@ -54,7 +54,7 @@ pub fn order_of(value: &Ratio<Polynomial>) -> Option<Ordering> {
     }
 }
 
-/// Whether a comparison with zero is true, by its outcome.
+/// Whether a number of this sign has the relation to zero.
 #[must_use]
 pub fn holds(order: Ordering, relation: Relation) -> bool {
     match relation {
@@ -67,7 +67,7 @@ pub fn holds(order: Ordering, relation: Relation) -> bool {
     }
 }
 
-/// An enclosure of a quotient of numbers.
+/// An enclosure of a quotient of constants.
 #[must_use]
 pub fn enclosed_ratio(value: &Ratio<Polynomial>, bits: usize) -> Option<Ball> {
     enclosed(&value.above, bits)?
@@ -75,7 +75,7 @@ pub fn enclosed_ratio(value: &Ratio<Polynomial>, bits: usize) -> Option<Ball> {
         .ok()
 }
 
-/// The decimals of a quotient of numbers.
+/// The decimals of a quotient of constants.
 #[must_use]
 pub fn decimal(value: &Ratio<Polynomial>, digits: usize) -> Option<String> {
     Some(enclosed_ratio(value, 256)?.decimal(digits))

@@ -1,47 +1,48 @@
-//! Relations of order and `!=`, by the sign of a difference.
+//! Proofs of order relations and of `!=`, by the sign of a difference.
 
 use crate::ratio::sign;
 use crate::sign::Sign;
 use serde::Serialize;
 use torse_syntax::formula::Relation;
 
-/// `left relation right` by the sign of left minus right.
+/// A proof of `left relation right` by the sign of left minus right.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Order<P> {
     /// The relation.
     #[serde(serialize_with = "sign")]
     pub relation: Relation,
-    /// The entry of the sides that is looked at, from 0: numbers have one, and vectors differ where one entry does.
+    /// The compared entry, from 0. Numbers have one entry; two vectors differ if one entry does.
     pub entry: usize,
-    /// Whether the sides have more entries.
+    /// Whether the sides have several entries.
     pub of_many: bool,
     /// The numerator of the difference.
     pub above: P,
     /// The factors of its denominator with their exponents.
     pub below: Vec<(P, u32)>,
-    /// Whether the sign is that of the product of numerator and denominator, instead of theirs one by one.
+    /// Whether `signs` contains the sign of the product of numerator and denominator, instead of their signs one by
+    /// one.
     pub product: bool,
-    /// The signs: of the numerator or its negative, then of each factor of the denominator or its negative; or of the one
-    /// product.
+    /// The sign of the numerator or its negative, then of each factor of the denominator or its negative; or the sign
+    /// of the product.
     pub signs: Vec<Sign<P>>,
-    /// What was divided by on the way.
+    /// The divisors of the computation.
     pub divisors: Vec<P>,
-    /// Whether the assumptions bound a symbol of what has a sign.
+    /// Whether the hypotheses bound a symbol of one of these polynomials.
     pub bounded_by_assumptions: bool,
 }
 
-/// `left != right`, since the hypotheses exclude that the numerator of the difference is zero: it divides a product of
-/// quantities that are assumed to differ from zero, or such ones make it up.
+/// A proof of `left != right`: the hypotheses imply that the numerator of the difference is nonzero, because it
+/// divides a product of quantities that are assumed to be nonzero, or is a product of such quantities.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Excluded<P> {
     /// The numerator.
     pub numerator: P,
-    /// What was divided by on the way.
+    /// The divisors of the computation.
     pub divisors: Vec<P>,
 }
 
 impl<P> Order<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Order<Q> {
         let below = self.below.iter();
         Order {
@@ -57,7 +58,7 @@ impl<P> Order<P> {
         }
     }
 
-    /// The steps in words.
+    /// The steps of the proof in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         if self.of_many {
@@ -90,7 +91,7 @@ impl<P> Order<P> {
 }
 
 impl<P> Excluded<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Excluded<Q> {
         Excluded {
             numerator: change(&self.numerator),
@@ -98,7 +99,7 @@ impl<P> Excluded<P> {
         }
     }
 
-    /// The steps in words.
+    /// The steps of the proof in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         vec!["the hypotheses exclude that the difference vanishes".to_owned()]

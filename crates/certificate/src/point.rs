@@ -1,4 +1,4 @@
-//! Points at which a statement fails.
+//! Counterexamples: points at which a statement fails.
 
 use crate::enclosure::Enclosure;
 use crate::polynomial::Polynomial;
@@ -12,16 +12,16 @@ use serde::Serialize;
 pub struct Value<P> {
     /// The symbol.
     pub symbol: Symbol,
-    /// Its value, a number.
+    /// Its value, a constant.
     pub value: Ratio<P>,
 }
 
-/// A point of the domain, and what is wrong there.
+/// A point of the domain, and how the statement fails there.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Counterexample<P> {
-    /// The values of the symbols, those of eliminated ones too.
+    /// The values of the symbols, including eliminated ones.
     pub at: Vec<Value<P>>,
-    /// Values of symbols that play no role: any others of their sets would do.
+    /// Values of symbols that do not affect the statement; any other values of their sets would do.
     pub others: Vec<Value<P>>,
     /// How the statement fails.
     pub failure: Failure<P>,
@@ -31,9 +31,9 @@ pub struct Counterexample<P> {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Failure<P> {
-    /// The sides of a comparison are these numbers.
+    /// The sides of a comparison have these values.
     Sides {
-        /// What the comparison is.
+        /// The kind of comparison.
         kind: Comparison,
         /// The left side, entry by entry.
         left: Vec<Ratio<P>>,
@@ -42,7 +42,7 @@ pub enum Failure<P> {
     },
     /// Printed numbers do not agree with the values.
     Printed(Enclosure<P>),
-    /// The functions of a family of this degree are dependent: this combination of them is zero.
+    /// The functions of a family of this degree are dependent: this linear combination of them is zero.
     Dependent {
         /// The family.
         family: String,
@@ -51,53 +51,53 @@ pub enum Failure<P> {
         /// The coefficients.
         combination: Vec<Ratio<P>>,
     },
-    /// The curve of control values that change sign once changes sign twice.
+    /// A curve whose control values change sign once changes sign twice.
     Turning {
         /// The degree.
         degree: u32,
-        /// The control values that are not zero, by their places.
+        /// The nonzero control values, by index.
         control: [(usize, Ratio<P>); 2],
-        /// Three places.
+        /// Three parameter values.
         places: [Ratio<P>; 3],
         /// The values of the curve there.
         values: [Ratio<P>; 3],
     },
-    /// The curve crosses a level that the control polygon does not meet.
+    /// A curve crosses a level that its control polygon does not meet.
     Beyond {
         /// The degree.
         degree: u32,
-        /// The control value that is 1 where all others are 0; `None` if all are 1.
+        /// The index of the control value that is 1 while all others are 0; `None` if all are 1.
         control: Option<usize>,
-        /// A place, and the value there.
+        /// A parameter value, and the value of the curve there.
         low: (Ratio<P>, Ratio<P>),
-        /// Another one with a greater value.
+        /// Another parameter value, with a greater value of the curve.
         high: (Ratio<P>, Ratio<P>),
-        /// A number between the values.
+        /// A level between the two values.
         level: Ratio<P>,
     },
 }
 
-/// The comparison that fails.
+/// The kind of comparison that fails.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Comparison {
-    /// An equation; the difference in this entry, from 0, has so many terms.
+    /// An equation.
     Equation {
-        /// The entry.
+        /// The entry, from 0, in which the sides differ.
         entry: usize,
-        /// The terms.
+        /// The number of terms of the difference in that entry.
         terms: usize,
     },
     /// A relation of order.
     Order,
     /// A seed of a basis family is not negative.
     Seed,
-    /// None: the point is one of the domain.
+    /// No comparison: the point is a witness that the domain is not empty.
     Domain,
 }
 
 impl<P> Value<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Value<Q> {
         Value {
             symbol: self.symbol.clone(),
@@ -107,7 +107,7 @@ impl<P> Value<P> {
 }
 
 impl<P> Counterexample<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Counterexample<Q> {
         Counterexample {
             at: self.at.iter().map(|value| value.map(change)).collect(),
@@ -118,7 +118,7 @@ impl<P> Counterexample<P> {
 }
 
 impl<P> Failure<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Failure<Q> {
         let all = |list: &[Ratio<P>]| list.iter().map(|ratio| ratio.map(change)).collect();
         let pair = |(a, b): &(Ratio<P>, Ratio<P>)| (a.map(change), b.map(change));
@@ -165,7 +165,7 @@ impl<P> Failure<P> {
         }
     }
 
-    /// The steps in words.
+    /// The steps of the refutation in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         let text = |steps: &[&str]| steps.iter().map(|step| (*step).to_owned()).collect();

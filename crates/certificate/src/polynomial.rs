@@ -1,8 +1,10 @@
-//! Polynomials as plain maps from monomials to coefficients: slow, and easy to believe.
+//! Polynomials as maps from monomials to coefficients: slow, but simple enough to be trusted. Independent of
+//! `algebra` on purpose: do not share.
 //!
-//! The relations s^2 = 1 - c^2 and r^2 = p are applied to every monomial, so sines and roots have degree one at most.
-//! What is left is independent over the rational numbers (sines and cosines of *one* part of each variable's angle, see
-//! [`Polynomial::refined`]): a polynomial without terms is zero as a function, and no other one is.
+//! The relations s^2 = 1 - c^2 and r^2 = p are applied to every monomial, so sines and roots have degree at most one.
+//! The remaining monomials are independent over the rational numbers if the sines and cosines of each variable use
+//! *one* fraction of its angle (see [`Polynomial::refined`]). Then a polynomial is zero as a function if and only if
+//! it has no terms.
 
 use crate::symbol::{Angle, Symbol};
 use num_traits::{One, Signed, Zero};
@@ -18,7 +20,7 @@ use torse_numbers::rational::integer;
 /// Symbols with their exponents, all positive, in ascending order of the symbols.
 pub type Monomial = Vec<(Symbol, u32)>;
 
-/// A polynomial: each monomial with its coefficient, which is not zero. Copies share them until one is changed.
+/// A polynomial: each monomial with its nonzero coefficient. Clones share the terms until one is changed.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Default, Hash)]
 pub struct Polynomial(Arc<BTreeMap<Monomial, Rational>>);
 
@@ -68,13 +70,13 @@ impl Polynomial {
         self.0.is_empty()
     }
 
-    /// Whether it is zero: it has no terms.
+    /// Whether it is the zero polynomial.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// The rational number, if it is one.
+    /// The rational value, if it is constant.
     #[must_use]
     pub fn as_constant(&self) -> Option<Rational> {
         let mut terms = self.0.iter();
@@ -85,7 +87,7 @@ impl Polynomial {
         }
     }
 
-    /// Whether no symbol occurs but pi and square roots.
+    /// Whether no symbol occurs except pi and square roots.
     #[must_use]
     pub fn is_number(&self) -> bool {
         self.symbols().all(Symbol::is_number)
@@ -103,7 +105,7 @@ impl Polynomial {
         exponents.max().unwrap_or(0)
     }
 
-    /// Adds a term, the relations applied.
+    /// Adds a term and applies the relations.
     pub fn enter(&mut self, mut monomial: Monomial, coefficient: Rational) {
         if coefficient.is_zero() {
             return;
@@ -162,7 +164,7 @@ impl Polynomial {
         }
     }
 
-    /// The multiple.
+    /// The multiple by a number.
     #[must_use]
     pub fn scaled(&self, factor: &Rational) -> Self {
         if factor.is_zero() {
@@ -210,7 +212,7 @@ impl Polynomial {
         (0..exponent).fold(Self::one(), |power, _| power.times(self))
     }
 
-    /// The coefficients by powers of a symbol, from the power zero on; the symbol has no relation.
+    /// The coefficients of the powers of a symbol, from the zeroth power on; the symbol must have no relation.
     #[must_use]
     pub fn coefficients_in(&self, symbol: &Symbol) -> Vec<Self> {
         let degree = usize::try_from(self.degree_in(symbol)).unwrap_or(0);
@@ -231,7 +233,7 @@ impl Polynomial {
         self.terms().max_by(|(a, _), (b, _)| lexicographic(a, b))
     }
 
-    /// The polynomial over its leading coefficient, and that; nothing for zero.
+    /// Returns the leading coefficient and the polynomial divided by it; `None` for zero.
     #[must_use]
     pub fn monic(&self) -> Option<(Rational, Self)> {
         let (_, lead) = self.leading()?;
@@ -239,15 +241,17 @@ impl Polynomial {
         Some((lead.clone(), self.scaled(&lead.recip())))
     }
 
-    /// The quotient, if there is one. Long division finds it where no sine or root leads; elsewhere both are multiplied by
-    /// conjugates of the divisor first, until it has none. Of long polynomials one may exist that is not found.
+    /// The quotient, if one is found. Long division finds it if no sine or root is in the leading term of the
+    /// divisor. Otherwise both polynomials are first multiplied by conjugates of the divisor until the divisor
+    /// contains none. For long polynomials an existing quotient may be missed.
     #[must_use]
     pub fn quotient(&self, divisor: &Self) -> Option<Self> {
         self.long_division(divisor)
             .or_else(|| self.divided_by_norm(divisor))
     }
 
-    /// By the norm of the divisor: the product of its conjugates, in which no sine or root is left.
+    /// Divides after multiplying by the conjugates of the divisor; the product of the divisor with them is its norm,
+    /// which contains no sine or root.
     fn divided_by_norm(&self, divisor: &Self) -> Option<Self> {
         const MAX_TERMS: usize = 4_000;
         let related = |symbol: &&Symbol| has_relation(symbol);
@@ -268,7 +272,7 @@ impl Polynomial {
         (found.times(divisor) == *self).then_some(found)
     }
 
-    /// The polynomial with the negative of a sine or a root.
+    /// The polynomial with a sine or a root replaced by its negative.
     fn conjugate(&self, symbol: &Symbol) -> Self {
         let mut result = Self::default();
         for (monomial, coefficient) in self.terms() {
@@ -302,8 +306,9 @@ impl Polynomial {
         None
     }
 
-    /// The same with sines and cosines of each variable's angle written in one part of it, the finest that these parts
-    /// share: those of different parts are not independent. `None` for more parts than anyone writes.
+    /// Rewrites the sines and cosines of each variable in the coarsest fraction of its angle of which all occurring
+    /// fractions are multiples, because different fractions are not independent. `None` if that fraction would be too
+    /// fine.
     #[must_use]
     pub fn refined(&self) -> Option<Self> {
         const MAX_EXPONENT: u16 = 48;
@@ -347,12 +352,12 @@ impl Polynomial {
     }
 }
 
-/// Whether the square of a symbol is a polynomial without it.
+/// Whether the square of the symbol is a polynomial that does not contain it.
 fn has_relation(symbol: &Symbol) -> bool {
     matches!(symbol, Symbol::Sine(..) | Symbol::Root(_))
 }
 
-/// Sine and cosine of so many times an angle, by the addition theorems.
+/// Sine and cosine of a multiple of an angle, by the addition theorems.
 pub fn multiple((s, c): &(Polynomial, Polynomial), times: u16) -> (Polynomial, Polynomial) {
     let start = (Polynomial::zero(), Polynomial::one());
     (0..times).fold(start, |(sine, cosine), _| {
@@ -376,7 +381,7 @@ fn exponent(monomial: &Monomial, symbol: &Symbol) -> u32 {
     own.map_or(0, |(_, exponent)| *exponent)
 }
 
-/// The product of two monomials, relations not applied.
+/// The product of two monomials, without applying the relations.
 fn product(a: &Monomial, b: &Monomial) -> Monomial {
     let mut result = Vec::with_capacity(a.len() + b.len());
     let (mut left, mut right) = (a.iter().peekable(), b.iter().peekable());
@@ -413,7 +418,7 @@ fn divided(a: &Monomial, b: &Monomial) -> Option<Monomial> {
         .then_some(result)
 }
 
-/// The lexicographic order, the first symbol the heaviest.
+/// The lexicographic order in which the first symbol weighs most.
 fn lexicographic(a: &Monomial, b: &Monomial) -> Ordering {
     for ((x, m), (y, n)) in a.iter().zip(b) {
         let order = y.cmp(x).then(m.cmp(n));

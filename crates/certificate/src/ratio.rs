@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 use std::fmt;
 use torse_syntax::formula::Relation;
 
-/// A numerator over a denominator that is not the zero polynomial.
+/// A quotient whose denominator is not the zero polynomial.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct Ratio<P> {
     /// The numerator.
@@ -15,7 +15,7 @@ pub struct Ratio<P> {
 }
 
 impl<P> Ratio<P> {
-    /// The same in other polynomials.
+    /// Converts both polynomials.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Ratio<Q> {
         Ratio {
             above: change(&self.above),
@@ -51,20 +51,20 @@ impl fmt::Display for Ratio<Polynomial> {
 /// `value relation 0`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Constraint<P> {
-    /// What is compared with zero.
+    /// The quotient that is compared with zero.
     pub value: Ratio<P>,
-    /// How.
+    /// The relation to zero.
     #[serde(serialize_with = "sign")]
     pub relation: Relation,
 }
 
-/// A relation by its sign.
+/// Serializes a relation by its sign.
 pub(crate) fn sign<S: Serializer>(relation: &Relation, to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(relation.sign())
 }
 
 impl<P> Constraint<P> {
-    /// The same in other polynomials.
+    /// Converts the polynomials.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Constraint<Q> {
         Constraint {
             value: self.value.map(change),

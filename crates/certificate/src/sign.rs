@@ -1,14 +1,15 @@
-//! Signs of polynomials on a domain, and what shows them.
+//! Signs of polynomials on a domain, with certificates.
 //!
-//! A [`Certificate`] that p >= 0 (or p > 0) says
+//! A [`Certificate`] for p >= 0 (or p > 0) is an identity
 //!
 //! `p = d_1 q_1^2 + ... + m_1 c_1 + m_2 c_2 + ... + f_1 f_2 ... r`
 //!
-//! with numbers d_i >= 0, constraints c_i >= 0, numbers m_i >= 0, and factors f_i >= 0. The rest r is written in
-//! [`Coordinate`]s, of which the bounded ones run from 0 to 1 and the others from 0 on; [`Piece`]s fill the box of the
-//! bounded ones, and on each either the Bernstein coefficients of r are not negative, or those of the negative of a
-//! constraint say that no point of the domain is there. r is positive on a piece if moreover each of its faces that belongs
-//! to the domain has a positive coefficient.
+//! with numbers d_i >= 0, constraints c_i >= 0, numbers m_i >= 0, and factors f_i >= 0. The remaining polynomial r is
+//! written in [`Coordinate`]s, of which the bounded ones run from 0 to 1 and the others from 0 to infinity.
+//! [`Piece`]s fill the box of the bounded coordinates. On each piece either the Bernstein coefficients of r are
+//! nonnegative, or the Bernstein coefficients of the negative of a constraint show that the piece contains no point
+//! of the domain. r is positive on a piece if, in addition, each face of the piece that belongs to the domain has a
+//! positive coefficient.
 
 use crate::ratio::Ratio;
 use crate::symbol::{Angle, Symbol};
@@ -16,36 +17,36 @@ use crate::text;
 use serde::Serialize;
 use torse_numbers::Rational;
 
-/// A polynomial, and what shows it to be nowhere negative on the domain.
+/// A polynomial with a proof that it is nonnegative (or positive) on the domain.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Sign<P> {
     /// The polynomial.
     pub polynomial: P,
-    /// Whether it is shown to be more than zero.
+    /// Whether it is positive.
     pub strict: bool,
-    /// How.
+    /// The proof.
     pub by: Shown<P>,
 }
 
-/// What shows a sign.
+/// The proof of a sign.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Shown<P> {
-    /// A certificate for the whole domain.
+    /// One certificate for the whole domain.
     Whole(Certificate<P>),
-    /// One for each part into which angles cut the domain.
+    /// A certificate for each part into which angles divide the domain.
     Parts(Vec<Part<P>>),
-    /// The signs of polynomials whose product it is, up to a positive number.
+    /// The signs of polynomials whose product is the polynomial times a positive number.
     Factors(Vec<Sign<P>>),
-    /// The signs of polynomials that make it with products of symbols that run from zero on.
+    /// The polynomial is a sum of these polynomials times products of nonnegative symbols.
     Rays(Vec<Ray<P>>),
-    /// The sign of what is left when a multiple of an equation is subtracted.
+    /// The sign of the polynomial minus a multiple of an equation.
     Along(Box<Along<P>>),
-    /// It is a - b where a is not negative and the square of a is not below that of b.
+    /// The polynomial is a - b where a is nonnegative and a^2 >= b^2.
     Squares(Box<Squares<P>>),
 }
 
-/// A product of symbols that are not negative, and the sign of what it is multiplied with.
+/// A product of nonnegative symbols, and the sign of its coefficient.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Ray<P> {
     /// The product.
@@ -54,14 +55,14 @@ pub struct Ray<P> {
     pub coefficient: Sign<P>,
 }
 
-/// A multiple of an equation, of either sign, and the sign of the rest.
+/// A multiple of an equation (of either sign), and the sign of the remainder.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Along<P> {
-    /// The place of the equation among the constraints of the ground; its numerator is what is zero.
+    /// The index of the equation among the constraints of the assumptions; the numerator of the equation is zero.
     pub equation: usize,
-    /// What it is multiplied with.
+    /// The multiplier of the equation.
     pub multiple: P,
-    /// The sign of the rest.
+    /// The sign of the remainder.
     pub rest: Sign<P>,
 }
 
@@ -70,23 +71,23 @@ pub struct Along<P> {
 pub struct Squares<P> {
     /// The sign of a.
     pub larger: Sign<P>,
-    /// The sign of a^2 - b^2; strictness comes from here.
+    /// The sign of a^2 - b^2; the result is strict if this is.
     pub difference: Sign<P>,
 }
 
-/// A part of the domain: a symbol, or the angle of a cosine, between two numbers.
+/// A part of the domain: symbols, or the angles of cosines, between numbers.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Part<P> {
-    /// What is bounded, and where, one after the other.
+    /// The bounds, one symbol after the other.
     pub within: Vec<Bounded<P>>,
-    /// The certificate there.
+    /// The certificate on this part.
     pub certificate: Certificate<P>,
 }
 
-/// A symbol between two numbers.
+/// A symbol with bounds.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Bounded<P> {
-    /// The symbol; a cosine stands for its angle.
+    /// The symbol; a cosine represents its angle.
     pub symbol: Symbol,
     /// The lower end.
     pub lower: Option<End<P>>,
@@ -103,72 +104,72 @@ pub struct End<P> {
     pub closed: bool,
 }
 
-/// The equation and the pieces.
+/// The identity and the pieces, see the [module](self).
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Certificate<P> {
-    /// Whether more than zero is shown.
+    /// Whether the polynomial is shown to be positive.
     pub strict: bool,
-    /// Squares, and the numbers that they are multiplied with.
+    /// Multiples of squares.
     pub squares: Vec<Square<P>>,
     /// Multiples of constraints.
     pub multiples: Vec<Multiple>,
-    /// Factors that are split off.
+    /// Nonnegative factors of the remaining polynomial.
     pub factors: Vec<Factor<P>>,
-    /// What remains.
+    /// The remaining polynomial r.
     pub rest: P,
-    /// The coordinates, in the order in which they are put in.
+    /// The coordinates, in the order of substitution.
     pub coordinates: Vec<Coordinate<P>>,
-    /// Parts that fill the box of the bounded coordinates, whose order is that of the sides.
+    /// Pieces that fill the box of the bounded coordinates; sides are in the order of the coordinates.
     pub pieces: Vec<Piece>,
 }
 
 /// A multiple of a square.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Square<P> {
-    /// The number.
+    /// The number, which is nonnegative.
     #[serde(serialize_with = "text::number")]
     pub multiple: Rational,
-    /// What is squared.
+    /// The polynomial that is squared.
     pub root: P,
 }
 
-/// A multiple of a constraint, turned such that it is not negative.
+/// A multiple of a constraint, whose sign is chosen such that it is nonnegative.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Multiple {
-    /// The place of the constraint among those of the ground.
+    /// The index of the constraint among those of the assumptions.
     pub constraint: usize,
-    /// The number.
+    /// The multiplier, which is nonnegative.
     #[serde(serialize_with = "text::number")]
     pub multiple: Rational,
 }
 
-/// A quantity that is not negative.
+/// A nonnegative quantity.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Factor<P> {
-    /// A symbol whose range begins at zero or later.
+    /// A symbol whose range contains no negative numbers.
     Symbol(Symbol),
-    /// The constraint in this place, turned such that it is not negative.
+    /// The constraint of this index, with its sign chosen such that it is nonnegative.
     Constraint(usize),
     /// The square of this polynomial.
     Square(P),
 }
 
-/// What a symbol is in the coordinate that takes its place. The ends enclose the range of the symbol on the domain.
+/// A substitution of a coordinate for a symbol. Its ends enclose the range of the symbol on the domain.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Coordinate<P> {
-    /// Sine and cosine of the angle are those of an angle `from` quarter turns further, of which the symbol is the tangent of
-    /// the half.
+    /// Half-angle substitution: the angle is `from` quarter turns plus another angle, and the symbol is the tangent
+    /// of half of that other angle.
     Tangent {
         /// The symbol.
         symbol: Symbol,
         /// The variable of the angle.
         variable: String,
-        /// Which angle.
+        /// The angle.
         #[serde(serialize_with = "as_formula")]
         angle: Angle,
-        /// Quarter turns.
+        /// The number of quarter turns.
         from: i64,
     },
     /// `symbol = lower + (upper - lower)*t`, t from 0 to 1.
@@ -180,7 +181,7 @@ pub enum Coordinate<P> {
         /// Where t is 1.
         upper: End<P>,
     },
-    /// `symbol = end + t` or `end - t`, t from 0 on.
+    /// `symbol = end + t` or `end - t`, t from 0 to infinity.
     Ray {
         /// The symbol.
         symbol: Symbol,
@@ -189,7 +190,7 @@ pub enum Coordinate<P> {
         /// Whether t is added.
         up: bool,
     },
-    /// `symbol^2 = t`, t from 0 on, of a symbol that stands in even powers alone.
+    /// `symbol^2 = t`, t from 0 to infinity, for a symbol that occurs in even powers only.
     Squared {
         /// The symbol.
         symbol: Symbol,
@@ -200,18 +201,19 @@ fn as_formula<S: serde::Serializer>(angle: &Angle, to: S) -> Result<S::Ok, S::Er
     to.collect_str(&format!("{angle}x"))
 }
 
-/// A part of the box.
+/// A box of the subdivision.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Piece {
-    /// The ends of each bounded coordinate.
+    /// The interval of each bounded coordinate.
     #[serde(serialize_with = "text::region")]
     pub region: Vec<(Rational, Rational)>,
-    /// Why nothing more is to be shown there: the coefficients of the rest, or that this constraint fails.
+    /// The index of a constraint that fails on the whole piece; `None` if the coefficients of the remaining
+    /// polynomial show its sign.
     pub outside: Option<usize>,
 }
 
 impl<P> Sign<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Sign<Q> {
         Sign {
             polynomial: change(&self.polynomial),
@@ -245,7 +247,7 @@ impl<P> Sign<P> {
         }
     }
 
-    /// The certificates.
+    /// All certificates in the proof.
     #[must_use]
     pub fn certificates(&self) -> Vec<&Certificate<P>> {
         match &self.by {
@@ -263,7 +265,7 @@ impl<P> Sign<P> {
         }
     }
 
-    /// The places of the constraints that are used.
+    /// The indices of the constraints that are used.
     #[must_use]
     pub fn constraints(&self) -> Vec<usize> {
         let mut used = vec![];
@@ -281,7 +283,7 @@ impl<P> Sign<P> {
         used
     }
 
-    /// The places of the equations of which multiples are subtracted.
+    /// The indices of the equations of which multiples are subtracted.
     fn equations(&self) -> Vec<usize> {
         match &self.by {
             Shown::Whole(_) | Shown::Parts(_) => vec![],
@@ -297,7 +299,7 @@ impl<P> Sign<P> {
 }
 
 impl<P> End<P> {
-    /// The same in other polynomials.
+    /// Converts the polynomials.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> End<Q> {
         End {
             value: self.value.map(change),

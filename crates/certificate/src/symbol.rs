@@ -1,14 +1,14 @@
-//! What polynomials of proofs are made of.
+//! The symbols of the polynomials in certificates.
 //!
-//! Every symbol stands for a real number. Names, members of families and pi are free of each other; the square root of a
-//! prime satisfies r^2 = p, and sine and cosine of one angle s^2 + c^2 = 1.
+//! Every symbol represents a real number. Names, members of families and pi are algebraically independent; the square
+//! root of a prime satisfies r^2 = p, and sine and cosine of one angle satisfy s^2 + c^2 = 1.
 
 use serde::{Serialize, Serializer};
 use std::cmp::Ordering;
 use std::fmt;
 use std::sync::Arc;
 
-/// What a variable counts where it stands in an angle.
+/// The unit of a variable that is an angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Unit {
     /// Quarter turns: the angle is pi/2 times the variable.
@@ -17,12 +17,12 @@ pub enum Unit {
     Radian,
 }
 
-/// A part of `pi/2*x`, or of `x`, for a variable x.
+/// A fraction of `pi/2*x` or of `x`, for a variable x.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Angle {
-    /// What the variable counts.
+    /// The unit of the variable.
     pub unit: Unit,
-    /// Into how many parts the angle is divided, at least one.
+    /// The number of parts into which the angle is divided, at least one.
     pub parts: u16,
 }
 
@@ -31,18 +31,18 @@ pub struct Angle {
 /// Symbols are ordered by kind, then by name, then by angle.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Symbol {
-    /// A declared number, a coordinate `v[1]`, or a member of a family, `P[0,1]`; the coordinate of a point of a family
-    /// stands behind its indices, `P[0,1,2]`.
+    /// A declared number, a coordinate `v[1]`, or a member of a family, `P[0,1]`; the coordinate of a point of a
+    /// family follows its indices, `P[0,1,2]`.
     Named(Arc<str>),
-    /// The square root of a prime, positive.
+    /// The positive square root of a prime.
     Root(u32),
-    /// The circle number.
+    /// The number pi.
     Pi,
-    /// The sine of an angle made from the variable.
+    /// The sine of an angle of the variable.
     Sine(Arc<str>, Angle),
-    /// The cosine of an angle made from the variable.
+    /// The cosine of an angle of the variable.
     Cosine(Arc<str>, Angle),
-    /// A power of e, as it is written: the checker goes no further than to its formula.
+    /// An exponential, as it is written. The checker treats it as an opaque symbol.
     Exponential(Arc<str>),
 }
 
@@ -53,7 +53,7 @@ impl Symbol {
         Self::Named(Arc::from(name))
     }
 
-    /// The place of its kind in the order.
+    /// The rank of its kind in the order of symbols.
     fn kind(&self) -> u8 {
         match self {
             Self::Named(_) => 0,
@@ -65,13 +65,13 @@ impl Symbol {
         }
     }
 
-    /// Whether the symbol is a number that is known.
+    /// Whether the symbol is a constant: pi or the root of a prime.
     #[must_use]
     pub fn is_number(&self) -> bool {
         matches!(self, Self::Root(_) | Self::Pi)
     }
 
-    /// The variable that the symbol is, or is a function of.
+    /// The variable that the symbol is or depends on.
     #[must_use]
     pub fn variable(&self) -> Option<&str> {
         match self {
@@ -83,10 +83,13 @@ impl Symbol {
 
 impl Ord for Symbol {
     fn cmp(&self, other: &Self) -> Ordering {
-        // Copies of a symbol share its name: most names that are equal need not be read.
-        let names = |a: &Arc<str>, b: &Arc<str>| match Arc::ptr_eq(a, b) {
-            true => Ordering::Equal,
-            false => a.cmp(b),
+        // Clones of a symbol share its name, so most equal names need not be compared letter by letter.
+        let names = |a: &Arc<str>, b: &Arc<str>| {
+            if Arc::ptr_eq(a, b) {
+                Ordering::Equal
+            } else {
+                a.cmp(b)
+            }
         };
         match (self, other) {
             (Self::Named(a), Self::Named(b)) | (Self::Exponential(a), Self::Exponential(b)) => {
@@ -108,7 +111,7 @@ impl PartialOrd for Symbol {
 }
 
 impl fmt::Display for Angle {
-    /// The factor before the variable: `pi/2*`, `1/3*`, nothing.
+    /// The factor before the variable: `pi/2*`, `1/3*`, or nothing.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.unit, self.parts) {
             (Unit::QuarterTurn, parts) => write!(f, "pi/{}*", 2 * u32::from(parts)),

@@ -1,4 +1,4 @@
-//! Numbers as text: in written proofs exact, `-7/3`; in steps, how many of something.
+//! Numbers as texts: exact ones such as `-7/3` in written proofs, and counts in steps.
 
 use serde::{Serialize, Serializer};
 use torse_numbers::Rational;
@@ -17,7 +17,7 @@ pub(crate) fn region<S: Serializer>(
     sides.collect::<Vec<_>>().serialize(to)
 }
 
-/// So many of something.
+/// A count with its noun, in the plural unless it is 1.
 pub(crate) fn counted(count: impl std::fmt::Display, noun: &str) -> String {
     let count = count.to_string();
     match count.as_str() {

@@ -1,16 +1,16 @@
-//! Equality where a difference can be nothing but zero: between two signs, by its square, or beside factors that do not
-//! vanish.
+//! Proofs of equality by signs: a difference is zero because it is neither positive nor negative, because the
+//! negative of its square is nonnegative, or because its product with nonvanishing factors is zero.
 
 use crate::evidence::Evidence;
 use crate::sign::Sign;
 use serde::Serialize;
 
-/// Each difference is zero, one entry after the other.
+/// A proof that each entry of a difference is zero.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ZeroBySign<P> {
-    /// Why, entry by entry.
+    /// The proof for each entry.
     pub entries: Vec<Zero<P>>,
-    /// What was divided by on the way.
+    /// The divisors of the computation.
     pub divisors: Vec<P>,
 }
 
@@ -18,20 +18,20 @@ pub struct ZeroBySign<P> {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Zero<P> {
-    /// It vanishes.
+    /// It vanishes identically.
     Identically,
-    /// Its numerator, and the negative of it, are not negative.
+    /// Its numerator and the negative of its numerator are nonnegative.
     Between(Box<[Sign<P>; 2]>),
-    /// The negative of the square of its numerator is not negative.
+    /// The negative of the square of its numerator is nonnegative.
     Square {
         /// The numerator.
         root: P,
-        /// The sign of minus its square.
+        /// The sign of the negative of the square.
         sign: Box<Sign<P>>,
     },
-    /// The product of its numerator with what does not vanish by hypothesis is a sum of multiples of equations.
+    /// The product of its numerator with factors that do not vanish by hypothesis is a combination of equations.
     Product {
-        /// What is zero by hypothesis.
+        /// The expressions that are zero by hypothesis.
         equations: Vec<P>,
         /// The multipliers of the equations.
         multipliers: Vec<P>,
@@ -39,7 +39,7 @@ pub enum Zero<P> {
 }
 
 impl<P> ZeroBySign<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> ZeroBySign<Q> {
         ZeroBySign {
             entries: self.entries.iter().map(|zero| zero.map(change)).collect(),
@@ -47,12 +47,12 @@ impl<P> ZeroBySign<P> {
         }
     }
 
-    /// All signs that it rests on.
+    /// All signs on which the proof depends.
     pub fn signs(&self) -> impl Iterator<Item = &Sign<P>> {
         self.entries.iter().flat_map(Zero::signs)
     }
 
-    /// What it rests on.
+    /// The evidence.
     #[must_use]
     pub fn evidence(&self) -> Evidence {
         match self.signs().next() {
@@ -61,7 +61,7 @@ impl<P> ZeroBySign<P> {
         }
     }
 
-    /// The steps in words.
+    /// The steps of the proof in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         let mut steps: Vec<String> = vec![];

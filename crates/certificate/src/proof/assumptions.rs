@@ -1,5 +1,5 @@
-//! What a proof stands on: the hypotheses as constraints, the symbols that equations eliminated, and the conditions that
-//! remain.
+//! The assumptions of a proof: the hypotheses as constraints, the symbols that equations eliminated, and the
+//! remaining conditions.
 
 use crate::polynomial::Polynomial;
 use crate::proof::Proof;
@@ -10,35 +10,36 @@ use crate::text;
 use serde::Serialize;
 use torse_numbers::Rational;
 
-/// A proof on the domain of a claim, where eliminated symbols have their values.
+/// A proof on the domain of a claim, with eliminated symbols replaced by their values.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Assumptions<P> {
-    /// The symbols that equations determine, in the order in which they were eliminated.
+    /// The symbols that equations determine, in the order of their elimination.
     pub eliminated: Vec<Elimination<P>>,
-    /// All hypotheses that eliminated nothing, and what eliminated symbols left behind: their ranges.
+    /// The hypotheses that were not used to eliminate a symbol, and the declared ranges of eliminated symbols.
     pub constraints: Vec<Constraint<P>>,
     /// The proof.
     pub proof: Proof<P>,
-    /// What must not vanish, and neither the hypotheses nor the domain excludes.
+    /// Polynomials that must not vanish, and of which neither the hypotheses nor the domain ensure that they do not.
     pub conditions: Vec<P>,
-    /// What never vanishes on the declared sets, whatever is assumed: by its sign.
+    /// Polynomials that never vanish on the declared sets, by their signs, without any hypothesis.
     pub nonzero: Vec<Sign<P>>,
-    /// What never vanishes under all assumptions, eliminated symbols replaced: by its sign. No elimination may rest on this.
+    /// Polynomials that never vanish under all hypotheses, by their signs, after eliminated symbols are replaced. No
+    /// elimination may depend on these.
     pub apart: Vec<Sign<P>>,
-    /// What is known about the ranges of parameters besides.
+    /// Additional results about the ranges of parameters.
     pub ranges: Vec<Sharpness<P>>,
 }
 
-/// Symbols that equations determine together.
+/// Symbols that are determined together by equations.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Elimination<P> {
-    /// The symbols with their values, in terms of those that were not eliminated then.
+    /// The symbols with their values, in terms of symbols that were not eliminated at that time.
     pub values: Vec<Determined<P>>,
-    /// Which equations, and why they determine the symbols.
+    /// The equations, and why they determine the symbols.
     pub by: Determining<P>,
 }
 
-/// A symbol with the value that equations give it.
+/// A symbol with the value that equations determine.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Determined<P> {
     /// The symbol.
@@ -51,62 +52,62 @@ pub struct Determined<P> {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Determining<P> {
-    /// An assumed equation, linear in the one symbol.
+    /// An assumed equation that is linear in a single symbol.
     Assumed {
-        /// Of the factors of its coefficient those that differ from zero by no number, hypothesis or condition of the proof,
-        /// but by their signs before the elimination.
+        /// The factors of its coefficient whose being nonzero follows from no number, hypothesis or condition of the
+        /// proof, but from their signs before the elimination.
         nonzero: Vec<Signed<P>>,
     },
-    /// As many of the `given` equations: linear in the symbols, with a determinant that is not zero.
+    /// As many `given` equations as symbols, linear in the symbols, with a nonzero determinant.
     Given {
-        /// Their places among all entries of these.
+        /// The positions of these equations among all entries of the given equations.
         places: Vec<usize>,
         /// Factors of the determinant, as for an assumed equation.
         nonzero: Vec<Signed<P>>,
     },
-    /// The symbol is a root, and the square of the value is its radicand: numerator times denominator of the value, which is
-    /// not negative, make it the root and not its negative.
+    /// The symbol is a root, and the square of the value is its radicand. The product of numerator and denominator of
+    /// the value is nonnegative, so the value is the root and not its negative.
     Root(Box<Signed<P>>),
 }
 
-/// A sign under what was assumed before an elimination.
+/// A sign under the assumptions that were available before an elimination.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Signed<P> {
     /// The sign.
     pub sign: Sign<P>,
-    /// The constraints that the sign names by their places.
+    /// The constraints to which the sign refers by position.
     pub constraints: Vec<Constraint<P>>,
 }
 
-/// Whether the range of a parameter is the largest one.
+/// Whether the range of a parameter is the largest possible.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sharpness<P> {
-    /// A little beyond an end the relation fails at a point.
+    /// Slightly beyond an end of the range the statement fails at a point.
     Fails {
         /// The parameter.
         name: String,
-        /// How far beyond.
+        /// The distance beyond the end.
         #[serde(serialize_with = "text::number")]
         by: Rational,
-        /// Its value there.
+        /// The value of the parameter there.
         #[serde(serialize_with = "text::number")]
         at: Rational,
         /// The other coordinates of the point.
         others: Vec<(String, Ratio<P>)>,
     },
-    /// It is proved a little beyond.
+    /// The statement is also proved slightly beyond the range.
     Wider {
         /// The parameter.
         name: String,
-        /// Up to where.
+        /// The new end of the range.
         #[serde(serialize_with = "text::number")]
         to: Rational,
     },
 }
 
 impl<P> Assumptions<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Assumptions<Q> {
         Assumptions {
             eliminated: self.eliminated.iter().map(|e| e.map(change)).collect(),
@@ -147,7 +148,7 @@ impl<P> Elimination<P> {
 }
 
 impl Elimination<Polynomial> {
-    /// The value of a root in words; nothing for other symbols.
+    /// The value of a root in words; `None` for other symbols.
     pub(crate) fn step(&self) -> Option<String> {
         let (Determining::Root(_), [own]) = (&self.by, self.values.as_slice()) else {
             return None;
@@ -188,7 +189,7 @@ impl<P> Sharpness<P>
 where
     Ratio<P>: std::fmt::Display,
 {
-    /// It in words.
+    /// The result in words.
     #[must_use]
     pub fn text(&self) -> String {
         match self {

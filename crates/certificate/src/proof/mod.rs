@@ -1,4 +1,4 @@
-//! A proof of a statement, as a tree that follows the statement.
+//! Proofs of statements, as trees that follow the structure of the statement.
 
 pub mod assumptions;
 pub mod refutation;
@@ -18,7 +18,7 @@ use refutation::Refuted;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// A proof that a statement is true on the whole domain, where its conditions do not vanish.
+/// A proof that a statement is true on the whole domain wherever its conditions do not vanish.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Proof<P> {
@@ -26,11 +26,11 @@ pub enum Proof<P> {
     Identity(Identity<P>),
     /// An equation: the difference is a combination of equations.
     Combination(Combination<P>),
-    /// An equation: the difference can be nothing but zero.
+    /// An equation: the signs of polynomials imply that the difference is zero.
     ZeroBySign(ZeroBySign<P>),
     /// A relation of order, by signs.
     Order(Box<Order<P>>),
-    /// `!=`, by hypotheses.
+    /// `!=`: the hypotheses exclude equality.
     Excluded(Excluded<P>),
     /// Printed decimals agree.
     Enclosure(Enclosure<P>),
@@ -40,56 +40,56 @@ pub enum Proof<P> {
     Powers(Powers<P>),
     /// A basis diminishes variation at some degrees.
     Wronskians(Wronskians),
-    /// A proof with the ground on which it stands.
+    /// A proof together with its assumptions.
     On(Box<Assumptions<P>>),
     /// Both halves of `and`.
     Both(Box<Proof<P>>, Box<Proof<P>>),
-    /// On all parts into which alternatives among the hypotheses cut the domain.
+    /// A proof for each part into which disjunctions among the hypotheses divide the domain.
     Parts(Vec<Proof<P>>),
-    /// All clauses of a statement written as a conjunction of alternatives.
+    /// A proof of each clause of a statement in conjunctive form.
     Clauses(Vec<Proof<P>>),
-    /// One of several alternatives, by its place: everywhere, or where all others fail.
+    /// A proof of one of several alternatives, either everywhere or where all others fail.
     Alternative {
-        /// Its place among the parts of `or`, from the left.
+        /// The position of the alternative among the parts of `or`, from the left.
         place: usize,
-        /// Whether it is proved where the others fail, and not everywhere.
+        /// Whether the alternative is proved only where all others fail.
         where_others_fail: bool,
         /// The proof.
         proof: Box<Proof<P>>,
     },
-    /// The second half of `implies`, where the first holds.
+    /// A proof of the conclusion of `implies`, where the premise holds.
     Conclusion(Box<Proof<P>>),
-    /// For all values of some integers, which are all there are.
+    /// A proof for each combination of values of some integers, which have no other values.
     Instances(Vec<Instance<P>>),
-    /// There is nothing to prove: no point.
+    /// The domain is empty, so there is nothing to prove.
     Nowhere(Emptiness<P>),
-    /// `not p`: a point at which p fails.
+    /// `not p`, by a point at which p fails.
     Exists(Box<Refuted<P>>),
     /// A proof whose conditions only say where the terms of the statement are defined.
     Defined(Box<Proof<P>>),
-    /// Two proofs: where a polynomial is not zero, and where it is.
+    /// A case split: a proof where a polynomial is nonzero, and one where it is zero.
     Split(Box<Split<P>>),
 }
 
-/// What an equation determines is known only where the coefficient of the symbol is not zero: the domain falls into the points
-/// at which it is not, and those at which it is.
+/// A case split at a pivot. An equation determines a symbol only where the coefficient of the symbol is nonzero, so
+/// the domain is divided into the points where the coefficient is nonzero and those where it is zero.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Split<P> {
-    /// The coefficient, or whatever else a proof divides by.
+    /// The coefficient, or another divisor of a proof.
     pub pivot: P,
-    /// The proof where it is not zero.
+    /// The proof where the pivot is nonzero.
     pub nonzero: Proof<P>,
-    /// What is known where it is zero.
+    /// The result where the pivot is zero.
     pub zero: Zero<P>,
 }
 
-/// What is known of the points of a domain at which a polynomial is zero.
+/// The result for the points of a domain at which a polynomial is zero.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Zero<P> {
     /// The statement is true at all of them.
     Proved(Proof<P>),
-    /// It fails at one: that the polynomial is not zero is a condition of the statement, and needed.
+    /// The statement fails at one of them, so that the pivot is nonzero is a necessary condition.
     Fails(Refuted<P>),
 }
 
@@ -106,21 +106,21 @@ pub struct Instance<P> {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Emptiness<P> {
-    /// The declared range of a symbol is empty.
+    /// The declared range of this symbol is empty.
     Range(String),
     /// A constraint holds nowhere.
     Constraint {
         /// The constraint.
         fails: Constraint<P>,
-        /// Whether that is so where all others hold.
+        /// Whether it fails only where all other constraints hold.
         others: bool,
     },
-    /// Some term has no value anywhere.
+    /// This term has no value anywhere.
     Undefined(String),
 }
 
 impl<P> Proof<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Proof<Q> {
         let one = |proof: &Self| Box::new(proof.map(change));
         let all = |proofs: &[Self]| proofs.iter().map(|proof| proof.map(change)).collect();
@@ -169,7 +169,7 @@ impl<P> Proof<P> {
         }
     }
 
-    /// The proofs that this one is made of, directly.
+    /// The direct parts of the proof.
     #[must_use]
     pub fn parts(&self) -> Vec<&Self> {
         match self {
@@ -188,7 +188,7 @@ impl<P> Proof<P> {
         }
     }
 
-    /// What it rests on; of several proofs the weakest, and an identity is the strongest.
+    /// The evidence: for several proofs the weakest one, where an identity is the strongest.
     #[must_use]
     pub fn evidence(&self) -> Evidence {
         match self {
@@ -200,7 +200,7 @@ impl<P> Proof<P> {
             Self::Enclosure(_) => Evidence::Enclosure,
             Self::Nonnegative(_) | Self::Powers(_) => Evidence::Induction,
             Self::Exists(_) => Evidence::Witness,
-            // All instances, each decided, are an identity whatever decided them.
+            // If all instances are decided, the evidence counts as an identity, however each was decided.
             Self::Instances(_) | Self::Nowhere(_) => Evidence::Identity,
             _ => {
                 let parts = self.parts().into_iter().map(Self::evidence);
@@ -209,7 +209,8 @@ impl<P> Proof<P> {
         }
     }
 
-    /// What must not vanish for the proof to say something, in order; as the proofs inside met it, not yet taken apart.
+    /// Polynomials that must be nonzero for the proof to apply, sorted; as the inner proofs contain them, not
+    /// factored.
     #[must_use]
     pub fn conditions(&self) -> Vec<&P>
     where
@@ -242,7 +243,7 @@ impl<P> Proof<P> {
         all
     }
 
-    /// The points at which the statement fails because a condition of the proof does, with what is zero there.
+    /// The exceptions of case splits: each pivot where the statement fails if it vanishes, with the refutation.
     #[must_use]
     pub fn excepted(&self) -> Vec<(&P, &Refuted<P>)> {
         let own = match self {
@@ -256,8 +257,9 @@ impl<P> Proof<P> {
         own.into_iter().chain(inside).collect()
     }
 
-    /// The constraints that the proof uses: those that a certificate of sign multiplies, splits off or cuts the box with, and
-    /// equations that differences are combinations of. Ranges of single symbols count as coordinates, and are not listed.
+    /// The constraints that the proof uses: those that a certificate of sign multiplies, splits off as factors or
+    /// excludes pieces with, and the equations of combinations. Ranges of single symbols count as coordinates, and
+    /// are not listed.
     #[must_use]
     pub fn hypotheses(&self) -> Vec<&Constraint<P>> {
         let mut found = vec![];
@@ -290,7 +292,7 @@ impl<P> Proof<P> {
 }
 
 impl Proof<Polynomial> {
-    /// The steps in words, and what is known of the ranges.
+    /// The steps of the proof in words, followed by the results about ranges.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         let ranges = self.ranges();
@@ -298,8 +300,9 @@ impl Proof<Polynomial> {
         self.reasons().into_iter().chain(ranges).collect()
     }
 
-    /// What is known of the ranges of the whole statement: one half of a conjunction that fails beyond an end fails for both,
-    /// and both have to be proved on a wider range. What some alternatives, instances or sides of a split say is nothing about all.
+    /// The results about ranges for the whole statement. If one half of a conjunction fails beyond an end, the
+    /// conjunction does; for a wider range both halves must be proved. Results for single alternatives, instances or
+    /// cases of a split say nothing about the whole.
     fn ranges(&self) -> Vec<Sharpness<Polynomial>> {
         match self {
             Self::On(ground) => ground.ranges.clone(),
@@ -324,7 +327,7 @@ impl Proof<Polynomial> {
         }
     }
 
-    /// The steps in words, without a look beyond the ranges.
+    /// The steps of the proof in words, without the results about ranges.
     #[must_use]
     pub fn reasons(&self) -> Vec<String> {
         match self {
@@ -391,7 +394,7 @@ impl Instance<Polynomial> {
 }
 
 impl<P> Emptiness<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Emptiness<Q> {
         match self {
             Self::Range(name) => Emptiness::Range(name.clone()),
@@ -403,7 +406,7 @@ impl<P> Emptiness<P> {
         }
     }
 
-    /// It in words.
+    /// The reason in words.
     #[must_use]
     pub fn reason(&self) -> String
     where
@@ -413,9 +416,10 @@ impl<P> Emptiness<P> {
             Self::Range(name) => format!("the declared range of {name} is empty"),
             Self::Constraint { fails, others } => {
                 let sign = fails.relation.sign();
-                let others = match others {
-                    false => "on the declared ranges",
-                    true => "on the declared ranges where the other assumptions hold",
+                let others = if *others {
+                    "on the declared ranges where the other assumptions hold"
+                } else {
+                    "on the declared ranges"
                 };
                 format!("{} {sign} 0 holds nowhere {others}", fails.value)
             }

@@ -1,4 +1,4 @@
-//! A refutation of a statement.
+//! Refutations of statements.
 
 use crate::evidence::Evidence;
 use crate::point::{Counterexample, Value};
@@ -23,17 +23,18 @@ pub enum Refuted<P> {
         /// How it fails there.
         refuted: Box<Refuted<P>>,
     },
-    /// It denies of the whole domain what is true at each of its points, of which there is one.
+    /// It is a negation about the whole domain, but the negated statement is true at each point of the domain, which
+    /// is not empty.
     Denied {
-        /// The proof of what is denied.
+        /// The proof of the negated statement.
         proof: Box<Proof<P>>,
-        /// A point of the domain, perhaps of an instance.
+        /// A point of the domain, possibly of an instance.
         anywhere: Box<Refuted<P>>,
     },
 }
 
 impl<P> Refuted<P> {
-    /// The same in other polynomials.
+    /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Refuted<Q> {
         match self {
             Self::At(point) => Refuted::At(point.map(change)),
@@ -60,7 +61,7 @@ impl<P> Refuted<P> {
         }
     }
 
-    /// The same, to be completed.
+    /// Mutable access to the counterexample, to complete it.
     pub fn counterexample_mut(&mut self) -> &mut Counterexample<P> {
         match self {
             Self::At(point) => point,
@@ -71,7 +72,7 @@ impl<P> Refuted<P> {
         }
     }
 
-    /// The values of integers that were chosen for an instance, those of the outermost first.
+    /// The integer values of instances, outermost first.
     #[must_use]
     pub fn integers(&self) -> Vec<(&str, i64)> {
         match self {
@@ -84,7 +85,7 @@ impl<P> Refuted<P> {
         }
     }
 
-    /// What it rests on: the point, or the proof of what is denied.
+    /// The evidence: the point, or the proof of the negated statement.
     #[must_use]
     pub fn evidence(&self) -> Evidence {
         match self {
@@ -96,7 +97,7 @@ impl<P> Refuted<P> {
 }
 
 impl Refuted<Polynomial> {
-    /// The point with the chosen integers before it.
+    /// The point, preceded by the integer values of instances.
     #[must_use]
     pub fn at(&self) -> Vec<Value<Polynomial>> {
         let point = &self.counterexample().at;
@@ -112,7 +113,7 @@ impl Refuted<Polynomial> {
         all
     }
 
-    /// The steps in words.
+    /// The steps of the refutation in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         match self {

@@ -1,17 +1,19 @@
 //! Positivity on cells of the variable.
 //!
-//! **A cell** of length h is mapped to [0, 1], and a Bernstein coefficient w is evaluated at the N places `(i + 1/2)/N`, divided by
-//! `x^o` on the first cell, where it vanishes at 0 to the order o (which `orders` finds). The polynomial p of degree N - 1
-//! through these values has Bernstein coefficients on the cell; it differs from `f = w/x^o` by little: with a disc of radius R
+//! **A cell** of length h is mapped to [0, 1], and a Bernstein coefficient w is evaluated at the N places `(i +
+//! 1/2)/N`, divided by `x^o` on the first cell, where it vanishes at 0 to the order o (computed by `orders`). The
+//! polynomial p of degree N - 1 through these values has Bernstein coefficients on the cell, and differs little from
+//! `f = w/x^o`: with a disc of radius R about the midpoint of the cell, where R exceeds half of the length,
 //! about the middle of the cell, more than the half length,
 //!
 //! ```text
 //! f(x) - p(x) = 1/(2 pi i) integral over the circle of  f(z) g(x)/(g(z) (z - x)) dz,   g(x) = product of (x - x_i)
 //! ```
 //!
-//! (Hermite), where `abs(g(x)) <= h^N N!/N^N`, since the j-th nearest place has the distance j h/N at most, and
-//! `abs(g(z)) >= (R - h/2)^N`. So the error is at most `M R/(R - h/2) (h/(R - h/2))^N N!/N^N` with a bound M of f on the circle, and w is
-//! positive on the cell (but for x = 0) if all Bernstein coefficients of p are larger than that.
+//! (Hermite). Here `abs(g(x)) <= h^N N!/N^N`, since the j-th nearest place has a distance of at most j h/N, and
+//! `abs(g(z)) >= (R - h/2)^N`. So the error is at most `M R/(R - h/2) (h/(R - h/2))^N N!/N^N` with a bound M of
+//! abs(f) on the circle, and w is positive on the cell (except at x = 0) if all Bernstein coefficients of p exceed
+//! this error.
 //!
 //! **The bound M.** Take the largest Bernstein coefficient in size as norm of a polynomial in the parameters, and for a function at
 //! z the sum of the norms of its Taylor coefficients there, the e-th divided by `2^e`; both are at most multiplied in products.
@@ -33,13 +35,13 @@ use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::rational::integer;
 use torse_numbers::{Ball, Rational};
 
-/// The most cells and places of one half.
+/// The largest numbers of cells and of places of one half.
 const MAX_CELLS: usize = 64;
 const MAX_NODES: u16 = 96;
-/// The largest radius.
+/// The largest radius of a disc.
 const MAX_RADIUS: i64 = 8;
 
-/// One degree of a family on [0, 1/2].
+/// A family at one degree on [0, 1/2].
 pub struct Front<'a> {
     operator: &'a Operator,
     degree: usize,
@@ -49,7 +51,7 @@ pub struct Front<'a> {
 }
 
 impl<'a> Front<'a> {
-    /// What is the same on all cells; the determinants of some sizes are multiplied out.
+    /// Prepares the data that all cells share; the determinants of the sizes `exact` are expanded symbolically.
     ///
     /// # Errors
     /// [`Unfit`].
@@ -67,7 +69,7 @@ impl<'a> Front<'a> {
         })
     }
 
-    /// Whether cells fill [0, 1/2], and all coefficients are positive on them.
+    /// Checks that cells fill [0, 1/2] and that all coefficients are positive on them.
     ///
     /// # Errors
     /// [`Unfit`].
@@ -84,7 +86,8 @@ impl<'a> Front<'a> {
         Ok(())
     }
 
-    /// Whether all coefficients are positive on one cell, but for what vanishes identically and at x = 0.
+    /// Checks that all coefficients are positive on one cell, except those that vanish identically, and except at x =
+    /// 0.
     ///
     /// # Errors
     /// [`Unfit`].
@@ -104,10 +107,11 @@ impl<'a> Front<'a> {
         let length = &cell.until - from;
         let half = &length * &Rational::new(1.into(), 2.into());
         let middle = from + &half;
-        // On the first cell the circle has to leave zero inside, and with distance.
-        let clear = match from == &integer(0) {
-            true => &cell.radius - &middle,
-            false => &cell.radius - &half,
+        // On the first cell the circle must enclose zero, at a distance.
+        let clear = if from == &integer(0) {
+            &cell.radius - &middle
+        } else {
+            &cell.radius - &half
         };
         let zero = integer(0);
         if length <= zero || clear <= zero || cell.radius > integer(MAX_RADIUS) {
@@ -171,7 +175,7 @@ impl<'a> Front<'a> {
                     }
                 }
             }
-            // At x = 0 itself some coefficient has to be positive.
+            // At x = 0 some coefficient must be positive.
             if !at_zero {
                 return Err(self.sign(rank, cell));
             }
@@ -186,7 +190,7 @@ impl<'a> Front<'a> {
         }
     }
 
-    /// Divides every coefficient by the power of x to which it vanishes.
+    /// Divides every coefficient by the power of x to which it vanishes at 0.
     fn divide(&self, grids: &mut [Grid], x: &Rational) {
         for (rank, grid) in (1..).zip(grids) {
             for (a, row) in grid.iter_mut().enumerate() {
@@ -203,7 +207,7 @@ impl<'a> Front<'a> {
     /// The bound M of the Bernstein coefficients of a determinant on the disc.
     fn bound(&self, rank: usize, middle: &Rational, cell: &Cell) -> Result<Rational, Unfit> {
         let far = &cell.radius + middle + Rational::new(1.into(), 2.into());
-        // Integers, and 22/7 for pi: rounded up, and short.
+        // Simple rational upper bounds: integers, and 22/7 for pi.
         let pi = Rational::new(22.into(), 7.into());
         let exp = |angle: Rational| {
             let turn = Ball::from_rational(&angle, BITS).exp();
@@ -230,7 +234,7 @@ impl<'a> Front<'a> {
     }
 }
 
-/// Whether a half of a certificate shows what it says.
+/// Checks one half of a certificate.
 ///
 /// # Errors
 /// [`Unfit`].

@@ -1,55 +1,55 @@
-//! What a proof by Wronskians carries: where to evaluate, and nothing that would have to be believed.
+//! The data of a proof by Wronskians: where to evaluate. The checker computes everything else itself.
 
 use serde::{Serialize, Serializer};
 use torse_numbers::Rational;
 
-/// Total positivity at several degrees.
+/// A proof of total positivity at several degrees.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Wronskians {
-    /// How the mirrored family is the family itself, if it is.
+    /// The symmetry that maps the mirrored family to the family itself, if there is one.
     pub exchange: Option<Exchange>,
-    /// Degree by degree, ascending.
+    /// The degrees in ascending order.
     pub degrees: Vec<AtDegree>,
 }
 
-/// A symmetry of the box of shape parameters, each of which lives in [0, 1].
+/// A symmetry of the box of shape parameters, all of which range over [0, 1].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Exchange {
-    /// Whether the two parameters change places.
+    /// Whether the two parameters are exchanged.
     pub swapped: bool,
-    /// Which of them, in their new places, are subtracted from one.
+    /// Which parameters, after the exchange, are replaced by one minus the parameter.
     pub turned: [bool; 2],
 }
 
-/// One degree.
+/// The data of one degree.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct AtDegree {
     /// The degree.
     pub degree: u8,
-    /// On [0, 1/2].
+    /// The data on [0, 1/2].
     pub front: Half,
-    /// The mirrored family on [0, 1/2]; not there where an exchange makes it that of the front.
+    /// The data of the mirrored family on [0, 1/2]; `None` if a symmetry makes it equal to the front.
     pub back: Option<Half>,
 }
 
-/// Half of the interval.
+/// The data of one half of the interval.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Half {
-    /// The sizes of the determinants that are multiplied out, since some coefficient is zero.
+    /// The sizes of the determinants that are expanded symbolically because some of their coefficients are zero.
     pub exact: Vec<u8>,
-    /// From 0 to 1/2.
+    /// The cells from 0 to 1/2.
     pub cells: Vec<Cell>,
 }
 
-/// A part of the interval of the variable.
+/// A subinterval of the variable.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Cell {
-    /// Its end; it begins where the one before ends.
+    /// Its end; it begins at the end of the previous cell.
     #[serde(serialize_with = "as_text")]
     pub until: Rational,
-    /// At how many places the determinants are evaluated.
+    /// The number of places at which the determinants are evaluated.
     pub nodes: u16,
-    /// The radius of the disc about the middle of the cell on which they are bounded.
+    /// The radius of the disc about the midpoint of the cell on which the determinants are bounded.
     #[serde(serialize_with = "as_text")]
     pub radius: Rational,
 }
@@ -59,7 +59,7 @@ fn as_text<S: Serializer>(value: &Rational, serializer: S) -> Result<S::Ok, S::E
 }
 
 impl Wronskians {
-    /// The steps in words.
+    /// The steps of the proof in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         let cells = |half: &Half| half.cells.len();

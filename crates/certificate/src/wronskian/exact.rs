@@ -1,4 +1,5 @@
-//! Small determinants multiplied out: which Bernstein coefficients vanish identically, and the orders of the others at 0.
+//! Small determinants expanded symbolically: which Bernstein coefficients vanish identically, and the orders at 0 of
+//! the others.
 
 use super::operator::{Operator, parts, weight};
 use super::series::taylor;
@@ -8,12 +9,13 @@ use crate::symbol::Symbol;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
-/// The largest determinant that is multiplied out.
+/// The largest size of a determinant that is expanded.
 const MAX_RANK: usize = 3;
-/// To how many Taylor coefficients is looked.
+/// The number of Taylor coefficients that are computed.
 const LENGTH: usize = 16;
 
-/// The orders at 0 of the Bernstein coefficients of a determinant, for degrees in the parameters; nothing for one that is zero.
+/// The orders at 0 of the Bernstein coefficients of a determinant, for given degrees in the parameters; `None` for a
+/// coefficient that is zero.
 ///
 /// # Errors
 /// [`Unfit::Rank`] for a determinant that is too large.
@@ -34,22 +36,21 @@ pub(super) fn orders(
             let mut coefficient = Polynomial::zero();
             for (shape, function) in &powers {
                 let [i, j] = shape.map(|n| usize::try_from(n).unwrap_or(usize::MAX));
-                // binom(a, i)/binom(n, i) for both, which is nothing for i above a.
+                // `binom(a, i)/binom(n, i)` for both parameters, which is zero for i above a.
                 let share = weight(i, a, sizes[0] - 1) * weight(j, b, sizes[1] - 1);
                 coefficient.add(&function.scaled(&share));
             }
-            row.push(match coefficient.is_zero() {
-                true => None,
-                false => {
-                    let terms = parts(&coefficient, &operator.seeds)?;
-                    let terms = terms
-                        .into_iter()
-                        .flat_map(|part| part.terms)
-                        .collect::<Vec<_>>();
-                    let series = taylor(&terms, LENGTH);
-                    let order = series.iter().position(|c| !c.is_zero());
-                    Some(order.unwrap_or(LENGTH))
-                }
+            row.push(if coefficient.is_zero() {
+                None
+            } else {
+                let terms = parts(&coefficient, &operator.seeds)?;
+                let terms = terms
+                    .into_iter()
+                    .flat_map(|part| part.terms)
+                    .collect::<Vec<_>>();
+                let series = taylor(&terms, LENGTH);
+                let order = series.iter().position(|c| !c.is_zero());
+                Some(order.unwrap_or(LENGTH))
             });
         }
         all.push(row);
@@ -59,7 +60,7 @@ pub(super) fn orders(
 
 /// The determinant as a polynomial.
 fn multiplied(operator: &Operator, degree: usize, rank: usize) -> Polynomial {
-    // By order: all Taylor coefficients that the entries need.
+    // Entry e: the e-th Taylor coefficients that the determinant needs.
     let series: Vec<Vec<Polynomial>> = operator
         .functions
         .iter()
@@ -88,7 +89,7 @@ fn multiplied(operator: &Operator, degree: usize, rank: usize) -> Polynomial {
     determinant(&rows)
 }
 
-/// What stands before each monomial in the parameters.
+/// The coefficient of each monomial in the parameters.
 fn powers(function: &Polynomial, operator: &Operator) -> Vec<([u32; SHAPES], Polynomial)> {
     let mut all: Vec<([u32; SHAPES], Polynomial)> = vec![];
     for (monomial, coefficient) in function.terms() {
@@ -142,7 +143,7 @@ fn derivative(function: &Polynomial, operator: &Operator) -> Polynomial {
     total
 }
 
-/// By the first row.
+/// The determinant, by expansion along the first row.
 fn determinant(rows: &[Vec<Polynomial>]) -> Polynomial {
     let Some((first, rest)) = rows.split_first() else {
         return Polynomial::one();

@@ -50,24 +50,24 @@ pub use certificate::{AtDegree, Cell, Exchange, Half, Wronskians};
 pub use operator::Operator;
 pub use seeds::Seeds;
 
-/// The highest degree that is looked at.
+/// The largest degree that is supported.
 pub const MAX_DEGREE: u8 = 12;
-/// The most shape parameters.
+/// The largest number of shape parameters.
 pub const SHAPES: usize = 2;
 
-/// Why positivity is not shown.
+/// Why positivity could not be shown.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Unfit {
-    /// The family is of another make.
+    /// The family does not have the required form.
     #[error("{0}")]
     Make(&'static str),
     /// A function does not vanish at an end to the order of its index.
     #[error("the operator does not keep the order of x^{0} at an end")]
     Order(u8),
-    /// A cell is not one.
+    /// A cell has inconsistent data.
     #[error("a cell has impossible data")]
     Cell,
-    /// A coefficient is not shown to be positive on a cell.
+    /// A coefficient could not be shown to be positive on a cell.
     #[error(
         "determinant {rank}: a Bernstein coefficient is not shown to be positive up to {until}"
     )]
@@ -77,7 +77,7 @@ pub enum Unfit {
         /// The end of the cell.
         until: String,
     },
-    /// A determinant that is too large, or too small, to be multiplied out.
+    /// A determinant that is too large (or has size zero) and is not expanded.
     #[error("determinant {0} is not multiplied out")]
     Rank(usize),
 }

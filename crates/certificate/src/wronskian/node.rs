@@ -1,4 +1,4 @@
-//! The Bernstein coefficients of all determinants at one place of the variable.
+//! The Bernstein coefficients of all determinants at one value of the variable.
 
 use super::operator::{Operator, Part, weight};
 use super::tables::{differences, newton};
@@ -7,21 +7,21 @@ use num_traits::Zero;
 use torse_numbers::rational::integer;
 use torse_numbers::{Ball, Rational, Scalar as _};
 
-/// Binary digits after the point of all enclosures.
+/// The number of binary digits after the point of all enclosures.
 pub(super) const BITS: usize = 256;
 
-/// By coefficient of the first parameter, then of the second.
+/// Values indexed by the coefficient of the first parameter, then of the second.
 pub(super) type Grid = Vec<Vec<Ball>>;
 
-/// What is the same at all places.
+/// The data that all values of the variable share.
 pub(super) struct Places<'a> {
     operator: &'a Operator,
     degree: usize,
-    /// The degree of the last determinant in the parameters: they get the values n/most.
+    /// The degree of the last determinant in the parameters, which take the values n/most.
     most: usize,
-    /// By order i from 1 on and column j: what stands before `c_i`.
+    /// The factor of `c_i` in column j, indexed by the order i (from 1) and by j.
     weights: Vec<Vec<Ball>>,
-    /// By rank from 1 on: from differences to Bernstein coefficients.
+    /// The matrices from differences to Bernstein coefficients, indexed by the rank (from 1).
     tables: Vec<Vec<Vec<Ball>>>,
     /// The powers of n/most.
     shapes: Vec<Vec<Ball>>,
@@ -64,14 +64,14 @@ impl<'a> Places<'a> {
         }
     }
 
-    /// The coefficients of `D_1, ..., D_k` at x.
+    /// The Bernstein coefficients of `D_1, ..., D_k` at x.
     ///
     /// # Errors
-    /// [`Unfit::Sign`]: a determinant is not told from zero.
+    /// [`Unfit::Sign`] if the enclosure of a determinant contains zero.
     pub fn at(&self, x: &Rational) -> Result<Vec<Grid>, Unfit> {
         let parts = self.taylor(x);
         let width = |place: usize, most: usize| if self.operator.used[place] { most } else { 0 };
-        // Values at the places (a, b)/most with a + b at most `most`.
+        // The values at the places (a, b)/most with a + b <= most.
         let mut values: Vec<Grid> = vec![vec![]; self.degree];
         for a in 0..=width(0, self.most) {
             let mut rows: Vec<Vec<Ball>> = vec![vec![]; self.degree];
@@ -93,8 +93,8 @@ impl<'a> Places<'a> {
         Ok(coefficients.collect())
     }
 
-    /// From values at a triangle of places to Bernstein coefficients: a polynomial of total degree `most` is the sum of its
-    /// differences (a, b), a + b at most `most`, times products of binomial coefficients.
+    /// Converts values at a triangle of places to Bernstein coefficients. A polynomial of total degree `most` is the
+    /// sum of its differences (a, b) with a + b <= most, times products of binomial coefficients.
     fn bernstein(
         &self,
         mut grid: Grid,
@@ -124,16 +124,16 @@ impl<'a> Places<'a> {
                 row.push(Ball::dot(weights.iter().zip(&column), BITS));
             }
         }
-        let whole = |row: &Vec<Ball>| {
+        let interpolated = |row: &Vec<Ball>| {
             let weights = table_of(1).iter();
             weights
                 .map(|weights| Ball::dot(weights.iter().zip(row), BITS))
                 .collect()
         };
-        half.iter().map(whole).collect()
+        half.iter().map(interpolated).collect()
     }
 
-    /// The Taylor coefficients of all parts of `c_1, c_2, ...` at x.
+    /// The Taylor coefficients at x of all parts of `c_1, c_2, ...`.
     fn taylor(&self, x: &Rational) -> Vec<Vec<Vec<Ball>>> {
         let length = self.degree + self.operator.order();
         let zero = ball(&Rational::zero());
@@ -182,7 +182,7 @@ impl<'a> Places<'a> {
                 all
             })
             .collect();
-        let of = |part: &Part| {
+        let part_series = |part: &Part| {
             let mut total = vec![zero.clone(); length];
             for term in &part.terms {
                 let number = self.pi.powi(term.pi).scaled(&term.coefficient);
@@ -206,10 +206,13 @@ impl<'a> Places<'a> {
             total
         };
         let parts = self.operator.parts.iter();
-        parts.map(|own| own.iter().map(of).collect()).collect()
+        parts
+            .map(|own| own.iter().map(part_series).collect())
+            .collect()
     }
 
-    /// `D_1, ..., D_k` at one place, by elimination without exchange of rows: the pivots are quotients of them.
+    /// `D_1, ..., D_k` at one place, by elimination without row exchanges: the pivots are quotients of consecutive
+    /// determinants.
     fn determinants(
         &self,
         parts: &[Vec<Vec<Ball>>],
@@ -255,7 +258,7 @@ impl<'a> Places<'a> {
             let (above, below) = matrix.split_at_mut(r + 1);
             for row in below {
                 let factor = &row[r] * &inverse;
-                // Row r ends d places behind the diagonal.
+                // Row r has nonzero entries up to d places right of the diagonal.
                 for j in r + 1..k.min(r + d + 1) {
                     row[j] = &row[j] - &(&factor * &above[r][j]);
                 }
@@ -264,7 +267,7 @@ impl<'a> Places<'a> {
         Ok(all)
     }
 
-    /// The series of one function at parameters `n/most`.
+    /// The Taylor series of one function at the parameters `n/most`.
     fn combined(&self, parts: &[Part], series: &[Vec<Ball>], at: [usize; SHAPES]) -> Vec<Ball> {
         let length = self.degree + self.operator.order();
         let mut total = vec![ball(&Rational::zero()); length];

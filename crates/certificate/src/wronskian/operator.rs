@@ -7,9 +7,9 @@ use crate::symbol::Symbol;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
-/// The most derivatives in an operator.
+/// The largest order of an operator.
 const MAX_ORDER: usize = 4;
-/// The highest total degree of seeds in their parameters.
+/// The largest total degree of the seeds in their parameters.
 const MAX_TOTAL: usize = 2;
 
 /// A number times powers of x, sine, cosine and pi.
@@ -22,7 +22,7 @@ pub(super) struct Term {
     pub pi: u32,
 }
 
-/// What stands before one monomial in the shape parameters.
+/// The coefficient of one monomial in the shape parameters.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Part {
     pub shape: [u32; SHAPES],
@@ -34,9 +34,9 @@ pub(super) struct Part {
 pub struct Operator {
     /// The coefficients as polynomials, from `c_1` on.
     pub(super) functions: Vec<Polynomial>,
-    /// The same, by monomials in the parameters.
+    /// The same coefficients, separated by monomials in the parameters.
     pub(super) parts: Vec<Vec<Part>>,
-    /// The highest total degree in the parameters.
+    /// The largest total degree in the parameters.
     pub(super) total: usize,
     /// Which parameters occur.
     pub(super) used: [bool; SHAPES],
@@ -47,7 +47,7 @@ impl Operator {
     /// The operator of a family with these seeds and the step `1 - x`, `x`.
     ///
     /// # Errors
-    /// [`Unfit::Make`]: the seeds do not sum to one, or are of another make.
+    /// [`Unfit::Make`] if the seeds do not sum to one, or do not have the required form.
     pub fn new(seeds: Seeds) -> Result<Self, Unfit> {
         let order = seeds.functions.len().saturating_sub(1);
         if order > MAX_ORDER {
@@ -93,26 +93,27 @@ impl Operator {
         })
     }
 
-    /// The number of derivatives.
+    /// The order of the operator.
     pub(super) fn order(&self) -> usize {
         self.parts.len()
     }
 }
 
-/// `j (j-1) ... (j-i+1) / (k (k-1) ... (k-i+1))`, what stands before `c_i` in column j.
+/// `j (j-1) ... (j-i+1) / (k (k-1) ... (k-i+1))`, the factor of `c_i` in column j.
 pub(super) fn weight(i: usize, j: usize, k: usize) -> Rational {
     let falling = |n: usize| {
         (0..i).fold(integer(1), |product, l| {
             product * integer(i64::try_from(n).unwrap_or(0) - i64::try_from(l).unwrap_or(0))
         })
     };
-    match j < i || k < i {
-        true => integer(0),
-        false => falling(j) / falling(k),
+    if j < i || k < i {
+        integer(0)
+    } else {
+        falling(j) / falling(k)
     }
 }
 
-/// A function by monomials in the parameters, in an order that names have no part in.
+/// Separates a function by monomials in the parameters, in an order that does not depend on names.
 pub(super) fn parts(function: &Polynomial, seeds: &Seeds) -> Result<Vec<Part>, Unfit> {
     let other =
         || Unfit::Make("a function that is no polynomial in x, sin(pi/2*x) and cos(pi/2*x)");

@@ -1,34 +1,39 @@
-//! To which order the Bernstein coefficients of the determinants vanish at 0, exactly.
+//! Lower bounds of the orders at 0 of the Bernstein coefficients of the determinants.
 //!
-//! Let `l_j = L[x^j]`, and take it apart by monomials of the parameters. A determinant `D_r` is a Wronskian of `l_0, ..., l_r` and
-//! linear in each; so what stands before a monomial in it is a sum of Wronskians of one part of each `l_j`. A Wronskian of
-//! functions that vanish to the orders `n_0, n_1, ...` vanishes to the order `sum (n_j - j)` at least, for each of its terms
-//! does. If two of these orders are equal, one of the two functions may be replaced by a combination of both that vanishes to one
-//! order more, without changing the Wronskian: this is used for the last two. The Bernstein coefficient (A, B) is a combination
-//! of what stands before `u^i v^j` with i at most A and j at most B. The same is true at the other corners of the box, where
-//! parameters are subtracted from one, and the best of the bounds counts.
+//! Let `l_j = L[x^j]`, separated by monomials of the parameters. A determinant `D_r` is the Wronskian of `l_0, ...,
+//! l_r`, and linear in each; so its coefficient of a monomial is a sum of Wronskians of one part of each `l_j`. A
+//! Wronskian of functions that vanish to the orders `n_0, n_1, ...` vanishes at least to the order `sum (n_j - j)`,
+//! since each of its terms does. If two of these orders are equal, one of the two functions may be replaced by a
+//! combination of both that vanishes to one order more, without changing the Wronskian; this is used for the last
+//! two. The Bernstein coefficient (A, B) is a combination of the coefficients of `u^i v^j` with i <= A and j <= B.
+//! The same holds at the other corners of the box, where parameters are subtracted from one, and the best of these
+//! bounds is used.
 
 use super::operator::{Operator, Part, weight};
 use super::series::taylor;
 use super::{Exchange, SHAPES, Unfit, exact};
 use crate::polynomial::Polynomial;
 
-/// More than any order that is used: of what does not occur at all.
+/// Larger than any order that is used: for a part that does not occur.
 const NEVER: usize = usize::MAX / 4;
 
-/// Lower bounds of the orders at 0 of the Bernstein coefficients, by rank from 1 on, of the degrees `total * rank`; nothing for one
-/// that is zero.
+/// Lower bounds of the orders at 0 of the Bernstein coefficients, indexed by the rank (from 1) and the coefficient,
+/// of degrees `total * rank`; `None` for a coefficient that is zero.
 pub(super) struct Orders(Vec<Vec<Vec<Option<usize>>>>);
 
 impl Orders {
-    /// Of all determinants of one degree; those of these ranks are multiplied out.
+    /// The bounds for all determinants of one degree; those of the ranks in `exact` are expanded symbolically.
     ///
     /// # Errors
-    /// [`Unfit::Order`] if some `L[x^j]` does not vanish to the order j, [`Unfit::Rank`] for a rank that is too large.
+    /// [`Unfit::Order`] if some `L[x^j]` does not vanish to the order j; [`Unfit::Rank`] for a rank that is too
+    /// large.
     pub fn new(operator: &Operator, degree: usize, exact: &[u8]) -> Result<Self, Unfit> {
-        let size = |rank: usize, place: usize| match operator.used[place] {
-            true => operator.total * rank + 1,
-            false => 1,
+        let size = |rank: usize, place: usize| {
+            if operator.used[place] {
+                operator.total * rank + 1
+            } else {
+                1
+            }
         };
         let start = |rank| vec![vec![0; size(rank, 1)]; size(rank, 0)];
         let mut all: Vec<Vec<Vec<usize>>> = (1..=degree).map(start).collect();
@@ -73,7 +78,7 @@ impl Orders {
         Ok(Self(all))
     }
 
-    /// The order of one coefficient; nothing for one that is zero.
+    /// The order of one coefficient; `None` if the coefficient is zero.
     pub fn get(&self, rank: usize, a: usize, b: usize) -> Option<usize> {
         let rows = rank.checked_sub(1).and_then(|place| self.0.get(place));
         *rows
@@ -82,7 +87,7 @@ impl Orders {
     }
 }
 
-/// The parts of one `l_j`: a monomial in the parameters, and the order to which it vanishes.
+/// The parts of one `l_j`: a monomial in the parameters, and the order to which the part vanishes.
 type Column = Vec<([usize; SHAPES], usize)>;
 
 /// The parts of `l_0, ..., l_k`.
@@ -126,7 +131,7 @@ fn columns(operator: &Operator, degree: usize) -> Result<Vec<Column>, Unfit> {
                 let shape = shape.map(|n| usize::try_from(n).unwrap_or(NEVER));
                 column.push((shape, order));
             } else {
-                // As far as it was looked at; that is enough for a lower bound.
+                // All computed coefficients vanish, so their number is a lower bound of the order.
                 let shape = shape.map(|n| usize::try_from(n).unwrap_or(NEVER));
                 column.push((shape, length));
             }
@@ -136,7 +141,7 @@ fn columns(operator: &Operator, degree: usize) -> Result<Vec<Column>, Unfit> {
     (0..=degree).map(column).collect()
 }
 
-/// Lower bounds of the orders of what stands before `u^i v^j` in the Wronskian of these functions.
+/// Lower bounds of the orders of the coefficients of `u^i v^j` in the Wronskian of these functions.
 fn powers(columns: &[Column], most: usize) -> Vec<Vec<usize>> {
     let fresh = || vec![vec![NEVER; most + 1]; most + 1];
     let mut all = fresh();

@@ -1,10 +1,10 @@
-//! Cells that were evaluated before.
+//! A cache of results for cells.
 //!
-//! Whether all coefficients are positive on a cell is a function of exact data: the operator by its coefficients (the names
-//! of variable and parameters do not matter), the degree, the determinants multiplied out, and the cell. Papers share
-//! bases, and the search for a certificate ends with the very cells that the certificate has; so the answers of this
-//! process are kept, each with all the data that it is the answer to, and data are compared, not digests of them. A thread
-//! that asks what another is just finding out waits for its answer.
+//! Whether all coefficients are positive on a cell is a function of exact data: the coefficients of the operator
+//! (names of variables and parameters do not matter), the degree, the determinants that are expanded, and the cell.
+//! Papers share bases, and the search for a certificate ends with the very cells of the certificate; so results are
+//! cached for the life of the process. Each result is stored with all the data on which it depends, and the data are
+//! compared, not hashes of them. A thread that needs a result that another thread is computing waits for it.
 
 use super::Unfit;
 use super::certificate::Cell;
@@ -12,10 +12,10 @@ use super::operator::Part;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use torse_numbers::Rational;
 
-/// The most answers that are kept; what comes later is evaluated every time.
+/// The largest number of cached results; further ones are computed every time.
 const MAX_REMEMBERED: usize = 1024;
 
-/// All that the answer depends on.
+/// All data on which the result depends.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Question {
     pub parts: Vec<Vec<Part>>,
@@ -23,7 +23,7 @@ pub(super) struct Question {
     pub exact: Vec<u8>,
     pub from: Rational,
     pub cell: Cell,
-    /// A deliberate mistake that is under way answers for itself alone.
+    /// Whether a deliberate fault is injected; such results are kept apart.
     pub mistaken: bool,
 }
 
@@ -31,13 +31,13 @@ type Answer = Arc<OnceLock<Result<(), Unfit>>>;
 
 static ANSWERS: Mutex<Vec<(Question, Answer)>> = Mutex::new(vec![]);
 
-/// The answer from before, or the one that is found now.
+/// Returns the cached result, or computes it.
 pub(super) fn answer(
     question: Question,
     find: impl FnOnce() -> Result<(), Unfit>,
 ) -> Result<(), Unfit> {
     let place = {
-        // A thread that failed left the list as it was: entries are only added.
+        // If a thread panicked the list is still valid, because entries are only added.
         let mut all = ANSWERS.lock().unwrap_or_else(PoisonError::into_inner);
         match all.iter().find(|(asked, _)| *asked == question) {
             Some((_, answer)) => Arc::clone(answer),

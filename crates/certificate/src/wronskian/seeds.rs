@@ -1,4 +1,4 @@
-//! The seeds of a family with shape parameters in [0, 1], and their mirror image.
+//! The seeds of a family with shape parameters in [0, 1], and the mirrored family.
 
 use super::certificate::Exchange;
 use super::{SHAPES, Unfit};
@@ -10,7 +10,8 @@ use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 use torse_syntax::derivation::declarations::Bound;
 
-/// Seeds as polynomials in the variable, its sine and cosine of a quarter turn, pi, and parameters that run through [0, 1].
+/// Seeds as polynomials in the variable, the sine and cosine of its quarter turn, pi, and parameters that range over
+/// [0, 1].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Seeds {
     pub(super) functions: Vec<Polynomial>,
@@ -25,10 +26,10 @@ const TURN: Angle = Angle {
 };
 
 impl Seeds {
-    /// The seeds of a family whose symbols live in these sets, the variable in a part of [0, 1].
+    /// The seeds of a family whose symbols have these sets; the range of the variable must lie in [0, 1].
     ///
     /// # Errors
-    /// [`Unfit::Make`].
+    /// [`Unfit::Make`] if the family does not have the required form.
     pub fn declared<'s>(
         functions: &[Polynomial],
         variable: &str,
@@ -42,10 +43,10 @@ impl Seeds {
         Self::new(functions, variable, &range)
     }
 
-    /// The seeds with every other symbol mapped from its range to [0, 1].
+    /// The seeds, with every other symbol mapped from its range to [0, 1].
     ///
     /// # Errors
-    /// [`Unfit::Make`] for a symbol without a finite range, or too many of them.
+    /// [`Unfit::Make`] for a symbol without a finite range, or more than two parameters.
     pub fn new(
         functions: &[Polynomial],
         variable: &str,
@@ -88,13 +89,13 @@ impl Seeds {
         Symbol::Named(Arc::clone(&self.variable))
     }
 
-    /// Its sine and cosine.
+    /// The sine and cosine of its quarter turn.
     pub(super) fn turn(&self) -> [Symbol; 2] {
         let name = || Arc::clone(&self.variable);
         [Symbol::Sine(name(), TURN), Symbol::Cosine(name(), TURN)]
     }
 
-    /// The family run backwards: the seeds at `1 - x`, in reverse order.
+    /// The mirrored family: the seeds at `1 - x`, in reverse order.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let x = self.x();
@@ -114,7 +115,7 @@ impl Seeds {
         }
     }
 
-    /// The same with the parameters exchanged.
+    /// The seeds after a symmetry of the parameters.
     #[must_use]
     pub fn exchanged(&self, exchange: Exchange) -> Self {
         let image = |symbol: &Symbol| {
@@ -122,9 +123,10 @@ impl Seeds {
                 .shapes
                 .iter()
                 .position(|name| matches!(symbol, Symbol::Named(n) if n == name))?;
-            let other = match exchange.swapped && self.shapes.len() == SHAPES {
-                true => SHAPES - 1 - place,
-                false => place,
+            let other = if exchange.swapped && self.shapes.len() == SHAPES {
+                SHAPES - 1 - place
+            } else {
+                place
             };
             let value = Polynomial::symbol(Symbol::Named(self.shapes.get(other)?.clone()));
             Some(match exchange.turned.get(other) {
@@ -138,7 +140,7 @@ impl Seeds {
         }
     }
 
-    /// An exchange of parameters that makes the mirrored family the family itself.
+    /// A symmetry of the parameters that maps the mirrored family to the family itself.
     #[must_use]
     pub fn symmetry(&self) -> Option<Exchange> {
         let mirrored = self.mirrored();
@@ -151,7 +153,7 @@ impl Seeds {
     }
 }
 
-/// Both ends of an interval, if they are rational.
+/// The two ends of an interval, if both are rational.
 fn range(set: &Set) -> Option<(Rational, Rational)> {
     let Set::Real(interval) = set else {
         return None;
@@ -160,7 +162,7 @@ fn range(set: &Set) -> Option<(Rational, Rational)> {
     Some((end(&interval.lower)?, end(&interval.upper)?))
 }
 
-/// The polynomials with symbols replaced.
+/// Replaces symbols in polynomials.
 fn replaced(
     functions: &[Polynomial],
     image: &dyn Fn(&Symbol) -> Option<Polynomial>,

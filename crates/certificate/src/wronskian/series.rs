@@ -1,4 +1,4 @@
-//! Taylor series at 0, exactly.
+//! Exact Taylor series at 0.
 
 use super::operator::Term;
 use crate::polynomial::Polynomial;
@@ -6,7 +6,7 @@ use crate::symbol::Symbol;
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
-/// The Taylor coefficients at 0, polynomials in pi.
+/// The Taylor coefficients at 0, which are polynomials in pi.
 pub(super) fn taylor(terms: &[Term], length: usize) -> Vec<Polynomial> {
     let (sine, cosine) = (turn(length, 1), turn(length, 0));
     let mut total = vec![Polynomial::zero(); length];
@@ -14,7 +14,7 @@ pub(super) fn taylor(terms: &[Term], length: usize) -> Vec<Polynomial> {
         let mut series = vec![Polynomial::zero(); length];
         let start = usize::try_from(term.x).unwrap_or(length);
         if let Some(slot) = series.get_mut(start) {
-            // Later powers are beyond what is looked at.
+            // Higher powers are beyond the computed length.
             let pi = Polynomial::symbol(Symbol::Pi).power(term.pi);
             *slot = pi.scaled(&term.coefficient);
         }
@@ -30,7 +30,7 @@ pub(super) fn taylor(terms: &[Term], length: usize) -> Vec<Polynomial> {
     total
 }
 
-/// The series of `sin(pi/2*x)`, which has odd powers, or of the cosine.
+/// The series of `sin(pi/2*x)`, which has odd powers, or of the cosine, which has even ones.
 fn turn(length: usize, odd: usize) -> Vec<Polynomial> {
     let quarter = Polynomial::symbol(Symbol::Pi).scaled(&Rational::new(1.into(), 2.into()));
     let mut power = Polynomial::one();

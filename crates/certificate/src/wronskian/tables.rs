@@ -1,13 +1,15 @@
-//! From values at equidistant places to Bernstein coefficients, by way of Newton's forward differences.
+//! Conversion from values at equidistant places to Bernstein coefficients, through Newton's forward differences.
 //!
-//! A polynomial p of degree n is `sum of (difference m of p at 0) binom(t, m)`, m = 0..n, with differences of step one
-//! (Newton). So only subtractions, and one table of the Bernstein coefficients of binomial coefficients, are needed.
+//! A polynomial p of degree n is the sum of `(m-th difference of p at 0) binom(t, m)`, m = 0..n, with differences of
+//! step one (Newton). So only subtractions and one table of the Bernstein coefficients of binomial coefficients are
+//! needed.
 
 use num_traits::Zero;
 use torse_numbers::rational::integer;
 use torse_numbers::{Ball, Rational};
 
-/// The Bernstein coefficients of degree `degree` on [0, 1] of `binom(scale*t + shift, m)`, m = 0..degree: by coefficient, then by m.
+/// The Bernstein coefficients of degree `degree` on [0, 1] of `binom(scale*t + shift, m)`, m = 0..degree, indexed by
+/// coefficient, then by m.
 pub(super) fn newton(
     scale: &Rational,
     shift: &Rational,
@@ -35,7 +37,7 @@ pub(super) fn newton(
     (0..=degree).map(row).collect()
 }
 
-/// Bernstein coefficients raised to a degree: each step makes means of neighbours.
+/// Raises the degree of Bernstein coefficients; each step averages neighbours.
 fn raised(coefficients: &[Rational], degree: usize, bits: usize) -> Vec<Ball> {
     let mut own: Vec<Ball> = coefficients
         .iter()
@@ -57,7 +59,7 @@ fn raised(coefficients: &[Rational], degree: usize, bits: usize) -> Vec<Ball> {
     own
 }
 
-/// The forward differences at the first value, in place.
+/// Replaces values by their forward differences at the first value.
 pub(super) fn differences(values: &mut [Ball]) {
     for m in 1..values.len() {
         for i in (m..values.len()).rev() {
