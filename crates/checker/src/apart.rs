@@ -1,19 +1,19 @@
-//! Polynomials that differ from zero by their signs.
+//! Polynomials that are known to be nonzero by their signs.
 
 use super::gap::{CheckError, Unsupported, Wrong};
 use torse_certificate::polynomial::Polynomial;
 use torse_certificate::sign::Sign;
 
-/// What differs from zero by its sign.
+/// The polynomials that are nonzero by their signs.
 #[derive(Debug, Default)]
 pub(super) struct Apart {
     pub factors: Vec<Polynomial>,
-    /// Why a sign could not be followed.
+    /// Why a sign could not be checked.
     gap: Option<Unsupported>,
 }
 
 impl Apart {
-    /// Takes a polynomial whose sign was checked.
+    /// Adds a polynomial, given the result of checking its sign.
     pub fn take(
         &mut self,
         checked: Result<(), CheckError>,
@@ -28,7 +28,8 @@ impl Apart {
         Ok(())
     }
 
-    /// What is said of a divisor of which nothing that is known says that it does not vanish.
+    /// The error for a divisor that is not known to be nonzero: unsupported if some sign could not be checked, since
+    /// that sign might have covered it; otherwise wrong.
     pub fn may_vanish(&self, divisor: &Polynomial) -> CheckError {
         match &self.gap {
             Some(gap) => gap.clone().into(),

@@ -1,4 +1,4 @@
-//! Bernstein forms on pieces of a box, and boxes that are filled.
+//! Bernstein forms on pieces of a box, and whether pieces fill the box.
 
 use std::collections::{BTreeMap, BTreeSet};
 use torse_certificate::polynomial::{Monomial, Polynomial};
@@ -12,13 +12,14 @@ use torse_numbers::rational::integer;
 pub struct Sides {
     /// The bounded ones, and which of their ends belong to the domain.
     pub sides: Vec<(Symbol, bool, bool)>,
-    /// The unbounded ones, which are not negative.
+    /// The unbounded coordinates, which are nonnegative.
     pub rays: BTreeSet<Symbol>,
     /// Whether no unbounded coordinate is ever zero.
     pub open: bool,
 }
 
-/// Whether each face of the piece that belongs to the domain has a positive coefficient. Inside of the box all ends do.
+/// Whether each face of the piece that belongs to the domain has a positive coefficient. Ends of a piece inside of
+/// the box always belong to the domain.
 pub fn every_face(positive: &[&Vec<u32>], degrees: &[u32], bounds: &Sides, piece: &Piece) -> bool {
     let mut faces: Vec<Vec<Option<u32>>> = vec![vec![]];
     for ((side, degree), (low, high)) in bounds.sides.iter().zip(degrees).zip(&piece.region) {
@@ -44,8 +45,8 @@ pub fn every_face(positive: &[&Vec<u32>], degrees: &[u32], bounds: &Sides, piece
     })
 }
 
-/// The Bernstein coefficients by multi-index: a power t^e of degree d is the sum of `C(j,e)/C(d,e)` times the j-th Bernstein
-/// polynomial, side after side. Indices without an entry have the coefficient zero.
+/// The Bernstein coefficients by multi-index: a power t^e is, in degree d, the sum of `C(j,e)/C(d,e)` times the j-th
+/// Bernstein polynomial, and likewise in each coordinate. Missing indices have the coefficient zero.
 pub fn bernstein(
     polynomial: &Polynomial,
     sides: &[&Symbol],
@@ -88,7 +89,7 @@ fn binomial(n: u32, k: u32) -> Rational {
     (0..k.min(n)).map(factor).product()
 }
 
-/// The coefficients, made of pi and roots, by products of the other symbols.
+/// Collects the constant coefficients (made of pi and roots) of the products of the other symbols.
 pub fn by_rays(polynomial: &Polynomial) -> BTreeMap<Monomial, Polynomial> {
     let mut groups: BTreeMap<Monomial, Polynomial> = BTreeMap::new();
     for (monomial, coefficient) in polynomial.terms() {
@@ -108,9 +109,9 @@ pub fn fills(pieces: &[Piece], dimension: usize) -> bool {
         return pieces.len() == 1;
     }
     let inside = |piece: &Piece| {
-        let whole = piece.region.len() == dimension;
+        let has_all_sides = piece.region.len() == dimension;
         let side = |(a, b): &(Rational, Rational)| *a >= integer(0) && a < b && *b <= integer(1);
-        whole && piece.region.iter().all(side)
+        has_all_sides && piece.region.iter().all(side)
     };
     let apart = |p: &Piece, q: &Piece| {
         let mut sides = p.region.iter().zip(&q.region);

@@ -1,8 +1,9 @@
-//! That eliminated symbols have their values, and what is known to differ from zero.
+//! Checks that eliminated symbols have their values, and determines which polynomials are known to be nonzero.
 //!
-//! It is shown for those symbols alone that matter, in the reverse order of their elimination: an equation of the hypotheses,
-//! in which the symbols that were eliminated before have their values, is linear in the symbol; so it determines it where its
-//! coefficient is not zero. Several `given` equations determine as many symbols where their determinant is not zero.
+//! Only symbols that are used are checked, in the reverse order of their elimination. An equation of the hypotheses,
+//! in which the symbols that were eliminated earlier are replaced, is linear in the symbol; so it determines the
+//! symbol where its coefficient is nonzero. Several `given` equations determine as many symbols where their
+//! determinant is nonzero.
 
 use super::apart::Apart;
 use super::assumptions::{Compared, Domain, Met};
@@ -23,7 +24,7 @@ use torse_numbers::Integer;
 use torse_syntax::formula::Relation;
 
 impl Domain<'_> {
-    /// Shows that the eliminated symbols that were met have their values wherever the conditions do not vanish.
+    /// Checks that the eliminated symbols that were used have their values wherever the conditions do not vanish.
     pub fn justified(&self) -> Result<(), CheckError> {
         for place in (0..self.groups.len()).rev() {
             let Some(group) = self.groups.get(place) else {
@@ -37,7 +38,7 @@ impl Domain<'_> {
             let known = &hypotheses.all;
             let determined = match &group.by {
                 Determining::Given { places, nonzero } => {
-                    // Their places count all entries.
+                    // The equations are referred to by position among all entries.
                     if let Some(gap) = &hypotheses.gap_in_given {
                         return Err(gap.clone().into());
                     }
@@ -47,7 +48,7 @@ impl Domain<'_> {
                 Determining::Root(own) => self.by_root(place, own),
             };
             match (determined, hypotheses.gap.clone()) {
-                // The equation may be one that was not expanded.
+                // The equation may be one that could not be expanded.
                 (Err(CheckError::Wrong(Wrong::Eliminated(_))), Some(gap)) => return Err(gap.into()),
                 (determined, _) => determined?,
             }
@@ -55,7 +56,7 @@ impl Domain<'_> {
         Ok(())
     }
 
-    /// A symbol by one equation.
+    /// Checks a symbol that one equation determines.
     fn by_one(
         &self,
         place: usize,
@@ -108,7 +109,7 @@ impl Domain<'_> {
         Err(signed.may_vanish(&slope))
     }
 
-    /// Polynomials that differ from zero by their signs, where the symbols of the first groups have their values.
+    /// The polynomials that are nonzero by these signs, with the symbols of the first `groups` groups replaced.
     fn signed(&self, groups: usize, all: &[Signed<Polynomial>]) -> Result<Apart, CheckError> {
         let mut apart = Apart::default();
         for own in all {
@@ -118,21 +119,23 @@ impl Domain<'_> {
         Ok(apart)
     }
 
-    /// Checks what differs from zero by its sign where all eliminated symbols have their values; it counts from then on.
+    /// Checks polynomials that are nonzero by their signs where all eliminated symbols have their values; from then
+    /// on they are known to be nonzero.
     pub fn take_apart(
         &self,
         signs: &[Sign<Polynomial>],
         constraints: &[Constraint<Polynomial>],
     ) -> Result<(), CheckError> {
         for sign in signs {
-            // That a root is positive may rest on the sign before.
+            // That a root is positive may depend on the previous sign.
             let checked = Signs::new(self, constraints, self.groups.len())?.check(sign);
             self.apart.borrow_mut().take(checked, sign)?;
         }
         Ok(())
     }
 
-    /// Symbols by as many `given` equations: the values satisfy them, and the determinant is not zero.
+    /// Checks symbols that as many `given` equations determine: the values satisfy the equations, and the determinant
+    /// is nonzero.
     fn by_given(
         &self,
         level: usize,
@@ -157,9 +160,9 @@ impl Domain<'_> {
             let equation = given.get(*place).ok_or_else(wrong)?;
             self.note(&equation.met);
             let numerator = &equation.difference.above;
-            let put = |symbol: &Symbol| values.get(symbol).cloned();
-            let there = Quotient::from(numerator.clone()).replaced(&put, self.work)?;
-            if equation.relation != Relation::Equal || !there.is_zero(self.work)? {
+            let value_of = |symbol: &Symbol| values.get(symbol).cloned();
+            let substituted = Quotient::from(numerator.clone()).replaced(&value_of, self.work)?;
+            if equation.relation != Relation::Equal || !substituted.is_zero(self.work)? {
                 return Err(wrong());
             }
             let mut row = vec![];
@@ -169,7 +172,7 @@ impl Domain<'_> {
                     0 => (Polynomial::zero(), Polynomial::zero()),
                     _ => linear(numerator, &determined.symbol).ok_or_else(wrong)?,
                 };
-                // A slope with another of the symbols in it would be a product of two.
+                // A coefficient that contains another of the symbols would make the equation nonlinear.
                 let mut others = group.values.iter();
                 if others.any(|other| slope.degree_in(&other.symbol) > 0) {
                     return Err(wrong());
@@ -180,15 +183,17 @@ impl Domain<'_> {
         }
         let determinant = determinant(&rows, self.work)?.above;
         let signed = self.signed(level, nonzero)?;
-        match self.is_nonzero(&determinant, known, level, &signed.factors)? {
-            true => Ok(()),
-            false => Err(signed.may_vanish(&determinant)),
+        if self.is_nonzero(&determinant, known, level, &signed.factors)? {
+            Ok(())
+        } else {
+            Err(signed.may_vanish(&determinant))
         }
     }
 
-    /// Whether a polynomial is a product of what is known to differ from zero where the first groups have their values:
-    /// numbers, conditions, divisors of terms, what hypotheses say is not zero, symbols whose declared range does not
-    /// contain zero, integer forms that are zero at no integers, and these factors besides.
+    /// Whether a polynomial is a product of factors that are known to be nonzero, with the symbols of the first
+    /// `groups` groups replaced: constants, conditions, divisors of terms, quantities that hypotheses state to be
+    /// nonzero, symbols whose declared range does not contain zero, integer forms that vanish at no integers, and the
+    /// factors in `besides`.
     fn is_nonzero(
         &self,
         polynomial: &Polynomial,
@@ -200,7 +205,7 @@ impl Domain<'_> {
         if self.no_integers_solve(polynomial) || self.divides(polynomial, known, groups, besides)? {
             return Ok(true);
         }
-        // The statement says nothing where a term of its own has no value.
+        // The statement asserts nothing where one of its terms is undefined.
         for term in self.claim.statement.terms() {
             let expanded = self.expanding(groups, |expander| expander.value(term));
             if expanded == Err(Unsupported::Large) {
@@ -210,7 +215,8 @@ impl Domain<'_> {
         self.divides(polynomial, known, groups, besides)
     }
 
-    /// Whether a form in integers with integer coefficients has a constant that their greatest common divisor does not divide.
+    /// Whether the polynomial is an integer form whose constant is not divisible by the greatest common divisor of
+    /// its other coefficients, so that it vanishes at no integers.
     fn no_integers_solve(&self, polynomial: &Polynomial) -> bool {
         let (mut divisor, mut constant) = (Integer::ZERO, Integer::ZERO);
         for (monomial, coefficient) in polynomial.terms() {
@@ -248,29 +254,30 @@ impl Domain<'_> {
         let declared: Vec<Polynomial> = declared
             .map(|(name, _)| Polynomial::symbol(Symbol::Named(Arc::clone(name))))
             .collect();
-        // Where c + p = 0 with a number c that is not zero, p is not zero.
+        // If c + p = 0 with a nonzero constant c, then p is nonzero.
         let level = self.hypotheses(0);
         let equations = level.all.iter().filter(|c| c.relation == Relation::Equal);
         let implied: Vec<Polynomial> = equations
             .filter_map(|c| without_number(&c.difference.above))
             .collect();
         let apart = self.apart.borrow();
-        let apart = match groups == self.groups.len() {
-            true => apart.factors.as_slice(),
-            false => &[],
+        let apart = if groups == self.groups.len() {
+            apart.factors.as_slice()
+        } else {
+            &[]
         };
         let plain = self.conditions.iter().chain(&self.nonzero).chain(&declared);
         let plain = plain.chain(&implied).chain(apart).chain(besides);
-        // What a condition is where eliminated symbols have their values: it is not zero there either.
-        let mut there = vec![];
+        // A condition is also nonzero after eliminated symbols are replaced in it.
+        let mut replaced_conditions = vec![];
         for condition in self.conditions {
             let replaced = self.replaced(groups, condition)?;
-            there.push((replaced.difference.above, replaced.met));
+            replaced_conditions.push((replaced.difference.above, replaced.met));
         }
         let divisors = self.divisors.borrow();
         let mut factors: Vec<(&Polynomial, &Met)> = plain.map(|p| (p, &none)).collect();
         factors.extend(divisors.get(&groups).into_iter().flatten());
-        factors.extend(there.iter().map(|(p, met)| (p, met)));
+        factors.extend(replaced_conditions.iter().map(|(p, met)| (p, met)));
         factors.extend(differs.map(|c| (&c.difference.above, &c.met)));
         if polynomial.is_zero() {
             return Ok(false);
@@ -291,21 +298,21 @@ impl Domain<'_> {
                 rest = quotient;
             }
         }
-        // A nonzero polynomial in pi and roots is a number that is not zero.
+        // A nonzero polynomial in pi and roots is a nonzero constant.
         Ok(rest.is_number())
     }
 
-    /// What is said of a polynomial of the statement that may vanish for all that is known.
+    /// The error for a polynomial of the statement that is not known to be nonzero.
     pub fn may_vanish_here(&self, polynomial: &Polynomial) -> CheckError {
         self.apart.borrow().may_vanish(polynomial)
     }
 
-    /// Whether the denominator of a quotient of the proof is known to differ from zero.
+    /// Whether the denominator of a quotient of the proof is known to be nonzero.
     pub fn nonzero_here(&self, polynomial: &Polynomial) -> Result<bool, Unsupported> {
         self.nonzero_at(polynomial, self.groups.len())
     }
 
-    /// The same where the first groups have their values.
+    /// As [`Domain::nonzero_here`], with only the symbols of the first `groups` groups replaced.
     pub(super) fn nonzero_at(
         &self,
         polynomial: &Polynomial,
@@ -316,7 +323,7 @@ impl Domain<'_> {
     }
 }
 
-/// The greatest common divisor, up to its sign, by Euclid's algorithm.
+/// The greatest common divisor, up to sign, by Euclid's algorithm.
 fn common_divisor(mut a: Integer, mut b: Integer) -> Integer {
     while b != Integer::ZERO {
         (a, b) = (b.clone(), a % b);
@@ -324,7 +331,7 @@ fn common_divisor(mut a: Integer, mut b: Integer) -> Integer {
     a
 }
 
-/// Whether zero is in a declared set, as far as its ends tell.
+/// Whether a declared set may contain zero, as far as its bounds show.
 fn contains_zero(set: &Set) -> bool {
     match set {
         Set::Real(interval) => {
@@ -349,7 +356,8 @@ fn contains_zero(set: &Set) -> bool {
     }
 }
 
-/// `(rest, slope)` of a polynomial that is `slope*symbol + rest`, the symbol in neither, nor under a sine.
+/// Returns `(rest, slope)` of a polynomial `slope*symbol + rest` in which the symbol occurs neither in the two parts
+/// nor under a sine.
 fn linear(polynomial: &Polynomial, symbol: &Symbol) -> Option<(Polynomial, Polynomial)> {
     if inside(polynomial, symbol) {
         return None;
@@ -360,13 +368,15 @@ fn linear(polynomial: &Polynomial, symbol: &Symbol) -> Option<(Polynomial, Polyn
     }
 }
 
-/// Whether a symbol stands under a sine or cosine.
+/// Whether a symbol occurs under a sine or cosine.
 fn inside(polynomial: &Polynomial, symbol: &Symbol) -> bool {
-    let of = |own: &Symbol| own.variable().map(Symbol::named).as_ref() == Some(symbol);
-    polynomial.symbols().any(|own| own != symbol && of(own))
+    let depends = |own: &Symbol| own.variable().map(Symbol::named).as_ref() == Some(symbol);
+    polynomial
+        .symbols()
+        .any(|own| own != symbol && depends(own))
 }
 
-/// The polynomial without its number, if it has one that is not zero.
+/// The polynomial without its constant term, if it has a nonzero one.
 fn without_number(polynomial: &Polynomial) -> Option<Polynomial> {
     let number = polynomial
         .terms()

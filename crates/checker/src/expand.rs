@@ -1,4 +1,4 @@
-//! Core terms multiplied out, as `derivations/SEMANTICS.md` gives their meaning.
+//! Expands core terms, with the meaning that `derivations/SEMANTICS.md` defines.
 
 use super::gap::{Unsupported, Work};
 use super::integral;
@@ -15,29 +15,30 @@ use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::rational::integer;
 use torse_syntax::formula::Operator;
 
-/// The longest sum, the largest exponent and order, the highest degree above the seeds.
+/// The largest number of terms of a sum, the largest exponent and order; and the largest degree above the seeds.
 const MAX_STEPS: i64 = 64;
 const MAX_DEGREE: i64 = 24;
-/// How deep terms may nest.
+/// The largest nesting depth of terms.
 const MAX_DEPTH: u32 = 400;
 
-/// Expands terms. Symbols that have a value are replaced by it.
+/// Expands terms, replacing symbols by their values.
 pub struct Expander<'a> {
     pub(super) work: &'a Work,
     /// The values of symbols.
     values: &'a dyn Fn(&Symbol) -> Option<Quotient>,
-    /// What was divided by: no term has a value where one of these vanishes.
+    /// The divisors that occurred: where one of them vanishes, some term is undefined.
     pub divisors: RefCell<BTreeSet<Polynomial>>,
-    /// Whether the forms that are expanded are functions of the symbols that coefficients are asked for: unknowns of given
-    /// equations have their values, and no symbol has one by an assumption.
+    /// Whether `coefficients` may differentiate by its symbols: the expanded forms then are functions of these
+    /// symbols, because unknowns of given equations have been replaced by their values, and no symbol was replaced by
+    /// an assumption.
     pub sees_rates: &'a dyn Fn() -> bool,
     opened: RefCell<BTreeMap<usize, Value>>,
-    /// Derivatives of formulas in one variable, by formula and order.
+    /// Cached derivatives of formulas in one variable, by formula and order.
     rates: RefCell<BTreeMap<(usize, i64), Value>>,
     rows: RefCell<Vec<Row>>,
 }
 
-/// The functions of a family at a degree and arguments.
+/// The functions of a family at a degree and at arguments.
 struct Row {
     family: usize,
     degree: i64,
@@ -45,7 +46,7 @@ struct Row {
     functions: Vec<Quotient>,
 }
 
-/// The variables of enclosing binders.
+/// The variables of the enclosing binders.
 #[derive(Clone, Copy)]
 pub(super) struct Scope<'s> {
     bound: Option<(u32, &'s Value, &'s Scope<'s>)>,
@@ -67,22 +68,23 @@ impl<'s> Scope<'s> {
 
     fn get(&self, variable: u32) -> Option<&'s Value> {
         let (own, value, outer) = self.bound?;
-        match own == variable {
-            true => Some(value),
-            false => outer.get(variable),
+        if own == variable {
+            Some(value)
+        } else {
+            outer.get(variable)
         }
     }
 
     fn deeper(self) -> Result<Self, Unsupported> {
         let depth = self.depth + 1;
-        match depth > MAX_DEPTH {
-            true => Err(Unsupported::Large),
-            false => Ok(Self { depth, ..self }),
+        if depth > MAX_DEPTH {
+            return Err(Unsupported::Large);
         }
+        Ok(Self { depth, ..self })
     }
 }
 
-/// Whether a function is expanded by minors, which grow fast.
+/// Whether the function is expanded by minors, whose number grows fast.
 fn is_costly(function: BuiltIn) -> bool {
     matches!(
         function,
@@ -91,7 +93,7 @@ fn is_costly(function: BuiltIn) -> bool {
 }
 
 impl<'a> Expander<'a> {
-    /// An expander with these values of symbols.
+    /// An expander that replaces symbols by these values.
     pub fn new(work: &'a Work, values: &'a dyn Fn(&Symbol) -> Option<Quotient>) -> Self {
         Self {
             work,
@@ -104,7 +106,7 @@ impl<'a> Expander<'a> {
         }
     }
 
-    /// A closed term.
+    /// Expands a closed term.
     pub fn value(&self, term: &Term) -> Result<Value, Unsupported> {
         self.term(term, &Scope::OUTSIDE)
     }
@@ -113,7 +115,7 @@ impl<'a> Expander<'a> {
         self.term(term, scope)?.number()
     }
 
-    /// The fixed integer that a term is.
+    /// The value of a term that must be an integer constant.
     pub(super) fn integer(
         &self,
         term: &Term,
@@ -225,7 +227,7 @@ impl<'a> Expander<'a> {
                 high,
                 body,
             } => {
-                // No text can write the sign.
+                // No text can contain this character, so the name is new.
                 let own = Symbol::named(&format!("\u{222b}{}", variable.number()));
                 let symbol = Value::Number(Polynomial::symbol(own.clone()).into());
                 let body = self.term(body, &scope.with(variable.number(), &symbol))?;
@@ -253,19 +255,23 @@ impl<'a> Expander<'a> {
             }
             Node::Apply(function, arguments) => {
                 let apply = || self.apply(*function, arguments, scope);
-                match is_costly(*function) && term.is_closed() {
-                    true => self.once(term, apply),
-                    false => apply(),
+                if is_costly(*function) && term.is_closed() {
+                    self.once(term, apply)
+                } else {
+                    apply()
                 }
             }
-            Node::Opened { closed, body, .. } => match closed {
-                true => self.once(body, || self.term(body, scope)),
-                false => self.term(body, scope),
-            },
+            Node::Opened { closed, body, .. } => {
+                if *closed {
+                    self.once(body, || self.term(body, scope))
+                } else {
+                    self.term(body, scope)
+                }
+            }
         }
     }
 
-    /// The value of a closed term, expanded when it is met first.
+    /// Expands a closed term once and caches the result.
     fn once(
         &self,
         term: &Term,
@@ -280,7 +286,7 @@ impl<'a> Expander<'a> {
         Ok(value)
     }
 
-    /// A chain of operators to the left, without recursion.
+    /// Expands a chain of operators without recursion over the left operands.
     fn chain(&self, term: &Term, scope: &Scope<'_>) -> Result<Value, Unsupported> {
         let (mut rights, mut left) = (vec![], term);
         while let Node::Binary(operator, a, b) = &*left.node {
@@ -308,9 +314,10 @@ impl<'a> Expander<'a> {
                         .ok_or(Unsupported::Large)?;
                     let power = value.number()?.power(size, self.work)?;
                     let one = Quotient::number(integer(1));
-                    Value::Number(match exponent < 0 {
-                        true => self.over(&one, &power)?,
-                        false => power,
+                    Value::Number(if exponent < 0 {
+                        self.over(&one, &power)?
+                    } else {
+                        power
                     })
                 }
             };
@@ -318,7 +325,7 @@ impl<'a> Expander<'a> {
         Ok(value)
     }
 
-    /// A member of a family has no value outside of the declared ranges of its indices.
+    /// Expands a member of a family, which is undefined outside of the declared ranges of its indices.
     fn member(
         &self,
         points: &Points,
@@ -330,7 +337,8 @@ impl<'a> Expander<'a> {
         for (index, (low, high)) in indices.iter().zip(&points.ranges) {
             let (low, high) = match (self.form(low), self.form(high)) {
                 (Ok(low), Ok(high)) => (low, high),
-                // Outside of its range the statement would say nothing: it is proved there too.
+                // If the range is symbolic, the member is used outside of it as well: then more is proved than
+                // claimed.
                 (Err(Unsupported::Symbolic(_)), _) | (_, Err(Unsupported::Symbolic(_))) => continue,
                 (Err(gap), _) | (_, Err(gap)) => return Err(gap),
             };
@@ -351,7 +359,7 @@ impl<'a> Expander<'a> {
         })
     }
 
-    /// The fixed integer that an index form is.
+    /// The value of an index form that must be an integer constant.
     pub(super) fn form(&self, form: &Affine) -> Result<i64, Unsupported> {
         let mut total = form.constant();
         for (name, multiple) in form.multiples() {
@@ -367,7 +375,7 @@ impl<'a> Expander<'a> {
         Ok(total)
     }
 
-    /// Row by row from the seeds: `g[i,j+1] = a g[i,j] + b g[i-1,j]`.
+    /// Computes the functions row by row from the seeds: `g[i,j+1] = a g[i,j] + b g[i-1,j]`.
     pub(super) fn functions(
         &self,
         family: &Arc<Family>,
@@ -465,9 +473,14 @@ impl<'a> Expander<'a> {
         Ok(row)
     }
 
-    /// Entries are counted from 1.
-    fn entry(&self, of: &Term, indices: &[Term], scope: &Scope<'_>) -> Result<Value, Unsupported> {
-        let mut value = self.term(of, scope)?;
+    /// Expands an entry of a vector or matrix; indices begin at 1.
+    fn entry(
+        &self,
+        vector: &Term,
+        indices: &[Term],
+        scope: &Scope<'_>,
+    ) -> Result<Value, Unsupported> {
+        let mut value = self.term(vector, scope)?;
         for index in indices {
             let index = self.integer(index, "an index", scope)?;
             let Value::Many(items) = value else {
@@ -480,7 +493,8 @@ impl<'a> Expander<'a> {
         Ok(value)
     }
 
-    /// The body is expanded with a symbol of its own for the variable, differentiated by it, and only then gets the point.
+    /// Expands a derivative: the body is expanded with a new symbol for the variable, differentiated by that symbol,
+    /// and only then evaluated at the point.
     fn derivative(
         &self,
         variable: u32,
@@ -495,7 +509,7 @@ impl<'a> Expander<'a> {
         if order > MAX_STEPS {
             return Err(Unsupported::Large);
         }
-        // No text can write the sign.
+        // No text can contain this character, so the name is new.
         let own = Symbol::named(&format!("\u{2202}{variable}"));
         let rate = || {
             let symbol = Value::Number(Polynomial::symbol(own.clone()).into());
@@ -504,15 +518,16 @@ impl<'a> Expander<'a> {
                 value.each(&|x| x.derivative(&own, self.work))
             })
         };
-        let rate = match closed {
-            true => self.known_rate(body, order, rate)?,
-            false => rate()?,
+        let rate = if closed {
+            self.known_rate(body, order, rate)?
+        } else {
+            rate()?
         };
-        let put = |symbol: &Symbol| (*symbol == own).then(|| at.clone());
-        rate.each(&|x| x.replaced(&put, self.work))
+        let value_of = |symbol: &Symbol| (*symbol == own).then(|| at.clone());
+        rate.each(&|x| x.replaced(&value_of, self.work))
     }
 
-    /// The derivative of a body without other variables, which is differentiated when it is met first.
+    /// The derivative of a body without other variables, computed once and cached.
     fn known_rate(
         &self,
         body: &Term,

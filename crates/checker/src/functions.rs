@@ -11,7 +11,7 @@ use torse_core::{BuiltIn, Term};
 use torse_numbers::rational::integer;
 use torse_numbers::{Integer, Rational};
 
-/// The largest argument of a factorial, lower number of a binomial coefficient, and size of a matrix.
+/// The largest argument of a factorial and lower argument of a binomial coefficient; the largest size of a matrix.
 const MAX_FACTORIAL: i64 = 64;
 const MAX_SIZE: usize = 8;
 
@@ -92,7 +92,7 @@ impl Expander<'_> {
         })
     }
 
-    /// `n (n-1) ... (n-j+1) / j!`, 0 for a negative j.
+    /// `n (n-1) ... (n-j+1) / j!`; 0 for negative j.
     fn binomial(&self, n: &Quotient, j: i64) -> Result<Quotient, Unsupported> {
         if j > MAX_FACTORIAL {
             return Err(Unsupported::Large);
@@ -107,7 +107,7 @@ impl Expander<'_> {
         })
     }
 
-    /// The derivatives of forms by symbols in which they are linear.
+    /// The derivatives of forms by symbols in which the forms are linear.
     fn coefficients(&self, forms: &Value, unknowns: &Value) -> Result<Value, Unsupported> {
         let plain = |unknown: &Quotient| {
             let mut terms = unknown.above.terms();
@@ -148,7 +148,7 @@ impl Expander<'_> {
         Ok(Value::matrix(rows))
     }
 
-    /// The adjugate over the determinant.
+    /// The inverse: the adjugate divided by the determinant.
     fn inverse(&self, rows: &[Vec<Quotient>]) -> Result<Vec<Vec<Quotient>>, Unsupported> {
         let below = determinant(rows, self.work)?;
         let size = rows.len();
@@ -166,16 +166,18 @@ impl Expander<'_> {
     }
 }
 
-/// The rows of a square matrix that is not too large.
+/// The rows of a matrix, which must not be too large.
 fn sized(value: Value) -> Result<Vec<Vec<Quotient>>, Unsupported> {
     let rows = value.rows()?;
-    match rows.len() <= MAX_SIZE {
-        true => Ok(rows),
-        false => Err(Unsupported::Large),
+    if rows.len() <= MAX_SIZE {
+        Ok(rows)
+    } else {
+        Err(Unsupported::Large)
     }
 }
 
-/// The square root of a rational number that is not negative: `sqrt(p/q) = sqrt(p q)/q`, squares pulled out.
+/// The square root of a nonnegative rational number: `sqrt(p/q) = sqrt(p q)/q`, with square factors extracted.
+/// Independent of `semantics` on purpose: do not share.
 fn root(value: &Quotient) -> Result<Quotient, Unsupported> {
     let number = value.as_rational();
     let number = number.ok_or(Unsupported::Construct("a square root of a formula"))?;
@@ -200,8 +202,8 @@ fn root(value: &Quotient) -> Result<Quotient, Unsupported> {
             rest /= prime;
             exponent += 1;
         }
-        let whole = (0..exponent / 2).map(|_| integer(prime)).product();
-        result = result.scaled(&whole);
+        let extracted = (0..exponent / 2).map(|_| integer(prime)).product();
+        result = result.scaled(&extracted);
         if exponent % 2 == 1 {
             let prime = u32::try_from(prime).map_err(|_| Unsupported::Large)?;
             result = result.times(&Polynomial::symbol(Symbol::Root(prime)));

@@ -1,75 +1,75 @@
-//! Why a proof is not accepted: it is wrong, or the checker does not reach so far.
+//! Why a proof is not accepted: it is wrong, or it uses something that the checker does not support.
 
 use std::cell::Cell;
 use torse_certificate::polynomial::Polynomial;
 use torse_certificate::wronskian::Unfit;
 
-/// What the checker says of a proof that it does not accept.
+/// The result of checking a proof that is not accepted.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum CheckError {
-    /// The checker cannot follow it; nothing is said against the proof.
+    /// The checker does not support something in the proof, which may nevertheless be right.
     #[error("out of the checker's reach: {0}")]
     Unsupported(Unsupported),
-    /// It proves nothing.
+    /// The proof is wrong.
     #[error("the proof is wrong: {0}")]
     Wrong(Wrong),
 }
 
-/// What the checker cannot follow.
+/// What the checker does not support.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Unsupported {
-    /// An index, a degree or the bound of a sum is no fixed integer.
+    /// An index, a degree or the bound of a sum that is not an integer constant.
     #[error("{0} of symbolic size")]
     Symbolic(&'static str),
     /// A construct of the language, or a kind of proof.
     #[error("{0}")]
     Construct(&'static str),
-    /// The expansion is too long.
+    /// The expansion is too large.
     #[error("the expansion has too many terms")]
     Large,
-    /// A term has no value anywhere, or none at the point.
+    /// A term is undefined, everywhere or at the point.
     #[error("{0} has no value")]
     Undefined(&'static str),
     /// A symbol has no value at a point.
     #[error("the point has no value for {0}")]
     NoValue(String),
-    /// The sign of a number is not told by enclosures.
-    #[error("two numbers are too near to each other")]
+    /// The enclosures are too wide to determine the sign of a constant.
+    #[error("two numbers are too close to each other")]
     Near,
-    /// A divisor of an elimination is known not to vanish by reasons that the proof does not carry.
-    #[error("that {0} does not vanish was seen before the elimination")]
+    /// A divisor of an elimination is nonzero for reasons that the proof does not contain.
+    #[error("that {0} is nonzero is known only from before the elimination")]
     Divisor(String),
 }
 
 /// What is wrong with a proof.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Wrong {
-    /// The proof is of another kind than the statement.
+    /// The kind of the proof does not match the statement.
     #[error("the proof is of another kind than the statement")]
     Kind,
     /// The sides differ.
-    #[error("the difference of the sides, multiplied out, has {0} terms")]
+    #[error("the difference of the sides, expanded, has {0} terms")]
     Differs(usize),
-    /// What a combination calls an equation is none of the hypotheses.
-    #[error("an equation of the combination is no hypothesis")]
+    /// An equation of a combination is not among the hypotheses.
+    #[error("an equation of the combination is not a hypothesis")]
     NoEquation,
-    /// No equation of the hypotheses gives a symbol its value.
+    /// No hypothesis determines the value of an eliminated symbol.
     #[error("no equation gives {0} its value")]
     Eliminated(String),
     /// A divisor may vanish.
-    #[error("nothing says that {0} does not vanish")]
+    #[error("{0} is not known to be nonzero")]
     Divisor(String),
-    /// What is used as a constraint is none of the hypotheses.
-    #[error("{0} is no hypothesis")]
+    /// A constraint is not among the hypotheses.
+    #[error("{0} is not a hypothesis")]
     Constraint(String),
-    /// The parts of a certificate do not make up its polynomial.
+    /// The parts of a certificate do not add up to its polynomial.
     #[error("the parts of a certificate do not make up its polynomial")]
     Equation,
     /// A part of a certificate may be negative.
     #[error("a part of a certificate may be negative")]
     Negative,
     /// A coordinate does not enclose the range of its symbol.
-    #[error("{0} leaves its coordinate")]
+    #[error("the coordinate of {0} does not enclose its range")]
     Coordinate(String),
     /// The pieces do not fill the box.
     #[error("the {0} pieces do not fill the box")]
@@ -77,28 +77,28 @@ pub enum Wrong {
     /// A coefficient has the wrong sign.
     #[error("a coefficient on piece {0} has the wrong sign")]
     Coefficient(usize),
-    /// Zero is not excluded where it has to be.
+    /// Zero is not excluded where it must be.
     #[error("zero is not excluded")]
     Zero,
     /// The signs are not those of the difference.
     #[error("the signs are not those of the difference")]
     Sign,
-    /// A printed number does not agree as it is said to.
-    #[error("printed number {0} does not agree so")]
+    /// A printed number does not agree in the stated way.
+    #[error("printed number {0} does not agree in the stated way")]
     Printed(usize),
-    /// A counterexample is no point of the domain.
+    /// A counterexample is not a point of the domain.
     #[error("the point is outside of the domain")]
     Outside,
     /// The statement is not false at a counterexample.
     #[error("the statement is not false at the point")]
     Stands,
-    /// The sides are not what the counterexample says.
+    /// The sides do not have the values that the counterexample states.
     #[error("the sides have other values at the point")]
     Sides,
-    /// Total positivity is not shown.
+    /// Total positivity was not shown.
     #[error("total positivity is not shown: {0}")]
     Wronskians(Unfit),
-    /// The instances are not all there are.
+    /// Some instances are missing.
     #[error("an instance is missing")]
     Instances,
 }
@@ -115,18 +115,18 @@ impl From<Wrong> for CheckError {
     }
 }
 
-/// Products of terms that may still be formed: work is counted, not time.
+/// A budget of products of terms; work is counted, not timed.
 #[derive(Debug)]
 pub struct Work(Cell<u64>);
 
 impl Work {
-    /// So many.
+    /// A budget of this many products.
     #[must_use]
     pub fn new(products: u64) -> Self {
         Self(Cell::new(products))
     }
 
-    /// Spends some.
+    /// Spends this many products.
     pub(crate) fn spend(&self, products: usize) -> Result<(), Unsupported> {
         let products = u64::try_from(products).unwrap_or(u64::MAX);
         let left = self

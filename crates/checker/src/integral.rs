@@ -1,13 +1,14 @@
-//! Integrals of what is a polynomial in the variable and in the sine and cosine of one part of it.
+//! Integrals of functions that are polynomials in the variable and in the sine and cosine of one fraction of it.
 //!
-//! The antiderivative is written down by rules, without any search, and then **differentiated**: only if that gives the integrand
-//! back, as quotients, its difference at the ends is the integral (the fundamental theorem; the integrand is continuous, for nothing
-//! in its denominator changes). The rules, with s and c for sine and cosine of the angle w x, of which s has degree one at most:
+//! An antiderivative is constructed by rules, without search, and then **differentiated**. Only if the derivative
+//! equals the integrand, as quotients, is the difference of the antiderivative at the limits the integral
+//! (fundamental theorem; the integrand is continuous, because its denominator does not depend on the variable). The
+//! rules, with s and c for sine and cosine of the angle w x, where s has degree at most one:
 //!
-//! * `x^j` has `x^(j+1)/(j+1)`;
+//! * `x^j` has the antiderivative `x^(j+1)/(j+1)`;
 //! * `s c^b` has `-c^(b+1)/(w (b+1))`;
-//! * `c^b` has `s c^(b-1)/(w b) + (b-1)/b C`, where C is that of `c^(b-2)`;
-//! * `x^j g` has `x^j G - j H`, where G is that of g, and H that of `x^(j-1) G`.
+//! * `c^b` has `s c^(b-1)/(w b) + (b-1)/b C`, where C is the antiderivative of `c^(b-2)`;
+//! * `x^j g` has `x^j G - j H`, where G is the antiderivative of g, and H that of `x^(j-1) G`.
 
 use super::gap::{Unsupported, Work};
 use super::quotient::{Quotient, rate};
@@ -16,25 +17,28 @@ use torse_certificate::symbol::{Angle, Symbol};
 use torse_numbers::Rational;
 use torse_numbers::rational::integer;
 
-/// The highest powers.
+/// The largest power.
 const MAX_POWER: u32 = 64;
 
-/// The integral of a function of the variable between two ends.
+/// The integral of a function of the variable between two limits.
 pub fn between(
     function: &Quotient,
     variable: &Symbol,
     [low, high]: &[Quotient; 2],
     work: &Work,
 ) -> Result<Quotient, Unsupported> {
-    let whole = antiderivative(function, variable, work)?;
-    if !whole.derivative(variable, work)?.equals(function, work)? {
+    let primitive = antiderivative(function, variable, work)?;
+    if !primitive
+        .derivative(variable, work)?
+        .equals(function, work)?
+    {
         return Err(Unsupported::Construct(
             "an integral without such an antiderivative",
         ));
     }
     let at = |end: &Quotient| {
-        let put = |symbol: &Symbol| (symbol == variable).then(|| end.clone());
-        whole.replaced(&put, work)
+        let value_of = |symbol: &Symbol| (symbol == variable).then(|| end.clone());
+        primitive.replaced(&value_of, work)
     };
     at(high)?.minus(&at(low)?, work)
 }
@@ -43,7 +47,7 @@ fn changes(p: &Polynomial, variable: &Symbol) -> bool {
     p.symbols().any(|s| s.variable() == variable.variable())
 }
 
-/// What has this derivative.
+/// A candidate for the antiderivative.
 fn antiderivative(
     function: &Quotient,
     variable: &Symbol,
@@ -85,19 +89,19 @@ fn antiderivative(
         let x = Quotient::from(Polynomial::symbol(variable.clone()));
         let part = match angle {
             None => {
-                let whole = x.power(power + 1, work)?;
-                whole.times(&fraction(1, power + 1), work)?
+                let term = x.power(power + 1, work)?;
+                term.times(&fraction(1, power + 1), work)?
             }
             Some(angle) => {
                 let turn = Turn::new(variable, angle);
-                let whole = turn.antiderivative(sine, cosine, work)?;
+                let term = turn.antiderivative(sine, cosine, work)?;
                 match power {
-                    0 => whole,
+                    0 => term,
                     _ => {
-                        let inner = x.power(power - 1, work)?.times(&whole, work)?;
+                        let inner = x.power(power - 1, work)?.times(&term, work)?;
                         let inner = antiderivative(&inner, variable, work)?;
                         let inner = inner.times(&fraction(power, 1), work)?;
-                        let outer = x.power(power, work)?.times(&whole, work)?;
+                        let outer = x.power(power, work)?.times(&term, work)?;
                         outer.minus(&inner, work)?
                     }
                 }
@@ -117,7 +121,7 @@ fn fraction(above: u32, below: u32) -> Quotient {
     Quotient::number(number)
 }
 
-/// The sine and cosine of a part of the variable.
+/// The sine and cosine of a fraction of the variable.
 struct Turn {
     variable: Quotient,
     sine: Quotient,
@@ -137,7 +141,7 @@ impl Turn {
         }
     }
 
-    /// What `s^a c^b` is the derivative of, for a up to 1.
+    /// The antiderivative of `s^a c^b`, for a up to 1.
     fn antiderivative(&self, a: u32, b: u32, work: &Work) -> Result<Quotient, Unsupported> {
         let over = |value: Quotient, n: u32| {
             let below = self.rate.times(&fraction(n, 1), work)?;

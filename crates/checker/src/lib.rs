@@ -1,9 +1,9 @@
-//! The checker: it goes through a proof, and never looks for one.
+//! The checker: it checks proofs, and never searches for one.
 //!
-//! A proof is checked against the *core claim*, with polynomials that are plain maps and nothing of the prover. The tree of
-//! the proof has to follow that of the statement; at its leaves the terms are multiplied out as they stand. What does not
-//! come out is [`Wrong`]; what the checker does not know, as series of symbolic degree, is [`Unsupported`], which says
-//! nothing against the proof.
+//! A proof is checked against the *core claim*, with plain polynomials and without any code of the prover. The tree
+//! of the proof must follow the structure of the statement; at its leaves the terms are expanded as they stand. A
+//! step that fails is [`Wrong`]. A step that the checker does not know, such as a series of symbolic degree, is
+//! [`Unsupported`], which is no evidence against the proof.
 
 mod apart;
 mod assumptions;
@@ -40,15 +40,15 @@ use torse_core::{Claim, Hypothesis, Set, Source, Statement, stack};
 use torse_syntax::derivation::Origin;
 use torse_syntax::formula::Connective;
 
-/// The products of terms that one claim may take.
+/// The largest number of products of terms for one claim.
 pub const WORK: u64 = 400_000;
-/// The most instances.
+/// The largest number of instances.
 const MAX_INSTANCES: usize = 400;
 
 /// Checks a proof of the statement of a claim, under the conditions that these polynomials do not vanish.
 ///
 /// # Errors
-/// [`CheckError`]: the proof is wrong, or beyond the checker.
+/// [`CheckError`] if the proof is wrong, or not supported.
 pub fn proves(
     claim: &Claim,
     origin: &Origin,
@@ -71,7 +71,7 @@ pub fn proves(
 /// Checks a refutation of the statement of a claim.
 ///
 /// # Errors
-/// [`CheckError`]: it refutes nothing, or is beyond the checker.
+/// [`CheckError`] if it refutes nothing, or is not supported.
 pub fn refutes(
     claim: &Claim,
     origin: &Origin,
@@ -90,7 +90,7 @@ pub fn refutes(
     stack::deep(|| check.refutation(&with_roots(claim, origin)?, refuted, &BTreeMap::new()))
 }
 
-/// The claim with symbols for its roots, and what they are: what a proof is about.
+/// The claim with roots replaced by symbols, and the hypotheses that define them; proofs are about this claim.
 fn with_roots(claim: &Claim, origin: &Origin) -> Result<Claim, CheckError> {
     let rooted = claim.rooted(origin);
     rooted.map_err(|_| Unsupported::Construct("such a root").into())
@@ -100,20 +100,21 @@ fn has_exponential(p: &Polynomial) -> bool {
     p.symbols().any(|s| matches!(s, Symbol::Exponential(_)))
 }
 
-/// Of exponentials the checker knows neither ranges nor order.
+/// Refuses exponentials, because the checker knows neither their ranges nor their order.
 fn without(exponential: &Cell<bool>) -> Result<(), CheckError> {
-    match exponential.get() {
-        true => Err(Unsupported::Construct("an exponential").into()),
-        false => Ok(()),
+    if exponential.get() {
+        return Err(Unsupported::Construct("an exponential").into());
     }
+    Ok(())
 }
 
 struct Check<'a> {
-    /// Where the statement is written.
+    /// The origin of the statement.
     origin: &'a Origin,
-    /// What is not zero: the conditions of the verdict, and the pivots of the splits on whose other side the proof is.
+    /// Polynomials that are nonzero: the conditions of the verdict, and the pivots of the case splits in whose
+    /// nonzero case the proof is.
     conditions: &'a [Polynomial],
-    /// What is zero: the pivots of the splits on whose side the proof is.
+    /// Polynomials that are zero: the pivots of the case splits in whose zero case the proof is.
     zeros: &'a [Polynomial],
     work: &'a Work,
 }
@@ -159,9 +160,11 @@ impl Check<'_> {
                 Statement::Join(Connective::Implies, premise, conclusion),
                 Proof::Conclusion(proof),
             ) => {
-                let mut there = stating(claim, conclusion);
-                there.hypotheses.push(self.assumed((**premise).clone()));
-                self.proof(&there, proof, integers)
+                let mut restricted = stating(claim, conclusion);
+                restricted
+                    .hypotheses
+                    .push(self.assumed((**premise).clone()));
+                self.proof(&restricted, proof, integers)
             }
             (_, Proof::Instances(instances)) => self.instances(claim, instances, integers),
             (_, Proof::On(ground)) if matches!(ground.proof, Proof::Nowhere(_)) => {
@@ -178,14 +181,14 @@ impl Check<'_> {
                 }
             }
             (_, Proof::Defined(proof)) => {
-                // The conditions have to follow from the definedness of the terms.
+                // The conditions must follow from the definedness of the terms.
                 let check = Check {
                     conditions: &[],
                     ..*self
                 };
                 check.proof(claim, proof, integers)
             }
-            // A number is zero, or it is not.
+            // A constant is either zero or nonzero.
             (_, Proof::Split(split)) => {
                 let with = |all: &[Polynomial]| [all, std::slice::from_ref(&split.pivot)].concat();
                 let (conditions, zeros) = (with(self.conditions), with(self.zeros));
@@ -202,7 +205,7 @@ impl Check<'_> {
                         nonzero.proof(claim, &split.nonzero, integers)?;
                         zero.proof(claim, proof, integers)
                     }
-                    // That it is not zero is a condition of the verdict.
+                    // That the pivot is nonzero is a condition of the verdict.
                     Zero::Fails(refuted) => {
                         self.proof(claim, &split.nonzero, integers)?;
                         match self.refutation(claim, refuted, integers) {
@@ -227,7 +230,8 @@ impl Check<'_> {
         }
     }
 
-    /// All values of the integers, each with a proof. An instance whose integers are out of their ranges needs none.
+    /// Checks that every combination of values of the integers has a proof. Combinations outside of the declared
+    /// ranges need none.
     fn instances(
         &self,
         claim: &Claim,
@@ -241,12 +245,12 @@ impl Check<'_> {
             return Err(Wrong::Instances.into());
         }
         for instance in instances.iter().filter(|one| all.contains(&one.integers)) {
-            let mut there = integers.clone();
-            there.extend(instance.integers.clone());
+            let mut chosen = integers.clone();
+            chosen.extend(instance.integers.clone());
             match &instance.proof {
-                // A term that has no value anywhere makes the statement say nothing.
+                // If a term is undefined everywhere, the statement asserts nothing.
                 Proof::Nowhere(Emptiness::Undefined(_)) => {
-                    let undefined = Domain::new(claim, (&[], &[]), None, &there, self.work);
+                    let undefined = Domain::new(claim, (&[], &[]), None, &chosen, self.work);
                     let mut terms = claim.statement.terms().into_iter();
                     let gap = |term| match undefined.entries(term) {
                         Err(Unsupported::Undefined(_)) => Some(()),
@@ -255,7 +259,7 @@ impl Check<'_> {
                     let beyond = Unsupported::Construct("a statement that says nothing");
                     terms.find_map(gap).ok_or(beyond)?;
                 }
-                proof => self.proof(claim, proof, &there)?,
+                proof => self.proof(claim, proof, &chosen)?,
             }
         }
         Ok(())
@@ -277,9 +281,9 @@ impl Check<'_> {
                 integers: chosen,
                 refuted,
             } => {
-                let mut there = integers.clone();
-                there.extend(chosen.clone());
-                self.refutation(claim, refuted, &there)
+                let mut all_chosen = integers.clone();
+                all_chosen.extend(chosen.clone());
+                self.refutation(claim, refuted, &all_chosen)
             }
             Refuted::Denied { proof, anywhere } => {
                 let Statement::Not(inner) = &claim.statement else {
@@ -291,10 +295,10 @@ impl Check<'_> {
                     ..*self
                 };
                 check.proof(&denied, proof, integers)?;
-                let mut there = integers.clone();
+                let mut all_chosen = integers.clone();
                 let chosen = anywhere.integers().into_iter();
-                there.extend(chosen.map(|(name, value)| (name.to_owned(), value)));
-                let at = At::new(&denied, &there, anywhere.counterexample(), self.work)?;
+                all_chosen.extend(chosen.map(|(name, value)| (name.to_owned(), value)));
+                let at = At::new(&denied, &all_chosen, anywhere.counterexample(), self.work)?;
                 at.in_domain()?;
                 Ok(at.defined(inner)?)
             }
@@ -302,7 +306,8 @@ impl Check<'_> {
     }
 }
 
-/// Polynomials that never vanish by their signs. No elimination is used here, for these say why eliminations are right.
+/// Checks polynomials that never vanish by their signs. No elimination is used, because these signs justify
+/// eliminations.
 fn nonzero(domain: &Domain<'_>, signs: &[Sign<Polynomial>]) -> Result<Vec<Polynomial>, CheckError> {
     if signs.is_empty() {
         return Ok(vec![]);
@@ -325,7 +330,7 @@ fn stating(claim: &Claim, statement: &Statement) -> Claim {
     }
 }
 
-/// What `or` joins, from the left.
+/// The parts that `or` joins, from the left.
 fn alternatives(statement: &Statement) -> Vec<&Statement> {
     match statement {
         Statement::Join(Connective::Or, a, b) => [alternatives(a), alternatives(b)].concat(),
@@ -333,7 +338,7 @@ fn alternatives(statement: &Statement) -> Vec<&Statement> {
     }
 }
 
-/// All values of these integers in their ranges, which may name one another.
+/// All combinations of values of these integers in their ranges, which may refer to one another.
 fn assignments(
     claim: &Claim,
     names: &[String],
@@ -342,7 +347,7 @@ fn assignments(
     let mut all = vec![Integers::new()];
     let mut left: Vec<&String> = names.iter().collect();
     while !left.is_empty() {
-        // One whose range names none that is left.
+        // Find an integer whose range refers to none of the remaining ones.
         let ready = left.iter().position(|name| {
             bounds(claim, name).is_some_and(|forms| {
                 let mut named = forms.iter().flat_map(|form| form.multiples());
@@ -385,7 +390,7 @@ fn assignments(
     Ok(all)
 }
 
-/// Both ends of an integer.
+/// The two bounds of an integer, if it has both.
 fn bounds<'c>(claim: &'c Claim, name: &str) -> Option<[&'c torse_numbers::Affine; 2]> {
     match claim.symbols.get(name)? {
         Set::Integer { least, most } => Some([least.as_ref()?, most.as_ref()?]),

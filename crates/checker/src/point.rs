@@ -1,4 +1,4 @@
-//! Counterexamples put in: into every declared set, every hypothesis, and the statement.
+//! Checks counterexamples: substitutes them in every declared set, every hypothesis, and the statement.
 
 use super::expand::Expander;
 use super::gap::{CheckError, Unsupported, Work, Wrong};
@@ -24,7 +24,7 @@ pub struct At<'a> {
 }
 
 impl<'a> At<'a> {
-    /// The point of a counterexample, with chosen integers.
+    /// The point of a counterexample, with the chosen integers.
     pub fn new(
         claim: &'a core::Claim,
         integers: &BTreeMap<String, i64>,
@@ -49,9 +49,10 @@ impl<'a> At<'a> {
         })
     }
 
-    /// The values of terms, one after the other.
+    /// The values of terms.
     fn values(&self, terms: &[&core::Term]) -> Result<Vec<Value>, Unsupported> {
-        // Coefficients of forms are rates, which the values of a point do not tell: there they are put in afterwards.
+        // Coefficients of forms are derivatives, which the values at a point do not determine; so for them the point
+        // is substituted after expanding.
         let rates = |term: &&core::Term| term.applies(BuiltIn::Coefficients);
         let later = self.claim.unknowns.is_empty() && terms.iter().any(rates);
         let integer = |symbol: &Symbol| match symbol {
@@ -72,18 +73,18 @@ impl<'a> At<'a> {
         if !later {
             return Ok(values);
         }
-        let put = |symbol: &Symbol| self.values.get(symbol).cloned();
-        let there = |value: &Value| value.each(&|x| x.replaced(&put, self.work));
-        values.iter().map(there).collect()
+        let value_of = |symbol: &Symbol| self.values.get(symbol).cloned();
+        let substituted = |value: &Value| value.each(&|x| x.replaced(&value_of, self.work));
+        values.iter().map(substituted).collect()
     }
 
-    /// The fixed integer that an index form is here.
+    /// The integer value of an index form at the point.
     fn form(&self, form: &torse_numbers::Affine) -> Result<i64, Unsupported> {
         let value = |symbol: &Symbol| self.values.get(symbol).cloned();
         Expander::new(self.work, &value).form(form)
     }
 
-    /// How a number compares with zero.
+    /// The sign of a number.
     fn order(&self, number: &Quotient) -> Result<Ordering, Unsupported> {
         let below = number.denominator(self.work)?;
         for part in [&number.above, &below] {
@@ -115,7 +116,8 @@ impl<'a> At<'a> {
         }
     }
 
-    /// Whether a statement without denials is true here; every part is looked at, for an undefined one makes the whole so.
+    /// Whether a statement without `fails` is true here. Every part is evaluated, because an undefined part makes the
+    /// whole undefined.
     pub fn truth(&self, statement: &Statement) -> Result<bool, Unsupported> {
         match statement {
             Statement::Compare {
@@ -159,7 +161,7 @@ impl<'a> At<'a> {
         Ok(numbers.cloned().collect())
     }
 
-    /// Whether the point satisfies every hypothesis, and its numbers are in their declared sets.
+    /// Checks that the point satisfies every hypothesis, and that its numbers are in their declared sets.
     pub fn in_domain(&self) -> Result<(), CheckError> {
         for (name, set) in &self.claim.symbols {
             let symbol = Symbol::Named(Arc::clone(name));
@@ -174,14 +176,14 @@ impl<'a> At<'a> {
                     return Err(Wrong::Outside.into());
                 }
             }
-            let whole = value.as_rational().is_some_and(|q| q.is_integer());
-            if matches!(set, Set::Integer { .. }) && !whole {
+            let is_integer = value.as_rational().is_some_and(|q| q.is_integer());
+            if matches!(set, Set::Integer { .. }) && !is_integer {
                 return Err(Wrong::Outside.into());
             }
         }
         for hypothesis in &self.claim.hypotheses {
             let holds = match &hypothesis.statement {
-                // At a point a denied comparison is the opposite one.
+                // At a point, a negated comparison is the opposite comparison.
                 Statement::Not(inner) if matches!(**inner, Statement::Compare { .. }) => {
                     !self.truth(inner)?
                 }
@@ -203,16 +205,18 @@ impl<'a> At<'a> {
                     Quotient::from(turns.plus(&Polynomial::constant(c.rational.clone())))
                 };
                 if let Some(bound) = &interval.lower {
-                    let relation = match bound.closed {
-                        true => Relation::AtLeast,
-                        false => Relation::Greater,
+                    let relation = if bound.closed {
+                        Relation::AtLeast
+                    } else {
+                        Relation::Greater
                     };
                     all.push((constant(&bound.value), relation));
                 }
                 if let Some(bound) = &interval.upper {
-                    let relation = match bound.closed {
-                        true => Relation::AtMost,
-                        false => Relation::Less,
+                    let relation = if bound.closed {
+                        Relation::AtMost
+                    } else {
+                        Relation::Less
                     };
                     all.push((constant(&bound.value), relation));
                 }
@@ -229,7 +233,7 @@ impl<'a> At<'a> {
         Ok(all)
     }
 
-    /// Whether the statement is false here, as the counterexample says.
+    /// Checks that the statement is false here, in the way that the counterexample states.
     pub fn refutes(&self, point: &Counterexample<Polynomial>) -> Result<(), CheckError> {
         let statement = &self.claim.statement;
         match &point.failure {
@@ -240,9 +244,10 @@ impl<'a> At<'a> {
                 if self.truth(statement)? {
                     return Err(Wrong::Stands.into());
                 }
-                match self.has_sides(statement, left, right)? {
-                    true => Ok(()),
-                    false => Err(Wrong::Sides.into()),
+                if self.has_sides(statement, left, right)? {
+                    Ok(())
+                } else {
+                    Err(Wrong::Sides.into())
                 }
             }
             Failure::Printed(enclosure) => {
@@ -264,7 +269,7 @@ impl<'a> At<'a> {
         }
     }
 
-    /// Whether a comparison of the statement that is false here has these sides.
+    /// Whether some comparison of the statement that is false here has these sides.
     fn has_sides(
         &self,
         statement: &Statement,
@@ -304,7 +309,7 @@ impl<'a> At<'a> {
         }
     }
 
-    /// Whether every term of a statement has a value here.
+    /// Checks that every term of a statement has a value here.
     pub fn defined(&self, statement: &Statement) -> Result<(), Unsupported> {
         for term in statement.terms() {
             for entry in self.entries(term)? {

@@ -1,4 +1,4 @@
-//! Printed decimals: what rounds to them, and what is cut off there.
+//! Printed decimals: whether a value rounds, or is truncated, to a printed number.
 
 use super::gap::{Unsupported, Work};
 use super::quotient::Quotient;
@@ -10,11 +10,11 @@ use torse_core::Printed;
 use torse_numbers::rational::integer;
 use torse_numbers::{Integer, Rational};
 
-/// The most decimals.
+/// The largest number of decimals.
 const MAX_DIGITS: u32 = 2_000;
 
-/// How each value agrees with its number. A number without a point among decimals has as many digits as the decimal that
-/// has the fewest; alone it is exact.
+/// How each value agrees with its printed number; `None` if it does not. An integer among decimals has as many digits
+/// as the decimal with the fewest digits; integers alone are exact.
 pub fn agreements(
     values: &[Quotient],
     printed: &[Printed],
@@ -65,10 +65,7 @@ fn agreement(
     if compare(&gap, &half)?.is_le() && compare(&gap.negated(), &half)?.is_le() {
         return Ok(Some(Agreement::Rounded));
     }
-    let outward = match printed.negative {
-        true => gap.negated(),
-        false => gap,
-    };
+    let outward = if printed.negative { gap.negated() } else { gap };
     let cut = compare(&outward, &integer(0))?.is_ge() && compare(&outward, &unit)?.is_lt();
     Ok(cut.then_some(Agreement::CutOff))
 }

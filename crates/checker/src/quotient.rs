@@ -1,4 +1,4 @@
-//! Quotients of polynomials: a numerator over powers of polynomials that were divided by, never cancelled.
+//! Quotients of polynomials: a numerator over powers of the divisors, never cancelled.
 
 use super::gap::{Unsupported, Work};
 use super::turn;
@@ -10,12 +10,12 @@ use torse_certificate::symbol::{Symbol, Unit};
 use torse_numbers::Rational;
 use torse_numbers::rational::{integer, ratio};
 
-/// `above / (factor^exponent * ...)`; the factors have leading coefficient one and are no rational numbers.
+/// `above / (factor^exponent * ...)`; the factors are monic and not constant.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Quotient {
     /// The numerator.
     pub above: Polynomial,
-    /// The factors of the denominator.
+    /// The factors of the denominator with their exponents.
     pub below: BTreeMap<Polynomial, u32>,
 }
 
@@ -34,11 +34,12 @@ impl Quotient {
         Polynomial::constant(value).into()
     }
 
-    /// The rational number, if it is one.
+    /// The rational value, if the quotient is constant.
     pub fn as_rational(&self) -> Option<Rational> {
-        match self.below.is_empty() || self.above.is_zero() {
-            true => self.above.as_constant(),
-            false => None,
+        if self.below.is_empty() || self.above.is_zero() {
+            self.above.as_constant()
+        } else {
+            None
         }
     }
 
@@ -49,7 +50,7 @@ impl Quotient {
         }
     }
 
-    /// The factors with these exponents multiplied out.
+    /// The product of the factors with their exponents.
     fn product(
         factors: &BTreeMap<Polynomial, u32>,
         work: &Work,
@@ -63,7 +64,7 @@ impl Quotient {
         Ok(product)
     }
 
-    /// The denominator multiplied out.
+    /// The denominator as a polynomial.
     pub fn denominator(&self, work: &Work) -> Result<Polynomial, Unsupported> {
         Self::product(&self.below, work)
     }
@@ -97,7 +98,7 @@ impl Quotient {
         Ok(Self { above, below })
     }
 
-    /// Adds another one in place.
+    /// Adds another quotient in place.
     fn add(&mut self, other: &Self, work: &Work) -> Result<(), Unsupported> {
         if self.below == other.below {
             self.above.add(&other.above);
@@ -123,7 +124,7 @@ impl Quotient {
         Ok(Self { above, below })
     }
 
-    /// Sine and cosine of an angle without a denominator.
+    /// Sine and cosine of a polynomial angle.
     pub fn sine_cosine(&self, work: &Work) -> Result<(Self, Self), Unsupported> {
         if !self.below.is_empty() {
             return Err(turn::STRANGE);
@@ -153,25 +154,25 @@ impl Quotient {
         (0..exponent).try_fold(one, |power, _| power.times(self, work))
     }
 
-    /// Whether it is the same as another one, as a function.
+    /// Whether the two are equal as functions.
     pub fn equals(&self, other: &Self, work: &Work) -> Result<bool, Unsupported> {
         self.minus(other, work)?.is_zero(work)
     }
 
-    /// Whether it is zero as a function.
+    /// Whether it is the zero function.
     pub fn is_zero(&self, work: &Work) -> Result<bool, Unsupported> {
         work.spend(self.above.len())?;
         let refined = self.above.refined().ok_or(Unsupported::Large)?;
         Ok(refined.is_zero())
     }
 
-    /// The quotient of a proof.
+    /// Converts the quotient of a proof.
     pub fn from_ratio(ratio: &Ratio<Polynomial>, work: &Work) -> Result<Self, Unsupported> {
         let below = Self::from(ratio.below.clone());
         Self::from(ratio.above.clone()).over(&below, work)
     }
 
-    /// The quotient with symbols replaced; sines and cosines of a replaced name are those of its value.
+    /// Substitutes values for symbols; the sines and cosines of a replaced name become those of its value.
     pub fn replaced(
         &self,
         value: &dyn Fn(&Symbol) -> Option<Self>,
@@ -192,7 +193,7 @@ impl Quotient {
         Ok(result)
     }
 
-    /// The quotient with symbols replaced one by one: a sine is a symbol of its own.
+    /// Substitutes values for single symbols; a sine is a symbol of its own.
     pub fn replaced_symbols(
         &self,
         value: &dyn Fn(&Symbol) -> Option<Self>,
@@ -232,7 +233,7 @@ impl Quotient {
     }
 }
 
-/// A polynomial with symbols replaced; nothing if none of its symbols has a new value.
+/// Substitutes values for symbols of a polynomial; `None` if none of its symbols is replaced.
 fn replaced(
     p: &Polynomial,
     value: &dyn Fn(&Symbol) -> Option<Quotient>,
@@ -265,7 +266,7 @@ fn replaced(
     Ok(Some(sum))
 }
 
-/// The power of this exponent, from the first ones; those that were not known are noted. The first one is known.
+/// The power of a known base, computed from the powers in `known`, which is extended. The first element is the base.
 fn power<'p>(
     known: &'p mut Vec<Quotient>,
     exponent: u32,
@@ -280,7 +281,7 @@ fn power<'p>(
     known.get(place.saturating_sub(1)).ok_or(Unsupported::Large)
 }
 
-/// What a symbol becomes; nothing where its variable has no new value.
+/// The value of a symbol; `None` if its variable is not replaced.
 fn image(
     symbol: &Symbol,
     value: &dyn Fn(&Symbol) -> Option<Quotient>,
@@ -299,7 +300,7 @@ fn image(
     }))
 }
 
-/// What the variable of an angle is multiplied with.
+/// The factor of the variable in an angle.
 pub(super) fn rate(angle: torse_certificate::symbol::Angle) -> Quotient {
     let part = |n: i64| ratio(1, n).unwrap_or_else(Rational::zero);
     let parts = i64::from(angle.parts.max(1));

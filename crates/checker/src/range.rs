@@ -1,4 +1,4 @@
-//! Ranges of single symbols, as the hypotheses bound them, and of the tangents of half angles.
+//! Ranges of single symbols as bounded by the hypotheses, and ranges of tangents of half angles.
 
 use super::assumptions::{Compared, Met};
 use super::gap::{Unsupported, Work};
@@ -6,7 +6,7 @@ use super::quotient::Quotient;
 use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
-use torse_certificate::number::{enclosed_ratio, order, order_of};
+use torse_certificate::number::{enclosed_ratio, order, ratio_order};
 use torse_certificate::polynomial::Polynomial;
 use torse_certificate::ratio::Ratio;
 use torse_certificate::sign::End;
@@ -15,26 +15,26 @@ use torse_numbers::rational::{integer, ratio};
 use torse_numbers::{Ball, Rational, Scalar as _};
 use torse_syntax::formula::Relation;
 
-/// Bits of the enclosures of tangents.
+/// The precision of the enclosures of tangents, in bits.
 const BITS: usize = 192;
 
-/// Numbers that bound a symbol.
+/// The numbers that bound a symbol.
 #[derive(Debug, Default)]
 struct Bounds {
     lower: Vec<(End<Polynomial>, Met)>,
     upper: Vec<(End<Polynomial>, Met)>,
 }
 
-/// What bounds each symbol.
+/// The bounds of each symbol.
 #[derive(Debug, Default)]
 pub struct Ranges {
     bounds: BTreeMap<Symbol, Bounds>,
-    /// The eliminated symbols that bounds were used with.
+    /// The eliminated symbols whose values the used bounds depend on.
     used: RefCell<Met>,
 }
 
 impl Ranges {
-    /// From comparisons that are linear in one symbol and speak of no other.
+    /// The ranges from comparisons that are linear in a single symbol.
     pub fn from_comparisons(all: &[Compared], work: &Work) -> Result<Self, Unsupported> {
         let mut ranges = Self::default();
         for compared in all {
@@ -62,9 +62,10 @@ impl Ranges {
             (Some(_), Some(_)) => false,
             _ => return Ok(()),
         };
-        let relation = match rises {
-            true => compared.relation,
-            false => compared.relation.mirrored(),
+        let relation = if rises {
+            compared.relation
+        } else {
+            compared.relation.mirrored()
         };
         let value = Ratio {
             above: rest.negated(),
@@ -83,25 +84,25 @@ impl Ranges {
         Ok(())
     }
 
-    /// The eliminated symbols with whose values bounds were used.
+    /// The eliminated symbols whose values the used bounds depend on.
     pub fn used(&self) -> Met {
         self.used.borrow().clone()
     }
 
-    /// Whether one of these ends does; its eliminated symbols are noted.
+    /// Whether one of the ends has a property; records the eliminated symbols on which that end depends.
     fn any(
         &self,
         ends: &[(End<Polynomial>, Met)],
-        does: impl Fn(&End<Polynomial>) -> bool,
+        holds: impl Fn(&End<Polynomial>) -> bool,
     ) -> bool {
-        let found = ends.iter().find(|(end, _)| does(end));
+        let found = ends.iter().find(|(end, _)| holds(end));
         if let Some((_, met)) = found {
             self.used.borrow_mut().extend(met.iter().cloned());
         }
         found.is_some()
     }
 
-    /// Whether the symbol is never below the one end, nor above the other.
+    /// Whether the symbol is never below `lower` and never above `upper`.
     pub fn side(
         &self,
         symbol: &Symbol,
@@ -133,8 +134,8 @@ impl Ranges {
         lower.is_none_or(above) && upper.is_none_or(below)
     }
 
-    /// Whether the cosine of an angle, less so many quarter turns, is never below an end that is -1 or 0: the angle stays
-    /// within two quarter turns, or one, about a multiple of four.
+    /// Whether the cosine of an angle, minus `less` quarter turns, is never below an end that is -1 or 0: the angle
+    /// must stay within two quarter turns, or one, of a multiple of four.
     fn turns(&self, name: &str, angle: Angle, less: i64, end: &End<Polynomial>) -> bool {
         let reach = match rational(&end.value) {
             Some(least) if least == integer(-1) && end.closed => return true,
@@ -147,8 +148,8 @@ impl Ranges {
         };
         let fits = |own: &End<Polynomial>, turns: i64, inward: Ordering| {
             let parts = integer(i64::from(angle.parts));
-            let there = Ratio::from(Polynomial::constant(integer(turns) * parts));
-            let order = gap(&quarter_turns(&own.value, angle), &there);
+            let end_value = Ratio::from(Polynomial::constant(integer(turns) * parts));
+            let order = gap(&quarter_turns(&own.value, angle), &end_value);
             order == Some(inward) || (order == Some(Ordering::Equal) && (end.closed || !own.closed))
         };
         (-8..=8).map(|k: i64| 4 * k + less).any(|middle| {
@@ -168,13 +169,13 @@ impl Ranges {
         symbol.is_number() || self.starts_at_zero(symbol, true)
     }
 
-    /// Whether it is always positive.
+    /// Whether the symbol is always positive.
     pub fn is_positive(&self, symbol: &Symbol) -> bool {
         symbol.is_number() || self.starts_at_zero(symbol, false)
     }
 
-    /// Whether the tangent of half of what the angle of a variable is beyond so many quarter turns stays between two ends.
-    /// It increases, as long as the angle stays within two quarter turns.
+    /// Whether the tangent of half of (the angle of a variable minus `from` quarter turns) stays between two ends.
+    /// The tangent increases as long as that angle stays within two quarter turns.
     pub fn tangent(
         &self,
         variable: &str,
@@ -195,17 +196,17 @@ impl Ranges {
     }
 }
 
-/// How two numbers compare.
+/// Compares two numbers.
 fn gap(a: &Ratio<Polynomial>, b: &Ratio<Polynomial>) -> Option<Ordering> {
     let left = a.above.times(&b.below);
     let right = b.above.times(&a.below);
-    order_of(&Ratio {
+    ratio_order(&Ratio {
         above: left.minus(&right),
         below: a.below.times(&b.below),
     })
 }
 
-/// The end with the opposite number.
+/// The end with the negated number.
 fn negative(end: &End<Polynomial>) -> End<Polynomial> {
     End {
         value: Ratio {
@@ -216,7 +217,7 @@ fn negative(end: &End<Polynomial>) -> End<Polynomial> {
     }
 }
 
-/// A value of a variable in quarter turns of its undivided angle.
+/// A value of a variable, converted to quarter turns of its undivided angle.
 fn quarter_turns(value: &Ratio<Polynomial>, angle: Angle) -> Ratio<Polynomial> {
     match angle.unit {
         Unit::QuarterTurn => value.clone(),
@@ -227,7 +228,7 @@ fn quarter_turns(value: &Ratio<Polynomial>, angle: Angle) -> Ratio<Polynomial> {
     }
 }
 
-/// How `tan(half the angle at this value)` compares with a number; `None` outside of two quarter turns.
+/// Compares the tangent of half of the angle at this value with a number; `None` beyond two quarter turns.
 fn tangent_order(
     value: &Ratio<Polynomial>,
     angle: Angle,
@@ -235,7 +236,7 @@ fn tangent_order(
     end: &Ratio<Polynomial>,
 ) -> Option<Ordering> {
     let parts = ratio(1, i64::from(angle.parts))?;
-    // In quarter turns: exact, if the value is a rational number of them.
+    // Exact if the value is a rational number of quarter turns.
     let turns = quarter_turns(value, angle);
     if let Some(turns) = rational(&turns) {
         let beyond = turns * &parts - integer(from);
@@ -258,7 +259,7 @@ fn tangent_order(
     (tangent - enclosed_ratio(end, BITS)?).sign()
 }
 
-/// The rational number that a quotient is.
+/// The rational value of a quotient, if it has one.
 fn rational(value: &Ratio<Polynomial>) -> Option<Rational> {
     match (value.above.as_constant(), value.below.as_constant()) {
         (Some(above), Some(below)) if below != integer(0) => Some(above / below),
@@ -270,7 +271,7 @@ fn rational(value: &Ratio<Polynomial>) -> Option<Rational> {
     }
 }
 
-/// The tangent of half of some numbers of quarter turns.
+/// The exact tangent of half of a number of quarter turns, if it is in the table.
 fn exact_tangent(turns: &Rational) -> Option<Ratio<Polynomial>> {
     let root = |prime: u32| Polynomial::symbol(Symbol::Root(prime));
     let number = |n: i64| Polynomial::constant(integer(n));
@@ -287,8 +288,5 @@ fn exact_tangent(turns: &Rational) -> Option<Ratio<Polynomial>> {
         9 => root(2).plus(&number(1)),
         _ => return None,
     };
-    Some(Ratio::from(match n < 0 {
-        true => size.negated(),
-        false => size,
-    }))
+    Some(Ratio::from(if n < 0 { size.negated() } else { size }))
 }

@@ -1,8 +1,8 @@
-//! Roots: symbols of which the square is the radicand, and which are not negative.
+//! Roots: nonnegative symbols whose squares are their radicands.
 //!
-//! The claim is one in which every root is a symbol w of the set `[0, inf)` with the hypothesis `w^2 == r`
-//! ([`torse_core::Claim::rooted`]); the checker makes that claim itself. A value v may take the place of w if v^2 is r,
-//! where squares of other roots are their radicands, and v is not negative. And w is zero only where r is.
+//! In the claim that is checked every root is a symbol w of the set `[0, inf)` with the hypothesis `w^2 == r`
+//! ([`torse_core::Claim::rooted`]); the checker makes that claim itself. A value v may replace w if v^2 equals r,
+//! where squares of other roots are replaced by their radicands, and v is nonnegative. And w is zero only where r is.
 
 use super::assumptions::Domain;
 use super::gap::{CheckError, Unsupported, Wrong};
@@ -14,14 +14,14 @@ use torse_certificate::proof::assumptions::Signed;
 use torse_certificate::symbol::Symbol;
 use torse_core::Hypothesis;
 
-/// A root that has no value in other symbols.
+/// A root that has not been replaced by a value in other symbols.
 struct Root {
     symbol: Symbol,
     radicand: Quotient,
 }
 
 impl Domain<'_> {
-    /// A symbol that is a root, by a value whose square is the radicand and which is not negative.
+    /// Checks a symbol that is a root, by a value that is nonnegative and whose square is the radicand.
     pub(super) fn by_root(&self, place: usize, own: &Signed<Polynomial>) -> Result<(), CheckError> {
         let work = self.work;
         let group = self.groups.get(place).ok_or(Wrong::Kind)?;
@@ -48,7 +48,7 @@ impl Domain<'_> {
         if !self.reduced(&difference, place)?.is_zero(work)? {
             return Err(wrong());
         }
-        // Numerator and denominator as they are written.
+        // Numerator and denominator as written.
         let (above, below) = (&determined.value.above, &determined.value.below);
         let product = work.times(above, below)?;
         let same = Quotient::from(product.minus(&own.sign.polynomial));
@@ -57,13 +57,15 @@ impl Domain<'_> {
         }
         let signs = Signs::new(self, &own.constraints, place)?;
         signs.check(&own.sign)?;
-        match below.is_number() || self.nonzero_at(below, place)? {
-            true => Ok(()),
-            false => Err(Unsupported::Divisor(below.to_string()).into()),
+        if below.is_number() || self.nonzero_at(below, place)? {
+            Ok(())
+        } else {
+            Err(Unsupported::Divisor(below.to_string()).into())
         }
     }
 
-    /// The roots that are symbols where the first groups have their values, those first of which others are made.
+    /// The roots that remain symbols after the first `groups` groups are replaced. A root that occurs in the radicand
+    /// of another comes first.
     fn roots(&self, groups: usize) -> Result<Vec<Root>, Unsupported> {
         let first = self.groups.get(..groups).unwrap_or_default();
         let mut roots = vec![];
@@ -82,9 +84,10 @@ impl Domain<'_> {
                     .cloned()
                     .ok_or(Unsupported::Large)
             })?;
-            // Every symbol that has its value in it is shown to have it.
+            // Every symbol that was replaced in it must be shown to have its value.
             self.note(&met);
-            // One that an equation has made a formula in the root itself is no root of something else.
+            // If an equation has made the radicand depend on the root itself, the equation no longer defines the
+            // root.
             if radicand.above.degree_in(&symbol) == 0 {
                 roots.push(Root { symbol, radicand });
             }
@@ -92,7 +95,7 @@ impl Domain<'_> {
         Ok(roots)
     }
 
-    /// Whether a symbol is a root whose radicand is known not to vanish: then it is positive.
+    /// Whether a symbol is a root whose radicand is known to be nonzero, so that the root is positive.
     pub(super) fn is_positive_root(
         &self,
         symbol: &Symbol,
@@ -102,12 +105,12 @@ impl Domain<'_> {
         if !names.any(|(name, _)| Symbol::Named(Arc::clone(name)) == *symbol) {
             return Ok(false);
         }
-        // What is so before any elimination is so after it: an elimination may have hidden what the root is one of.
+        // What holds before any elimination also holds after it; an elimination may have hidden the radicand.
         let own = Polynomial::symbol(symbol.clone());
         Ok(self.nonzero_at(&own, groups)? || self.nonzero_at(&own, 0)?)
     }
 
-    /// The polynomial with the squares of roots replaced by their radicands.
+    /// Replaces the squares of roots in a polynomial by their radicands.
     fn reduced(&self, polynomial: &Polynomial, groups: usize) -> Result<Quotient, Unsupported> {
         let work = self.work;
         let mut value = Quotient::from(polynomial.clone());
@@ -138,25 +141,25 @@ impl Domain<'_> {
         Ok(value)
     }
 
-    /// The polynomial with radicands in place of the roots that divide it: it is zero where that is.
+    /// Replaces roots that divide a polynomial by their radicands: the result vanishes where the polynomial does.
     pub(super) fn unrooted(
         &self,
         polynomial: &Polynomial,
         groups: usize,
     ) -> Result<Polynomial, Unsupported> {
-        let mut rest = polynomial.clone();
+        let mut remainder = polynomial.clone();
         let mut names = self.claim.hypotheses.iter().filter_map(Hypothesis::root);
-        if !names.any(|(name, _)| rest.degree_in(&Symbol::Named(Arc::clone(name))) > 0) {
-            return Ok(rest);
+        if !names.any(|(name, _)| remainder.degree_in(&Symbol::Named(Arc::clone(name))) > 0) {
+            return Ok(remainder);
         }
         for root in self.roots(groups)?.iter().rev() {
             let own = Polynomial::symbol(root.symbol.clone());
-            while !rest.is_zero()
-                && let Some(quotient) = rest.quotient(&own)
+            while !remainder.is_zero()
+                && let Some(quotient) = remainder.quotient(&own)
             {
-                rest = self.work.times(&quotient, &root.radicand.above)?;
+                remainder = self.work.times(&quotient, &root.radicand.above)?;
             }
         }
-        Ok(rest)
+        Ok(remainder)
     }
 }

@@ -1,4 +1,5 @@
-//! Certificates of sign: the equation multiplied out, the coordinates, the pieces, and every Bernstein coefficient.
+//! Checks certificates of sign: expands the identity, and checks the coordinates, the pieces, and every Bernstein
+//! coefficient.
 
 use super::assumptions::{Compared, Domain};
 use super::bernstein::{Sides, bernstein, by_rays, every_face, fills};
@@ -16,20 +17,20 @@ use torse_core::Set;
 use torse_numbers::rational::integer;
 use torse_syntax::formula::Relation;
 
-/// What signs are checked against.
+/// The data against which signs are checked.
 pub struct Signs<'a> {
     domain: &'a Domain<'a>,
     constraints: &'a [Constraint<Polynomial>],
-    /// What the claim itself says.
+    /// The constraints that the claim itself states.
     own: Vec<Compared>,
     gap: Option<Unsupported>,
     ranges: Ranges,
-    /// How many groups of symbols have their values.
+    /// The number of groups of symbols that are replaced.
     groups: usize,
 }
 
 impl<'a> Signs<'a> {
-    /// Signs where the symbols of the first groups have their values, with these constraints.
+    /// Prepares checking with the symbols of the first `groups` groups replaced, and with these constraints.
     pub fn new(
         domain: &'a Domain<'a>,
         constraints: &'a [Constraint<Polynomial>],
@@ -47,7 +48,7 @@ impl<'a> Signs<'a> {
         })
     }
 
-    /// The constraint in this place, which has to be one of the claim.
+    /// The constraint of this index, which must be one of the claim.
     fn known(&self, place: usize) -> Result<&Constraint<Polynomial>, CheckError> {
         let work = self.domain.work;
         let constraint = self.constraints.get(place).ok_or(Wrong::Kind)?;
@@ -69,7 +70,7 @@ impl<'a> Signs<'a> {
         Ok(constraint)
     }
 
-    /// The numerator of the equation in this place: it is zero wherever the quotient is defined.
+    /// The numerator of the equation of this index, which is zero wherever the quotient is defined.
     fn equation(&self, place: usize) -> Result<&Polynomial, CheckError> {
         let constraint = self.known(place)?;
         match constraint.relation {
@@ -78,8 +79,8 @@ impl<'a> Signs<'a> {
         }
     }
 
-    /// The constraint in this place as a polynomial that is not negative; and whether it is not zero either. The product with
-    /// the denominator has the sign of the quotient.
+    /// The constraint of this index as a nonnegative polynomial, and whether it is positive. The product of numerator
+    /// and denominator has the sign of the quotient.
     fn constraint(&self, place: usize) -> Result<(Polynomial, bool), CheckError> {
         let work = self.domain.work;
         let constraint = self.known(place)?;
@@ -97,7 +98,7 @@ impl<'a> Signs<'a> {
         }
     }
 
-    /// Checks that the polynomial is not negative, and not zero either if that is said.
+    /// Checks that the polynomial is nonnegative, and positive if the sign is strict.
     pub fn check(&self, sign: &Sign<Polynomial>) -> Result<(), CheckError> {
         let checked = self.sign(sign);
         self.domain.note(&self.ranges.used());
@@ -170,7 +171,7 @@ impl<'a> Signs<'a> {
                     if *number <= integer(0) || !symbols.iter().all(positive) {
                         return Err(Wrong::Negative.into());
                     }
-                    // Where all symbols of the rays are zero, the terms without them are left.
+                    // Where all symbols of the rays are zero, only the terms without them remain.
                     strict |= symbols.is_empty() && ray.coefficient.strict;
                     sum = sum.plus(&work.times(&ray.product, &ray.coefficient.polynomial)?);
                 }
@@ -180,13 +181,14 @@ impl<'a> Signs<'a> {
                 strict
             }
         };
-        match sign.strict && !strict {
-            true => Err(Wrong::Zero.into()),
-            false => Ok(()),
+        if sign.strict && !strict {
+            Err(Wrong::Zero.into())
+        } else {
+            Ok(())
         }
     }
 
-    /// What the parts of a certificate make.
+    /// The polynomial that the parts of a certificate add up to.
     fn made(&self, certificate: &Certificate<Polynomial>) -> Result<Polynomial, CheckError> {
         let work = self.domain.work;
         let (mut sum, mut product) = (Polynomial::zero(), certificate.rest.clone());
@@ -219,7 +221,7 @@ impl<'a> Signs<'a> {
         }
     }
 
-    /// Checks that no part is negative; whether the whole is shown to be positive.
+    /// Checks that no part is negative; returns whether the whole is shown to be positive.
     fn certificate(&self, certificate: &Certificate<Polynomial>) -> Result<bool, CheckError> {
         let (mut sum_positive, mut factors_positive) = (false, true);
         if certificate.squares.iter().any(|s| s.multiple < integer(0)) {
@@ -237,19 +239,20 @@ impl<'a> Signs<'a> {
         }
         let rest_positive = self.pieces(certificate)?;
         let strict = sum_positive || (factors_positive && rest_positive);
-        match certificate.strict && !strict {
-            true => Err(Wrong::Zero.into()),
-            false => Ok(strict),
+        if certificate.strict && !strict {
+            Err(Wrong::Zero.into())
+        } else {
+            Ok(strict)
         }
     }
 
-    /// Checks the pieces; whether they show the rest to be positive.
+    /// Checks the pieces; returns whether they show the remaining polynomial to be positive.
     fn pieces(&self, certificate: &Certificate<Polynomial>) -> Result<bool, CheckError> {
         let mut moved: BTreeMap<Option<usize>, (Polynomial, bool)> = BTreeMap::new();
         moved.insert(None, (certificate.rest.clone(), false));
         for place in certificate.pieces.iter().filter_map(|piece| piece.outside) {
             let (value, strict) = self.constraint(place)?;
-            // It fails where its negative is not negative, or positive if it may be zero.
+            // The constraint fails where its negative is nonnegative (or positive, if the constraint may be zero).
             moved.insert(Some(place), (value.negated(), strict));
         }
         let mut all: Vec<&mut Polynomial> = moved.values_mut().map(|(p, _)| p).collect();
@@ -273,7 +276,8 @@ impl<'a> Signs<'a> {
         Ok(positive)
     }
 
-    /// A symbol leaves its coordinate, as far as its bounds tell: of an integer between others they do not tell all.
+    /// The error for a symbol that is not within its coordinate. For an integer that is bounded by other integers its
+    /// bounds do not determine the range, so this is merely unsupported.
     fn left(&self, symbol: &Symbol) -> CheckError {
         let set = match symbol {
             Symbol::Named(name) => self.domain.claim.symbols.get(name),
@@ -281,14 +285,15 @@ impl<'a> Signs<'a> {
         };
         let dependent = matches!(set, Some(Set::Integer { least, most })
             if least.iter().chain(most).any(|end| end.as_number().is_none()));
-        match dependent {
-            true => Unsupported::Construct("an integer between others").into(),
-            false => Wrong::Coordinate(symbol.to_string()).into(),
+        if dependent {
+            Unsupported::Construct("an integer between others").into()
+        } else {
+            Wrong::Coordinate(symbol.to_string()).into()
         }
     }
 
-    /// Puts the coordinates into the polynomials, each multiplied with what is positive, and checks that they enclose the
-    /// ranges of their symbols.
+    /// Substitutes the coordinates in the polynomials, each multiplied by a positive quantity, and checks that they
+    /// enclose the ranges of their symbols.
     fn coordinates(
         &self,
         coordinates: &[Coordinate<Polynomial>],
@@ -306,11 +311,12 @@ impl<'a> Signs<'a> {
         }
         let mut tangents: BTreeMap<Symbol, (String, torse_certificate::symbol::Angle, i64)> =
             BTreeMap::new();
-        let put = |polynomials: &mut [&mut Polynomial],
-                   value: &dyn Fn(&Symbol) -> Option<Quotient>| {
+        let substitute = |polynomials: &mut [&mut Polynomial],
+                          value: &dyn Fn(&Symbol) -> Option<Quotient>| {
             for polynomial in polynomials {
                 let moved = Quotient::from((**polynomial).clone()).replaced_symbols(value, work)?;
-                // The sign stays that of the numerator: 1 + t^2 is positive, and so has to be a number.
+                // The sign is that of the numerator: 1 + t^2 is positive, and other factors must be positive
+                // constants.
                 let mut numbers = moved.below.keys().filter(|factor| factor.is_number());
                 if !numbers.all(|factor| order(factor) == Some(Ordering::Greater)) {
                     return Err(
@@ -322,7 +328,7 @@ impl<'a> Signs<'a> {
             Ok::<(), CheckError>(())
         };
         for coordinate in coordinates {
-            // Each symbol once, and a tangent is a symbol of its own.
+            // Each symbol may occur once; the tangent is a symbol of its own.
             let (name, is_new) = match coordinate {
                 Coordinate::Tangent {
                     symbol,
@@ -358,7 +364,7 @@ impl<'a> Signs<'a> {
                         }
                         _ => None,
                     };
-                    put(polynomials, &value)?;
+                    substitute(polynomials, &value)?;
                     tangents.insert(symbol.clone(), (variable.clone(), *angle, *from));
                 }
                 Coordinate::Side {
@@ -381,25 +387,27 @@ impl<'a> Signs<'a> {
                     );
                     let width = b.minus(&a, work)?.times(&own(symbol), work)?;
                     let value = a.plus(&width, work)?;
-                    put(polynomials, &|s| (s == symbol).then(|| value.clone()))?;
+                    substitute(polynomials, &|s| (s == symbol).then(|| value.clone()))?;
                     bounds
                         .sides
                         .push((symbol.clone(), lower.closed, upper.closed));
                 }
                 Coordinate::Ray { symbol, end, up } => {
-                    let enclosed = match up {
-                        true => self.ranges.side(symbol, Some(end), None),
-                        false => self.ranges.side(symbol, None, Some(end)),
+                    let enclosed = if *up {
+                        self.ranges.side(symbol, Some(end), None)
+                    } else {
+                        self.ranges.side(symbol, None, Some(end))
                     };
                     if !enclosed || tangents.contains_key(symbol) {
                         return Err(self.left(symbol));
                     }
-                    let t = match up {
-                        true => own(symbol),
-                        false => own(symbol).negated(),
+                    let t = if *up {
+                        own(symbol)
+                    } else {
+                        own(symbol).negated()
                     };
                     let value = Quotient::from_ratio(&end.value, work)?.plus(&t, work)?;
-                    put(polynomials, &|s| (s == symbol).then(|| value.clone()))?;
+                    substitute(polynomials, &|s| (s == symbol).then(|| value.clone()))?;
                     bounds.rays.insert(symbol.clone());
                     bounds.open &= !end.closed;
                 }
@@ -435,17 +443,17 @@ impl<'a> Signs<'a> {
             let u = Polynomial::symbol(symbol.clone()).scaled(&(high - low));
             Some(Quotient::from(u.plus(&Polynomial::constant(low.clone()))))
         };
-        let there = Quotient::from(polynomial.clone())
+        let moved = Quotient::from(polynomial.clone())
             .replaced_symbols(&value, work)?
             .above;
-        let Some(forms) = bernstein(&there, &places, &degrees) else {
+        let Some(forms) = bernstein(&moved, &places, &degrees) else {
             return Err(Unsupported::Large.into());
         };
         work.spend(forms.len())?;
         let mut positive: Vec<&Vec<u32>> = vec![];
         for (index, coefficient) in &forms {
             let mut excludes_zero = false;
-            // By products of unbounded coordinates, which are not negative.
+            // The coefficients of products of unbounded coordinates, which are nonnegative.
             for (ray, number) in by_rays(coefficient) {
                 if let Some((symbol, _)) = ray.iter().find(|(s, _)| !bounds.rays.contains(s)) {
                     return Err(Wrong::Coordinate(symbol.to_string()).into());
@@ -464,7 +472,7 @@ impl<'a> Signs<'a> {
     }
 }
 
-/// The polynomial with t for the square of the symbol, which then stands for t.
+/// The polynomial with t in the place of the square of the symbol; the symbol then denotes t.
 fn halved(polynomial: &Polynomial, symbol: &Symbol) -> Option<Polynomial> {
     let mut result = Polynomial::zero();
     for (exponent, coefficient) in polynomial.coefficients_in(symbol).iter().enumerate() {
@@ -480,7 +488,7 @@ fn halved(polynomial: &Polynomial, symbol: &Symbol) -> Option<Polynomial> {
     Some(result)
 }
 
-/// Sine and cosine of an angle by the tangent t of half of what it is beyond so many quarter turns.
+/// Sine and cosine of an angle, in terms of the tangent t of half of (the angle minus `from` quarter turns).
 fn half_angle(
     tangent: &Symbol,
     from: i64,

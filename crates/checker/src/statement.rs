@@ -1,4 +1,4 @@
-//! Proofs of single statements on their ground: equations, order, printed decimals.
+//! Checks proofs of single statements under their assumptions: equations, order relations, printed decimals.
 
 use super::assumptions::{Compared, Domain};
 use super::gap::{CheckError, Unsupported, Wrong};
@@ -16,7 +16,7 @@ use torse_certificate::zero_by_sign::{Zero, ZeroBySign};
 use torse_core::{FamilyProperty, Statement};
 use torse_syntax::formula::Relation;
 
-/// A single statement by its proof.
+/// Checks the proof of a single statement.
 pub fn check(domain: &Domain<'_>, ground: &Assumptions<Polynomial>) -> Result<(), CheckError> {
     domain.take_apart(&ground.apart, &ground.constraints)?;
     match (&domain.claim.statement, &ground.proof) {
@@ -71,7 +71,7 @@ pub fn check(domain: &Domain<'_>, ground: &Assumptions<Polynomial>) -> Result<()
     domain.justified()
 }
 
-/// Every difference is zero.
+/// Checks that every difference vanishes identically.
 fn identity(
     domain: &Domain<'_>,
     relation: Relation,
@@ -91,7 +91,7 @@ fn identity(
     Ok(())
 }
 
-/// Every difference is zero where equations of the hypotheses hold, as a sum of multiples of these.
+/// Checks that every difference is a combination of equations of the hypotheses.
 fn combination(
     domain: &Domain<'_>,
     relation: Relation,
@@ -104,7 +104,7 @@ fn combination(
     let (mut used, mut wrong) = (vec![false; own.equations.len()], None);
     for (difference, row) in differences.iter().zip(&own.multipliers) {
         let sum = sum_of_multiples(domain, &own.equations, row, &mut used)?;
-        // The numerators are the same but for what the terms were divided by.
+        // The numerators are equal up to divisors of terms.
         if !proportional(domain, &difference.above, &sum)? {
             wrong = Some(Wrong::Differs(difference.above.minus(&sum).len()));
         }
@@ -116,7 +116,7 @@ fn combination(
     }
 }
 
-/// The sum of the multiples of equations; which of these are used is noted.
+/// The sum of the multiples of equations; records which equations are used.
 fn sum_of_multiples(
     domain: &Domain<'_>,
     equations: &[Polynomial],
@@ -133,7 +133,8 @@ fn sum_of_multiples(
     Ok(sum)
 }
 
-/// Every equation that is used is one of the hypotheses; of two things that are wrong the first is told.
+/// Checks that every equation that is used is one of the hypotheses. If there are several errors, the first is
+/// returned.
 fn assumed(
     domain: &Domain<'_>,
     equations: &[Polynomial],
@@ -165,7 +166,7 @@ fn assumed(
     }
 }
 
-/// Every difference can be nothing but zero.
+/// Checks that every difference is zero by signs.
 fn forced(
     domain: &Domain<'_>,
     ground: &Assumptions<Polynomial>,
@@ -215,7 +216,7 @@ fn forced(
     Ok(())
 }
 
-/// Whether the second is the first times or over what is known not to vanish.
+/// Whether the second polynomial is the first, times or divided by factors that are known to be nonzero.
 fn proportional(domain: &Domain<'_>, a: &Polynomial, b: &Polynomial) -> Result<bool, CheckError> {
     let work = domain.work;
     let refined = |p: &Polynomial| p.refined().ok_or(Unsupported::Large);
@@ -232,7 +233,7 @@ fn proportional(domain: &Domain<'_>, a: &Polynomial, b: &Polynomial) -> Result<b
     Ok(false)
 }
 
-/// A relation by signs.
+/// Checks an order relation by signs.
 fn order(
     domain: &Domain<'_>,
     ground: &Assumptions<Polynomial>,
@@ -246,7 +247,7 @@ fn order(
     if own.relation != relation || !(alone || relation == Relation::Different) {
         return Err(Wrong::Kind.into());
     }
-    // The quotient is that of the statement.
+    // The quotient must be that of the statement.
     let mut below = Polynomial::one();
     for (factor, exponent) in &own.below {
         for _ in 0..*exponent {
@@ -262,11 +263,15 @@ fn order(
     for sign in &own.signs {
         signs.check(sign)?;
     }
-    // Each sign is that of a polynomial or its negative.
-    let turned = |sign: &Polynomial, of: &Polynomial| match () {
-        () if sign == of => Ok(false),
-        () if *sign == of.negated() => Ok(true),
-        () => Err(CheckError::from(Wrong::Sign)),
+    // Each sign must be that of a polynomial or of its negative.
+    let turned = |sign: &Polynomial, part: &Polynomial| {
+        if sign == part {
+            Ok(false)
+        } else if *sign == part.negated() {
+            Ok(true)
+        } else {
+            Err(CheckError::from(Wrong::Sign))
+        }
     };
     let (mut negative, mut strict) = (false, true);
     if own.product {
@@ -303,13 +308,14 @@ fn order(
         Relation::Greater => !negative && strict,
         Relation::AtLeast => !negative,
     };
-    match shown {
-        true => Ok(()),
-        false => Err(Wrong::Sign.into()),
+    if shown {
+        Ok(())
+    } else {
+        Err(Wrong::Sign.into())
     }
 }
 
-/// `!=`, where hypotheses say that the numerator is not zero.
+/// Checks `!=` where hypotheses imply that the numerator is nonzero.
 fn excluded(
     domain: &Domain<'_>,
     relation: Relation,
@@ -325,13 +331,14 @@ fn excluded(
     if !proportional(domain, &difference.above, &own.numerator)? {
         return Err(Wrong::Differs(difference.above.len()).into());
     }
-    match domain.nonzero_here(&difference.above)? {
-        true => Ok(()),
-        false => Err(domain.may_vanish_here(&difference.above)),
+    if domain.nonzero_here(&difference.above)? {
+        Ok(())
+    } else {
+        Err(domain.may_vanish_here(&difference.above))
     }
 }
 
-/// Printed numbers agree as they are said to.
+/// Checks that printed numbers agree in the stated way.
 fn enclosure(
     domain: &Domain<'_>,
     values: &[Quotient],

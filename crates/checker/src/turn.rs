@@ -1,4 +1,5 @@
-//! Sine and cosine of sums of angles, by the addition theorems and a table of twelfths of pi.
+//! Sine and cosine of sums of angles, by the addition theorems and a table for multiples of pi/12. Independent of
+//! `semantics` on purpose: do not share.
 
 use super::gap::{Unsupported, Work};
 use torse_certificate::polynomial::{Polynomial, multiple};
@@ -9,13 +10,14 @@ use torse_numbers::{Integer, Rational};
 /// A sine and a cosine.
 pub type Pair = (Polynomial, Polynomial);
 
-/// An angle of another kind.
+/// An angle that is not supported.
 pub const STRANGE: Unsupported = Unsupported::Construct("the sine of this angle");
 
-/// The largest multiple of a part of an angle.
+/// The largest multiple of a fraction of an angle.
 const MAX_MULTIPLE: i64 = 24;
 
-/// `(sin, cos)` of an angle in radians: rational multiples of variables and of pi times them, and of pi/12.
+/// `(sin, cos)` of an angle in radians that is a sum of rational multiples of variables, of pi times variables, and
+/// of pi/12.
 pub fn sine_cosine(angle: &Polynomial, work: &Work) -> Result<Pair, Unsupported> {
     let mut total: Pair = (Polynomial::zero(), Polynomial::one());
     for (monomial, coefficient) in angle.terms() {
@@ -38,7 +40,7 @@ pub fn sine_cosine(angle: &Polynomial, work: &Work) -> Result<Pair, Unsupported>
     Ok(total)
 }
 
-/// Sine and cosine of `n/d` times a variable: n times the d-th part of its angle.
+/// Sine and cosine of `n/d` times a variable: n times the d-th fraction of its angle.
 fn multiples(name: &std::sync::Arc<str>, unit: Unit, times: &Rational) -> Option<Pair> {
     let parts = u16::try_from(times.denom()).ok()?;
     let count = i64::try_from(times.numer()).ok()?;
@@ -52,13 +54,14 @@ fn multiples(name: &std::sync::Arc<str>, unit: Unit, times: &Rational) -> Option
         Polynomial::symbol(Symbol::Cosine(name.clone(), angle)),
     );
     let (sine, cosine) = multiple(&one, size);
-    Some(match count < 0 {
-        true => (sine.negated(), cosine),
-        false => (sine, cosine),
+    Some(if count < 0 {
+        (sine.negated(), cosine)
+    } else {
+        (sine, cosine)
     })
 }
 
-/// Sine and cosine of this multiple of pi, if it is one of pi/12.
+/// Sine and cosine of a multiple of pi, if it is a multiple of pi/12.
 fn twelfths(times: &Rational) -> Option<Pair> {
     let twelfths = times * integer(12);
     if !twelfths.is_integer() {

@@ -1,4 +1,4 @@
-//! Numbers, vectors and matrices of quotients. The number 0 fits every shape.
+//! Numbers, vectors and matrices of quotients. The number 0 matches every shape.
 
 use super::gap::{Unsupported, Work};
 use super::quotient::Quotient;
@@ -48,9 +48,10 @@ impl Value {
             .map(Self::entries)
             .collect::<Result<_, _>>()?;
         let width = rows.first().map_or(0, Vec::len);
-        match rows.iter().all(|row| row.len() == width) {
-            true => Ok(rows),
-            false => Err(SHAPE),
+        if rows.iter().all(|row| row.len() == width) {
+            Ok(rows)
+        } else {
+            Err(SHAPE)
         }
     }
 
@@ -79,7 +80,7 @@ impl Value {
         matches!(self, Self::Number(number) if number.above.is_zero())
     }
 
-    /// The numbers of both that stand in the same place.
+    /// The pairs of corresponding numbers.
     pub fn pairs(&self, other: &Self) -> Result<Vec<(Quotient, Quotient)>, Unsupported> {
         let zero = Quotient::default;
         match (self, other) {
@@ -119,7 +120,7 @@ impl Value {
         }
     }
 
-    /// A number times anything, a matrix times a vector or a matrix.
+    /// The product of a number and anything, or of a matrix and a vector or a matrix.
     pub fn times(&self, other: &Self, work: &Work) -> Result<Self, Unsupported> {
         match (self, other) {
             (Self::Number(x), many) | (many, Self::Number(x)) => many.each(&|y| x.times(y, work)),
@@ -153,7 +154,7 @@ pub fn dot(xs: &[Quotient], ys: &[Quotient], work: &Work) -> Result<Quotient, Un
     })
 }
 
-/// Rows and columns exchanged.
+/// The transposed matrix.
 pub fn transposed<T: Clone>(rows: &[Vec<T>]) -> Vec<Vec<T>> {
     let width = rows.first().map_or(0, Vec::len);
     let column = |c| rows.iter().filter_map(|row| row.get(c).cloned()).collect();
@@ -173,7 +174,7 @@ pub fn minor<T: Clone>(rows: &[Vec<T>], row: usize, column: usize) -> Vec<Vec<T>
     kept.map(|(_, list)| without(list)).collect()
 }
 
-/// The determinant: the minors of the first rows by the columns they stand in, one row more at a time.
+/// The determinant, by expansion row by row, keeping one minor for each set of columns.
 pub fn determinant(rows: &[Vec<Quotient>], work: &Work) -> Result<Quotient, Unsupported> {
     let one = Quotient::number(torse_numbers::rational::integer(1));
     let mut minors: BTreeMap<BTreeSet<usize>, Quotient> = [(BTreeSet::new(), one)].into();
@@ -186,7 +187,7 @@ pub fn determinant(rows: &[Vec<Quotient>], work: &Work) -> Result<Quotient, Unsu
             let new = row.iter().enumerate();
             let new = new.filter(|(c, entry)| !entry.above.is_zero() && !columns.contains(c));
             for (column, entry) in new {
-                // The sign of moving the column to its place.
+                // The sign of moving the column to its position.
                 let behind = columns.range(column..).count();
                 let part = entry.times(minor, work)?;
                 let part = match behind % 2 {

@@ -1,4 +1,4 @@
-//! Variation diminution at some degrees, by positive Wronskians.
+//! Checks variation diminution at some degrees by positive Wronskians.
 
 use super::assumptions::Domain;
 use super::expand::Expander;
@@ -10,9 +10,9 @@ use torse_certificate::symbol::Symbol;
 use torse_certificate::wronskian::{Operator, Seeds, Unfit, Wronskians, cell};
 use torse_core::{Degrees, Family};
 
-/// Every degree, on both halves of the interval.
+/// Checks every degree, on both halves of the interval.
 ///
-/// The hypotheses are not used: what is shown for the whole box of the declared ranges is true on any part of it.
+/// The hypotheses are not used: a result for the whole box of the declared ranges holds on every part of it.
 pub fn check(
     domain: &Domain<'_>,
     family: &Family,
@@ -50,7 +50,7 @@ fn unfit(unfit: Unfit) -> CheckError {
     }
 }
 
-/// The seeds of a family with the step `1 - x`, `x` on a part of [0, 1], expanded.
+/// The expanded seeds of a family whose step is `1 - x`, `x` on a part of [0, 1].
 fn seeds(domain: &Domain<'_>, family: &Family) -> Result<Seeds, CheckError> {
     let expander = Expander::new(domain.work, &|_| None);
     let symbol = |name: &str| Polynomial::symbol(Symbol::named(name));
