@@ -5,30 +5,8 @@ Open Scope R_scope.
 Module Definitions.
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * R_ i).
 End Definitions.
 Import Definitions.
-
-Module eq_2_2.
-(* gbt-developable/eq-2.2, Sect. 2.2, Definition 2, eq. (2.2)
-   printed: G(x; μ, ν) = Σ_{i=0}^{k} g_{i,k}(x) R_i, x ∈ [0, 1]
-   read as: The printed sum is compared with the function G that all other statements use.
-   stated: G(x) == sum(i, 0, k, g[i,k](x)*R[i]) *)
-Definition statement : Prop :=
-forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
-  (2 <= k)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  0 <= x <= 1 ->
-  G R_ k mu nu x = sum 0%Z k (fun i => g x mu nu i k * R_ i).
-Definition instance : Prop :=
-exists (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
-  (2 <= k)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1 /\
-  0 <= x <= 1.
-End eq_2_2.
 
 Module def_2_dim_one_letter.
 (* gbt-developable/def-2.dim.one letter, Sect. 2.2, Definition 2
@@ -174,6 +152,8 @@ Module sec_2_2_vd_operator.
 (* gbt-developable/sec-2.2.vd.operator, Sect. 2.2, paragraph after Definition 2
    printed: Every curve is made of the Bézier curve of the same control points and its first two derivatives.
    stated: G(x) == F(x) + first/k*F'(x) + second/(k*(k - 1))*F''(x) *)
+Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition b (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition F (R_ : Z -> R) (k : Z) (x : R) : R :=

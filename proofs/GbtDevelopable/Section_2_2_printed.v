@@ -10,26 +10,6 @@ Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
 End Definitions.
 Import Definitions.
 
-Module eq_2_2.
-(* gbt-developable/eq-2.2, Sect. 2.2, Definition 2, eq. (2.2)
-   printed: G(x; μ, ν) = Σ_{i=0}^{k} g_{i,k}(x) R_i, x ∈ [0, 1]
-   read as: The printed sum is compared with the function G that all other statements use.
-   stated: G(x) == sum(i, 0, k, g[i,k](x)*R[i]) *)
-Definition statement : Prop :=
-forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
-  (2 <= k)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  0 <= x <= 1 ->
-  G R_ k mu nu x = sum 0%Z k (fun i => g x mu nu i k * R_ i).
-Definition instance : Prop :=
-exists (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
-  (2 <= k)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1 /\
-  0 <= x <= 1.
-End eq_2_2.
-
 Module def_2_dim_one_letter.
 (* gbt-developable/def-2.dim.one letter, Sect. 2.2, Definition 2
    printed: For any defined control points R_i ∈ R^k (k = 2, 3; i = 0, 1, ..., k)

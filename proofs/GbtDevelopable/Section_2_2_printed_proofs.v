@@ -3,14 +3,6 @@ From Torse Require Import Defs Follows.
 From GbtDevelopable Require Section_2_2_printed Section_2_2_proofs.
 Open Scope R_scope.
 
-Module eq_2_2.
-Import GbtDevelopable.Section_2_2_printed.eq_2_2.
-Theorem proved : statement.
-Proof. follows GbtDevelopable.Section_2_2_proofs.eq_2_2.proved. Qed.
-Theorem met : instance.
-Proof. follows GbtDevelopable.Section_2_2_proofs.eq_2_2.met. Qed.
-End eq_2_2.
-
 Module def_2_dim_one_letter.
 Import GbtDevelopable.Section_2_2_printed.def_2_dim_one_letter.
 Theorem refuted : ~ statement.

@@ -4,14 +4,6 @@ From GbtDevelopable Require Section_2_2.
 Import GbtDevelopable.Section_2_2.Definitions.
 Open Scope R_scope.
 
-Module eq_2_2.
-Import GbtDevelopable.Section_2_2.eq_2_2.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g G]; symbolic. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance g G]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
-End eq_2_2.
-
 Module def_2_dim_one_letter.
 Import GbtDevelopable.Section_2_2.def_2_dim_one_letter.
 Theorem refuted : ~ statement.

@@ -388,3 +388,32 @@ exists (t : R) (x : R),
   (-1) <= t <= 1 /\
   0 <= x <= 1.
 End sec_2_3_concl_2_quadratic.
+
+Module sec_2_3_concl_2_mean.
+(* gbt-developable/sec-2.3.concl-2.mean, Sect. 2.3, numbered conclusion 2
+   printed: A curve of order k is a mean of the k - 1 curves of order 2 of three consecutive control points each, with the Bernstein functions for weights.
+   stated: G(x) == sum(i, 0, k - 2, b[i,k-2](x)*(g[0,2](x)*R[i] + g[1,2](x)*R[i+1] + g[2,2](x)*R[i+2])) *)
+Definition b (x : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [1] i k.
+Definition statement : Prop :=
+forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  (forall i : Z, (0 <= i <= (k - 2))%Z -> (0 <= k - 2)%Z) ->
+  (forall i : Z, (0 <= i <= (k - 2))%Z -> (0 <= i <= k)%Z) ->
+  (forall i : Z, (0 <= i <= (k - 2))%Z -> (0 <= i + 1 <= k)%Z) ->
+  (forall i : Z, (0 <= i <= (k - 2))%Z -> (0 <= i + 2 <= k)%Z) ->
+  G R_ k mu nu x = sum 0%Z (k - 2)%Z (fun i => b x i (k - 2)%Z * (g x mu nu 0%Z 2%Z * R_ i + g x mu nu 1%Z 2%Z * R_ (i + 1)%Z + g x mu nu 2%Z 2%Z * R_ (i + 2)%Z)).
+Definition instance : Prop :=
+exists (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= x <= 1 /\
+  (forall i : Z, (0 <= i <= (k - 2))%Z -> (0 <= k - 2)%Z) /\
+  (forall i : Z, (0 <= i <= (k - 2))%Z -> (0 <= i <= k)%Z) /\
+  (forall i : Z, (0 <= i <= (k - 2))%Z -> (0 <= i + 1 <= k)%Z) /\
+  (forall i : Z, (0 <= i <= (k - 2))%Z -> (0 <= i + 2 <= k)%Z).
+End sec_2_3_concl_2_mean.

@@ -134,3 +134,11 @@ Proof. follows GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_quadratic.prove
 Theorem met : instance.
 Proof. follows GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_quadratic.met. Qed.
 End sec_2_3_concl_2_quadratic.
+
+Module sec_2_3_concl_2_mean.
+Import GbtDevelopable.Section_2_3_printed.sec_2_3_concl_2_mean.
+Theorem proved : statement.
+Proof. follows GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_mean.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_mean.met. Qed.
+End sec_2_3_concl_2_mean.

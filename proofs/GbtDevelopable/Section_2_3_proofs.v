@@ -136,3 +136,11 @@ Proof. cbv beta zeta delta [statement g]; ordered. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance g]; first [(exists ((-1) / 3), (1 / 3); met) | (exists (0), (1 / 2); met) | (exists ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), (1 / 3); met) | (exists ((-1) / 3), (1 / 3); met)]. Qed.
 End sec_2_3_concl_2_quadratic.
+
+Module sec_2_3_concl_2_mean.
+Import GbtDevelopable.Section_2_3.sec_2_3_concl_2_mean.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g G b]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g G b]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End sec_2_3_concl_2_mean.

@@ -52,28 +52,6 @@ exists (A'1 A'2 A'3 A'4 : R) (B'1 B'2 B'3 B'4 : R) (factor : R) (factor2 : R),
   entry A 1 ^ 2 * entry B 2 ^ 2 + entry A 1 ^ 2 * entry B 3 ^ 2 - 2 * entry A 1 * entry A 2 * entry B 1 * entry B 2 - 2 * entry A 1 * entry A 3 * entry B 1 * entry B 3 + entry A 2 ^ 2 * entry B 1 ^ 2 + entry A 2 ^ 2 * entry B 3 ^ 2 - 2 * entry A 2 * entry A 3 * entry B 2 * entry B 3 + entry A 3 ^ 2 * entry B 1 ^ 2 + entry A 3 ^ 2 * entry B 2 ^ 2 <> 0.
 End sec_3_1_space.
 
-Module eq_3_1.
-(* gbt-developable/eq-3.1, Sect. 3.1, eq. (3.1)
-   printed: {Π_x}: H(x; μ, ν) = Σ_{i=0}^{k} g_{i,k}(x) Q_i, 0 ≤ x ≤ 1
-   read as: The printed sum is compared with the function H that all other statements use.
-   stated: H(x) == sum(i, 0, k, g[i,k](x)*Q[i]) *)
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
-Definition statement : Prop :=
-forall (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
-  (2 <= k)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  0 <= x <= 1 ->
-  H Q k mu nu x = sum 0%Z k (fun i => g x mu nu i k * Q i).
-Definition instance : Prop :=
-exists (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
-  (2 <= k)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1 /\
-  0 <= x <= 1.
-End eq_3_1.
-
 Module eq_3_2.
 (* gbt-developable/eq-3.2, Sect. 3.1, eq. (3.2)
    printed: H(x; μ, ν) = Σ g_{i,k}(x; μ, ν)(p_i, q_i, r_i, s_i) = {a0(x), a1(x), a2(x), a3(x)} = {Σ g_{i,k} p_i, Σ g_{i,k} q_i, Σ g_{i,k} r_i, Σ g_{i,k} s_i}

@@ -11,14 +11,6 @@ Theorem met : instance.
 Proof. follows GbtDevelopable.Section_3_1_proofs.sec_3_1_space.met. Qed.
 End sec_3_1_space.
 
-Module eq_3_1.
-Import GbtDevelopable.Section_3_1_printed.eq_3_1.
-Theorem proved : statement.
-Proof. follows GbtDevelopable.Section_3_1_proofs.eq_3_1.proved. Qed.
-Theorem met : instance.
-Proof. follows GbtDevelopable.Section_3_1_proofs.eq_3_1.met. Qed.
-End eq_3_1.
-
 Module eq_3_2.
 Import GbtDevelopable.Section_3_1_printed.eq_3_2.
 Theorem proved : statement.

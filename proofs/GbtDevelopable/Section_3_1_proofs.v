@@ -12,14 +12,6 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance normal direction moment foot midpoint]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, (1), (1); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, (1), (1); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, (7), (2); met) | (exists 4, 13, 8, 8, 13, 8, 8, 6, (1), (1); met) | (exists 1, 0, 0, 0, 0, 1, 0, 0, (1), (1); met)]. Qed.
 End sec_3_1_space.
 
-Module eq_3_1.
-Import GbtDevelopable.Section_3_1.eq_3_1.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g H]; symbolic. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
-End eq_3_1.
-
 Module eq_3_2.
 Import GbtDevelopable.Section_3_1.eq_3_2.
 Theorem proved : statement.

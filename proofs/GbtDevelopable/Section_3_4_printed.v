@@ -15,14 +15,14 @@ Definition direction (P : list R) (D_ : list R) : list R :=
   cross (normal P) (normal D_).
 Definition moment (P : list R) (D_ : list R) : list R :=
   vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
-Definition k1 (k : Z) (mu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
-Definition k2 (k : Z) (nu : R) : R :=
-  (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)).
 Definition start (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
   [[Derive_n (fun t => H (update1 Q 0%Z t) k mu nu 0) 1 (Q 0%Z); Derive_n (fun t => H (update1 Q 1%Z t) k mu nu 0) 1 (Q 1%Z); Derive_n (fun t => H (update1 Q 2%Z t) k mu nu 0) 1 (Q 2%Z)]; [Derive_n (fun t => Derive_n (fun x => H (update1 Q 0%Z t) k mu nu x) 1 0) 1 (Q 0%Z); Derive_n (fun t => Derive_n (fun x => H (update1 Q 1%Z t) k mu nu x) 1 0) 1 (Q 1%Z); Derive_n (fun t => Derive_n (fun x => H (update1 Q 2%Z t) k mu nu x) 1 0) 1 (Q 2%Z)]; [Derive_n (fun t => Derive_n (fun x => H (update1 Q 0%Z t) k mu nu x) 2 0) 1 (Q 0%Z); Derive_n (fun t => Derive_n (fun x => H (update1 Q 1%Z t) k mu nu x) 2 0) 1 (Q 1%Z); Derive_n (fun t => Derive_n (fun x => H (update1 Q 2%Z t) k mu nu x) 2 0) 1 (Q 2%Z)]].
+Definition k1 (k : Z) (mu : R) : R :=
+  (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
 Definition end_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) : list (list R) :=
   [[Derive_n (fun t => H (update1 Q k t) k mu nu 1) 1 (Q k); Derive_n (fun t => H (update1 Q (k - 1)%Z t) k mu nu 1) 1 (Q (k - 1)%Z); Derive_n (fun t => H (update1 Q (k - 2)%Z t) k mu nu 1) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => Derive_n (fun x => H (update1 Q k t) k mu nu x) 1 1) 1 (Q k); Derive_n (fun t => Derive_n (fun x => H (update1 Q (k - 1)%Z t) k mu nu x) 1 1) 1 (Q (k - 1)%Z); Derive_n (fun t => Derive_n (fun x => H (update1 Q (k - 2)%Z t) k mu nu x) 1 1) 1 (Q (k - 2)%Z)]; [Derive_n (fun t => Derive_n (fun x => H (update1 Q k t) k mu nu x) 2 1) 1 (Q k); Derive_n (fun t => Derive_n (fun x => H (update1 Q (k - 1)%Z t) k mu nu x) 2 1) 1 (Q (k - 1)%Z); Derive_n (fun t => Derive_n (fun x => H (update1 Q (k - 2)%Z t) k mu nu x) 2 1) 1 (Q (k - 2)%Z)]].
+Definition k2 (k : Z) (nu : R) : R :=
+  (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)).
 Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
   vdiv [det [[entry A 4; entry A 2; entry A 3]; [entry B 4; entry B 2; entry B 3]; [entry C_ 4; entry C_ 2; entry C_ 3]]; det [[entry A 1; entry A 4; entry A 3]; [entry B 1; entry B 4; entry B 3]; [entry C_ 1; entry C_ 4; entry C_ 3]]; det [[entry A 1; entry A 2; entry A 4]; [entry B 1; entry B 2; entry B 4]; [entry C_ 1; entry C_ 2; entry C_ 4]]] (det [normal A; normal B; normal C_]).
 End Definitions.
@@ -325,36 +325,6 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
   IZR k - 2 + PI / 2 * (1 + nu) <> 0 /\
   2 * (IZR k - 2) + PI * (1 + nu) <> 0.
 End sec_3_4_J1.
-
-Module sec_3_4_k1.
-(* gbt-developable/sec-3.4.k1, Sect. 3.4, after the matrices
-   printed: k_1 = (k − 2)(k − 3 + π(1 + μ))
-   stated: k1 == (k - 2)*(k - 3 + pi*(1 + mu)) *)
-Definition statement : Prop :=
-forall (k : Z) (mu : R),
-  (2 <= k)%Z ->
-  (-1) <= mu <= 1 ->
-  k1 k mu = (IZR k - 2) * (IZR k - 3 + PI * (1 + mu)).
-Definition instance : Prop :=
-exists (k : Z) (mu : R),
-  (2 <= k)%Z /\
-  (-1) <= mu <= 1.
-End sec_3_4_k1.
-
-Module sec_3_4_k2.
-(* gbt-developable/sec-3.4.k2, Sect. 3.4, after the matrices
-   printed: k_2 = (k − 2)(k − 3 + π(1 + ν))
-   stated: k2 == (k - 2)*(k - 3 + pi*(1 + nu)) *)
-Definition statement : Prop :=
-forall (k : Z) (nu : R),
-  (2 <= k)%Z ->
-  (-1) <= nu <= 1 ->
-  k2 k nu = (IZR k - 2) * (IZR k - 3 + PI * (1 + nu)).
-Definition instance : Prop :=
-exists (k : Z) (nu : R),
-  (2 <= k)%Z /\
-  (-1) <= nu <= 1.
-End sec_3_4_k2.
 
 Module sec_3_4_m0_r1.
 (* gbt-developable/sec-3.4.m0-r1, Sect. 3.4, first matrix, row 1

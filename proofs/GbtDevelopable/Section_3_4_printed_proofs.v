@@ -91,22 +91,6 @@ Theorem met : instance.
 Proof. follows GbtDevelopable.Section_3_4_proofs.sec_3_4_J1.met. Qed.
 End sec_3_4_J1.
 
-Module sec_3_4_k1.
-Import GbtDevelopable.Section_3_4_printed.sec_3_4_k1.
-Theorem proved : statement.
-Proof. follows GbtDevelopable.Section_3_4_proofs.sec_3_4_k1.proved. Qed.
-Theorem met : instance.
-Proof. follows GbtDevelopable.Section_3_4_proofs.sec_3_4_k1.met. Qed.
-End sec_3_4_k1.
-
-Module sec_3_4_k2.
-Import GbtDevelopable.Section_3_4_printed.sec_3_4_k2.
-Theorem proved : statement.
-Proof. follows GbtDevelopable.Section_3_4_proofs.sec_3_4_k2.proved. Qed.
-Theorem met : instance.
-Proof. follows GbtDevelopable.Section_3_4_proofs.sec_3_4_k2.met. Qed.
-End sec_3_4_k2.
-
 Module sec_3_4_m0_r1.
 Import GbtDevelopable.Section_3_4_printed.sec_3_4_m0_r1.
 Theorem proved : statement.

@@ -92,22 +92,6 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance g HT HT_ normal direction moment]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 7), (fun _ => 9), (fun _ => 7), (fun _ => 7), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End sec_3_4_J1.
 
-Module sec_3_4_k1.
-Import GbtDevelopable.Section_3_4.sec_3_4_k1.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement k1]; symbolic. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance k1]; first [(exists (2)%Z, ((-1) / 3); met) | (exists (2)%Z, (0); met) | (exists (2)%Z, ((-1) / 3); met) | (exists (2)%Z, ((-1) / 3); met) | (exists (2)%Z, ((-1) / 3); met)]. Qed.
-End sec_3_4_k1.
-
-Module sec_3_4_k2.
-Import GbtDevelopable.Section_3_4.sec_3_4_k2.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement k2]; symbolic. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance k2]; first [(exists (2)%Z, ((-1) / 3); met) | (exists (2)%Z, (0); met) | (exists (2)%Z, ((-1) / 3); met) | (exists (2)%Z, ((-1) / 3); met) | (exists (2)%Z, ((-1) / 3); met)]. Qed.
-End sec_3_4_k2.
-
 Module sec_3_4_m0_r1.
 Import GbtDevelopable.Section_3_4.sec_3_4_m0_r1.
 Theorem proved : statement.

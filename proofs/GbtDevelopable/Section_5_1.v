@@ -5,10 +5,10 @@ Open Scope R_scope.
 Module Definitions.
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
   sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
 Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
@@ -33,28 +33,6 @@ Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
   (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
 End Definitions.
 Import Definitions.
-
-Module eq_5_3_a.
-(* gbt-developable/eq-5.3.a, Sect. 5.1, eq. (5.3), first line
-   printed: Ĝ_1(x, μ_1, ν_1) = Σ_{i=0}^{k} g_{i,k}(x, μ_1, ν_1) R̂_{i,1}, R̂_{i,1} = (ω_{i,1} R_{i,1}, ω_{i,1})
-   read as: The sum is compared with the function H1 that the statements on joins use, with R̂ for Q: the curve in four coordinates is the family of planes.
-   stated: H1(x) == sum(i, 0, k, g[i,k](x, mu1, nu1)*P1[i]) *)
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition statement : Prop :=
-forall (k : Z) (P1 : Z -> R) (mu1 : R) (nu1 : R) (x : R),
-  (2 <= k)%Z ->
-  (-1) <= mu1 <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  0 <= x <= 1 ->
-  H1 P1 k mu1 nu1 x = sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
-Definition instance : Prop :=
-exists (k : Z) (P1 : Z -> R) (mu1 : R) (nu1 : R) (x : R),
-  (2 <= k)%Z /\
-  (-1) <= mu1 <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  0 <= x <= 1.
-End eq_5_3_a.
 
 Module eq_5_3_b.
 (* gbt-developable/eq-5.3.b, Sect. 5.1, eq. (5.3), second line, and the text after it

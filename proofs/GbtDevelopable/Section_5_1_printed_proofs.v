@@ -3,14 +3,6 @@ From Torse Require Import Defs Follows.
 From GbtDevelopable Require Section_5_1_printed Section_5_1_proofs.
 Open Scope R_scope.
 
-Module eq_5_3_a.
-Import GbtDevelopable.Section_5_1_printed.eq_5_3_a.
-Theorem proved : statement.
-Proof. follows GbtDevelopable.Section_5_1_proofs.eq_5_3_a.proved. Qed.
-Theorem met : instance.
-Proof. follows GbtDevelopable.Section_5_1_proofs.eq_5_3_a.met. Qed.
-End eq_5_3_a.
-
 Module eq_5_3_b.
 Import GbtDevelopable.Section_5_1_printed.eq_5_3_b.
 Theorem refuted : ~ statement.

@@ -4,14 +4,6 @@ From GbtDevelopable Require Section_5_1.
 Import GbtDevelopable.Section_5_1.Definitions.
 Open Scope R_scope.
 
-Module eq_5_3_a.
-Import GbtDevelopable.Section_5_1.eq_5_3_a.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g H1]; symbolic. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance g H1]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
-End eq_5_3_a.
-
 Module eq_5_3_b.
 Import GbtDevelopable.Section_5_1.eq_5_3_b.
 Theorem refuted : ~ statement.

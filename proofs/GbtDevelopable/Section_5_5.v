@@ -3,14 +3,6 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module Definitions.
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
@@ -33,6 +25,14 @@ Definition F1_ (A : Z -> list R) (x : R) : list R :=
   vsum 4 0%Z 3%Z (fun i => vscale (g x 1 1 i 3%Z) (A i)).
 Definition K2 (B : Z -> list R) (mu2 : R) (nu2 : R) (x : Z) : list R :=
   vsum 4 0%Z 3%Z (fun i => vscale (g (IZR x) mu2 nu2 i 3%Z) (B i)).
+Definition E1_0 : list R :=
+  [0; - 20; 10; 400].
+Definition E1_1 : list R :=
+  [0; - 10; 20; 400].
+Definition E1_2 : list R :=
+  [0; 10; 20; 400].
+Definition E1_3 : list R :=
+  [0; 20; 10; 400].
 Definition K1 (mu1 : R) (nu1 : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu1 nu1 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu1 nu1 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu1 nu1 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu1 nu1 3%Z 3%Z) E1_3).
 Definition K2_ (B : Z -> list R) (mu2 : R) (nu2 : R) (x : R) : list R :=
@@ -49,15 +49,6 @@ Definition foot (P : list R) (D_ : list R) : list R :=
   vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
 End Definitions.
 Import Definitions.
-
-Module eq_5_18.
-(* gbt-developable/eq-5.18, Sect. 5.5, Example 5.1, eq. (5.18)
-   printed: Q_{0,1} = (0, −20, 10, 400), Q_{1,1} = (0, −10, 20, 400), Q_{2,1} = (0, 10, 20, 400), Q_{3,1} = (0, 20, 10, 400)
-   read as: Compared with the planes of Example 4.1, which the statements on Examples 5.1 and 5.2 use.
-   stated: [E1_0, E1_1, E1_2, E1_3] == [[0, -20, 10, 400], [0, -10, 20, 400], [0, 10, 20, 400], [0, 20, 10, 400]] *)
-Definition statement : Prop :=
-  [E1_0; E1_1; E1_2; E1_3] = [[0; - 20; 10; 400]; [0; - 10; 20; 400]; [0; 10; 20; 400]; [0; 20; 10; 400]].
-End eq_5_18.
 
 Module ex_5_1_construct.
 (* gbt-developable/ex-5.1.construct, Sect. 5.5, Example 5.1

@@ -3,12 +3,6 @@ From Torse Require Import Defs Follows.
 From GbtDevelopable Require Section_5_5_printed Section_5_5_proofs.
 Open Scope R_scope.
 
-Module eq_5_18.
-Import GbtDevelopable.Section_5_5_printed.eq_5_18.
-Theorem proved : statement.
-Proof. follows GbtDevelopable.Section_5_5_proofs.eq_5_18.proved. Qed.
-End eq_5_18.
-
 Module ex_5_1_construct.
 Import GbtDevelopable.Section_5_5_printed.ex_5_1_construct.
 Theorem proved : statement.

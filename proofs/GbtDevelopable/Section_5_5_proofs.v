@@ -4,12 +4,6 @@ From GbtDevelopable Require Section_5_5.
 Import GbtDevelopable.Section_5_5.Definitions.
 Open Scope R_scope.
 
-Module eq_5_18.
-Import GbtDevelopable.Section_5_5.eq_5_18.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement E1_0 E1_1 E1_2 E1_3]; identity. Qed.
-End eq_5_18.
-
 Module ex_5_1_construct.
 Import GbtDevelopable.Section_5_5.ex_5_1_construct.
 Theorem proved : statement.

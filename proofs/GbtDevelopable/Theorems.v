@@ -157,8 +157,6 @@ Check (GbtDevelopable.Section_2_1_proofs.thm_1_6_c.proved : GbtDevelopable.Secti
 Check (GbtDevelopable.Section_2_1_proofs.thm_1_6_c.met : GbtDevelopable.Section_2_1.thm_1_6_c.instance).
 Check (GbtDevelopable.Section_2_1_proofs.thm_1_6_d.proved : GbtDevelopable.Section_2_1.thm_1_6_d.statement).
 Check (GbtDevelopable.Section_2_1_proofs.thm_1_6_d.met : GbtDevelopable.Section_2_1.thm_1_6_d.instance).
-Check (GbtDevelopable.Section_2_2_printed_proofs.eq_2_2.proved : GbtDevelopable.Section_2_2_printed.eq_2_2.statement).
-Check (GbtDevelopable.Section_2_2_printed_proofs.eq_2_2.met : GbtDevelopable.Section_2_2_printed.eq_2_2.instance).
 Check (GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_one_letter.refuted : ~ GbtDevelopable.Section_2_2_printed.def_2_dim_one_letter.statement).
 Check (GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_two_letters.proved : GbtDevelopable.Section_2_2_printed.def_2_dim_two_letters.statement).
 Check (GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_two_letters.met : GbtDevelopable.Section_2_2_printed.def_2_dim_two_letters.instance).
@@ -176,8 +174,6 @@ Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_vd_operator.proved : Gb
 Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_vd_operator.met : GbtDevelopable.Section_2_2_printed.sec_2_2_vd_operator.instance).
 Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_geominv.proved : GbtDevelopable.Section_2_2_printed.sec_2_2_geominv.statement).
 Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_geominv.met : GbtDevelopable.Section_2_2_printed.sec_2_2_geominv.instance).
-Check (GbtDevelopable.Section_2_2_proofs.eq_2_2.proved : GbtDevelopable.Section_2_2.eq_2_2.statement).
-Check (GbtDevelopable.Section_2_2_proofs.eq_2_2.met : GbtDevelopable.Section_2_2.eq_2_2.instance).
 Check (GbtDevelopable.Section_2_2_proofs.def_2_dim_one_letter.refuted : ~ GbtDevelopable.Section_2_2.def_2_dim_one_letter.statement).
 Check (GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.proved : GbtDevelopable.Section_2_2.def_2_dim_two_letters.statement).
 Check (GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.met : GbtDevelopable.Section_2_2.def_2_dim_two_letters.instance).
@@ -225,6 +221,8 @@ Check (GbtDevelopable.Section_2_3_printed_proofs.sec_2_3_concl_2_boundary_of_the
 Check (GbtDevelopable.Section_2_3_printed_proofs.sec_2_3_concl_2_control_polygon.refuted : ~ GbtDevelopable.Section_2_3_printed.sec_2_3_concl_2_control_polygon.statement).
 Check (GbtDevelopable.Section_2_3_printed_proofs.sec_2_3_concl_2_quadratic.proved : GbtDevelopable.Section_2_3_printed.sec_2_3_concl_2_quadratic.statement).
 Check (GbtDevelopable.Section_2_3_printed_proofs.sec_2_3_concl_2_quadratic.met : GbtDevelopable.Section_2_3_printed.sec_2_3_concl_2_quadratic.instance).
+Check (GbtDevelopable.Section_2_3_printed_proofs.sec_2_3_concl_2_mean.proved : GbtDevelopable.Section_2_3_printed.sec_2_3_concl_2_mean.statement).
+Check (GbtDevelopable.Section_2_3_printed_proofs.sec_2_3_concl_2_mean.met : GbtDevelopable.Section_2_3_printed.sec_2_3_concl_2_mean.instance).
 Check (GbtDevelopable.Section_2_3_proofs.sec_2_3_local_part_of_a_curve.refuted : ~ GbtDevelopable.Section_2_3.sec_2_3_local_part_of_a_curve.statement).
 Check (GbtDevelopable.Section_2_3_proofs.sec_2_3_local_part_of_a_composite.proved : GbtDevelopable.Section_2_3.sec_2_3_local_part_of_a_composite.statement).
 Check (GbtDevelopable.Section_2_3_proofs.sec_2_3_local_part_of_a_composite.met : GbtDevelopable.Section_2_3.sec_2_3_local_part_of_a_composite.instance).
@@ -255,10 +253,10 @@ Check (GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_boundary_of_the_hull.re
 Check (GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_control_polygon.refuted : ~ GbtDevelopable.Section_2_3.sec_2_3_concl_2_control_polygon.statement).
 Check (GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_quadratic.proved : GbtDevelopable.Section_2_3.sec_2_3_concl_2_quadratic.statement).
 Check (GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_quadratic.met : GbtDevelopable.Section_2_3.sec_2_3_concl_2_quadratic.instance).
+Check (GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_mean.proved : GbtDevelopable.Section_2_3.sec_2_3_concl_2_mean.statement).
+Check (GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_mean.met : GbtDevelopable.Section_2_3.sec_2_3_concl_2_mean.instance).
 Check (GbtDevelopable.Section_3_1_printed_proofs.sec_3_1_space.proved : GbtDevelopable.Section_3_1_printed.sec_3_1_space.statement).
 Check (GbtDevelopable.Section_3_1_printed_proofs.sec_3_1_space.met : GbtDevelopable.Section_3_1_printed.sec_3_1_space.instance).
-Check (GbtDevelopable.Section_3_1_printed_proofs.eq_3_1.proved : GbtDevelopable.Section_3_1_printed.eq_3_1.statement).
-Check (GbtDevelopable.Section_3_1_printed_proofs.eq_3_1.met : GbtDevelopable.Section_3_1_printed.eq_3_1.instance).
 Check (GbtDevelopable.Section_3_1_printed_proofs.eq_3_2.proved : GbtDevelopable.Section_3_1_printed.eq_3_2.statement).
 Check (GbtDevelopable.Section_3_1_printed_proofs.eq_3_2.met : GbtDevelopable.Section_3_1_printed.eq_3_2.instance).
 Check (GbtDevelopable.Section_3_1_printed_proofs.eq_3_3.proved : GbtDevelopable.Section_3_1_printed.eq_3_3.statement).
@@ -267,8 +265,6 @@ Check (GbtDevelopable.Section_3_1_printed_proofs.eq_3_4.proved : GbtDevelopable.
 Check (GbtDevelopable.Section_3_1_printed_proofs.eq_3_4.met : GbtDevelopable.Section_3_1_printed.eq_3_4.instance).
 Check (GbtDevelopable.Section_3_1_proofs.sec_3_1_space.proved : GbtDevelopable.Section_3_1.sec_3_1_space.statement).
 Check (GbtDevelopable.Section_3_1_proofs.sec_3_1_space.met : GbtDevelopable.Section_3_1.sec_3_1_space.instance).
-Check (GbtDevelopable.Section_3_1_proofs.eq_3_1.proved : GbtDevelopable.Section_3_1.eq_3_1.statement).
-Check (GbtDevelopable.Section_3_1_proofs.eq_3_1.met : GbtDevelopable.Section_3_1.eq_3_1.instance).
 Check (GbtDevelopable.Section_3_1_proofs.eq_3_2.proved : GbtDevelopable.Section_3_1.eq_3_2.statement).
 Check (GbtDevelopable.Section_3_1_proofs.eq_3_2.met : GbtDevelopable.Section_3_1.eq_3_2.instance).
 Check (GbtDevelopable.Section_3_1_proofs.eq_3_3.proved : GbtDevelopable.Section_3_1.eq_3_3.statement).
@@ -381,10 +377,6 @@ Check (GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_dual.proved : GbtDevelo
 Check (GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_dual.met : GbtDevelopable.Section_3_4_printed.sec_3_4_dual.instance).
 Check (GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_J1.proved : GbtDevelopable.Section_3_4_printed.sec_3_4_J1.statement).
 Check (GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_J1.met : GbtDevelopable.Section_3_4_printed.sec_3_4_J1.instance).
-Check (GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_k1.proved : GbtDevelopable.Section_3_4_printed.sec_3_4_k1.statement).
-Check (GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_k1.met : GbtDevelopable.Section_3_4_printed.sec_3_4_k1.instance).
-Check (GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_k2.proved : GbtDevelopable.Section_3_4_printed.sec_3_4_k2.statement).
-Check (GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_k2.met : GbtDevelopable.Section_3_4_printed.sec_3_4_k2.instance).
 Check (GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_m0_r1.proved : GbtDevelopable.Section_3_4_printed.sec_3_4_m0_r1.statement).
 Check (GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_m0_r1.met : GbtDevelopable.Section_3_4_printed.sec_3_4_m0_r1.instance).
 Check (GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_m0_r2.proved : GbtDevelopable.Section_3_4_printed.sec_3_4_m0_r2.statement).
@@ -442,10 +434,6 @@ Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_dual.proved : GbtDevelopable.Se
 Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_dual.met : GbtDevelopable.Section_3_4.sec_3_4_dual.instance).
 Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_J1.proved : GbtDevelopable.Section_3_4.sec_3_4_J1.statement).
 Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_J1.met : GbtDevelopable.Section_3_4.sec_3_4_J1.instance).
-Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_k1.proved : GbtDevelopable.Section_3_4.sec_3_4_k1.statement).
-Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_k1.met : GbtDevelopable.Section_3_4.sec_3_4_k1.instance).
-Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_k2.proved : GbtDevelopable.Section_3_4.sec_3_4_k2.statement).
-Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_k2.met : GbtDevelopable.Section_3_4.sec_3_4_k2.instance).
 Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_m0_r1.proved : GbtDevelopable.Section_3_4.sec_3_4_m0_r1.statement).
 Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_m0_r1.met : GbtDevelopable.Section_3_4.sec_3_4_m0_r1.instance).
 Check (GbtDevelopable.Section_3_4_proofs.sec_3_4_m0_r2.proved : GbtDevelopable.Section_3_4.sec_3_4_m0_r2.statement).
@@ -671,8 +659,6 @@ Check (GbtDevelopable.Section_4_proofs.ex_4_2_distance.proved : GbtDevelopable.S
 Check (GbtDevelopable.Section_4_proofs.ex_4_2_distance.met : GbtDevelopable.Section_4.ex_4_2_distance.instance).
 Check (GbtDevelopable.Section_4_proofs.ex_4_2_coplanar.proved : GbtDevelopable.Section_4.ex_4_2_coplanar.statement).
 Check (GbtDevelopable.Section_4_proofs.ex_4_2_coplanar.met : GbtDevelopable.Section_4.ex_4_2_coplanar.instance).
-Check (GbtDevelopable.Section_5_1_printed_proofs.eq_5_3_a.proved : GbtDevelopable.Section_5_1_printed.eq_5_3_a.statement).
-Check (GbtDevelopable.Section_5_1_printed_proofs.eq_5_3_a.met : GbtDevelopable.Section_5_1_printed.eq_5_3_a.instance).
 Check (GbtDevelopable.Section_5_1_printed_proofs.eq_5_3_b.refuted : ~ GbtDevelopable.Section_5_1_printed.eq_5_3_b.statement).
 Check (GbtDevelopable.Section_5_1_printed_proofs.eq_5_3_b_corrected.proved : GbtDevelopable.Section_5_1_printed.eq_5_3_b_corrected.statement).
 Check (GbtDevelopable.Section_5_1_printed_proofs.eq_5_3_b_corrected.met : GbtDevelopable.Section_5_1_printed.eq_5_3_b_corrected.instance).
@@ -718,8 +704,6 @@ Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_generator.proved : G
 Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_generator.met : GbtDevelopable.Section_5_1_printed.thm_2_true_generator.instance).
 Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_sheets.proved : GbtDevelopable.Section_5_1_printed.thm_2_true_sheets.statement).
 Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_sheets.met : GbtDevelopable.Section_5_1_printed.thm_2_true_sheets.instance).
-Check (GbtDevelopable.Section_5_1_proofs.eq_5_3_a.proved : GbtDevelopable.Section_5_1.eq_5_3_a.statement).
-Check (GbtDevelopable.Section_5_1_proofs.eq_5_3_a.met : GbtDevelopable.Section_5_1.eq_5_3_a.instance).
 Check (GbtDevelopable.Section_5_1_proofs.eq_5_3_b.refuted : ~ GbtDevelopable.Section_5_1.eq_5_3_b.statement).
 Check (GbtDevelopable.Section_5_1_proofs.eq_5_3_b_corrected.proved : GbtDevelopable.Section_5_1.eq_5_3_b_corrected.statement).
 Check (GbtDevelopable.Section_5_1_proofs.eq_5_3_b_corrected.met : GbtDevelopable.Section_5_1.eq_5_3_b_corrected.instance).
@@ -899,7 +883,6 @@ Check (GbtDevelopable.Section_5_4_proofs.alg_5_4_s5.proved : GbtDevelopable.Sect
 Check (GbtDevelopable.Section_5_4_proofs.alg_5_4_s5.met : GbtDevelopable.Section_5_4.alg_5_4_s5.instance).
 Check (GbtDevelopable.Section_5_4_proofs.alg_5_4_iterate.proved : GbtDevelopable.Section_5_4.alg_5_4_iterate.statement).
 Check (GbtDevelopable.Section_5_4_proofs.alg_5_4_iterate.met : GbtDevelopable.Section_5_4.alg_5_4_iterate.instance).
-Check (GbtDevelopable.Section_5_5_printed_proofs.eq_5_18.proved : GbtDevelopable.Section_5_5_printed.eq_5_18.statement).
 Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_1_construct.proved : GbtDevelopable.Section_5_5_printed.ex_5_1_construct.statement).
 Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_1_construct.met : GbtDevelopable.Section_5_5_printed.ex_5_1_construct.instance).
 Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_1_shape_shape.proved : GbtDevelopable.Section_5_5_printed.ex_5_1_shape_shape.statement).
@@ -916,7 +899,6 @@ Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gamma_one.met : GbtDevel
 Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gap_surfaces.refuted : ~ GbtDevelopable.Section_5_5_printed.ex_5_2_gap_surfaces.statement).
 Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gap_drawn_pieces.proved : GbtDevelopable.Section_5_5_printed.ex_5_2_gap_drawn_pieces.statement).
 Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gap_drawn_pieces.met : GbtDevelopable.Section_5_5_printed.ex_5_2_gap_drawn_pieces.instance).
-Check (GbtDevelopable.Section_5_5_proofs.eq_5_18.proved : GbtDevelopable.Section_5_5.eq_5_18.statement).
 Check (GbtDevelopable.Section_5_5_proofs.ex_5_1_construct.proved : GbtDevelopable.Section_5_5.ex_5_1_construct.statement).
 Check (GbtDevelopable.Section_5_5_proofs.ex_5_1_construct.met : GbtDevelopable.Section_5_5.ex_5_1_construct.instance).
 Check (GbtDevelopable.Section_5_5_proofs.ex_5_1_shape_shape.proved : GbtDevelopable.Section_5_5.ex_5_1_shape_shape.statement).
@@ -1074,8 +1056,6 @@ let _ := GbtDevelopable.Section_2_1_proofs.thm_1_6_c.proved in
 let _ := GbtDevelopable.Section_2_1_proofs.thm_1_6_c.met in
 let _ := GbtDevelopable.Section_2_1_proofs.thm_1_6_d.proved in
 let _ := GbtDevelopable.Section_2_1_proofs.thm_1_6_d.met in
-let _ := GbtDevelopable.Section_2_2_printed_proofs.eq_2_2.proved in
-let _ := GbtDevelopable.Section_2_2_printed_proofs.eq_2_2.met in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_one_letter.refuted in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_two_letters.proved in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_two_letters.met in
@@ -1093,8 +1073,6 @@ let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_vd_operator.proved in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_vd_operator.met in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_geominv.proved in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_geominv.met in
-let _ := GbtDevelopable.Section_2_2_proofs.eq_2_2.proved in
-let _ := GbtDevelopable.Section_2_2_proofs.eq_2_2.met in
 let _ := GbtDevelopable.Section_2_2_proofs.def_2_dim_one_letter.refuted in
 let _ := GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.proved in
 let _ := GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.met in
@@ -1142,6 +1120,8 @@ let _ := GbtDevelopable.Section_2_3_printed_proofs.sec_2_3_concl_2_boundary_of_t
 let _ := GbtDevelopable.Section_2_3_printed_proofs.sec_2_3_concl_2_control_polygon.refuted in
 let _ := GbtDevelopable.Section_2_3_printed_proofs.sec_2_3_concl_2_quadratic.proved in
 let _ := GbtDevelopable.Section_2_3_printed_proofs.sec_2_3_concl_2_quadratic.met in
+let _ := GbtDevelopable.Section_2_3_printed_proofs.sec_2_3_concl_2_mean.proved in
+let _ := GbtDevelopable.Section_2_3_printed_proofs.sec_2_3_concl_2_mean.met in
 let _ := GbtDevelopable.Section_2_3_proofs.sec_2_3_local_part_of_a_curve.refuted in
 let _ := GbtDevelopable.Section_2_3_proofs.sec_2_3_local_part_of_a_composite.proved in
 let _ := GbtDevelopable.Section_2_3_proofs.sec_2_3_local_part_of_a_composite.met in
@@ -1172,10 +1152,10 @@ let _ := GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_boundary_of_the_hull.
 let _ := GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_control_polygon.refuted in
 let _ := GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_quadratic.proved in
 let _ := GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_quadratic.met in
+let _ := GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_mean.proved in
+let _ := GbtDevelopable.Section_2_3_proofs.sec_2_3_concl_2_mean.met in
 let _ := GbtDevelopable.Section_3_1_printed_proofs.sec_3_1_space.proved in
 let _ := GbtDevelopable.Section_3_1_printed_proofs.sec_3_1_space.met in
-let _ := GbtDevelopable.Section_3_1_printed_proofs.eq_3_1.proved in
-let _ := GbtDevelopable.Section_3_1_printed_proofs.eq_3_1.met in
 let _ := GbtDevelopable.Section_3_1_printed_proofs.eq_3_2.proved in
 let _ := GbtDevelopable.Section_3_1_printed_proofs.eq_3_2.met in
 let _ := GbtDevelopable.Section_3_1_printed_proofs.eq_3_3.proved in
@@ -1184,8 +1164,6 @@ let _ := GbtDevelopable.Section_3_1_printed_proofs.eq_3_4.proved in
 let _ := GbtDevelopable.Section_3_1_printed_proofs.eq_3_4.met in
 let _ := GbtDevelopable.Section_3_1_proofs.sec_3_1_space.proved in
 let _ := GbtDevelopable.Section_3_1_proofs.sec_3_1_space.met in
-let _ := GbtDevelopable.Section_3_1_proofs.eq_3_1.proved in
-let _ := GbtDevelopable.Section_3_1_proofs.eq_3_1.met in
 let _ := GbtDevelopable.Section_3_1_proofs.eq_3_2.proved in
 let _ := GbtDevelopable.Section_3_1_proofs.eq_3_2.met in
 let _ := GbtDevelopable.Section_3_1_proofs.eq_3_3.proved in
@@ -1298,10 +1276,6 @@ let _ := GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_dual.proved in
 let _ := GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_dual.met in
 let _ := GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_J1.proved in
 let _ := GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_J1.met in
-let _ := GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_k1.proved in
-let _ := GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_k1.met in
-let _ := GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_k2.proved in
-let _ := GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_k2.met in
 let _ := GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_m0_r1.proved in
 let _ := GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_m0_r1.met in
 let _ := GbtDevelopable.Section_3_4_printed_proofs.sec_3_4_m0_r2.proved in
@@ -1359,10 +1333,6 @@ let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_dual.proved in
 let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_dual.met in
 let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_J1.proved in
 let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_J1.met in
-let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_k1.proved in
-let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_k1.met in
-let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_k2.proved in
-let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_k2.met in
 let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_m0_r1.proved in
 let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_m0_r1.met in
 let _ := GbtDevelopable.Section_3_4_proofs.sec_3_4_m0_r2.proved in
@@ -1588,8 +1558,6 @@ let _ := GbtDevelopable.Section_4_proofs.ex_4_2_distance.proved in
 let _ := GbtDevelopable.Section_4_proofs.ex_4_2_distance.met in
 let _ := GbtDevelopable.Section_4_proofs.ex_4_2_coplanar.proved in
 let _ := GbtDevelopable.Section_4_proofs.ex_4_2_coplanar.met in
-let _ := GbtDevelopable.Section_5_1_printed_proofs.eq_5_3_a.proved in
-let _ := GbtDevelopable.Section_5_1_printed_proofs.eq_5_3_a.met in
 let _ := GbtDevelopable.Section_5_1_printed_proofs.eq_5_3_b.refuted in
 let _ := GbtDevelopable.Section_5_1_printed_proofs.eq_5_3_b_corrected.proved in
 let _ := GbtDevelopable.Section_5_1_printed_proofs.eq_5_3_b_corrected.met in
@@ -1635,8 +1603,6 @@ let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_generator.proved i
 let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_generator.met in
 let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_sheets.proved in
 let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_sheets.met in
-let _ := GbtDevelopable.Section_5_1_proofs.eq_5_3_a.proved in
-let _ := GbtDevelopable.Section_5_1_proofs.eq_5_3_a.met in
 let _ := GbtDevelopable.Section_5_1_proofs.eq_5_3_b.refuted in
 let _ := GbtDevelopable.Section_5_1_proofs.eq_5_3_b_corrected.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.eq_5_3_b_corrected.met in
@@ -1816,7 +1782,6 @@ let _ := GbtDevelopable.Section_5_4_proofs.alg_5_4_s5.proved in
 let _ := GbtDevelopable.Section_5_4_proofs.alg_5_4_s5.met in
 let _ := GbtDevelopable.Section_5_4_proofs.alg_5_4_iterate.proved in
 let _ := GbtDevelopable.Section_5_4_proofs.alg_5_4_iterate.met in
-let _ := GbtDevelopable.Section_5_5_printed_proofs.eq_5_18.proved in
 let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_1_construct.proved in
 let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_1_construct.met in
 let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_1_shape_shape.proved in
@@ -1833,7 +1798,6 @@ let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gamma_one.met in
 let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gap_surfaces.refuted in
 let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gap_drawn_pieces.proved in
 let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gap_drawn_pieces.met in
-let _ := GbtDevelopable.Section_5_5_proofs.eq_5_18.proved in
 let _ := GbtDevelopable.Section_5_5_proofs.ex_5_1_construct.proved in
 let _ := GbtDevelopable.Section_5_5_proofs.ex_5_1_construct.met in
 let _ := GbtDevelopable.Section_5_5_proofs.ex_5_1_shape_shape.proved in

@@ -100,8 +100,8 @@ exists (k : Z) (m : Z) (mu : R) (nu : R) (z : R),
   (2 <= m)%Z.
 End eq_2.
 
-Module eq_2_zero_literal.
-(* gbt-surfaces/eq-2.zero.literal, Sect. 2.1, sentence after eq. (2)
+Module eq_2_zero.
+(* gbt-surfaces/eq-2.zero, Sect. 2.1, sentence after eq. (2)
    printed: when k = -1 or k > n, the functions f_{k,m}(z) = 0
    read as: The bound n is a number of its own, which the definition does not name.
    stated: f[-1,m](z) == 0 and f[n+j,m](z) == 0 *)
@@ -114,12 +114,11 @@ forall (j : Z) (m : Z) (n : Z) (mu : R) (nu : R) (z : R),
   (-1) <= nu <= 1 ->
   0 <= z <= 1 ->
   f z mu nu (- 1)%Z m = 0 /\ f z mu nu (n + j)%Z m = 0.
-End eq_2_zero_literal.
+End eq_2_zero.
 
-Module eq_2_zero_n_is_the_order.
-(* gbt-surfaces/eq-2.zero.n is the order, Sect. 2.1, sentence after eq. (2)
-   printed: when k = -1 or k > n, the functions f_{k,m}(z) = 0
-   read as: The bound n is the order m of the functions.
+Module eq_2_zero_true.
+(* gbt-surfaces/eq-2.zero.true, Sect. 2.1, sentence after eq. (2)
+   printed: The functions of order m with the index -1 or an index above m are zero.
    stated: f[-1,m](z) == 0 and f[m+j,m](z) == 0 *)
 Definition statement : Prop :=
 forall (j : Z) (m : Z) (mu : R) (nu : R) (z : R),
@@ -136,7 +135,7 @@ exists (j : Z) (m : Z) (mu : R) (nu : R) (z : R),
   (-1) <= mu <= 1 /\
   (-1) <= nu <= 1 /\
   0 <= z <= 1.
-End eq_2_zero_n_is_the_order.
+End eq_2_zero_true.
 
 Module thm_1_1_formal.
 (* gbt-surfaces/thm-1.1.formal, Sect. 2.1, Theorem 1, item 1 (Degeneracy)

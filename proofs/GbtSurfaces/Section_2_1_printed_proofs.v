@@ -35,19 +35,19 @@ Theorem met : instance.
 Proof. follows GbtSurfaces.Section_2_1_proofs.eq_2.met. Qed.
 End eq_2.
 
-Module eq_2_zero_literal.
-Import GbtSurfaces.Section_2_1_printed.eq_2_zero_literal.
+Module eq_2_zero.
+Import GbtSurfaces.Section_2_1_printed.eq_2_zero.
 Theorem refuted : ~ statement.
-Proof. follows GbtSurfaces.Section_2_1_proofs.eq_2_zero_literal.refuted. Qed.
-End eq_2_zero_literal.
+Proof. follows GbtSurfaces.Section_2_1_proofs.eq_2_zero.refuted. Qed.
+End eq_2_zero.
 
-Module eq_2_zero_n_is_the_order.
-Import GbtSurfaces.Section_2_1_printed.eq_2_zero_n_is_the_order.
+Module eq_2_zero_true.
+Import GbtSurfaces.Section_2_1_printed.eq_2_zero_true.
 Theorem proved : statement.
-Proof. follows GbtSurfaces.Section_2_1_proofs.eq_2_zero_n_is_the_order.proved. Qed.
+Proof. follows GbtSurfaces.Section_2_1_proofs.eq_2_zero_true.proved. Qed.
 Theorem met : instance.
-Proof. follows GbtSurfaces.Section_2_1_proofs.eq_2_zero_n_is_the_order.met. Qed.
-End eq_2_zero_n_is_the_order.
+Proof. follows GbtSurfaces.Section_2_1_proofs.eq_2_zero_true.met. Qed.
+End eq_2_zero_true.
 
 Module thm_1_1_formal.
 Import GbtSurfaces.Section_2_1_printed.thm_1_1_formal.

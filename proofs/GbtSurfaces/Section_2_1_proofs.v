@@ -36,19 +36,19 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End eq_2.
 
-Module eq_2_zero_literal.
-Import GbtSurfaces.Section_2_1.eq_2_zero_literal.
+Module eq_2_zero.
+Import GbtSurfaces.Section_2_1.eq_2_zero.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((1))%Z ((3))%Z ((2))%Z (0) (1) (1/2)). Qed.
-End eq_2_zero_literal.
+End eq_2_zero.
 
-Module eq_2_zero_n_is_the_order.
-Import GbtSurfaces.Section_2_1.eq_2_zero_n_is_the_order.
+Module eq_2_zero_true.
+Import GbtSurfaces.Section_2_1.eq_2_zero_true.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (1)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
-End eq_2_zero_n_is_the_order.
+End eq_2_zero_true.
 
 Module thm_1_1_formal.
 Import GbtSurfaces.Section_2_1.thm_1_1_formal.

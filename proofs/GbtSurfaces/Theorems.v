@@ -93,9 +93,9 @@ Check (GbtSurfaces.Section_2_1_printed_proofs.eq_1_f2.proved : GbtSurfaces.Secti
 Check (GbtSurfaces.Section_2_1_printed_proofs.eq_1_f2.met : GbtSurfaces.Section_2_1_printed.eq_1_f2.instance).
 Check (GbtSurfaces.Section_2_1_printed_proofs.eq_2.proved : GbtSurfaces.Section_2_1_printed.eq_2.statement).
 Check (GbtSurfaces.Section_2_1_printed_proofs.eq_2.met : GbtSurfaces.Section_2_1_printed.eq_2.instance).
-Check (GbtSurfaces.Section_2_1_printed_proofs.eq_2_zero_literal.refuted : ~ GbtSurfaces.Section_2_1_printed.eq_2_zero_literal.statement).
-Check (GbtSurfaces.Section_2_1_printed_proofs.eq_2_zero_n_is_the_order.proved : GbtSurfaces.Section_2_1_printed.eq_2_zero_n_is_the_order.statement).
-Check (GbtSurfaces.Section_2_1_printed_proofs.eq_2_zero_n_is_the_order.met : GbtSurfaces.Section_2_1_printed.eq_2_zero_n_is_the_order.instance).
+Check (GbtSurfaces.Section_2_1_printed_proofs.eq_2_zero.refuted : ~ GbtSurfaces.Section_2_1_printed.eq_2_zero.statement).
+Check (GbtSurfaces.Section_2_1_printed_proofs.eq_2_zero_true.proved : GbtSurfaces.Section_2_1_printed.eq_2_zero_true.statement).
+Check (GbtSurfaces.Section_2_1_printed_proofs.eq_2_zero_true.met : GbtSurfaces.Section_2_1_printed.eq_2_zero_true.instance).
 Check (GbtSurfaces.Section_2_1_printed_proofs.thm_1_1_formal.proved : GbtSurfaces.Section_2_1_printed.thm_1_1_formal.statement).
 Check (GbtSurfaces.Section_2_1_printed_proofs.thm_1_1_formal.met : GbtSurfaces.Section_2_1_printed.thm_1_1_formal.instance).
 Check (GbtSurfaces.Section_2_1_printed_proofs.thm_1_1_as_functions.refuted : ~ GbtSurfaces.Section_2_1_printed.thm_1_1_as_functions.statement).
@@ -130,9 +130,9 @@ Check (GbtSurfaces.Section_2_1_proofs.eq_1_f2.proved : GbtSurfaces.Section_2_1.e
 Check (GbtSurfaces.Section_2_1_proofs.eq_1_f2.met : GbtSurfaces.Section_2_1.eq_1_f2.instance).
 Check (GbtSurfaces.Section_2_1_proofs.eq_2.proved : GbtSurfaces.Section_2_1.eq_2.statement).
 Check (GbtSurfaces.Section_2_1_proofs.eq_2.met : GbtSurfaces.Section_2_1.eq_2.instance).
-Check (GbtSurfaces.Section_2_1_proofs.eq_2_zero_literal.refuted : ~ GbtSurfaces.Section_2_1.eq_2_zero_literal.statement).
-Check (GbtSurfaces.Section_2_1_proofs.eq_2_zero_n_is_the_order.proved : GbtSurfaces.Section_2_1.eq_2_zero_n_is_the_order.statement).
-Check (GbtSurfaces.Section_2_1_proofs.eq_2_zero_n_is_the_order.met : GbtSurfaces.Section_2_1.eq_2_zero_n_is_the_order.instance).
+Check (GbtSurfaces.Section_2_1_proofs.eq_2_zero.refuted : ~ GbtSurfaces.Section_2_1.eq_2_zero.statement).
+Check (GbtSurfaces.Section_2_1_proofs.eq_2_zero_true.proved : GbtSurfaces.Section_2_1.eq_2_zero_true.statement).
+Check (GbtSurfaces.Section_2_1_proofs.eq_2_zero_true.met : GbtSurfaces.Section_2_1.eq_2_zero_true.instance).
 Check (GbtSurfaces.Section_2_1_proofs.thm_1_1_formal.proved : GbtSurfaces.Section_2_1.thm_1_1_formal.statement).
 Check (GbtSurfaces.Section_2_1_proofs.thm_1_1_formal.met : GbtSurfaces.Section_2_1.thm_1_1_formal.instance).
 Check (GbtSurfaces.Section_2_1_proofs.thm_1_1_as_functions.refuted : ~ GbtSurfaces.Section_2_1.thm_1_1_as_functions.statement).
@@ -1132,9 +1132,9 @@ let _ := GbtSurfaces.Section_2_1_printed_proofs.eq_1_f2.proved in
 let _ := GbtSurfaces.Section_2_1_printed_proofs.eq_1_f2.met in
 let _ := GbtSurfaces.Section_2_1_printed_proofs.eq_2.proved in
 let _ := GbtSurfaces.Section_2_1_printed_proofs.eq_2.met in
-let _ := GbtSurfaces.Section_2_1_printed_proofs.eq_2_zero_literal.refuted in
-let _ := GbtSurfaces.Section_2_1_printed_proofs.eq_2_zero_n_is_the_order.proved in
-let _ := GbtSurfaces.Section_2_1_printed_proofs.eq_2_zero_n_is_the_order.met in
+let _ := GbtSurfaces.Section_2_1_printed_proofs.eq_2_zero.refuted in
+let _ := GbtSurfaces.Section_2_1_printed_proofs.eq_2_zero_true.proved in
+let _ := GbtSurfaces.Section_2_1_printed_proofs.eq_2_zero_true.met in
 let _ := GbtSurfaces.Section_2_1_printed_proofs.thm_1_1_formal.proved in
 let _ := GbtSurfaces.Section_2_1_printed_proofs.thm_1_1_formal.met in
 let _ := GbtSurfaces.Section_2_1_printed_proofs.thm_1_1_as_functions.refuted in
@@ -1169,9 +1169,9 @@ let _ := GbtSurfaces.Section_2_1_proofs.eq_1_f2.proved in
 let _ := GbtSurfaces.Section_2_1_proofs.eq_1_f2.met in
 let _ := GbtSurfaces.Section_2_1_proofs.eq_2.proved in
 let _ := GbtSurfaces.Section_2_1_proofs.eq_2.met in
-let _ := GbtSurfaces.Section_2_1_proofs.eq_2_zero_literal.refuted in
-let _ := GbtSurfaces.Section_2_1_proofs.eq_2_zero_n_is_the_order.proved in
-let _ := GbtSurfaces.Section_2_1_proofs.eq_2_zero_n_is_the_order.met in
+let _ := GbtSurfaces.Section_2_1_proofs.eq_2_zero.refuted in
+let _ := GbtSurfaces.Section_2_1_proofs.eq_2_zero_true.proved in
+let _ := GbtSurfaces.Section_2_1_proofs.eq_2_zero_true.met in
 let _ := GbtSurfaces.Section_2_1_proofs.thm_1_1_formal.proved in
 let _ := GbtSurfaces.Section_2_1_proofs.thm_1_1_formal.met in
 let _ := GbtSurfaces.Section_2_1_proofs.thm_1_1_as_functions.refuted in

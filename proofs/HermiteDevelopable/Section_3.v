@@ -21,6 +21,8 @@ Definition P (o : list R) (x : list R) : list R :=
   vadd o x.
 Definition f (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (u : R) : R :=
   f5 * u ^ 5 + f4 * u ^ 4 + f3 * u ^ 3 + f2 * u ^ 2 + f1 * u + f0.
+Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R) : R :=
+  k * f f0 f1 f2 f3 f4 f5 u + k * Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u - (1 - k) * s.
 Definition cone_normal (dx : list R) (x : list R) : list R :=
   cross dx x.
 Definition cone_gap (dlam : R) (dx : list R) (k : R) (lam : R) (x : list R) : list R :=
@@ -669,8 +671,6 @@ Module eq_3_2_planes_b_direction.
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is the vector that the next sentence determines: the component of (3.2) across the plane of q is k f + k f' = (1 - k) s, where s is the distance of that plane from the summit
    stated: fails(f'(u) == 0) *)
-Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R) : R :=
-  k * f f0 f1 f2 f3 f4 f5 u + k * Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u - (1 - k) * s.
 Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (n : Z) : R :=
   let u := 0%Z in Derive_n (fun u_ => across f0 f1 f2 f3 f4 f5 k s u_) (Z.to_nat n) (IZR u) / factorial n.
 Definition statement : Prop :=
@@ -708,6 +708,78 @@ forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u 
   part f0 f1 f2 f3 f4 f5 k s 5%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 4%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 3%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 2%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 1%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 0%Z = 0 ->
   Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u = 0).
 End eq_3_2_planes_b_direction.
+
+Module eq_3_2_planes_parallel.
+(* hermite-developable/eq-3.2.planes.parallel, Sect. 3, sentence before (3.2)
+   printed: With h = (q - o) - k (p - o) in the place of g the criterion (3.2) puts the Hermite curve p into a plane parallel to that of a plane Hermite curve q, in the distance (1 - k)/k times that of the summit.
+   stated: f'(u) == 0 and f(u) == (1 - k)/k*s *)
+Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (n : Z) : R :=
+  let u := 0%Z in Derive_n (fun u_ => across f0 f1 f2 f3 f4 f5 k s u_) (Z.to_nat n) (IZR u) / factorial n.
+Definition statement : Prop :=
+forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R),
+  0 < u < 1 ->
+  k > 0 ->
+  (0 <= 5%Z)%Z ->
+  factorial 5%Z <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  part f0 f1 f2 f3 f4 f5 k s 5%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 4%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 3%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 2%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 1%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 0%Z = 0 ->
+  k <> 0 ->
+  Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u = 0 /\ f f0 f1 f2 f3 f4 f5 u = (1 - k) / k * s.
+Definition instance : Prop :=
+exists (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R),
+  0 < u < 1 /\
+  k > 0 /\
+  (0 <= 5%Z)%Z /\
+  factorial 5%Z <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (part f0 f1 f2 f3 f4 f5 k s 5%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 4%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 3%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 2%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 1%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 0%Z = 0) /\
+  k <> 0.
+End eq_3_2_planes_parallel.
+
+Module eq_3_2_with_h.
+(* hermite-developable/eq-3.2.with-h, Sect. 3, eqs. (3.2) and (3.3)
+   printed: With h = (q - o) - k (p - o) in the place of g (3.2) is (3.3); on a cone with the summit o it is of the form (3.1).
+   stated: Q - o + dq == k*(P - o + dp) and Q + dq == k*(P + dp) + (1 - k)*o and (lam - 1)*(lam*(P - o) - k*(P - o)) == (lam - k)*(o + lam*(P - o) - P) *)
+Definition statement : Prop :=
+forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (hv'1 hv'2 hv'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R),
+  let P := [P'1; P'2; P'3] in
+  let Q := [Q'1; Q'2; Q'3] in
+  let dp := [dp'1; dp'2; dp'3] in
+  let dq := [dq'1; dq'2; dq'3] in
+  let hv := [hv'1; hv'2; hv'3] in
+  let o := [o'1; o'2; o'3] in
+  hv = vsub (vsub Q o) (vscale k (vsub P o)) ->
+  dq = vsub (vscale k dp) hv ->
+  vadd (vsub Q o) dq = vscale k (vadd (vsub P o) dp) /\ vadd Q dq = vadd (vscale k (vadd P dp)) (vscale (1 - k) o) /\ vscale (lam - 1) (vsub (vscale lam (vsub P o)) (vscale k (vsub P o))) = vscale (lam - k) (vsub (vadd o (vscale lam (vsub P o))) P).
+Definition instance : Prop :=
+exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (hv'1 hv'2 hv'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R),
+  let P := [P'1; P'2; P'3] in
+  let Q := [Q'1; Q'2; Q'3] in
+  let dp := [dp'1; dp'2; dp'3] in
+  let dq := [dq'1; dq'2; dq'3] in
+  let hv := [hv'1; hv'2; hv'3] in
+  let o := [o'1; o'2; o'3] in
+  hv = vsub (vsub Q o) (vscale k (vsub P o)) /\
+  dq = vsub (vscale k dp) hv.
+End eq_3_2_with_h.
 
 Module eq_3_2_across.
 (* hermite-developable/eq-3.2.across, Sect. 3, eq. (3.2)

@@ -157,6 +157,22 @@ Theorem refuted : ~ statement.
 Proof. follows HermiteDevelopable.Section_3_proofs.eq_3_2_planes_b_direction.refuted. Qed.
 End eq_3_2_planes_b_direction.
 
+Module eq_3_2_planes_parallel.
+Import HermiteDevelopable.Section_3_printed.eq_3_2_planes_parallel.
+Theorem proved : statement.
+Proof. follows HermiteDevelopable.Section_3_proofs.eq_3_2_planes_parallel.proved. Qed.
+Theorem met : instance.
+Proof. follows HermiteDevelopable.Section_3_proofs.eq_3_2_planes_parallel.met. Qed.
+End eq_3_2_planes_parallel.
+
+Module eq_3_2_with_h.
+Import HermiteDevelopable.Section_3_printed.eq_3_2_with_h.
+Theorem proved : statement.
+Proof. follows HermiteDevelopable.Section_3_proofs.eq_3_2_with_h.proved. Qed.
+Theorem met : instance.
+Proof. follows HermiteDevelopable.Section_3_proofs.eq_3_2_with_h.met. Qed.
+End eq_3_2_with_h.
+
 Module eq_3_2_across.
 Import HermiteDevelopable.Section_3_printed.eq_3_2_across.
 Theorem proved : statement.

@@ -2,6 +2,7 @@
 From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From HermiteDevelopable Require Section_3.
 Import HermiteDevelopable.Section_3.Definitions.
+From HermiteDevelopable Require Import Section_3_closed.
 Open Scope R_scope.
 
 Module def_3_1.
@@ -157,6 +158,22 @@ Import HermiteDevelopable.Section_3.eq_3_2_planes_b_direction.
 Theorem refuted : ~ statement.
 Proof. assert (C : forall f0 f1 f2 f3 f4 f5 k s u, across f0 f1 f2 f3 f4 f5 k s u = poly [k * f0 + k * f1 - (1 - k) * s; k * f1 + 2 * k * f2; k * f2 + 3 * k * f3; k * f3 + 4 * k * f4; k * f4 + 5 * k * f5; k * f5] u) by (intros; cbv beta delta [across f]; derivatives; cbn [poly]; ring); assert (P : forall f0 f1 f2 f3 f4 f5 k s z, part f0 f1 f2 f3 f4 f5 k s z = nth (Z.to_nat z) [k * f0 + k * f1 - (1 - k) * s; k * f1 + 2 * k * f2; k * f2 + 3 * k * f3; k * f3 + 4 * k * f4; k * f4 + 5 * k * f5; k * f5] 0) by (intros; exact (coefficient_of _ _ (Z.to_nat z) (C f0 f1 f2 f3 f4 f5 k s))); cbv beta zeta delta [statement]; intro no; apply (no 0 0 0 0 0 0 1 0 0); clear no; [lra | lra | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | rewrite !P; cbv beta iota delta [Z.to_nat Pos.to_nat Pos.iter_op Nat.add nth]; repeat split; ring | intros f0 f1 f2 f3 f4 f5 k s u K U _ _ _ _ _ _ _ _ _ _ _ _ E; rewrite !P in E; cbv beta iota delta [Z.to_nat Pos.to_nat Pos.iter_op Nat.add nth] in E; destruct E as (E5 & E4 & E3 & E2 & E1 & E0); assert (Z5 : f5 = 0) by (apply (cancelled k); [lra | lra]); subst f5; assert (Z4 : f4 = 0) by (apply (cancelled k); [lra | lra]); subst f4; assert (Z3 : f3 = 0) by (apply (cancelled k); [lra | lra]); subst f3; assert (Z2 : f2 = 0) by (apply (cancelled k); [lra | lra]); subst f2; assert (Z1 : f1 = 0) by (apply (cancelled k); [lra | lra]); subst f1; cbv beta delta [f]; derivatives; ring]. Qed.
 End eq_3_2_planes_b_direction.
+
+Module eq_3_2_planes_parallel.
+Import HermiteDevelopable.Section_3.eq_3_2_planes_parallel.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage f; stage across; staged_goal part; unstaged; prepared; known (f0) (-k*s + s) (k); known (f1) (0) (1); known (f2) (0) (1); known (f3) (0) (1); known (f4) (0) (1); known (f5) (0) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage f; stage across; staged_goal part; unstaged; first [(exists ((-((8))*((9)) + ((9))) / (((8)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (8), (9), (1 / 3); met) | (exists ((-((0))*((0)) + ((0))) / (((0)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (0), (0), (1 / 2); met) | (exists ((-((9))*((7)) + ((7))) / (((9)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (9), (7), (1 / 3); met) | (exists ((-((1))*((1)) + ((1))) / (((1)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (1), (1), (1 / 3); met) | (exists ((-((0))*((0)) + ((0))) / (((0)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (0), (0), (1 / 3); met)]. Qed.
+End eq_3_2_planes_parallel.
+
+Module eq_3_2_with_h.
+Import HermiteDevelopable.Section_3.eq_3_2_with_h.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; unstaged; prepared; known (dq'1) (P'1*k - Q'1 + dp'1*k - k*o'1 + o'1) (1); known (dq'2) (P'2*k - Q'2 + dp'2*k - k*o'2 + o'2) (1); known (dq'3) (P'3*k - Q'3 + dp'3*k - k*o'3 + o'3) (1); known (hv'1) (-P'1*k + Q'1 + k*o'1 - o'1) (1); known (hv'2) (-P'2*k + Q'2 + k*o'2 - o'2) (1); known (hv'3) (-P'3*k + Q'3 + k*o'3 - o'3) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (((2)*((17)) - (5) + (8)*((17)) - ((17))*(19) + (19)) / (1)), (((3)*((17)) - (6) + (9)*((17)) - ((17))*(20) + (20)) / (1)), (((4)*((17)) - (7) + (10)*((17)) - ((17))*(21) + (21)) / (1)), ((-(2)*((17)) + (5) + ((17))*(19) - (19)) / (1)), ((-(3)*((17)) + (6) + ((17))*(20) - (20)) / (1)), ((-(4)*((17)) + (7) + ((17))*(21) - (21)) / (1)), (17), (18), 19, 20, 21; met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), (((0)*((0)) - (0) + (0)*((0)) - ((0))*(0) + (0)) / (1)), ((-(0)*((0)) + (0) + ((0))*(0) - (0)) / (1)), ((-(0)*((0)) + (0) + ((0))*(0) - (0)) / (1)), ((-(0)*((0)) + (0) + ((0))*(0) - (0)) / (1)), (0), (0), 0, 0, 0; met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (((13)*((8)) - (6) + (9)*((8)) - ((8))*(8) + (8)) / (1)), (((8)*((8)) - (8) + (7)*((8)) - ((8))*(7) + (7)) / (1)), (((8)*((8)) - (7) + (7)*((8)) - ((8))*(9) + (9)) / (1)), ((-(13)*((8)) + (6) + ((8))*(8) - (8)) / (1)), ((-(8)*((8)) + (8) + ((8))*(7) - (7)) / (1)), ((-(8)*((8)) + (7) + ((8))*(9) - (9)) / (1)), (8), (6), 8, 7, 9; met) | (exists 8, 8, 6, 8, 6, 8, 6, 8, 7, (((8)*((1)) - (8) + (6)*((1)) - ((1))*(9) + (9)) / (1)), (((8)*((1)) - (6) + (8)*((1)) - ((1))*(7) + (7)) / (1)), (((6)*((1)) - (8) + (7)*((1)) - ((1))*(7) + (7)) / (1)), ((-(8)*((1)) + (8) + ((1))*(9) - (9)) / (1)), ((-(8)*((1)) + (6) + ((1))*(7) - (7)) / (1)), ((-(6)*((1)) + (8) + ((1))*(7) - (7)) / (1)), (1), (1), 9, 7, 7; met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (((1)*((1)) - (0) + (0)*((1)) - ((1))*(0) + (0)) / (1)), (((0)*((1)) - (1) + (0)*((1)) - ((1))*(0) + (0)) / (1)), (((0)*((1)) - (0) + (1)*((1)) - ((1))*(1) + (1)) / (1)), ((-(1)*((1)) + (0) + ((1))*(0) - (0)) / (1)), ((-(0)*((1)) + (1) + ((1))*(0) - (0)) / (1)), ((-(0)*((1)) + (0) + ((1))*(1) - (1)) / (1)), (1), (0), 0, 0, 1; met)]. Qed.
+End eq_3_2_with_h.
 
 Module eq_3_2_across.
 Import HermiteDevelopable.Section_3.eq_3_2_across.

@@ -13,6 +13,20 @@ Definition blend6 (w : list R) (a : list R) (b : list R) (c : list R) (d : list 
   vadd (vadd (vadd (vadd (vadd (vscale (entry w 1) a) (vscale (entry w 2) b)) (vscale (entry w 3) c)) (vscale (entry w 4) d)) (vscale (entry w 5) e)) (vscale (entry w 6) f).
 Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : list R) (m : list R) (b : list R) (s : list R) (r : list R) (t : list R) : list R :=
   blend6 (quintic_basis A B C_ E_ F G u) a m b s r t.
+Definition q0 (h : R) (y2 : R) (z2 : R) : list R :=
+  [h; y2; z2].
+Definition q1 (h : R) (y3 : R) (z3 : R) : list R :=
+  [h; y3; z3].
+Definition q0u (y4 : R) (z4 : R) : list R :=
+  [0; y4; z4].
+Definition q1u (y5 : R) (z5 : R) : list R :=
+  [0; y5; z5].
+Definition p0 (l : R) (y0 : R) (z0 : R) : list R :=
+  [l; y0; z0].
+Definition pm (l : R) (y1 : R) (z1 : R) : list R :=
+  [l; y1; z1].
+Definition pu (y6 : R) (z6 : R) : list R :=
+  [0; y6; z6].
 Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0 : list R) (p0u : list R) (p1 : list R) (p1u : list R) (pm : list R) (pu : list R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u p0 pm p1 p0u pu p1u.
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (q0 : list R) (q0u : list R) (q1 : list R) (q1u : list R) (qm : list R) (qu : list R) (u : R) : list R :=
@@ -164,22 +178,8 @@ Module sec_5_planes_a.
    printed: The construction methods of the developable surface laid between two parallel and oblique planes have been presented
    read as: between parallel planes: the quintic patch of Sect. 3.3, which contains those of lower degree; the given data of q are in a plane x = h, those of p in a plane x = l, the rest is solved for
    stated: q5'(u)[1] == 0 and p5'(u)[1] == 0 and det([p5'(u), q5'(u), q5(u) - p5(u)]) == 0 *)
-Definition q0 (h : R) (y2 : R) (z2 : R) : list R :=
-  [h; y2; z2].
-Definition q1 (h : R) (y3 : R) (z3 : R) : list R :=
-  [h; y3; z3].
-Definition q0u (y4 : R) (z4 : R) : list R :=
-  [0; y4; z4].
-Definition q1u (y5 : R) (z5 : R) : list R :=
-  [0; y5; z5].
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (qm : list R) (qu : list R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u (q0 h y2 z2) qm (q1 h y3 z3) (q0u y4 z4) qu (q1u y5 z5).
-Definition p0 (l : R) (y0 : R) (z0 : R) : list R :=
-  [l; y0; z0].
-Definition pm (l : R) (y1 : R) (z1 : R) : list R :=
-  [l; y1; z1].
-Definition pu (y6 : R) (z6 : R) : list R :=
-  [0; y6; z6].
 Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (l : R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y6 : R) (z0 : R) (z1 : R) (z6 : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u (p0 l y0 z0) (pm l y1 z1) p1 p0u (pu y6 z6) p1u.
 Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (y6 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (z6 : R) (u : R) : list R :=
@@ -238,6 +238,71 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R)
   factorial 0%Z <> 0 /\
   (quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 5%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 4%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 3%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 2%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 1%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 0%Z = zeros 3).
 End sec_5_planes_a.
+
+Module sec_5_planes_parallel.
+(* hermite-developable/sec-5.planes.parallel, Sect. 5, second paragraph
+   printed: The patches of Sects. 3.1 to 3.3, those of order five, which contain the others, are developable between parallel planes.
+   stated: q5'(u)[1] == 0 and p5'(u)[1] == 0 and det([p5'(u), q5'(u), q5(u) - p5(u)]) == 0 *)
+Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (qm : list R) (qu : list R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
+  hermite5 A B C_ E_ F G u (q0 h y2 z2) qm (q1 h y3 z3) (q0u y4 z4) qu (q1u y5 z5).
+Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (l : R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y6 : R) (z0 : R) (z1 : R) (z6 : R) (u : R) : list R :=
+  hermite5 A B C_ E_ F G u (p0 l y0 z0) (pm l y1 z1) p1 p0u (pu y6 z6) p1u.
+Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (y6 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (z6 : R) (u : R) : list R :=
+  vsub (vsub (vadd (q5 A B C_ E_ F G h qm qu y2 y3 y4 y5 z2 z3 z4 z5 u) (vDerive 3 (fun u => q5 A B C_ E_ F G h qm qu y2 y3 y4 y5 z2 z3 z4 z5 u) 1 u)) (vscale k (vadd (p5 A B C_ E_ F G l p0u p1 p1u y0 y1 y6 z0 z1 z6 u) (vDerive 3 (fun u => p5 A B C_ E_ F G l p0u p1 p1u y0 y1 y6 z0 z1 z6 u) 1 u)))) (vscale (1 - k) o).
+Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R) (o : list R) (p0u : list R) (p1 : list R) (p1u : list R) (qm : list R) (qu : list R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (y6 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (z6 : R) (n : Z) : list R :=
+  (fun u : R => vdiv (vDerive 3 (fun u => quintic_gap A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 u) (Z.to_nat n) u) (factorial n)) 0.
+Definition statement : Prop :=
+forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R) (u : R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (y6 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (z6 : R),
+  let o := [o'1; o'2; o'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  let qm := [qm'1; qm'2; qm'3] in
+  let qu := [qu'1; qu'2; qu'3] in
+  0 < u < 1 ->
+  k > 0 ->
+  k <> 1 ->
+  det (quintic_data A B C_ E_ F G) <> 0 ->
+  (0 <= 5%Z)%Z ->
+  factorial 5%Z <> 0 ->
+  (0 <= 4%Z)%Z ->
+  factorial 4%Z <> 0 ->
+  (0 <= 3%Z)%Z ->
+  factorial 3%Z <> 0 ->
+  (0 <= 2%Z)%Z ->
+  factorial 2%Z <> 0 ->
+  (0 <= 1%Z)%Z ->
+  factorial 1%Z <> 0 ->
+  (0 <= 0%Z)%Z ->
+  factorial 0%Z <> 0 ->
+  quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 5%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 4%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 3%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 2%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 1%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 0%Z = zeros 3 ->
+  entry (vDerive 3 (fun u => q5 A B C_ E_ F G h qm qu y2 y3 y4 y5 z2 z3 z4 z5 u) 1 u) 1 = 0 /\ entry (vDerive 3 (fun u => p5 A B C_ E_ F G l p0u p1 p1u y0 y1 y6 z0 z1 z6 u) 1 u) 1 = 0 /\ det [vDerive 3 (fun u => p5 A B C_ E_ F G l p0u p1 p1u y0 y1 y6 z0 z1 z6 u) 1 u; vDerive 3 (fun u => q5 A B C_ E_ F G h qm qu y2 y3 y4 y5 z2 z3 z4 z5 u) 1 u; vsub (q5 A B C_ E_ F G h qm qu y2 y3 y4 y5 z2 z3 z4 z5 u) (p5 A B C_ E_ F G l p0u p1 p1u y0 y1 y6 z0 z1 z6 u)] = 0.
+Definition instance : Prop :=
+exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R) (u : R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (y6 : R) (z0 : R) (z1 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (z6 : R),
+  let o := [o'1; o'2; o'3] in
+  let p0u := [p0u'1; p0u'2; p0u'3] in
+  let p1 := [p1'1; p1'2; p1'3] in
+  let p1u := [p1u'1; p1u'2; p1u'3] in
+  let qm := [qm'1; qm'2; qm'3] in
+  let qu := [qu'1; qu'2; qu'3] in
+  0 < u < 1 /\
+  k > 0 /\
+  k <> 1 /\
+  det (quintic_data A B C_ E_ F G) <> 0 /\
+  (0 <= 5%Z)%Z /\
+  factorial 5%Z <> 0 /\
+  (0 <= 4%Z)%Z /\
+  factorial 4%Z <> 0 /\
+  (0 <= 3%Z)%Z /\
+  factorial 3%Z <> 0 /\
+  (0 <= 2%Z)%Z /\
+  factorial 2%Z <> 0 /\
+  (0 <= 1%Z)%Z /\
+  factorial 1%Z <> 0 /\
+  (0 <= 0%Z)%Z /\
+  factorial 0%Z <> 0 /\
+  (quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 5%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 4%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 3%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 2%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 1%Z = zeros 3 /\ quintic_part A B C_ E_ F G h k l o p0u p1 p1u qm qu y0 y1 y2 y3 y4 y5 y6 z0 z1 z2 z3 z4 z5 z6 0%Z = zeros 3).
+End sec_5_planes_parallel.
 
 Module sec_5_planes_b.
 (* hermite-developable/sec-5.planes.b, Sect. 5, second paragraph

@@ -27,6 +27,14 @@ Theorem met : instance.
 Proof. follows HermiteDevelopable.Section_5_proofs.sec_5_planes_a.met. Qed.
 End sec_5_planes_a.
 
+Module sec_5_planes_parallel.
+Import HermiteDevelopable.Section_5_printed.sec_5_planes_parallel.
+Theorem proved : statement.
+Proof. follows HermiteDevelopable.Section_5_proofs.sec_5_planes_parallel.proved. Qed.
+Theorem met : instance.
+Proof. follows HermiteDevelopable.Section_5_proofs.sec_5_planes_parallel.met. Qed.
+End sec_5_planes_parallel.
+
 Module sec_5_planes_b.
 Import HermiteDevelopable.Section_5_printed.sec_5_planes_b.
 Theorem refuted : ~ statement.

@@ -630,6 +630,10 @@ Check (HermiteDevelopable.Section_3_printed_proofs.eq_3_2_planes_a_direction.pro
 Check (HermiteDevelopable.Section_3_printed_proofs.eq_3_2_planes_a_direction.met : HermiteDevelopable.Section_3_printed.eq_3_2_planes_a_direction.instance).
 Check (HermiteDevelopable.Section_3_printed_proofs.eq_3_2_planes_b_generatrix.refuted : ~ HermiteDevelopable.Section_3_printed.eq_3_2_planes_b_generatrix.statement).
 Check (HermiteDevelopable.Section_3_printed_proofs.eq_3_2_planes_b_direction.refuted : ~ HermiteDevelopable.Section_3_printed.eq_3_2_planes_b_direction.statement).
+Check (HermiteDevelopable.Section_3_printed_proofs.eq_3_2_planes_parallel.proved : HermiteDevelopable.Section_3_printed.eq_3_2_planes_parallel.statement).
+Check (HermiteDevelopable.Section_3_printed_proofs.eq_3_2_planes_parallel.met : HermiteDevelopable.Section_3_printed.eq_3_2_planes_parallel.instance).
+Check (HermiteDevelopable.Section_3_printed_proofs.eq_3_2_with_h.proved : HermiteDevelopable.Section_3_printed.eq_3_2_with_h.statement).
+Check (HermiteDevelopable.Section_3_printed_proofs.eq_3_2_with_h.met : HermiteDevelopable.Section_3_printed.eq_3_2_with_h.instance).
 Check (HermiteDevelopable.Section_3_printed_proofs.eq_3_2_across.proved : HermiteDevelopable.Section_3_printed.eq_3_2_across.statement).
 Check (HermiteDevelopable.Section_3_printed_proofs.eq_3_2_across.met : HermiteDevelopable.Section_3_printed.eq_3_2_across.instance).
 Check (HermiteDevelopable.Section_3_printed_proofs.eq_3_2_across_summit.proved : HermiteDevelopable.Section_3_printed.eq_3_2_across_summit.statement).
@@ -703,6 +707,10 @@ Check (HermiteDevelopable.Section_3_proofs.eq_3_2_planes_a_direction.proved : He
 Check (HermiteDevelopable.Section_3_proofs.eq_3_2_planes_a_direction.met : HermiteDevelopable.Section_3.eq_3_2_planes_a_direction.instance).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_2_planes_b_generatrix.refuted : ~ HermiteDevelopable.Section_3.eq_3_2_planes_b_generatrix.statement).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_2_planes_b_direction.refuted : ~ HermiteDevelopable.Section_3.eq_3_2_planes_b_direction.statement).
+Check (HermiteDevelopable.Section_3_proofs.eq_3_2_planes_parallel.proved : HermiteDevelopable.Section_3.eq_3_2_planes_parallel.statement).
+Check (HermiteDevelopable.Section_3_proofs.eq_3_2_planes_parallel.met : HermiteDevelopable.Section_3.eq_3_2_planes_parallel.instance).
+Check (HermiteDevelopable.Section_3_proofs.eq_3_2_with_h.proved : HermiteDevelopable.Section_3.eq_3_2_with_h.statement).
+Check (HermiteDevelopable.Section_3_proofs.eq_3_2_with_h.met : HermiteDevelopable.Section_3.eq_3_2_with_h.instance).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_2_across.proved : HermiteDevelopable.Section_3.eq_3_2_across.statement).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_2_across.met : HermiteDevelopable.Section_3.eq_3_2_across.instance).
 Check (HermiteDevelopable.Section_3_proofs.eq_3_2_across_summit.proved : HermiteDevelopable.Section_3.eq_3_2_across_summit.statement).
@@ -907,6 +915,8 @@ Check (HermiteDevelopable.Section_5_printed_proofs.sec_5_criteria_reach.proved :
 Check (HermiteDevelopable.Section_5_printed_proofs.sec_5_criteria_reach.met : HermiteDevelopable.Section_5_printed.sec_5_criteria_reach.instance).
 Check (HermiteDevelopable.Section_5_printed_proofs.sec_5_planes_a.proved : HermiteDevelopable.Section_5_printed.sec_5_planes_a.statement).
 Check (HermiteDevelopable.Section_5_printed_proofs.sec_5_planes_a.met : HermiteDevelopable.Section_5_printed.sec_5_planes_a.instance).
+Check (HermiteDevelopable.Section_5_printed_proofs.sec_5_planes_parallel.proved : HermiteDevelopable.Section_5_printed.sec_5_planes_parallel.statement).
+Check (HermiteDevelopable.Section_5_printed_proofs.sec_5_planes_parallel.met : HermiteDevelopable.Section_5_printed.sec_5_planes_parallel.instance).
 Check (HermiteDevelopable.Section_5_printed_proofs.sec_5_planes_b.refuted : ~ HermiteDevelopable.Section_5_printed.sec_5_planes_b.statement).
 Check (HermiteDevelopable.Section_5_proofs.sec_5_criteria_a.proved : HermiteDevelopable.Section_5.sec_5_criteria_a.statement).
 Check (HermiteDevelopable.Section_5_proofs.sec_5_criteria_a.met : HermiteDevelopable.Section_5.sec_5_criteria_a.instance).
@@ -914,6 +924,8 @@ Check (HermiteDevelopable.Section_5_proofs.sec_5_criteria_reach.proved : Hermite
 Check (HermiteDevelopable.Section_5_proofs.sec_5_criteria_reach.met : HermiteDevelopable.Section_5.sec_5_criteria_reach.instance).
 Check (HermiteDevelopable.Section_5_proofs.sec_5_planes_a.proved : HermiteDevelopable.Section_5.sec_5_planes_a.statement).
 Check (HermiteDevelopable.Section_5_proofs.sec_5_planes_a.met : HermiteDevelopable.Section_5.sec_5_planes_a.instance).
+Check (HermiteDevelopable.Section_5_proofs.sec_5_planes_parallel.proved : HermiteDevelopable.Section_5.sec_5_planes_parallel.statement).
+Check (HermiteDevelopable.Section_5_proofs.sec_5_planes_parallel.met : HermiteDevelopable.Section_5.sec_5_planes_parallel.instance).
 Check (HermiteDevelopable.Section_5_proofs.sec_5_planes_b.refuted : ~ HermiteDevelopable.Section_5.sec_5_planes_b.statement).
 Definition all_theorems : True :=
 let _ := HermiteDevelopable.Part_Abstract_printed_proofs.abs_construct_a.proved in
@@ -1529,6 +1541,10 @@ let _ := HermiteDevelopable.Section_3_printed_proofs.eq_3_2_planes_a_direction.p
 let _ := HermiteDevelopable.Section_3_printed_proofs.eq_3_2_planes_a_direction.met in
 let _ := HermiteDevelopable.Section_3_printed_proofs.eq_3_2_planes_b_generatrix.refuted in
 let _ := HermiteDevelopable.Section_3_printed_proofs.eq_3_2_planes_b_direction.refuted in
+let _ := HermiteDevelopable.Section_3_printed_proofs.eq_3_2_planes_parallel.proved in
+let _ := HermiteDevelopable.Section_3_printed_proofs.eq_3_2_planes_parallel.met in
+let _ := HermiteDevelopable.Section_3_printed_proofs.eq_3_2_with_h.proved in
+let _ := HermiteDevelopable.Section_3_printed_proofs.eq_3_2_with_h.met in
 let _ := HermiteDevelopable.Section_3_printed_proofs.eq_3_2_across.proved in
 let _ := HermiteDevelopable.Section_3_printed_proofs.eq_3_2_across.met in
 let _ := HermiteDevelopable.Section_3_printed_proofs.eq_3_2_across_summit.proved in
@@ -1602,6 +1618,10 @@ let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_planes_a_direction.proved in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_planes_a_direction.met in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_planes_b_generatrix.refuted in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_planes_b_direction.refuted in
+let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_planes_parallel.proved in
+let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_planes_parallel.met in
+let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_with_h.proved in
+let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_with_h.met in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_across.proved in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_across.met in
 let _ := HermiteDevelopable.Section_3_proofs.eq_3_2_across_summit.proved in
@@ -1806,6 +1826,8 @@ let _ := HermiteDevelopable.Section_5_printed_proofs.sec_5_criteria_reach.proved
 let _ := HermiteDevelopable.Section_5_printed_proofs.sec_5_criteria_reach.met in
 let _ := HermiteDevelopable.Section_5_printed_proofs.sec_5_planes_a.proved in
 let _ := HermiteDevelopable.Section_5_printed_proofs.sec_5_planes_a.met in
+let _ := HermiteDevelopable.Section_5_printed_proofs.sec_5_planes_parallel.proved in
+let _ := HermiteDevelopable.Section_5_printed_proofs.sec_5_planes_parallel.met in
 let _ := HermiteDevelopable.Section_5_printed_proofs.sec_5_planes_b.refuted in
 let _ := HermiteDevelopable.Section_5_proofs.sec_5_criteria_a.proved in
 let _ := HermiteDevelopable.Section_5_proofs.sec_5_criteria_a.met in
@@ -1813,5 +1835,7 @@ let _ := HermiteDevelopable.Section_5_proofs.sec_5_criteria_reach.proved in
 let _ := HermiteDevelopable.Section_5_proofs.sec_5_criteria_reach.met in
 let _ := HermiteDevelopable.Section_5_proofs.sec_5_planes_a.proved in
 let _ := HermiteDevelopable.Section_5_proofs.sec_5_planes_a.met in
+let _ := HermiteDevelopable.Section_5_proofs.sec_5_planes_parallel.proved in
+let _ := HermiteDevelopable.Section_5_proofs.sec_5_planes_parallel.met in
 let _ := HermiteDevelopable.Section_5_proofs.sec_5_planes_b.refuted in
 I.
