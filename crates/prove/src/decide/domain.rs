@@ -82,6 +82,8 @@ pub struct Domain<'a> {
     pub positive_radicands: Vec<Polynomial>,
     /// The part of the domain that is looked at, see [`Domain::parts`].
     pub part: Vec<Part>,
+    /// A value of a symbol that is tried first.
+    pub suggested: Option<(Symbol, Fraction)>,
 }
 
 impl<'a> Domain<'a> {
@@ -98,6 +100,7 @@ impl<'a> Domain<'a> {
             roots: vec![],
             positive_radicands: vec![],
             part: vec![],
+            suggested: None,
         }
     }
 
@@ -114,6 +117,7 @@ impl<'a> Domain<'a> {
             roots: self.roots.clone(),
             positive_radicands: self.positive_radicands.clone(),
             part: self.part.clone(),
+            suggested: self.suggested.clone(),
         }
     }
 }
