@@ -130,12 +130,17 @@ pub(super) fn bounds(
     for (place, constraint) in domain.constraints.iter().enumerate() {
         let (above, below) = (constraint.value.numerator(), constraint.value.denominator());
         let says = above.degree_in(variable) > 0 || below.degree_in(variable) > 0;
+        // What differs from zero may be a divisor of a hypothesis, which is none itself.
+        let is_divisor = constraint.relation == Relation::Different && below.is_constant();
         if says && own(above) && own(&below) {
             all.push(Limit {
                 above: above.clone(),
                 below,
                 relation: constraint.relation,
-                is: Origin::Constraint(place),
+                is: match is_divisor {
+                    true => Origin::Divisor,
+                    false => Origin::Constraint(place),
+                },
             });
         }
     }

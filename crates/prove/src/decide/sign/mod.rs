@@ -237,7 +237,9 @@ pub fn compare(
     };
     let one = || sign_of_fraction(&difference, domain);
     let by_line = || {
-        let above = line::proof(difference.numerator(), domain, difference.conditions())?;
+        let numerator = difference.numerator();
+        let above = line::proof(numerator, domain, difference.conditions())
+            .or_else(|| proof(numerator, domain))?;
         with_denominator(above, &difference, domain)
     };
     let tried: [&dyn Fn() -> Option<Found>; 4] = [
