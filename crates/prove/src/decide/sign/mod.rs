@@ -237,10 +237,18 @@ pub fn compare(
     };
     let one = || sign_of_fraction(&difference, domain);
     let by_line = || {
-        let numerator = difference.numerator();
-        let above = line::proof(numerator, domain, difference.conditions())
-            .or_else(|| proof(numerator, domain))?;
-        with_denominator(above, &difference, domain)
+        let (above, below) = (difference.numerator(), difference.denominator());
+        let divisors = difference.conditions();
+        line::proof(above, domain, divisors)
+            .and_then(|above| with_denominator(above, &difference, domain))
+            .or_else(|| {
+                let (sign, proof) = line::proof(&(above * &below), domain, divisors)?;
+                Some(Found {
+                    sign,
+                    product: true,
+                    proofs: vec![proof],
+                })
+            })
     };
     let tried: [&dyn Fn() -> Option<Found>; 4] = [
         &one,
