@@ -145,6 +145,7 @@ mod dyadic;
 pub mod error;
 pub mod join;
 mod model;
+mod over;
 pub mod pattern;
 pub mod planes;
 mod scalars;
@@ -169,8 +170,9 @@ pub use developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch};
 pub use error::{GeometryError, Place, Result};
 pub use join::Continuity;
 pub use model::Model;
+pub use over::Over;
 pub use planes::{Plane, PlaneFamily, Ruling};
-pub use scalars::{Over, exact, exact_ball};
+pub use scalars::{exact, exact_ball};
 pub use surface::{
     Forms, Half, Partials, Principal, Rails, RotationSurface, RuledSurface, Surface, TensorSurface,
 };

@@ -109,8 +109,8 @@ fn boxed(vector: &Vector) -> Option<Vector> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::over::Over;
     use crate::prelude::*;
-    use crate::scalars::Over;
 
     fn proved(sheet: &Sheet, last: bool) -> Option<f64> {
         let models = sheet.over(&|x| Model::exact(*x)).unwrap();

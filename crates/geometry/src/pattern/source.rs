@@ -2,7 +2,7 @@
 
 use crate::chebyshev::{NODES, Row, basis, between, nodes};
 use crate::model::Model;
-use crate::scalars::Over;
+use crate::over::Over;
 use crate::surface::Rails;
 
 /// Points and derivatives of both rails on an interval.

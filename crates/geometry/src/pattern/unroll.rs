@@ -8,7 +8,7 @@ use super::flattening::Flattening;
 use super::piece::Piece;
 use super::source::{Enclosed, Sampled, Source};
 use crate::model::Model;
-use crate::scalars::Over;
+use crate::over::Over;
 use crate::surface::Rails;
 
 /// The strain below which a patch counts as developable: a micrometre for each metre, as little as steel

@@ -5,7 +5,8 @@ use crate::basis::{Bernstein, Shape};
 use crate::coordinate::Coordinate;
 use crate::curve::{Curve, EllipticHelix, RationalCurve, least};
 use crate::error::{GeometryError, Place, Result};
-use crate::scalars::{Over, exact, exact_ball};
+use crate::over::Over;
+use crate::scalars::{exact, exact_ball};
 use torse_algebra::{Ball, Jet};
 
 /// The point of a rail nearest to another point.

@@ -9,7 +9,7 @@ use crate::curve::{
 };
 use crate::error::{GeometryError, Place, Result};
 use crate::join::{JointMeasure, measure_curves, next_curve};
-use crate::scalars::Over;
+use crate::over::Over;
 use crate::surface::RailKind;
 use torse_algebra::Jet;
 

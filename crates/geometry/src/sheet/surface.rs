@@ -11,9 +11,10 @@ use crate::developable::{
 };
 use crate::error::Result;
 use crate::model::Model;
+use crate::over::Over;
 use crate::pattern::{FlatPattern, PatternResult, Unrolling};
 use crate::planes::Plane;
-use crate::scalars::{Over, exact_ball};
+use crate::scalars::exact_ball;
 use crate::surface::{
     EndKinds, Part, Partials, Principal, RailKind, Rails, RuledSurface, Surface, partials_between,
 };

@@ -9,7 +9,7 @@ use crate::basis::Bernstein;
 use crate::coordinate::Coordinate;
 use crate::curve::Curve;
 use crate::error::{GeometryError, Result};
-use crate::scalars::Over;
+use crate::over::Over;
 use crate::vector::{cross, det4, dot, sub};
 use torse_algebra::{Integer, Rational};
 

@@ -35,8 +35,8 @@ pub(super) fn resolved(radicand: &Fraction, domain: &Domain<'_>) -> Option<Resol
     }
     equations
         .iter()
-        .find_map(|(place, equation)| by_one(&radicand, *place, equation, domain))
-        .or_else(|| by_several(&radicand, &equations, domain))
+        .find_map(|(place, equation)| by_one(radicand, *place, equation, domain))
+        .or_else(|| by_several(radicand, &equations, domain))
 }
 
 /// By a multiple of one equation that cancels a term of the radicand.

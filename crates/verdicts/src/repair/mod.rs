@@ -367,6 +367,9 @@ fn proved(
             continue;
         }
         let expr = subject.statement(&statement.expr, &edit.expr);
+        if repeats_an_argument(&expr, &statement.expr) {
+            continue;
+        }
         if is_tautology(&expr, &subject.path) {
             continue;
         }
@@ -389,6 +392,25 @@ fn proved(
         });
     }
     found
+}
+
+/// Returns whether an edit makes two arguments of a call the same: `cross(r', r') == 0` is true of every vector, and corrects
+/// nothing that was said of two.
+fn repeats_an_argument(edited: &Expr, original: &Expr) -> bool {
+    repetitions(edited) > repetitions(original)
+}
+
+/// Counts the calls of which two arguments are the same.
+fn repetitions(expr: &Expr) -> usize {
+    let own = match &expr.node {
+        Node::Call(_, arguments) => {
+            let texts: BTreeSet<String> = arguments.iter().map(canonical::canonical).collect();
+            usize::from(texts.len() < arguments.len())
+        }
+        _ => 0,
+    };
+    let parts = expr.parts().into_iter();
+    own + parts.map(repetitions).sum::<usize>()
 }
 
 /// Whether both sides of the comparison at the end of the path are the same: no correction.

@@ -7,7 +7,8 @@ use crate::coordinate::Coordinate;
 use crate::curve::SpaceCurve;
 use crate::error::{GeometryError, Place, Result};
 use crate::model::Model;
-use crate::scalars::{Over, exact_ball};
+use crate::over::Over;
+use crate::scalars::exact_ball;
 use crate::surface::{Partials, Rails, Surface, partials_between};
 use torse_algebra::{Ball, Jet, Rational, Scalar};
 
