@@ -87,7 +87,7 @@ fn all_mistakes_are_shown_at_once_and_the_rest_is_decided() {
         (6, "does not belong"),
         (13, "why"),
         (27, ""),
-        (35, "no interval"),
+        (35, "not an interval"),
         (42, "`why` is not declared"),
         (49, "expected"),
     ] {

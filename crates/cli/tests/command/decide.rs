@@ -75,7 +75,10 @@ fn what_makes_no_sense_is_shown_with_a_caret() {
             &["the end of the formula", "the statement:"][..],
         ),
         (&["foo(x) == 1"], &["`foo` is not declared", "^^^"]),
-        (&["x == 1", "--where", "x in [0, 1"], &["is no interval"]),
+        (
+            &["x == 1", "--where", "x in [0, 1"],
+            &["is not an interval"],
+        ),
         (&["x == 1", "--where", "y +"], &["the end of the formula"]),
     ] {
         let ran = decide(arguments);

@@ -38,6 +38,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use subject::Subject;
 use target::Target;
+use torse_algebra::Rational;
 use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_prove::decide_statement;
 use torse_syntax::derivation::{Claim, Written};
@@ -57,6 +58,8 @@ const MAX_ELSEWHERE: u64 = 300_000;
 const MAX_APART: u64 = 800_000;
 /// Maximum number of survivors of the sample point that are proved.
 const MAX_PROOFS: usize = 8;
+/// The side that was not taken for the printed one is left as it is if it has more nodes than this.
+const MAX_OTHER_SIDE: usize = 500;
 /// If the left side of a comparison has at most so many nodes and both sides become equal, it is a tautology.
 const MAX_TAUTOLOGY: usize = 5;
 /// Formulas larger than this are corrected with one edit at most.
@@ -193,8 +196,12 @@ fn beside_roots(
 
 /// The edits of a side that was not taken for the printed one: those that change no name and leave out nothing.
 fn cautious(formula: &Expr) -> Vec<Edit> {
+    let size = formula.size();
+    if size > MAX_OTHER_SIDE {
+        return vec![];
+    }
     let mut edits = edits::single(formula, &Alphabet::default());
-    edits.retain(|edit| edit.expr.size() >= formula.size() && !edit.change.is_factor_inserted());
+    edits.retain(|edit| edit.expr.size() >= size && !edit.change.is_factor_inserted());
     edits
 }
 
@@ -234,7 +241,7 @@ fn inserted(
 fn across(search: (&Claim, &Written), printed: &Subject) -> Option<Correction> {
     let (claim, statement) = search;
     let subject = printed.across(&statement.expr)?;
-    if subject.formula.size() <= MAX_TAUTOLOGY {
+    if !(MAX_TAUTOLOGY + 1..=MAX_OTHER_SIDE).contains(&subject.formula.size()) {
         return None;
     }
     let target = Target::new(claim, statement, &subject)?;
@@ -367,7 +374,7 @@ fn proved(
             continue;
         }
         let expr = subject.statement(&statement.expr, &edit.expr);
-        if repeats_an_argument(&expr, &statement.expr) {
+        if empties_a_call(&expr, &statement.expr) {
             continue;
         }
         if is_tautology(&expr, &subject.path) {
@@ -394,23 +401,41 @@ fn proved(
     found
 }
 
-/// Returns whether an edit makes two arguments of a call the same: `cross(r', r') == 0` is true of every vector, and corrects
-/// nothing that was said of two.
-fn repeats_an_argument(edited: &Expr, original: &Expr) -> bool {
-    repetitions(edited) > repetitions(original)
+/// Returns whether an edit makes a call say nothing: two of its arguments the same, `cross(r', r') == 0`, or the range of a sum
+/// empty, `sum(i, 0, -3, i) == 0`. That is true of whatever was printed, and corrects nothing.
+fn empties_a_call(edited: &Expr, original: &Expr) -> bool {
+    empty_calls(edited) > empty_calls(original)
 }
 
-/// Counts the calls of which two arguments are the same.
-fn repetitions(expr: &Expr) -> usize {
+/// Counts the calls of which two arguments are the same, and the sums and products over no index.
+fn empty_calls(expr: &Expr) -> usize {
     let own = match &expr.node {
-        Node::Call(_, arguments) => {
-            let texts: BTreeSet<String> = arguments.iter().map(canonical::canonical).collect();
-            usize::from(texts.len() < arguments.len())
-        }
+        Node::Call(head, arguments) => match (&head.node, arguments.as_slice()) {
+            (Node::Name(name), [_, low, high, _]) if name == "sum" || name == "product" => {
+                usize::from(
+                    number(low)
+                        .zip(number(high))
+                        .is_some_and(|(low, high)| high < low),
+                )
+            }
+            _ => {
+                let texts: BTreeSet<String> = arguments.iter().map(canonical::canonical).collect();
+                usize::from(texts.len() < arguments.len())
+            }
+        },
         _ => 0,
     };
     let parts = expr.parts().into_iter();
-    own + parts.map(repetitions).sum::<usize>()
+    own + parts.map(empty_calls).sum::<usize>()
+}
+
+/// The number that a formula is written as, with its sign.
+fn number(expr: &Expr) -> Option<Rational> {
+    match &expr.node {
+        Node::Number { value, .. } => Some(value.clone()),
+        Node::Negative(inner) => number(inner).map(|value| -value),
+        _ => None,
+    }
 }
 
 /// Whether both sides of the comparison at the end of the path are the same: no correction.
