@@ -142,7 +142,7 @@ fn what_rests_on_a_wrong_declaration_is_left_out_without_a_word() {
     let (ids, told) = told(&loaded);
     assert_eq!(ids, ["mini/good"]);
     assert_eq!(told.len(), 2, "{told:#?}");
-    assert!(told[0].starts_with("`[0 1]` is no interval"), "{}", told[0]);
+    assert!(told[0].starts_with("`[0 1]` is not an interval"), "{}", told[0]);
     assert!(told[1].starts_with("expected a number"), "{}", told[1]);
     assert_eq!(loaded.left_out.len(), 4);
 }
@@ -264,7 +264,7 @@ fn files_and_ids_stay_in_the_papers_folder() {
         let (_, told) = told(&folder.load());
         assert_eq!(told.len(), 1);
         assert!(
-            told[0].contains("is no file below the paper's folder"),
+            told[0].contains("is not a file in the paper's folder"),
             "{}",
             told[0]
         );
@@ -339,7 +339,7 @@ fn what_is_no_plain_file_of_a_fair_size_is_refused() {
     let folder = Folder::new("plain");
     refused(&folder, "No such file");
     fs::create_dir(folder.path("mini/claims.toml")).unwrap();
-    refused(&folder, "no regular file");
+    refused(&folder, "not a regular file");
     fs::remove_dir(folder.path("mini/claims.toml")).unwrap();
     let large = "#".repeat(usize::try_from(MAX_BYTES).unwrap() + 1);
     folder.write("mini/claims.toml", &large);
@@ -356,11 +356,11 @@ fn pipes_devices_and_links_out_of_the_folder_are_refused() {
     let claims = folder.path("mini/claims.toml");
     let pipe = std::process::Command::new("mkfifo").arg(&claims).status();
     if pipe.is_ok_and(|status| status.success()) {
-        refused(&folder, "no regular file");
+        refused(&folder, "not a regular file");
         fs::remove_file(&claims).unwrap();
     }
     symlink("/dev/zero", &claims).unwrap();
-    refused(&folder, "no regular file");
+    refused(&folder, "not a regular file");
     fs::remove_file(&claims).unwrap();
     folder.write("secret.toml", &claim("mini/a", "1 == 1", ""));
     symlink(folder.path("secret.toml"), &claims).unwrap();
@@ -371,7 +371,7 @@ fn pipes_devices_and_links_out_of_the_folder_are_refused() {
     assert_eq!(told(&folder.load()).0, ["mini/a"]);
     fs::remove_file(folder.path("mini/paper.toml")).unwrap();
     symlink("/dev/zero", folder.path("mini/paper.toml")).unwrap();
-    refused(&folder, "no regular file");
+    refused(&folder, "not a regular file");
 }
 
 /// A folder with these claims in one file, and what is told of it.
@@ -594,8 +594,8 @@ fn a_finding_is_words_with_formulas_in_braces() {
         ["$x^{2}$ is ", "Digits(3)", ", ", "Plain", "Degrees"]
     );
     for (text, expected) in [
-        ("is {x", "this `{` has no partner|{"),
-        ("is x}", "this `}` has no partner|}"),
+        ("is {x", "this `{` is not matched|{"),
+        ("is x}", "this `}` is not matched|}"),
         ("is $x", "this `$` is not matched|$"),
         ("is {x : many}", "`many` is not a format of a number| many"),
         (
