@@ -76,12 +76,6 @@ impl<P> Order<P> {
         if certificates().any(|certificate| !certificate.squares.is_empty()) {
             steps.push("sums of squares are not negative");
         }
-        if self.signs.iter().any(Sign::uses_series) {
-            steps.push("partial sums of their series bound sines and cosines");
-        }
-        if self.signs.iter().any(|sign| !sign.lines().is_empty()) {
-            steps.push("the signs between the real roots are those that are asked");
-        }
         let uses = self.signs.iter().any(|sign| !sign.constraints().is_empty());
         if uses || self.bounded_by_assumptions {
             steps.push("the assumptions bound the domain");

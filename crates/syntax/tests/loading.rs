@@ -142,7 +142,11 @@ fn what_rests_on_a_wrong_declaration_is_left_out_without_a_word() {
     let (ids, told) = told(&loaded);
     assert_eq!(ids, ["mini/good"]);
     assert_eq!(told.len(), 2, "{told:#?}");
-    assert!(told[0].starts_with("`[0 1]` is not an interval"), "{}", told[0]);
+    assert!(
+        told[0].starts_with("`[0 1]` is not an interval"),
+        "{}",
+        told[0]
+    );
     assert!(told[1].starts_with("expected a number"), "{}", told[1]);
     assert_eq!(loaded.left_out.len(), 4);
 }

@@ -68,26 +68,6 @@ pub enum Determining<P> {
     /// The symbol is a root, and the square of the value is its radicand. The product of numerator and denominator of
     /// the value is nonnegative, so the value is the root and not its negative.
     Root(Box<Signed<P>>),
-    /// The same, where the square is the radicand but for multiples of equations.
-    RootAlong(Box<RootAlong<P>>),
-}
-
-/// Why a root has its value where equations hold.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct RootAlong<P> {
-    /// The sign of the value, with the constraints.
-    pub root: Signed<P>,
-    /// Multiples of equations, which with the square of the value make the radicand.
-    pub multiples: Vec<EquationMultiple<P>>,
-}
-
-/// A multiple of an equation.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct EquationMultiple<P> {
-    /// The place of the equation among the constraints; its numerator is what is zero.
-    pub equation: usize,
-    /// What it is multiplied with.
-    pub multiple: P,
 }
 
 /// A sign under the assumptions that were available before an elimination.
@@ -162,16 +142,6 @@ impl<P> Elimination<P> {
                     nonzero: nonzero.iter().map(signed).collect(),
                 },
                 Determining::Root(own) => Determining::Root(Box::new(signed(own))),
-                Determining::RootAlong(own) => {
-                    let multiples = own.multiples.iter().map(|own| EquationMultiple {
-                        equation: own.equation,
-                        multiple: change(&own.multiple),
-                    });
-                    Determining::RootAlong(Box::new(RootAlong {
-                        root: signed(&own.root),
-                        multiples: multiples.collect(),
-                    }))
-                }
             },
         }
     }
@@ -180,17 +150,12 @@ impl<P> Elimination<P> {
 impl Elimination<Polynomial> {
     /// The value of a root in words; `None` for other symbols.
     pub(crate) fn step(&self) -> Option<String> {
-        let [own] = self.values.as_slice() else {
+        let (Determining::Root(_), [own]) = (&self.by, self.values.as_slice()) else {
             return None;
-        };
-        let square = match &self.by {
-            Determining::Root(_) => "the square is the radicand",
-            Determining::RootAlong(_) => "by the equations the square is the radicand",
-            Determining::Assumed { .. } | Determining::Given { .. } => return None,
         };
         let (root, value) = (&own.symbol, &own.value);
         Some(format!(
-            "{root} is {value}: {square}, and this is nowhere negative"
+            "{root} is {value}: the square is the radicand, and this is nowhere negative"
         ))
     }
 }

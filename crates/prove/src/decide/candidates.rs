@@ -94,11 +94,6 @@ impl Domain<'_> {
                 found.push(value);
             }
         }
-        if let Some((own, value)) = &self.suggested
-            && own == symbol
-        {
-            found.insert(0, value.clone());
-        }
         found
     }
 }

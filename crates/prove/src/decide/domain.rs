@@ -82,8 +82,6 @@ pub struct Domain<'a> {
     pub positive_radicands: Vec<Polynomial>,
     /// The part of the domain that is looked at, see [`Domain::parts`].
     pub part: Vec<Part>,
-    /// A value of a symbol that is tried first.
-    pub suggested: Option<(Symbol, Fraction)>,
 }
 
 impl<'a> Domain<'a> {
@@ -100,7 +98,6 @@ impl<'a> Domain<'a> {
             roots: vec![],
             positive_radicands: vec![],
             part: vec![],
-            suggested: None,
         }
     }
 
@@ -117,7 +114,6 @@ impl<'a> Domain<'a> {
             roots: self.roots.clone(),
             positive_radicands: self.positive_radicands.clone(),
             part: self.part.clone(),
-            suggested: self.suggested.clone(),
         }
     }
 }

@@ -91,10 +91,7 @@ fn findings_name_the_relation_that_fails_and_by_how_much() {
             "(x + 1)² is 4 at x = 1, and so is x² + 2x + 1.",
         ),
         ("x > 0", "x is 0, which is not greater than 0."),
-        (
-            "x < 1/2 and x >= 0",
-            "x is 1, which is not less than 1/2.",
-        ),
+        ("x < 1/2 and x >= 0", "x is 1, which is not less than 1/2."),
         (
             "D(x^2, x) > 3",
             "d/(dx)x² is 2 at x = 1, which is not greater than 3.",

@@ -17,15 +17,12 @@ pub mod edit;
 pub mod edits;
 pub mod entries;
 pub mod global_edits;
-pub mod insertions;
 pub mod move_factor;
 pub mod names;
-mod points;
 mod rates;
 pub mod repeated;
 mod residue;
 pub mod slips;
-mod solved;
 pub mod subject;
 pub mod target;
 mod terms;
@@ -38,7 +35,6 @@ use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use subject::Subject;
 use target::Target;
-use torse_algebra::Rational;
 use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_prove::decide_statement;
 use torse_syntax::derivation::{Claim, Written};
@@ -54,12 +50,8 @@ const MAX_FIRST: usize = 150;
 const MAX_DOUBLE: usize = 12_000;
 /// Maximum work for slips that show in several places, in the units of [`target`].
 const MAX_ELSEWHERE: u64 = 300_000;
-/// The work for numbers that are solved for, for what was left out, and for the other side.
-const MAX_APART: u64 = 800_000;
 /// Maximum number of survivors of the sample point that are proved.
 const MAX_PROOFS: usize = 8;
-/// The side that was not taken for the printed one is left as it is if it has more nodes than this.
-const MAX_OTHER_SIDE: usize = 500;
 /// If the left side of a comparison has at most so many nodes and both sides become equal, it is a tautology.
 const MAX_TAUTOLOGY: usize = 5;
 /// Formulas larger than this are corrected with one edit at most.
@@ -75,32 +67,12 @@ pub fn is_sought(kind: Kind) -> bool {
     )
 }
 
-/// What a search for a correction came to.
-#[derive(Debug, Default)]
-pub struct Search {
-    /// The correction, if one was found.
-    pub correction: Option<Correction>,
-    /// Whether the work was used up before all small edits were tried.
-    pub ended_early: bool,
-}
-
 /// Searches for a correction of a refuted statement.
 #[must_use]
-pub fn search(claim: &Claim, statement: &Written) -> Search {
-    let mut ended_early = false;
-    let correction = corrected(claim, statement, &mut ended_early);
-    Search {
-        correction,
-        ended_early,
-    }
-}
-
-fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Option<Correction> {
+pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
     let subject = Subject::from_claim(claim, statement)?;
     let printed = &subject.formula;
-    let Some(target) = Target::new(claim, statement, &subject) else {
-        return beside_roots((claim, statement), &subject, ended_early);
-    };
+    let target = Target::new(claim, statement, &subject)?;
     let alphabet = alphabet::alphabet(claim, &statement.expr, printed);
     let mut singles = vec![];
     let mut once = vec![];
@@ -115,31 +87,7 @@ fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Opti
         }
         singles.push((agreement.entries, edit));
     }
-    *ended_early = !target.within_budget();
-    let says_little = once
-        .iter()
-        .all(|(edit, _)| edit.change.is_factor_inserted());
-    let found = proved(claim, statement, &subject, once);
-    if found.is_some() && !says_little {
-        return found;
-    }
-    let search = (claim, statement);
-    // Where names in the place of others used up the work, the edits without them have some of their own.
-    let likely = || {
-        let edits = cautious(printed);
-        proved(
-            claim,
-            statement,
-            &subject,
-            agreeing(&subject, &target, edits),
-        )
-    };
-    if let Some(found) = solved(search, &subject, &target)
-        .or(found)
-        .or_else(|| ended_early.then(likely).flatten())
-        .or_else(|| inserted(search, &subject, &target))
-        .or_else(|| across(search, &subject))
-    {
+    if let Some(found) = proved(claim, statement, &subject, once) {
         return Some(found);
     }
     if let Some(found) = elsewhere(claim, statement, &subject, &target, &alphabet) {
@@ -167,104 +115,6 @@ fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Opti
         }
     }
     proved(claim, statement, &subject, twice)
-}
-
-/// The search where a side has no value at the sample point: all edits that are tried once, on either side, at points of the
-/// domain.
-fn beside_roots(
-    (claim, statement): (&Claim, &Written),
-    subject: &Subject,
-    ended_early: &mut bool,
-) -> Option<Correction> {
-    let mut search = |subject: &Subject, mut edits: Vec<Edit>| {
-        edits.extend(insertions::edits(&subject.formula));
-        edits.extend(points::numbers(&subject.formula));
-        *ended_early |= edits.len() > points::MAX_CANDIDATES;
-        let found = points::agreeing(claim, statement, subject, edits);
-        let told = found
-            .into_iter()
-            .map(|edit| (edit.clone(), vec![edit.change.to_string()]));
-        proved(claim, statement, subject, told.collect())
-    };
-    let alphabet = alphabet::alphabet(claim, &statement.expr, &subject.formula);
-    let first = search(subject, edits::single(&subject.formula, &alphabet));
-    first.or_else(|| {
-        let other = subject.across(&statement.expr)?;
-        search(&other, cautious(&other.formula))
-    })
-}
-
-/// The edits of a side that was not taken for the printed one: those that change no name and leave out nothing.
-fn cautious(formula: &Expr) -> Vec<Edit> {
-    let size = formula.size();
-    if size > MAX_OTHER_SIDE {
-        return vec![];
-    }
-    let mut edits = edits::single(formula, &Alphabet::default());
-    edits.retain(|edit| edit.expr.size() >= size && !edit.change.is_factor_inserted());
-    edits
-}
-
-/// A number that is solved for. Where no side depends on a symbol some number always fits: that is a coincidence.
-fn solved(
-    (claim, statement): (&Claim, &Written),
-    subject: &Subject,
-    target: &Target<'_>,
-) -> Option<Correction> {
-    let declared = |name: &&str| {
-        claim
-            .declarations
-            .symbol(name.trim_end_matches('\''))
-            .is_some()
-    };
-    statement.expr.names().iter().find(|name| declared(name))?;
-    let edits = target.apart(MAX_APART, || {
-        solved::edits(&subject.formula, subject, target)
-    });
-    let told = edits
-        .into_iter()
-        .map(|edit| (edit.clone(), vec![edit.change.to_string()]));
-    proved(claim, statement, subject, told.collect())
-}
-
-/// An exponent or a shift that was left out.
-fn inserted(
-    (claim, statement): (&Claim, &Written),
-    subject: &Subject,
-    target: &Target<'_>,
-) -> Option<Correction> {
-    let edits = insertions::edits(&subject.formula);
-    proved(claim, statement, subject, agreeing(subject, target, edits))
-}
-
-/// An edit of the side that was not taken for the printed one.
-fn across(search: (&Claim, &Written), printed: &Subject) -> Option<Correction> {
-    let (claim, statement) = search;
-    let subject = printed.across(&statement.expr)?;
-    if !(MAX_TAUTOLOGY + 1..=MAX_OTHER_SIDE).contains(&subject.formula.size()) {
-        return None;
-    }
-    let target = Target::new(claim, statement, &subject)?;
-    let edits = cautious(&subject.formula);
-    proved(
-        claim,
-        statement,
-        &subject,
-        agreeing(&subject, &target, edits),
-    )
-    .or_else(|| solved(search, &subject, &target))
-    .or_else(|| inserted(search, &subject, &target))
-}
-
-/// The edits with which the sides agree at the sample point, with their changes in words.
-fn agreeing(subject: &Subject, target: &Target<'_>, edits: Vec<Edit>) -> Vec<(Edit, Vec<String>)> {
-    target.apart(MAX_APART, || {
-        let agree = |edit: &Edit| target.agrees(&subject.side(&edit.expr));
-        let found = edits.into_iter().filter(agree);
-        found
-            .map(|edit| (edit.clone(), vec![edit.change.to_string()]))
-            .collect()
-    })
 }
 
 /// Tries one slip that shows in several places, in a definition of the printed side, or beside it.
@@ -374,9 +224,6 @@ fn proved(
             continue;
         }
         let expr = subject.statement(&statement.expr, &edit.expr);
-        if empties_a_call(&expr, &statement.expr) {
-            continue;
-        }
         if is_tautology(&expr, &subject.path) {
             continue;
         }
@@ -399,43 +246,6 @@ fn proved(
         });
     }
     found
-}
-
-/// Returns whether an edit makes a call say nothing: two of its arguments the same, `cross(r', r') == 0`, or the range of a sum
-/// empty, `sum(i, 0, -3, i) == 0`. That is true of whatever was printed, and corrects nothing.
-fn empties_a_call(edited: &Expr, original: &Expr) -> bool {
-    empty_calls(edited) > empty_calls(original)
-}
-
-/// Counts the calls of which two arguments are the same, and the sums and products over no index.
-fn empty_calls(expr: &Expr) -> usize {
-    let own = match &expr.node {
-        Node::Call(head, arguments) => match (&head.node, arguments.as_slice()) {
-            (Node::Name(name), [_, low, high, _]) if name == "sum" || name == "product" => {
-                usize::from(
-                    number(low)
-                        .zip(number(high))
-                        .is_some_and(|(low, high)| high < low),
-                )
-            }
-            _ => {
-                let texts: BTreeSet<String> = arguments.iter().map(canonical::canonical).collect();
-                usize::from(texts.len() < arguments.len())
-            }
-        },
-        _ => 0,
-    };
-    let parts = expr.parts().into_iter();
-    own + parts.map(empty_calls).sum::<usize>()
-}
-
-/// The number that a formula is written as, with its sign.
-fn number(expr: &Expr) -> Option<Rational> {
-    match &expr.node {
-        Node::Number { value, .. } => Some(value.clone()),
-        Node::Negative(inner) => number(inner).map(|value| -value),
-        _ => None,
-    }
 }
 
 /// Whether both sides of the comparison at the end of the path are the same: no correction.

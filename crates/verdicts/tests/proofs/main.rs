@@ -16,7 +16,6 @@ mod damaged;
 mod faults;
 mod forced;
 mod kinds;
-mod lines;
 mod random;
 
 use torse_certificate::Polynomial;

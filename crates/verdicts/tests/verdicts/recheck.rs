@@ -78,7 +78,6 @@ fn refuted(outcome: &Outcome, at: &[(&str, &str)]) -> Outcome {
         certificate: None,
         repair: None,
         data: None,
-        search_ended_early: false,
         steps: vec![],
     };
     Outcome {
