@@ -3,6 +3,9 @@
 use super::node::{Face, Fence, Mark, Node};
 use torse_syntax::greek;
 
+/// The most letters that LaTeX frames: about a line of a letter.
+const MAX_FRAMED: usize = 110;
+
 /// Writes Typst mathematics, without dollar signs.
 ///
 /// It calls only functions of the math scope and those of marks, which the templates define; everything else is single
@@ -198,6 +201,8 @@ pub(super) fn latex(node: &Node) -> String {
             let above = above.as_ref().map(|above| format!("^{{{}}}", latex(above)));
             format!("\\sum_{{{}}}{}", latex(below), above.unwrap_or_default())
         }
+        // A frame does not break over lines: a long piece stands without one, beside what is framed before it.
+        Node::Marked(_, inner) if text(inner).chars().count() > MAX_FRAMED => latex(inner),
         // A combining line at a sign would turn it into another sign.
         Node::Marked(_, inner) => match &**inner {
             Node::Sign(_) => format!("\\mathbin{{\\boxed{{{}}}}}", latex(inner)),
