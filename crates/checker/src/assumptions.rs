@@ -2,6 +2,7 @@
 //! divisors that occurred.
 
 use super::apart::Apart;
+use super::ends::interval_ends;
 use super::expand::Expander;
 use super::gap::{Unsupported, Work};
 use super::quotient::Quotient;
@@ -420,24 +421,7 @@ impl<'a> Domain<'a> {
     ) -> Result<Vec<(Quotient, Relation)>, Unsupported> {
         let mut all = vec![];
         match set {
-            Set::Real(interval) => {
-                let constant = |c: &torse_syntax::derivation::declarations::Constant| {
-                    let turns = Polynomial::symbol(Symbol::Pi).scaled(&c.turns);
-                    Quotient::from(turns.plus(&Polynomial::constant(c.rational.clone())))
-                };
-                let end = |closed: bool, with: Relation, without: Relation| {
-                    if closed { with } else { without }
-                };
-                let lower = interval.lower.iter().map(|b| {
-                    let relation = end(b.closed, Relation::AtLeast, Relation::Greater);
-                    (constant(&b.value), relation)
-                });
-                let upper = interval.upper.iter().map(|b| {
-                    let relation = end(b.closed, Relation::AtMost, Relation::Less);
-                    (constant(&b.value), relation)
-                });
-                all.extend(lower.chain(upper));
-            }
+            Set::Real(interval) => all.extend(interval_ends(interval)),
             Set::Integer { least, most } => {
                 let ends = least.iter().map(|form| (form, Relation::AtLeast));
                 let ends = ends.chain(most.iter().map(|form| (form, Relation::AtMost)));

@@ -9,6 +9,7 @@ mod apart;
 mod assumptions;
 mod bernstein;
 mod eliminated;
+mod ends;
 mod expand;
 mod functions;
 mod gap;

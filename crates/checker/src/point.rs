@@ -1,5 +1,6 @@
 //! Checks counterexamples: substitutes them in every declared set, every hypothesis, and the statement.
 
+use super::ends::interval_ends;
 use super::expand::Expander;
 use super::gap::{CheckError, Unsupported, Work, Wrong};
 use super::quotient::Quotient;
@@ -199,28 +200,7 @@ impl<'a> At<'a> {
     fn ends(&self, set: &Set) -> Result<Vec<(Quotient, Relation)>, Unsupported> {
         let mut all = vec![];
         match set {
-            Set::Real(interval) => {
-                let constant = |c: &torse_syntax::derivation::declarations::Constant| {
-                    let turns = Polynomial::symbol(Symbol::Pi).scaled(&c.turns);
-                    Quotient::from(turns.plus(&Polynomial::constant(c.rational.clone())))
-                };
-                if let Some(bound) = &interval.lower {
-                    let relation = if bound.closed {
-                        Relation::AtLeast
-                    } else {
-                        Relation::Greater
-                    };
-                    all.push((constant(&bound.value), relation));
-                }
-                if let Some(bound) = &interval.upper {
-                    let relation = if bound.closed {
-                        Relation::AtMost
-                    } else {
-                        Relation::Less
-                    };
-                    all.push((constant(&bound.value), relation));
-                }
-            }
+            Set::Real(interval) => all.extend(interval_ends(interval)),
             Set::Integer { least, most } => {
                 let ends = least.iter().map(|form| (form, Relation::AtLeast));
                 for (form, relation) in ends.chain(most.iter().map(|f| (f, Relation::AtMost))) {

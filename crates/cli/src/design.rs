@@ -49,6 +49,22 @@ pub struct Inspect {
     format: Format,
 }
 
+/// A design file, with numbers of its own set anew.
+#[derive(Args)]
+pub(crate) struct DesignFile {
+    /// The design file
+    design: PathBuf,
+    /// Set a number of [let] to another value; repeatable
+    #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
+    set: Vec<(String, f64)>,
+}
+
+impl DesignFile {
+    pub(crate) fn open(&self) -> Result<Design, Failure> {
+        design(&self.design, &self.set)
+    }
+}
+
 /// Options of a pattern.
 #[derive(Args)]
 pub(crate) struct Pattern {
@@ -81,10 +97,15 @@ impl Pattern {
 
 /// Finds a way to unroll by its name.
 fn development(name: &str) -> Result<Flattening, String> {
-    let known = Flattening::ALL.iter().find(|(own, _)| *own == name);
-    known.map(|(_, development)| *development).ok_or_else(|| {
-        let names = Flattening::ALL.map(|(name, _)| name);
-        format!("there are {}", names.join(", "))
+    named(&Flattening::ALL, name, "there are")
+}
+
+/// Finds a value by its name; the message lists the names after these words.
+pub(crate) fn named<T: Copy>(all: &[(&str, T)], name: &str, words: &str) -> Result<T, String> {
+    let known = all.iter().find(|(own, _)| *own == name);
+    known.map(|(_, value)| *value).ok_or_else(|| {
+        let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
+        format!("{words} {}", names.join(", "))
     })
 }
 
@@ -94,11 +115,8 @@ fn development(name: &str) -> Result<Flattening, String> {
 /// miss the design.
 #[derive(Args)]
 pub struct Fold {
-    /// The design file
-    design: PathBuf,
-    /// Set a number of [let] to another value; repeatable
-    #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
-    set: Vec<(String, f64)>,
+    #[command(flatten)]
+    file: DesignFile,
     /// Read this pattern, a DXF or SVG file written by `unroll --for fold`
     #[arg(long, value_name = "FILE")]
     pattern: PathBuf,
@@ -113,11 +131,8 @@ pub struct Fold {
 /// .stp .iges .igs (surfaces, exact if they are rational, otherwise within the tolerance `surface`).
 #[derive(Args)]
 pub struct Export {
-    /// The design file
-    design: PathBuf,
-    /// Set a number of [let] to another value; repeatable
-    #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
-    set: Vec<(String, f64)>,
+    #[command(flatten)]
+    file: DesignFile,
     /// Write this file, or to standard output if it is - (with --as)
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
@@ -132,11 +147,8 @@ pub struct Export {
 #[derive(Args)]
 #[command(group = clap::ArgGroup::new("where").required(true))]
 pub struct Eval {
-    /// The design file
-    design: PathBuf,
-    /// Set a number of [let] to another value; repeatable
-    #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
-    set: Vec<(String, f64)>,
+    #[command(flatten)]
+    file: DesignFile,
     /// Evaluate at this place: ruling and share of the ruling, both from 0 to 1; repeatable
     #[arg(long, value_name = "U,V", value_parser = place, group = "where")]
     at: Vec<[f64; 2]>,
@@ -163,11 +175,8 @@ enum Table {
 /// Draw a design and its pattern: PNG, SVG, or an interactive page; the file extension chooses.
 #[derive(Args)]
 pub struct Draw {
-    /// The design file
-    design: PathBuf,
-    /// Set a number of [let] to another value; repeatable
-    #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
-    set: Vec<(String, f64)>,
+    #[command(flatten)]
+    file: DesignFile,
     /// Write the picture to this .png, .svg or .html file
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
@@ -344,7 +353,7 @@ impl Fold {
     /// Folds the pattern and compares.
     pub fn run(&self) -> Result<Exit, Failure> {
         ending(&self.pattern, PATTERNS)?;
-        let report = fold_back(&design(&self.design, &self.set)?, &self.pattern)?;
+        let report = fold_back(&self.file.open()?, &self.pattern)?;
         print(&match self.format {
             Format::Text => report.text(),
             Format::Json => json(&report)?,
@@ -357,7 +366,7 @@ impl Export {
     /// Writes the file.
     pub fn run(&self) -> Result<Exit, Failure> {
         let ending = format_of(&self.to, self.r#as.as_deref(), ENDINGS)?;
-        let design = design(&self.design, &self.set)?;
+        let design = self.file.open()?;
         write(&self.to, &bytes(&design, ending, &self.pattern.demand())?)?;
         Ok(Exit::AsExpected)
     }
@@ -370,11 +379,7 @@ impl Eval {
             Some((m, n)) => At::Grid(m, n),
             None => At::Places(self.at.clone()),
         };
-        let rows = eval(
-            &design(&self.design, &self.set)?,
-            self.patch.as_deref(),
-            &at,
-        )?;
+        let rows = eval(&self.file.open()?, self.patch.as_deref(), &at)?;
         print(&match self.format {
             Table::Csv => csv(&rows),
             Table::Json => json(&rows)?,
@@ -387,7 +392,7 @@ impl Draw {
     /// Writes the picture.
     pub fn run(&self) -> Result<Exit, Failure> {
         let ending = ending(&self.to, draw::ENDINGS)?;
-        let (design, demand) = (design(&self.design, &self.set)?, self.pattern.demand());
+        let (design, demand) = (self.file.open()?, self.pattern.demand());
         let bytes = match ending {
             "html" => draw::page(&design, &demand)?.into_bytes(),
             "svg" => draw::picture(&design, &demand)?.svg.into_bytes(),

@@ -9,7 +9,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use torse::syntax::derivation::Paper;
 use torse::verdicts::outcome::{Outcome, PaperOutcome};
-use torse::{Event, Pass, Verification, Verifier, WorkBudget};
+use torse::{Event, Pass, Verifier, WorkBudget};
 
 /// The option that bounds the work on a claim.
 #[derive(Debug, Clone, Copy, clap::Args)]
@@ -59,12 +59,8 @@ impl Run {
 
     /// Decides the claims in which faults show once more, with all corrections of their paper in force.
     pub fn restore(&mut self, papers: &[Paper], budget: Budget, mistakes: &mut Diagnostics) {
-        let mut found = Verification::default();
-        found.papers = std::mem::take(&mut self.papers);
-        budget.verifier().restore(papers, &mut found);
-        self.papers = found.papers;
+        let found = budget.verifier().restore(papers, &mut self.papers);
         found
-            .mistakes
             .into_iter()
             .for_each(|error| mistakes.add(Box::new(error)));
     }

@@ -1,7 +1,7 @@
 //! `unroll`: from a design to what is cut and bent.
 
 use crate::design::{
-    Format, Pattern, answer, design, format_of, is_standard, json, setting, write,
+    DesignFile, Format, Pattern, answer, format_of, is_standard, json, named, write,
 };
 use crate::exit::{Exit, Failure};
 use clap::Args;
@@ -19,11 +19,8 @@ use torse_exchange::{Drawing, dxf, svg};
 /// inside, an outline that crosses itself, or a bend that has no blank.
 #[derive(Args)]
 pub struct Unroll {
-    /// The design file
-    design: PathBuf,
-    /// A number that takes the place of that of this name under [let]; may be given several times
-    #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
-    set: Vec<(String, f64)>,
+    #[command(flatten)]
+    file: DesignFile,
     /// Where the part goes: a file ending in .dxf or .svg; - for standard output, with --as
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
@@ -47,11 +44,7 @@ pub struct Unroll {
 
 /// A purpose by its name.
 fn purpose(name: &str) -> Result<Purpose, String> {
-    let known = Purpose::ALL.iter().find(|(own, _)| *own == name);
-    known.map(|(_, purpose)| *purpose).ok_or_else(|| {
-        let names = Purpose::ALL.map(|(name, _)| name);
-        format!("the purposes are {}", names.join(", "))
-    })
+    named(&Purpose::ALL, name, "the purposes are")
 }
 
 /// The answer for programs: the patterns, and the parts that were made of them.
@@ -100,7 +93,7 @@ impl Unroll {
     /// Writes what the purpose asks for and says what it promises.
     pub fn run(&self) -> Result<Exit, Failure> {
         let ending = format_of(&self.to, self.r#as.as_deref(), PATTERNS)?;
-        let design = design(&self.design, &self.set)?;
+        let design = self.file.open()?;
         let pieces = unroll(&design, &self.pattern.demand())?;
         let made = parts(&design, &pieces);
         let summary = Summary::of(&design, &pieces);

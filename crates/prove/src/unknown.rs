@@ -50,14 +50,25 @@ impl Unknown {
     /// Whether it occurs in a value: as itself, under a sine, cosine or exponential, in an index or in a recorded divisor.
     #[must_use]
     pub fn occurs_in(&self, value: &Fraction) -> bool {
-        let recorded = value.conditions().iter().flat_map(|p| p.symbols());
-        let mut symbols = value.symbols().into_iter().chain(recorded.cloned());
-        symbols.any(|symbol| self.stands_in(&symbol))
+        mentions(value, &self.0)
     }
 
     /// Whether a symbol is this one, or a function of it.
     #[must_use]
     pub fn stands_in(&self, symbol: &Symbol) -> bool {
-        *symbol == self.0 || matches!(&self.0, Symbol::Named(name) if symbol.depends_on(name))
+        involves(symbol, &self.0)
     }
+}
+
+/// Whether a symbol occurs in a value: as itself, under a sine, cosine or exponential, in an index or in a recorded divisor.
+#[must_use]
+pub fn mentions(value: &Fraction, symbol: &Symbol) -> bool {
+    let recorded = value.conditions().iter().flat_map(|p| p.symbols());
+    let mut all = value.symbols().into_iter().chain(recorded.cloned());
+    all.any(|own| involves(&own, symbol))
+}
+
+/// Whether a symbol is another one, or a function of it.
+fn involves(own: &Symbol, other: &Symbol) -> bool {
+    own == other || matches!(other, Symbol::Named(name) if own.depends_on(name))
 }

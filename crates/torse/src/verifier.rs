@@ -203,14 +203,16 @@ impl<'o> Verifier<'o> {
     }
 
     /// Decides the claims in which faults show once more, with all corrections of their paper in force:
-    /// [`PaperOutcome::restored`].
-    pub fn restore(&self, papers: &[Paper], verification: &mut Verification) {
-        for (paper, outcome) in papers.iter().zip(&mut verification.papers) {
+    /// [`PaperOutcome::restored`]. Returns the formulas that make no sense then.
+    pub fn restore(&self, papers: &[Paper], outcomes: &mut [PaperOutcome]) -> Vec<DerivationError> {
+        let mut mistakes = vec![];
+        for (paper, outcome) in papers.iter().zip(outcomes) {
             match restore(self.budget.units(), paper, outcome) {
                 Ok(restored) => outcome.restored = restored,
-                Err(error) => verification.mistakes.push(*error),
+                Err(error) => mistakes.push(*error),
             }
         }
+        mistakes
     }
 }
 

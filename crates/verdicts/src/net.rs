@@ -33,7 +33,7 @@ use std::sync::Arc;
 use torse_algebra::rational::integer;
 use torse_algebra::work;
 use torse_core as core;
-use torse_prove::{self as prove, a_point_of, decide_statement};
+use torse_prove::{self as prove, a_point_of};
 use torse_semantics::tree::Reading;
 use torse_semantics::{
     Identity, Judgement, Outside, Tally, Witness, Work, beyond, check_witness, identity, instances,
@@ -248,9 +248,11 @@ impl<'a> JudgedStatement<'a> {
         reading(self.claim, self.statement, self.core)
     }
 
-    /// Whether a point refutes the statement.
-    fn check<'t>(&self, numbers: impl IntoIterator<Item = (&'t str, &'t str)>) -> Witness {
-        check_witness(self.claim, &self.statement.expr, numbers)
+    /// Puts a point that the prover names into the declared sets, the hypotheses and a statement, as they are written.
+    fn place(&self, point: &prove::Witness, statement: &Expr) -> Witness {
+        let numbers = point.at.iter();
+        let numbers = numbers.map(|(name, value)| (name.as_str(), value.as_str()));
+        check_witness(self.claim, statement, numbers)
     }
 
     /// Checks a proof under conditions, at points of the domain.
@@ -304,13 +306,9 @@ impl<'a> JudgedStatement<'a> {
     /// Fails unless each part p of `fails(p)` was seen to be false at a point of the domain: at one that was drawn, or at one that
     /// the prover knows, put into the text like the witness of an accusation.
     fn fails_somewhere(&self, tally: &Tally) -> Result<(), Objection> {
-        let is_false_at = |denied: &Expr, known: &prove::Witness| {
-            let numbers = known.at.iter();
-            let numbers = numbers.map(|(name, value)| (name.as_str(), value.as_str()));
-            check_witness(self.claim, denied, numbers) == Witness::Refutes
-        };
         for denied in &tally.unshown {
-            if !self.denials.iter().any(|known| is_false_at(denied, known)) {
+            let is_false_at = |known| self.place(known, denied) == Witness::Refutes;
+            if !self.denials.iter().any(is_false_at) {
                 return Err(Objection::Unseen(format!(
                     "no point was seen at which {} is false",
                     notation::text(denied)
@@ -374,14 +372,11 @@ impl<'a> JudgedStatement<'a> {
             .any(|denial| self.is_replayed(denial) == Some(true))
     }
 
-    /// Whether the checker accepts an unconditional proof of a statement about the same domain.
+    /// Returns whether the checker accepts an unconditional proof of a statement about the same domain.
     fn is_replayed(&self, statement: &Expr) -> Option<bool> {
-        let written = self.read(&notation::formula(statement))?;
-        let decided = work::within(EMPTINESS_WORK, || decide_statement(self.claim, &written));
-        let certificate = DecisionCertificate::from_decision(&decided.ok()?.ok()?)?;
-        let core = torse_elaborate::elaborate(self.claim, &written).ok()?;
-        let accepted = replay::check(&core, &written.origin, &certificate).ok()?;
-        Some(certificate.is_unconditional_proof() && accepted.is_whole())
+        let formula = notation::formula(statement);
+        let (certificate, answer) = replay::decided(self.claim, &formula, EMPTINESS_WORK)?;
+        Some(certificate.is_unconditional_proof() && answer.ok()?.is_whole())
     }
 
     /// Fails unless the statement has a value somewhere on the domain: if the drawn points leave that open, at the
@@ -401,9 +396,7 @@ impl<'a> JudgedStatement<'a> {
         let Ok(Ok(Some(known))) = known else {
             return Err(without_values());
         };
-        let numbers = known.at.iter();
-        let numbers = numbers.map(|(name, value)| (name.as_str(), value.as_str()));
-        match self.check(numbers) {
+        match self.place(&known, &self.statement.expr) {
             Witness::Stands(Judgement::Undefined(_))
             | Witness::Outside(_)
             | Witness::Unreadable(_) => Err(without_values()),
@@ -440,17 +433,14 @@ impl<'a> JudgedStatement<'a> {
         let mut excepted = self.excepted.iter();
         if needed_at.is_none()
             && let Some((_, known)) = excepted.find(|(own, _)| own.text == formula.text)
+            && self.place(known, &self.statement.expr) == Witness::Refutes
         {
-            let numbers = known.at.iter();
-            let numbers = numbers.map(|(name, value)| (name.as_str(), value.as_str()));
-            if self.check(numbers) == Witness::Refutes {
-                let point = known
-                    .at
-                    .iter()
-                    .map(|(name, value)| format!("{name} = {value}"));
-                needed_at = Some(point.collect::<Vec<_>>().join(", "));
-                found.failing += 1;
-            }
+            let point = known
+                .at
+                .iter()
+                .map(|(name, value)| format!("{name} = {value}"));
+            needed_at = Some(point.collect::<Vec<_>>().join(", "));
+            found.failing += 1;
         }
         ConditionCheck {
             condition: formula.text.clone(),
@@ -534,11 +524,7 @@ impl<'a> JudgedStatement<'a> {
         let Some(witness) = &refuted.witness else {
             return self.elsewhere("it names no point");
         };
-        let numbers = witness
-            .at
-            .iter()
-            .map(|(name, value)| (name.as_str(), value.as_str()));
-        match self.check(numbers) {
+        match self.place(witness, &self.statement.expr) {
             Witness::Refutes => Ok(Net::refuted(1)),
             Witness::Outside(Outside::Hypothesis {
                 judgement: judgement @ (Judgement::Undecided | Judgement::Unknown(_)),

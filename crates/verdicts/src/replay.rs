@@ -13,7 +13,8 @@ use torse_algebra::work;
 use torse_checker::{CheckError, Work};
 use torse_core as core;
 use torse_prove::decide_statement;
-use torse_syntax::derivation::Origin;
+use torse_syntax::derivation::{Claim, Origin};
+use torse_syntax::notation::Formula;
 
 /// Replays a proof.
 ///
@@ -44,27 +45,36 @@ pub(crate) fn refutation(
     };
     let mut replay = check(&elaborated.core, &elaborated.statement.origin, certificate)?;
     if let Some(correction) = refuted.correction() {
-        let claim = &elaborated.claim;
-        let own = || {
-            let written = condition::written(&correction.statement, claim.entry.id.get_ref())?;
-            let decided = work::within(budget, || decide_statement(claim, &written));
-            let certificate = DecisionCertificate::from_decision(&decided.ok()?.ok()?)?;
-            let core = torse_elaborate::elaborate(claim, &written).ok()?;
-            Some(check(&core, &written.origin, &certificate))
+        let own = match decided(&elaborated.claim, &correction.statement, budget) {
+            Some((_, answer)) => answer,
+            None => Ok(Replay::beyond("the correction was not proved again")),
         };
-        let none = || Ok(Replay::beyond("the correction was not proved again"));
-        let own = own().unwrap_or_else(none);
         let own = own.map_err(|wrong| format!("the correction: {wrong}"))?;
         replay.correction = Some(Box::new(own));
     }
     Ok(replay)
 }
 
+/// Decides a statement about the domain of a claim with so much work, and returns the certificate with what the checker says of
+/// it; nothing where the statement is not decided.
+pub(crate) fn decided(
+    claim: &Claim,
+    statement: &Formula,
+    budget: u64,
+) -> Option<(DecisionCertificate, Result<Replay, String>)> {
+    let written = condition::written(statement, claim.entry.id.get_ref())?;
+    let decided = work::within(budget, || decide_statement(claim, &written));
+    let certificate = DecisionCertificate::from_decision(&decided.ok()?.ok()?)?;
+    let core = torse_elaborate::elaborate(claim, &written).ok()?;
+    let answer = check(&core, &written.origin, &certificate);
+    Some((certificate, answer))
+}
+
 /// What the checker says of a proof or a refutation.
 ///
 /// # Errors
 /// What is wrong with it.
-pub(crate) fn check(
+fn check(
     core: &core::Claim,
     origin: &Origin,
     certificate: &DecisionCertificate,

@@ -241,24 +241,15 @@ impl<'d> Judge<'d> {
     /// Lines that lie on lines that are cut, whatever their layer.
     fn doubled(&self) -> Option<Vec<Finding>> {
         let within = self.rules.joined_within;
-        let mut segments: Vec<(usize, usize, &Segment)> = Vec::new();
-        for (index, curve) in self.curves.iter().enumerate() {
-            let each = curve.segments.iter().enumerate();
-            segments.extend(each.map(|(number, segment)| (index, number, segment)));
-        }
-        let boxes = boxes(segments.iter().map(|(_, _, segment)| *segment));
+        let curves = self.curves.iter().map(|curve| curve.segments.as_slice());
         let mut found: Vec<(usize, usize, f64, [f64; 2])> = Vec::new();
-        let all = for_pairs(&boxes, within, |a, b| {
-            let pair = (segments.get(a.number), segments.get(b.number));
-            let (Some((one, _, s)), Some((two, _, t))) = pair else {
-                return;
-            };
-            let is_cut = |index: &usize| self.curves.get(*index).is_some_and(|curve| curve.cut);
+        let all = segment_pairs(curves, within, |(one, _, s), (two, _, t)| {
+            let is_cut = |index: usize| self.curves.get(index).is_some_and(|curve| curve.cut);
             if !(is_cut(one) || is_cut(two)) {
                 return;
             }
             if let Some((length, at)) = shared(s, t, within) {
-                found.push(((*one).min(*two), (*one).max(*two), length, at));
+                found.push((one.min(two), one.max(two), length, at));
             }
         });
         // One fault for each two curves: the longest piece tells where.
@@ -296,28 +287,20 @@ impl<'d> Judge<'d> {
 
     fn crossings(&self) -> Option<Vec<Finding>> {
         let within = self.rules.joined_within;
-        let mut segments: Vec<(usize, usize, &Segment)> = Vec::new();
-        for (index, contour) in self.contours.iter().enumerate() {
-            let each = contour.segments.iter().enumerate();
-            segments.extend(each.map(|(number, segment)| (index, number, segment)));
-        }
-        let boxes = boxes(segments.iter().map(|(_, _, segment)| *segment));
+        let contours = self.contours.iter();
+        let contours = contours.map(|contour| contour.segments.as_slice());
         let mut found: Vec<(usize, usize, [f64; 2])> = Vec::new();
-        let all = for_pairs(&boxes, 0.0, |a, b| {
-            let pair = (segments.get(a.number), segments.get(b.number));
-            let (Some((one, i, s)), Some((two, k, t))) = pair else {
-                return;
-            };
-            let contour = self.contours.get(*one);
+        let all = segment_pairs(contours, 0.0, |(one, i, s), (two, k, t)| {
+            let contour = self.contours.get(one);
             let count = contour.map_or(0, |contour| contour.segments.len());
-            let apart = i.abs_diff(*k);
+            let apart = i.abs_diff(k);
             let beside = one == two && (apart <= 1 || apart + 1 >= count);
             for at in meetings(s, t) {
                 // Neighbours meet in their common end.
                 let mut ends = [s.from, s.to].into_iter();
                 let joint = ends.any(|end| distance(end, at) <= 2.0 * within);
                 if !(beside && joint) {
-                    found.push(((*one).min(*two), (*one).max(*two), at));
+                    found.push((one.min(two), one.max(two), at));
                 }
             }
         });
@@ -514,6 +497,29 @@ impl<'d> Judge<'d> {
         }
         found
     }
+}
+
+/// A line or an arc of a curve: the number of the curve, its own there, and itself.
+type Numbered<'s> = (usize, usize, &'s Segment);
+
+/// Calls for each pair of lines and arcs whose boxes are no farther apart than `reach`; false where there were too many to look
+/// at all of them.
+fn segment_pairs<'s>(
+    curves: impl Iterator<Item = &'s [Segment]>,
+    reach: f64,
+    mut look: impl FnMut(Numbered<'s>, Numbered<'s>),
+) -> bool {
+    let mut segments: Vec<Numbered<'s>> = Vec::new();
+    for (index, curve) in curves.enumerate() {
+        let each = curve.iter().enumerate();
+        segments.extend(each.map(|(number, segment)| (index, number, segment)));
+    }
+    let boxes = boxes(segments.iter().map(|(_, _, segment)| *segment));
+    for_pairs(&boxes, reach, |a, b| {
+        if let (Some(one), Some(two)) = (segments.get(a.number), segments.get(b.number)) {
+            look(*one, *two);
+        }
+    })
 }
 
 /// The boxes around lines and arcs, as the diagonals that stand for them in the search of pairs.

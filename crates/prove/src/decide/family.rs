@@ -17,6 +17,7 @@ use super::witness::{self, Point};
 use super::{Decision, Refutation};
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::UNPLACED;
+use crate::unknown::mentions;
 use torse_algebra::{Fraction, Matrix, Polynomial, Symbol};
 use torse_certificate::family::{Nonnegative, Part};
 use torse_certificate::point::{Comparison, Counterexample, Failure};
@@ -47,26 +48,17 @@ pub(super) fn family(
 /// Whether the domain says something of the variable of a family. A property speaks of all values in the declared set of the
 /// variable, whatever the hypotheses say of the symbol of that name.
 pub(super) fn restricts_variable(basis: &Family, domain: &Domain<'_>) -> bool {
-    let variable = basis.variable();
-    let occurs = |value: &Fraction| {
-        let recorded = value.conditions().iter().flat_map(|p| p.symbols());
-        let mut symbols = value.symbols().into_iter().chain(recorded.cloned());
-        symbols.any(|symbol| symbol.depends_on(variable))
-    };
+    let variable = Symbol::named(basis.variable());
     let constraints = domain.constraints.iter().map(|c| &c.value);
-    let solved = domain.solved().iter();
-    let is_solved = domain
-        .solved()
-        .iter()
-        .any(|(symbol, _)| symbol.depends_on(variable));
-    let roots = domain.roots.iter().map(|root| &root.radicand);
-    let pivots = domain.pivots().iter().flat_map(|p| p.symbols());
+    let solved = domain.solved().iter().map(|(_, value)| value);
+    let radicands = domain.roots.iter().map(|root| &root.radicand);
+    let mut values = constraints.chain(solved).chain(radicands);
+    let mut symbols = domain.solved().iter().map(|(symbol, _)| symbol);
+    let is_solved = symbols.any(|symbol| symbol.depends_on(basis.variable()));
+    let mut pivots = domain.pivots().iter();
     is_solved
-        || constraints
-            .chain(solved.map(|(_, value)| value))
-            .chain(roots)
-            .any(occurs)
-        || pivots.into_iter().any(|symbol| symbol.depends_on(variable))
+        || values.any(|value| mentions(value, &variable))
+        || pivots.any(|pivot| mentions(&pivot.clone().into(), &variable))
 }
 
 /// Decides whether every function of every degree is nonnegative on the domain.

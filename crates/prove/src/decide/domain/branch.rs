@@ -12,7 +12,7 @@ use crate::decide::value::{plain_symbol, quotient};
 use crate::evaluate::Evaluator;
 use crate::evaluate::series::polynomial_of;
 use crate::evaluate::value::UNPLACED;
-use crate::unknown::Unknown;
+use crate::unknown::{Unknown, mentions};
 use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Fraction, Polynomial, Symbol};
 use torse_certificate::proof::assumptions::{Determined, Determining, Elimination, Signed};
@@ -338,14 +338,6 @@ pub(crate) fn written(
         relation: c.relation,
     };
     constraints.iter().map(constraint).collect()
-}
-
-/// Whether a symbol occurs in a value: as itself, under a sine or cosine, in an index or in a divisor.
-fn mentions(value: &Fraction, symbol: &Symbol) -> bool {
-    let inside =
-        |s: &Symbol| s == symbol || matches!(symbol, Symbol::Named(name) if s.depends_on(name));
-    let recorded = value.conditions().iter().flat_map(|p| p.symbols());
-    value.symbols().iter().chain(recorded).any(inside)
 }
 
 /// The value with a symbol replaced, wherever it stands.
