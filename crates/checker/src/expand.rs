@@ -34,7 +34,7 @@ pub struct Expander<'a> {
     pub sees_rates: &'a dyn Fn() -> bool,
     opened: RefCell<BTreeMap<usize, Value>>,
     /// Cached derivatives of formulas in one variable, by formula and order.
-    rates: RefCell<BTreeMap<(usize, i64), Value>>,
+    rates: RefCell<BTreeMap<(usize, i64), Rate>>,
     rows: RefCell<Vec<Row>>,
 }
 
@@ -513,10 +513,13 @@ impl<'a> Expander<'a> {
         let own = Symbol::named(&format!("\u{2202}{variable}"));
         let rate = || {
             let symbol = Value::Number(Polynomial::symbol(own.clone()).into());
-            let value = self.term(body, &scope.with(variable, &symbol))?;
-            (0..order).try_fold(value, |value, _| {
+            let outside = self.divisors.take();
+            let value = self.term(body, &scope.with(variable, &symbol));
+            let divisors = self.divisors.replace(outside);
+            let value = (0..order).try_fold(value?, |value, _| {
                 value.each(&|x| x.derivative(&own, self.work))
-            })
+            })?;
+            Ok(Rate { value, divisors })
         };
         let rate = if closed {
             self.known_rate(body, order, rate)?
@@ -524,7 +527,14 @@ impl<'a> Expander<'a> {
             rate()?
         };
         let value_of = |symbol: &Symbol| (*symbol == own).then(|| at.clone());
-        rate.each(&|x| x.replaced(&value_of, self.work))
+        // What the body divides by does not vanish at the point.
+        for divisor in rate.divisors {
+            let there = Quotient::from(divisor).replaced(&value_of, self.work)?;
+            let factor = there.above.monic().map(|(_, factor)| factor);
+            let factor = factor.filter(|factor| factor.as_constant().is_none());
+            self.divisors.borrow_mut().extend(factor);
+        }
+        rate.value.each(&|x| x.replaced(&value_of, self.work))
     }
 
     /// The derivative of a body without other variables, computed once and cached.
@@ -532,14 +542,22 @@ impl<'a> Expander<'a> {
         &self,
         body: &Term,
         order: i64,
-        rate: impl FnOnce() -> Result<Value, Unsupported>,
-    ) -> Result<Value, Unsupported> {
+        rate: impl FnOnce() -> Result<Rate, Unsupported>,
+    ) -> Result<Rate, Unsupported> {
         let key = (Arc::as_ptr(&body.node).addr(), order);
         if let Some(known) = self.rates.borrow().get(&key) {
             return Ok(known.clone());
         }
-        let value = rate()?;
-        self.rates.borrow_mut().insert(key, value.clone());
-        Ok(value)
+        let rate = rate()?;
+        self.rates.borrow_mut().insert(key, rate.clone());
+        Ok(rate)
     }
+}
+
+/// A derivative as a function of the symbol for its variable.
+#[derive(Debug, Clone)]
+struct Rate {
+    value: Value,
+    /// What the body was divided by.
+    divisors: BTreeSet<Polynomial>,
 }

@@ -427,18 +427,20 @@ fn proved(
 /// under all assumptions.
 type Nonzero = (Vec<Sign<Polynomial>>, Vec<Sign<Polynomial>>);
 
-/// Those of the factors of divisors that were met, and are no conditions.
+/// Those of the factors of divisors that were met, and are no conditions. A radicand whose factors have no sign of their own has
+/// one as a whole: `y^2` where `y^2 > 1`.
 fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
     // Roots were taken for positive where their radicands are.
-    met.extend(domain.positive_radicands.iter().cloned());
-    for root in &domain.roots {
-        if domain.assumes_nonzero(&Polynomial::symbol(root.symbol.clone())) {
-            met.push(root.radicand.numerator().clone());
-        }
-    }
+    let is_positive = |root: &&decide::root::Root| {
+        domain.assumes_nonzero(&Polynomial::symbol(root.symbol.clone()))
+    };
+    let roots = domain.roots.iter().filter(is_positive);
+    let mut radicands = domain.positive_radicands.clone();
+    radicands.extend(roots.map(|root| root.radicand.numerator().clone()));
+    met.extend(radicands.iter().cloned());
     let met = conditions::separated(&met);
     let declared = Domain::new(domain.declarations);
-    let (mut signs, mut apart) = (vec![], vec![]);
+    let (mut signs, mut apart, mut without_sign) = (vec![], vec![], vec![]);
     for divisor in met {
         if conditions.contains(&divisor) {
             continue;
@@ -447,9 +449,18 @@ fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<
             Some(sign) => signs.push(sign),
             // A hypothesis says it, or no integers make it zero.
             None if domain.assumes_nonzero(&divisor) => {}
-            None => apart.extend(sign::positive(&domain.without_assumed(&divisor), domain)),
+            None => match sign::positive(&domain.without_assumed(&divisor), domain) {
+                Some(sign) => apart.push(sign),
+                None => without_sign.push(divisor),
+            },
         }
     }
+    let is_whole = |radicand: &&Polynomial| {
+        let mut factors = without_sign.iter();
+        factors.any(|factor| radicand.exact_quotient(factor).is_some())
+    };
+    let whole = radicands.iter().filter(is_whole);
+    apart.extend(whole.filter_map(|radicand| sign::positive(radicand, domain)));
     (signs, apart)
 }
 

@@ -50,7 +50,7 @@ pub struct Annotation {
 /// let place = found[0].place.clone().ok_or("a claim has a place")?;
 /// assert_eq!((found[0].rule, place.line), ("unexpected", 2));
 /// let told = annotations::github(&found, "derivations");
-/// assert!(told.starts_with("::error file=derivations/c.toml,line=2,col=6,title=p/1%3A unexpected::"), "{told}");
+/// assert!(told.starts_with("::error file=derivations/c.toml,line=2,col=7,title=p/1%3A unexpected::"), "{told}");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]

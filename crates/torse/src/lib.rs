@@ -41,8 +41,8 @@
 //!         id = "mine/eq-1"
 //!         at = "eq. (1)"
 //!         kind = "identity"
-//!         printed = "(x + 1)² = x² + 3x + 1"
-//!         states = "(x + 1)^2 == x^2 + 3*x + 1"
+//!         printed = "(x + 1)² = x² − 2x + 1"
+//!         states = "(x + 1)^2 == x^2 - 2*x + 1"
 //!     "#.to_owned()),
 //!     _ => None,
 //! })?;

@@ -9,7 +9,7 @@ use super::{Decision, Refutation};
 use std::collections::BTreeMap;
 use torse_algebra::{Fraction, Polynomial};
 use torse_certificate::Refuted;
-use torse_certificate::proof::Instance;
+use torse_certificate::proof::{Emptiness, Instance};
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 
 /// How far integers are raised where small ones say nothing.
@@ -151,7 +151,8 @@ pub fn fixed(assignment: &BTreeMap<String, i64>) -> BTreeMap<String, Fraction> {
 }
 
 /// The decision from all instances: a refutation with the integers in front of its witness, a proof if
-/// the instances are all there are, open otherwise. An instance without points says nothing.
+/// the instances are all there are, open otherwise. An instance without points says nothing. Where the statement has no value in
+/// any of them, that is no lack of points: it stays open.
 #[must_use]
 pub fn combined(
     instances: Vec<(BTreeMap<String, i64>, Decision)>,
@@ -159,7 +160,7 @@ pub fn combined(
     reason: &str,
 ) -> Decision {
     let mut proofs = vec![];
-    let mut empty = None;
+    let (mut empty, mut undefined) = (None, None);
     let mut proven = false;
     for (integers, decision) in instances {
         match decision {
@@ -177,7 +178,10 @@ pub fn combined(
                 proofs.push(Instance { integers, proof });
             }
             Decision::Vacuous(emptiness) => {
-                empty.get_or_insert(emptiness.clone());
+                match &emptiness {
+                    Emptiness::Undefined(term) => undefined = Some(term.clone()),
+                    nowhere => empty = Some(nowhere.clone()),
+                }
                 let proof = Proof::Nowhere(emptiness);
                 proofs.push(Instance { integers, proof });
             }
@@ -188,13 +192,15 @@ pub fn combined(
             }
         }
     }
-    match (complete, proven, empty) {
-        (true, true, _) => Decision::Proven(Proof::Instances(proofs)),
-        (true, false, Some(emptiness)) => Decision::Vacuous(emptiness),
-        _ => Decision::Open {
-            reason: reason.to_owned(),
-            tried: told(&proofs),
-        },
+    let reason = match (complete, proven, undefined, empty) {
+        (true, true, ..) => return Decision::Proven(Proof::Instances(proofs)),
+        (true, false, None, Some(emptiness)) => return Decision::Vacuous(emptiness),
+        (true, false, Some(term), _) => term,
+        _ => reason.to_owned(),
+    };
+    Decision::Open {
+        reason,
+        tried: told(&proofs),
     }
 }
 

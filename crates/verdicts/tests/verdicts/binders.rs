@@ -89,7 +89,7 @@ fn an_integral_that_is_not_carried_says_why() {
     let root = "states = 'integral(sqrt(t^2 + 1), t, 0, s) == s'";
     let found = common::outcomes("binders", SHARED, &[root]).remove(0);
     assert_eq!(found.verdict(), Undecided);
-    assert!(found.steps()[0].contains("a root that changes with the variable of an integral"));
+    assert!(found.steps()[0].contains("a root that depends on the variable of an integral"));
 }
 
 #[test]

@@ -72,7 +72,7 @@ const CASES: [(InjectedFault, &str, &str); 12] = [
     (
         InjectedFault::DenialOfBoth,
         "states = 'not (a == 0 and b == 0) implies a*b != 0'",
-        "another statement",
+        "state something else than the text",
     ),
     (
         InjectedFault::ChainFromFirst,
@@ -97,7 +97,7 @@ const CASES: [(InjectedFault, &str, &str); 12] = [
     (
         InjectedFault::OpenEndIncluded,
         "exists = ['r == 1']\nstates = 'r == 1'",
-        "another statement",
+        "state something else than the text",
     ),
 ];
 

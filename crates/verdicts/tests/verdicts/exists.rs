@@ -104,17 +104,17 @@ fn a_witness_has_a_value_wherever_its_divisors_do_not_vanish() {
     refused(
         "['r == sqrt(a)']",
         "r^2 == a",
-        "a witness that may have no value",
+        "a witness that may be undefined",
     );
     refused(
         "['r == 1/(m - 1)']",
         "r*(m - 1) == 1",
-        "a witness that may have no value",
+        "a witness that may be undefined",
     );
     refused(
         "['r == a^m']",
         "r == a^m",
-        "a witness that may have no value",
+        "a witness that may be undefined",
     );
     assert_eq!(outcome("['r == abs(a)']", "r^2 == a^2").verdict(), Holds);
     assert_eq!(
@@ -125,7 +125,7 @@ fn a_witness_has_a_value_wherever_its_divisors_do_not_vanish() {
 
 #[test]
 fn nothing_else_speaks_of_the_number() {
-    refused("['r == s', 's == 1']", "r == 1", "`s` is what there is");
+    refused("['r == s', 's == 1']", "r == 1", "`s` is existential");
     for states in ["fails(r == a)", "r == a and fails(r == b)"] {
         let lines = format!("exists = ['r']\nstates = '{states}'");
         let paper = common::paper("there", SHARED, &[&lines]);

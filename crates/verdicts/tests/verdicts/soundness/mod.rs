@@ -8,6 +8,7 @@ use crate::common;
 mod accused;
 mod adversary;
 mod conditions;
+mod defined;
 mod denied;
 mod proved;
 

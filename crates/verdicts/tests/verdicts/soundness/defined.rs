@@ -1,0 +1,58 @@
+//! Where terms have values: roots that are positive, divisors that do not vanish, statements that say nothing.
+
+use super::adversary::found;
+use torse_syntax::taxonomy::Verdict::{Conditional, False, Holds, Misprint, Undecided};
+
+#[test]
+fn a_root_is_positive_where_its_radicand_is_whatever_its_factors_are() {
+    let numbers = "[symbols]\nx = {}\ny = {}\nz = {}\n";
+    for (assumed, states) in [
+        ("y^2 > 1", "abs(y) > 0"),
+        ("x^2 < y^2", "abs(y) != 0"),
+        ("x^2 < y^2", "x < abs(y)"),
+        ("x^2 < y^2", "x < 1 + abs(y)"),
+        ("x^2 < (y + z)^2", "x < abs(y + z)"),
+        ("y^2 > x^2 + z^2", "abs(y) > 0"),
+    ] {
+        let lines = format!("assume = ['{assumed}']\nstates = '{states}'");
+        found(numbers, &lines, &[Holds]);
+    }
+    let implied = "states = 'x^2 < y^2 implies -abs(y) < x < abs(y)'";
+    found(numbers, implied, &[Holds]);
+    let least = "assume = ['y^2 >= 1']\nstates = 'abs(y) > 1'";
+    found(numbers, least, &[False, Misprint]);
+}
+
+#[test]
+fn a_statement_without_a_value_at_any_integer_of_its_range_is_open() {
+    let integers = "[symbols]\nn = { integer = '1..6' }\n";
+    for states in [
+        "1/(n - n) == 5",
+        "sum(i, 0, n, 1/i) < n",
+        "product(i, -1, n, (i + 2)/(i + 1)) < n",
+    ] {
+        found(integers, &format!("states = '{states}'"), &[Undecided]);
+    }
+    let somewhere = "states = '(n - 1)/(n - 1) == 1'";
+    found(integers, somewhere, &[Holds, Conditional]);
+}
+
+#[test]
+fn what_a_derivative_divides_by_does_not_vanish() {
+    let numbers = "[symbols]\nx = {}\ny = {}\nz = {}\nn = { integer = '-1..2' }\n";
+    for rate in ["D(1/z, z)", "D(z^n, z)", "D(1/(z - 1), z, 2)"] {
+        let states = format!("(z + x)*(x - y + {rate}) == (z + x)*{rate} implies x == y");
+        let outcome = found(numbers, &format!("states = '{states}'"), &[Conditional]);
+        let replay = outcome.replay().unwrap();
+        assert!(replay.is_whole(), "{outcome:#?}");
+    }
+    // Where the place is another one, so is the divisor.
+    let place = "at(D(1/z, z), z, x)*(y - 1) == 0 implies y == 1";
+    found(numbers, &format!("states = '{place}'"), &[Holds]);
+    let other = "z*at(D(1/z, z), z, x)*(y - 1) == 0 implies y == 1";
+    found(
+        numbers,
+        &format!("states = '{other}'"),
+        &[Conditional, False, Misprint],
+    );
+}
