@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each room with the rooms it may use. Rooms that are planned and not built stand here as well.
-const ROOMS: [(&str, &[&str]); 19] = [
+const ROOMS: [(&str, &[&str]); 20] = [
     ("numbers", &[]),
     ("algebra", &["numbers"]),
     ("syntax", &["numbers"]),
@@ -21,17 +21,25 @@ const ROOMS: [(&str, &[&str]); 19] = [
     ("certificate", &["numbers", "core"]),
     ("checker", &["numbers", "core", "certificate"]),
     ("prove", &["algebra", "core", "elaborate", "certificate"]),
+    ("typography", &["syntax"]),
     (
         "verdicts",
-        &["core", "elaborate", "semantics", "prove", "checker"],
+        &[
+            "core",
+            "elaborate",
+            "semantics",
+            "prove",
+            "checker",
+            "typography",
+        ],
     ),
     ("rocq", &["syntax", "core", "elaborate", "certificate"]),
     ("geometry", &["numbers", "algebra"]),
     ("exchange", &["geometry"]),
-    ("plot", &["syntax"]),
+    ("plot", &["typography"]),
     ("figures", &["syntax", "prove", "plot"]),
     ("designs", &["syntax", "geometry", "exchange", "plot"]),
-    ("report", &["verdicts", "plot"]),
+    ("report", &["verdicts", "typography", "plot"]),
     ("torse", &["report", "figures", "designs", "rocq"]),
     ("cli", &["torse"]),
 ];

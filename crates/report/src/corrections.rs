@@ -2,13 +2,14 @@
 
 use crate::findings::{self, Finding};
 use crate::glossary::{self, Term};
-use crate::math::{Names, Prose, compared, spans};
+use crate::names::printed_names;
 use crate::sentence;
 use crate::text::visible;
 use crate::view::{CorrectionView, FormulaView, correction, formula};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use torse_syntax::taxonomy::{Kind, Verdict};
+use torse_typography::{Prose, compared, spans};
 use torse_verdicts::consequences::{Fate, consequences};
 use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
 
@@ -50,7 +51,7 @@ pub struct Reworded {
 pub(crate) fn reworded(outcome: &Outcome, faults: &[PaperFault]) -> Option<Reworded> {
     let mut changes = faults.iter().flat_map(|fault| &fault.changes);
     let change = changes.find(|change| change.claim == outcome.claim.id)?;
-    let names = Names::new(outcome);
+    let names = printed_names(outcome);
     let [printed, reads] = compared(&visible(&change.printed), &visible(&change.reads), &names);
     Some(Reworded { printed, reads })
 }
@@ -109,7 +110,7 @@ pub(crate) fn corrections(
     let claims = &paper.claims;
     let view = |(position, (resting, falling)): (usize, (usize, usize))| {
         let claim = claims.get(position)?;
-        let names = Names::new(claim);
+        let names = printed_names(claim);
         let prose = |text: &str| spans(&visible(text), &names);
         let parsed = claim.parsed();
         Some(Corrected {

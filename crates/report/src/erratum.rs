@@ -2,10 +2,10 @@
 
 use crate::gallery::escaped;
 use crate::letter::{Envelope, Item, ItemChange};
-use crate::math::{Mathematics, Prose, Span, latex_words};
 use crate::model::Report;
 use crate::view::FormulaView;
 use std::fmt::{self, Write};
+use torse_typography::{Mathematics, Prose, Span, latex_words};
 
 /// Appears on every page of a letter without a sender.
 pub(crate) const DRAFT: &str = "Draft: no sender is named";

@@ -1,12 +1,13 @@
 //! Findings besides the corrections, in plain words: a sentence for each claim that a reader must know of.
 
 use crate::glossary::{self, Term};
-use crate::math::{Names, Prose, in_words, plain, spans};
+use crate::names::printed_names;
 use crate::sentence;
 use crate::text::{beginning, name, visible};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use torse_syntax::taxonomy::Verdict;
+use torse_typography::{PrintedNames, Prose, in_words, plain, spans};
 use torse_verdicts::outcome::Outcome;
 
 /// Maximum number of quoted characters of the print.
@@ -62,19 +63,19 @@ pub fn findings_in_words(claims: &[Outcome]) -> BTreeMap<String, String> {
         .iter()
         .filter(|claim| TOLD.contains(&claim.verdict()));
     let found = chosen.map(|outcome| {
-        let sentence = in_full(outcome, &Names::new(outcome));
+        let sentence = in_full(outcome, &printed_names(outcome));
         (visible(&outcome.claim.id), in_words(&sentence))
     });
     found.collect()
 }
 
-fn in_full(outcome: &Outcome, names: &Names) -> Prose {
+fn in_full(outcome: &Outcome, names: &PrintedNames) -> Prose {
     spans(&visible(&sentence::short_sentence(outcome)), names)
 }
 
 /// Returns the finding about a claim.
 pub(crate) fn about(outcome: &Outcome, anchor: &str) -> Finding {
-    let names = Names::new(outcome);
+    let names = printed_names(outcome);
     Finding {
         id: visible(&outcome.claim.id),
         name: visible(name(&outcome.claim.id)),

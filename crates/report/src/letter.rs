@@ -6,13 +6,14 @@
 
 use crate::corrections::{is_refuted, ranked};
 use crate::glossary::plural;
-use crate::math::{Names, Prose, compared, in_words, plain, spans};
+use crate::names::printed_names;
 use crate::sentence;
 use crate::text::visible;
 use crate::view::{CorrectionView, correction};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use torse_syntax::taxonomy::{Kind, Verdict};
+use torse_typography::{PrintedNames, Prose, compared, in_words, plain, spans};
 use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome, Restored};
 use torse_verdicts::repair;
 
@@ -183,10 +184,10 @@ fn told<'a>(
 ) -> Item {
     let mut names = shows
         .first()
-        .map(|claim| Names::new(claim))
+        .map(|claim| printed_names(claim))
         .unwrap_or_default();
     for claim in shows.iter().skip(1) {
-        names.extend(Names::new(claim));
+        names.extend(printed_names(claim));
     }
     let several = fault.changes.len() > 1;
     let mut before = None;
@@ -246,7 +247,7 @@ fn told<'a>(
 
 /// The item of a refuted statement of which no fault is told.
 fn untold(outcome: &Outcome) -> Item {
-    let names = Names::new(outcome);
+    let names = printed_names(outcome);
     let formula = (outcome.correction()).map(|repair| correction(outcome.parsed(), repair, &names));
     let told = match (
         &outcome.claim.author_note,
@@ -279,7 +280,7 @@ fn untold(outcome: &Outcome) -> Item {
 }
 
 fn place(outcome: &Outcome) -> Prose {
-    spans(&visible(&outcome.claim.at), &Names::default())
+    spans(&visible(&outcome.claim.at), &PrintedNames::default())
 }
 
 /// A counterexample of more characters is left to the report.
@@ -289,7 +290,7 @@ const MAX_COUNTEREXAMPLE_LENGTH: usize = 400;
 /// are ours, and what they come to at a point tells an author nothing.
 fn counterexample(outcome: &Outcome) -> Option<Prose> {
     let witness = outcome.witness()?;
-    let names = Names::new(outcome);
+    let names = printed_names(outcome);
     let stated = outcome.parsed()?;
     let of_the_paper = names.are_of_the_paper(&stated.text)
         && sentence::point(witness).all(|(name, _)| names.are_of_the_paper(name));

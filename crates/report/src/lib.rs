@@ -23,7 +23,6 @@ pub mod corrections;
 mod dependencies;
 #[cfg(all(test, feature = "pdf"))]
 mod derived;
-mod difference;
 pub mod digest;
 mod erratum;
 mod error;
@@ -36,8 +35,8 @@ mod json;
 mod letter;
 #[cfg(feature = "pdf")]
 mod manuscript;
-mod math;
 pub mod model;
+mod names;
 mod sentence;
 mod source;
 pub mod summary_page;
@@ -52,7 +51,6 @@ mod world;
 mod write;
 
 pub use dependencies::{DependencyGroup, dependency_groups};
-pub use difference::difference;
 pub use erratum::{erratum_latex, erratum_markdown};
 pub use error::ReportError;
 pub use figure::{FigureImage, Image};
@@ -63,11 +61,11 @@ pub use json::{finding_json, verdicts_json, verdicts_json_with_kernel};
 pub use letter::{Envelope, Item, ItemChange, Letter};
 #[cfg(feature = "pdf")]
 pub use manuscript::Manuscript;
-pub use math::{Mathematics, Piece, Prose, Span, in_words, plain};
 pub use sentence::{failure_in_full, point};
 pub use source::Source;
 pub use tally::{Remarks, Row, Tally};
 pub use text::counted;
+pub use torse_typography::{MathPiece, Mathematics, Prose, Span, difference, in_words, plain};
 #[cfg(feature = "pdf")]
 pub use typeset::Typeset;
 pub use verdict_lines::verdict_lines;

@@ -14,12 +14,12 @@ use crate::corrections::Corrected;
 use crate::findings::Finding;
 use crate::glossary::Term;
 use crate::letter::Letter;
-use crate::math::Prose;
 use crate::source::Source;
 use crate::summary_page::Short;
 use crate::tally::Tally;
 pub use crate::view::{CorrectionView, FormulaView};
 use serde::Serialize;
+use torse_typography::Prose;
 
 /// The report about one paper.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

@@ -4,12 +4,12 @@
 //! Formulas stand between backticks, in the notation of the files; [`crate::math`] sets them.
 
 use crate::glossary;
-use crate::math::expression;
 use crate::text::decimal;
 use torse_prove::evidence::Witness;
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 use torse_syntax::notation::{Formula, text};
 use torse_syntax::taxonomy::Verdict;
+use torse_typography::expression;
 use torse_verdicts::correction::Correction;
 use torse_verdicts::judged::{ConditionCheck, Net};
 use torse_verdicts::outcome::Outcome;

@@ -4,13 +4,14 @@ use crate::applicability::title;
 use crate::corrections::{is_refuted, ranked};
 use crate::findings::{self, Finding};
 use crate::glossary;
-use crate::math::{Names, Prose};
+use crate::names::printed_names;
 use crate::tally::Tally;
 use crate::text::visible;
 use crate::view::{FormulaView, correction, formula};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use torse_syntax::taxonomy::Verdict;
+use torse_typography::Prose;
 use torse_verdicts::consequences::{Fate, consequences, resting, users};
 use torse_verdicts::outcome::Outcome;
 
@@ -160,7 +161,7 @@ fn point(
     claims: &[Outcome],
 ) -> Point {
     let (resting, falling, more) = weight;
-    let names = Names::new(outcome);
+    let names = printed_names(outcome);
     let (label, formula) = match (outcome.correction(), outcome.parsed()) {
         (Some(repair), parsed) => {
             let view = correction(parsed, repair, &names);

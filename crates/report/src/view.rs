@@ -1,10 +1,10 @@
 //! Formulas and corrections as every part of a report shows them.
 
 use crate::glossary;
-use crate::math::{Mathematics, Names, Node, Prose, changed, read, spans};
 use crate::text::visible;
 use serde::Serialize;
 use torse_syntax::notation::Formula;
+use torse_typography::{MathBox, Mathematics, PrintedNames, Prose, changed, read, spans};
 use torse_verdicts::Correction;
 
 /// A formula on lines of its own.
@@ -30,7 +30,7 @@ pub struct CorrectionView {
 }
 
 /// A formula on lines of its own.
-pub(crate) fn formula(of: &Formula, names: &Names) -> FormulaView {
+pub(crate) fn formula(of: &Formula, names: &PrintedNames) -> FormulaView {
     FormulaView {
         math: read(&of.text, names).map(|node| Mathematics::display(&node)),
         text: visible(&of.text),
@@ -38,10 +38,10 @@ pub(crate) fn formula(of: &Formula, names: &Names) -> FormulaView {
 }
 
 /// A formula that the engine derived; a long one is replaced by its number of terms.
-pub(crate) fn derived(of: &Formula, names: &Names) -> FormulaView {
+pub(crate) fn derived(of: &Formula, names: &PrintedNames) -> FormulaView {
     match glossary::long(&of.text) {
         Some(words) => FormulaView {
-            math: Some(Mathematics::inline(&Node::word(&words.replace('`', "")))),
+            math: Some(Mathematics::inline(&MathBox::word(&words.replace('`', "")))),
             text: words,
         },
         None => formula(of, names),
@@ -52,10 +52,10 @@ pub(crate) fn derived(of: &Formula, names: &Names) -> FormulaView {
 pub(crate) fn correction(
     parsed: Option<&Formula>,
     repair: &Correction,
-    names: &Names,
+    names: &PrintedNames,
 ) -> CorrectionView {
     let marked = parsed.and_then(|parsed| changed(&parsed.text, &repair.statement.text, names));
-    let view = |node: &Node, of: &Formula| FormulaView {
+    let view = |node: &MathBox, of: &Formula| FormulaView {
         math: Some(Mathematics::display(node)),
         text: visible(&of.text),
     };

@@ -154,7 +154,6 @@ fn without_witness(
     for (name, value) in &at {
         let formula = Formula {
             text: format!("{name} == {value}"),
-            ..Formula::default()
         };
         let id = claim.entry.id.get_ref();
         let formula = condition::written(&formula, id).ok_or_else(unknown)?;

@@ -92,7 +92,6 @@ fn hypotheses(claim: &Claim) -> Vec<(HypothesisRef, Assumed)> {
                     Some(range) => notation::formula(&range),
                     None => Formula {
                         text: domain::words(name, kind),
-                        ..Formula::default()
                     },
                 };
                 (Role::Range, formula, range.provenance.clone())

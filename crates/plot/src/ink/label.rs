@@ -7,11 +7,11 @@
 //! ```
 //!
 //! Letters are italic in mathematics and figures upright, blanks mean nothing there, relations and binary
-//! operations get their usual room. `\name` is a Greek letter, a sign or a function name, see [`COMMANDS`].
+//! operations get their usual room. `\name` is a Greek letter, a sign or a function name, see [`named_sign`].
 
 use crate::error::{FigureError, LabelProblem};
 use crate::ink::font::Style;
-use torse_syntax::greek;
+use torse_typography::{FUNCTIONS, signs};
 
 /// A parsed label.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,45 +34,22 @@ enum Class {
     Open,
 }
 
-/// Named signs that are no Greek letters.
-pub(crate) const COMMANDS: &[(&str, char)] = &[
-    ("le", '≤'),
-    ("ge", '≥'),
-    ("ne", '≠'),
-    ("approx", '≈'),
-    ("in", '∈'),
-    ("to", '→'),
-    ("times", '×'),
-    ("cdot", '·'),
-    ("pm", '±'),
-    ("infty", '∞'),
-    ("partial", '∂'),
-    ("nabla", '∇'),
-    ("sum", '∑'),
-    ("int", '∫'),
-    ("sqrt", '√'),
-    ("degree", '°'),
-    ("ldots", '…'),
-    ("{", '{'),
-    ("}", '}'),
-];
+/// The sign of a root, which labels set without its bar.
+const ROOT: (&str, char) = ("sqrt", '√');
 
-/// The sign that `\name` stands for: a Greek letter, by the name that files or LaTeX give it, or one of [`COMMANDS`].
+/// The sign that `\\name` stands for: a root, one of [`signs::SIGNS`], or a Greek letter.
 fn named_sign(name: &str) -> Option<char> {
-    let other = COMMANDS.iter().find(|(command, _)| *command == name);
-    let letter = || {
-        let mut letters = greek::LETTERS.iter();
-        letters.find(|letter| letter.name == name || letter.latex == name)
-    };
-    let sign = other.map(|(_, sign)| *sign);
-    sign.or_else(|| letter().map(|letter| letter.sign))
+    match signs::sign(name) {
+        _ if name == ROOT.0 => Some(ROOT.1),
+        // The fonts have the dot at the height of capitals alone.
+        Some('⋅') => Some('·'),
+        Some(sign) => Some(sign),
+        None => signs::letter(name),
+    }
 }
 
-/// Function names, set upright.
-const FUNCTIONS: &[&str] = &[
-    "sin", "cos", "tan", "sinh", "cosh", "tanh", "log", "ln", "exp", "det", "max", "min", "lim",
-    "arg",
-];
+/// Operators that labels set upright, beside [`FUNCTIONS`].
+const OPERATORS: [&str; 3] = ["det", "lim", "arg"];
 
 const MEDIUM: f64 = 0.20;
 const THICK: f64 = 0.26;
@@ -193,7 +170,7 @@ impl Parser<'_> {
         if let Some(ch) = named_sign(&name) {
             return Ok(sign(ch, before, depth, nodes));
         }
-        if FUNCTIONS.contains(&name.as_str()) {
+        if FUNCTIONS.contains(&name.as_str()) || OPERATORS.contains(&name.as_str()) {
             if before == Class::Ordinary {
                 nodes.push(Node::Space(THIN));
             }

@@ -120,13 +120,18 @@ impl Setter<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ink::label::COMMANDS;
+    use torse_typography::signs::SIGNS;
 
     #[test]
     fn every_named_sign_has_a_glyph() {
         let letters = torse_syntax::greek::LETTERS.iter();
         let names = letters.flat_map(|letter| [letter.name, letter.latex]);
-        for name in COMMANDS.iter().map(|(name, _)| *name).chain(names) {
+        for name in SIGNS
+            .iter()
+            .map(|(name, _)| *name)
+            .chain(names)
+            .chain(["sqrt"])
+        {
             let line = typeset(&format!("$\\{name}$"), 10.0);
             assert_eq!(
                 line.unwrap_or_else(|e| panic!("{name}: {e}")).glyphs.len(),

@@ -4,12 +4,12 @@ use super::Page;
 use super::pack::Pack;
 use super::text::{Code, Listed, Sentence, Text, badge, formula};
 use crate::glossary;
-use crate::math::Prose;
 use crate::model::{
     ClaimView, ConsequenceView, CorrectionView, FormulaView, ReadingView, Reference, RestsView,
     WitnessView,
 };
 use std::fmt::{self, Write};
+use torse_typography::Prose;
 
 /// Writes the claim as an `article`, closed at first; `section` is the identifier of its section.
 pub(super) fn write(

@@ -9,9 +9,9 @@ use crate::applicability::{Answer, Construction};
 use crate::corrections::Corrected;
 use crate::findings::Finding;
 use crate::glossary::{self, DECIDED, EVIDENCE, KERNEL, NETTED, RULES, VERDICTS};
-use crate::math::Prose;
 use crate::model::Report;
 use std::fmt::{self, Write};
+use torse_typography::Prose;
 
 /// Writes the summary, whether the paper can be used, and the corrections.
 pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {

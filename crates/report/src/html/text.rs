@@ -1,9 +1,9 @@
 //! Words and formulas as text of the page, never as markup.
 
 use crate::glossary::Term;
-use crate::math::{Prose, Span};
 use crate::model::{FormulaView, Report};
 use std::fmt::{self, Write};
+use torse_typography::{Prose, Span};
 
 /// Writes a verdict as a coloured word; its mark is in the style, and the script shows its meaning.
 pub(super) fn badge(verdict: Term) -> String {

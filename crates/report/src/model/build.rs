@@ -6,7 +6,7 @@ use super::{
 };
 use crate::dependencies::{concerns, describe_source};
 use crate::glossary;
-use crate::math::{Names, Prose, plain, spans};
+use crate::names::printed_names;
 use crate::source::Source;
 use crate::tally::Tally;
 use crate::text::{
@@ -18,6 +18,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use torse_prove::Witness;
 use torse_syntax::notation::Formula;
 use torse_syntax::taxonomy::{Kind, Verdict};
+use torse_typography::{PrintedNames, Prose, plain, spans};
 use torse_verdicts::claim_record::Role;
 use torse_verdicts::consequences::consequences;
 use torse_verdicts::dependencies::Defined;
@@ -106,7 +107,7 @@ pub(crate) fn figure_file(position: usize, image: &FigureImage) -> String {
 }
 
 fn figure_view(position: usize, image: &FigureImage, number: String) -> FigureView {
-    let names = Names::default();
+    let names = PrintedNames::default();
     let prose = |text: &String| spans(&visible(text), &names);
     FigureView {
         file: figure_file(position, image),
@@ -149,7 +150,7 @@ impl<'a> Builder<'a> {
     }
 
     fn claim(&self, position: usize, outcome: &Outcome, accepted: &BTreeSet<String>) -> ClaimView {
-        let names = Names::new(outcome);
+        let names = printed_names(outcome);
         let prose = |text: &str| spans(&visible(text), &names);
         let option = |text: Option<&str>| text.map(prose);
         let (here, elsewhere) = self.figures_of(position, &outcome.claim.id);
@@ -249,7 +250,10 @@ impl<'a> Builder<'a> {
             .partition(|of| !of.through.is_empty() && of.fate.survives());
         let views = listed.into_iter().map(|of| ConsequenceView {
             claim: self.reference(&of.id),
-            fate: spans(&visible(&glossary::consequence(of)), &Names::default()),
+            fate: spans(
+                &visible(&glossary::consequence(of)),
+                &PrintedNames::default(),
+            ),
             through: of.through.last().map(|id| self.reference(id)),
         });
         let survivors = (!distant.is_empty()).then(|| glossary::distant_survivors(distant.len()));
@@ -300,12 +304,12 @@ impl<'a> Builder<'a> {
     }
 }
 
-fn conditions(conditions: &[Formula], names: &Names) -> Vec<FormulaView> {
+fn conditions(conditions: &[Formula], names: &PrintedNames) -> Vec<FormulaView> {
     let view = |condition| derived(condition, names);
     conditions.iter().map(view).collect()
 }
 
-fn assumed(outcome: &Outcome, names: &Names) -> Vec<FormulaView> {
+fn assumed(outcome: &Outcome, names: &PrintedNames) -> Vec<FormulaView> {
     let assumed = outcome.claim.assumed.iter();
     let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);
     assumed.map(|h| formula(&h.formula, names)).collect()
@@ -313,7 +317,7 @@ fn assumed(outcome: &Outcome, names: &Names) -> Vec<FormulaView> {
 
 /// Writes the dependencies of a statement, in small print. Definitions that it shares with others are in the notation
 /// of the report.
-fn views(outcome: &Outcome, names: &Names) -> Vec<RestsView> {
+fn views(outcome: &Outcome, names: &PrintedNames) -> Vec<RestsView> {
     let table = &outcome.claim.table;
     let prose = |text: &str| spans(&visible(text), names);
     let quoted = |formula: &Formula| prose(&format!("`{}`", formula.text));
@@ -346,7 +350,7 @@ fn views(outcome: &Outcome, names: &Names) -> Vec<RestsView> {
 }
 
 /// Writes a definition as an equation.
-fn defined(of: &Defined, names: &Names) -> Prose {
+fn defined(of: &Defined, names: &PrintedNames) -> Prose {
     let text = format!("`{} == {}`", of.head.text, of.body.text);
     spans(&visible(&text), names)
 }
@@ -356,7 +360,7 @@ fn notation(claims: &[Outcome]) -> Vec<Prose> {
     let mut seen = BTreeSet::new();
     let mut list = Vec::new();
     for outcome in claims {
-        let names = Names::new(outcome);
+        let names = printed_names(outcome);
         let table = &outcome.claim.table;
         for of in table.definitions.iter().filter(|of| !of.own) {
             if seen.insert((of.head.text.clone(), of.body.text.clone())) {
@@ -390,7 +394,7 @@ fn notation(claims: &[Outcome]) -> Vec<Prose> {
 
 fn reading(reading: &ReadingOutcome) -> ReadingView {
     let of = &reading.outcome;
-    let names = Names::new(of);
+    let names = printed_names(of);
     ReadingView {
         name: spans(&visible(&reading.name), &names),
         says: spans(&visible(&reading.says), &names),
@@ -404,7 +408,7 @@ fn reading(reading: &ReadingOutcome) -> ReadingView {
     }
 }
 
-fn witness(of: &Witness, names: &Names) -> WitnessView {
+fn witness(of: &Witness, names: &PrintedNames) -> WitnessView {
     /// Maximum number of characters of values that stand side by side.
     const SHORT: usize = 16;
     let equation =

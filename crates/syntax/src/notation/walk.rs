@@ -18,10 +18,6 @@ pub(super) enum Level {
     Not,
     Relation,
     Sum,
-    /// Can be a summand without brackets, but not a factor: `a . b`.
-    Term,
-    /// Like a term, but a factor written after it would belong to it: a sum with a sigma sign.
-    Open,
     Product,
     /// Begins with a minus sign.
     Negative,
@@ -85,7 +81,7 @@ pub(super) trait Notation {
         let mut text = self.operand(first, Level::Sum);
         for (operator, term) in rest {
             let piece = self.write(term);
-            let loose = piece.level < Level::Term || piece.text.starts_with('-');
+            let loose = piece.level < Level::Product || piece.text.starts_with('-');
             let term = if loose {
                 self.bracketed(&piece.text)
             } else {

@@ -63,14 +63,14 @@ fn text(derivation: &Derivation) -> String {
 }
 
 fn latex(derivation: &Derivation) -> String {
-    let lines = sides(derivation, notation::latex);
+    let lines = sides(derivation, torse_typography::latex);
     let lines: Vec<String> = lines.iter().map(|(l, r)| format!("  {l} &= {r}")).collect();
     let mut text = format!(
         "% {}\n\\begin{{align*}}\n{}\n\\end{{align*}}\n",
         derivation.title,
         lines.join(" \\\\\n")
     );
-    let conditions = conditions(derivation, notation::latex);
+    let conditions = conditions(derivation, torse_typography::latex);
     if !conditions.is_empty() {
         let _ = writeln!(text, "where ${}$.", conditions.join("$, $"));
     }
@@ -78,10 +78,10 @@ fn latex(derivation: &Derivation) -> String {
 }
 
 fn typst(derivation: &Derivation) -> String {
-    let lines = sides(derivation, notation::typst);
+    let lines = sides(derivation, torse_typography::typst);
     let lines: Vec<String> = lines.iter().map(|(l, r)| format!("  {l} &= {r}")).collect();
     let mut text = format!("// {}\n$\n{}\n$\n", derivation.title, lines.join(" \\\n"));
-    let conditions = conditions(derivation, notation::typst);
+    let conditions = conditions(derivation, torse_typography::typst);
     if !conditions.is_empty() {
         let _ = writeln!(text, "where ${}$.", conditions.join("$, $"));
     }

@@ -185,7 +185,6 @@ fn a_correction_is_judged_like_a_proof() {
         let correction = Correction {
             statement: Formula {
                 text: text.to_owned(),
-                ..Formula::default()
             },
             conditions: vec![],
             edits: vec![],

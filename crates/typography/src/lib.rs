@@ -1,30 +1,33 @@
-//! Mathematics as readers see it, for every output.
+//! Mathematical notation: one tree of boxes for every output.
 //!
-//! A formula reaches the report in the notation of the derivation files. It is parsed, simplified ([`tidy`]), laid out
-//! once as a tree of boxes ([`Node`], by [`layout`]) with the names that the paper prints, and written as Typst,
-//! MathML, LaTeX and plain text. [`prose`] takes sentences with formulas apart, [`markup`] reads names that files give
-//! between dollar signs. So no output shows the notation of the files, and all of them show the same.
+//! A formula in the notation of the derivation files is parsed, simplified, laid out once as a tree of boxes
+//! ([`MathBox`]) with the names that a paper prints ([`PrintedNames`]), and written as Typst, MathML, LaTeX and plain
+//! text ([`Mathematics`]). [`spans`] takes sentences with formulas apart, [`changed`] and [`compared`] mark what a
+//! correction changes. So no output shows the notation of the files, and all of them show the same.
 
 mod change;
+mod difference;
 mod layout;
 mod letters;
 mod marked;
 mod markup;
+mod math_box;
 mod mathml;
 mod names;
-mod node;
 mod prose;
+pub mod signs;
 mod tidy;
 mod tokens;
 mod write;
 
-pub(crate) use change::changed;
-pub(crate) use marked::compared;
-pub(crate) use names::Names;
-pub(crate) use node::Node;
-pub use prose::in_words;
-pub(crate) use prose::spans;
-pub(crate) use write::latex_words;
+pub use change::changed;
+pub use difference::difference;
+pub use letters::FUNCTIONS;
+pub use marked::compared;
+pub use math_box::{Fence, LetterFace, MathBox, MathChange};
+pub use names::PrintedNames;
+pub use prose::{in_words, spans};
+pub use write::latex_words;
 
 use serde::Serialize;
 use torse_syntax::formula::{Expr, parse};
@@ -36,7 +39,7 @@ pub struct Mathematics {
     pub typst: String,
     /// Ways to break a long formula into pieces of Typst mathematics, coarsest first; none for a short one, one for a
     /// formula within a sentence.
-    pub breaks: Vec<Vec<Piece>>,
+    pub breaks: Vec<Vec<MathPiece>>,
     /// MathML, one element for each piece between which a line may be broken.
     #[serde(skip)]
     pub mathml: Vec<String>,
@@ -53,7 +56,7 @@ pub struct Mathematics {
 
 /// A piece of a formula that is broken over lines.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Piece {
+pub struct MathPiece {
     /// Typst mathematics.
     pub typst: String,
     /// Letters and signs.
@@ -84,17 +87,18 @@ impl Mathematics {
     /// A formula in the notation of the derivation files, on lines of its own; none for a text that is no formula.
     ///
     /// ```
-    /// let half = torse_report::Mathematics::read("x/2").ok_or("a formula")?;
+    /// let half = torse_typography::Mathematics::read("x/2").ok_or("a formula")?;
     /// assert_eq!(half.latex, r"\frac{x}{2}");
     /// # Ok::<(), &str>(())
     /// ```
     #[must_use]
     pub fn read(formula: &str) -> Option<Self> {
-        Some(Self::display(&read(formula, &Names::default())?))
+        Some(Self::display(&read(formula, &PrintedNames::default())?))
     }
 
     /// A formula within a sentence.
-    pub(crate) fn inline(node: &Node) -> Self {
+    #[must_use]
+    pub fn inline(node: &MathBox) -> Self {
         /// A longer formula may be wider than the rest of a line, or than the line.
         const LONG: usize = 50;
         let text = write::text(node);
@@ -117,11 +121,12 @@ impl Mathematics {
     }
 
     /// A formula on lines of its own.
-    pub(crate) fn display(node: &Node) -> Self {
+    #[must_use]
+    pub fn display(node: &MathBox) -> Self {
         /// A formula of at most so many letters fits into the column.
         const SHORT: usize = 30;
         let text = write::text(node);
-        let mut breaks: Vec<Vec<Piece>> = Vec::new();
+        let mut breaks: Vec<Vec<MathPiece>> = Vec::new();
         if text.chars().count() > SHORT {
             let cut = |width| mathml::cuts(node, width).into_iter().map(piece).collect();
             breaks.extend(WIDTHS.into_iter().map(cut));
@@ -137,7 +142,7 @@ impl Mathematics {
             latex: write::latex(node),
             latex_pieces: (mathml::cuts(node, WIDTHS[2]).into_iter())
                 .map(|piece| {
-                    let row = Node::Row(piece);
+                    let row = MathBox::Row(piece);
                     (write::latex(&row), write::text(&row).chars().count())
                 })
                 .collect(),
@@ -146,9 +151,9 @@ impl Mathematics {
     }
 }
 
-fn piece(nodes: Vec<Node>) -> Piece {
-    let row = Node::Row(nodes);
-    Piece {
+fn piece(nodes: Vec<MathBox>) -> MathPiece {
+    let row = MathBox::Row(nodes);
+    MathPiece {
         typst: write::typst(&row),
         alt: write::text(&row),
     }
@@ -157,17 +162,34 @@ fn piece(nodes: Vec<Node>) -> Piece {
 /// Writes a sentence with its formulas as plain text on one line: `q₀ ≠ 0`.
 #[must_use]
 pub fn plain(text: &str) -> String {
-    in_words(&spans(text, &Names::default()))
+    in_words(&spans(text, &PrintedNames::default()))
+}
+
+/// Writes a formula as LaTeX mathematics, without dollar signs.
+#[must_use]
+pub fn latex(formula: &Expr) -> String {
+    write::latex(&laid_out(formula, &PrintedNames::default()))
+}
+
+/// Writes a formula as Typst mathematics, without dollar signs.
+#[must_use]
+pub fn typst(formula: &Expr) -> String {
+    write::typst(&laid_out(formula, &PrintedNames::default()))
+}
+
+fn laid_out(formula: &Expr, names: &PrintedNames) -> MathBox {
+    layout::layout(&tidy::tidy(formula), names)
 }
 
 /// Lays out a formula in the notation of the files; none if it does not parse.
-pub(crate) fn read(formula: &str, names: &Names) -> Option<Node> {
-    let expr = expression(formula)?;
-    Some(layout::layout(&tidy::tidy(&expr), names))
+#[must_use]
+pub fn read(formula: &str, names: &PrintedNames) -> Option<MathBox> {
+    Some(laid_out(&expression(formula)?, names))
 }
 
 /// Removes places from the formula, so that equal formulas compare equal.
-pub(crate) fn expression(formula: &str) -> Option<Expr> {
+#[must_use]
+pub fn expression(formula: &str) -> Option<Expr> {
     // A member of a family without indices is written with empty brackets.
     let formula = formula.replace("[]", "");
     parse(&formula).ok().map(|e| e.placeless())
@@ -178,16 +200,16 @@ mod tests {
     use super::*;
 
     /// Writes the pieces of a formula as texts.
-    fn texts(pieces: &[Piece]) -> Vec<&str> {
+    fn texts(pieces: &[MathPiece]) -> Vec<&str> {
         pieces.iter().map(|piece| piece.alt.as_str()).collect()
     }
 
     #[test]
     fn a_long_formula_within_a_sentence_may_break_behind_commas_and_before_factors() {
-        let short = read("a + b", &Names::default()).unwrap();
+        let short = read("a + b", &PrintedNames::default()).unwrap();
         assert!(Mathematics::inline(&short).breaks.is_empty());
         let long = "h(u, [-20, 60, 45], [-28, 39, 34], [-38, -60, 45], [-10, -67, -74])";
-        let long = Mathematics::inline(&read(long, &Names::default()).unwrap());
+        let long = Mathematics::inline(&read(long, &PrintedNames::default()).unwrap());
         let [pieces] = long.breaks.as_slice() else {
             unreachable!("one way to break it")
         };
@@ -209,7 +231,7 @@ mod tests {
     #[test]
     fn the_last_way_to_break_a_product_leaves_no_piece_too_wide() {
         let product = "[l*F(z)*sum(k, 0, n, g[k](z)*X[k]), l*F(z)*sum(k, 0, n, g[k](z)*Y[k])] == 0";
-        let product = Mathematics::display(&read(product, &Names::default()).unwrap());
+        let product = Mathematics::display(&read(product, &PrintedNames::default()).unwrap());
         let finest = texts(product.breaks.last().unwrap());
         assert!(
             finest.iter().all(|piece| piece.chars().count() <= 34),

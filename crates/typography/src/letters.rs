@@ -1,27 +1,27 @@
 //! Sets names whose printed form no file gives, by one rule: trailing digits and the part after an underscore are
 //! subscripts, Greek words are Greek letters, known functions and other words are upright.
 
-use super::node::Node;
+use crate::math_box::MathBox;
 use torse_syntax::greek;
 
 /// Functions that typesetters know and set upright.
-const FUNCTIONS: [&str; 16] = [
+pub const FUNCTIONS: [&str; 16] = [
     "sin", "cos", "tan", "cot", "sec", "arcsin", "arccos", "arctan", "exp", "log", "ln", "min",
     "max", "sinh", "cosh", "tanh",
 ];
 
-pub(super) fn greek_letter(word: &str) -> Option<char> {
+pub(crate) fn greek_letter(word: &str) -> Option<char> {
     // Some of our own pages call it so.
     let name = if word == "varphi" { "phi" } else { word };
     greek::by_name(name).map(|letter| letter.sign)
 }
 
-pub(super) fn is_function(word: &str) -> bool {
+pub(crate) fn is_function(word: &str) -> bool {
     FUNCTIONS.contains(&word)
 }
 
 /// Sets a name whose printed form no file gives.
-pub(super) fn by_rule(name: &str) -> Node {
+pub(crate) fn by_rule(name: &str) -> MathBox {
     let mut parts = name.split('_');
     let first = parts.next().unwrap_or(name);
     let stem = first.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -30,22 +30,22 @@ pub(super) fn by_rule(name: &str) -> Node {
     }
     let digits = first.get(stem.len()..).unwrap_or_default();
     let below = std::iter::once(digits).chain(parts);
-    let below: Vec<Node> = below.filter(|part| !part.is_empty()).map(word).collect();
-    let below = (!below.is_empty()).then(|| Node::joined(below, ','));
+    let below: Vec<MathBox> = below.filter(|part| !part.is_empty()).map(word).collect();
+    let below = (!below.is_empty()).then(|| MathBox::joined(below, ','));
     word(stem).scripted(0, below, None)
 }
 
 /// Sets a letter, a Greek letter, a number, a function or an upright word.
-fn word(word: &str) -> Node {
+fn word(word: &str) -> MathBox {
     if let Some(letter) = greek_letter(word) {
-        Node::italic(letter.encode_utf8(&mut [0; 4]))
+        MathBox::italic(letter.encode_utf8(&mut [0; 4]))
     } else if is_function(word) || word == "det" {
-        Node::Function(word.to_owned())
+        MathBox::Function(word.to_owned())
     } else if word.chars().all(|c| c.is_ascii_digit()) {
-        Node::Number(word.to_owned())
+        MathBox::Number(word.to_owned())
     } else if word.chars().count() == 1 {
-        Node::italic(word)
+        MathBox::italic(word)
     } else {
-        Node::word(word)
+        MathBox::word(word)
     }
 }

@@ -6,12 +6,12 @@
 //! sign, a script or a Greek letter that words do not have; a word of two letters and more is a word, unless the claim
 //! has a symbol of that name.
 
-use super::letters::is_function;
-use super::tokens::{Kind, Token, tokens};
-use super::{Mathematics, Names, Span, markup, read};
+use crate::letters::is_function;
+use crate::tokens::{Kind, Token, tokens};
+use crate::{MathBox, Mathematics, PrintedNames, Span, markup, read};
 
 /// The sentence in stretches; formulas are those of a claim with these names.
-pub(crate) fn spans(text: &str, names: &Names) -> Vec<Span> {
+pub fn spans(text: &str, names: &PrintedNames) -> Vec<Span> {
     let span = |stretch: Stretch| match stretch {
         Stretch::Words(text) => Span::Words(text),
         Stretch::Strong(text) => Span::Strong(text),
@@ -23,7 +23,7 @@ pub(crate) fn spans(text: &str, names: &Names) -> Vec<Span> {
 
 /// A stretch of a sentence, its formula not yet written in any language.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Stretch {
+pub(crate) enum Stretch {
     /// Words.
     Words(String),
     /// Words that a correction changes.
@@ -31,11 +31,11 @@ pub(super) enum Stretch {
     /// A command or a name of a file, as it is typed.
     Code(String),
     /// A formula.
-    Math(super::Node),
+    Math(MathBox),
 }
 
 /// The sentence in stretches.
-pub(super) fn stretches(text: &str, names: &Names) -> Vec<Stretch> {
+pub(crate) fn stretches(text: &str, names: &PrintedNames) -> Vec<Stretch> {
     let mut list = List::default();
     match text.matches('$').count().is_multiple_of(2) {
         true => {
@@ -77,12 +77,12 @@ impl List {
         }
     }
 
-    fn math(&mut self, node: &super::Node) {
+    fn math(&mut self, node: &MathBox) {
         self.0.push(Stretch::Math(node.clone()));
     }
 }
 
-fn between_backticks(text: &str, names: &Names, list: &mut List) {
+fn between_backticks(text: &str, names: &PrintedNames, list: &mut List) {
     if text.matches('`').count() % 2 == 1 {
         return between_words(text, names, list);
     }
@@ -98,7 +98,7 @@ fn between_backticks(text: &str, names: &Names, list: &mut List) {
     }
 }
 
-fn between_words(text: &str, names: &Names, list: &mut List) {
+fn between_words(text: &str, names: &PrintedNames, list: &mut List) {
     let text = with_powers(text);
     let tokens = tokens(&text, names);
     let mut position = 0;
@@ -177,7 +177,7 @@ fn is_item(tokens: &[Token<'_>]) -> bool {
 
 /// In the notation of the files if it can be read so, or as it is typed. In prints a letter may stand above another, with
 /// its argument behind, `p^u(0)`, which would be a power.
-fn formula(stretch: &str, names: &Names) -> super::Node {
+fn formula(stretch: &str, names: &PrintedNames) -> MathBox {
     let raised = |(place, _): (usize, &str)| {
         let above = stretch.get(place + 1..).unwrap_or_default();
         above.starts_with(char::is_alphabetic)
@@ -189,7 +189,7 @@ fn formula(stretch: &str, names: &Names) -> super::Node {
 }
 
 /// A stretch in the notation of the files, with the signs of prints allowed.
-fn notation(stretch: &str, names: &Names) -> Option<super::Node> {
+fn notation(stretch: &str, names: &PrintedNames) -> Option<MathBox> {
     if stretch.contains(['{', '\\', '…', '√']) {
         return None;
     }
@@ -318,7 +318,10 @@ mod tests {
             Span::Code(text) => format!("`{text}`"),
             Span::Math(math) => format!("⟨{}⟩", math.text),
         };
-        spans(text, &Names::default()).iter().map(part).collect()
+        spans(text, &PrintedNames::default())
+            .iter()
+            .map(part)
+            .collect()
     }
 
     #[test]
@@ -399,10 +402,10 @@ mod tests {
             "1...",
             "ä_ö ∑_",
         ] {
-            let _ = spans(text, &Names::default());
+            let _ = spans(text, &PrintedNames::default());
         }
         assert_eq!(
-            in_words(&spans("no formula here, none.", &Names::default())),
+            in_words(&spans("no formula here, none.", &PrintedNames::default())),
             "no formula here, none."
         );
     }

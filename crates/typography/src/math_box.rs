@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 /// What a correction did to a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Mark {
+pub enum MathChange {
     /// It is deleted: only the printed formula has it.
     Removed,
     /// It is inserted: only the corrected formula has it.
@@ -13,7 +13,7 @@ pub(crate) enum Mark {
 
 /// The delimiters of a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Fence {
+pub enum Fence {
     /// Round brackets.
     Round,
     /// Square brackets.
@@ -28,7 +28,7 @@ pub(crate) enum Fence {
 
 /// The face of a letter or word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Face {
+pub enum LetterFace {
     /// A variable.
     Italic,
     /// A vector.
@@ -39,9 +39,9 @@ pub(crate) enum Face {
 
 /// A box.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Node {
+pub enum MathBox {
     /// A letter, or a word, in a face.
-    Letter(String, Face),
+    Letter(String, LetterFace),
     /// The name of a function with a LaTeX command, such as `sin`.
     Function(String),
     /// Digits, perhaps with a point.
@@ -49,51 +49,64 @@ pub(crate) enum Node {
     /// An operator, a relation or a punctuation mark.
     Sign(char),
     /// Boxes side by side.
-    Row(Vec<Node>),
+    Row(Vec<MathBox>),
     /// A box with primes and scripts.
     Scripts {
-        base: Box<Node>,
+        /// What carries them.
+        base: Box<MathBox>,
+        /// How many primes.
         primes: usize,
-        below: Option<Box<Node>>,
-        above: Option<Box<Node>>,
+        /// The subscript.
+        below: Option<Box<MathBox>>,
+        /// The superscript.
+        above: Option<Box<MathBox>>,
     },
     /// A letter under a sign: `\hat G`.
-    Accent(char, Box<Node>),
-    Fraction(Box<Node>, Box<Node>),
-    Root(Box<Node>),
-    Binomial(Box<Node>, Box<Node>),
-    Fenced(Fence, Box<Node>),
-    Matrix(Fence, Vec<Vec<Node>>),
+    Accent(char, Box<MathBox>),
+    /// A numerator over a denominator.
+    Fraction(Box<MathBox>, Box<MathBox>),
+    /// A square root.
+    Root(Box<MathBox>),
+    /// A binomial coefficient.
+    Binomial(Box<MathBox>, Box<MathBox>),
+    /// A box between delimiters.
+    Fenced(Fence, Box<MathBox>),
+    /// Rows of entries between delimiters.
+    Matrix(Fence, Vec<Vec<MathBox>>),
     /// The sign of a sum with its bounds.
     Sum {
-        below: Box<Node>,
-        above: Option<Box<Node>>,
+        /// The lower bound, with the variable.
+        below: Box<MathBox>,
+        /// The upper bound.
+        above: Option<Box<MathBox>>,
     },
     /// A box that a correction changed.
-    Marked(Mark, Box<Node>),
+    Marked(MathChange, Box<MathBox>),
     /// A blank as wide as a letter, around words.
     Gap,
 }
 
-impl Node {
+impl MathBox {
     pub(crate) fn italic(letter: &str) -> Self {
-        Node::Letter(letter.to_owned(), Face::Italic)
+        MathBox::Letter(letter.to_owned(), LetterFace::Italic)
     }
 
-    pub(crate) fn word(word: &str) -> Self {
-        Node::Letter(word.to_owned(), Face::Upright)
+    /// A word, upright.
+    #[must_use]
+    pub fn word(word: &str) -> Self {
+        MathBox::Letter(word.to_owned(), LetterFace::Upright)
     }
 
     pub(crate) fn round(self) -> Self {
-        Node::Fenced(Fence::Round, Box::new(self))
+        MathBox::Fenced(Fence::Round, Box::new(self))
     }
 
     /// Puts boxes side by side; rows within are dissolved.
-    pub(crate) fn row(nodes: impl IntoIterator<Item = Node>) -> Self {
+    pub(crate) fn row(nodes: impl IntoIterator<Item = MathBox>) -> Self {
         let mut all = Vec::new();
         for node in nodes {
             match node {
-                Node::Row(inner) => all.extend(inner),
+                MathBox::Row(inner) => all.extend(inner),
                 other => all.push(other),
             }
         }
@@ -101,45 +114,50 @@ impl Node {
             (Some(one), true) => one,
             (Some(last), false) => {
                 all.push(last);
-                Node::Row(all)
+                MathBox::Row(all)
             }
-            (None, _) => Node::Row(all),
+            (None, _) => MathBox::Row(all),
         }
     }
 
     /// Puts boxes side by side with a sign between each two.
-    pub(crate) fn joined(nodes: impl IntoIterator<Item = Node>, sign: char) -> Self {
+    pub(crate) fn joined(nodes: impl IntoIterator<Item = MathBox>, sign: char) -> Self {
         let mut all = Vec::new();
         for node in nodes {
             if !all.is_empty() {
-                all.push(Node::Sign(sign));
+                all.push(MathBox::Sign(sign));
             }
             all.push(node);
         }
-        Node::row(all)
+        MathBox::row(all)
     }
 
     /// Adds scripts to a box; without any it stays as it is.
-    pub(crate) fn scripted(self, primes: usize, below: Option<Node>, above: Option<Node>) -> Self {
+    pub(crate) fn scripted(
+        self,
+        primes: usize,
+        below: Option<MathBox>,
+        above: Option<MathBox>,
+    ) -> Self {
         if primes == 0 && below.is_none() && above.is_none() {
             return self;
         }
         match self {
             // An empty place takes the script.
-            Node::Scripts {
+            MathBox::Scripts {
                 base,
                 primes: had,
                 below: under,
                 above: over,
             } if (under.is_none() || below.is_none()) && (over.is_none() || above.is_none()) => {
-                Node::Scripts {
+                MathBox::Scripts {
                     base,
                     primes: had + primes,
                     below: under.or(below.map(Box::new)),
                     above: over.or(above.map(Box::new)),
                 }
             }
-            base => Node::Scripts {
+            base => MathBox::Scripts {
                 base: Box::new(base),
                 primes,
                 below: below.map(Box::new),
@@ -150,53 +168,61 @@ impl Node {
 
     /// Makes these letters bold wherever they are italic.
     pub(crate) fn with_bold(self, letters: &BTreeSet<char>) -> Self {
-        let bold = |node: Box<Node>| Box::new(node.with_bold(letters));
-        let all = |nodes: Vec<Node>| -> Vec<Node> {
+        let bold = |node: Box<MathBox>| Box::new(node.with_bold(letters));
+        let all = |nodes: Vec<MathBox>| -> Vec<MathBox> {
             nodes.into_iter().map(|n| n.with_bold(letters)).collect()
         };
         match self {
-            Node::Letter(letter, Face::Italic) => {
+            MathBox::Letter(letter, LetterFace::Italic) => {
                 let mut signs = letter.chars();
                 let is_one = matches!((signs.next(), signs.next()), (Some(sign), None) if letters.contains(&sign));
-                let face = if is_one { Face::Bold } else { Face::Italic };
-                Node::Letter(letter, face)
+                let face = if is_one {
+                    LetterFace::Bold
+                } else {
+                    LetterFace::Italic
+                };
+                MathBox::Letter(letter, face)
             }
-            Node::Letter(..) | Node::Function(_) | Node::Number(_) | Node::Sign(_) | Node::Gap => {
-                self
-            }
-            Node::Row(nodes) => Node::Row(all(nodes)),
-            Node::Scripts {
+            MathBox::Letter(..)
+            | MathBox::Function(_)
+            | MathBox::Number(_)
+            | MathBox::Sign(_)
+            | MathBox::Gap => self,
+            MathBox::Row(nodes) => MathBox::Row(all(nodes)),
+            MathBox::Scripts {
                 base,
                 primes,
                 below,
                 above,
-            } => Node::Scripts {
+            } => MathBox::Scripts {
                 base: bold(base),
                 primes,
                 below: below.map(bold),
                 above: above.map(bold),
             },
-            Node::Accent(sign, inner) => Node::Accent(sign, bold(inner)),
-            Node::Fraction(over, under) => Node::Fraction(bold(over), bold(under)),
-            Node::Root(inner) => Node::Root(bold(inner)),
-            Node::Binomial(over, under) => Node::Binomial(bold(over), bold(under)),
-            Node::Fenced(fence, inner) => Node::Fenced(fence, bold(inner)),
-            Node::Matrix(fence, rows) => Node::Matrix(fence, rows.into_iter().map(all).collect()),
-            Node::Sum { below, above } => Node::Sum {
+            MathBox::Accent(sign, inner) => MathBox::Accent(sign, bold(inner)),
+            MathBox::Fraction(over, under) => MathBox::Fraction(bold(over), bold(under)),
+            MathBox::Root(inner) => MathBox::Root(bold(inner)),
+            MathBox::Binomial(over, under) => MathBox::Binomial(bold(over), bold(under)),
+            MathBox::Fenced(fence, inner) => MathBox::Fenced(fence, bold(inner)),
+            MathBox::Matrix(fence, rows) => {
+                MathBox::Matrix(fence, rows.into_iter().map(all).collect())
+            }
+            MathBox::Sum { below, above } => MathBox::Sum {
                 below: bold(below),
                 above: above.map(bold),
             },
-            Node::Marked(mark, inner) => Node::Marked(mark, bold(inner)),
+            MathBox::Marked(mark, inner) => MathBox::Marked(mark, bold(inner)),
         }
     }
 
     /// Whether the first visible sign is a digit.
     pub(crate) fn begins_with_digit(&self) -> bool {
         match self {
-            Node::Number(_) => true,
-            Node::Row(nodes) => nodes.first().is_some_and(Node::begins_with_digit),
-            Node::Scripts { base, .. } => base.begins_with_digit(),
-            Node::Marked(_, inner) => inner.begins_with_digit(),
+            MathBox::Number(_) => true,
+            MathBox::Row(nodes) => nodes.first().is_some_and(MathBox::begins_with_digit),
+            MathBox::Scripts { base, .. } => base.begins_with_digit(),
+            MathBox::Marked(_, inner) => inner.begins_with_digit(),
             _ => false,
         }
     }
@@ -204,9 +230,9 @@ impl Node {
     /// Whether the last visible thing is a number on the line.
     pub(crate) fn ends_with_number(&self) -> bool {
         match self {
-            Node::Number(_) | Node::Fraction(..) => true,
-            Node::Row(nodes) => nodes.last().is_some_and(Node::ends_with_number),
-            Node::Marked(_, inner) => inner.ends_with_number(),
+            MathBox::Number(_) | MathBox::Fraction(..) => true,
+            MathBox::Row(nodes) => nodes.last().is_some_and(MathBox::ends_with_number),
+            MathBox::Marked(_, inner) => inner.ends_with_number(),
             _ => false,
         }
     }
@@ -214,8 +240,8 @@ impl Node {
     /// Whether only a fraction is visible.
     pub(crate) fn is_fraction(&self) -> bool {
         match self {
-            Node::Fraction(..) => true,
-            Node::Marked(_, inner) => inner.is_fraction(),
+            MathBox::Fraction(..) => true,
+            MathBox::Marked(_, inner) => inner.is_fraction(),
             _ => false,
         }
     }

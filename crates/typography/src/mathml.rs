@@ -1,18 +1,18 @@
 //! Boxes written as MathML Core, which every browser shows without a script.
 
-use super::node::{Face, Fence, Mark, Node};
+use crate::math_box::{Fence, LetterFace, MathBox, MathChange};
 
 /// Writes the formula as elements between which a line may be broken: before relations, plus and minus, within brackets
 /// and between factors where a piece would be long.
-pub(super) fn pieces(node: &Node) -> Vec<String> {
+pub(crate) fn pieces(node: &MathBox) -> Vec<String> {
     let cuts = finest(node, MAX_LINE_WIDTH);
     let last = cuts.len().saturating_sub(1);
-    let piece = |(number, piece): (usize, &Vec<Node>)| {
+    let piece = |(number, piece): (usize, &Vec<MathBox>)| {
         let mut out = String::from("<math>");
         for (position, node) in piece.iter().enumerate() {
             // The operand of a sign at the beginning of a line is on the line before.
             match node {
-                Node::Sign(sign) if position == 0 && number > 0 => {
+                MathBox::Sign(sign) if position == 0 && number > 0 => {
                     out.push_str(&format!("<mo form=\"infix\">{}</mo>", escaped(*sign)));
                 }
                 _ => write(node, &mut out),
@@ -28,22 +28,24 @@ pub(super) fn pieces(node: &Node) -> Vec<String> {
 }
 
 /// Returns the pieces of [`cuts`]; those that are still too wide are cut before factors.
-pub(super) fn finest(node: &Node, longest: usize) -> Vec<Vec<Node>> {
+pub(crate) fn finest(node: &MathBox, longest: usize) -> Vec<Vec<MathBox>> {
     let pieces = cuts(node, longest).into_iter();
     pieces.flat_map(|piece| factors(piece, longest)).collect()
 }
 
 /// Cuts a piece that is wider than `longest` letters before factors, never between a function and its argument; commas
 /// stay after the part that they end.
-fn factors(piece: Vec<Node>, longest: usize) -> Vec<Vec<Node>> {
-    let mut list: Vec<Vec<Node>> = vec![vec![]];
+fn factors(piece: Vec<MathBox>, longest: usize) -> Vec<Vec<MathBox>> {
+    let mut list: Vec<Vec<MathBox>> = vec![vec![]];
     let mut used = 0;
     for node in piece {
         let wide = width(std::slice::from_ref(&node));
-        let factor = !matches!(node, Node::Fenced(..) | Node::Sign(_) | Node::Gap);
+        let factor = !matches!(node, MathBox::Fenced(..) | MathBox::Sign(_) | MathBox::Gap);
         let before = list.last().and_then(|piece| piece.last());
-        let bound = matches!(before, None | Some(Node::Function(_) | Node::Sum { .. }))
-            || matches!(before, Some(Node::Sign(sign)) if *sign != ',');
+        let bound = matches!(
+            before,
+            None | Some(MathBox::Function(_) | MathBox::Sum { .. })
+        ) || matches!(before, Some(MathBox::Sign(sign)) if *sign != ',');
         match list.last_mut() {
             Some(piece) if !(factor && !bound && used + wide > longest) => {
                 piece.push(node);
@@ -66,9 +68,9 @@ const MAX_DEPTH: usize = 4;
 
 /// Returns the boxes of a formula in pieces: cut before relations, plus and minus, and within brackets where a piece is
 /// wider than `longest` letters.
-pub(super) fn cuts(node: &Node, longest: usize) -> Vec<Vec<Node>> {
+pub(crate) fn cuts(node: &MathBox, longest: usize) -> Vec<Vec<MathBox>> {
     let nodes = match node {
-        Node::Row(nodes) => nodes.clone(),
+        MathBox::Row(nodes) => nodes.clone(),
         other => vec![other.clone()],
     };
     let mut list = vec![nodes];
@@ -88,28 +90,28 @@ pub(super) fn cuts(node: &Node, longest: usize) -> Vec<Vec<Node>> {
     list
 }
 
-fn width(nodes: &[Node]) -> usize {
-    let letters = |node: &Node| super::write::text(node).chars().count();
+fn width(nodes: &[MathBox]) -> usize {
+    let letters = |node: &MathBox| crate::write::text(node).chars().count();
     nodes.iter().map(letters).sum()
 }
 
 /// Cuts before each relation, plus and minus that has a left operand.
-fn split(nodes: Vec<Node>) -> Vec<Vec<Node>> {
-    let mut list: Vec<Vec<Node>> = vec![vec![]];
+fn split(nodes: Vec<MathBox>) -> Vec<Vec<MathBox>> {
+    let mut list: Vec<Vec<MathBox>> = vec![vec![]];
     for node in nodes {
         let cuts = match &node {
-            Node::Sign('+' | '−' | '=' | '<' | '>' | '≤' | '≥' | '≠' | '≈' | '⇒') => {
+            MathBox::Sign('+' | '−' | '=' | '<' | '>' | '≤' | '≥' | '≠' | '≈' | '⇒') => {
                 true
             }
-            Node::Marked(_, inner) => {
-                matches!(&**inner, Node::Row(nodes) if matches!(nodes.first(), Some(Node::Sign('+' | '−'))))
+            MathBox::Marked(_, inner) => {
+                matches!(&**inner, MathBox::Row(nodes) if matches!(nodes.first(), Some(MathBox::Sign('+' | '−'))))
             }
             _ => false,
         };
         let before = list.last().and_then(|piece| piece.last());
         let operand = !matches!(
             before,
-            None | Some(Node::Sign(
+            None | Some(MathBox::Sign(
                 '(' | '[' | ',' | '+' | '−' | '=' | '<' | '>' | '≤' | '≥' | '≠' | '≈'
             ))
         );
@@ -122,23 +124,23 @@ fn split(nodes: Vec<Node>) -> Vec<Vec<Node>> {
 }
 
 /// Turns brackets around a sum into signs of their own.
-fn opened(nodes: Vec<Node>) -> Vec<Node> {
+fn opened(nodes: Vec<MathBox>) -> Vec<MathBox> {
     let mut list = Vec::new();
     for node in nodes {
         match node {
-            Node::Fenced(fence @ (Fence::Round | Fence::Square), inner)
-                if matches!(*inner, Node::Row(_)) =>
+            MathBox::Fenced(fence @ (Fence::Round | Fence::Square), inner)
+                if matches!(*inner, MathBox::Row(_)) =>
             {
                 let (open, close) = match fence {
                     Fence::Square => ('[', ']'),
                     _ => ('(', ')'),
                 };
-                list.push(Node::Sign(open));
+                list.push(MathBox::Sign(open));
                 match *inner {
-                    Node::Row(nodes) => list.extend(nodes),
+                    MathBox::Row(nodes) => list.extend(nodes),
                     other => list.push(other),
                 }
-                list.push(Node::Sign(close));
+                list.push(MathBox::Sign(close));
             }
             other => list.push(other),
         }
@@ -146,27 +148,27 @@ fn opened(nodes: Vec<Node>) -> Vec<Node> {
     list
 }
 
-fn write(node: &Node, out: &mut String) {
+fn write(node: &MathBox, out: &mut String) {
     match node {
-        Node::Letter(letter, face) => letter_of(letter, *face, out),
-        Node::Function(name) => out.push_str(&format!("<mi>{name}</mi><mo>\u{2061}</mo>")),
-        Node::Number(digits) => out.push_str(&format!("<mn>{digits}</mn>")),
-        Node::Sign(sign @ ('(' | ')' | '[' | ']' | '|')) => {
+        MathBox::Letter(letter, face) => letter_of(letter, *face, out),
+        MathBox::Function(name) => out.push_str(&format!("<mi>{name}</mi><mo>\u{2061}</mo>")),
+        MathBox::Number(digits) => out.push_str(&format!("<mn>{digits}</mn>")),
+        MathBox::Sign(sign @ ('(' | ')' | '[' | ']' | '|')) => {
             out.push_str(&format!("<mo stretchy=\"false\">{sign}</mo>"));
         }
-        Node::Sign(sign) => out.push_str(&format!("<mo>{}</mo>", escaped(*sign))),
-        Node::Row(nodes) => {
+        MathBox::Sign(sign) => out.push_str(&format!("<mo>{}</mo>", escaped(*sign))),
+        MathBox::Row(nodes) => {
             out.push_str("<mrow>");
             nodes.iter().for_each(|node| write(node, out));
             out.push_str("</mrow>");
         }
-        Node::Scripts {
+        MathBox::Scripts {
             base,
             primes,
             below,
             above,
         } => scripts(base, *primes, below.as_deref(), above.as_deref(), out),
-        Node::Accent(sign, inner) => {
+        MathBox::Accent(sign, inner) => {
             let sign = match sign {
                 '^' => 'ˆ',
                 '~' => '˜',
@@ -176,17 +178,17 @@ fn write(node: &Node, out: &mut String) {
             write(inner, out);
             out.push_str(&format!("<mo stretchy=\"false\">{sign}</mo></mover>"));
         }
-        Node::Fraction(above, below) => {
+        MathBox::Fraction(above, below) => {
             element("mfrac", &[above, below], out);
         }
-        Node::Root(inner) => element("msqrt", &[inner], out),
-        Node::Binomial(n, k) => {
+        MathBox::Root(inner) => element("msqrt", &[inner], out),
+        MathBox::Binomial(n, k) => {
             out.push_str("<mrow><mo>(</mo><mfrac linethickness=\"0\">");
             write(n, out);
             write(k, out);
             out.push_str("</mfrac><mo>)</mo></mrow>");
         }
-        Node::Fenced(fence, inner) => {
+        MathBox::Fenced(fence, inner) => {
             let (open, close) = match fence {
                 Fence::Round => ("(", ")"),
                 Fence::Square => ("[", "]"),
@@ -206,7 +208,7 @@ fn write(node: &Node, out: &mut String) {
             write(inner, out);
             out.push_str(&format!("<mo{fixed}>{close}</mo></mrow>"));
         }
-        Node::Matrix(fence, rows) => {
+        MathBox::Matrix(fence, rows) => {
             let (open, close) = match fence {
                 Fence::Bars => ("|", "|"),
                 _ => ("(", ")"),
@@ -221,7 +223,7 @@ fn write(node: &Node, out: &mut String) {
             }
             out.push_str(&format!("</mtable><mo>{close}</mo></mrow>"));
         }
-        Node::Sum { below, above } => {
+        MathBox::Sum { below, above } => {
             let name = match above {
                 Some(_) => "munderover",
                 None => "munder",
@@ -233,44 +235,47 @@ fn write(node: &Node, out: &mut String) {
             }
             out.push_str(&format!("</{name}>"));
         }
-        Node::Marked(mark, inner) => {
+        MathBox::Marked(mark, inner) => {
             let class = match mark {
-                Mark::Added => "added",
-                Mark::Removed => "removed",
+                MathChange::Added => "added",
+                MathChange::Removed => "removed",
             };
             out.push_str(&format!("<mrow class=\"{class}\">"));
             write(inner, out);
             out.push_str("</mrow>");
         }
-        Node::Gap => out.push_str("<mspace width=\"0.4em\"/>"),
+        MathBox::Gap => out.push_str("<mspace width=\"0.4em\"/>"),
     }
 }
 
 /// Whether a box is higher than a line.
-fn is_tall(node: &Node) -> bool {
+fn is_tall(node: &MathBox) -> bool {
     match node {
-        Node::Fraction(..) | Node::Binomial(..) | Node::Matrix(..) | Node::Sum { .. } => true,
-        Node::Row(nodes) => nodes.iter().any(is_tall),
-        Node::Scripts { base, .. } => is_tall(base),
-        Node::Fenced(_, inner)
-        | Node::Marked(_, inner)
-        | Node::Root(inner)
-        | Node::Accent(_, inner) => is_tall(inner),
+        MathBox::Fraction(..)
+        | MathBox::Binomial(..)
+        | MathBox::Matrix(..)
+        | MathBox::Sum { .. } => true,
+        MathBox::Row(nodes) => nodes.iter().any(is_tall),
+        MathBox::Scripts { base, .. } => is_tall(base),
+        MathBox::Fenced(_, inner)
+        | MathBox::Marked(_, inner)
+        | MathBox::Root(inner)
+        | MathBox::Accent(_, inner) => is_tall(inner),
         _ => false,
     }
 }
 
-fn element(name: &str, parts: &[&Node], out: &mut String) {
+fn element(name: &str, parts: &[&MathBox], out: &mut String) {
     out.push_str(&format!("<{name}>"));
     parts.iter().for_each(|part| write(part, out));
     out.push_str(&format!("</{name}>"));
 }
 
 fn scripts(
-    base: &Node,
+    base: &MathBox,
     primes: usize,
-    below: Option<&Node>,
-    above: Option<&Node>,
+    below: Option<&MathBox>,
+    above: Option<&MathBox>,
     out: &mut String,
 ) {
     let raised = primes > 0 || above.is_some();
@@ -305,14 +310,16 @@ fn scripts(
     out.push_str(&format!("</{name}>"));
 }
 
-fn letter_of(letter: &str, face: Face, out: &mut String) {
+fn letter_of(letter: &str, face: LetterFace, out: &mut String) {
     let text: String = letter.chars().map(escaped).collect();
     let single = letter.chars().count() == 1;
     match face {
-        Face::Bold => out.push_str(&format!(
+        LetterFace::Bold => out.push_str(&format!(
             "<mi mathvariant=\"normal\" class=\"bold\">{text}</mi>"
         )),
-        Face::Upright if single => out.push_str(&format!("<mi mathvariant=\"normal\">{text}</mi>")),
+        LetterFace::Upright if single => {
+            out.push_str(&format!("<mi mathvariant=\"normal\">{text}</mi>"))
+        }
         _ if single => out.push_str(&format!("<mi>{text}</mi>")),
         _ => out.push_str(&format!("<mtext>{text}</mtext>")),
     }

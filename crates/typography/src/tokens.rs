@@ -1,11 +1,11 @@
 //! Sentences cut into words, letters, numbers, signs and blanks, before it is seen which of them are formulas.
 
-use super::Names;
-use super::letters::{greek_letter, is_function};
+use crate::PrintedNames;
+use crate::letters::{greek_letter, is_function};
 
 /// A stretch of letters, of digits, of blanks, or one sign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     /// A word of a language, which is no mathematics.
     Word,
     /// What may be mathematics and may be a word: a single letter.
@@ -22,13 +22,13 @@ pub(super) enum Kind {
 }
 
 /// A stretch of a text, and what it is.
-pub(super) struct Token<'a> {
-    pub(super) kind: Kind,
-    pub(super) text: &'a str,
+pub(crate) struct Token<'a> {
+    pub(crate) kind: Kind,
+    pub(crate) text: &'a str,
 }
 
 /// The text in tokens, none left out.
-pub(super) fn tokens<'a>(text: &'a str, names: &Names) -> Vec<Token<'a>> {
+pub(crate) fn tokens<'a>(text: &'a str, names: &PrintedNames) -> Vec<Token<'a>> {
     let mut tokens: Vec<Token<'a>> = Vec::new();
     let mut rest = text;
     let (mut angle, mut bar) = (false, Kind::Open);
@@ -92,7 +92,7 @@ fn is_between_blanks(rest: &str, tokens: &[Token<'_>]) -> bool {
 }
 
 /// The length of the next token in bytes, and what it is; `bar` is what a bar is here, the first or the second of two.
-fn next(rest: &str, first: char, bar: Kind, names: &Names) -> (usize, Kind) {
+fn next(rest: &str, first: char, bar: Kind, names: &PrintedNames) -> (usize, Kind) {
     let length = |keep: &dyn Fn(char) -> bool| rest.find(|c| !keep(c)).unwrap_or(rest.len());
     if first.is_whitespace() {
         return (length(&char::is_whitespace), Kind::Blank);
@@ -259,7 +259,7 @@ fn closing(group: &str) -> Option<usize> {
     None
 }
 
-fn kind_of(word: &str, names: &Names) -> Kind {
+fn kind_of(word: &str, names: &PrintedNames) -> Kind {
     let stem = word.trim_end_matches(['\'', '′']);
     let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
     let numbered = letters.len() < stem.len();

@@ -5,18 +5,18 @@
 //! marked: the letter of an index without its base, the inside of a bracket. Words are marked in bold, boxes by a
 //! frame.
 
-use super::letters::is_function;
-use super::markup;
-use super::node::{Mark, Node};
-use super::prose::{Stretch, stretches};
-use super::{Mathematics, Names, Prose, Span};
 use crate::difference::common;
+use crate::letters::is_function;
+use crate::markup;
+use crate::math_box::{MathBox, MathChange};
+use crate::prose::{Stretch, stretches};
+use crate::{Mathematics, PrintedNames, Prose, Span};
 
 /// Longer sentences, and formulas of more boxes, are not compared.
 const MAX_TOKENS: usize = 2_000;
 
 /// Marks the differences of a sentence as printed and as corrected, in both.
-pub(crate) fn compared(printed: &str, reads: &str, names: &Names) -> [Prose; 2] {
+pub fn compared(printed: &str, reads: &str, names: &PrintedNames) -> [Prose; 2] {
     let (old, new) = (atoms(printed, names), atoms(reads, names));
     if old.len().max(new.len()) > MAX_TOKENS {
         return [prose(&old), prose(&new)];
@@ -55,7 +55,7 @@ impl Atom {
         self.inner == other.inner
     }
 
-    fn marked(&self, mark: Mark) -> Self {
+    fn marked(&self, mark: MathChange) -> Self {
         let inner = match &self.inner {
             Stretch::Words(word) if word.chars().any(char::is_alphanumeric) => {
                 Stretch::Strong(word.clone())
@@ -103,7 +103,7 @@ fn is_formula(text: &str) -> bool {
     true
 }
 
-fn atoms(text: &str, names: &Names) -> Vec<Atom> {
+fn atoms(text: &str, names: &PrintedNames) -> Vec<Atom> {
     if is_formula(text) {
         return vec![Atom {
             inner: Stretch::Math(names.with_vectors(markup::boxes(text))),
@@ -158,7 +158,7 @@ fn atoms(text: &str, names: &Names) -> Vec<Atom> {
 
 /// Compares the parts between two common atoms: formulas with formulas, one by one.
 fn gap(old: &[Atom], new: &[Atom], shown_old: &mut Vec<Atom>, shown_new: &mut Vec<Atom>) {
-    let formulas = |list: &[Atom]| -> Vec<Node> {
+    let formulas = |list: &[Atom]| -> Vec<MathBox> {
         let nodes = list.iter().filter_map(|atom| match &atom.inner {
             Stretch::Math(node) => Some(node.clone()),
             _ => None,
@@ -167,7 +167,7 @@ fn gap(old: &[Atom], new: &[Atom], shown_old: &mut Vec<Atom>, shown_new: &mut Ve
     };
     let (a, b) = (formulas(old), formulas(new));
     let pairs: Vec<Pair> = a.iter().zip(&b).map(|(a, b)| compare(a, b)).collect();
-    let show = |list: &[Atom], mark: Mark, of: fn(&Pair) -> &Node| -> Vec<Atom> {
+    let show = |list: &[Atom], mark: MathChange, of: fn(&Pair) -> &MathBox| -> Vec<Atom> {
         let mut pairs = pairs.iter();
         let shown = list.iter().map(|atom| match &atom.inner {
             Stretch::Math(_) => match pairs.next() {
@@ -181,8 +181,8 @@ fn gap(old: &[Atom], new: &[Atom], shown_old: &mut Vec<Atom>, shown_new: &mut Ve
         });
         shown.collect()
     };
-    shown_old.extend(show(old, Mark::Removed, |pair| &pair.old));
-    shown_new.extend(show(new, Mark::Added, |pair| &pair.new));
+    shown_old.extend(show(old, MathChange::Removed, |pair| &pair.old));
+    shown_new.extend(show(new, MathChange::Added, |pair| &pair.new));
 }
 
 fn prose(atoms: &[Atom]) -> Prose {
@@ -226,17 +226,17 @@ const SMALL: usize = 60;
 
 /// Two boxes with marks, and how many boxes are marked.
 struct Pair {
-    old: Node,
-    new: Node,
+    old: MathBox,
+    new: MathBox,
     marked: usize,
 }
 
 /// A frame cannot be broken over lines: wider formulas are framed term by term.
 const WIDE: usize = 24;
 
-fn whole(mark: Mark, node: &Node) -> Node {
-    let framed = |node: Node| Node::Marked(mark, Box::new(node));
-    let Node::Row(nodes) = node else {
+fn whole(mark: MathChange, node: &MathBox) -> MathBox {
+    let framed = |node: MathBox| MathBox::Marked(mark, Box::new(node));
+    let MathBox::Row(nodes) = node else {
         return framed(node.clone());
     };
     if size(node) <= WIDE {
@@ -244,28 +244,28 @@ fn whole(mark: Mark, node: &Node) -> Node {
     }
     let (mut terms, mut term) = (vec![], vec![]);
     for node in nodes {
-        if matches!(node, Node::Sign('=' | '+' | '−')) && !term.is_empty() {
-            terms.push(framed(Node::row(term.drain(..))));
+        if matches!(node, MathBox::Sign('=' | '+' | '−')) && !term.is_empty() {
+            terms.push(framed(MathBox::row(term.drain(..))));
             terms.push(framed(node.clone()));
         } else {
             term.push(node.clone());
         }
     }
     if !term.is_empty() {
-        terms.push(framed(Node::row(term)));
+        terms.push(framed(MathBox::row(term)));
     }
-    Node::row(terms)
+    MathBox::row(terms)
 }
 
-fn replaced(old: &Node, new: &Node) -> Pair {
+fn replaced(old: &MathBox, new: &MathBox) -> Pair {
     Pair {
-        old: whole(Mark::Removed, old),
-        new: whole(Mark::Added, new),
+        old: whole(MathChange::Removed, old),
+        new: whole(MathChange::Added, new),
         marked: size(old) + size(new),
     }
 }
 
-fn compare(old: &Node, new: &Node) -> Pair {
+fn compare(old: &MathBox, new: &MathBox) -> Pair {
     if old == new {
         return Pair {
             old: old.clone(),
@@ -276,14 +276,14 @@ fn compare(old: &Node, new: &Node) -> Pair {
     let pair = parts(old, new).unwrap_or_else(|| replaced(old, new));
     let all = size(old) + size(new);
     // A formula with marks everywhere is unreadable.
-    match pair.marked * 4 > all * 3 && all < SMALL && !matches!(old, Node::Scripts { .. }) {
+    match pair.marked * 4 > all * 3 && all < SMALL && !matches!(old, MathBox::Scripts { .. }) {
         true => replaced(old, new),
         false => pair,
     }
 }
 
-fn parts(old: &Node, new: &Node) -> Option<Pair> {
-    let one = |a: &Node, b: &Node, make: &dyn Fn(Box<Node>) -> Node| {
+fn parts(old: &MathBox, new: &MathBox) -> Option<Pair> {
+    let one = |a: &MathBox, b: &MathBox, make: &dyn Fn(Box<MathBox>) -> MathBox| {
         let pair = compare(a, b);
         Pair {
             old: make(Box::new(pair.old)),
@@ -291,7 +291,9 @@ fn parts(old: &Node, new: &Node) -> Option<Pair> {
             marked: pair.marked,
         }
     };
-    let two = |[a, b]: [&Node; 2], [c, d]: [&Node; 2], make: fn(Box<Node>, Box<Node>) -> Node| {
+    let two = |[a, b]: [&MathBox; 2],
+               [c, d]: [&MathBox; 2],
+               make: fn(Box<MathBox>, Box<MathBox>) -> MathBox| {
         let (first, second) = (compare(a, c), compare(b, d));
         Pair {
             old: make(Box::new(first.old), Box::new(second.old)),
@@ -300,26 +302,30 @@ fn parts(old: &Node, new: &Node) -> Option<Pair> {
         }
     };
     Some(match (old, new) {
-        (Node::Row(a), Node::Row(b)) => rows(a, b),
-        (Node::Row(a), _) => rows(a, std::slice::from_ref(new)),
-        (_, Node::Row(b)) => rows(std::slice::from_ref(old), b),
-        (Node::Fenced(f, a), Node::Fenced(g, b)) if f == g => {
-            one(a, b, &|inner| Node::Fenced(*f, inner))
+        (MathBox::Row(a), MathBox::Row(b)) => rows(a, b),
+        (MathBox::Row(a), _) => rows(a, std::slice::from_ref(new)),
+        (_, MathBox::Row(b)) => rows(std::slice::from_ref(old), b),
+        (MathBox::Fenced(f, a), MathBox::Fenced(g, b)) if f == g => {
+            one(a, b, &|inner| MathBox::Fenced(*f, inner))
         }
-        (Node::Root(a), Node::Root(b)) => one(a, b, &Node::Root),
-        (Node::Accent(s, a), Node::Accent(t, b)) if s == t => {
-            one(a, b, &|inner| Node::Accent(*s, inner))
+        (MathBox::Root(a), MathBox::Root(b)) => one(a, b, &MathBox::Root),
+        (MathBox::Accent(s, a), MathBox::Accent(t, b)) if s == t => {
+            one(a, b, &|inner| MathBox::Accent(*s, inner))
         }
-        (Node::Fraction(a, b), Node::Fraction(c, d)) => two([a, b], [c, d], Node::Fraction),
-        (Node::Binomial(a, b), Node::Binomial(c, d)) => two([a, b], [c, d], Node::Binomial),
+        (MathBox::Fraction(a, b), MathBox::Fraction(c, d)) => {
+            two([a, b], [c, d], MathBox::Fraction)
+        }
+        (MathBox::Binomial(a, b), MathBox::Binomial(c, d)) => {
+            two([a, b], [c, d], MathBox::Binomial)
+        }
         (
-            Node::Scripts {
+            MathBox::Scripts {
                 base,
                 primes,
                 below,
                 above,
             },
-            Node::Scripts {
+            MathBox::Scripts {
                 base: other,
                 primes: count,
                 below: under,
@@ -330,12 +336,13 @@ fn parts(old: &Node, new: &Node) -> Option<Pair> {
             let below = script(below.as_deref(), under.as_deref())?;
             let above = script(above.as_deref(), over.as_deref())?;
             let marked = base.marked + below.marked + above.marked;
-            let made = |base: Node, below: Option<Node>, above: Option<Node>| Node::Scripts {
-                base: Box::new(base),
-                primes: *primes,
-                below: below.map(Box::new),
-                above: above.map(Box::new),
-            };
+            let made =
+                |base: MathBox, below: Option<MathBox>, above: Option<MathBox>| MathBox::Scripts {
+                    base: Box::new(base),
+                    primes: *primes,
+                    below: below.map(Box::new),
+                    above: above.map(Box::new),
+                };
             Pair {
                 old: made(base.old, below.old, above.old),
                 new: made(base.new, below.new, above.new),
@@ -343,15 +350,15 @@ fn parts(old: &Node, new: &Node) -> Option<Pair> {
             }
         }
         (
-            Node::Sum { below, above },
-            Node::Sum {
+            MathBox::Sum { below, above },
+            MathBox::Sum {
                 below: under,
                 above: over,
             },
         ) => {
             let below = compare(below, under);
             let above = script(above.as_deref(), over.as_deref())?;
-            let made = |below: Node, above: Option<Node>| Node::Sum {
+            let made = |below: MathBox, above: Option<MathBox>| MathBox::Sum {
                 below: Box::new(below),
                 above: above.map(Box::new),
             };
@@ -367,13 +374,13 @@ fn parts(old: &Node, new: &Node) -> Option<Pair> {
 
 /// Two scripts, each of which may be missing.
 struct ScriptPair {
-    old: Option<Node>,
-    new: Option<Node>,
+    old: Option<MathBox>,
+    new: Option<MathBox>,
     marked: usize,
 }
 
 /// None if only one is there: then the whole box differs.
-fn script(old: Option<&Node>, new: Option<&Node>) -> Option<ScriptPair> {
+fn script(old: Option<&MathBox>, new: Option<&MathBox>) -> Option<ScriptPair> {
     match (old, new) {
         (None, None) => Some(ScriptPair {
             old: None,
@@ -392,14 +399,14 @@ fn script(old: Option<&Node>, new: Option<&Node>) -> Option<ScriptPair> {
     }
 }
 
-fn rows(old: &[Node], new: &[Node]) -> Pair {
+fn rows(old: &[MathBox], new: &[MathBox]) -> Pair {
     if old.len().max(new.len()) > MAX_TOKENS {
-        return replaced(&Node::Row(old.to_vec()), &Node::Row(new.to_vec()));
+        return replaced(&MathBox::Row(old.to_vec()), &MathBox::Row(new.to_vec()));
     }
     // With few boxes, such as indices, each is compared with the one in its place.
     const FEW: usize = 4;
     let (mut shown_old, mut shown_new, mut marked) = (vec![], vec![], 0);
-    let mut between = |a: &[Node], b: &[Node]| match a.len() == b.len() {
+    let mut between = |a: &[MathBox], b: &[MathBox]| match a.len() == b.len() {
         true => {
             for (a, b) in a.iter().zip(b) {
                 let pair = compare(a, b);
@@ -410,7 +417,7 @@ fn rows(old: &[Node], new: &[Node]) -> Pair {
         }
         false => {
             // The insides of two brackets are compared, wherever the rest ends.
-            let fenced = |(a, b): &(&Node, &Node)| matches!((a, b), (Node::Fenced(f, _), Node::Fenced(g, _)) if f == g);
+            let fenced = |(a, b): &(&MathBox, &MathBox)| matches!((a, b), (MathBox::Fenced(f, _), MathBox::Fenced(g, _)) if f == g);
             let mut paired = 0;
             for (a, b) in a.iter().zip(b).take_while(fenced) {
                 let pair = compare(a, b);
@@ -421,12 +428,12 @@ fn rows(old: &[Node], new: &[Node]) -> Pair {
             }
             let (a, b) = (slice(a, paired, a.len()), slice(b, paired, b.len()));
             for (list, shown, mark) in [
-                (a, &mut shown_old, Mark::Removed),
-                (b, &mut shown_new, Mark::Added),
+                (a, &mut shown_old, MathChange::Removed),
+                (b, &mut shown_new, MathChange::Added),
             ] {
                 if !list.is_empty() {
                     marked += list.iter().map(size).sum::<usize>();
-                    shown.push(whole(mark, &Node::row(list.iter().cloned())));
+                    shown.push(whole(mark, &MathBox::row(list.iter().cloned())));
                 }
             }
         }
@@ -447,30 +454,32 @@ fn rows(old: &[Node], new: &[Node]) -> Pair {
     }
     between(slice(old, i, old.len()), slice(new, j, new.len()));
     Pair {
-        old: Node::row(shown_old),
-        new: Node::row(shown_new),
+        old: MathBox::row(shown_old),
+        new: MathBox::row(shown_new),
         marked,
     }
 }
 
 /// Counts the visible boxes in a box.
-fn size(node: &Node) -> usize {
-    let of = |inner: &Option<Box<Node>>| inner.as_deref().map_or(0, size);
+fn size(node: &MathBox) -> usize {
+    let of = |inner: &Option<Box<MathBox>>| inner.as_deref().map_or(0, size);
     match node {
-        Node::Letter(..) | Node::Function(_) | Node::Number(_) | Node::Sign(_) => 1,
-        Node::Gap => 0,
-        Node::Row(nodes) => nodes.iter().map(size).sum(),
-        Node::Scripts {
+        MathBox::Letter(..) | MathBox::Function(_) | MathBox::Number(_) | MathBox::Sign(_) => 1,
+        MathBox::Gap => 0,
+        MathBox::Row(nodes) => nodes.iter().map(size).sum(),
+        MathBox::Scripts {
             base,
             primes,
             below,
             above,
         } => size(base) + primes + of(below) + of(above),
-        Node::Accent(_, inner) | Node::Root(inner) | Node::Marked(_, inner) => 1 + size(inner),
-        Node::Fenced(_, inner) => 2 + size(inner),
-        Node::Fraction(a, b) | Node::Binomial(a, b) => 1 + size(a) + size(b),
-        Node::Matrix(_, rows) => rows.iter().flatten().map(size).sum(),
-        Node::Sum { below, above } => 1 + size(below) + of(above),
+        MathBox::Accent(_, inner) | MathBox::Root(inner) | MathBox::Marked(_, inner) => {
+            1 + size(inner)
+        }
+        MathBox::Fenced(_, inner) => 2 + size(inner),
+        MathBox::Fraction(a, b) | MathBox::Binomial(a, b) => 1 + size(a) + size(b),
+        MathBox::Matrix(_, rows) => rows.iter().flatten().map(size).sum(),
+        MathBox::Sum { below, above } => 1 + size(below) + of(above),
     }
 }
 
@@ -480,7 +489,7 @@ mod tests {
 
     /// Both sentences, with marked parts in angle brackets.
     fn shown(printed: &str, reads: &str) -> [String; 2] {
-        compared(printed, reads, &Names::default()).map(|spans| {
+        compared(printed, reads, &PrintedNames::default()).map(|spans| {
             let part = |span: &Span| match span {
                 Span::Words(text) | Span::Code(text) => text.clone(),
                 Span::Strong(text) => format!("**{text}**"),

@@ -3,17 +3,18 @@
 //!
 //! Any text is accepted: an unknown command loses its backslash, a bracket without a partner is a sign.
 
-use super::letters::{by_rule, greek_letter, is_function};
-use super::node::{Face, Fence, Node};
+use crate::letters::{by_rule, greek_letter, is_function};
+use crate::math_box::{Fence, LetterFace, MathBox};
+use crate::signs;
 
 /// Returns the boxes of a text between dollar signs; none if there is anything outside.
-pub(super) fn dollars(text: &str) -> Option<Node> {
+pub(crate) fn dollars(text: &str) -> Option<MathBox> {
     let inner = text.trim().strip_prefix('$')?.strip_suffix('$')?;
     (!inner.contains('$')).then(|| boxes(inner))
 }
 
 /// Mathematics as boxes.
-pub(super) fn boxes(text: &str) -> Node {
+pub(crate) fn boxes(text: &str) -> MathBox {
     // Prints write a scalar product as a dot between blanks.
     let text = text.replace(" . ", " ⋅ ");
     let mut reader = Reader {
@@ -50,8 +51,8 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads boxes up to the closing bracket, which is consumed, or the end.
-    fn row(&mut self, closing: Option<char>) -> Node {
-        let mut nodes: Vec<Node> = Vec::new();
+    fn row(&mut self, closing: Option<char>) -> MathBox {
+        let mut nodes: Vec<MathBox> = Vec::new();
         while let Some(next) = self.peek() {
             if Some(next) == closing {
                 self.next();
@@ -61,7 +62,7 @@ impl<'a> Reader<'a> {
                 '_' | '^' => {
                     self.next();
                     let script = self.script();
-                    let base = nodes.pop().unwrap_or(Node::Row(vec![]));
+                    let base = nodes.pop().unwrap_or(MathBox::Row(vec![]));
                     nodes.push(match next {
                         '_' => base.scripted(0, Some(script), None),
                         _ => base.scripted(0, None, Some(script)),
@@ -69,38 +70,38 @@ impl<'a> Reader<'a> {
                 }
                 '~' if nodes
                     .last()
-                    .is_some_and(|node| matches!(node, Node::Letter(..))) =>
+                    .is_some_and(|node| matches!(node, MathBox::Letter(..))) =>
                 {
                     self.next();
-                    let base = nodes.pop().unwrap_or(Node::Row(vec![]));
-                    nodes.push(Node::Accent('~', Box::new(base)));
+                    let base = nodes.pop().unwrap_or(MathBox::Row(vec![]));
+                    nodes.push(MathBox::Accent('~', Box::new(base)));
                 }
                 '\'' | '′' => {
                     let primes = self.take(|c| matches!(c, '\'' | '′')).chars().count();
-                    let base = nodes.pop().unwrap_or(Node::Row(vec![]));
+                    let base = nodes.pop().unwrap_or(MathBox::Row(vec![]));
                     nodes.push(base.scripted(primes, None, None));
                 }
                 '²' | '³' => {
                     self.next();
-                    let power = Node::Number(if next == '²' { "2" } else { "3" }.to_owned());
-                    let base = nodes.pop().unwrap_or(Node::Row(vec![]));
+                    let power = MathBox::Number(if next == '²' { "2" } else { "3" }.to_owned());
+                    let base = nodes.pop().unwrap_or(MathBox::Row(vec![]));
                     nodes.push(base.scripted(0, None, Some(power)));
                 }
                 // A sign above a letter that is typed after it.
                 '\u{302}' | '\u{303}' if !nodes.is_empty() => {
                     self.next();
                     let sign = if next == '\u{302}' { '^' } else { '~' };
-                    let base = nodes.pop().unwrap_or(Node::Row(vec![]));
-                    nodes.push(Node::Accent(sign, Box::new(base)));
+                    let base = nodes.pop().unwrap_or(MathBox::Row(vec![]));
+                    nodes.push(MathBox::Accent(sign, Box::new(base)));
                 }
                 _ => nodes.extend(self.one()),
             }
         }
-        Node::row(nodes)
+        MathBox::row(nodes)
     }
 
     /// Reads a script: a group, a command, a number or a letter.
-    fn script(&mut self) -> Node {
+    fn script(&mut self) -> MathBox {
         match self.peek() {
             Some('{') => {
                 self.next();
@@ -111,16 +112,16 @@ impl<'a> Reader<'a> {
                 self.group(')')
             }
             Some(c) if c.is_ascii_digit() => {
-                Node::Number(self.take(|c| c.is_ascii_digit()).to_owned())
+                MathBox::Number(self.take(|c| c.is_ascii_digit()).to_owned())
             }
-            Some(_) => self.one().unwrap_or(Node::Row(vec![])),
-            None => Node::Row(vec![]),
+            Some(_) => self.one().unwrap_or(MathBox::Row(vec![])),
+            None => MathBox::Row(vec![]),
         }
     }
 
-    fn group(&mut self, closing: char) -> Node {
+    fn group(&mut self, closing: char) -> MathBox {
         if self.depth >= MAX_DEPTH {
-            return Node::Row(vec![]);
+            return MathBox::Row(vec![]);
         }
         self.depth += 1;
         let row = self.row(Some(closing));
@@ -128,15 +129,15 @@ impl<'a> Reader<'a> {
         row
     }
 
-    fn argument(&mut self) -> Node {
+    fn argument(&mut self) -> MathBox {
         self.take(|c| c == ' ');
         self.script()
     }
 
     /// Reads one box; none for a blank.
-    fn one(&mut self) -> Option<Node> {
+    fn one(&mut self) -> Option<MathBox> {
         let next = self.next()?;
-        let fence = |fence, inner: Node| Node::Fenced(fence, Box::new(inner));
+        let fence = |fence, inner: MathBox| MathBox::Fenced(fence, Box::new(inner));
         Some(match next {
             c if c.is_whitespace() => return None,
             '\\' => return self.command(),
@@ -144,47 +145,47 @@ impl<'a> Reader<'a> {
             '(' if self.closes('(', ')') => fence(Fence::Round, self.group(')')),
             '[' if self.closes('[', ']') => fence(Fence::Square, self.group(']')),
             '|' if self.rest.contains('|') => fence(Fence::Bars, self.group('|')),
-            '√' => Node::Root(Box::new(self.argument())),
+            '√' => MathBox::Root(Box::new(self.argument())),
             c if c.is_ascii_digit() => {
                 let more = self.take(|c| c.is_ascii_digit() || c == '.');
                 let digits = format!("{c}{more}");
                 // A full stop after the number does not belong to it.
                 match digits.trim_end_matches('.') {
                     whole if whole.len() < digits.len() && !digits.ends_with("..") => {
-                        Node::row([Node::Number(whole.to_owned()), Node::Sign('.')])
+                        MathBox::row([MathBox::Number(whole.to_owned()), MathBox::Sign('.')])
                     }
-                    whole if whole.len() < digits.len() => Node::Number(format!("{whole}…")),
-                    whole => Node::Number(whole.to_owned()),
+                    whole if whole.len() < digits.len() => MathBox::Number(format!("{whole}…")),
+                    whole => MathBox::Number(whole.to_owned()),
                 }
             }
             c if c.is_ascii_alphabetic() => {
                 let more = self.take(|c| c.is_ascii_alphabetic());
                 return Some(self.letters(&format!("{c}{more}")));
             }
-            'Ĝ' => Node::Accent('^', Box::new(Node::italic("G"))),
-            'Ĥ' => Node::Accent('^', Box::new(Node::italic("H"))),
-            c if c.is_alphanumeric() => Node::Letter(c.to_string(), Face::Italic),
+            'Ĝ' => MathBox::Accent('^', Box::new(MathBox::italic("G"))),
+            'Ĥ' => MathBox::Accent('^', Box::new(MathBox::italic("H"))),
+            c if c.is_alphanumeric() => MathBox::Letter(c.to_string(), LetterFace::Italic),
             '/' if matches!(self.peek(), Some('/' | '\\')) => match self.next() {
-                Some('/') => Node::Sign('∥'),
-                _ => Node::Sign('∧'),
+                Some('/') => MathBox::Sign('∥'),
+                _ => MathBox::Sign('∧'),
             },
             '-' if self.peek() == Some('>') => {
                 self.next();
-                Node::Sign('→')
+                MathBox::Sign('→')
             }
             '<' | '>' | '!' | '=' if self.peek() == Some('=') => {
                 self.next();
-                Node::Sign(match next {
+                MathBox::Sign(match next {
                     '<' => '≤',
                     '>' => '≥',
                     '!' => '≠',
                     _ => '=',
                 })
             }
-            '-' => Node::Sign('−'),
-            '*' => Node::Sign('·'),
-            '~' => Node::Gap,
-            c => Node::Sign(c),
+            '-' => MathBox::Sign('−'),
+            '*' => MathBox::Sign('·'),
+            '~' => MathBox::Gap,
+            c => MathBox::Sign(c),
         })
     }
 
@@ -205,31 +206,31 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads letters without a backslash: a known word, or letters side by side.
-    fn letters(&mut self, letters: &str) -> Node {
+    fn letters(&mut self, letters: &str) -> MathBox {
         let root = letters == "sqrt" && self.peek() == Some('(');
         if root {
             self.next();
-            return Node::Root(Box::new(self.group(')')));
+            return MathBox::Root(Box::new(self.group(')')));
         }
         if letters == "binom" && self.peek() == Some('(') {
             self.next();
-            let Node::Row(inner) = self.group(')') else {
-                return Node::word(letters);
+            let MathBox::Row(inner) = self.group(')') else {
+                return MathBox::word(letters);
             };
-            let comma = inner.iter().position(|node| *node == Node::Sign(','));
+            let comma = inner.iter().position(|node| *node == MathBox::Sign(','));
             let comma = comma.unwrap_or(inner.len());
-            let part = |list: &[Node]| Box::new(Node::row(list.iter().cloned()));
+            let part = |list: &[MathBox]| Box::new(MathBox::row(list.iter().cloned()));
             let (above, below) = (inner.get(..comma), inner.get(comma + 1..));
-            return Node::Binomial(
+            return MathBox::Binomial(
                 part(above.unwrap_or_default()),
                 part(below.unwrap_or_default()),
             );
         }
         match letters {
-            "sum" => Node::Sign('∑'),
-            "infinity" => Node::Sign('∞'),
+            "sum" => MathBox::Sign('∑'),
+            "infinity" => MathBox::Sign('∞'),
             "and" | "or" | "not" | "for" | "with" | "in" | "span" => {
-                Node::row([Node::Gap, Node::word(letters), Node::Gap])
+                MathBox::row([MathBox::Gap, MathBox::word(letters), MathBox::Gap])
             }
             // x1 is typed for x_1.
             _ if (letters.len() == 1 || greek_letter(letters).is_some())
@@ -242,50 +243,40 @@ impl<'a> Reader<'a> {
                 by_rule(letters)
             }
             _ if letters.len() <= 2 => {
-                Node::row(letters.chars().map(|c| Node::italic(&c.to_string())))
+                MathBox::row(letters.chars().map(|c| MathBox::italic(&c.to_string())))
             }
-            _ => Node::word(letters),
+            _ => MathBox::word(letters),
         }
     }
 
-    fn command(&mut self) -> Option<Node> {
+    fn command(&mut self) -> Option<MathBox> {
         let name = self.take(|c| c.is_ascii_alphabetic());
         if name.is_empty() {
             return match self.next()? {
                 ',' | ';' | ':' | ' ' | '!' => None,
-                c => Some(Node::Sign(c)),
+                c => Some(MathBox::Sign(c)),
             };
         }
-        let sign = |sign| Some(Node::Sign(sign));
+        if let Some(sign) = signs::sign(name) {
+            return Some(MathBox::Sign(sign));
+        }
         match name {
-            "ne" | "neq" => sign('≠'),
-            "le" | "leq" => sign('≤'),
-            "ge" | "geq" => sign('≥'),
-            "cdot" => sign('⋅'),
-            "times" => sign('×'),
-            "infty" => sign('∞'),
-            "in" => sign('∈'),
-            "to" => sign('→'),
-            "approx" => sign('≈'),
-            "partial" => sign('∂'),
-            "dots" | "ldots" | "cdots" => sign('…'),
-            "sum" => sign('∑'),
             "mathbf" | "mathrm" | "text" | "operatorname" => {
                 let face = match name {
-                    "mathbf" => Face::Bold,
-                    _ => Face::Upright,
+                    "mathbf" => LetterFace::Bold,
+                    _ => LetterFace::Upright,
                 };
                 Some(in_face(self.argument(), face))
             }
-            "hat" | "widehat" => Some(Node::Accent('^', Box::new(self.argument()))),
-            "tilde" | "widetilde" => Some(Node::Accent('~', Box::new(self.argument()))),
-            "bar" | "overline" => Some(Node::Accent('¯', Box::new(self.argument()))),
+            "hat" | "widehat" => Some(MathBox::Accent('^', Box::new(self.argument()))),
+            "tilde" | "widetilde" => Some(MathBox::Accent('~', Box::new(self.argument()))),
+            "bar" | "overline" => Some(MathBox::Accent('¯', Box::new(self.argument()))),
             "frac" | "tfrac" => {
                 let (above, below) = (self.argument(), self.argument());
-                Some(Node::Fraction(Box::new(above), Box::new(below)))
+                Some(MathBox::Fraction(Box::new(above), Box::new(below)))
             }
-            "sqrt" => Some(Node::Root(Box::new(self.argument()))),
-            "quad" | "qquad" => Some(Node::Gap),
+            "sqrt" => Some(MathBox::Root(Box::new(self.argument()))),
+            "quad" | "qquad" => Some(MathBox::Gap),
             "left" | "right" => None,
             _ => Some(by_rule(name)),
         }
@@ -293,18 +284,18 @@ impl<'a> Reader<'a> {
 }
 
 /// Sets the letters of the box in a face.
-fn in_face(node: Node, face: Face) -> Node {
+fn in_face(node: MathBox, face: LetterFace) -> MathBox {
     match node {
-        Node::Letter(letter, _) => Node::Letter(letter, face),
+        MathBox::Letter(letter, _) => MathBox::Letter(letter, face),
         // A word is one box.
-        Node::Row(nodes) => {
+        MathBox::Row(nodes) => {
             let letters = nodes.iter().map(|node| match node {
-                Node::Letter(letter, _) => Some(letter.as_str()),
+                MathBox::Letter(letter, _) => Some(letter.as_str()),
                 _ => None,
             });
             match letters.collect::<Option<String>>() {
-                Some(word) => Node::Letter(word, face),
-                None => Node::Row(nodes.into_iter().map(|node| in_face(node, face)).collect()),
+                Some(word) => MathBox::Letter(word, face),
+                None => MathBox::Row(nodes.into_iter().map(|node| in_face(node, face)).collect()),
             }
         }
         other => other,
@@ -313,8 +304,8 @@ fn in_face(node: Node, face: Face) -> Node {
 
 #[cfg(test)]
 mod tests {
-    use super::super::write::{latex, text, typst};
     use super::*;
+    use crate::write::{latex, text, typst};
 
     #[test]
     fn what_files_write_between_dollar_signs_is_read() {

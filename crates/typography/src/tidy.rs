@@ -7,7 +7,7 @@ use torse_syntax::formula::{Expr, Node, Operator};
 use torse_syntax::notation::text;
 
 /// Simplifies the formula.
-pub(super) fn tidy(formula: &Expr) -> Expr {
+pub(crate) fn tidy(formula: &Expr) -> Expr {
     let formula = formula.with_parts(tidy);
     match &formula.node {
         Node::Binary(Operator::Add | Operator::Subtract, ..) => sum(terms(&formula)),
@@ -25,7 +25,7 @@ pub(super) fn tidy(formula: &Expr) -> Expr {
     }
 }
 
-pub(super) fn is_zero(formula: &Expr) -> bool {
+pub(crate) fn is_zero(formula: &Expr) -> bool {
     is(formula, "0")
 }
 
@@ -65,10 +65,10 @@ fn negative(inner: &Expr) -> Expr {
 }
 
 /// A term with its sign.
-pub(super) type Term = (Operator, Expr);
+pub(crate) type Term = (Operator, Expr);
 
 /// Returns the terms of a sum, in order; for anything else, itself.
-pub(super) fn terms(formula: &Expr) -> Vec<Term> {
+pub(crate) fn terms(formula: &Expr) -> Vec<Term> {
     let mut list = Vec::new();
     // Sums group to the left and may have thousands of terms.
     let mut rest = formula;
@@ -98,7 +98,7 @@ fn opposite(operator: Operator) -> Operator {
 }
 
 /// Adds terms, without zeros.
-pub(super) fn sum(terms: Vec<Term>) -> Expr {
+pub(crate) fn sum(terms: Vec<Term>) -> Expr {
     let mut terms = terms.into_iter().filter(|(_, term)| !is_zero(term));
     let Some((sign, first)) = terms.next() else {
         return whole(0);
@@ -111,7 +111,7 @@ pub(super) fn sum(terms: Vec<Term>) -> Expr {
 }
 
 /// Returns the factors of a product, in order; for anything else, itself.
-pub(super) fn factors(formula: &Expr) -> Vec<Expr> {
+pub(crate) fn factors(formula: &Expr) -> Vec<Expr> {
     match &formula.node {
         Node::Binary(Operator::Multiply, a, b) => {
             let mut list = factors(a);
@@ -123,7 +123,7 @@ pub(super) fn factors(formula: &Expr) -> Vec<Expr> {
 }
 
 /// Multiplies factors: a single number first, without ones, the sign before it.
-pub(super) fn product(factors: Vec<Expr>) -> Expr {
+pub(crate) fn product(factors: Vec<Expr>) -> Expr {
     let mut minus = false;
     let mut list = Vec::new();
     for factor in factors {

@@ -1,6 +1,6 @@
 //! Boxes written as Typst, as LaTeX and on one line of text.
 
-use super::node::{Face, Fence, Mark, Node};
+use crate::math_box::{Fence, LetterFace, MathBox, MathChange};
 use torse_syntax::greek;
 
 /// The most letters that LaTeX frames: about a line of a letter.
@@ -10,22 +10,22 @@ const MAX_FRAMED: usize = 110;
 ///
 /// It calls only functions of the math scope and those of marks, which the templates define; everything else is single
 /// letters, signs and quoted text, so no string of a file can act.
-pub(super) fn typst(node: &Node) -> String {
+pub(crate) fn typst(node: &MathBox) -> String {
     match node {
-        Node::Letter(letter, face) => typst_letter(letter, *face),
-        Node::Function(name) => name.clone(),
-        Node::Number(digits) => digits.clone(),
-        Node::Sign(sign) => typst_sign(*sign),
-        Node::Row(nodes) if nodes.is_empty() => "\"\"".to_owned(),
-        Node::Row(nodes) => nodes.iter().map(typst).collect::<Vec<_>>().join(" "),
-        Node::Scripts {
+        MathBox::Letter(letter, face) => typst_letter(letter, *face),
+        MathBox::Function(name) => name.clone(),
+        MathBox::Number(digits) => digits.clone(),
+        MathBox::Sign(sign) => typst_sign(*sign),
+        MathBox::Row(nodes) if nodes.is_empty() => "\"\"".to_owned(),
+        MathBox::Row(nodes) => nodes.iter().map(typst).collect::<Vec<_>>().join(" "),
+        MathBox::Scripts {
             base,
             primes,
             below,
             above,
         } => {
             let base = match **base {
-                Node::Row(_) | Node::Scripts { .. } => format!("attach({})", typst(base)),
+                MathBox::Row(_) | MathBox::Scripts { .. } => format!("attach({})", typst(base)),
                 _ => typst(base),
             };
             let mut text = format!("{base}{}", "'".repeat(*primes));
@@ -42,7 +42,7 @@ pub(super) fn typst(node: &Node) -> String {
             }
             text
         }
-        Node::Accent(sign, inner) => {
+        MathBox::Accent(sign, inner) => {
             let name = match sign {
                 '^' => "hat",
                 '~' => "tilde",
@@ -50,10 +50,10 @@ pub(super) fn typst(node: &Node) -> String {
             };
             format!("{name}({})", typst(inner))
         }
-        Node::Fraction(above, below) => format!("frac({}, {})", typst(above), typst(below)),
-        Node::Root(inner) => format!("sqrt({})", typst(inner)),
-        Node::Binomial(n, k) => format!("binom({}, {})", typst(n), typst(k)),
-        Node::Fenced(fence, inner) => {
+        MathBox::Fraction(above, below) => format!("frac({}, {})", typst(above), typst(below)),
+        MathBox::Root(inner) => format!("sqrt({})", typst(inner)),
+        MathBox::Binomial(n, k) => format!("binom({}, {})", typst(n), typst(k)),
+        MathBox::Fenced(fence, inner) => {
             let inner = typst(inner);
             match fence {
                 Fence::Round => format!("({inner})"),
@@ -63,38 +63,38 @@ pub(super) fn typst(node: &Node) -> String {
                 Fence::Behind => format!("lr({inner} |)"),
             }
         }
-        Node::Matrix(fence, rows) => {
+        MathBox::Matrix(fence, rows) => {
             let delimiter = match fence {
                 Fence::Bars => "|",
                 _ => "(",
             };
-            let cells = |row: &Vec<Node>| row.iter().map(typst).collect::<Vec<_>>().join(", ");
+            let cells = |row: &Vec<MathBox>| row.iter().map(typst).collect::<Vec<_>>().join(", ");
             let rows: Vec<String> = rows.iter().map(cells).collect();
             format!("mat(delim: \"{delimiter}\", {})", rows.join("; "))
         }
-        Node::Sum { below, above } => {
+        MathBox::Sum { below, above } => {
             let above = above.as_ref().map(|above| format!("^({})", typst(above)));
             format!("sum_({}){}", typst(below), above.unwrap_or_default())
         }
-        Node::Marked(mark, inner) => {
+        MathBox::Marked(mark, inner) => {
             let name = match mark {
-                Mark::Added => "added",
-                Mark::Removed => "removed",
+                MathChange::Added => "added",
+                MathChange::Removed => "removed",
             };
             match &**inner {
                 // A sign keeps its distance from the term before it.
-                Node::Row(nodes) => match nodes.split_first() {
-                    Some((Node::Sign(sign @ ('+' | '−')), rest)) => {
-                        let term = typst(&Node::row(rest.iter().cloned()));
+                MathBox::Row(nodes) => match nodes.split_first() {
+                    Some((MathBox::Sign(sign @ ('+' | '−')), rest)) => {
+                        let term = typst(&MathBox::row(rest.iter().cloned()));
                         format!("{name}sign({sign}) {name}({term})")
                     }
                     _ => format!("{name}({})", typst(inner)),
                 },
-                Node::Sign(sign) => format!("{name}sign({})", typst_sign(*sign)),
+                MathBox::Sign(sign) => format!("{name}sign({})", typst_sign(*sign)),
                 _ => format!("{name}({})", typst(inner)),
             }
         }
-        Node::Gap => "thick".to_owned(),
+        MathBox::Gap => "thick".to_owned(),
     }
 }
 
@@ -102,17 +102,17 @@ fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 
-fn typst_letter(letter: &str, face: Face) -> String {
+fn typst_letter(letter: &str, face: LetterFace) -> String {
     let mut letters = letter.chars();
     let single = match (letters.next(), letters.next()) {
         (Some(c), None) if c.is_ascii_alphabetic() || ('Α'..='ω').contains(&c) => Some(c),
         _ => None,
     };
     match (single, face) {
-        (Some(letter), Face::Italic) => letter.to_string(),
-        (Some(letter), Face::Bold) => format!("upright(bold({letter}))"),
-        (Some(letter), Face::Upright) => format!("upright({letter})"),
-        (None, Face::Bold) => format!("bold({})", quoted(letter)),
+        (Some(letter), LetterFace::Italic) => letter.to_string(),
+        (Some(letter), LetterFace::Bold) => format!("upright(bold({letter}))"),
+        (Some(letter), LetterFace::Upright) => format!("upright({letter})"),
+        (None, LetterFace::Bold) => format!("bold({})", quoted(letter)),
         (None, _) => quoted(letter),
     }
 }
@@ -133,21 +133,21 @@ fn typst_sign(sign: char) -> String {
 }
 
 /// Writes LaTeX mathematics, with the macros of amsmath, without dollar signs.
-pub(super) fn latex(node: &Node) -> String {
+pub(crate) fn latex(node: &MathBox) -> String {
     match node {
-        Node::Letter(letter, face) => latex_letter(letter, *face),
-        Node::Function(name) => format!("\\{name}"),
-        Node::Number(digits) => digits.replace('…', "\\ldots"),
-        Node::Sign(sign) => latex_sign(*sign),
-        Node::Row(nodes) => nodes.iter().map(latex).collect::<Vec<_>>().join(" "),
-        Node::Scripts {
+        MathBox::Letter(letter, face) => latex_letter(letter, *face),
+        MathBox::Function(name) => format!("\\{name}"),
+        MathBox::Number(digits) => digits.replace('…', "\\ldots"),
+        MathBox::Sign(sign) => latex_sign(*sign),
+        MathBox::Row(nodes) => nodes.iter().map(latex).collect::<Vec<_>>().join(" "),
+        MathBox::Scripts {
             base,
             primes,
             below,
             above,
         } => {
             let base = match **base {
-                Node::Row(_) | Node::Scripts { .. } => format!("{{{}}}", latex(base)),
+                MathBox::Row(_) | MathBox::Scripts { .. } => format!("{{{}}}", latex(base)),
                 _ => latex(base),
             };
             let mut text = format!("{base}{}", "'".repeat(*primes));
@@ -162,7 +162,7 @@ pub(super) fn latex(node: &Node) -> String {
             }
             text
         }
-        Node::Accent(sign, inner) => {
+        MathBox::Accent(sign, inner) => {
             let name = match sign {
                 '^' => "hat",
                 '~' => "tilde",
@@ -170,10 +170,12 @@ pub(super) fn latex(node: &Node) -> String {
             };
             format!("\\{name}{{{}}}", latex(inner))
         }
-        Node::Fraction(above, below) => format!("\\frac{{{}}}{{{}}}", latex(above), latex(below)),
-        Node::Root(inner) => format!("\\sqrt{{{}}}", latex(inner)),
-        Node::Binomial(n, k) => format!("\\binom{{{}}}{{{}}}", latex(n), latex(k)),
-        Node::Fenced(fence, inner) => {
+        MathBox::Fraction(above, below) => {
+            format!("\\frac{{{}}}{{{}}}", latex(above), latex(below))
+        }
+        MathBox::Root(inner) => format!("\\sqrt{{{}}}", latex(inner)),
+        MathBox::Binomial(n, k) => format!("\\binom{{{}}}{{{}}}", latex(n), latex(k)),
+        MathBox::Fenced(fence, inner) => {
             let inner = latex(inner);
             let (open, close) = match fence {
                 Fence::Round => ("(", ")"),
@@ -188,27 +190,27 @@ pub(super) fn latex(node: &Node) -> String {
                 false => format!("{open}{inner}{close}"),
             }
         }
-        Node::Matrix(fence, rows) => {
+        MathBox::Matrix(fence, rows) => {
             let name = match fence {
                 Fence::Bars => "vmatrix",
                 _ => "pmatrix",
             };
-            let cells = |row: &Vec<Node>| row.iter().map(latex).collect::<Vec<_>>().join(" & ");
+            let cells = |row: &Vec<MathBox>| row.iter().map(latex).collect::<Vec<_>>().join(" & ");
             let rows: Vec<String> = rows.iter().map(cells).collect();
             format!("\\begin{{{name}}} {} \\end{{{name}}}", rows.join(" \\\\ "))
         }
-        Node::Sum { below, above } => {
+        MathBox::Sum { below, above } => {
             let above = above.as_ref().map(|above| format!("^{{{}}}", latex(above)));
             format!("\\sum_{{{}}}{}", latex(below), above.unwrap_or_default())
         }
         // A frame does not break over lines: a long piece stands without one, beside what is framed before it.
-        Node::Marked(_, inner) if text(inner).chars().count() > MAX_FRAMED => latex(inner),
+        MathBox::Marked(_, inner) if text(inner).chars().count() > MAX_FRAMED => latex(inner),
         // A combining line at a sign would turn it into another sign.
-        Node::Marked(_, inner) => match &**inner {
-            Node::Sign(_) => format!("\\mathbin{{\\boxed{{{}}}}}", latex(inner)),
-            Node::Row(nodes) => match nodes.split_first() {
-                Some((Node::Sign(sign @ ('+' | '−')), rest)) if !rest.is_empty() => {
-                    let term = latex(&Node::row(rest.iter().cloned()));
+        MathBox::Marked(_, inner) => match &**inner {
+            MathBox::Sign(_) => format!("\\mathbin{{\\boxed{{{}}}}}", latex(inner)),
+            MathBox::Row(nodes) => match nodes.split_first() {
+                Some((MathBox::Sign(sign @ ('+' | '−')), rest)) if !rest.is_empty() => {
+                    let term = latex(&MathBox::row(rest.iter().cloned()));
                     let sign = latex_sign(*sign);
                     format!("\\mathbin{{\\boxed{{{sign}}}}} \\boxed{{{term}}}")
                 }
@@ -216,12 +218,12 @@ pub(super) fn latex(node: &Node) -> String {
             },
             _ => format!("\\boxed{{{}}}", latex(inner)),
         },
-        Node::Gap => "\\ ".to_owned(),
+        MathBox::Gap => "\\ ".to_owned(),
     }
 }
 
 /// Escapes every sign of LaTeX in a text, and sets every letter that its fonts lack as mathematics.
-pub(crate) fn latex_words(text: &str) -> String {
+pub fn latex_words(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         let letter = c.to_string();
@@ -244,7 +246,7 @@ pub(crate) fn latex_words(text: &str) -> String {
             _ if greek::by_sign(c).is_some() => {
                 escaped.push_str(&format!(
                     "\\ensuremath{{{}}}",
-                    latex_letter(&letter, Face::Italic)
+                    latex_letter(&letter, LetterFace::Italic)
                 ));
             }
             '−' | '≤' | '≥' | '≠' | '≈' | '·' | '⋅' | '×' | '→' | '∈' | '∞' | '∑' | '∂' | '…'
@@ -276,15 +278,15 @@ fn digit(c: char) -> char {
     char::from_digit(u32::try_from(position % 10).unwrap_or(0), 10).unwrap_or('0')
 }
 
-fn latex_letter(letter: &str, face: Face) -> String {
+fn latex_letter(letter: &str, face: LetterFace) -> String {
     let single = letter.chars().count() == 1;
     let sign = letter.chars().next().filter(|_| single);
     let greek = sign.and_then(greek::by_sign);
     match (greek, face) {
-        (Some(greek), Face::Bold) => format!("\\boldsymbol{{\\{}}}", greek.latex),
+        (Some(greek), LetterFace::Bold) => format!("\\boldsymbol{{\\{}}}", greek.latex),
         (Some(greek), _) => format!("\\{}", greek.latex),
-        (None, Face::Bold) => format!("\\mathbf{{{}}}", latex_words(letter)),
-        (None, Face::Italic) if single => latex_words(letter),
+        (None, LetterFace::Bold) => format!("\\mathbf{{{}}}", latex_words(letter)),
+        (None, LetterFace::Italic) if single => latex_words(letter),
         (None, _) => format!("\\mathrm{{{}}}", latex_words(letter)),
     }
 }
@@ -320,46 +322,46 @@ fn latex_sign(sign: char) -> String {
 }
 
 /// Writes plain text on one line.
-pub(super) fn text(node: &Node) -> String {
+pub(crate) fn text(node: &MathBox) -> String {
     let mut line = String::new();
     write_text(node, &mut line, false);
     line
 }
 
-fn write_text(node: &Node, line: &mut String, tight: bool) {
+fn write_text(node: &MathBox, line: &mut String, tight: bool) {
     match node {
-        Node::Letter(letter, _) => {
+        MathBox::Letter(letter, _) => {
             let wide = letter.chars().count() > 1;
             if wide && line.ends_with(char::is_alphanumeric) && !tight {
                 line.push(' ');
             }
             line.push_str(letter);
         }
-        Node::Function(name) => {
+        MathBox::Function(name) => {
             if line.ends_with(char::is_alphanumeric) && !tight {
                 line.push(' ');
             }
             line.push_str(name);
         }
-        Node::Number(digits) => {
+        MathBox::Number(digits) => {
             if line.ends_with(|c: char| c.is_ascii_digit()) {
                 line.push(' ');
             }
             line.push_str(digits);
         }
-        Node::Sign(sign) => text_sign(*sign, line, tight),
-        Node::Row(nodes) => {
+        MathBox::Sign(sign) => text_sign(*sign, line, tight),
+        MathBox::Row(nodes) => {
             for (number, node) in nodes.iter().enumerate() {
                 let after_function = number > 0
-                    && matches!(nodes.get(number - 1), Some(Node::Function(_)))
-                    && !matches!(node, Node::Fenced(..));
+                    && matches!(nodes.get(number - 1), Some(MathBox::Function(_)))
+                    && !matches!(node, MathBox::Fenced(..));
                 if after_function {
                     line.push(' ');
                 }
                 write_text(node, line, tight);
             }
         }
-        Node::Scripts {
+        MathBox::Scripts {
             base,
             primes,
             below,
@@ -374,7 +376,7 @@ fn write_text(node: &Node, line: &mut String, tight: bool) {
                 script(above, 'ˆ', line);
             }
         }
-        Node::Accent(sign, inner) => {
+        MathBox::Accent(sign, inner) => {
             write_text(inner, line, tight);
             line.push(match sign {
                 '^' => '\u{302}',
@@ -382,23 +384,23 @@ fn write_text(node: &Node, line: &mut String, tight: bool) {
                 _ => '\u{304}',
             });
         }
-        Node::Fraction(above, below) => {
+        MathBox::Fraction(above, below) => {
             operand(above, line);
             line.push('/');
             operand(below, line);
         }
-        Node::Root(inner) => {
+        MathBox::Root(inner) => {
             line.push('√');
             operand(inner, line);
         }
-        Node::Binomial(n, k) => {
+        MathBox::Binomial(n, k) => {
             line.push('(');
             write_text(n, line, tight);
             line.push_str(" over ");
             write_text(k, line, tight);
             line.push(')');
         }
-        Node::Fenced(fence, inner) => {
+        MathBox::Fenced(fence, inner) => {
             let (open, close) = match fence {
                 Fence::Round => ("(", ")"),
                 Fence::Square => ("[", "]"),
@@ -410,7 +412,7 @@ fn write_text(node: &Node, line: &mut String, tight: bool) {
             write_text(inner, line, tight);
             line.push_str(close);
         }
-        Node::Matrix(_, rows) => {
+        MathBox::Matrix(_, rows) => {
             line.push('(');
             for (number, row) in rows.iter().enumerate() {
                 if number > 0 {
@@ -425,7 +427,7 @@ fn write_text(node: &Node, line: &mut String, tight: bool) {
             }
             line.push(')');
         }
-        Node::Sum { below, above } => {
+        MathBox::Sum { below, above } => {
             line.push('∑');
             script(below, '_', line);
             if let Some(above) = above {
@@ -433,8 +435,8 @@ fn write_text(node: &Node, line: &mut String, tight: bool) {
             }
             line.push(' ');
         }
-        Node::Marked(_, inner) => write_text(inner, line, tight),
-        Node::Gap => {
+        MathBox::Marked(_, inner) => write_text(inner, line, tight),
+        MathBox::Gap => {
             if !line.ends_with(' ') {
                 line.push(' ');
             }
@@ -443,9 +445,9 @@ fn write_text(node: &Node, line: &mut String, tight: bool) {
 }
 
 /// Adds brackets, unless it is a letter or a number.
-fn operand(node: &Node, line: &mut String) {
+fn operand(node: &MathBox, line: &mut String) {
     match node {
-        Node::Row(_) | Node::Fraction(..) => {
+        MathBox::Row(_) | MathBox::Fraction(..) => {
             line.push('(');
             write_text(node, line, false);
             line.push(')');
@@ -481,7 +483,7 @@ fn text_sign(sign: char, line: &mut String, tight: bool) {
 }
 
 /// Uses superscript or subscript letters if all signs of the script have one.
-fn script(node: &Node, sign: char, line: &mut String) {
+fn script(node: &MathBox, sign: char, line: &mut String) {
     let mut inner = String::new();
     write_text(node, &mut inner, true);
     let small = |c: char| match sign {

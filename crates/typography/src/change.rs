@@ -4,10 +4,10 @@
 //! kept; all else part against part where the kinds agree. Where more of two parts would be marked than not, they are
 //! marked whole: a formula with every second letter marked is not read.
 
-use super::layout::{ADDED, REMOVED, layout};
-use super::tidy::{factors, sum, terms, tidy};
-use super::{Names, Node as Shown, expression};
 use crate::difference::common;
+use crate::layout::{ADDED, REMOVED, layout};
+use crate::tidy::{factors, sum, terms, tidy};
+use crate::{MathBox as Shown, PrintedNames, expression};
 use torse_syntax::formula::{Connective, Expr, Node, Operator};
 
 /// Formulas of more nodes than this are not compared.
@@ -15,7 +15,7 @@ const MAX_NODES: usize = 3_000;
 
 /// The printed formula and the corrected one, both in the notation of the files, as boxes with what changed marked; none
 /// where one of them cannot be read.
-pub(crate) fn changed(printed: &str, corrected: &str, names: &Names) -> Option<[Shown; 2]> {
+pub fn changed(printed: &str, corrected: &str, names: &PrintedNames) -> Option<[Shown; 2]> {
     let (old, new) = (tidy(&expression(printed)?), tidy(&expression(corrected)?));
     let (old, new) = match old.size().max(new.size()) > MAX_NODES {
         true => (old, new),
@@ -261,11 +261,11 @@ fn aligned(old: &[Expr], new: &[Expr]) -> (Vec<Expr>, Vec<Expr>, usize) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::write::typst;
     use super::*;
+    use crate::write::typst;
 
     fn shown(old: &str, new: &str) -> [String; 2] {
-        changed(old, new, &Names::default())
+        changed(old, new, &PrintedNames::default())
             .unwrap()
             .map(|node| typst(&node))
     }
@@ -305,6 +305,6 @@ mod tests {
         let [old, new] = shown("f(x) == 1 + x", "f(x) == 1 + x");
         assert_eq!(old, new);
         assert!(!old.contains("added"));
-        assert!(changed("f(", "x", &Names::default()).is_none());
+        assert!(changed("f(", "x", &PrintedNames::default()).is_none());
     }
 }

@@ -3,16 +3,16 @@
 //! Comparing levels decides on brackets: every box has the level at which it holds together, every place of an operand
 //! the level that it requires.
 
-use super::letters::is_function;
-use super::names::Names;
-use super::node::{Fence, Mark, Node as Shown};
-use super::tidy::terms;
+use crate::letters::is_function;
+use crate::math_box::{Fence, MathBox as Shown, MathChange};
+use crate::names::PrintedNames;
+use crate::tidy::terms;
 use torse_syntax::formula::{Connective, Expr, Node, Operator, Relation};
 use torse_syntax::notation::text;
 
 /// Marks of changes: functions whose names no file can write.
-pub(super) const ADDED: &str = "+added";
-pub(super) const REMOVED: &str = "-removed";
+pub(crate) const ADDED: &str = "+added";
+pub(crate) const REMOVED: &str = "-removed";
 
 /// How tightly a box holds together, loosest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -54,12 +54,12 @@ impl Piece {
 }
 
 /// Lays out the formula as boxes.
-pub(super) fn layout(formula: &Expr, names: &Names) -> Shown {
+pub(crate) fn layout(formula: &Expr, names: &PrintedNames) -> Shown {
     Writer { names }.write(formula).node
 }
 
 struct Writer<'a> {
-    names: &'a Names,
+    names: &'a PrintedNames,
 }
 
 impl Writer<'_> {
@@ -293,8 +293,8 @@ impl Writer<'_> {
             Piece::new(Level::Relation, Shown::row(nodes))
         };
         Some(match (name, arguments) {
-            (ADDED, [x]) => self.marked(Mark::Added, x),
-            (REMOVED, [x]) => self.marked(Mark::Removed, x),
+            (ADDED, [x]) => self.marked(MathChange::Added, x),
+            (REMOVED, [x]) => self.marked(MathChange::Removed, x),
             ("sqrt", [x]) => atom(Shown::Root(boxed(x))),
             ("binom", [n, k]) => atom(Shown::Binomial(boxed(n), boxed(k))),
             ("norm", [v]) => atom(Shown::Fenced(Fence::Length, boxed(v))),
@@ -398,7 +398,7 @@ impl Writer<'_> {
         })
     }
 
-    fn marked(&self, mark: Mark, inner: &Expr) -> Piece {
+    fn marked(&self, mark: MathChange, inner: &Expr) -> Piece {
         let piece = self.write(inner);
         Piece::new(piece.level, Shown::Marked(mark, Box::new(piece.node)))
     }
@@ -512,11 +512,11 @@ fn only(expr: &Expr) -> &Expr {
     }
 }
 
-fn mark_of(expr: &Expr) -> Option<(Mark, &Expr)> {
+fn mark_of(expr: &Expr) -> Option<(MathChange, &Expr)> {
     match &expr.node {
         Node::Call(head, arguments) => match (&head.node, arguments.as_slice()) {
-            (Node::Name(name), [inner]) if name == ADDED => Some((Mark::Added, inner)),
-            (Node::Name(name), [inner]) if name == REMOVED => Some((Mark::Removed, inner)),
+            (Node::Name(name), [inner]) if name == ADDED => Some((MathChange::Added, inner)),
+            (Node::Name(name), [inner]) if name == REMOVED => Some((MathChange::Removed, inner)),
             _ => None,
         },
         _ => None,
