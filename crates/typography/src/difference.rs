@@ -9,7 +9,7 @@ const MAX_TERMS: usize = 3_000;
 /// Returns both lines with their differences marked, word by word and sign by sign.
 ///
 /// ```
-/// let [old, new] = torse_report::difference("c (a + λ k)", "c (a + 4 λ k)");
+/// let [old, new] = torse_typography::difference("c (a + λ k)", "c (a + 4 λ k)");
 /// assert_eq!([old.as_str(), new.as_str()], ["c (a + λ k)", "c (a + »4« λ k)"]);
 /// ```
 #[must_use]
