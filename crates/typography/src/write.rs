@@ -132,6 +132,19 @@ fn typst_sign(sign: char) -> String {
     }
 }
 
+/// Boxes side by side, with a blank between each two but before a comma or a semicolon.
+fn latex_row(nodes: &[MathBox]) -> String {
+    let mut row = String::new();
+    for node in nodes {
+        let is_mark = matches!(node, MathBox::Sign(',' | ';'));
+        if !row.is_empty() && !is_mark {
+            row.push(' ');
+        }
+        row.push_str(&latex(node));
+    }
+    row
+}
+
 /// Writes LaTeX mathematics, with the macros of amsmath, without dollar signs.
 pub(crate) fn latex(node: &MathBox) -> String {
     match node {
@@ -139,7 +152,7 @@ pub(crate) fn latex(node: &MathBox) -> String {
         MathBox::Function(name) => format!("\\{name}"),
         MathBox::Number(digits) => digits.replace('…', "\\ldots"),
         MathBox::Sign(sign) => latex_sign(*sign),
-        MathBox::Row(nodes) => nodes.iter().map(latex).collect::<Vec<_>>().join(" "),
+        MathBox::Row(nodes) => latex_row(nodes),
         MathBox::Scripts {
             base,
             primes,

@@ -275,7 +275,7 @@ fn a_join_of_bernstein_curves_is_written_in_five_languages() {
     assert_eq!(
         print(&c1, Language::Typst),
         format!(
-            "// {title}\n$\n  Q_(1, 0) &= Q_m \\\n  Q_(1, 1) &= Q_m + frac(m, n) (Q_m - Q_(m - 1))\n$\nwhere $m >= 1$, $n >= 1$.\n"
+            "// {title}\n$\n  Q_(1 comma 0) &= Q_m \\\n  Q_(1 comma 1) &= Q_m + frac(m, n) (Q_m − Q_(m − 1))\n$\nwhere $m ≥ 1$, $n ≥ 1$.\n"
         )
     );
     let sympy = print(&c1, Language::Sympy);
