@@ -3,7 +3,6 @@
 use crate::number::decimal;
 use crate::polynomial::Polynomial;
 use crate::ratio::Ratio;
-use crate::text::counted;
 use serde::{Serialize, Serializer};
 use torse_core::Printed;
 
@@ -109,25 +108,5 @@ impl Enclosure<Polynomial> {
         let digits = usize::try_from(self.digits()).unwrap_or(0) + 8;
         let shown = |e: &Agreeing<Polynomial>| decimal(&e.value, digits).unwrap_or_default();
         listed(self.entries.iter().map(shown).collect())
-    }
-
-    /// The steps of the proof in words.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        let decimals = counted(self.digits(), "decimal");
-        let cut = self
-            .entries
-            .iter()
-            .any(|e| e.how == Some(Agreement::CutOff));
-        let how = match (self.is_exact(), cut) {
-            (true, _) => "the printed numbers are exact".to_owned(),
-            (false, false) => {
-                format!("the printed numbers are the values rounded to {decimals}")
-            }
-            (false, true) => {
-                format!("the printed numbers are the values cut off (not rounded) after {decimals}")
-            }
-        };
-        vec![format!("the exact values begin {}", self.decimals()), how]
     }
 }

@@ -54,23 +54,6 @@ impl<P> Nonnegative<P> {
     }
 }
 
-impl<P: std::fmt::Display> Nonnegative<P> {
-    /// The steps of the proof in words.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        let step = |part: &Part<P>| {
-            let what = if part.is_seed { "seed" } else { "step factor" };
-            let function = &part.function;
-            format!(
-                "{what} {function} >= 0 by Bernstein coefficients in the tangent of the half angle"
-            )
-        };
-        let end = "the step keeps nonnegative functions nonnegative: induction over the degree";
-        let steps = self.parts.iter().map(step);
-        steps.chain([end.to_owned()]).collect()
-    }
-}
-
 impl<P> Powers<P> {
     /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Powers<Q> {
@@ -78,14 +61,5 @@ impl<P> Powers<P> {
             parts: self.parts.iter().map(|part| part.map(change)).collect(),
             slope: Box::new(self.slope.map(change)),
         }
-    }
-
-    /// The steps of the proof in words.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        vec![
-            "the functions of each degree are one function times powers of the quotient of the step factors, with positive coefficients".to_owned(),
-            "the quotient is monotone: the minors of the collocation matrices are those of generalised Vandermonde matrices, nonnegative at every degree".to_owned(),
-        ]
     }
 }

@@ -73,20 +73,6 @@ impl<P> Identity<P> {
             divisors: self.divisors.iter().map(change).collect(),
         }
     }
-
-    /// The steps of the proof in words.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        let steps: &[&str] = match (self.in_order, self.by) {
-            (true, _) => &["both sides are equal identically"],
-            (false, Vanishing::NormalForm) => &["the normal form of the difference has 0 terms"],
-            (false, Vanishing::Series) => &[
-                "both sides are written with the step of the recursion as an operator on the seeds",
-                "the difference has no terms, for every degree at once",
-            ],
-        };
-        steps.iter().map(|step| (*step).to_owned()).collect()
-    }
 }
 
 impl<P> Combination<P> {
@@ -100,18 +86,5 @@ impl<P> Combination<P> {
             divisors: all(&self.divisors),
             by: self.by,
         }
-    }
-
-    /// The steps of the proof in words.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        let step = match self.of {
-            Equations::Assumed => "each difference is a multiple of an equation that is assumed",
-            Equations::Together => {
-                "each difference is a sum of multiples of the equations that are assumed"
-            }
-            Equations::Given => "the difference is a combination of the given equations",
-        };
-        vec![step.to_owned()]
     }
 }

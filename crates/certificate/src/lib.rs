@@ -1,7 +1,7 @@
 //! Proofs as values.
 //!
-//! The prover searches, and its result is a [`Proof`] or a [`Refuted`]: data from which the verdict, the evidence,
-//! the conditions and the steps in words are derived, and from which the proof can be written for another system.
+//! The prover searches, and its result is a [`Proof`] or a [`Refuted`]: data from which the verdict, the evidence and the
+//! conditions are derived, which `torse_prove::steps` puts into words, and which can be written for another system.
 //! Certificates are generic over their polynomials, so that the prover can build them from its own without
 //! conversion. Certificates that are written, put into words or checked use the plain [`Polynomial`] of this room.
 //!

@@ -57,37 +57,6 @@ impl<P> Order<P> {
             bounded_by_assumptions: self.bounded_by_assumptions,
         }
     }
-
-    /// The steps of the proof in words.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        if self.of_many {
-            return vec![
-                "one coordinate of the difference never vanishes on the domain".to_owned(),
-            ];
-        }
-        let certificates = || self.signs.iter().flat_map(Sign::certificates);
-        let mut steps = vec![];
-        if certificates().any(|certificate| certificate.squares.is_empty()) {
-            steps.push(
-                "all Bernstein coefficients of the difference on the domain have the right sign",
-            );
-        }
-        if certificates().any(|certificate| !certificate.squares.is_empty()) {
-            steps.push("sums of squares are not negative");
-        }
-        let uses = self.signs.iter().any(|sign| !sign.constraints().is_empty());
-        if uses || self.bounded_by_assumptions {
-            steps.push("the assumptions bound the domain");
-        }
-        let mut steps: Vec<String> = steps.into_iter().map(str::to_owned).collect();
-        let pieces = |sign: &Sign<P>| sign.certificates().iter().map(|c| c.pieces.len()).sum();
-        let pieces = self.signs.iter().map(pieces).max();
-        if let Some(pieces) = pieces.filter(|n: &usize| *n > 1) {
-            steps.push(format!("on each of the {pieces} parts of the domain"));
-        }
-        steps
-    }
 }
 
 impl<P> Excluded<P> {
@@ -97,11 +66,5 @@ impl<P> Excluded<P> {
             numerator: change(&self.numerator),
             divisors: self.divisors.iter().map(change).collect(),
         }
-    }
-
-    /// The steps of the proof in words.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        vec!["the hypotheses exclude that the difference vanishes".to_owned()]
     }
 }

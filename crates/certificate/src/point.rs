@@ -4,7 +4,6 @@ use crate::enclosure::Enclosure;
 use crate::polynomial::Polynomial;
 use crate::ratio::Ratio;
 use crate::symbol::Symbol;
-use crate::text::counted;
 use serde::Serialize;
 
 /// The value of a symbol.
@@ -162,48 +161,6 @@ impl<P> Failure<P> {
                 high: pair(high),
                 level: level.map(change),
             },
-        }
-    }
-
-    /// The steps of the refutation in words.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        let text = |steps: &[&str]| steps.iter().map(|step| (*step).to_owned()).collect();
-        match self {
-            Self::Sides { kind, left, .. } => match kind {
-                Comparison::Equation { entry, terms } => {
-                    let mut steps =
-                        vec![format!("the normal form of the difference has {}", counted(terms, "term"))];
-                    if left.len() > 1 {
-                        steps.push(format!("entry {} differs", entry + 1));
-                    }
-                    steps
-                }
-                Comparison::Order => text(&["a point of the domain at which the relation fails"]),
-                Comparison::Seed => text(&["a seed is negative somewhere"]),
-                Comparison::Domain => text(&["a point of the domain"]),
-            },
-            Self::Printed(enclosure) => {
-                let mut steps: Vec<String> = text(&["the value is computed exactly and enclosed"]);
-                if enclosure.entries.len() > 1 {
-                    let differing = enclosure.differing();
-                    let list: Vec<String> = differing.iter().map(usize::to_string).collect();
-                    steps.push(match list.as_slice() {
-                        [one] => format!("entry {one} differs"),
-                        _ => format!("entries {} differ", list.join(", ")),
-                    });
-                }
-                steps
-            }
-            Self::Dependent { degree, .. } => vec![
-                "the coefficients of the functions in normal form are a matrix in the shape parameters".to_owned(),
-                format!("at these shape parameters its rows are dependent for degree {degree}"),
-            ],
-            Self::Turning { .. } => text(&[
-                "the quotient of two functions rises and falls",
-                "so control values with one change of sign give a curve with two: its values at three places are shown",
-            ]),
-            Self::Beyond { .. } => text(&["the functions do not sum to one"]),
         }
     }
 }

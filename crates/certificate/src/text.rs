@@ -16,12 +16,3 @@ pub(crate) fn region<S: Serializer>(
     let sides = region.iter().map(|(a, b)| [a.to_string(), b.to_string()]);
     sides.collect::<Vec<_>>().serialize(to)
 }
-
-/// A count with its noun, in the plural unless it is 1.
-pub(crate) fn counted(count: impl std::fmt::Display, noun: &str) -> String {
-    let count = count.to_string();
-    match count.as_str() {
-        "1" => format!("1 {noun}"),
-        _ => format!("{count} {noun}s"),
-    }
-}

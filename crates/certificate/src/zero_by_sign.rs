@@ -60,18 +60,6 @@ impl<P> ZeroBySign<P> {
             None => Evidence::Identity,
         }
     }
-
-    /// The steps of the proof in words.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        let mut steps: Vec<String> = vec![];
-        for step in self.entries.iter().filter_map(Zero::step) {
-            if !steps.iter().any(|known| known == step) {
-                steps.push(step.to_owned());
-            }
-        }
-        steps
-    }
 }
 
 impl<P> Zero<P> {
@@ -102,17 +90,6 @@ impl<P> Zero<P> {
             Self::Between(signs) => &**signs,
             Self::Square { sign, .. } => std::slice::from_ref(sign),
             Self::Identically | Self::Product { .. } => &[],
-        }
-    }
-
-    fn step(&self) -> Option<&'static str> {
-        match self {
-            Self::Identically => None,
-            Self::Between(_) => Some("the difference is neither negative nor positive"),
-            Self::Square { .. } => Some("the square of the difference is not positive"),
-            Self::Product { .. } => Some(
-                "the difference, times what is assumed not to vanish, is a combination of the equations that are assumed",
-            ),
         }
     }
 }

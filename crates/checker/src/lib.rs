@@ -34,7 +34,7 @@ use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use torse_certificate::polynomial::Polynomial;
 use torse_certificate::proof::refutation::Refuted;
-use torse_certificate::proof::{Emptiness, Instance, Proof, Zero};
+use torse_certificate::proof::{Emptiness, Instance, Proof, ZeroSide};
 use torse_certificate::sign::Sign;
 use torse_certificate::symbol::Symbol;
 use torse_core::{Claim, Hypothesis, Set, Source, Statement, stack};
@@ -202,12 +202,12 @@ impl Check<'_> {
                     ..*self
                 };
                 match &split.zero {
-                    Zero::Proved(proof) => {
+                    ZeroSide::Proved(proof) => {
                         nonzero.proof(claim, &split.nonzero, integers)?;
                         zero.proof(claim, proof, integers)
                     }
                     // That the pivot is nonzero is a condition of the verdict.
-                    Zero::Fails(refuted) => {
+                    ZeroSide::Fails(refuted) => {
                         self.proof(claim, &split.nonzero, integers)?;
                         match self.refutation(claim, refuted, integers) {
                             Err(wrong @ CheckError::Wrong(_)) => Err(wrong),

@@ -20,6 +20,7 @@ pub mod probabilistic_refuter;
 pub mod roots;
 mod split;
 pub mod statement;
+pub mod steps;
 pub mod unknown;
 
 pub use evidence::{Evidence, Witness};

@@ -19,7 +19,7 @@ use crate::decider::{Decider, Instance};
 use std::rc::Rc;
 use torse_algebra::{Polynomial, work};
 use torse_certificate::Refuted;
-use torse_certificate::proof::{Split, Zero};
+use torse_certificate::proof::{Split, ZeroSide};
 use torse_core as core;
 use torse_syntax::fault::Fault;
 
@@ -68,12 +68,12 @@ impl Decider<'_> {
                     if zero.conditions().is_empty() =>
                 {
                     all_empty &= is_nowhere(&zero);
-                    decision = parted(pivot, nonzero, Zero::Proved(zero));
+                    decision = parted(pivot, nonzero, ZeroSide::Proved(zero));
                 }
                 (Decision::Open { .. }, refuted @ Decision::Refuted(_)) => return refuted,
                 (_, refuted @ Decision::Refuted(_)) if nowhere => return refuted,
                 (Decision::Proven(nonzero), Decision::Refuted(refutation)) => {
-                    decision = parted(pivot, nonzero, Zero::Fails(refutation.refuted));
+                    decision = parted(pivot, nonzero, ZeroSide::Fails(refutation.refuted));
                 }
                 _ => {}
             }
@@ -141,7 +141,7 @@ impl Decider<'_> {
 }
 
 /// A proof where a polynomial is not zero, with what is known where it is.
-fn parted(pivot: Polynomial, nonzero: &Proof, zero: Zero<Polynomial>) -> Decision {
+fn parted(pivot: Polynomial, nonzero: &Proof, zero: ZeroSide<Polynomial>) -> Decision {
     Decision::Proven(Proof::Split(Box::new(Split {
         pivot,
         nonzero: nonzero.clone(),

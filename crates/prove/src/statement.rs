@@ -9,6 +9,7 @@ use crate::connectives::DisjunctiveDomain;
 use crate::decide::value::plain;
 use crate::decide::{self, Decision};
 use crate::evidence::Witness;
+use crate::steps;
 use std::rc::Rc;
 use torse_core::{self as core, stack};
 use torse_elaborate::Elaborator;
@@ -159,7 +160,7 @@ impl Prepared<'_> {
     fn seen(&self, decision: Decision) -> Decision {
         match decision {
             Decision::Vacuous(emptiness) if self.has_roots => Decision::Open {
-                reason: emptiness.map(&plain).reason(),
+                reason: steps::emptiness(&emptiness.map(&plain)),
                 tried: vec!["a point at which all roots are defined".to_owned()],
             },
             decision => decision,

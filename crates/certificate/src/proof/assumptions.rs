@@ -1,7 +1,6 @@
 //! The assumptions of a proof: the hypotheses as constraints, the symbols that equations eliminated, and the
 //! remaining conditions.
 
-use crate::polynomial::Polynomial;
 use crate::proof::Proof;
 use crate::ratio::{Constraint, Ratio};
 use crate::sign::Sign;
@@ -147,19 +146,6 @@ impl<P> Elimination<P> {
     }
 }
 
-impl Elimination<Polynomial> {
-    /// The value of a root in words; `None` for other symbols.
-    pub(crate) fn step(&self) -> Option<String> {
-        let (Determining::Root(_), [own]) = (&self.by, self.values.as_slice()) else {
-            return None;
-        };
-        let (root, value) = (&own.symbol, &own.value);
-        Some(format!(
-            "{root} is {value}: the square is the radicand, and this is nowhere negative"
-        ))
-    }
-}
-
 impl<P> Sharpness<P> {
     fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Sharpness<Q> {
         match self {
@@ -181,35 +167,6 @@ impl<P> Sharpness<P> {
                 name: name.clone(),
                 to: to.clone(),
             },
-        }
-    }
-}
-
-impl<P> Sharpness<P>
-where
-    Ratio<P>: std::fmt::Display,
-{
-    /// The result in words.
-    #[must_use]
-    pub fn text(&self) -> String {
-        match self {
-            Self::Fails {
-                name,
-                by,
-                at,
-                others,
-            } => {
-                let others = others
-                    .iter()
-                    .map(|(text, value)| format!(", {text} = {value}"));
-                let others: String = others.collect();
-                format!(
-                    "outside of the range of {name}, by {by}, it fails: at {name} = {at}{others}"
-                )
-            }
-            Self::Wider { name, to } => {
-                format!("the range of {name} may be widened to {to}: it is proved there too")
-            }
         }
     }
 }

@@ -9,11 +9,11 @@ use crate::family::{Nonnegative, Powers};
 use crate::identity::{Combination, Identity};
 use crate::order::{Excluded, Order};
 use crate::polynomial::Polynomial;
-use crate::ratio::{Constraint, Ratio};
+use crate::ratio::Constraint;
 use crate::sign::Sign;
 use crate::wronskian::Wronskians;
 use crate::zero_by_sign::ZeroBySign;
-use assumptions::{Assumptions, Elimination, Sharpness};
+use assumptions::{Assumptions, Sharpness};
 use refutation::Refuted;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -80,13 +80,13 @@ pub struct Split<P> {
     /// The proof where the pivot is nonzero.
     pub nonzero: Proof<P>,
     /// The result where the pivot is zero.
-    pub zero: Zero<P>,
+    pub zero: ZeroSide<P>,
 }
 
 /// The result for the points of a domain at which a polynomial is zero.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Zero<P> {
+pub enum ZeroSide<P> {
     /// The statement is true at all of them.
     Proved(Proof<P>),
     /// The statement fails at one of them, so that the pivot is nonzero is a necessary condition.
@@ -162,8 +162,8 @@ impl<P> Proof<P> {
                 pivot: change(&split.pivot),
                 nonzero: split.nonzero.map(change),
                 zero: match &split.zero {
-                    Zero::Proved(proof) => Zero::Proved(proof.map(change)),
-                    Zero::Fails(refuted) => Zero::Fails(refuted.map(change)),
+                    ZeroSide::Proved(proof) => ZeroSide::Proved(proof.map(change)),
+                    ZeroSide::Fails(refuted) => ZeroSide::Fails(refuted.map(change)),
                 },
             })),
         }
@@ -181,8 +181,8 @@ impl<P> Proof<P> {
             }
             Self::Instances(instances) => instances.iter().map(|one| &one.proof).collect(),
             Self::Split(split) => match &split.zero {
-                Zero::Proved(zero) => vec![&split.nonzero, zero],
-                Zero::Fails(_) => vec![&split.nonzero],
+                ZeroSide::Proved(zero) => vec![&split.nonzero, zero],
+                ZeroSide::Fails(_) => vec![&split.nonzero],
             },
             _ => vec![],
         }
@@ -225,12 +225,12 @@ impl<P> Proof<P> {
             Self::On(ground) => ground.conditions.iter().collect(),
             Self::Defined(_) => vec![],
             Self::Split(split) => match &split.zero {
-                Zero::Proved(zero) => {
+                ZeroSide::Proved(zero) => {
                     let nonzero = split.nonzero.conditions().into_iter();
                     let others = nonzero.filter(|condition| **condition != split.pivot);
                     others.chain(zero.conditions()).collect()
                 }
-                Zero::Fails(_) => split.nonzero.conditions(),
+                ZeroSide::Fails(_) => split.nonzero.conditions(),
             },
             _ => self
                 .parts()
@@ -248,8 +248,8 @@ impl<P> Proof<P> {
     pub fn excepted(&self) -> Vec<(&P, &Refuted<P>)> {
         let own = match self {
             Self::Split(split) => match &split.zero {
-                Zero::Fails(refuted) => Some((&split.pivot, refuted)),
-                Zero::Proved(_) => None,
+                ZeroSide::Fails(refuted) => Some((&split.pivot, refuted)),
+                ZeroSide::Proved(_) => None,
             },
             _ => None,
         };
@@ -292,18 +292,11 @@ impl<P> Proof<P> {
 }
 
 impl Proof<Polynomial> {
-    /// The steps of the proof in words, followed by the results about ranges.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        let ranges = self.ranges();
-        let ranges = ranges.iter().map(|range| range.text());
-        self.reasons().into_iter().chain(ranges).collect()
-    }
-
     /// The results about ranges for the whole statement. If one half of a conjunction fails beyond an end, the
     /// conjunction does; for a wider range both halves must be proved. Results for single alternatives, instances or
     /// cases of a split say nothing about the whole.
-    fn ranges(&self) -> Vec<Sharpness<Polynomial>> {
+    #[must_use]
+    pub fn ranges(&self) -> Vec<Sharpness<Polynomial>> {
         match self {
             Self::On(ground) => ground.ranges.clone(),
             Self::Both(first, second) => {
@@ -326,71 +319,6 @@ impl Proof<Polynomial> {
             _ => vec![],
         }
     }
-
-    /// The steps of the proof in words, without the results about ranges.
-    #[must_use]
-    pub fn reasons(&self) -> Vec<String> {
-        match self {
-            Self::Identity(proof) => proof.steps(),
-            Self::Combination(proof) => proof.steps(),
-            Self::ZeroBySign(proof) => proof.steps(),
-            Self::Order(proof) => proof.steps(),
-            Self::Excluded(proof) => proof.steps(),
-            Self::Enclosure(proof) => proof.steps(),
-            Self::Nonnegative(proof) => proof.steps(),
-            Self::Powers(proof) => proof.steps(),
-            Self::Wronskians(proof) => proof.steps(),
-            Self::On(ground) => {
-                let roots = ground.eliminated.iter().filter_map(Elimination::step);
-                roots.chain(ground.proof.reasons()).collect()
-            }
-            Self::Instances(instances) => instances.iter().map(Instance::step).collect(),
-            Self::Nowhere(emptiness) => {
-                vec![format!(
-                    "no point is to be looked at: {}",
-                    emptiness.reason()
-                )]
-            }
-            Self::Split(split) => {
-                let zero = match &split.zero {
-                    Zero::Proved(_) => format!("where {} is zero it holds as well", split.pivot),
-                    Zero::Fails(refuted) => {
-                        let point: Vec<String> =
-                            refuted.at().iter().map(|value| value.text()).collect();
-                        let point = point.join(", ");
-                        format!("where {} is zero it fails: {point}", split.pivot)
-                    }
-                };
-                split.nonzero.reasons().into_iter().chain([zero]).collect()
-            }
-            Self::Exists(refuted) => {
-                let mut steps = refuted.steps();
-                let point: Vec<String> = refuted.at().iter().map(|value| value.text()).collect();
-                let point = point.join(", ");
-                steps.push(format!(
-                    "a point where the negated statement fails: {point}"
-                ));
-                steps
-            }
-            _ => self.parts().into_iter().flat_map(Self::reasons).collect(),
-        }
-    }
-}
-
-impl Instance<Polynomial> {
-    fn step(&self) -> String {
-        let integers = self
-            .integers
-            .iter()
-            .map(|(name, value)| format!("{name} = {value}"));
-        let label = integers.collect::<Vec<_>>().join(", ");
-        match &self.proof {
-            Proof::Nowhere(emptiness) => {
-                format!("says nothing for {label}: {}", emptiness.reason())
-            }
-            _ => format!("holds for {label}"),
-        }
-    }
 }
 
 impl<P> Emptiness<P> {
@@ -403,27 +331,6 @@ impl<P> Emptiness<P> {
                 others: *others,
             },
             Self::Undefined(what) => Emptiness::Undefined(what.clone()),
-        }
-    }
-
-    /// The reason in words.
-    #[must_use]
-    pub fn reason(&self) -> String
-    where
-        Ratio<P>: std::fmt::Display,
-    {
-        match self {
-            Self::Range(name) => format!("the declared range of {name} is empty"),
-            Self::Constraint { fails, others } => {
-                let sign = fails.relation.sign();
-                let others = if *others {
-                    "on the declared ranges where the other assumptions hold"
-                } else {
-                    "on the declared ranges"
-                };
-                format!("{} {sign} 0 holds nowhere {others}", fails.value)
-            }
-            Self::Undefined(what) => what.clone(),
         }
     }
 }

@@ -112,24 +112,4 @@ impl Refuted<Polynomial> {
         all.extend(point.iter().cloned());
         all
     }
-
-    /// The steps of the refutation in words.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        match self {
-            Self::At(point) => point.failure.steps(),
-            Self::Instance { integers, refuted } => {
-                let label = integers
-                    .iter()
-                    .map(|(name, value)| format!("{name} = {value}"));
-                let label = label.collect::<Vec<_>>().join(", ");
-                let first = format!("the instance {label}");
-                std::iter::once(first).chain(refuted.steps()).collect()
-            }
-            Self::Denied { proof, .. } => {
-                let first = "the negated statement is proved: it holds everywhere".to_owned();
-                std::iter::once(first).chain(proof.steps()).collect()
-            }
-        }
-    }
 }

@@ -57,27 +57,3 @@ pub struct Cell {
 fn as_text<S: Serializer>(value: &Rational, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_str(value)
 }
-
-impl Wronskians {
-    /// The steps of the proof in words.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        let cells = |half: &Half| half.cells.len();
-        let step = |at: &AtDegree| {
-            let front = cells(&at.front);
-            let other = match &at.back {
-                Some(back) => format!("{} from the other end", cells(back)),
-                None => "the other half by symmetry".to_owned(),
-            };
-            format!(
-                "degree {k}: the Wronskians of L[1], L[x], ..., L[x^r], r = 1..{k}, are positive, by their Bernstein \
-                 coefficients in the shape parameters on {front} cells of x, {other}",
-                k = at.degree
-            )
-        };
-        let operator = "a curve is an operator L applied to the Bézier curve of the same control values; positive \
-                        Wronskians and the orders at the ends make the functions totally positive, and they sum to one";
-        let first = std::iter::once(operator.to_owned());
-        first.chain(self.degrees.iter().map(step)).collect()
-    }
-}

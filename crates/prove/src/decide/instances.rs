@@ -6,6 +6,7 @@
 
 use super::value::{Proof, plain};
 use super::{Decision, Refutation};
+use crate::steps;
 use std::collections::BTreeMap;
 use torse_algebra::{Fraction, Polynomial};
 use torse_certificate::Refuted;
@@ -206,7 +207,7 @@ pub fn combined(
 
 /// What was tried, a line an instance.
 fn told(proofs: &[Instance<Polynomial>]) -> Vec<String> {
-    Proof::Instances(proofs.to_vec()).map(&plain).steps()
+    steps::steps(&Proof::Instances(proofs.to_vec()).map(&plain))
 }
 
 fn label(integers: &BTreeMap<String, i64>) -> String {

@@ -32,6 +32,7 @@ mod zero_by_sign;
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{Statement, Value};
 use crate::evidence::Witness;
+use crate::steps;
 use domain::{Constraint, Domain};
 use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Fraction, Polynomial};
@@ -114,9 +115,9 @@ impl Decision {
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         match self {
-            Self::Proven(proof) => proof.map(&plain).steps(),
-            Self::Refuted(refutation) => refutation.refuted.map(&plain).steps(),
-            Self::Vacuous(emptiness) => vec![emptiness.map(&plain).reason()],
+            Self::Proven(proof) => steps::steps(&proof.map(&plain)),
+            Self::Refuted(refutation) => steps::refutation(&refutation.refuted.map(&plain)),
+            Self::Vacuous(emptiness) => vec![steps::emptiness(&emptiness.map(&plain))],
             Self::Open { reason, tried } => {
                 let first = std::iter::once(reason.clone());
                 first.chain(tried.iter().cloned()).collect()
@@ -128,7 +129,7 @@ impl Decision {
     #[must_use]
     pub fn reasons(&self) -> Vec<String> {
         match self {
-            Self::Proven(proof) => proof.map(&plain).reasons(),
+            Self::Proven(proof) => steps::reasons(&proof.map(&plain)),
             _ => self.steps(),
         }
     }

@@ -8,8 +8,8 @@ use torse_verdicts::certificate::DecisionCertificate;
 fn shown(lines: &str) -> String {
     let found = found(lines);
     let steps = match &found.certificate {
-        DecisionCertificate::Proof { of, .. } => of.steps(),
-        DecisionCertificate::Refutation(of) => of.steps(),
+        DecisionCertificate::Proof { of, .. } => torse_prove::steps::steps(of),
+        DecisionCertificate::Refutation(of) => torse_prove::steps::refutation(of),
     };
     let replayed = match found.checked() {
         Ok(()) => "replayed".to_owned(),
