@@ -1,9 +1,10 @@
-//! Real numbers at a point: exact if they are `r + t pi` with rational r and t, otherwise enclosed by a ball.
+//! Real numbers at a point: exact if they are `r + t pi` or `r + m sqrt(d)` with rational r, t and m, otherwise enclosed by a ball.
 //!
 //! So polynomials at rational points are decided exactly, and so are `sin(pi/2*x)` at 0 or 1 and `exp(x)` at 0.
 
 use crate::arithmetic::{Arithmetic, Comparison};
 use crate::no_value::{NoValue, Undefined, Unknown, Work};
+use crate::surd::{Exact, Surd};
 use dashu_int::ops::{BitTest, SquareRoot};
 use num_traits::{One, Signed, Zero};
 use std::borrow::Cow;
@@ -15,6 +16,8 @@ use torse_numbers::{Ball, Integer, Rational, Scalar};
 
 /// The largest number of bits of the numerator or denominator of an exact number; longer ones are enclosed.
 const MAX_EXACT_BITS: usize = 3000;
+/// The same for numbers with a root, whose products cost four times as much.
+const MAX_SURD_BITS: usize = 640;
 /// Enclosed numbers count as equal if they differ by at most `2^-AGREEMENT_BITS` times the maximum of 1 and the
 /// sides.
 const AGREEMENT_BITS: usize = 128;
@@ -31,6 +34,8 @@ pub enum Real {
     Rational(Rational),
     /// `rational + turns * pi`.
     Turned(Arc<Turned>),
+    /// `rational + multiple * sqrt(radicand)`.
+    Surd(Arc<Surd>),
     /// A number in this ball.
     Enclosed(Arc<Ball>),
 }
@@ -45,6 +50,15 @@ pub struct Turned {
 impl From<Rational> for Real {
     fn from(rational: Rational) -> Self {
         Self::Rational(rational)
+    }
+}
+
+impl From<Exact> for Real {
+    fn from(number: Exact) -> Self {
+        match number {
+            Exact::Rational(rational) => Self::Rational(rational),
+            Exact::Surd(surd) => Self::Surd(Arc::new(surd)),
+        }
     }
 }
 
@@ -80,6 +94,7 @@ impl fmt::Display for Real {
                     write!(f, "/{}", size.denom())
                 }
             }
+            Self::Surd(surd) => write!(f, "{surd}"),
             Self::Enclosed(ball) => write!(f, "{}", ball.decimal(20)),
         }
     }
@@ -95,7 +110,7 @@ impl Real {
         Self::Turned(Arc::new(Turned { rational, turns }))
     }
 
-    /// The rational part and the multiple of pi of an exact number.
+    /// The rational part and the multiple of pi of an exact number; `None` for one with a root.
     pub(crate) fn parts(&self) -> Option<(Cow<'_, Rational>, Cow<'_, Rational>)> {
         match self {
             Self::Rational(rational) => {
@@ -105,7 +120,7 @@ impl Real {
                 Cow::Borrowed(&number.rational),
                 Cow::Borrowed(&number.turns),
             )),
-            Self::Enclosed(_) => None,
+            Self::Surd(_) | Self::Enclosed(_) => None,
         }
     }
 
@@ -122,6 +137,7 @@ impl Real {
             Self::Turned(number) => Cow::Owned(
                 Ball::from_rational(&number.rational, bits) + Ball::pi(bits).scaled(&number.turns),
             ),
+            Self::Surd(surd) => Cow::Owned(surd.ball(bits)),
             Self::Enclosed(ball) => Cow::Borrowed(ball),
         }
     }
@@ -138,6 +154,7 @@ impl Real {
             Self::Turned(_) => [128, 1024, 8192]
                 .into_iter()
                 .find_map(|bits| self.ball(bits).sign()),
+            Self::Surd(surd) => Some(surd.sign()),
             Self::Enclosed(ball) => ball.sign(),
         }
     }
@@ -146,7 +163,7 @@ impl Real {
     pub(crate) fn is_zero(&self) -> Option<bool> {
         match self {
             Self::Rational(rational) => Some(rational.is_zero()),
-            Self::Turned(_) => Some(false),
+            Self::Turned(_) | Self::Surd(_) => Some(false),
             Self::Enclosed(ball) => ball.sign().map(Ordering::is_eq),
         }
     }
@@ -156,7 +173,7 @@ impl Real {
     pub fn as_rational(&self) -> Option<&Rational> {
         match self {
             Self::Rational(rational) => Some(rational),
-            Self::Turned(_) | Self::Enclosed(_) => None,
+            Self::Turned(_) | Self::Surd(_) | Self::Enclosed(_) => None,
         }
     }
 
@@ -188,9 +205,14 @@ impl Reals<'_> {
         let bits = match &real {
             Real::Rational(rational) => length(rational),
             Real::Turned(number) => length(&number.rational).max(length(&number.turns)),
+            Real::Surd(surd) => surd.parts().iter().map(length).max().unwrap_or(0),
             Real::Enclosed(_) => 0,
         };
-        if bits > MAX_EXACT_BITS {
+        let most = match &real {
+            Real::Surd(_) => MAX_SURD_BITS,
+            _ => MAX_EXACT_BITS,
+        };
+        if bits > most {
             return real.ball(self.bits).into();
         }
         real
@@ -203,6 +225,23 @@ fn is_known_zero(a: &Real) -> bool {
 
 fn is_known_one(a: &Real) -> bool {
     a.as_rational().is_some_and(Rational::is_one)
+}
+
+/// An operation of a surd with a rational number, or of two surds with one radicand; `None` for other numbers.
+fn surds(
+    a: &Real,
+    b: &Real,
+    with_rational: fn(&Surd, &Rational) -> Exact,
+    with_surd: fn(&Surd, &Surd) -> Option<Exact>,
+) -> Option<Real> {
+    let found = match (a, b) {
+        (Real::Surd(surd), Real::Rational(q)) | (Real::Rational(q), Real::Surd(surd)) => {
+            with_rational(surd, q)
+        }
+        (Real::Surd(first), Real::Surd(second)) => with_surd(first, second)?,
+        _ => return None,
+    };
+    Some(found.into())
 }
 
 /// `sin(pi t)` for rational t, if it is rational.
@@ -263,6 +302,9 @@ impl Arithmetic for Reals<'_> {
         if let (Real::Rational(p), Real::Rational(q)) = (a, b) {
             return Ok(self.bounded((p + q).into()));
         }
+        if let Some(sum) = surds(a, b, Surd::plus_rational, Surd::plus) {
+            return Ok(self.bounded(sum));
+        }
         Ok(match (a.parts(), b.parts()) {
             (Some((p, s)), Some((q, t))) => self.bounded(Real::exact(&*p + &*q, &*s + &*t)),
             _ => (&*a.enclosure(self.bits) + &*b.enclosure(self.bits)).into(),
@@ -273,6 +315,7 @@ impl Arithmetic for Reals<'_> {
         match a {
             Real::Rational(rational) => Real::Rational(-rational),
             Real::Turned(number) => Real::exact(-&number.rational, -&number.turns),
+            Real::Surd(surd) => surd.times_rational(&integer(-1)).into(),
             Real::Enclosed(ball) => (-&**ball).into(),
         }
     }
@@ -288,6 +331,9 @@ impl Arithmetic for Reals<'_> {
             return Ok(a.clone());
         }
         self.work.spend(1)?;
+        if let Some(product) = surds(a, b, Surd::times_rational, Surd::times) {
+            return Ok(self.bounded(product));
+        }
         for (a, b) in [(a, b), (b, a)] {
             match (a, b) {
                 (Real::Rational(p), Real::Rational(q)) => return Ok(self.bounded((p * q).into())),
@@ -314,6 +360,16 @@ impl Arithmetic for Reals<'_> {
         if let (Real::Rational(p), Real::Rational(q)) = (a, b) {
             return Ok(self.bounded((p / q).into()));
         }
+        let inverse = match b {
+            Real::Surd(surd) => Some(surd.inverse().into()),
+            Real::Rational(q) => Some(q.recip().into()),
+            Real::Turned(_) | Real::Enclosed(_) => None,
+        };
+        if let Some(inverse) = inverse
+            && let Some(quotient) = surds(a, &inverse, Surd::times_rational, Surd::times)
+        {
+            return Ok(self.bounded(quotient));
+        }
         if let (Some((p, s)), Some((q, t))) = (a.parts(), b.parts()) {
             if t.is_zero() {
                 return Ok(self.bounded(Real::exact(&*p / &*q, &*s / &*q)));
@@ -335,6 +391,9 @@ impl Arithmetic for Reals<'_> {
         }
         if let Some(root) = a.as_rational().and_then(rational_root) {
             return Ok(root.into());
+        }
+        if let Some(surd) = a.as_rational().and_then(Surd::root) {
+            return Ok(self.bounded(Exact::Surd(surd).into()));
         }
         let root = a.ball(self.bits).sqrt();
         root.map(Real::from).map_err(|_| Unknown::Precision.into())
@@ -416,7 +475,7 @@ impl Arithmetic for Reals<'_> {
         let small = Rational::new(1.into(), Integer::from(1) << 136);
         match a {
             Real::Rational(rational) => rational.abs() <= small,
-            Real::Turned(_) => false,
+            Real::Turned(_) | Real::Surd(_) => false,
             Real::Enclosed(ball) => {
                 let size = ball.abs();
                 size.upper() <= small
@@ -431,6 +490,10 @@ impl Arithmetic for Reals<'_> {
             Real::Rational(rational) => integer_bits(rational),
             Real::Turned(number) => {
                 integer_bits(&number.rational).max(integer_bits(&number.turns) + 2)
+            }
+            Real::Surd(surd) => {
+                let bits = surd.parts().iter().map(integer_bits).max().unwrap_or(0);
+                bits.saturating_mul(2)
             }
             Real::Enclosed(ball) => {
                 let (low, high) = ball.to_f64_bounds();

@@ -149,7 +149,7 @@ pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Opti
                 Real::Rational(q) => {
                     round == 0 || (round < EXACT_ROUNDS && length(q) <= MAX_EXACT_BITS)
                 }
-                Real::Turned(_) => round < EXACT_ROUNDS,
+                Real::Turned(_) | Real::Surd(_) => round < EXACT_ROUNDS,
                 Real::Enclosed(_) => false,
             };
             rounded |= !exact;
