@@ -201,8 +201,16 @@ impl Domain<'_> {
         groups: usize,
         besides: &[Polynomial],
     ) -> Result<bool, Unsupported> {
-        let polynomial = &self.unrooted(polynomial, groups)?;
-        if self.no_integers_solve(polynomial) || self.divides(polynomial, known, groups, besides)? {
+        let unrooted = self.unrooted(polynomial, groups)?;
+        if self.no_integers_solve(&unrooted) {
+            return Ok(true);
+        }
+        // A root is a divisor of a term as it is, and nonzero where its radicand is.
+        let is_product = || -> Result<bool, Unsupported> {
+            Ok(self.divides(&unrooted, known, groups, besides)?
+                || unrooted != *polynomial && self.divides(polynomial, known, groups, besides)?)
+        };
+        if is_product()? {
             return Ok(true);
         }
         // The statement asserts nothing where one of its terms is undefined.
@@ -212,7 +220,7 @@ impl Domain<'_> {
                 return Err(Unsupported::Large);
             }
         }
-        self.divides(polynomial, known, groups, besides)
+        is_product()
     }
 
     /// Whether the polynomial is an integer form whose constant is not divisible by the greatest common divisor of
