@@ -510,8 +510,8 @@ mod tests {
     #[test]
     fn of_an_index_the_letter_is_marked_and_not_its_base() {
         let [old, new] = shown("Q^X_{k,0} and Q^Y_{k,1}", "Q^X_{k,0} and Q^Y_{l,1}");
-        assert!(old.contains("_{\\boxed{\\scriptstyle k} , 1}"), "{old}");
-        assert!(new.contains("_{\\boxed{\\scriptstyle l} , 1}"), "{new}");
+        assert!(old.contains("_{\\boxed{\\scriptstyle k}, 1}"), "{old}");
+        assert!(new.contains("_{\\boxed{\\scriptstyle l}, 1}"), "{new}");
     }
 
     #[test]
