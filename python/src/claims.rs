@@ -132,7 +132,9 @@ impl PyDecided {
 fn rows(explanation: &torse::Explanation) -> Vec<Vec<(String, String)>> {
     let groups = explanation.groups.iter();
     let pair = |line: &torse::ExplanationLine| (line.label.clone(), line.text.clone());
-    groups.map(|group| group.iter().map(pair).collect()).collect()
+    groups
+        .map(|group| group.iter().map(pair).collect())
+        .collect()
 }
 
 /// A paper: a folder of derivation files.
@@ -240,7 +242,11 @@ fn row<'py>(py: Python<'py>, outcome: &Outcome) -> PyResult<Bound<'py, PyDict>> 
     row.set_item("statement", outcome.parsed().map(|formula| &formula.text))?;
     let corrected = outcome.correction().map(|of| &of.statement.text);
     row.set_item("corrected", corrected)?;
-    let conditions: Vec<&str> = outcome.conditions().iter().map(|of| of.text.as_str()).collect();
+    let conditions: Vec<&str> = outcome
+        .conditions()
+        .iter()
+        .map(|of| of.text.as_str())
+        .collect();
     row.set_item("conditions", conditions)?;
     row.set_item("replayed", outcome.replay().map(|replay| replay.replayed))?;
     Ok(row)

@@ -6,7 +6,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde::Serialize;
 use std::path::PathBuf;
-use torse::designs::eval::{At, Row};
+use torse::designs::eval::{EvalPlaces, EvalRow};
 use torse::designs::export::{ENDINGS, mesh};
 use torse::designs::unroll::Demand;
 use torse::{Design, DesignFailure, Error, Pattern, report_text};
@@ -121,14 +121,14 @@ impl PyDesign {
         Bound<'py, PyArray2<f64>>,
     )> {
         let at = match (grid, places) {
-            (Some((m, n)), None) => At::Grid(m, n),
-            (None, Some(places)) => At::Places(places),
+            (Some((m, n)), None) => EvalPlaces::Grid(m, n),
+            (None, Some(places)) => EvalPlaces::Places(places),
             _ => return Err(PyValueError::new_err("either a grid or places")),
         };
         let rows = py.detach(|| self.0.eval(patch, &at));
         let rows = rows.map_err(|error| raised(py, &error))?;
         const NONE: f64 = f64::NAN;
-        let column = |value: fn(&Row) -> [f64; 3]| array(py, rows.iter().map(value).collect());
+        let column = |value: fn(&EvalRow) -> [f64; 3]| array(py, rows.iter().map(value).collect());
         Ok((
             array(py, rows.iter().map(|row| [row.u, row.v]).collect())?,
             column(|row| row.point)?,

@@ -9,8 +9,8 @@ use std::error::Error;
 use torse_geometry::developable::{QuarticData, QuinticData, oblique_image};
 use torse_geometry::pattern::Unrolling;
 use torse_geometry::{
-    Bounds, Continuity, EnvelopingPatch, Gbt, HermiteCone, Plane, PlaneFamily, Rails, RuledSurface,
-    TangentPatch, hermite, join,
+    Continuity, EnvelopingPatch, Gbt, HermiteCone, PatchBounds, Plane, PlaneFamily, Rails,
+    RuledSurface, TangentPatch, hermite, join,
 };
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
@@ -145,7 +145,7 @@ fn arch(mu: f64, nu: f64) -> Fallible<PlaneFamily<Gbt<f64>, f64>> {
 /// The families within the range of the rulings of the figures. They are cylinders: without an edge of regression.
 fn envelopes(families: &[PlaneFamily<Gbt<f64>, f64>]) -> Fallible<Vec<Value>> {
     let patch = |family: &PlaneFamily<Gbt<f64>, f64>| {
-        let bounds = Bounds::Range([-1.0 / 60.0, 1.0 / 60.0]);
+        let bounds = PatchBounds::Range([-1.0 / 60.0, 1.0 / 60.0]);
         let patch = EnvelopingPatch::new(family.clone(), bounds)?;
         piece(&patch, &patch, [0.0, 1.0], |_| None)
     };

@@ -5,10 +5,10 @@ use crate::terminal::{print, remark};
 use clap::{Args, ValueEnum};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
-use torse_designs::eval::{At, csv, eval};
+use torse_designs::eval::{EvalPlaces, csv, eval};
 use torse_designs::export::{ENDINGS, PATTERNS, bytes, ending};
 use torse_designs::fold::fold_back;
-use torse_designs::inspect::{Report, inspect, inspect_quickly, overview, table};
+use torse_designs::inspect::{DesignReport, inspect, inspect_quickly, overview, table};
 use torse_designs::listing::{FileListing, list};
 use torse_designs::unroll::{Demand, Flattening};
 use torse_designs::{Design, DesignError, draw, load, load_with_settings};
@@ -316,7 +316,7 @@ impl Inspect {
         Ok(met(&missed))
     }
 
-    fn report(&self, path: &Path) -> Result<Report, Failure> {
+    fn report(&self, path: &Path) -> Result<DesignReport, Failure> {
         let design = design(path, &self.set)?;
         Ok(if self.quick {
             inspect_quickly(&design)?
@@ -336,7 +336,9 @@ impl Inspect {
         };
         let most = u64::try_from(MAX_FILE_BYTES).unwrap_or(u64::MAX);
         let mut bytes = Vec::new();
-        if file.take(most + 1).read_to_end(&mut bytes).is_err() || !FileKind::of(&bytes).is_read() {
+        if file.take(most + 1).read_to_end(&mut bytes).is_err()
+            || !FileKind::detect(&bytes).is_read()
+        {
             return Ok(None);
         }
         let name = path.display().to_string();
@@ -376,8 +378,8 @@ impl Eval {
     /// Prints the values.
     pub fn run(&self) -> Result<Exit, Failure> {
         let at = match self.grid {
-            Some((m, n)) => At::Grid(m, n),
-            None => At::Places(self.at.clone()),
+            Some((m, n)) => EvalPlaces::Grid(m, n),
+            None => EvalPlaces::Places(self.at.clone()),
         };
         let rows = eval(&self.file.open()?, self.patch.as_deref(), &at)?;
         print(&match self.format {

@@ -96,7 +96,7 @@ impl Unroll {
         let design = self.file.open()?;
         let pieces = unroll(&design, &self.pattern.demand())?;
         let made = parts(&design, &pieces);
-        let summary = Summary::of(&design, &pieces);
+        let summary = Summary::new(&design, &pieces);
         if self.purpose == Purpose::Fold {
             // The pattern is the design's, and needs no blank.
             let list = made.map(|parts| PartsList::new(&design, &parts)).ok();

@@ -31,7 +31,7 @@ impl Watch<'_> {
     pub fn run(&self) -> Result<Exit, Failure> {
         let folder = self.derivations.find()?;
         // Taken before the files are read, so that a change meanwhile is noticed.
-        let mut files = Files::of(&folder);
+        let mut files = Files::new(&folder);
         let mut known = vec![];
         self.verify(None, &mut known)?;
         watchdog::finished();
@@ -102,7 +102,7 @@ fn slugs(changed: &[PathBuf]) -> BTreeSet<String> {
 struct Files(BTreeMap<PathBuf, Vec<u8>>);
 
 impl Files {
-    fn of(folder: &Path) -> Self {
+    fn new(folder: &Path) -> Self {
         let mut files = BTreeMap::new();
         let inside = |path: &Path| fs::read_dir(path).into_iter().flatten().flatten();
         for paper in inside(folder).filter(|entry| entry.path().is_dir()) {
@@ -123,13 +123,13 @@ impl Files {
     fn next_change(&mut self, folder: &Path) -> Vec<PathBuf> {
         loop {
             std::thread::sleep(PAUSE);
-            let mut now = Self::of(folder);
+            let mut now = Self::new(folder);
             if now == *self {
                 continue;
             }
             loop {
                 std::thread::sleep(PAUSE);
-                let later = Self::of(folder);
+                let later = Self::new(folder);
                 if later == now {
                     break;
                 }

@@ -16,7 +16,7 @@ use torse_designs::unroll::{Demand, Summary, unroll};
 use torse_designs::{Design, load};
 use torse_exchange::write_file;
 use torse_geometry::Surface;
-use torse_geometry::pattern::Place;
+use torse_geometry::pattern::PatternPlace;
 use torse_geometry::vector::{norm, sub};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
@@ -114,13 +114,13 @@ fn triangles(design: &Design) -> Outcome<Value> {
 /// The outlines with points of the exact development.
 fn cuts(design: &Design) -> Outcome<Value> {
     let pieces = unroll(design, &Demand::default())?;
-    let summary = Summary::of(design, &pieces);
+    let summary = Summary::new(design, &pieces);
     let mut list = Vec::new();
     for (piece, numbers) in pieces.iter().zip(&summary.pieces) {
         let mut points = Vec::new();
         for index in 0..piece.flat.pieces() {
             for (k, v) in (0..=40).flat_map(|k| [(k, 0.0), (k, 1.0)]) {
-                let place = Place {
+                let place = PatternPlace {
                     piece: index,
                     x: f64::from(k) / 40.0,
                     v,

@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mut text = table(&inspect(&design)?);
         text.push('\n');
         let pieces = unroll(&design, &demand)?;
-        text.push_str(&Summary::of(&design, &pieces).text());
+        text.push_str(&Summary::new(&design, &pieces).text());
         text.push_str(&PartsList::new(&design, &parts(&design, &pieces)?).text());
         write_file(&path.with_extension("txt"), text.as_bytes())?;
         write_file(

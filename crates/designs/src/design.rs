@@ -1,10 +1,10 @@
 //! What a design file says: patches, chains of them, and what is demanded.
 
-use crate::Unit;
+use crate::DesignUnit;
 use crate::bending::Bending;
 use crate::seams::{PatchEdge, Seam};
-use torse_geometry::basis::Shape;
-use torse_geometry::pattern::Sheet as Metal;
+use torse_geometry::basis::BasisShape;
+use torse_geometry::pattern::BendingSheet as Metal;
 use torse_geometry::prelude::{Planes, Rail, Sheet};
 use torse_geometry::{Rails, TensorSurface};
 
@@ -16,7 +16,7 @@ pub struct Design {
     /// The title; the name where none is given.
     pub title: String,
     /// The unit that the file is written in.
-    pub unit: Unit,
+    pub unit: DesignUnit,
     /// What it is made of, if that is said.
     pub metal: Option<Material>,
     /// How blanks are found where it is bent.
@@ -24,7 +24,7 @@ pub struct Design {
     /// What is demanded.
     pub tolerances: Tolerances,
     /// How it is looked at.
-    pub view: View,
+    pub view: DesignView,
     /// The patches in the order of the file.
     pub patches: Vec<Patch>,
     /// The chains in the order of the file.
@@ -86,7 +86,7 @@ impl Tolerances {
 
 /// How a design is looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct View {
+pub struct DesignView {
     /// Azimuth and elevation in degrees; chosen from the patches where none are given.
     pub angles: Option<[f64; 2]>,
     /// How many rulings of a patch are shown, in pictures and in patterns.
@@ -106,7 +106,7 @@ pub struct Patch {
     /// The surface, trimmed.
     pub sheet: Sheet,
     /// What is joined at its ends.
-    pub ends: Ends,
+    pub ends: PatchEnds,
     /// What is marked on it.
     pub marks: Vec<Mark>,
     /// Whether it is bent at one line, over a tool, and not rolled.
@@ -118,7 +118,7 @@ pub struct Patch {
 }
 
 /// A tensor-product surface.
-pub type Tensor = TensorSurface<Shape<f64>, Shape<f64>, f64>;
+pub type Tensor = TensorSurface<BasisShape<f64>, BasisShape<f64>, f64>;
 
 /// A surface in general, which is shown and exported but not unrolled: nothing certifies that it is developable.
 #[derive(Debug, Clone, PartialEq)]
@@ -133,7 +133,7 @@ pub struct FreeSurface {
 
 /// What determines how a patch meets its neighbours.
 #[derive(Debug, Clone)]
-pub struct Ends {
+pub struct PatchEnds {
     /// The family of tangent planes, if the patch is given by one.
     pub planes: Option<Planes>,
     /// The rails, if the patch is given by them.
@@ -167,7 +167,7 @@ pub struct Chain {
     /// Whether the last patch meets the first.
     pub closed: bool,
     /// How the patches are laid out.
-    pub layout: Layout,
+    pub layout: ChainLayout,
     /// The inside radius in millimetres over which each joint with an edge is bent, where it is bent over one.
     pub radii: Vec<Option<f64>>,
 }
@@ -206,7 +206,7 @@ impl Smoothness {
 
 /// How the patches of a chain are laid out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Layout {
+pub enum ChainLayout {
     /// Neighbours share their ruling: one piece.
     Attached,
     /// Each is a piece of its own.
@@ -215,7 +215,7 @@ pub enum Layout {
 
 /// Patches that are unrolled as one piece.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Piece {
+pub struct DesignPiece {
     /// The name of the chain or of the patch.
     pub name: String,
     /// The patches in order.
@@ -233,17 +233,21 @@ impl Patch {
 impl Design {
     /// The pieces that are cut: chains whose patches stay attached, and single patches.
     #[must_use]
-    pub fn pieces(&self) -> Vec<Piece> {
-        let mut pieces: Vec<Piece> = Vec::new();
-        for chain in self.chains.iter().filter(|c| c.layout == Layout::Attached) {
-            pieces.push(Piece {
+    pub fn pieces(&self) -> Vec<DesignPiece> {
+        let mut pieces: Vec<DesignPiece> = Vec::new();
+        for chain in self
+            .chains
+            .iter()
+            .filter(|c| c.layout == ChainLayout::Attached)
+        {
+            pieces.push(DesignPiece {
                 name: chain.name.clone(),
                 patches: chain.patches.clone(),
             });
         }
         for (index, patch) in self.patches.iter().enumerate() {
             if pieces.iter().all(|piece| !piece.patches.contains(&index)) {
-                pieces.push(Piece {
+                pieces.push(DesignPiece {
                     name: patch.name.clone(),
                     patches: vec![index],
                 });

@@ -29,6 +29,14 @@ pub enum DesignError {
         /// What the file is.
         kind: FileKind,
     },
+    /// A file of another program has no face with rulings between its edges.
+    #[error("{path} has no face that can be unrolled: {}", reasons.join("; "))]
+    NoFace {
+        /// The path as given.
+        path: String,
+        /// Why, face by face.
+        reasons: Vec<String>,
+    },
     /// A file of another program cannot be read.
     #[error("{path}: {reason}")]
     Listing {
@@ -166,6 +174,7 @@ impl DesignError {
             | Self::Unroll { .. }
             | Self::Blank { .. }
             | Self::NoPatch { .. }
+            | Self::NoFace { .. }
             | Self::Mark { .. } => Ending::Missed,
             Self::Exchange(_) | Self::Figure(_) => Ending::Output,
         }

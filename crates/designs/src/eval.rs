@@ -6,16 +6,16 @@ use crate::unroll::{Demand, position, unroll};
 use serde::Serialize;
 use std::fmt::Write;
 use torse_geometry::Surface;
-use torse_geometry::pattern::Place;
+use torse_geometry::pattern::PatternPlace;
 use torse_geometry::prelude::{GeometryError, Point};
 use torse_geometry::vector::unit;
 
 /// The most points of one call.
-pub const MOST_POINTS: usize = 1 << 20;
+pub const MAX_POINTS: usize = 1 << 20;
 
 /// Where a design is evaluated.
 #[derive(Debug, Clone, PartialEq)]
-pub enum At {
+pub enum EvalPlaces {
     /// At these places `[u, v]`.
     Places(Vec<[f64; 2]>),
     /// At so many equal steps from ruling to ruling, and along rulings.
@@ -24,7 +24,7 @@ pub enum At {
 
 /// A point of a patch; lengths in millimetres.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Row {
+pub struct EvalRow {
     /// The patch.
     pub patch: String,
     /// The parameter of the ruling.
@@ -45,10 +45,10 @@ pub struct Row {
 ///
 /// # Errors
 /// [`DesignError::NoSuch`] for a patch that is not there, [`DesignError::OutOfRange`] for places outside of [0, 1] and for
-/// more than [`MOST_POINTS`] points, [`DesignError::Patch`] where a patch has no point.
+/// more than [`MAX_POINTS`] points, [`DesignError::Patch`] where a patch has no point.
 ///
 /// ```
-/// use torse_designs::eval::{At, eval};
+/// use torse_designs::eval::{EvalPlaces, eval};
 /// let design = torse_designs::read("tube.toml", r#"
 ///     [curves.rim]
 ///     arc = { centre = [0, 0, 0], from = [20, 0, 0], to = [0, 20, 0] }
@@ -56,14 +56,18 @@ pub struct Row {
 ///     cylinder = "rim"
 ///     direction = [0, 0, 30]
 /// "#)?;
-/// let rows = eval(&design, Some("tube"), &At::Places(vec![[0.5, 0.5]]))?;
+/// let rows = eval(&design, Some("tube"), &EvalPlaces::Places(vec![[0.5, 0.5]]))?;
 /// let [x, y, z] = rows[0].point;
 /// assert!((x - 200_f64.sqrt()).abs() < 1e-12 && (x - y).abs() < 1e-12 && z == 15.0);
 /// let [along, _] = rows[0].flat.unwrap();
 /// assert!((along - 15.0).abs() < 1e-9);
 /// # Ok::<(), torse_designs::DesignError>(())
 /// ```
-pub fn eval(design: &Design, only: Option<&str>, at: &At) -> Result<Vec<Row>, DesignError> {
+pub fn eval(
+    design: &Design,
+    only: Option<&str>,
+    at: &EvalPlaces,
+) -> Result<Vec<EvalRow>, DesignError> {
     let wanted = |name: &String| only.is_none_or(|only| only == name);
     let patches: Vec<&Patch> = design.patches.iter().filter(|p| wanted(&p.name)).collect();
     let surfaces: Vec<_> = design.surfaces.iter().filter(|s| wanted(&s.name)).collect();
@@ -97,7 +101,7 @@ pub fn eval(design: &Design, only: Option<&str>, at: &At) -> Result<Vec<Row>, De
             };
             let partials = patch.sheet.partials(u, v, 1).map_err(failed)?;
             let principal = patch.sheet.principal(*u, *v).ok();
-            rows.push(Row {
+            rows.push(EvalRow {
                 patch: patch.name.clone(),
                 u: *u,
                 v: *v,
@@ -106,7 +110,7 @@ pub fn eval(design: &Design, only: Option<&str>, at: &At) -> Result<Vec<Row>, De
                 curvatures: principal.map(|both| both.map(|p| p.curvature)),
                 flat: flat.and_then(|(flat, piece)| {
                     let (x, v) = (*u, *v);
-                    flat.flatten(Place { piece, x, v })
+                    flat.flatten(PatternPlace { piece, x, v })
                 }),
             });
         }
@@ -123,7 +127,7 @@ pub fn eval(design: &Design, only: Option<&str>, at: &At) -> Result<Vec<Row>, De
             };
             let partials = part.partials(u, v, 1).map_err(failed)?;
             let principal = part.forms(u, v).and_then(|forms| forms.principal()).ok();
-            rows.push(Row {
+            rows.push(EvalRow {
                 patch: surface.name.clone(),
                 u: *u,
                 v: *v,
@@ -137,14 +141,14 @@ pub fn eval(design: &Design, only: Option<&str>, at: &At) -> Result<Vec<Row>, De
     Ok(rows)
 }
 
-fn places(at: &At, patches: usize) -> Result<Vec<[f64; 2]>, DesignError> {
+fn places(at: &EvalPlaces, patches: usize) -> Result<Vec<[f64; 2]>, DesignError> {
     let outside = |name, value, range| Err(DesignError::OutOfRange { name, value, range });
     #[allow(clippy::cast_precision_loss)]
     let places: Vec<[f64; 2]> = match at {
-        At::Places(places) => places.clone(),
-        At::Grid(m, n) => {
+        EvalPlaces::Places(places) => places.clone(),
+        EvalPlaces::Grid(m, n) => {
             let count = m.saturating_add(1).saturating_mul(n.saturating_add(1));
-            if *m == 0 || *n == 0 || count.saturating_mul(patches) > MOST_POINTS {
+            if *m == 0 || *n == 0 || count.saturating_mul(patches) > MAX_POINTS {
                 let range = "1, 2, .. with 2^20 points at most in all";
                 return outside("steps of the grid", *m.max(n) as f64, range);
             }
@@ -163,7 +167,7 @@ fn places(at: &At, patches: usize) -> Result<Vec<[f64; 2]>, DesignError> {
 
 /// The rows as comma-separated values with a head; empty where there is no value.
 #[must_use]
-pub fn csv(rows: &[Row]) -> String {
+pub fn csv(rows: &[EvalRow]) -> String {
     let mut text = String::from("patch,u,v,x,y,z,nx,ny,nz,k1,k2,flat_x,flat_y\n");
     for row in rows {
         let quoted = if row.patch.contains([',', '"']) {

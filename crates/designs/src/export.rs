@@ -1,13 +1,13 @@
 //! Files of designs: patterns, meshes, CAD patches, by the ending of the file.
 
-use crate::design::{Design, Piece, Tensor};
+use crate::design::{Design, DesignPiece, Tensor};
 use crate::error::DesignError;
 use crate::holes::{SpaceHole, holes};
 use crate::inspect::joint_of;
 use crate::unroll::{Demand, drawing, unroll};
 use std::path::Path;
 use torse_exchange::{
-    ExchangeError, Mesh, Model, Opening, approximate_tensor, convert, dxf, glb, iges, obj, ply,
+    CadModel, ExchangeError, Mesh, Opening, approximate_tensor, convert, dxf, glb, iges, obj, ply,
     step, stl, svg, three_mf,
 };
 use torse_geometry::Surface;
@@ -90,9 +90,9 @@ pub fn bytes(design: &Design, ending: &str, demand: &Demand) -> Result<Vec<u8>, 
 ///
 /// # Errors
 /// [`DesignError::Exchange`].
-pub fn model(design: &Design) -> Result<Model, DesignError> {
+pub fn model(design: &Design) -> Result<CadModel, DesignError> {
     let limits = &design.tolerances;
-    let mut model = Model::new(&design.name, limits.gap)?;
+    let mut model = CadModel::new(&design.name, limits.gap)?;
     let holes = holes(design)?;
     for (index, patch) in design.patches.iter().enumerate() {
         let converted = convert(&patch.sheet, limits.surface)?;
@@ -149,7 +149,7 @@ pub fn mesh(design: &Design) -> Result<Mesh, DesignError> {
                     patch: surface.name.clone(),
                     reason,
                 })?;
-            shape.append(&Mesh::of(part, rows, columns)?)?;
+            shape.append(&Mesh::sample(part, rows, columns)?)?;
         }
         let shape = if surface.parts.len() > 1 {
             shape.welded(limits.gap)?
@@ -165,7 +165,7 @@ pub fn mesh(design: &Design) -> Result<Mesh, DesignError> {
 }
 
 /// The most steps of a mesh of a surface, each way.
-const MOST_STEPS: usize = 512;
+const MAX_STEPS: usize = 512;
 
 /// So many steps each way that triangles stay within a distance, as the second derivatives at samples tell.
 fn steps(surface: &Tensor, within: f64) -> Result<[usize; 2], GeometryError> {
@@ -188,7 +188,7 @@ fn steps(surface: &Tensor, within: f64) -> Result<[usize; 2], GeometryError> {
     };
     loop {
         let (a, b, c) = off(count);
-        if (a + b + c) / 8.0 <= within || count.iter().any(|n| *n >= MOST_STEPS) {
+        if (a + b + c) / 8.0 <= within || count.iter().any(|n| *n >= MAX_STEPS) {
             return Ok(count);
         }
         let finer = usize::from(c > a);
@@ -196,7 +196,7 @@ fn steps(surface: &Tensor, within: f64) -> Result<[usize; 2], GeometryError> {
     }
 }
 
-fn surface(design: &Design, piece: &Piece, holes: &[SpaceHole]) -> Result<Mesh, DesignError> {
+fn surface(design: &Design, piece: &DesignPiece, holes: &[SpaceHole]) -> Result<Mesh, DesignError> {
     let mut surface = Mesh::default();
     let patches: Vec<_> = piece
         .patches

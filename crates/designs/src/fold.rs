@@ -15,7 +15,7 @@ use torse_exchange::{Drawing, Layer, Path as DrawnPath};
 use torse_geometry::pattern::{FlatPattern, PatternError, Segment, deviation, fold};
 
 /// The largest pattern file that is read, in bytes.
-const MOST_BYTES: u64 = 64 << 20;
+const MAX_BYTES: u64 = 64 << 20;
 
 /// What folding a pattern came to.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -86,8 +86,8 @@ pub fn fold_back(design: &Design, path: &Path) -> Result<FoldReport, DesignError
     let size = std::fs::metadata(path)
         .map_err(|e| unreadable(e.to_string()))?
         .len();
-    if size > MOST_BYTES {
-        return Err(unreadable(format!("it is longer than {MOST_BYTES} bytes")));
+    if size > MAX_BYTES {
+        return Err(unreadable(format!("it is longer than {MAX_BYTES} bytes")));
     }
     let text = std::fs::read_to_string(path).map_err(|e| unreadable(e.to_string()))?;
     fold_text(design, &shown, &text)

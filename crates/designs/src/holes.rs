@@ -4,7 +4,7 @@ use crate::design::{Design, Mark};
 use crate::error::DesignError;
 use crate::unroll::{Demand, drawing, position, unroll};
 use std::f64::consts::PI;
-use torse_geometry::pattern::{FlatPattern, Place};
+use torse_geometry::pattern::{FlatPattern, PatternPlace};
 use torse_geometry::prelude::{Point, Sheet};
 use torse_geometry::vector::{norm, sub};
 
@@ -62,7 +62,7 @@ pub fn holes(design: &Design) -> Result<Vec<SpaceHole>, DesignError> {
                 let Some(at) = position(flat, patch) else {
                     continue;
                 };
-                let place = Place {
+                let place = PatternPlace {
                     piece: at,
                     x: *u,
                     v: *v,
@@ -103,7 +103,7 @@ impl SpaceHole {
         let end = |v: f64| {
             let piece = self.piece;
             self.flat
-                .flatten(Place { piece, x, v })
+                .flatten(PatternPlace { piece, x, v })
                 .unwrap_or([f64::NAN; 2])
         };
         let (from, to) = (end(0.0), end(1.0));

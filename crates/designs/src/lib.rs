@@ -7,7 +7,7 @@
 //! | you want | take |
 //! |---|---|
 //! | the design of a file, or everything that is wrong in it | [`load`], [`read`] |
-//! | what is in a file of another program | [`listing::list`] |
+//! | what is in a file of another program, and whether its faces are developable | [`listing::list`], [`audit::FaceAudit`] |
 //! | to know whether it can be made | [`inspect::inspect`] |
 //! | its flat pattern | [`unroll::unroll`], [`unroll::drawing`] |
 //! | a pattern file folded and compared with the design | [`fold::fold_back`] |
@@ -37,12 +37,14 @@
 //! All lengths are in millimetres once a file is read. The same file gives the same bytes everywhere.
 #![warn(missing_docs)]
 
+pub mod audit;
 mod bending;
 mod design;
 pub mod draw;
 mod error;
 pub mod eval;
 pub mod export;
+mod faces;
 mod file;
 pub mod fold;
 mod holes;
@@ -57,12 +59,13 @@ pub mod unroll;
 
 pub use bending::{Bending, DesignedSurface, NeutralLine};
 pub use design::{
-    Chain, Design, Ends, Layout, Mark, Material, Patch, Piece, Smoothness, Tolerances, View,
+    Chain, ChainLayout, Design, DesignPiece, DesignView, Mark, Material, Patch, PatchEnds,
+    Smoothness, Tolerances,
 };
 pub use error::{DesignError, Ending};
 pub use file::{
-    MOST_BYTES, MOST_CONTROLS, MOST_LINE, MOST_THINGS, keys, load, load_from, load_with_settings,
-    read, read_with, read_with_settings,
+    MAX_BYTES, MAX_CONTROLS, MAX_LINE, MAX_THINGS, keys, load, load_from, load_with_settings, read,
+    read_with, read_with_settings,
 };
 pub use seams::{EdgeName, PatchEdge, Seam};
-pub use unit::Unit;
+pub use unit::DesignUnit;

@@ -1,5 +1,6 @@
 //! What a file of another program holds: its curves, faces and meshes in a table.
 
+use crate::audit::FaceAudit;
 use crate::inspect::{columns, number, wrapped};
 use serde::Serialize;
 use std::path::Path;
@@ -61,6 +62,8 @@ pub struct ListedFace {
     pub surface: String,
     /// The degrees of a B-spline.
     pub degrees: Option<[usize; 2]>,
+    /// Whether its surface is developable; none beyond the first [`MAX_AUDITED`] faces, and where its data say nothing.
+    pub audit: Option<FaceAudit>,
     /// The names of the curves at its border, loop by loop.
     pub edges: Vec<Vec<String>>,
 }
@@ -77,6 +80,9 @@ pub struct ListedMesh {
     /// The sum of their areas.
     pub area: f64,
 }
+
+/// The most faces of a file that are judged.
+pub const MAX_AUDITED: usize = 1000;
 
 /// The accuracy of lengths, as a share of the largest coordinate.
 const ACCURACY: f64 = 1e-9;
@@ -157,9 +163,12 @@ fn faces(found: &Imported) -> Vec<ListedFace> {
             .get(index)
             .map_or(String::new(), |curve| curve.name.clone())
     };
-    let faces = found.faces.iter();
+    let faces = found.faces.iter().enumerate();
     faces
-        .map(|face| ListedFace {
+        .map(|(index, face)| ListedFace {
+            audit: (index < MAX_AUDITED)
+                .then(|| FaceAudit::of_surface(face).ok())
+                .flatten(),
             name: face.name.clone(),
             place: place(&face.place),
             surface: face.surface.words().to_owned(),
@@ -206,13 +215,16 @@ impl FileListing {
         let heads = ["curve", "shape", "degree", "length", "from", "to"];
         let (edges, wires): (Vec<_>, Vec<_>) = self.curves.iter().partition(|curve| curve.edge);
         table(&mut text, &heads, &wires, |curve| row(curve));
-        let heads = ["face", "surface", "degrees", "edges"];
+        let heads = ["face", "surface", "degrees", "developable", "edges"];
         table(&mut text, &heads, &self.faces, |face| {
             vec![
                 face.name.clone(),
                 face.surface.clone(),
                 face.degrees
                     .map_or("-".to_owned(), |[u, v]| format!("{u} x {v}")),
+                face.audit
+                    .as_ref()
+                    .map_or("-".to_owned(), |audit| audit.developable.words().to_owned()),
                 face.edges
                     .iter()
                     .map(|edges| edges.join(" "))
@@ -220,6 +232,14 @@ impl FileListing {
                     .join(" | "),
             ]
         });
+        for face in self.faces.iter().take(MAX_ROWS) {
+            if let Some(audit) = &face.audit {
+                text.push_str(&wrapped(
+                    &format!("{}: developable ", face.name),
+                    &audit.words,
+                ));
+            }
+        }
         let heads = ["edge", "shape", "degree", "length", "from", "to"];
         table(&mut text, &heads, &edges, |curve| row(curve));
         let heads = ["mesh", "vertices", "triangles", "area"];
@@ -239,6 +259,16 @@ impl FileListing {
                 .collect();
             text.push('\n');
             text.push_str(&wrapped("passed over: ", &words.join(", ")));
+        }
+        if !self.faces.is_empty() {
+            text.push('\n');
+            text.push_str(&wrapped(
+                "",
+                &format!(
+                    "faces are unrolled by `torse unroll {} --to FILE.dxf`",
+                    self.file
+                ),
+            ));
         }
         if let Some(curve) = self.curves.first() {
             text.push('\n');

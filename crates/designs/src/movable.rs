@@ -5,7 +5,7 @@
 //! distance like that of every other patch.
 
 use std::collections::BTreeMap;
-use torse_exchange::{ExchangeError, Model, approximate, step};
+use torse_exchange::{CadModel, ExchangeError, approximate, step};
 use torse_geometry::planes::{characteristic_point_of, ruling_of};
 use torse_geometry::{Coordinate, GeometryError, Jet, Over, Place, Plane, Rails, Result};
 use torse_numbers::Scalar;
@@ -23,7 +23,7 @@ const SEWING: f64 = 1e-2;
 /// file cannot hold.
 pub fn step_of(name: &str, torse: &Torse) -> Result<String, ExchangeError> {
     let values: Vec<f64> = torse.sliders().iter().map(|slider| slider.start).collect();
-    let mut model = Model::new(name, SEWING)?;
+    let mut model = CadModel::new(name, SEWING)?;
     for (number, piece) in (1..).zip(torse.pieces()) {
         let sheet = MovableSheet::new(piece, &values);
         model.add(&format!("piece {number}"), approximate(&sheet, TOLERANCE)?)?;
@@ -260,7 +260,7 @@ fn stretched<S: Coordinate>(series: &Jet<S>, width: &S, order: usize) -> Jet<S> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use torse_geometry::{Bounds, EnvelopingPatch, Gbt, PlaneFamily, Surface, TangentPatch};
+    use torse_geometry::{EnvelopingPatch, Gbt, PatchBounds, PlaneFamily, Surface, TangentPatch};
     use torse_plot::{Colour, Slider};
 
     /// c x^a s^b c^d times the first slider to a power.
@@ -327,7 +327,7 @@ mod tests {
     fn envelopes_and_tangent_sheets_are_those_of_the_geometry() {
         let family = PlaneFamily::new(Gbt::new(0.5, 0.5).unwrap(), CONTROL.to_vec()).unwrap();
         let along = [-0.25, 0.5];
-        let envelope = EnvelopingPatch::new(family.clone(), Bounds::Range(along)).unwrap();
+        let envelope = EnvelopingPatch::new(family.clone(), PatchBounds::Range(along)).unwrap();
         let tangents = TangentPatch::new(family, along).unwrap();
         let sheet =
             |rulings| MovableSheet::new(&piece(rulings, vec![planes(CONTROL)], along), &[0.5]);

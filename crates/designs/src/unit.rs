@@ -4,7 +4,7 @@ use torse_numbers::rational::{Rational, ratio};
 
 /// The unit of the lengths of a design file. Everything that leaves a design is in millimetres.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unit {
+pub enum DesignUnit {
     /// Millimetres.
     Millimetre,
     /// Centimetres.
@@ -17,7 +17,7 @@ pub enum Unit {
     Foot,
 }
 
-impl Unit {
+impl DesignUnit {
     /// All units with their names in files.
     pub const ALL: [(&'static str, Self); 5] = [
         ("mm", Self::Millimetre),
@@ -30,9 +30,9 @@ impl Unit {
     /// The unit of this name.
     ///
     /// ```
-    /// use torse_designs::Unit;
-    /// assert_eq!(Unit::named("in"), Some(Unit::Inch));
-    /// assert_eq!(Unit::named("inch"), None);
+    /// use torse_designs::DesignUnit;
+    /// assert_eq!(DesignUnit::named("in"), Some(DesignUnit::Inch));
+    /// assert_eq!(DesignUnit::named("inch"), None);
     /// ```
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {

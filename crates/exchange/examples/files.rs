@@ -9,14 +9,14 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use torse_exchange::{
-    Converted, Drawing, ExactForm, Layer, Mesh, Model, Text, Vertex, approximate,
+    CadModel, Converted, Drawing, ExactForm, Layer, Mesh, Text, Vertex, approximate,
     approximate_tensor, dxf, glb, iges, obj, ply, step, stl, svg, three_mf, write_file,
 };
 use torse_geometry::curve::ellipse_arc;
 use torse_geometry::pattern::unroll;
 use torse_geometry::{
-    Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Gbt, PlaneFamily, RuledSurface, Surface,
-    TensorSurface, join,
+    Bernstein, Continuity, Curve, EnvelopingPatch, Gbt, PatchBounds, PlaneFamily, RuledSurface,
+    Surface, TensorSurface, join,
 };
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
@@ -55,7 +55,7 @@ fn models(folder: &Path) -> Outcome<Vec<String>> {
     let joint = Continuity::parametric(2, &0.0);
     let more = [[7.0, -7.0, 5.0, 125.0]];
     let second = join::next_family(&first, Gbt::new(0.0, 1.0)?, &joint, &more)?;
-    let cuts = || Bounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 3.0]]);
+    let cuts = || PatchBounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 3.0]]);
     let pieces = [
         EnvelopingPatch::new(first, cuts())?,
         EnvelopingPatch::new(second, cuts())?,
@@ -71,7 +71,7 @@ fn models(folder: &Path) -> Outcome<Vec<String>> {
         [3.0, -3.0, 1.0, 1.0],
     ];
     let family = PlaneFamily::new(Bernstein, osculating)?;
-    let cut = Bounds::Planes([[1.0, 0.0, 0.0, 2.0], [1.0, 0.0, 0.1, 5.0]]);
+    let cut = PatchBounds::Planes([[1.0, 0.0, 0.0, 2.0], [1.0, 0.0, 0.1, 5.0]]);
     let cubic = EnvelopingPatch::new(family, cut)?;
 
     let cone = cone()?;
@@ -122,7 +122,7 @@ fn model(
     surfaces: &[impl Surface<f64>],
     converted: Vec<Converted>,
 ) -> Outcome<String> {
-    let mut model = Model::new(name, SEWING)?;
+    let mut model = CadModel::new(name, SEWING)?;
     let mut faces = 0;
     for (part, converted) in converted.into_iter().enumerate() {
         faces += converted.patches.len();
@@ -133,7 +133,7 @@ fn model(
     write_file(&folder.join(&iges_name), iges(&model)?.as_bytes())?;
     let (mut area, mut points) = (0.0, Vec::new());
     for surface in surfaces {
-        area += Mesh::of(surface, 400, 100)?.area();
+        area += Mesh::sample(surface, 400, 100)?.area();
         for (i, j) in (0..=12).flat_map(|i| (0..=3).map(move |j| (i, j))) {
             let [x, y, z] = surface.point(&(f64::from(i) / 12.0), &(f64::from(j) / 3.0))?;
             points.push(format!("[{x:?}, {y:?}, {z:?}]"));
@@ -156,7 +156,7 @@ fn meshes(folder: &Path) -> Outcome<Vec<String>> {
         tube.append(&Mesh::ruled(&quarter, 1e-3)?)?;
     }
     let solid = tube.welded(1e-9)?.thickened(0.5)?;
-    let cone = Mesh::of(&cone()?, 24, 6)?;
+    let cone = Mesh::sample(&cone()?, 24, 6)?;
     Ok(vec![
         mesh(folder, "tube", &solid)?,
         mesh(folder, "cone", &cone)?,

@@ -2,9 +2,9 @@
 //!
 //! | you have | you make | you write |
 //! |---|---|---|
-//! | a surface | [`Mesh::of`], [`Mesh::ruled`], [`Mesh::welded`], [`Mesh::thickened`] | [`stl`], [`obj`], [`ply`], [`three_mf`], [`glb`] |
-//! | a polynomial or rational patch | [`ExactForm`], [`Model`] | [`step`], [`iges`] |
-//! | any patch | [`convert`], [`approximate`], [`approximate_tensor`]: B-splines within a proved distance, [`Model`] | [`step`], [`iges`] |
+//! | a surface | [`Mesh::sample`], [`Mesh::ruled`], [`Mesh::welded`], [`Mesh::thickened`] | [`stl`], [`obj`], [`ply`], [`three_mf`], [`glb`] |
+//! | a polynomial or rational patch | [`ExactForm`], [`CadModel`] | [`step`], [`iges`] |
+//! | any patch | [`convert`], [`approximate`], [`approximate_tensor`]: B-splines within a proved distance, [`CadModel`] | [`step`], [`iges`] |
 //! | a flat pattern | [`Drawing::of_pattern`] | [`dxf`], [`svg`]; [`Drawing::from_dxf`] and [`Drawing::from_svg`] read |
 //!
 //! [`read`] reads what other programs wrote: curves, faces and meshes of STEP, IGES, DXF, SVG, CSV, OBJ and STL files,
@@ -20,13 +20,13 @@
 //! A part from a developable patch to a CAD file:
 //!
 //! ```
-//! use torse_exchange::{Model, approximate, step, write_file};
-//! use torse_geometry::{Bounds, EnvelopingPatch, Gbt, PlaneFamily};
+//! use torse_exchange::{CadModel, approximate, step, write_file};
+//! use torse_geometry::{PatchBounds, EnvelopingPatch, Gbt, PlaneFamily};
 //! let planes = vec![[7., -7., 5., 125.], [-7., -7., 5., 120.], [-7., 7., 5., 130.], [7., 7., 5., 125.]];
 //! let family = PlaneFamily::new(Gbt::new(0.5, 0.25)?, planes)?;
-//! let sheet = EnvelopingPatch::new(family, Bounds::Planes([[0., 0., 1., 0.], [0., 0., 1., 3.]]))?;
+//! let sheet = EnvelopingPatch::new(family, PatchBounds::Planes([[0., 0., 1., 0.], [0., 0., 1., 3.]]))?;
 //! // Neighbours would share edges that are a micrometre apart.
-//! let mut part = Model::new("sheet", 1e-3)?;
+//! let mut part = CadModel::new("sheet", 1e-3)?;
 //! part.add("sheet", approximate(&sheet, 1e-2)?)?;
 //! assert!(part.error() <= 1e-2);
 //! let folder = tempfile::tempdir()?;
@@ -44,13 +44,13 @@ mod read;
 mod write;
 
 pub use cad::{
-    BernsteinForm, BsplinePatch, Converted, ConvexBasis, ExactForm, HomogeneousRail, Knots, Model,
+    BezierForm, BsplinePatch, CadModel, Converted, ConvexBasis, ExactForm, HomogeneousRail, Knots,
     PolynomialBasis, approximate, approximate_tensor, convert,
 };
 pub use drawing::{BendLine, Drawing, Layer, Path, Text, Vertex};
 pub use error::{ExchangeError, Result};
 pub use formats::{dxf, glb, iges, obj, ply, step, stl, svg, three_mf};
-pub use mesh::{MOST_VERTICES, Mesh, Opening};
+pub use mesh::{MAX_VERTICES, Mesh, Opening};
 pub use read::{
     CurveShape, FileKind, FilePlace, Imported, ImportedCurve, ImportedFace, ImportedMesh,
     LengthUnit, MAX_FILE_BYTES, MAX_IMPORTED_CURVES, ReadError, ReadResult, SplineSurface,

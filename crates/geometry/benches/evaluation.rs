@@ -9,7 +9,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use std::hint::black_box;
 use torse_geometry::batch::{GridEvaluator, ruled_grid_into};
 use torse_geometry::{
-    Basis, Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, PlaneFamily, Ruling, TensorSurface,
+    Basis, Bernstein, Curve, EnvelopingPatch, Gbt, PatchBounds, PlaneFamily, Ruling, TensorSurface,
 };
 
 const SIDE: usize = 1000;
@@ -71,7 +71,7 @@ fn grids(c: &mut Criterion) {
     group.bench_function("gbt, rows in cache/3", |b| {
         b.iter(|| bicubic.rows(|_, row| highest = highest.max(row[0][2])));
     });
-    let patch = EnvelopingPatch::new(family(), Bounds::Range([-1.0, 1.0])).expect("a range");
+    let patch = EnvelopingPatch::new(family(), PatchBounds::Range([-1.0, 1.0])).expect("a range");
     group.bench_function("developable/3", |b| {
         b.iter(|| ruled_grid_into(black_box(&patch), &xs, &xs, &mut out).expect("rulings"));
     });

@@ -64,7 +64,7 @@ use torse_geometry::batch::{GridEvaluator, ruled_grid_into};
 use torse_geometry::developable::certify;
 use torse_geometry::pattern::Unrolling;
 use torse_geometry::{
-    Basis, Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, PlaneFamily, Rails, RuledSurface,
+    Basis, Bernstein, Curve, EnvelopingPatch, Gbt, PatchBounds, PlaneFamily, Rails, RuledSurface,
     TensorSurface,
 };
 
@@ -179,7 +179,8 @@ fn points() {
     let (xs, side) = (parameters(COUNT), parameters(SIDE));
     let (polynomial, trigonometric) = (curve(Bernstein), curve(gbt));
     let (flat, round) = (surface(&Bernstein), surface(&gbt));
-    let sheet = EnvelopingPatch::new(family(gbt), Bounds::Range([-1.0, 1.0])).expect("a range");
+    let sheet =
+        EnvelopingPatch::new(family(gbt), PatchBounds::Range([-1.0, 1.0])).expect("a range");
     let out = RefCell::new(vec![[0.0; 3]; COUNT]);
     let mut table = Table::default();
     let stores = table.add("plain stores of 24 bytes", None, COUNT, || {
@@ -278,7 +279,7 @@ fn patterns() {
         [7.0, 7.0, 5.0, 125.0],
     ];
     let family = PlaneFamily::new(gbt, planes).expect("planes in general position");
-    let cuts = Bounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 3.0]]);
+    let cuts = PatchBounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 3.0]]);
     pattern_table(
         "envelope of planes",
         &EnvelopingPatch::new(family, cuts).expect("planes"),

@@ -110,7 +110,7 @@ pub(crate) struct Interpolant(Row);
 
 impl Interpolant {
     /// With these coefficients.
-    pub(crate) fn of(coefficients: Row) -> Self {
+    pub(crate) fn from_coefficients(coefficients: Row) -> Self {
         Self(coefficients)
     }
 

@@ -23,7 +23,7 @@
 //! | a basis with shape parameters | [`Gbt`], [`Bernstein`], or implement [`Basis`] by its three seeds |
 //! | a curve, its derivatives, length, curvature | [`Curve`], [`RationalCurve`], [`hermite`], [`curve`] |
 //! | a surface, its partials, normal, curvatures | [`TensorSurface`], [`RuledSurface`], [`RotationSurface`], [`Surface`], [`Forms`], [`Principal`] |
-//! | to exchange maps with nalgebra | [`Affine`] |
+//! | to exchange maps with nalgebra | [`AffineMap`] |
 //! | a developable from planes | [`PlaneFamily`], then [`EnvelopingPatch`] or [`TangentPatch`]; [`PlaneFamily::edge_parameter`] says where not to cut |
 //! | a developable between two curves | [`developable::connect`] finds all of them |
 //! | a developable between two planes | [`HermiteCone`], [`developable::oblique_image`] |
@@ -40,7 +40,7 @@
 //! ```
 //! use torse_geometry::developable::certify;
 //! use torse_geometry::pattern::unroll;
-//! use torse_geometry::{Bounds, Continuity, EnvelopingPatch, Gbt, PlaneFamily, join};
+//! use torse_geometry::{PatchBounds, Continuity, EnvelopingPatch, Gbt, PlaneFamily, join};
 //!
 //! // Four control planes p X + q Y + r Z = s and two shape parameters.
 //! let planes = vec![
@@ -54,7 +54,7 @@
 //! assert_eq!(join::measure_families(&first, &second, 2)?.order_within(1e-12), Some(2));
 //!
 //! // The sheet between z = 0 and z = 3: is it developable, is it regular, what is its flat pattern?
-//! let sheet = EnvelopingPatch::new(first, Bounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 3.0]]))?;
+//! let sheet = EnvelopingPatch::new(first, PatchBounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 3.0]]))?;
 //! let certificate = certify(&sheet, 64)?;
 //! assert!(certificate.is_regular() && certificate.twist.value < 1e-6);
 //! let flat = unroll(&sheet, 64, 1e-6)?;
@@ -127,7 +127,7 @@
 //!
 //! * Bounds and estimates: [`developable::enclose`] bounds what [`developable::certify`] estimates; values on
 //!   balls are enclosures; [`curve::arc_length`] estimates its error from two step sizes. [`pattern::unroll`] of a
-//!   patch whose rails can be had as models ([`Model`]) bounds the cut by polynomials that are proved over whole intervals;
+//!   patch whose rails can be had as models ([`ChebyshevModel`]) bounds the cut by polynomials that are proved over whole intervals;
 //!   of any other it measures.
 //! * A determinant that vanishes, but not by construction, is enclosed within a gap that falls with the
 //!   budget; that it is zero is proved for polynomial rails over the rationals and for formal functions
@@ -165,14 +165,15 @@ pub mod prelude {
 
 pub use basis::{Basis, Bernstein, Gbt, hermite};
 pub use coordinate::Coordinate;
-pub use curve::{Affine, Curve, RationalCurve, SpaceCurve};
-pub use developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch};
+pub use curve::{AffineMap, Curve, RationalCurve, SpaceCurve};
+pub use developable::{EnvelopingPatch, HermiteCone, PatchBounds, TangentPatch};
 pub use error::{GeometryError, Place, Result};
 pub use join::Continuity;
-pub use model::Model;
+pub use model::ChebyshevModel;
 pub use over::Over;
 pub use planes::{Plane, PlaneFamily, Ruling};
 pub use scalars::{exact, exact_ball};
 pub use surface::{
-    Forms, Half, Partials, Principal, Rails, RotationSurface, RuledSurface, Surface, TensorSurface,
+    Forms, HalfTurn, Partials, Principal, Rails, RotationSurface, RuledSurface, Surface,
+    TensorSurface,
 };

@@ -1,14 +1,14 @@
 //! The same object over another scalar: f64 data are exact rationals, so any f64 curve, family or
 //! patch can be carried to balls (certified) or rationals (exact) without loss.
 
-use crate::basis::{Bernstein, Gbt, Shape};
+use crate::basis::{BasisShape, Bernstein, Gbt};
 use crate::coordinate::Coordinate;
 use crate::curve::{Curve, EllipticHelix, RationalCurve};
-use crate::developable::{Bounds, EnvelopingPatch, HermiteCone, TangentPatch, unit_plane};
+use crate::developable::{EnvelopingPatch, HermiteCone, PatchBounds, TangentPatch, unit_plane};
 use crate::error::Result;
 use crate::over::Over;
 use crate::planes::PlaneFamily;
-use crate::surface::{Part, RotationSurface, RuledSurface, TensorSurface};
+use crate::surface::{PatchPart, RotationSurface, RuledSurface, TensorSurface};
 
 pub use crate::dyadic::{exact, exact_ball};
 
@@ -32,13 +32,13 @@ impl<S: Coordinate, T: Coordinate> Over<S, T> for Gbt<S> {
     }
 }
 
-impl<S: Coordinate, T: Coordinate> Over<S, T> for Shape<S> {
-    type Object = Shape<T>;
+impl<S: Coordinate, T: Coordinate> Over<S, T> for BasisShape<S> {
+    type Object = BasisShape<T>;
 
-    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Shape<T>> {
+    fn over(&self, convert: &impl Fn(&S) -> T) -> Result<BasisShape<T>> {
         match self {
-            Self::Bernstein => Ok(Shape::Bernstein),
-            Self::Gbt(basis) => basis.over(convert).map(Shape::Gbt),
+            Self::Bernstein => Ok(BasisShape::Bernstein),
+            Self::Gbt(basis) => basis.over(convert).map(BasisShape::Gbt),
         }
     }
 }
@@ -164,10 +164,10 @@ where
 
     fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
         let bounds = match self.bounds() {
-            Bounds::Range(range) => Bounds::Range(point(range, convert)),
+            PatchBounds::Range(range) => PatchBounds::Range(point(range, convert)),
             // The planes themselves, not their factors, which a ball of few bits might not hold.
-            Bounds::Planes(planes) => {
-                Bounds::Planes(planes.each_ref().map(|p| point(&unit_plane(p), convert)))
+            PatchBounds::Planes(planes) => {
+                PatchBounds::Planes(planes.each_ref().map(|p| point(&unit_plane(p), convert)))
             }
         };
         EnvelopingPatch::new(self.family().over(convert)?, bounds)
@@ -201,11 +201,11 @@ impl<S, T: Coordinate> Over<S, T> for HermiteCone<S> {
     }
 }
 
-impl<S: Coordinate, T: Coordinate, P: Over<S, T>> Over<S, T> for Part<P, S> {
-    type Object = Part<P::Object, T>;
+impl<S: Coordinate, T: Coordinate, P: Over<S, T>> Over<S, T> for PatchPart<P, S> {
+    type Object = PatchPart<P::Object, T>;
 
     fn over(&self, convert: &impl Fn(&S) -> T) -> Result<Self::Object> {
-        Ok(Part {
+        Ok(PatchPart {
             whole: self.whole.over(convert)?,
             range: self.range.each_ref().map(convert),
         })

@@ -3,13 +3,13 @@
 use crate::error::Error;
 use std::path::Path;
 use torse_designs as rooms;
-use torse_designs::eval::{At, Row, eval};
+use torse_designs::eval::{EvalPlaces, EvalRow, eval};
 use torse_designs::fold::{FoldReport, fold_text};
-use torse_designs::inspect::{Report, inspect, inspect_quickly, inspect_within, table};
+use torse_designs::inspect::{DesignReport, inspect, inspect_quickly, inspect_within, table};
 use torse_designs::listing::{FileListing, list};
 use torse_designs::unroll::{Demand, FlatPiece, Summary, drawing, unroll};
 use torse_exchange::{Drawing, LengthUnit, dxf, svg};
-use torse_geometry::prelude::{Budget, Connected, Rail, Sheet};
+use torse_geometry::prelude::{Connected, MeasureBudget, Rail, Sheet};
 use torse_plot::Picture;
 
 /// Finds the developable surface between two curves: with tangent planes that touch both.
@@ -147,7 +147,7 @@ impl Design {
     ///
     /// # Errors
     /// [`Error::Design`] for a patch that has no value where one is needed.
-    pub fn inspect(&self) -> Result<Report, Error> {
+    pub fn inspect(&self) -> Result<DesignReport, Error> {
         Ok(inspect(&self.read)?)
     }
 
@@ -155,7 +155,7 @@ impl Design {
     ///
     /// # Errors
     /// As [`Design::inspect`].
-    pub fn inspect_within(&self, budget: Budget) -> Result<Report, Error> {
+    pub fn inspect_within(&self, budget: MeasureBudget) -> Result<DesignReport, Error> {
         Ok(inspect_within(&self.read, budget)?)
     }
 
@@ -163,7 +163,7 @@ impl Design {
     ///
     /// # Errors
     /// As [`Design::inspect`].
-    pub fn inspect_quickly(&self) -> Result<Report, Error> {
+    pub fn inspect_quickly(&self) -> Result<DesignReport, Error> {
         Ok(inspect_quickly(&self.read)?)
     }
 
@@ -183,7 +183,7 @@ impl Design {
         let pieces = unroll(&self.read, demand)?;
         Ok(Pattern {
             drawing: drawing(&self.read, &pieces)?,
-            summary: Summary::of(&self.read, &pieces),
+            summary: Summary::new(&self.read, &pieces),
             pieces,
         })
     }
@@ -200,7 +200,7 @@ impl Design {
     ///
     /// # Errors
     /// [`Error::Design`] for a patch that is not there, or a place without a value.
-    pub fn eval(&self, patch: Option<&str>, at: &At) -> Result<Vec<Row>, Error> {
+    pub fn eval(&self, patch: Option<&str>, at: &EvalPlaces) -> Result<Vec<EvalRow>, Error> {
         Ok(eval(&self.read, patch, at)?)
     }
 
@@ -272,6 +272,6 @@ impl Pattern {
 
 /// The report of [`Design::inspect`] as a text for people.
 #[must_use]
-pub fn report_text(report: &Report) -> String {
+pub fn report_text(report: &DesignReport) -> String {
     table(report)
 }

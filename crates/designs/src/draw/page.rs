@@ -17,7 +17,7 @@ const WAYS: usize = 24;
 
 /// A patch for the viewer.
 #[derive(Serialize)]
-struct Shape<'d> {
+struct PageShape<'d> {
     name: &'d str,
     rows: usize,
     columns: usize,
@@ -52,7 +52,7 @@ pub fn page(design: &Design, demand: &Demand) -> Result<String, DesignError> {
     let mut shapes = Vec::new();
     for patch in &design.patches {
         let points = samples(patch, ALONG, ACROSS)?;
-        shapes.push(Shape {
+        shapes.push(PageShape {
             name: &patch.name,
             rows: ALONG + 1,
             columns: ACROSS + 1,
@@ -62,7 +62,7 @@ pub fn page(design: &Design, demand: &Demand) -> Result<String, DesignError> {
     }
     for surface in &design.surfaces {
         for part in &surface.parts {
-            shapes.push(Shape {
+            shapes.push(PageShape {
                 name: &surface.name,
                 rows: WAYS + 1,
                 columns: WAYS + 1,
@@ -77,7 +77,7 @@ pub fn page(design: &Design, demand: &Demand) -> Result<String, DesignError> {
     let (pattern, promise) = match unroll(design, demand) {
         Ok(pieces) => {
             let text = svg(&drawing(design, &pieces)?)?;
-            (text, Summary::of(design, &pieces).text())
+            (text, Summary::new(design, &pieces).text())
         }
         Err(error) => (String::new(), format!("No pattern: {error}\n")),
     };

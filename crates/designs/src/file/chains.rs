@@ -1,12 +1,15 @@
 //! Chains of patches.
 
 use super::patches::Group;
-use super::reader::{Dimension, Named, Reader, Value};
-use super::{MOST_THINGS, keys, named};
-use crate::design::{Chain, Layout, Patch, Smoothness};
+use super::reader::{Named, NumberKind, Reader, Value};
+use super::{MAX_THINGS, keys, named};
+use crate::design::{Chain, ChainLayout, Patch, Smoothness};
 use toml::de::DeValue;
 
-const LAYOUTS: [(&str, Layout); 2] = [("attached", Layout::Attached), ("apart", Layout::Apart)];
+const LAYOUTS: [(&str, ChainLayout); 2] = [
+    ("attached", ChainLayout::Attached),
+    ("apart", ChainLayout::Apart),
+];
 
 pub fn chains(
     reader: &mut Reader,
@@ -28,9 +31,11 @@ pub fn chains(
             let closed = entries
                 .take("closed")
                 .map_or(Some(false), |v| reader.truth(v));
-            let layout = entries.take("layout").map_or(Some(Layout::Attached), |v| {
-                reader.word(v, "layout", &LAYOUTS)
-            });
+            let layout = entries
+                .take("layout")
+                .map_or(Some(ChainLayout::Attached), |v| {
+                    reader.word(v, "layout", &LAYOUTS)
+                });
             let radius = entries.take("radius");
             let Some(value) = entries.take("patches") else {
                 reader.complain(
@@ -40,7 +45,7 @@ pub fn chains(
                 );
                 return None;
             };
-            let items = reader.list(value, "patches", [1, MOST_THINGS])?;
+            let items = reader.list(value, "patches", [1, MAX_THINGS])?;
             if items.len() == 1 && groups.is_empty() {
                 reader.complain(&span, "1 patches: at least 2 are wanted, at most 512", "");
                 return None;
@@ -111,7 +116,7 @@ pub fn chains(
                 patches: group.patches.clone(),
                 continuity: group.continuity,
                 closed: group.closed,
-                layout: Layout::Attached,
+                layout: ChainLayout::Attached,
                 radii: vec![None; group.patches.len().saturating_sub(1)],
             });
         }
@@ -125,7 +130,7 @@ fn radii(reader: &mut Reader, value: Option<Value<'_>>, joints: usize) -> Option
         return Some(vec![None; joints]);
     };
     let radius = |reader: &mut Reader, value: Value<'_>| {
-        reader.number_in(value, Dimension::Length, "[0, infinity)", |r| r >= 0.0)
+        reader.number_in(value, NumberKind::Length, "[0, infinity)", |r| r >= 0.0)
     };
     if !matches!(value.get_ref(), DeValue::Array(_)) {
         return Some(vec![Some(radius(reader, value)?); joints]);

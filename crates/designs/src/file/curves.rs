@@ -3,11 +3,11 @@
 use super::imports::Imports;
 use super::joints::joint;
 use super::points::{list, point};
-use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
+use super::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
 use super::shapes::shape;
-use super::{MOST_CONTROLS, keys, named, placement, splines};
+use super::{MAX_CONTROLS, keys, named, placement, splines};
 use std::ops::Range;
-use torse_geometry::basis::Shape;
+use torse_geometry::basis::BasisShape;
 use torse_geometry::curve::EllipticHelix;
 use torse_geometry::prelude::{PiecewiseRail, Point, Rail};
 use torse_geometry::vector::{norm, sub};
@@ -88,9 +88,9 @@ fn curve(
     let place = value.span();
     let made = match kind {
         "bezier" | "gbt" => {
-            let control = list(reader, value, points, [2, MOST_CONTROLS])?;
+            let control = list(reader, value, points, [2, MAX_CONTROLS])?;
             let shape = match (kind, shape) {
-                ("bezier", None) => Shape::Bernstein,
+                ("bezier", None) => BasisShape::Bernstein,
                 ("gbt", Some(shape)) => shape,
                 ("gbt", None) => {
                     let help = "`shape = [mu, nu]`, both in [-1, 1]";
@@ -114,13 +114,13 @@ fn curve(
             let first = single(reader, value, known)?;
             let joint = joint(reader, entries);
             let free = match entries.take("free") {
-                Some(value) => list(reader, value, points, [0, MOST_CONTROLS]),
+                Some(value) => list(reader, value, points, [0, MAX_CONTROLS]),
                 None => Some(Vec::new()),
             };
             let shape = shape.unwrap_or(match first.curve() {
                 torse_geometry::sheet::RailCurve::Plain(curve) => *curve.basis(),
                 torse_geometry::sheet::RailCurve::Weighted(curve) => *curve.basis(),
-                torse_geometry::sheet::RailCurve::Elliptic(_) => Shape::Bernstein,
+                torse_geometry::sheet::RailCurve::Elliptic(_) => BasisShape::Bernstein,
             });
             first.next(shape, &joint?, &free?)
         }
@@ -154,8 +154,8 @@ fn arc(
         arc.take(key).map(|value| reader.number(value, dimension))
     };
     let (angle, climb) = (
-        number(reader, "angle", Dimension::None),
-        number(reader, "climb", Dimension::Length),
+        number(reader, "angle", NumberKind::None),
+        number(reader, "climb", NumberKind::Length),
     );
     let (Some(centre), Some(from), true) = (centre, from, to.is_some() != axis.is_some()) else {
         let help = "`arc = { centre = .., from = .., to = .. }`, the quarter of an ellipse, a part of it with `angle`; or \
@@ -213,7 +213,7 @@ fn row(
     known: &Named<PiecewiseRail>,
 ) -> Option<PiecewiseRail> {
     let place = value.span();
-    let items = reader.list(value, "curves", [1, super::MOST_THINGS])?;
+    let items = reader.list(value, "curves", [1, super::MAX_THINGS])?;
     let parts: Vec<_> = items
         .into_iter()
         .map(|item| reader.named(item, "curve", known).cloned())
@@ -267,10 +267,10 @@ pub fn one_piece(reader: &mut Reader, place: &Range<usize>, curve: &PiecewiseRai
 }
 
 fn weights(reader: &mut Reader, value: Value<'_>) -> Option<Vec<f64>> {
-    let items = reader.list(value, "weights", [2, MOST_CONTROLS])?;
+    let items = reader.list(value, "weights", [2, MAX_CONTROLS])?;
     let all: Vec<_> = items
         .into_iter()
-        .map(|item| reader.number_in(item, Dimension::None, "(0, infinity)", |w| w > 0.0))
+        .map(|item| reader.number_in(item, NumberKind::None, "(0, infinity)", |w| w > 0.0))
         .collect();
     all.into_iter().collect()
 }

@@ -21,14 +21,14 @@ const FUNCTIONS: [&str; 3] = ["sqrt", "sin", "cos"];
 
 /// The value of a formula.
 #[derive(Debug, Clone)]
-pub enum Value {
+pub enum FormulaValue {
     /// A rational number.
     Exact(Rational),
     /// A number between bounds.
     Near(Ball),
 }
 
-impl Value {
+impl FormulaValue {
     fn ball(&self) -> Ball {
         match self {
             Self::Exact(value) => Ball::from_rational(value, BITS),
@@ -65,21 +65,25 @@ impl Value {
 }
 
 /// The value of a name at a place: `None` for one that has none, and the error for one whose own formula is wrong.
-pub type Lookup<'l> = dyn FnMut(&str, Place) -> Result<Option<Value>, Fault> + 'l;
+pub type Lookup<'l> = dyn FnMut(&str, Place) -> Result<Option<FormulaValue>, Fault> + 'l;
 
 /// The value of a formula, with the values of names from `lookup`.
-pub fn evaluate(formula: &Expr, lookup: &mut Lookup<'_>, names: &[&str]) -> Result<Value, Fault> {
+pub fn evaluate(
+    formula: &Expr,
+    lookup: &mut Lookup<'_>,
+    names: &[&str],
+) -> Result<FormulaValue, Fault> {
     let place = formula.place;
     match &formula.node {
-        Node::Number { value, .. } => Ok(Value::Exact(value.clone())),
-        Node::Name(name) if name == "pi" => Ok(Value::Near(Ball::pi(BITS))),
+        Node::Number { value, .. } => Ok(FormulaValue::Exact(value.clone())),
+        Node::Name(name) if name == "pi" => Ok(FormulaValue::Near(Ball::pi(BITS))),
         Node::Name(name) => match lookup(name, place)? {
             Some(value) => Ok(value),
             None => Err(unknown(name, place, names)),
         },
         Node::Negative(inner) => Ok(match evaluate(inner, lookup, names)? {
-            Value::Exact(value) => Value::Exact(-value),
-            Value::Near(ball) => Value::Near(-ball),
+            FormulaValue::Exact(value) => FormulaValue::Exact(-value),
+            FormulaValue::Near(ball) => FormulaValue::Near(-ball),
         }),
         Node::Binary(operator, left, right) => {
             let base = evaluate(left, lookup, names)?;
@@ -122,23 +126,23 @@ fn unknown(name: &str, place: Place, names: &[&str]) -> Fault {
     Fault::at(place, Problem::UnknownName { name, similar })
 }
 
-fn applied(function: &str, argument: &Value) -> Result<Value, ExactError> {
-    if let (Value::Exact(value), true) = (argument, function != "sqrt")
+fn applied(function: &str, argument: &FormulaValue) -> Result<FormulaValue, ExactError> {
+    if let (FormulaValue::Exact(value), true) = (argument, function != "sqrt")
         && value.is_zero()
     {
         let one = Rational::from_integer(1.into());
-        return Ok(Value::Exact(if function == "sin" {
+        return Ok(FormulaValue::Exact(if function == "sin" {
             Rational::zero()
         } else {
             one
         }));
     }
     let ball = argument.ball();
-    Ok(Value::Near(match function {
+    Ok(FormulaValue::Near(match function {
         "sqrt" => {
             // The root of a square is rational.
             if let Some(root) = exact_root(argument) {
-                return Ok(Value::Exact(root));
+                return Ok(FormulaValue::Exact(root));
             }
             ball.sqrt()?
         }
@@ -147,8 +151,8 @@ fn applied(function: &str, argument: &Value) -> Result<Value, ExactError> {
     }))
 }
 
-fn exact_root(argument: &Value) -> Option<Rational> {
-    let Value::Exact(value) = argument else {
+fn exact_root(argument: &FormulaValue) -> Option<Rational> {
+    let FormulaValue::Exact(value) = argument else {
         return None;
     };
     if value.is_negative() {
@@ -159,8 +163,12 @@ fn exact_root(argument: &Value) -> Option<Rational> {
     (root.clone() * root.clone() == *value).then_some(root)
 }
 
-fn combined(operator: Operator, left: Value, right: Value) -> Result<Value, ExactError> {
-    if let (Value::Exact(a), Value::Exact(b)) = (&left, &right) {
+fn combined(
+    operator: Operator,
+    left: FormulaValue,
+    right: FormulaValue,
+) -> Result<FormulaValue, ExactError> {
+    if let (FormulaValue::Exact(a), FormulaValue::Exact(b)) = (&left, &right) {
         let (a, b) = (a.clone(), b.clone());
         let value = match operator {
             Operator::Add => a + b,
@@ -168,10 +176,10 @@ fn combined(operator: Operator, left: Value, right: Value) -> Result<Value, Exac
             Operator::Multiply => a * b,
             _ => a.divided_by(&b)?,
         };
-        return value.bounded().map(Value::Exact);
+        return value.bounded().map(FormulaValue::Exact);
     }
     let (a, b) = (left.ball(), right.ball());
-    Ok(Value::Near(match operator {
+    Ok(FormulaValue::Near(match operator {
         Operator::Add => a + b,
         Operator::Subtract => a - b,
         Operator::Multiply => a * b,
@@ -179,17 +187,17 @@ fn combined(operator: Operator, left: Value, right: Value) -> Result<Value, Exac
     }))
 }
 
-fn whole(exponent: &Value) -> Option<i32> {
+fn whole(exponent: &FormulaValue) -> Option<i32> {
     match exponent {
-        Value::Exact(q) if q.is_integer() => q.numer().to_i32(),
+        FormulaValue::Exact(q) if q.is_integer() => q.numer().to_i32(),
         _ => None,
     }
 }
 
-fn power(base: Value, exponent: i32) -> Result<Value, ExactError> {
+fn power(base: FormulaValue, exponent: i32) -> Result<FormulaValue, ExactError> {
     let ball = match base {
-        Value::Exact(value) => return value.checked_pow(exponent).map(Value::Exact),
-        Value::Near(ball) => ball,
+        FormulaValue::Exact(value) => return value.checked_pow(exponent).map(FormulaValue::Exact),
+        FormulaValue::Near(ball) => ball,
     };
     let size = exponent.unsigned_abs();
     if size > HIGHEST_POWER {
@@ -200,9 +208,9 @@ fn power(base: Value, exponent: i32) -> Result<Value, ExactError> {
     let power = ball.powi(size);
     if exponent < 0 {
         let one = Ball::from_rational(&Rational::from_integer(1.into()), BITS);
-        return one.divided_by(&power).map(Value::Near);
+        return one.divided_by(&power).map(FormulaValue::Near);
     }
-    Ok(Value::Near(power))
+    Ok(FormulaValue::Near(power))
 }
 
 #[cfg(test)]
@@ -212,7 +220,7 @@ mod tests {
 
     fn value(text: &str) -> Option<f64> {
         let formula = parse(text).unwrap();
-        let mut two = |name: &str, _| Ok((name == "two").then(|| Value::Exact(2.into())));
+        let mut two = |name: &str, _| Ok((name == "two").then(|| FormulaValue::Exact(2.into())));
         evaluate(&formula, &mut two, &["two"]).ok()?.to_f64()
     }
 

@@ -2,7 +2,7 @@
 
 use super::reader::{Entries, Named, Reader, Value, accepted};
 use super::splines::How;
-use crate::Unit;
+use crate::DesignUnit;
 use std::collections::BTreeMap;
 use torse_exchange::{CurveShape, Imported, LengthUnit, UnitSource};
 use torse_geometry::Coordinate;
@@ -45,10 +45,10 @@ impl<'f> Imports<'f> {
             None => (text.as_str(), None),
         };
         let shaped = entries.has("ends") || entries.has("spacing");
-        let how = How::of(reader, entries, points);
+        let how = How::read(reader, entries, points);
         let unit = match entries.take("unit") {
             None => None,
-            Some(value) => Some(reader.word(value, "unit", &Unit::ALL)?),
+            Some(value) => Some(reader.word(value, "unit", &DesignUnit::ALL)?),
         };
         let how = how?;
         let found = self.file(file, unit, &reader.unit.clone());
@@ -115,10 +115,10 @@ impl<'f> Imports<'f> {
     fn file(
         &mut self,
         path: &str,
-        unit: Option<Unit>,
+        unit: Option<DesignUnit>,
         design: &Rational,
     ) -> Result<&Imported, String> {
-        let word = unit.map_or("", Unit::name);
+        let word = unit.map_or("", DesignUnit::name);
         let key = (path.to_owned(), word.to_owned());
         if !self.read.contains_key(&key) {
             let read = self.read_file(path, unit, design);
@@ -140,7 +140,7 @@ impl<'f> Imports<'f> {
     fn read_file(
         &mut self,
         path: &str,
-        unit: Option<Unit>,
+        unit: Option<DesignUnit>,
         design: &Rational,
     ) -> Result<Imported, String> {
         let bytes = (self.files)(path)?;
@@ -150,7 +150,7 @@ impl<'f> Imports<'f> {
         };
         let imported = read(given.as_ref())?;
         if imported.unit == UnitSource::Assumed {
-            let name = Unit::ALL
+            let name = DesignUnit::ALL
                 .iter()
                 .find(|(_, unit)| unit.millimetres() == *design);
             let given = LengthUnit::new(name.map_or("mm", |(name, _)| name), design.clone());

@@ -1,6 +1,6 @@
 //! How a piece continues another: the entries `join`, `beta` and `scale`.
 
-use super::reader::{Dimension, Entries, Reader, Value, accepted};
+use super::reader::{Entries, NumberKind, Reader, Value, accepted};
 use torse_geometry::prelude::Joint;
 
 /// How a piece continues another.
@@ -71,7 +71,7 @@ fn plain(reader: &mut Reader, value: Value<'_>, what: &str) -> Option<Vec<f64>> 
     let items = reader.list(value, what, [1, 3])?;
     let all: Vec<_> = items
         .into_iter()
-        .map(|item| reader.number(item, Dimension::None))
+        .map(|item| reader.number(item, NumberKind::None))
         .collect();
     all.into_iter().collect()
 }

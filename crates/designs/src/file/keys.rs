@@ -1,7 +1,7 @@
 //! The entries of a design file, section by section: what the reader knows, and `designs/schema.json` describes.
 
 /// A section and its entries.
-pub type Section = (&'static str, &'static [&'static str]);
+pub type KeySection = (&'static str, &'static [&'static str]);
 
 /// The sections of a file.
 pub const TOP: &[&str] = &[
@@ -140,7 +140,7 @@ pub const SURFACE: &[&str] = &[
 ];
 
 /// All of them by the names of their definitions in the schema.
-pub const ALL: &[Section] = &[
+pub const ALL: &[KeySection] = &[
     ("top", TOP),
     ("design", DESIGN),
     ("sheet", SHEET),

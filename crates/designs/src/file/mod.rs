@@ -38,17 +38,17 @@ use torse_geometry::prelude::{PiecewiseRail, Planes, Point};
 pub use torse_syntax::derivation::Source;
 
 /// The largest file that is read, in bytes.
-pub const MOST_BYTES: usize = 1 << 20;
+pub const MAX_BYTES: usize = 1 << 20;
 /// The longest line that is read, in bytes: mistakes are shown with the line they are in.
-pub const MOST_LINE: usize = 1 << 16;
+pub const MAX_LINE: usize = 1 << 16;
 /// The most things of one kind in a file.
-pub const MOST_THINGS: usize = 512;
+pub const MAX_THINGS: usize = 512;
 /// The most control elements of a curve of one piece or of a family; splines have more.
-pub const MOST_CONTROLS: usize = 65;
+pub const MAX_CONTROLS: usize = 65;
 /// The most mistakes that are told of one file.
-const MOST_MISTAKES: usize = 100;
+const MAX_MISTAKES: usize = 100;
 /// So many bytes of the file are shown with them, and the line of the first in any case.
-const MOST_SHOWN: usize = 1 << 15;
+const MAX_SHOWN: usize = 1 << 15;
 
 /// What patches are made of.
 #[derive(Default)]
@@ -59,11 +59,11 @@ struct Parts {
     families: Named<Planes>,
 }
 
-/// Reads a design file.
+/// Reads a design file, or the faces of a file of another program, of which each with rulings between two edges is a patch.
 ///
 /// # Errors
 /// [`DesignError::Unreadable`] for a file that is not there, too large or no text, [`DesignError::OtherKind`] for a file
-/// of another program, [`DesignError::Wrong`] with everything that is wrong in it.
+/// of another program without faces, [`DesignError::NoFace`] where none of them has rulings between its edges, [`DesignError::Wrong`] with everything that is wrong in it.
 pub fn load(path: &Path) -> Result<Design, DesignError> {
     let unreadable = |reason: String| DesignError::Unreadable {
         path: path.display().to_string(),
@@ -91,7 +91,7 @@ pub fn load_from(path: &Path, stream: impl std::io::Read) -> Result<Design, Desi
 /// As [`load`]; a name that the file does not have is a mistake too.
 pub fn load_with_settings(
     path: &Path,
-    stream: impl std::io::Read,
+    mut stream: impl std::io::Read,
     settings: &[(String, f64)],
 ) -> Result<Design, DesignError> {
     let shown = path.display().to_string();
@@ -101,12 +101,21 @@ pub fn load_with_settings(
     };
     let mut bytes = Vec::new();
     // A file may be longer than it says, a device for instance.
-    let most = u64::try_from(MOST_BYTES).unwrap_or(u64::MAX);
-    std::io::Read::read_to_end(&mut std::io::Read::take(stream, most + 1), &mut bytes)
-        .map_err(|e| unreadable(e.to_string()))?;
+    let mut take = |most: usize, bytes: &mut Vec<u8>| {
+        let most = u64::try_from(most).unwrap_or(u64::MAX);
+        std::io::Read::read_to_end(&mut std::io::Read::take(&mut stream, most), bytes)
+            .map_err(|e| unreadable(e.to_string()))
+    };
+    take(MAX_BYTES + 1, &mut bytes)?;
+    if bytes.len() > MAX_BYTES && FileKind::detect(&bytes).is_read() {
+        take(torse_exchange::MAX_FILE_BYTES - MAX_BYTES, &mut bytes)?;
+    }
+    if let Some(design) = of_faces(&shown, &bytes)? {
+        return Ok(design);
+    }
     other_kind(&shown, &bytes)?;
-    if bytes.len() > MOST_BYTES {
-        return Err(unreadable(format!("it is longer than {MOST_BYTES} bytes")));
+    if bytes.len() > MAX_BYTES {
+        return Err(unreadable(format!("it is longer than {MAX_BYTES} bytes")));
     }
     let text = String::from_utf8(bytes).map_err(|e| {
         let at = e.utf8_error().valid_up_to();
@@ -115,6 +124,20 @@ pub fn load_with_settings(
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let folder = path.parent().unwrap_or(Path::new(""));
     read_with_settings(&name, &text, &mut |file| beside(folder, file), settings)
+}
+
+/// The design of the faces of a file of another program; nothing for one without faces, and for a design.
+fn of_faces(path: &str, bytes: &[u8]) -> Result<Option<Design>, DesignError> {
+    if !FileKind::detect(bytes).is_read() {
+        return Ok(None);
+    }
+    match torse_exchange::read(path, bytes, None) {
+        Ok(imported) if !imported.faces.is_empty() => {
+            crate::faces::design_of_faces(path, &imported).map(Some)
+        }
+        // It is named as what it is.
+        _ => Ok(None),
+    }
 }
 
 /// A file that a design in a folder names.
@@ -130,7 +153,7 @@ fn beside(folder: &Path, file: &str) -> Result<Vec<u8>, String> {
 
 /// Refuses, in one line, what is a file of another kind: its text is no TOML that somebody mistyped.
 fn other_kind(path: &str, bytes: &[u8]) -> Result<(), DesignError> {
-    match FileKind::of(bytes) {
+    match FileKind::detect(bytes) {
         // Bytes that mean nothing are refused where they are no text.
         FileKind::Text | FileKind::Empty | FileKind::Binary => Ok(()),
         kind => Err(DesignError::OtherKind {
@@ -151,7 +174,7 @@ fn line_at(text: &str, byte: usize) -> &str {
 ///
 /// # Errors
 /// [`DesignError::OtherKind`] for a file of another program, [`DesignError::Wrong`] with everything that is wrong, in the
-/// order of the file; [`DesignError::Unreadable`] for lines longer than [`MOST_LINE`].
+/// order of the file; [`DesignError::Unreadable`] for lines longer than [`MAX_LINE`].
 ///
 /// ```
 /// use torse_designs::{DesignError, read};
@@ -237,10 +260,10 @@ pub fn read_with_settings(
     settings: &[(String, f64)],
 ) -> Result<Design, DesignError> {
     other_kind(name, text.as_bytes())?;
-    if let Some(line) = text.lines().position(|line| line.len() > MOST_LINE) {
+    if let Some(line) = text.lines().position(|line| line.len() > MAX_LINE) {
         return Err(DesignError::Unreadable {
             path: name.to_owned(),
-            reason: format!("line {} is longer than {MOST_LINE} bytes", line + 1),
+            reason: format!("line {} is longer than {MAX_LINE} bytes", line + 1),
         });
     }
     let source = Arc::new(Source {
@@ -270,9 +293,9 @@ pub fn read_with_settings(
             let told = mistakes.into_iter().take_while(|(start, _)| {
                 let first = shown == 0;
                 shown += 1 + line_at(text, *start).len();
-                first || shown <= MOST_SHOWN
+                first || shown <= MAX_SHOWN
             });
-            let mistakes = told.map(|(_, error)| error).take(MOST_MISTAKES).collect();
+            let mistakes = told.map(|(_, error)| error).take(MAX_MISTAKES).collect();
             Err(DesignError::Wrong { mistakes })
         }
     }
@@ -358,9 +381,9 @@ fn named<'s, T>(
     };
     let span = entries.span.clone();
     let rest = entries.rest();
-    if rest.len() > MOST_THINGS {
+    if rest.len() > MAX_THINGS {
         let message = format!(
-            "{} entries of {what}: at most {MOST_THINGS} are read",
+            "{} entries of {what}: at most {MAX_THINGS} are read",
             rest.len()
         );
         reader.complain(&span, message, "");

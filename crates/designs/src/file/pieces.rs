@@ -55,7 +55,7 @@ impl Cells {
     }
 
     /// The pieces of a curve, cut to a part where there are several.
-    pub fn of(curve: &PiecewiseRail, part: [f64; 2]) -> Result<(Self, Vec<Rail>)> {
+    pub fn cut(curve: &PiecewiseRail, part: [f64; 2]) -> Result<(Self, Vec<Rail>)> {
         let trimmed = curve.count() > 1;
         let curve = within(curve, part)?;
         let cells = Self {

@@ -4,9 +4,9 @@
 use super::keys;
 use super::planes::plane;
 use super::points::point;
-use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
+use super::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
 use toml::de::DeValue;
-use torse_geometry::Affine;
+use torse_geometry::AffineMap;
 use torse_geometry::prelude::{PiecewiseRail, Point};
 use torse_geometry::vector::{cross, dot, scale, sub, unit};
 
@@ -25,7 +25,7 @@ pub fn placed(
         let items = reader.list(value, "numbers", [2, 2])?;
         let both: Vec<_> = items
             .into_iter()
-            .map(|item| reader.rational(item, Dimension::None))
+            .map(|item| reader.rational(item, NumberKind::None))
             .collect();
         both.into_iter().collect::<Option<Vec<_>>>()
     });
@@ -54,7 +54,7 @@ pub fn placed(
     Some(curve)
 }
 
-type Read = fn(&mut Reader, Value<'_>, &Named<Point>, &Named<[f64; 4]>) -> Option<Affine<f64>>;
+type Read = fn(&mut Reader, Value<'_>, &Named<Point>, &Named<[f64; 4]>) -> Option<AffineMap<f64>>;
 
 /// The maps, in the order in which they act.
 const MAPS: [(&str, Read); 4] = [
@@ -65,9 +65,9 @@ const MAPS: [(&str, Read); 4] = [
 ];
 
 /// The map with this linear part that leaves a point where it is.
-fn about(fixed: &Point, linear: [Point; 3]) -> Affine<f64> {
+fn about(fixed: &Point, linear: [Point; 3]) -> AffineMap<f64> {
     let image = linear.map(|row| dot(&row, fixed));
-    Affine {
+    AffineMap {
         linear,
         shift: sub(fixed, &image),
     }
@@ -78,7 +78,7 @@ fn stretch(
     value: Value<'_>,
     points: &Named<Point>,
     _: &Named<[f64; 4]>,
-) -> Option<Affine<f64>> {
+) -> Option<AffineMap<f64>> {
     let (factor, fixed) = if let DeValue::Table(_) = value.get_ref() {
         let mut entries = reader.entries(value, "`scale`", keys::SCALE)?;
         let span = entries.span.clone();
@@ -104,7 +104,7 @@ fn stretch(
 fn factor(reader: &mut Reader, value: Value<'_>) -> Option<f64> {
     reader.number_in(
         value,
-        Dimension::None,
+        NumberKind::None,
         "(0, infinity); a mirror is `mirror`",
         |f| f > 0.0,
     )
@@ -116,7 +116,7 @@ fn mirror(
     value: Value<'_>,
     _: &Named<Point>,
     planes: &Named<[f64; 4]>,
-) -> Option<Affine<f64>> {
+) -> Option<AffineMap<f64>> {
     let span = value.span();
     let [p, q, r, s] = plane(reader, value, planes)?;
     let normal = [p, q, r];
@@ -126,7 +126,7 @@ fn mirror(
         return None;
     }
     let row = |i: usize| sub(&IDENTITY[i], &scale(&(2.0 * normal[i] / square), &normal));
-    Some(Affine {
+    Some(AffineMap {
         linear: [row(0), row(1), row(2)],
         shift: scale(&(2.0 * s / square), &normal),
     })
@@ -138,14 +138,14 @@ fn rotation(
     value: Value<'_>,
     points: &Named<Point>,
     _: &Named<[f64; 4]>,
-) -> Option<Affine<f64>> {
+) -> Option<AffineMap<f64>> {
     let mut entries = reader.entries(value, "`rotate`", keys::ROTATE)?;
     let span = entries.span.clone();
     let fixed = entries
         .take("about")
         .map_or(Some([0.0; 3]), |value| point(reader, value, points));
     let axis = entries.take("axis").map_or(Some([0.0, 0.0, 1.0]), |value| {
-        reader.numbers(value, [Dimension::None; 3])
+        reader.numbers(value, [NumberKind::None; 3])
     });
     let Some(angle) = entries.take("angle") else {
         reader.complain(
@@ -155,7 +155,7 @@ fn rotation(
         );
         return None;
     };
-    let degrees = reader.number(angle, Dimension::None);
+    let degrees = reader.number(angle, NumberKind::None);
     let Some(axis) = unit(&axis?) else {
         reader.complain(&span, "an axis without direction", "");
         return None;
@@ -183,9 +183,9 @@ fn shift(
     value: Value<'_>,
     points: &Named<Point>,
     _: &Named<[f64; 4]>,
-) -> Option<Affine<f64>> {
+) -> Option<AffineMap<f64>> {
     let shift = point(reader, value, points)?;
-    Some(Affine {
+    Some(AffineMap {
         linear: IDENTITY,
         shift,
     })

@@ -2,20 +2,20 @@
 
 use super::joints::joint;
 use super::points::{list as point_list, point};
-use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
+use super::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
 use super::shapes::shape;
-use super::{MOST_CONTROLS, keys, named};
+use super::{MAX_CONTROLS, keys, named};
 use toml::de::DeValue;
-use torse_geometry::basis::Shape;
+use torse_geometry::basis::BasisShape;
 use torse_geometry::prelude::{Planes, Point};
 use torse_geometry::vector::{cross, dot, sub};
 
 /// A plane `p X + q Y + r Z = s`; `s` is a length where `p, q, r` are plain.
-const PLANE: [Dimension; 4] = [
-    Dimension::None,
-    Dimension::None,
-    Dimension::None,
-    Dimension::Length,
+const PLANE: [NumberKind; 4] = [
+    NumberKind::None,
+    NumberKind::None,
+    NumberKind::None,
+    NumberKind::Length,
 ];
 
 pub fn planes(
@@ -63,7 +63,7 @@ fn constructed(reader: &mut Reader, value: Value<'_>, points: &Named<Point>) -> 
             return None;
         };
         let at = point(reader, at, points);
-        let normal = reader.numbers(normal, [Dimension::None; 3]);
+        let normal = reader.numbers(normal, [NumberKind::None; 3]);
         (normal?, at?)
     };
     if normal.iter().all(|c| *c == 0.0) {
@@ -99,7 +99,7 @@ pub fn list(
     known: &Named<[f64; 4]>,
     least: usize,
 ) -> Option<Vec<[f64; 4]>> {
-    let items = reader.list(value, "planes", [least, MOST_CONTROLS])?;
+    let items = reader.list(value, "planes", [least, MAX_CONTROLS])?;
     let all: Vec<_> = items
         .into_iter()
         .map(|item| plane(reader, item, known))
@@ -139,7 +139,7 @@ fn family(
     ) {
         (Some(value), None, None) => {
             let control = list(reader, value, planes, 3)?;
-            Planes::new(Shape::Bernstein, &control)
+            Planes::new(BasisShape::Bernstein, &control)
         }
         (None, Some(value), None) => {
             let control = list(reader, value, planes, 3);
@@ -171,7 +171,7 @@ pub fn continued(
     reader: &mut Reader,
     entries: &mut Entries<'_>,
     first: &Planes,
-    shape: Option<Shape<f64>>,
+    shape: Option<BasisShape<f64>>,
     planes: &Named<[f64; 4]>,
 ) -> Option<Planes> {
     let span = entries.span.clone();

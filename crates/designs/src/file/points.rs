@@ -1,7 +1,7 @@
 //! Points: three lengths, or the name of a point.
 
 use super::named;
-use super::reader::{Dimension, Named, Reader, Value};
+use super::reader::{Named, NumberKind, Reader, Value};
 use toml::de::DeValue;
 use torse_geometry::prelude::Point;
 
@@ -16,7 +16,7 @@ pub fn point(reader: &mut Reader, value: Value<'_>, known: &Named<Point>) -> Opt
     if let DeValue::String(_) = value.get_ref() {
         return reader.named(value, "point", known).copied();
     }
-    reader.numbers(value, [Dimension::Length; 3])
+    reader.numbers(value, [NumberKind::Length; 3])
 }
 
 /// A list of points, or of vectors that are as long.

@@ -1,6 +1,6 @@
 //! Values of a design file, each with its place: what is wrong is kept, and the rest is read on.
 
-use super::formula::{Value as Number, evaluate};
+use super::formula::{FormulaValue as Number, evaluate};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -29,7 +29,7 @@ pub type Value<'s> = Spanned<DeValue<'s>>;
 
 /// Whether a number is a length, in the unit of the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Dimension {
+pub enum NumberKind {
     /// A plain number.
     None,
     /// A length.
@@ -40,7 +40,7 @@ pub enum Dimension {
 pub type Named<T> = Vec<(String, Option<T>)>;
 
 /// Digits after which no formula refers to another.
-const DEEPEST: usize = 64;
+const MAX_DEPTH: usize = 64;
 
 /// The text, what is wrong with it, and the constants of `[let]`.
 pub struct Reader {
@@ -246,12 +246,12 @@ impl Reader {
     }
 
     /// A number, or a formula for one.
-    pub fn number(&mut self, value: Value<'_>, dimension: Dimension) -> Option<f64> {
+    pub fn number(&mut self, value: Value<'_>, dimension: NumberKind) -> Option<f64> {
         let span = value.span();
         let number = self.exact(value)?;
         let number = match dimension {
-            Dimension::None => number,
-            Dimension::Length => number.times(&self.unit),
+            NumberKind::None => number,
+            NumberKind::Length => number.times(&self.unit),
         };
         let double = number.to_f64();
         if double.is_none() {
@@ -262,12 +262,12 @@ impl Reader {
     }
 
     /// A number exactly as it stands in the file; one that is only enclosed is rounded to f64 first.
-    pub fn rational(&mut self, value: Value<'_>, dimension: Dimension) -> Option<Rational> {
+    pub fn rational(&mut self, value: Value<'_>, dimension: NumberKind) -> Option<Rational> {
         let span = value.span();
         let number = self.exact(value)?;
         let number = match dimension {
-            Dimension::None => number,
-            Dimension::Length => number.times(&self.unit),
+            NumberKind::None => number,
+            NumberKind::Length => number.times(&self.unit),
         };
         let double = number.to_f64();
         if double.is_none() {
@@ -284,7 +284,7 @@ impl Reader {
     pub fn number_in(
         &mut self,
         value: Value<'_>,
-        dimension: Dimension,
+        dimension: NumberKind,
         range: &str,
         inside: impl Fn(f64) -> bool,
     ) -> Option<f64> {
@@ -359,8 +359,8 @@ impl Reader {
             .collect();
         let mut silent = false;
         let mut lookup = |name: &str, place: Place| -> Result<Option<Number>, Fault> {
-            if depth >= DEEPEST {
-                return Err(Fault::at(place, Problem::Circular { limit: DEEPEST }));
+            if depth >= MAX_DEPTH {
+                return Err(Fault::at(place, Problem::Circular { limit: MAX_DEPTH }));
             }
             let found = self.constant(name, depth);
             silent |= matches!(found, Some(None));
@@ -488,7 +488,7 @@ impl Reader {
     pub fn numbers<const N: usize>(
         &mut self,
         value: Value<'_>,
-        dimensions: [Dimension; N],
+        dimensions: [NumberKind; N],
     ) -> Option<[f64; N]> {
         let items = self.list(value, "numbers", [N, N])?;
         let mut numbers = [0.0; N];

@@ -1,8 +1,8 @@
 //! Which edges meet.
 
-use super::MOST_THINGS;
+use super::MAX_THINGS;
 use super::patches::Group;
-use super::reader::{Dimension, Named, Reader, Value};
+use super::reader::{Named, NumberKind, Reader, Value};
 use crate::design::Patch;
 use crate::seams::{EdgeName, PatchEdge, Seam};
 
@@ -12,7 +12,7 @@ pub fn seams(
     patches: &Named<Patch>,
     groups: &[Group],
 ) -> Vec<Seam> {
-    let items = section.and_then(|value| reader.list(value, "seams", [0, MOST_THINGS]));
+    let items = section.and_then(|value| reader.list(value, "seams", [0, MAX_THINGS]));
     let mut seams = Vec::new();
     for item in items.unwrap_or_default() {
         let Some(parts) = reader.list(item, "entries of a seam", [2, 3]) else {
@@ -22,7 +22,7 @@ pub fn seams(
         let mut edge = || edge(reader, parts.next()?, patches, groups);
         let (first, second) = (edge(), edge());
         let ease = parts.next().map_or(Some(0.0), |value| {
-            reader.number_in(value, Dimension::Length, "(-infinity, infinity)", |_| true)
+            reader.number_in(value, NumberKind::Length, "(-infinity, infinity)", |_| true)
         });
         if let (Some(first), Some(second), Some(ease)) = (first, second, ease) {
             seams.push(Seam {

@@ -1,26 +1,26 @@
 //! What a design is called, made of and judged by.
 
 use super::keys;
-use super::reader::{Dimension, Entries, Reader, Value};
-use crate::Unit;
+use super::reader::{Entries, NumberKind, Reader, Value};
+use crate::DesignUnit;
 use crate::bending::{Bending, DesignedSurface, NeutralLine};
-use crate::design::{Material, Tolerances, USUAL_RULINGS, View};
+use crate::design::{DesignView, Material, Tolerances, USUAL_RULINGS};
 use toml::de::DeValue;
-use torse_geometry::pattern::Sheet as Metal;
+use torse_geometry::pattern::BendingSheet as Metal;
 
 /// The most rulings that are shown of a patch.
-pub const MOST_RULINGS: f64 = 4097.0;
+pub const MAX_RULINGS: f64 = 4097.0;
 
 /// Title and unit.
-pub struct Head {
+pub struct DesignHead {
     pub title: String,
-    pub unit: Unit,
+    pub unit: DesignUnit,
 }
 
-pub fn head(reader: &mut Reader, section: Option<Value<'_>>, file: &str) -> Head {
-    let mut head = Head {
+pub fn head(reader: &mut Reader, section: Option<Value<'_>>, file: &str) -> DesignHead {
+    let mut head = DesignHead {
         title: file.strip_suffix(".toml").unwrap_or(file).to_owned(),
-        unit: Unit::Millimetre,
+        unit: DesignUnit::Millimetre,
     };
     let entries = section.and_then(|value| reader.entries(value, "[design]", keys::DESIGN));
     let Some(mut entries) = entries else {
@@ -39,7 +39,7 @@ pub fn head(reader: &mut Reader, section: Option<Value<'_>>, file: &str) -> Head
         reader.text(value, "a description");
     }
     if let Some(value) = entries.take("unit")
-        && let Some(unit) = reader.word(value, "unit", &Unit::ALL)
+        && let Some(unit) = reader.word(value, "unit", &DesignUnit::ALL)
     {
         head.unit = unit;
         reader.unit = unit.millimetres();
@@ -64,7 +64,7 @@ fn neutral(reader: &mut Reader, value: Value<'_>) -> Option<NeutralLine> {
             let items = reader.list(value, "rows of K-factors", [2, MAX_K_ROWS])?;
             let rows: Option<Vec<[f64; 2]>> = items
                 .into_iter()
-                .map(|item| reader.numbers(item, [Dimension::None; 2]))
+                .map(|item| reader.numbers(item, [NumberKind::None; 2]))
                 .collect();
             let rows = rows?;
             let grows = rows.windows(2).all(|pair| pair[0][0] < pair[1][0]);
@@ -77,7 +77,7 @@ fn neutral(reader: &mut Reader, value: Value<'_>) -> Option<NeutralLine> {
             Some(NeutralLine::Table(rows))
         }
         _ => reader
-            .number_in(value, Dimension::None, "[0, 1]", share)
+            .number_in(value, NumberKind::None, "[0, 1]", share)
             .map(NeutralLine::Constant),
     }
 }
@@ -109,7 +109,7 @@ pub fn metal(reader: &mut Reader, section: Option<Value<'_>>) -> (Option<Materia
 
 fn material(reader: &mut Reader, entries: &mut Entries<'_>, k_factor: f64) -> Option<Material> {
     let thickness = match entries.take("thickness") {
-        Some(value) => reader.number_in(value, Dimension::Length, "(0, infinity)", |t| t > 0.0),
+        Some(value) => reader.number_in(value, NumberKind::Length, "(0, infinity)", |t| t > 0.0),
         None => {
             let help = "without a thickness leave the section out";
             reader.complain(&entries.span, "[sheet] lacks `thickness`", help);
@@ -117,7 +117,7 @@ fn material(reader: &mut Reader, entries: &mut Entries<'_>, k_factor: f64) -> Op
         }
     };
     let least_radius = entries.take("least-radius").map_or(Some(1.0), |value| {
-        reader.number_in(value, Dimension::None, "[0, infinity)", |r| r >= 0.0)
+        reader.number_in(value, NumberKind::None, "[0, infinity)", |r| r >= 0.0)
     });
     Some(Material {
         sheet: Metal::new(thickness?, k_factor).ok()?,
@@ -136,7 +136,7 @@ pub fn tolerances(reader: &mut Reader, section: Option<Value<'_>>) -> Tolerances
     let angle = |value: f64| value > 0.0 && value <= 90.0;
     type Rule<'a> = (
         &'a str,
-        Dimension,
+        NumberKind,
         &'a str,
         &'a dyn Fn(f64) -> bool,
         &'a mut f64,
@@ -145,63 +145,63 @@ pub fn tolerances(reader: &mut Reader, section: Option<Value<'_>>) -> Tolerances
     let rules: [Rule<'_>; 9] = [
         (
             "outline",
-            Dimension::Length,
+            NumberKind::Length,
             "(0, infinity)",
             &positive,
             &mut tolerances.outline,
         ),
         (
             "strain",
-            Dimension::None,
+            NumberKind::None,
             "(0, 1)",
             &share,
             &mut tolerances.strain,
         ),
         (
             "twist",
-            Dimension::None,
+            NumberKind::None,
             "(0, 90]",
             &angle,
             &mut tolerances.twist,
         ),
         (
             "clearance",
-            Dimension::Length,
+            NumberKind::Length,
             "[0, infinity)",
             &|c| c >= 0.0,
             &mut tolerances.clearance,
         ),
         (
             "gap",
-            Dimension::Length,
+            NumberKind::Length,
             "(0, infinity)",
             &positive,
             &mut tolerances.gap,
         ),
         (
             "kink",
-            Dimension::None,
+            NumberKind::None,
             "(0, 90]",
             &angle,
             &mut tolerances.kink,
         ),
         (
             "continuity",
-            Dimension::None,
+            NumberKind::None,
             "(0, 1)",
             &share,
             &mut tolerances.continuity,
         ),
         (
             "surface",
-            Dimension::Length,
+            NumberKind::Length,
             "(0, infinity)",
             &positive,
             &mut tolerances.surface,
         ),
         (
             "fold",
-            Dimension::Length,
+            NumberKind::Length,
             "(0, infinity)",
             &positive,
             &mut fold,
@@ -218,8 +218,8 @@ pub fn tolerances(reader: &mut Reader, section: Option<Value<'_>>) -> Tolerances
     tolerances
 }
 
-pub fn view(reader: &mut Reader, section: Option<Value<'_>>) -> View {
-    let mut view = View {
+pub fn view(reader: &mut Reader, section: Option<Value<'_>>) -> DesignView {
+    let mut view = DesignView {
         angles: None,
         rulings: USUAL_RULINGS,
     };
@@ -228,18 +228,18 @@ pub fn view(reader: &mut Reader, section: Option<Value<'_>>) -> View {
         return view;
     };
     let azimuth = entries.take("azimuth").and_then(|value| {
-        reader.number_in(value, Dimension::None, "[-360, 360]", |a| a.abs() <= 360.0)
+        reader.number_in(value, NumberKind::None, "[-360, 360]", |a| a.abs() <= 360.0)
     });
     let elevation = entries.take("elevation").and_then(|value| {
-        reader.number_in(value, Dimension::None, "[-90, 90]", |a| a.abs() <= 90.0)
+        reader.number_in(value, NumberKind::None, "[-90, 90]", |a| a.abs() <= 90.0)
     });
     if azimuth.is_some() || elevation.is_some() {
         view.angles = Some([azimuth.unwrap_or(-60.0), elevation.unwrap_or(25.0)]);
     }
     if let Some(value) = entries.take("rulings") {
         let range = "2, 3, .. 4097";
-        let whole = |n: f64| n.fract() == 0.0 && (2.0..=MOST_RULINGS).contains(&n);
-        if let Some(count) = reader.number_in(value, Dimension::None, range, whole) {
+        let whole = |n: f64| n.fract() == 0.0 && (2.0..=MAX_RULINGS).contains(&n);
+        if let Some(count) = reader.number_in(value, NumberKind::None, range, whole) {
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
             let count = count as usize;
             view.rulings = count;

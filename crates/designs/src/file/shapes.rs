@@ -1,12 +1,12 @@
 //! Shape parameters: two numbers, or the word for none.
 
-use super::reader::{Dimension, Entries, Reader, Value, accepted};
+use super::reader::{Entries, NumberKind, Reader, Value, accepted};
 use toml::de::DeValue;
-use torse_geometry::basis::Shape;
+use torse_geometry::basis::BasisShape;
 
 /// The shape parameters, if any; `None` when they are wrong.
 #[allow(clippy::option_option, reason = "wrong is not missing")]
-pub fn shape(reader: &mut Reader, entries: &mut Entries<'_>) -> Option<Option<Shape<f64>>> {
+pub fn shape(reader: &mut Reader, entries: &mut Entries<'_>) -> Option<Option<BasisShape<f64>>> {
     match entries.take("shape") {
         Some(value) => shape_of(reader, value).map(Some),
         None => Some(None),
@@ -14,13 +14,13 @@ pub fn shape(reader: &mut Reader, entries: &mut Entries<'_>) -> Option<Option<Sh
 }
 
 /// Shape parameters, or the word for none.
-pub fn shape_of(reader: &mut Reader, value: Value<'_>) -> Option<Shape<f64>> {
+pub fn shape_of(reader: &mut Reader, value: Value<'_>) -> Option<BasisShape<f64>> {
     if let DeValue::String(word) = value.get_ref()
         && word == "bernstein"
     {
-        return Some(Shape::Bernstein);
+        return Some(BasisShape::Bernstein);
     }
     let span = value.span();
-    let [mu, nu] = reader.numbers(value, [Dimension::None; 2])?;
-    accepted(reader, &span, Shape::gbt(mu, nu))
+    let [mu, nu] = reader.numbers(value, [NumberKind::None; 2])?;
+    accepted(reader, &span, BasisShape::gbt(mu, nu))
 }

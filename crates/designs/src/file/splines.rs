@@ -2,7 +2,7 @@
 
 use super::keys;
 use super::points::point;
-use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
+use super::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
 use std::ops::Range;
 use toml::de::DeValue;
 use torse_geometry::curve::{
@@ -28,7 +28,7 @@ fn exact_points(
                 let coordinates = reader.list(item, "numbers", [3, 3])?;
                 let all: Vec<_> = coordinates
                     .into_iter()
-                    .map(|c| reader.rational(c, Dimension::Length))
+                    .map(|c| reader.rational(c, NumberKind::Length))
                     .collect();
                 let all: Vec<Rational> = all.into_iter().collect::<Option<_>>()?;
                 all.try_into().ok()
@@ -56,7 +56,7 @@ fn numbers(reader: &mut Reader, value: Value<'_>, what: &str) -> Option<Vec<Rati
     let items = reader.list(value, what, [2, MAX_SPLINE_POINTS + 128])?;
     let all: Vec<_> = items
         .into_iter()
-        .map(|item| reader.rational(item, Dimension::None))
+        .map(|item| reader.rational(item, NumberKind::None))
         .collect();
     all.into_iter().collect()
 }
@@ -71,7 +71,7 @@ pub fn spline(
     let span = entries.span.clone();
     let degree = match entries.take("degree") {
         None => Some(3.0),
-        Some(value) => reader.number_in(value, Dimension::None, "{1, 2, .. 64}", |d| {
+        Some(value) => reader.number_in(value, NumberKind::None, "{1, 2, .. 64}", |d| {
             d.fract() == 0.0 && (1.0..=64.0).contains(&d)
         }),
     };
@@ -141,7 +141,7 @@ pub fn through(
 ) -> Option<PiecewiseRail> {
     let place = value.span();
     let through = plain_points(reader, value, points, 2);
-    let how = How::of(reader, entries, points);
+    let how = How::read(reader, entries, points);
     how?.interpolated(reader, &place, &through?)
 }
 
@@ -161,7 +161,7 @@ enum EndWord {
 
 impl How {
     /// The entries `ends` and `spacing`.
-    pub fn of(
+    pub fn read(
         reader: &mut Reader,
         entries: &mut Entries<'_>,
         points: &Named<Point>,

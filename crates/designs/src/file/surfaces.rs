@@ -2,11 +2,11 @@
 
 use super::curves::single;
 use super::points::list;
-use super::reader::{Dimension, Entries, Named, Reader, Value, accepted};
+use super::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
 use super::shapes::shape_of;
-use super::{MOST_CONTROLS, Parts, keys, named};
+use super::{MAX_CONTROLS, Parts, keys, named};
 use crate::design::{FreeSurface, Tensor};
-use torse_geometry::basis::Shape;
+use torse_geometry::basis::BasisShape;
 use torse_geometry::prelude::{GeometryError, PiecewiseRail, Place, Point, Rail};
 use torse_geometry::sheet::RailCurve;
 use torse_geometry::{Curve, TensorSurface};
@@ -14,8 +14,8 @@ use torse_geometry::{Curve, TensorSurface};
 /// The ways to make a surface.
 const KINDS: [&str; 5] = ["net", "bilinear", "swung", "swept", "rotation"];
 
-type SpaceCurve = Curve<Shape<f64>, f64, 3>;
-type PlaneCurve = Curve<Shape<f64>, f64, 2>;
+type SpaceCurve = Curve<BasisShape<f64>, f64, 3>;
+type PlaneCurve = Curve<BasisShape<f64>, f64, 2>;
 
 pub fn surfaces(
     reader: &mut Reader,
@@ -48,12 +48,12 @@ fn surface(
         "net" => {
             let [u, v] = ["shape-u", "shape-v"].map(|key| match entries.take(key) {
                 Some(value) => shape_of(reader, value),
-                None => Some(Shape::Bernstein),
+                None => Some(BasisShape::Bernstein),
             });
-            let rows = reader.list(value, "rows of points", [2, MOST_CONTROLS])?;
+            let rows = reader.list(value, "rows of points", [2, MAX_CONTROLS])?;
             let rows: Vec<_> = rows
                 .into_iter()
-                .map(|row| list(reader, row, &parts.points, [2, MOST_CONTROLS]))
+                .map(|row| list(reader, row, &parts.points, [2, MAX_CONTROLS]))
                 .collect();
             let net = rows.into_iter().collect::<Option<Vec<_>>>()?;
             TensorSurface::new(u?, v?, net).map(|surface| vec![surface])
@@ -62,14 +62,14 @@ fn surface(
             let corners = list(reader, value, &parts.points, [4, 4]);
             let [u, v] = ["shape-u", "shape-v"].map(|key| match entries.take(key) {
                 Some(value) => shape_of(reader, value),
-                None => Some(Shape::Bernstein),
+                None => Some(BasisShape::Bernstein),
             });
             let degrees = match entries.take("degrees") {
                 Some(value) => degrees(reader, value),
                 None => Some((3, 3)),
             };
             let interior = match entries.take("interior") {
-                Some(value) => list(reader, value, &parts.points, [0, MOST_CONTROLS]),
+                Some(value) => list(reader, value, &parts.points, [0, MAX_CONTROLS]),
                 None => Some(Vec::new()),
             };
             let [a, b, c, d]: [Point; 4] = corners?.try_into().ok()?;
@@ -86,7 +86,7 @@ fn surface(
             let factor = match entries.take("factor") {
                 Some(value) if kind == "swung" => {
                     let positive = |factor| factor > 0.0;
-                    reader.number_in(value, Dimension::None, "(0, infinity)", positive)?
+                    reader.number_in(value, NumberKind::None, "(0, infinity)", positive)?
                 }
                 Some(value) => {
                     reader.complain(&value.span(), "only what is swung has a `factor`", "");
@@ -126,7 +126,7 @@ fn surface(
 /// The degrees of a net in both directions.
 fn degrees(reader: &mut Reader, value: Value<'_>) -> Option<(usize, usize)> {
     let place = value.span();
-    let both = reader.numbers(value, [Dimension::None; 2])?;
+    let both = reader.numbers(value, [NumberKind::None; 2])?;
     let whole = |d: &f64| *d >= 1.0 && d.fract() == 0.0 && *d <= 24.0;
     if !both.iter().all(whole) {
         let message = format!("{both:?} are no degrees");
@@ -142,12 +142,12 @@ type Matrix = [[f64; 3]; 3];
 
 /// Matrices by their rows.
 fn matrices(reader: &mut Reader, value: Value<'_>) -> Option<Vec<Matrix>> {
-    let items = reader.list(value, "matrices", [1, MOST_CONTROLS])?;
+    let items = reader.list(value, "matrices", [1, MAX_CONTROLS])?;
     let matrix = |reader: &mut Reader, item: Value<'_>| -> Option<Matrix> {
         let rows = reader.list(item, "rows of a matrix", [3, 3])?;
         let rows: Vec<_> = rows
             .into_iter()
-            .map(|row| reader.numbers(row, [Dimension::None; 3]))
+            .map(|row| reader.numbers(row, [NumberKind::None; 3]))
             .collect();
         let rows = rows.into_iter().collect::<Option<Vec<_>>>()?;
         rows.try_into().ok()
@@ -212,7 +212,7 @@ fn turned(profile: &Rail) -> Result<Vec<Tensor>, GeometryError> {
     let plain = quarters.iter().map(|quarter| {
         let (u, v) = quarter.bases();
         let net = quarter.rows().map(<[_]>::to_vec).collect();
-        TensorSurface::new(*u, Shape::from(*v), net)
+        TensorSurface::new(*u, BasisShape::from(*v), net)
     });
     plain.collect()
 }

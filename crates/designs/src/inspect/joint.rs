@@ -103,7 +103,7 @@ struct Seam {
 }
 
 impl End {
-    fn of(sheet: &Sheet, last: bool) -> Result<Self, GeometryError> {
+    fn new(sheet: &Sheet, last: bool) -> Result<Self, GeometryError> {
         let x = if last { 1.0 } else { 0.0 };
         let rails = sheet.ends_and_slopes(&x)?;
         let points = rails.map(|[point, _]| point);
@@ -111,7 +111,7 @@ impl End {
         let speeds = rails.map(|[_, slope]| norm(&slope));
         // What an edge that stands still does is rounding.
         let normal = |[_, slope]: [Point; 2]| {
-            let moves = norm(&slope) > super::STILL * speeds[0].max(speeds[1]);
+            let moves = norm(&slope) > super::ends::STILL * speeds[0].max(speeds[1]);
             moves.then(|| torse_geometry::vector::unit(&cross(&slope, &ruling)))?
         };
         Ok(Self {
@@ -135,7 +135,10 @@ impl End {
 /// The nearest ends of two patches: the end of the first and the start of the second before all others.
 fn seam(first: &Patch, second: &Patch) -> Result<Seam, GeometryError> {
     let ends = |patch: &Patch| -> Result<[End; 2], GeometryError> {
-        Ok([End::of(&patch.sheet, true)?, End::of(&patch.sheet, false)?])
+        Ok([
+            End::new(&patch.sheet, true)?,
+            End::new(&patch.sheet, false)?,
+        ])
     };
     let [one, other] = ends(first)?;
     let [far, near] = ends(second)?;
@@ -348,8 +351,15 @@ fn objection(design: &Design, chain: &Chain, report: &JointReport) -> Option<Str
     let limits = &design.tolerances;
     let [first, second] = &report.patches;
     if report.gap > limits.gap {
+        // Developables of pieces of curves end where they must: that of the whole curves goes on.
+        let connected = |name: &String| design.patch(name).is_some_and(|p| p.kind == "connect");
+        let help = if connected(first) && connected(second) {
+            "; if their curves go on in one another, make one of them, `row = [\"a\", \"b\"]`, and connect these: a whole panel"
+        } else {
+            ""
+        };
         return Some(format!(
-            "{first} and {second} do not meet: {:.6} mm apart, {} allowed",
+            "{first} and {second} do not meet: {:.6} mm apart, {} allowed{help}",
             report.gap, limits.gap
         ));
     }

@@ -3,6 +3,7 @@
 //! Numbers with bounds come from [`Sheet::enclose`]: they hold for the exact numbers of the control data. The others are
 //! estimates of [`Sheet::inspect`].
 
+mod ends;
 mod joint;
 mod numbers;
 mod seams;
@@ -21,11 +22,13 @@ pub use text::{overview, table};
 
 use crate::design::{Chain, Design, Patch};
 use crate::error::DesignError;
+use ends::{EndsJudged, Judged, judged};
 use serde::Serialize;
 use torse_geometry::Rails;
-use torse_geometry::developable::{Certificate, EnclosedCertificate, Singularity};
-use torse_geometry::prelude::{Budget, Construction, GeometryError, SelfIntersection, Sheet};
-use torse_geometry::surface::RulingEnd;
+use torse_geometry::developable::{EnclosedCertificate, PatchCertificate, Singularity};
+use torse_geometry::prelude::{
+    Construction, GeometryError, MeasureBudget, SelfIntersection, Sheet,
+};
 use torse_geometry::vector::{norm, sub};
 
 /// Rulings that are measured of every patch at least.
@@ -33,7 +36,7 @@ const RULINGS: usize = 64;
 
 /// What was measured.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Report {
+pub struct DesignReport {
     /// The name of the design.
     pub design: String,
     /// Its title.
@@ -57,7 +60,7 @@ pub struct Report {
 /// Whether something is so, and how that is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Known {
+pub enum Assurance {
     /// By the way it is made.
     ByConstruction,
     /// Proved for the exact control data: of a developable, that it is one exactly.
@@ -70,7 +73,7 @@ pub enum Known {
     No,
 }
 
-impl Known {
+impl Assurance {
     /// Whether it is so, as far as known.
     #[must_use]
     pub fn holds(self) -> bool {
@@ -92,15 +95,15 @@ impl Known {
 
 /// Bounds of a number; `null` in JSON for an end that is infinite.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Bounds {
+pub struct ValueBounds {
     /// It is at least this.
     pub low: Option<f64>,
     /// It is at most this.
     pub high: Option<f64>,
 }
 
-impl Bounds {
-    fn of(low: f64, high: f64) -> Self {
+impl ValueBounds {
+    fn new(low: f64, high: f64) -> Self {
         let finite = |end: f64| end.is_finite().then_some(end);
         let (low, high) = (finite(low), finite(high));
         Self { low, high }
@@ -115,20 +118,20 @@ pub struct PatchReport {
     /// How it is made.
     pub kind: &'static str,
     /// Whether its tangent plane stays the same along every ruling, within the tolerance.
-    pub developable: Known,
+    pub developable: Assurance,
     /// Whether its normal vanishes nowhere, but at an apex.
-    pub regular: Known,
+    pub regular: Assurance,
     /// Why it is not regular.
     pub singularity: Option<String>,
     /// The rails that are a point: 1, 2.
     pub apexes: Vec<usize>,
     /// The largest angle between the tangent planes at the ends of a ruling, in degrees: bounds.
-    pub twist: Bounds,
+    pub twist: ValueBounds,
     /// The same, measured, and the parameter of the ruling.
     pub twist_measured: [f64; 2],
     /// The smallest distance of the patch from the edge of regression, or where rulings come closest: bounds, and
     /// `null` where rulings do not meet. Negative inside.
-    pub clearance: Option<Bounds>,
+    pub clearance: Option<ValueBounds>,
     /// The shortest and the longest ruling.
     pub rulings: [f64; 2],
     /// The largest Gaussian curvature in size, for one over square millimetres; `null` when it is unbounded.
@@ -169,7 +172,7 @@ pub enum Space {
 }
 
 impl Space {
-    fn of(sheet: &Sheet) -> Self {
+    fn inspect(sheet: &Sheet) -> Self {
         match sheet.self_intersection() {
             Ok(SelfIntersection::Free) => Self::Free,
             Ok(SelfIntersection::Found { places, proved, .. }) => Self::Meets { places, proved },
@@ -185,7 +188,7 @@ impl Space {
 /// [`DesignError::Patch`] for a patch that has no value somewhere.
 ///
 /// ```
-/// use torse_designs::inspect::{Known, inspect};
+/// use torse_designs::inspect::{Assurance, inspect};
 /// let design = torse_designs::read("tube.toml", r#"
 ///     [sheet]
 ///     thickness = 1
@@ -197,20 +200,20 @@ impl Space {
 /// "#)?;
 /// let report = inspect(&design)?;
 /// let tube = &report.patches[0];
-/// assert!(report.missed.is_empty() && tube.developable.holds() && tube.regular == Known::Proved);
+/// assert!(report.missed.is_empty() && tube.developable.holds() && tube.regular == Assurance::Proved);
 /// assert!((tube.area.unwrap() - 300.0 * std::f64::consts::PI).abs() < 1e-6);
 /// assert!((tube.inside_radius.unwrap() - 19.5).abs() < 1e-9 && tube.clearance.is_none());
 /// # Ok::<(), torse_designs::DesignError>(())
 /// ```
-pub fn inspect(design: &Design) -> Result<Report, DesignError> {
-    inspect_within(design, Budget::default())
+pub fn inspect(design: &Design) -> Result<DesignReport, DesignError> {
+    inspect_within(design, MeasureBudget::default())
 }
 
 /// As [`inspect`], with another budget for bounds and proofs.
 ///
 /// # Errors
 /// As [`inspect`].
-pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignError> {
+pub fn inspect_within(design: &Design, budget: MeasureBudget) -> Result<DesignReport, DesignError> {
     inspected(design, Some(budget))
 }
 
@@ -221,7 +224,7 @@ pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignE
 /// As [`inspect`].
 ///
 /// ```
-/// use torse_designs::inspect::{Known, inspect_quickly};
+/// use torse_designs::inspect::{Assurance, inspect_quickly};
 /// let design = torse_designs::read("tube.toml", r#"
 ///     [curves.rim]
 ///     arc = { centre = [0, 0, 0], from = [20, 0, 0], to = [0, 20, 0] }
@@ -230,14 +233,14 @@ pub fn inspect_within(design: &Design, budget: Budget) -> Result<Report, DesignE
 ///     direction = [0, 0, 30]
 /// "#)?;
 /// let report = inspect_quickly(&design)?;
-/// assert_eq!(report.patches[0].regular, Known::Measured);
+/// assert_eq!(report.patches[0].regular, Assurance::Measured);
 /// # Ok::<(), torse_designs::DesignError>(())
 /// ```
-pub fn inspect_quickly(design: &Design) -> Result<Report, DesignError> {
+pub fn inspect_quickly(design: &Design) -> Result<DesignReport, DesignError> {
     inspected(design, None)
 }
 
-fn inspected(design: &Design, budget: Option<Budget>) -> Result<Report, DesignError> {
+fn inspected(design: &Design, budget: Option<MeasureBudget>) -> Result<DesignReport, DesignError> {
     let mut missed = Vec::new();
     let mut patches = Vec::new();
     for (index, patch) in design.patches.iter().enumerate() {
@@ -270,7 +273,7 @@ fn inspected(design: &Design, budget: Option<Budget>) -> Result<Report, DesignEr
     let measured = design.surfaces.iter();
     let surfaces = measured.map(|s| surface::surface(s).map_err(failed(&s.name)));
     let surfaces = surfaces.collect::<Result<Vec<_>, _>>()?;
-    Ok(Report {
+    Ok(DesignReport {
         surfaces,
         design: design.name.clone(),
         title: design.title.clone(),
@@ -280,64 +283,6 @@ fn inspected(design: &Design, budget: Option<Budget>) -> Result<Report, DesignEr
         seams,
         missed,
         notes: design.notes.clone(),
-    })
-}
-
-/// Of a patch that begins or ends in a special ruling, this share of the parameter is left out of what is judged.
-const END: f64 = 1.0 / 4096.0;
-
-/// An edge whose speed is this share of that of the other one stands still.
-pub(super) const STILL: f64 = 1e-9;
-
-/// The sheet whose regularity is that of a patch without its apex and without the rulings at its ends that have no normal
-/// by their kind; and what is left out of it, in words.
-fn judged(sheet: &Sheet) -> Result<(Sheet, Vec<String>), GeometryError> {
-    let mut left_out = Vec::new();
-    let mut judged = sheet.away_from_apex().unwrap_or_else(|| sheet.clone());
-    let rulings = Rails::<f64>::end_kinds(sheet).rulings();
-    for (ruling, u) in rulings.iter().zip([0, 1]) {
-        match ruling {
-            RulingEnd::Ordinary => {}
-            RulingEnd::Tip => left_out.push(format!("its edges meet in a point at u = {u}")),
-            RulingEnd::Still => left_out.push(format!(
-                "both edges stand still at u = {u}, where control points coincide: the radius may fall to nothing there"
-            )),
-        }
-    }
-    let mut cut = rulings.map(|ruling| ruling != RulingEnd::Ordinary);
-    for (end, u) in [0.0, 1.0].into_iter().enumerate() {
-        if let Some(edge) = pivot(sheet, u)? {
-            cut[end] = true;
-            left_out.push(format!(
-                "edge {edge} stands still at u = {u}: the edge of regression touches it there, and the radius falls to nothing"
-            ));
-        }
-    }
-    let share = |cut: bool| if cut { END } else { 0.0 };
-    let [from, to] = [share(cut[0]), 1.0 - share(cut[1])];
-    if [from, to] != [0.0, 1.0] {
-        judged = judged.part(from, to)?;
-    }
-    Ok((judged, left_out))
-}
-
-/// Of a developable between two curves the edge, 1 or 2, that has no speed at its first or last ruling: that of a curve that
-/// begins without curvature.
-fn pivot(sheet: &Sheet, u: f64) -> Result<Option<usize>, GeometryError> {
-    let whole = match sheet.construction() {
-        Construction::Part(part) => part.whole(),
-        _ => sheet,
-    };
-    if !matches!(whole.construction(), Construction::Connecting(_)) {
-        return Ok(None);
-    }
-    let [first, second] = sheet.ends_and_slopes(&u)?.map(|[_, slope]| norm(&slope));
-    Ok(if first <= STILL * second {
-        Some(1)
-    } else if second <= STILL * first {
-        Some(2)
-    } else {
-        None
     })
 }
 
@@ -353,15 +298,18 @@ fn is_ruled(sheet: &Sheet) -> bool {
 fn measured(
     design: &Design,
     patch: &Patch,
-    budget: Option<Budget>,
+    budget: Option<MeasureBudget>,
 ) -> Result<PatchReport, GeometryError> {
     let mut notes = patch.notes.clone();
     // Nothing depends on where in space it lies.
     let near = patch.sheet.near_origin().map(|(near, _)| near);
     let own = near.as_ref().unwrap_or(&patch.sheet);
-    let (sheet, left_out) = judged(own)?;
-    let ended = !left_out.is_empty();
-    notes.extend(left_out);
+    let Judged {
+        sheet,
+        notes: special,
+        ends,
+    } = judged(own, budget.is_some())?;
+    notes.extend(special);
     let checked = match sheet.inspect(RULINGS) {
         Ok(checked) => checked,
         Err(error) => return singular(patch, sheet.certify(RULINGS)?, &error),
@@ -370,7 +318,7 @@ fn measured(
         .zip(patch.apexes())
         .filter_map(|(n, apex)| apex.then_some(n))
         .collect();
-    let whole = if apexes.is_empty() && !ended {
+    let whole = if apexes.is_empty() && matches!(ends, EndsJudged::All) {
         checked
     } else {
         own.inspect(RULINGS)?
@@ -385,43 +333,57 @@ fn measured(
     };
     let certificate = checked.certificate;
     let limit = design.tolerances.twist;
-    let twist = proved.map_or(Bounds::of(0.0, 90.0), |p| {
-        Bounds::of(p.twist.low.to_degrees(), p.twist.high.to_degrees())
-    });
-    let measured_twist = checked.twist_in_degrees();
     let exact = Rails::<f64>::is_developable_by_construction(&patch.sheet);
+    let twist = match (proved, &ends) {
+        (Some(p), EndsJudged::All) => {
+            ValueBounds::new(p.twist.low.to_degrees(), p.twist.high.to_degrees())
+        }
+        (Some(p), EndsJudged::Proved(at_ends)) => {
+            let high = p.twist.high.max(*at_ends);
+            ValueBounds::new(p.twist.low.to_degrees(), high.to_degrees())
+        }
+        // Of the ends that were left out it is known all the same where it is none by construction.
+        (Some(p), EndsJudged::Open) if exact => {
+            ValueBounds::new(p.twist.low.to_degrees(), p.twist.high.to_degrees())
+        }
+        (Some(p), EndsJudged::Open) => ValueBounds::new(p.twist.low.to_degrees(), 90.0),
+        (None, _) => ValueBounds::new(0.0, 90.0),
+    };
+    let measured_twist = checked.twist_in_degrees();
     let developable = if exact && !is_ruled(&patch.sheet) {
-        Known::ByConstruction
+        Assurance::ByConstruction
     } else if exact {
-        Known::Proved
+        Assurance::Proved
     } else if twist.high.is_some_and(|high| high <= limit) {
-        Known::Within
+        Assurance::Within
     } else if measured_twist <= limit && twist.low.is_none_or(|low| low <= limit) {
-        Known::Measured
+        Assurance::Measured
     } else {
-        Known::No
+        Assurance::No
     };
     let regular = match proved.and_then(|p| p.is_regular()) {
         // What was left out at an end was not looked at.
-        Some(true) if ended => Known::Measured,
-        Some(true) => Known::Proved,
-        Some(false) => Known::No,
-        None if certificate.is_regular() => Known::Measured,
-        None => Known::No,
+        Some(true) if matches!(ends, EndsJudged::Open) => Assurance::Measured,
+        Some(true) => Assurance::Proved,
+        Some(false) => Assurance::No,
+        None if certificate.is_regular() => Assurance::Measured,
+        None => Assurance::No,
     };
     let singularity = match (regular, certificate.singularity()) {
-        (Known::No, Some(found)) => Some(words(&found)),
-        (Known::No, None) => Some("the normals at the ends of a ruling oppose: proved".to_owned()),
+        (Assurance::No, Some(found)) => Some(words(&found)),
+        (Assurance::No, None) => {
+            Some("the normals at the ends of a ruling oppose: proved".to_owned())
+        }
         _ => None,
     };
     let clearance = match (proved, certificate.clearance) {
-        _ if !apexes.is_empty() => Some(Bounds::of(0.0, 0.0)),
+        _ if !apexes.is_empty() => Some(ValueBounds::new(0.0, 0.0)),
         (Some(proved), _) => {
             let bounds = proved.clearance;
             let unbounded = bounds.high == f64::INFINITY && certificate.clearance.is_none();
-            (!unbounded).then(|| Bounds::of(bounds.low, bounds.high))
+            (!unbounded).then(|| ValueBounds::new(bounds.low, bounds.high))
         }
-        (None, Some(_)) => Some(Bounds::of(f64::NEG_INFINITY, f64::INFINITY)),
+        (None, Some(_)) => Some(ValueBounds::new(f64::NEG_INFINITY, f64::INFINITY)),
         (None, None) => None,
     };
     // Towards an apex the radius falls to nothing, in proportion to the distance: asked for is the edge of the half that
@@ -447,7 +409,7 @@ fn measured(
     };
     // Through an edge of regression a patch is no sheet anyway.
     let space = match budget {
-        Some(_) if regular.holds() => Space::of(own),
+        Some(_) if regular.holds() => Space::inspect(own),
         _ => Space::Unknown,
     };
     if let Space::Undecided { ranges: [a, b] } = &space {
@@ -534,7 +496,7 @@ fn beyond_apex(
 /// The report of a patch that cannot be integrated: it is as good as singular.
 fn singular(
     patch: &Patch,
-    certificate: Certificate,
+    certificate: PatchCertificate,
     error: &GeometryError,
 ) -> Result<PatchReport, GeometryError> {
     let mut rulings = [f64::INFINITY, 0.0_f64];
@@ -551,11 +513,11 @@ fn singular(
     Ok(PatchReport {
         name: patch.name.clone(),
         kind: patch.kind,
-        developable: Known::Measured,
-        regular: Known::No,
+        developable: Assurance::Measured,
+        regular: Assurance::No,
         singularity: Some(reason),
         apexes: Vec::new(),
-        twist: Bounds::of(0.0, 90.0),
+        twist: ValueBounds::new(0.0, 90.0),
         twist_measured: [certificate.twist.value.to_degrees(), certificate.twist.x],
         clearance: None,
         rulings,

@@ -1,7 +1,9 @@
 //! The report as a table of at most 100 columns.
 
 use super::numbers::{at_most, number};
-use super::{Bounds, JointReport, Known, PatchReport, Report, SeamReport, SurfaceReport};
+use super::{
+    Assurance, DesignReport, JointReport, PatchReport, SeamReport, SurfaceReport, ValueBounds,
+};
 
 /// The widest line.
 const WIDTH: usize = 100;
@@ -10,7 +12,7 @@ const LONGEST_NAME: usize = 22;
 
 /// The report for people.
 #[must_use]
-pub fn table(report: &Report) -> String {
+pub fn table(report: &DesignReport) -> String {
     let mut text = format!(
         "{}: {} (lengths in {})\n\n",
         report.design, report.title, report.unit
@@ -87,7 +89,7 @@ pub fn table(report: &Report) -> String {
 
 /// Several designs, one a line: how many patches and seams each has, how tightly it bends, what it misses first.
 #[must_use]
-pub fn overview(reports: &[Report]) -> String {
+pub fn overview(reports: &[DesignReport]) -> String {
     let rows: Vec<Vec<String>> = reports
         .iter()
         .map(|report| {
@@ -121,13 +123,13 @@ fn row(patch: &PatchReport) -> Vec<String> {
     vec![
         shortened(&patch.name),
         match (patch.developable, patch.twist.high) {
-            (Known::Within, Some(high)) => format!("within {}°", at_most(high)),
+            (Assurance::Within, Some(high)) => format!("within {}°", at_most(high)),
             (known, _) => known.words().to_owned(),
         },
         regular,
         // Rulings that are only nearly parallel to a plane of their neighbours meet no edge.
         match patch.developable {
-            Known::ByConstruction | Known::Proved => {
+            Assurance::ByConstruction | Assurance::Proved => {
                 patch.clearance.map_or("no edge".to_owned(), bounds)
             }
             _ => "-".to_owned(),
@@ -207,7 +209,7 @@ fn shortened(name: &str) -> String {
     kept + "…"
 }
 
-fn bounds(bounds: Bounds) -> String {
+fn bounds(bounds: ValueBounds) -> String {
     match (bounds.low, bounds.high) {
         (Some(low), Some(high)) if low == high => number(low),
         (Some(low), Some(high)) => format!("{} to {}", number(low), number(high)),

@@ -6,7 +6,7 @@ use crate::design::{Design, Mark, Patch};
 use crate::error::DesignError;
 use crate::polygon::is_within;
 use torse_exchange::{Drawing, Layer, Text};
-use torse_geometry::pattern::{FlatPattern, PatternError, Place};
+use torse_geometry::pattern::{FlatPattern, PatternError, PatternPlace};
 
 /// The height of the letters of a name, as a share of the size of its piece.
 const LETTERS: f64 = 0.025;
@@ -99,7 +99,7 @@ fn marks(
     let unrolled = |source: PatternError| failed(source.to_string());
     let piece = position(flat, patch).ok_or_else(|| failed("it has no pattern".to_owned()))?;
     let flatten = |[x, v]: [f64; 2]| {
-        let point = flat.flatten(Place { piece, x, v });
+        let point = flat.flatten(PatternPlace { piece, x, v });
         point.ok_or_else(|| failed(format!("[{x}, {v}] is outside the patch")))
     };
     // Beyond an edge of the sheet, which may be the edge of regression, there is no surface to carry a circle back to.

@@ -22,7 +22,7 @@ pub struct Line {
 }
 
 /// The ends of a ruling.
-pub type Ends = [[f64; 2]; 2];
+pub type LineEnds = [[f64; 2]; 2];
 
 /// A drawing that is to be kept clear: a polygon, closed or not.
 pub type Drawn = Vec<[f64; 2]>;
@@ -48,7 +48,7 @@ pub fn frame(line: &Line, letters: usize) -> Drawn {
 
 /// The place for so many letters between two rulings: as large as wished if there is room, and near the middle of the
 /// sheet; where there is no room at all, on the ruling behind the middle. `None` without rulings.
-pub fn place(rulings: &[Ends], letters: usize, wished: f64, drawn: &[Drawn]) -> Option<Line> {
+pub fn place(rulings: &[LineEnds], letters: usize, wished: f64, drawn: &[Drawn]) -> Option<Line> {
     let count = rulings.len();
     let from_middle = |gap: usize| (2 * gap + 2).abs_diff(count);
     let mut gaps: Vec<usize> = (0..count.checked_sub(1)?).collect();
@@ -75,12 +75,12 @@ fn width(letters: usize, height: f64) -> f64 {
     f64::from(u32::try_from(letters).unwrap_or(u32::MAX)) * WIDE * height
 }
 
-fn along([from, to]: &Ends, share: f64) -> [f64; 2] {
+fn along([from, to]: &LineEnds, share: f64) -> [f64; 2] {
     [0, 1].map(|i| from[i] + share * (to[i] - from[i]))
 }
 
 /// The line in the direction in which letters are not upside down.
-fn upright([from, to]: Ends) -> Ends {
+fn upright([from, to]: LineEnds) -> LineEnds {
     if to[0] < from[0] {
         [to, from]
     } else {
@@ -89,7 +89,13 @@ fn upright([from, to]: Ends) -> Ends {
 }
 
 /// The place of a line of this height on the middle line of two rulings, nearest to the middle of it.
-fn between(a: &Ends, b: &Ends, letters: usize, height: f64, drawn: &[Drawn]) -> Option<Line> {
+fn between(
+    a: &LineEnds,
+    b: &LineEnds,
+    letters: usize,
+    height: f64,
+    drawn: &[Drawn],
+) -> Option<Line> {
     let middle = [0, 1].map(|end| along(&[a[end], b[end]], 0.5));
     let middle = upright(middle);
     let way = [0, 1].map(|i| middle[1][i] - middle[0][i]);
@@ -139,7 +145,7 @@ fn between(a: &Ends, b: &Ends, letters: usize, height: f64, drawn: &[Drawn]) -> 
 }
 
 /// The distance of a point from the line through two others.
-fn distance([p, q]: &Ends, point: [f64; 2]) -> f64 {
+fn distance([p, q]: &LineEnds, point: [f64; 2]) -> f64 {
     let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
     ((point[0] - p[0]) * dy - (point[1] - p[1]) * dx).abs() / libm::hypot(dx, dy)
 }
@@ -166,7 +172,7 @@ fn meets(p: [f64; 2], q: [f64; 2], low: [f64; 2], high: [f64; 2]) -> bool {
 mod tests {
     use super::*;
 
-    fn ruling(y: f64, low: f64, high: f64) -> Ends {
+    fn ruling(y: f64, low: f64, high: f64) -> LineEnds {
         [[low, y], [high, y]]
     }
 
@@ -183,7 +189,7 @@ mod tests {
 
     #[test]
     fn a_name_stands_between_two_rulings_near_the_middle() {
-        let rulings: Vec<Ends> = (0..9)
+        let rulings: Vec<LineEnds> = (0..9)
             .map(|k| ruling(f64::from(k) * 10.0, 0.0, 100.0))
             .collect();
         let line = place(&rulings, 5, 5.0, &[]).unwrap();
@@ -194,7 +200,7 @@ mod tests {
 
     #[test]
     fn a_name_gets_smaller_where_rulings_are_near_and_avoids_marks() {
-        let rulings: Vec<Ends> = (0..9)
+        let rulings: Vec<LineEnds> = (0..9)
             .map(|k| ruling(f64::from(k) * 2.0, 0.0, 100.0))
             .collect();
         let line = place(&rulings, 5, 5.0, &[]).unwrap();

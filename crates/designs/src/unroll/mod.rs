@@ -16,9 +16,9 @@ pub use part::{Part, Purpose, parts};
 pub use summary::{BendRow, PieceSummary, Summary};
 pub use torse_geometry::pattern::Flattening;
 
-use crate::design::{Design, Patch, Piece};
+use crate::design::{Design, DesignPiece, Patch};
 use crate::error::DesignError;
-use torse_geometry::pattern::{FlatPattern, PatternError, Place, Unrolling, side_by_side};
+use torse_geometry::pattern::{FlatPattern, PatternError, PatternPlace, Unrolling, side_by_side};
 
 /// A strain that no patch of a sheet has.
 const ANY_STRAIN: f64 = 0.9;
@@ -40,7 +40,7 @@ pub struct Demand {
 #[derive(Debug, Clone)]
 pub struct FlatPiece {
     /// The chain or the patch.
-    pub piece: Piece,
+    pub piece: DesignPiece,
     /// Its pattern, in its place among the others.
     pub flat: FlatPattern,
 }
@@ -135,7 +135,7 @@ pub fn unroll(design: &Design, demand: &Demand) -> Result<Vec<FlatPiece>, Design
 }
 
 /// The largest strain of the patches of these pieces, as far as they can be flattened at all: what has to be allowed.
-fn largest_strain(design: &Design, pieces: &[Piece], demand: &Demand) -> f64 {
+fn largest_strain(design: &Design, pieces: &[DesignPiece], demand: &Demand) -> f64 {
     let asked = Unrolling::within(design.tolerances.outline)
         .developable_within(design.tolerances.strain)
         .allow_strain(ANY_STRAIN)
@@ -151,7 +151,7 @@ fn largest_strain(design: &Design, pieces: &[Piece], demand: &Demand) -> f64 {
 /// The pattern of a piece, its patches attached.
 fn flattened(
     design: &Design,
-    piece: &Piece,
+    piece: &DesignPiece,
     asked: Unrolling,
 ) -> Result<FlatPattern, PatternError> {
     let limits = &design.tolerances;
@@ -183,7 +183,7 @@ pub fn position(flat: &FlatPattern, patch: &Patch) -> Option<usize> {
         [[0.0, 0.0], [0.5, 1.0], [1.0, 0.0], [1.0, 1.0]]
             .into_iter()
             .map(|[x, v]| {
-                let place = Place { piece: index, x, v };
+                let place = PatternPlace { piece: index, x, v };
                 let (Some(there), Ok(here)) = (flat.space(place), patch.sheet.point(x, v)) else {
                     return f64::INFINITY;
                 };

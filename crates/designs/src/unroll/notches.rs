@@ -8,7 +8,7 @@ use crate::error::DesignError;
 use crate::inspect::is_passed_backwards;
 use crate::polygon::is_within;
 use crate::seams::{EdgeName, PatchEdge};
-use torse_geometry::pattern::{Place, Segment};
+use torse_geometry::pattern::{PatternPlace, Segment};
 
 /// How long a notch is, in millimetres.
 const LENGTH: f64 = 3.0;
@@ -73,7 +73,7 @@ fn edge_on_pattern(
         }
         let place = position(flat, design.patches.get(*index)?)?;
         let ruling = |x: f64| {
-            let end = |v: f64| flat.flatten(Place { piece: place, x, v });
+            let end = |v: f64| flat.flatten(PatternPlace { piece: place, x, v });
             Some(vec![Segment::line(end(0.0)?, end(1.0)?)])
         };
         let own = match edge.edge {

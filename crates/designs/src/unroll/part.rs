@@ -9,7 +9,7 @@ use crate::error::DesignError;
 use crate::inspect::at_most;
 use std::f64::consts::PI;
 use torse_exchange::{BendLine, Drawing, Layer, Vertex};
-use torse_geometry::pattern::{Place, Placement, Segment};
+use torse_geometry::pattern::{PatternPlace, Placement, Segment};
 
 /// What a pattern file is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -240,7 +240,7 @@ fn openings(
                 continue;
             };
             let on_pattern = position(flat, patch).and_then(|piece| {
-                let at = Place {
+                let at = PatternPlace {
                     piece,
                     x: *x,
                     v: *v,

@@ -5,7 +5,7 @@ use crate::design::{Design, Mark};
 use crate::inspect::{at_most, number, wrapped};
 use serde::Serialize;
 use std::f64::consts::PI;
-use torse_geometry::pattern::{Evidence, Flattening, bends};
+use torse_geometry::pattern::{Flattening, PatternEvidence, bends};
 
 /// The patterns of a design in numbers; lengths in millimetres, angles in degrees.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -79,7 +79,7 @@ pub struct BendRow {
 impl Summary {
     /// The numbers of these patterns.
     #[must_use]
-    pub fn of(design: &Design, pieces: &[FlatPiece]) -> Self {
+    pub fn new(design: &Design, pieces: &[FlatPiece]) -> Self {
         Self {
             design: design.name.clone(),
             pieces: pieces.iter().map(|piece| summary(design, piece)).collect(),
@@ -197,7 +197,7 @@ fn summary(design: &Design, FlatPiece { piece, flat }: &FlatPiece) -> PieceSumma
         outline_error: errors.outline + errors.ambiguity,
         ambiguity: errors.ambiguity,
         development: flat.flattening().map(Flattening::name),
-        proved: flat.evidence() == Evidence::Proved,
+        proved: flat.evidence() == PatternEvidence::Proved,
         shortened: (0..flat.pieces())
             .filter_map(|index| flat.shortened(index))
             .collect(),

@@ -18,7 +18,7 @@ connect = ["a", "b"]
 "#;
 
 /// The sum of the areas of all patches.
-fn area(report: &torse_designs::inspect::Report) -> f64 {
+fn area(report: &torse_designs::inspect::DesignReport) -> f64 {
     report.patches.iter().filter_map(|patch| patch.area).sum()
 }
 
@@ -163,4 +163,55 @@ fn each_of_several_developables_can_be_taken() {
         .unwrap();
     assert!(areas.contains(&best), "{best} {areas:?}");
     assert!(read("x.toml", &flare("branch = 99")).is_err());
+}
+
+/// A side of a hull between two natural splines, each by its three Bezier pieces.
+const SIDE: &str = r#"
+[curves]
+chine0 = { bezier = [[0.0, 0.0, 0.0], [130.493663451, 66.986147229, -16.832473222], [260.987326903, 133.972294458, -33.664946444], [400.0, 180.0, -40.0]] }
+chine1 = { bezier = [[400.0, 180.0, -40.0], [559.844322166, 232.925155882, -47.284388675], [730.952180281, 258.13979479, -40.689457017], [900.0, 260.0, -30.0]] }
+chine2 = { bezier = [[900.0, 260.0, -30.0], [1101.960182084, 262.22237343, -17.229384625], [1300.980091042, 231.111186715, 1.385307688], [1500.0, 200.0, 20.0]] }
+sheer0 = { bezier = [[0.0, 40.0, 300.0], [128.81839226, 124.291330546, 284.669197074], [257.63678452, 208.582661091, 269.338394149], [400.0, 260.0, 260.0]] }
+sheer1 = { bezier = [[400.0, 260.0, 260.0], [556.876622831, 316.659147911, 249.709590839], [730.200531002, 333.399877406, 246.69567805], [900.0, 330.0, 250.0]] }
+sheer2 = { bezier = [[900.0, 330.0, 250.0], [1103.370561697, 325.927932038, 253.957620215], [1301.685280849, 292.963966019, 266.978810108], [1500.0, 260.0, 280.0]] }
+"#;
+
+#[test]
+fn a_side_between_two_rows_of_pieces_is_one_whole_panel() {
+    let side = design(&format!(
+        "{SIDE}
+         chine = {{ row = [\"chine0\", \"chine1\", \"chine2\"] }}
+         sheer = {{ row = [\"sheer0\", \"sheer1\", \"sheer2\"] }}
+         [patches.side]
+         connect = [\"chine\", \"sheer\"]"
+    ));
+    let report = inspect(&side).unwrap();
+    assert!(report.missed.is_empty(), "{:?}", report.missed);
+    for joint in &report.joints {
+        assert!(joint.kink < 1e-6 && joint.geometric >= Some(1), "{joint:?}");
+    }
+    for patch in &report.patches {
+        assert!(
+            patch.developable.holds() && patch.regular.holds(),
+            "{patch:?}"
+        );
+    }
+    assert_eq!(unroll(&side, &Demand::default()).unwrap().len(), 1);
+}
+
+#[test]
+fn developables_of_pieces_that_do_not_meet_point_to_whole_panels() {
+    let one_by_one = format!(
+        "{SIDE}[patches]
+         p0 = {{ connect = [\"chine0\", \"sheer0\"] }}
+         p1 = {{ connect = [\"chine1\", \"sheer1\"] }}
+         [chains.side]
+         patches = [\"p0\", \"p1\"]"
+    );
+    let report = inspect(&design(&one_by_one)).unwrap();
+    assert!(
+        report.missed.iter().any(|reason| reason.contains("`row =")),
+        "{:?}",
+        report.missed
+    );
 }

@@ -1,12 +1,12 @@
 //! Files that were made to break the reader or to keep it busy.
 
 use std::time::{Duration, Instant};
-use torse_designs::eval::{At, eval};
+use torse_designs::eval::{EvalPlaces, eval};
 use torse_designs::inspect::{PatchReport, inspect_within};
 use torse_designs::unroll::{Demand, unroll};
-use torse_designs::{DesignError, MOST_BYTES, load, read};
+use torse_designs::{DesignError, MAX_BYTES, load, read};
 use torse_geometry::pattern::PatternError;
-use torse_geometry::prelude::Budget;
+use torse_geometry::prelude::MeasureBudget;
 
 /// What is known of a class of patches from the way it is made.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -102,9 +102,9 @@ fn a_hundred_and_thirty_hostile_patches_are_refused_or_judged_rightly_with_finit
     let all = patches();
     assert_eq!(all.len(), 130);
     let (mut judged, mut overlapping) = (0, 0);
-    let budget = Budget {
+    let budget = MeasureBudget {
         cells: 8,
-        ..Budget::default()
+        ..MeasureBudget::default()
     };
     for (truth, text) in all {
         let start = Instant::now();
@@ -208,7 +208,7 @@ fn what_is_no_text_file_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
     std::fs::write(path("bytes.toml"), [0xff, 0xfe, 0x00]).unwrap();
-    std::fs::write(path("long.toml"), vec![b'#'; MOST_BYTES + 1]).unwrap();
+    std::fs::write(path("long.toml"), vec![b'#'; MAX_BYTES + 1]).unwrap();
     std::fs::create_dir(path("folder.toml")).unwrap();
     for (name, reason) in [
         ("missing.toml", "No such file"),
@@ -230,11 +230,11 @@ fn absurd_grids_are_refused() {
     )
     .unwrap();
     for at in [
-        At::Grid(usize::MAX, usize::MAX),
-        At::Grid(0, 3),
-        At::Grid(2000, 2000),
-        At::Places(vec![[f64::NAN, 0.0]]),
-        At::Places(vec![[0.0, 1.5]]),
+        EvalPlaces::Grid(usize::MAX, usize::MAX),
+        EvalPlaces::Grid(0, 3),
+        EvalPlaces::Grid(2000, 2000),
+        EvalPlaces::Places(vec![[f64::NAN, 0.0]]),
+        EvalPlaces::Places(vec![[0.0, 1.5]]),
     ] {
         assert!(matches!(
             eval(&design, None, &at),
@@ -242,8 +242,11 @@ fn absurd_grids_are_refused() {
         ));
     }
     assert!(matches!(
-        eval(&design, Some("q"), &At::Grid(1, 1)),
+        eval(&design, Some("q"), &EvalPlaces::Grid(1, 1)),
         Err(DesignError::NoSuch { .. })
     ));
-    assert_eq!(eval(&design, None, &At::Grid(3, 2)).unwrap().len(), 12);
+    assert_eq!(
+        eval(&design, None, &EvalPlaces::Grid(3, 2)).unwrap().len(),
+        12
+    );
 }

@@ -10,6 +10,7 @@
 mod blanks;
 mod connect;
 mod ends;
+mod faces;
 mod hostile;
 mod joints;
 mod kinds;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 use torse_designs::export::{bytes, mesh};
-use torse_designs::inspect::{Known, inspect};
+use torse_designs::inspect::{Assurance, inspect};
 use torse_designs::unroll::{Demand, Summary, drawing, unroll};
 use torse_designs::{Design, DesignError, read};
 use torse_exchange::Layer;
@@ -48,7 +48,7 @@ fn an_oblique_cone_cut_by_planes_is_developable_and_regular() {
     assert!(report.missed.is_empty());
     assert_eq!(
         (cone.developable, cone.regular),
-        (Known::ByConstruction, Known::Proved)
+        (Assurance::ByConstruction, Assurance::Proved)
     );
     // The edge of regression is the apex, from which the upper cut stays away by so much at least.
     let clearance = cone.clearance.unwrap();
@@ -68,7 +68,7 @@ fn a_cone_with_its_apex_is_regular_but_there() {
     let cone = &report.patches[0];
     assert_eq!(
         (cone.regular, cone.apexes.as_slice(), cone.radius),
-        (Known::Proved, &[2][..], Some(0.0))
+        (Assurance::Proved, &[2][..], Some(0.0))
     );
     assert!((cone.area.unwrap() - PI * 30.0 * 50.0 / 4.0).abs() < 1e-6);
     let pieces = unroll(&design, &Demand::default()).unwrap();
@@ -85,7 +85,7 @@ patches.strip = { ruled = [\"a\", \"b\"] }
 fn what_is_not_developable_is_refused_unless_strain_is_allowed() {
     let design = design(TWISTED);
     let report = inspect(&design).unwrap();
-    assert_eq!(report.patches[0].developable, Known::No);
+    assert_eq!(report.patches[0].developable, Assurance::No);
     assert!(report.missed[0].starts_with("strip is not developable: the tangent plane turns by"));
     let error = unroll(&design, &Demand::default()).unwrap_err();
     let DesignError::Unroll {
@@ -132,7 +132,7 @@ fn an_edge_of_regression_inside_is_told_and_refused() {
          patches.torse = { tangent = \"cubic\", range = [-0.5, 1] }",
     );
     let report = inspect(&design).unwrap();
-    assert_eq!(report.patches[0].regular, Known::No);
+    assert_eq!(report.patches[0].regular, Assurance::No);
     let error = unroll(&design, &Demand::default()).unwrap_err();
     assert!(
         matches!(
@@ -367,7 +367,7 @@ marks = [{ at = [0.5, 0.5], radius = 6 }]
     let flat = read("x.toml", text).unwrap_or_else(|e| panic!("{e:?}"));
     // By mpmath: the profile times 45, less the circle.
     let exact = 4_688.012_398;
-    let summary = Summary::of(&flat, &unroll(&flat, &Demand::default()).unwrap());
+    let summary = Summary::new(&flat, &unroll(&flat, &Demand::default()).unwrap());
     let piece = &summary.pieces[0];
     assert!((piece.area - exact).abs() < 1e-3, "{}", piece.area);
     assert!((piece.cut - (303.38 + 37.70)).abs() < 0.01, "{}", piece.cut);

@@ -2,11 +2,11 @@
 
 use proptest::prelude::*;
 use std::fmt::Write;
-use torse_designs::inspect::{Bounds, Known, PatchReport, inspect_within};
+use torse_designs::inspect::{Assurance, PatchReport, ValueBounds, inspect_within};
 use torse_designs::unroll::{Demand, unroll};
 use torse_designs::{DesignError, read};
 use torse_geometry::Surface;
-use torse_geometry::prelude::Budget;
+use torse_geometry::prelude::MeasureBudget;
 use torse_geometry::vector::norm;
 
 /// Every number of a report is finite, every interval holds something.
@@ -23,7 +23,7 @@ fn sound(report: &PatchReport) {
     .into_iter()
     .flatten()
     .for_each(finite);
-    for Bounds { low, high } in [Some(report.twist), report.clearance].into_iter().flatten() {
+    for ValueBounds { low, high } in [Some(report.twist), report.clearance].into_iter().flatten() {
         if let (Some(low), Some(high)) = (low, high) {
             assert!(low <= high, "{report:?}");
         }
@@ -152,7 +152,7 @@ proptest! {
             }
             Err(other) => panic!("{other}"),
         };
-        let budget = Budget { cells: 8, ..Budget::default() };
+        let budget = MeasureBudget { cells: 8, ..MeasureBudget::default() };
         let Ok(report) = inspect_within(&design, budget) else { return Ok(()) };
         let patch = &report.patches[0];
         sound(patch);
@@ -167,7 +167,7 @@ proptest! {
             let inside = high.is_some_and(|high| high < -1e-6 * patch.rulings[1]);
             prop_assert!(!inside, "a pattern of a singular patch\n{text}\n{patch:?}");
             prop_assert!((flat.area() - patch.area.unwrap()).abs() <= 1e-5 * flat.area() + 1e-6, "{text}");
-            prop_assert!(patch.developable != Known::No, "{text}");
+            prop_assert!(patch.developable != Assurance::No, "{text}");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Surfaces in general: measured, evaluated, drawn and exported, and not unrolled.
 
 use std::f64::consts::PI;
-use torse_designs::eval::{At, eval};
+use torse_designs::eval::{EvalPlaces, eval};
 use torse_designs::export::{bytes, mesh};
 use torse_designs::inspect::{inspect, table};
 use torse_designs::unroll::{Demand, unroll};
@@ -28,7 +28,12 @@ fn a_quarter_of_an_ellipse_turned_about_its_axis_is_half_a_sphere() {
     assert!((dome.area - exact).abs() < 1e-6 * exact, "{dome:?}");
     // At the pole the parameters are singular; elsewhere the curvature is 1/r^2.
     assert_eq!(dome.gaussian, None);
-    let rows = eval(&design, Some("dome"), &At::Places(vec![[0.25, 0.75]])).unwrap();
+    let rows = eval(
+        &design,
+        Some("dome"),
+        &EvalPlaces::Places(vec![[0.25, 0.75]]),
+    )
+    .unwrap();
     assert_eq!(rows.len(), 4);
     for row in &rows {
         let radius = row.point.iter().map(|c| c * c).sum::<f64>().sqrt();

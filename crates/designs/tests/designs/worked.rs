@@ -58,7 +58,7 @@ fn worked_designs_meet_their_tolerances_and_the_committed_files_are_theirs() {
             assert!((inside - piece.flat.area()).abs() <= errors.area);
         }
         text.push('\n');
-        text.push_str(&Summary::of(&design, &pieces).text());
+        text.push_str(&Summary::new(&design, &pieces).text());
         text.push_str(&PartsList::new(&design, &parts(&design, &pieces).unwrap()).text());
         let committed = |ending: &str| {
             let path = folder().join(&design.name).with_extension(ending);

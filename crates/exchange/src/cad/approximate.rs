@@ -5,7 +5,7 @@ use super::patch::{BsplinePatch, Knots};
 use super::{Converted, rounded_up};
 use crate::error::Result;
 use torse_algebra::{Ball, Jet};
-use torse_geometry::basis::Shape;
+use torse_geometry::basis::BasisShape;
 use torse_geometry::{
     Basis, Bernstein, Curve, Gbt, Over, Rails, SpaceCurve, TensorSurface, exact_ball,
 };
@@ -25,10 +25,10 @@ use torse_geometry::{
 ///
 /// ```
 /// use torse_exchange::approximate;
-/// use torse_geometry::{Bounds, EnvelopingPatch, Gbt, PlaneFamily};
+/// use torse_geometry::{PatchBounds, EnvelopingPatch, Gbt, PlaneFamily};
 /// let planes = vec![[7., -7., 5., 125.], [-7., -7., 5., 120.], [-7., 7., 5., 130.], [7., 7., 5., 125.]];
 /// let family = PlaneFamily::new(Gbt::new(0.5, 0.25)?, planes)?;
-/// let sheet = EnvelopingPatch::new(family, Bounds::Planes([[0., 0., 1., 0.], [0., 0., 1., 3.]]))?;
+/// let sheet = EnvelopingPatch::new(family, PatchBounds::Planes([[0., 0., 1., 0.], [0., 0., 1., 3.]]))?;
 /// let converted = approximate(&sheet, 1e-3)?;
 /// assert!(converted.error <= 1e-3 && converted.patches.len() == 1);
 /// assert!(converted.patches[0].is_declared_developable());
@@ -113,7 +113,7 @@ impl ConvexBasis for Bernstein {}
 /// The shape parameters lie in [-1, 1], where the functions are nonnegative.
 impl ConvexBasis for Gbt<f64> {}
 
-impl ConvexBasis for Shape<f64> {}
+impl ConvexBasis for BasisShape<f64> {}
 
 /// The splines of the curves with these control points.
 fn along<B: ConvexBasis>(basis: &B, curves: Vec<Vec<[f64; 3]>>, tolerance: f64) -> Result<Splines> {

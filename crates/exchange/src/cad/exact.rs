@@ -21,26 +21,26 @@ use crate::error::{ExchangeError, Result};
 use std::cmp::Ordering;
 use torse_algebra::rational::{Rational, to_f64};
 use torse_algebra::{Ball, Scalar};
-use torse_geometry::basis::Shape;
+use torse_geometry::basis::BasisShape;
 use torse_geometry::{
-    Basis, Bernstein, Bounds, Coordinate, Curve, EnvelopingPatch, Gbt, Over, PlaneFamily, Rails,
-    RationalCurve, RuledSurface, TangentPatch, TensorSurface, exact,
+    Basis, Bernstein, Coordinate, Curve, EnvelopingPatch, Gbt, Over, PatchBounds, PlaneFamily,
+    Rails, RationalCurve, RuledSurface, TangentPatch, TensorSurface, exact,
 };
 
 /// The degree up to which CAD systems read B-splines.
-const MOST_DEGREE: usize = 25;
+const MAX_DEGREE: usize = 25;
 /// How often a patch is halved until its weights are positive.
-const DEEPEST: usize = 6;
+const MAX_DEPTH: usize = 6;
 
 /// A surface that is polynomial or rational.
 ///
 /// ```
 /// use torse_exchange::ExactForm;
-/// use torse_geometry::{Bernstein, Bounds, EnvelopingPatch, PlaneFamily};
+/// use torse_geometry::{Bernstein, PatchBounds, EnvelopingPatch, PlaneFamily};
 /// // The tangent surface of the twisted cubic between two planes.
 /// let planes = vec![[0., 0., 1., 0.], [0., -1., 1., 0.], [1., -2., 1., 0.], [3., -3., 1., 1.]];
 /// let family = PlaneFamily::new(Bernstein, planes)?;
-/// let sheet = EnvelopingPatch::new(family, Bounds::Planes([[1., 0., 0., 2.], [1., 0., 0., 4.]]))?;
+/// let sheet = EnvelopingPatch::new(family, PatchBounds::Planes([[1., 0., 0., 2.], [1., 0., 0., 4.]]))?;
 /// let exact = sheet.exact_form()?;
 /// assert!(exact.error < 1e-13 && exact.patches[0].is_declared_developable());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -63,9 +63,9 @@ pub trait ExactForm {
 ///
 /// ```
 /// use torse_exchange::convert;
-/// use torse_geometry::{Bernstein, Bounds, EnvelopingPatch, Gbt, PlaneFamily};
+/// use torse_geometry::{Bernstein, PatchBounds, EnvelopingPatch, Gbt, PlaneFamily};
 /// let planes = vec![[0., 0., 1., 0.], [0., -1., 1., 0.], [1., -2., 1., 0.], [3., -3., 1., 1.]];
-/// let cut = || Bounds::Planes([[1., 0., 0., 2.], [1., 0., 0., 4.]]);
+/// let cut = || PatchBounds::Planes([[1., 0., 0., 2.], [1., 0., 0., 4.]]);
 /// let rational = EnvelopingPatch::new(PlaneFamily::new(Bernstein, planes.clone())?, cut())?;
 /// assert!(convert(&rational, 1e-3)?.error < 1e-13);
 /// let trigonometric = EnvelopingPatch::new(PlaneFamily::new(Gbt::new(0.5, 0.5)?, planes)?, cut())?;
@@ -101,7 +101,7 @@ impl PolynomialBasis for Gbt<f64> {
     }
 }
 
-impl PolynomialBasis for Shape<f64> {
+impl PolynomialBasis for BasisShape<f64> {
     fn is_bernstein(&self) -> bool {
         matches!(self, Self::Bernstein)
     }
@@ -116,7 +116,7 @@ fn check_bernstein(basis: &impl PolynomialBasis) -> Result<()> {
 }
 
 /// A rail in Bernstein form: the numerator and, for a rational curve, the weight.
-pub type BernsteinForm = (Vec<[f64; 3]>, Option<Vec<f64>>);
+pub type BezierForm = (Vec<[f64; 3]>, Option<Vec<f64>>);
 
 /// A curve whose homogeneous coordinates may be polynomials.
 pub trait HomogeneousRail {
@@ -124,18 +124,18 @@ pub trait HomogeneousRail {
     ///
     /// # Errors
     /// [`ExchangeError::NotRational`].
-    fn bernstein_form(&self) -> Result<BernsteinForm>;
+    fn bernstein_form(&self) -> Result<BezierForm>;
 }
 
 impl<B: Basis<f64> + PolynomialBasis> HomogeneousRail for Curve<B, f64, 3> {
-    fn bernstein_form(&self) -> Result<BernsteinForm> {
+    fn bernstein_form(&self) -> Result<BezierForm> {
         check_bernstein(self.basis())?;
         Ok((self.points().to_vec(), None))
     }
 }
 
 impl<B: Basis<f64> + PolynomialBasis> HomogeneousRail for RationalCurve<B, f64, 3> {
-    fn bernstein_form(&self) -> Result<BernsteinForm> {
+    fn bernstein_form(&self) -> Result<BezierForm> {
         check_bernstein(self.basis())?;
         let (points, weights) = self.homogeneous().map(|(p, w)| (*p, *w)).unzip();
         Ok((points, Some(weights)))
@@ -163,7 +163,7 @@ where
 
 impl<P: HomogeneousRail, Q: HomogeneousRail> ExactForm for RuledSurface<P, Q> {
     fn exact_form(&self) -> Result<Converted> {
-        let rail = |(points, weights): BernsteinForm| Rail {
+        let rail = |(points, weights): BezierForm| Rail {
             numerator: [0, 1, 2].map(|k| Polynomial::of_bernstein(points.iter().map(|p| p[k]))),
             weight: match weights {
                 Some(weights) => Polynomial::of_bernstein(weights.into_iter()),
@@ -185,14 +185,14 @@ impl<B: Basis<f64> + PolynomialBasis> ExactForm for EnvelopingPatch<B, f64> {
         let minus = Polynomial::constant(-1.0);
         let theta = sum(&scaled(&a, &ds), &scaled(&da, &s.times(&minus)));
         let rails = match self.bounds() {
-            Bounds::Planes(planes) => planes.map(|[p, q, r, d]| {
+            PatchBounds::Planes(planes) => planes.map(|[p, q, r, d]| {
                 let n = [p, q, r].map(Polynomial::constant);
                 Rail {
                     numerator: sum(&cross(&n, &theta), &scaled(&phi, &Polynomial::constant(d))),
                     weight: dot(&n, &phi),
                 }
             }),
-            Bounds::Range(range) => {
+            PatchBounds::Range(range) => {
                 let square = dot(&phi, &phi);
                 let foot = cross(&phi, &theta);
                 range.map(|x1| Rail {
@@ -246,7 +246,7 @@ fn family_of<B: Basis<f64> + PolynomialBasis>(
 }
 
 fn check_degree(degree: usize) -> Result<()> {
-    if degree <= MOST_DEGREE {
+    if degree <= MAX_DEGREE {
         return Ok(());
     }
     let why = "the degree is above 25";
@@ -276,7 +276,7 @@ fn between(rails: [Rail; 2]) -> Result<Converted> {
             let (patch, moved) = rounded(&piece, degree)?;
             patches.push(patch);
             error = error.max(moved);
-        } else if depth < DEEPEST {
+        } else if depth < MAX_DEPTH {
             let [left, right] = halves(&piece);
             open.extend([(right, depth + 1), (left, depth + 1)]);
         } else {

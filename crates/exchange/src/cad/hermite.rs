@@ -30,9 +30,9 @@ use torse_geometry::exact;
 /// Binary digits after the point in the proofs.
 pub(super) const BITS: usize = 160;
 /// The most pieces.
-const MOST_PIECES: usize = 4096;
+const MAX_PIECES: usize = 4096;
 /// How often an interval is halved at most.
-const DEEPEST: u32 = 20;
+const MAX_DEPTH: u32 = 20;
 /// How often an interval is halved to bound its sixth Taylor coefficient.
 const FINER: u32 = 5;
 /// The part of the tolerance that is for the shape; the rest is for rounding.
@@ -78,13 +78,13 @@ pub(super) fn splines(series: &Series, tolerance: f64) -> Result<Splines> {
     while let Some((from, to, depth)) = open.pop() {
         let sixth_power = (0.5 * (to - from)).powi(6);
         let limit = SHARE * tolerance / sixth_power;
-        let bound = sixth.bound(from, to, limit, FINER.min(DEEPEST - depth));
+        let bound = sixth.bound(from, to, limit, FINER.min(MAX_DEPTH - depth));
         if bound <= limit {
             error = error.max(rounded_up(bound * sixth_power));
             breaks.push(to);
             continue;
         }
-        if depth == DEEPEST || breaks.len() + open.len() >= MOST_PIECES {
+        if depth == MAX_DEPTH || breaks.len() + open.len() >= MAX_PIECES {
             return Err(ExchangeError::NotReached {
                 demanded: tolerance,
                 from,

@@ -10,9 +10,9 @@ mod patch;
 mod sheet;
 
 pub use approximate::{ConvexBasis, approximate, approximate_tensor};
-pub use exact::{BernsteinForm, ExactForm, HomogeneousRail, PolynomialBasis, convert};
+pub use exact::{BezierForm, ExactForm, HomogeneousRail, PolynomialBasis, convert};
+pub use model::CadModel;
 pub(crate) use model::Face;
-pub use model::Model;
 pub(crate) use patch::BsplineCurve;
 pub use patch::{BsplinePatch, Knots};
 

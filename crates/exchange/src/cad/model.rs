@@ -7,18 +7,18 @@ use crate::error::{ExchangeError, Result};
 use torse_geometry::vector::{norm, sub};
 
 /// The most faces of a model: matching edges takes time with their square.
-const MOST_FACES: usize = 4096;
+const MAX_FACES: usize = 4096;
 
 /// A part made of patches. Where boundary curves of two patches agree they are one edge, so that a CAD system
 /// reads a connected sheet.
 ///
 /// ```
-/// use torse_exchange::{ExactForm, Model, iges, step};
+/// use torse_exchange::{ExactForm, CadModel, iges, step};
 /// use torse_geometry::{Bernstein, Curve, RuledSurface};
 /// let rail = |a: [f64; 3], b: [f64; 3]| Curve::new(Bernstein, vec![a, b]);
 /// let floor = RuledSurface::new(rail([0., 0., 0.], [1., 0., 0.])?, rail([0., 1., 0.], [1., 1., 0.])?);
 /// let wall = RuledSurface::new(rail([0., 1., 0.], [1., 1., 0.])?, rail([0., 1., 1.], [1., 1., 1.])?);
-/// let mut corner = Model::new("corner", 1e-9)?;
+/// let mut corner = CadModel::new("corner", 1e-9)?;
 /// corner.add("floor", floor.exact_form()?)?;
 /// corner.add("wall", wall.exact_form()?)?;
 /// let text = step(&corner)?;
@@ -29,7 +29,7 @@ const MOST_FACES: usize = 4096;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Model {
+pub struct CadModel {
     name: String,
     sewing: f64,
     faces: Vec<Face>,
@@ -56,7 +56,7 @@ pub(crate) struct Edge {
     pub(crate) ends: [usize; 2],
 }
 
-impl Model {
+impl CadModel {
     /// A model without patches, in which vertices and edges at most `sewing` millimetres apart are one.
     ///
     /// # Errors
@@ -87,11 +87,11 @@ impl Model {
     pub fn add(&mut self, name: &str, surface: Converted) -> Result<()> {
         check_text(name)?;
         let given = self.faces.len().saturating_add(surface.patches.len());
-        if given > MOST_FACES {
+        if given > MAX_FACES {
             return Err(ExchangeError::TooMany {
                 what: "faces",
                 given,
-                most: MOST_FACES,
+                most: MAX_FACES,
             });
         }
         let single = surface.patches.len() == 1;

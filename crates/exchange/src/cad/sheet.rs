@@ -1,13 +1,13 @@
 //! Exact forms of sheets, where the way they are made has one.
 
 use super::Converted;
-use super::exact::{BernsteinForm, ExactForm, HomogeneousRail};
+use super::exact::{BezierForm, ExactForm, HomogeneousRail};
 use crate::error::{ExchangeError, Result};
 use torse_geometry::RuledSurface;
 use torse_geometry::sheet::{Construction, Rail, RailCurve, Sheet};
 
 impl HomogeneousRail for Rail {
-    fn bernstein_form(&self) -> Result<BernsteinForm> {
+    fn bernstein_form(&self) -> Result<BezierForm> {
         match self.curve() {
             RailCurve::Plain(curve) => curve.bernstein_form(),
             RailCurve::Weighted(curve) => curve.bernstein_form(),

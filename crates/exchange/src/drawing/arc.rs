@@ -18,7 +18,7 @@ pub(crate) struct Arc {
 impl Arc {
     /// The arc of a side; `None` of a straight one, and where the bulge is so small that the radius
     /// overflows.
-    pub(crate) fn of(from: Vertex, to: [f64; 2]) -> Option<Self> {
+    pub(crate) fn from_bulge(from: Vertex, to: [f64; 2]) -> Option<Self> {
         let ([x, y], b) = (from.point, from.bulge);
         let chord = [to[0] - x, to[1] - y];
         let radius = libm::hypot(chord[0], chord[1]) * (1.0 + b * b) / (4.0 * b.abs());
@@ -57,7 +57,7 @@ impl Arc {
 
 /// Points along a side after its start, its end included; see [`Path::polygon`](super::Path::polygon).
 pub(crate) fn parts(from: Vertex, to: [f64; 2], share: f64) -> Vec<[f64; 2]> {
-    let Some(arc) = Arc::of(from, to) else {
+    let Some(arc) = Arc::from_bulge(from, to) else {
         return vec![to];
     };
     let turn = 4.0 * libm::atan(from.bulge);

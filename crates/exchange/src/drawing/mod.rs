@@ -273,7 +273,7 @@ impl Drawing {
     pub fn bounds(&self) -> Option<[[f64; 2]; 2]> {
         let sides = self.paths.iter().flat_map(Path::sides);
         let reach = sides.flat_map(|(from, to)| {
-            let extremes = Arc::of(from, to).map(|arc| arc.extremes());
+            let extremes = Arc::from_bulge(from, to).map(|arc| arc.extremes());
             let ends = [from.point, to];
             extremes.into_iter().flatten().chain(ends)
         });

@@ -1,7 +1,7 @@
 //! IGES 5.3: ruled surfaces (entity 118) between B-spline curves (126), other patches as B-spline surfaces
 //! (128).
 
-use crate::cad::{BsplineCurve, BsplinePatch, Face, Knots, Model};
+use crate::cad::{BsplineCurve, BsplinePatch, CadModel, Face, Knots};
 use crate::error::{ExchangeError, Result};
 use std::fmt::Write;
 
@@ -13,7 +13,7 @@ use std::fmt::Write;
 /// # Errors
 /// [`ExchangeError::Empty`] for a model without patches, [`ExchangeError::TooMany`] for more than ten million
 /// lines.
-pub fn iges(model: &Model) -> Result<String> {
+pub fn iges(model: &CadModel) -> Result<String> {
     if model.faces().is_empty() {
         return Err(ExchangeError::Empty { what: "patches" });
     }
@@ -62,7 +62,7 @@ pub fn iges(model: &Model) -> Result<String> {
 
 /// A B-spline surface within its own border and without its openings: entity 144, with an entity 142 for each opening that
 /// has a curve in space alone.
-fn trimmed(file: &mut Sections, model: &Model, face: &Face, label: &str, tail: &str) {
+fn trimmed(file: &mut Sections, model: &CadModel, face: &Face, label: &str, tail: &str) {
     let base = file.entity(128, 0, DEPENDENT, label, &surface(&face.patch));
     let list = |pointers: &[usize]| -> String {
         pointers
@@ -125,7 +125,7 @@ impl Sections {
         pointer
     }
 
-    fn finish(self, model: &Model) -> Result<String> {
+    fn finish(self, model: &CadModel) -> Result<String> {
         let largest = model.vertices().iter().flatten();
         let largest = largest.fold(0.0_f64, |m, x| m.max(x.abs()));
         let name = hollerith(model.name());

@@ -1,6 +1,6 @@
 //! STEP (ISO 10303-21, application protocol 214): B-spline faces in an open shell.
 
-use crate::cad::{BsplineCurve, BsplinePatch, Knots, Model};
+use crate::cad::{BsplineCurve, BsplinePatch, CadModel, Knots};
 use crate::error::{ExchangeError, Result};
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use std::fmt::Write;
 ///
 /// # Errors
 /// [`ExchangeError::Empty`] for a model without patches.
-pub fn step(model: &Model) -> Result<String> {
+pub fn step(model: &CadModel) -> Result<String> {
     if model.faces().is_empty() {
         return Err(ExchangeError::Empty { what: "patches" });
     }
@@ -50,7 +50,7 @@ impl Entities {
     }
 }
 
-fn shell(file: &mut Entities, model: &Model) -> usize {
+fn shell(file: &mut Entities, model: &CadModel) -> usize {
     let vertices: Vec<usize> = model
         .vertices()
         .iter()
@@ -95,7 +95,7 @@ fn shell(file: &mut Entities, model: &Model) -> usize {
 }
 
 /// Everything around the shell that a reader wants: units, uncertainty, product.
-fn product(file: &mut Entities, model: &Model, shell: usize) {
+fn product(file: &mut Entities, model: &CadModel, shell: usize) {
     let name = quoted(model.name());
     let whole = file.add(format!("SHELL_BASED_SURFACE_MODEL({name},(#{shell}))"));
     let length = file.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))".to_owned());

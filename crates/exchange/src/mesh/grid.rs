@@ -6,7 +6,7 @@ use torse_geometry::vector::{cross, dot, lerp, norm, sub, unit};
 use torse_geometry::{Rails, Surface};
 
 /// The most rulings of a mesh.
-const MOST_RULINGS: usize = 1 << 16;
+const MAX_RULINGS: usize = 1 << 16;
 /// Where bisection of the parameter ends.
 const LEAST_CELL: f64 = 1e-9;
 
@@ -23,14 +23,14 @@ impl Mesh {
     /// use torse_geometry::{Curve, Gbt, TensorSurface};
     /// let directrix = Curve::new(Gbt::new(0.0, 0.0)?, vec![[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]])?;
     /// let cylinder = TensorSurface::cylinder(&directrix, &[0.0, 0.0, 1.0], &2.0)?;
-    /// let mesh = Mesh::of(&cylinder, 8, 2)?;
+    /// let mesh = Mesh::sample(&cylinder, 8, 2)?;
     /// assert_eq!((mesh.vertices().len(), mesh.triangles().len()), (27, 32));
     /// // On the unit cylinder the normal is the direction of the point itself.
     /// let (p, n) = (mesh.vertices()[10], mesh.normals()[10]);
     /// assert!((p[0] - n[0]).abs() < 1e-14 && (p[1] - n[1]).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(surface: &impl Surface<f64>, u_cells: usize, v_cells: usize) -> Result<Self> {
+    pub fn sample(surface: &impl Surface<f64>, u_cells: usize, v_cells: usize) -> Result<Self> {
         #[allow(clippy::cast_precision_loss)]
         for (name, cells) in [("cells along u", u_cells), ("cells along v", v_cells)] {
             if cells == 0 {
@@ -136,11 +136,11 @@ pub(super) fn ruling_parameters(patch: &impl Rails<f64>, tolerance: f64) -> Resu
         } else {
             done.push(to);
         }
-        if done.len() + open.len() > MOST_RULINGS {
+        if done.len() + open.len() > MAX_RULINGS {
             return Err(ExchangeError::TooMany {
                 what: "rulings",
                 given: done.len() + open.len(),
-                most: MOST_RULINGS,
+                most: MAX_RULINGS,
             });
         }
     }

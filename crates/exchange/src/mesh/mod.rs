@@ -11,7 +11,7 @@ use std::collections::HashMap;
 use torse_geometry::vector::{add, cross, dot, norm, scale, sub, unit};
 
 /// The most vertices of a mesh.
-pub const MOST_VERTICES: usize = 1 << 24;
+pub const MAX_VERTICES: usize = 1 << 24;
 
 /// A triangle mesh in millimetres: vertices with unit normals, and triangles that run counter-clockwise seen
 /// from the tip of the normal.
@@ -25,7 +25,7 @@ pub const MOST_VERTICES: usize = 1 << 24;
 /// // A cone with its apex as a rail: half of the triangles at the apex have no area and are left out.
 /// let apex = Curve::new(Bernstein, vec![[0.0, 0.0, 2.0]; 3])?;
 /// let base = Curve::new(Bernstein, vec![[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]])?;
-/// let mesh = Mesh::of(&RuledSurface::new(apex, base), 8, 3)?;
+/// let mesh = Mesh::sample(&RuledSurface::new(apex, base), 8, 3)?;
 /// assert_eq!(mesh.triangles().len(), 8 * (1 + 2 + 2));
 /// assert!(mesh.normals().iter().all(|n| (n.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-14));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -191,13 +191,13 @@ fn area_vector([a, b, c]: &[[f64; 3]; 3]) -> Option<([f64; 3], f64)> {
 }
 
 fn check_count(count: usize) -> Result<()> {
-    if count <= MOST_VERTICES {
+    if count <= MAX_VERTICES {
         return Ok(());
     }
     Err(ExchangeError::TooMany {
         what: "vertices",
         given: count,
-        most: MOST_VERTICES,
+        most: MAX_VERTICES,
     })
 }
 

@@ -7,8 +7,9 @@ use torse_geometry::curve::{
     EllipticHelix, EndCondition, Spacing, Spline, interpolate, interpolate_closed,
 };
 use torse_geometry::sheet::PiecewiseRail;
+use torse_geometry::surface::BezierNet;
 use torse_geometry::vector::unit;
-use torse_geometry::{Affine, Coordinate, GeometryError};
+use torse_geometry::{AffineMap, Coordinate, GeometryError};
 
 /// What a file holds, whatever its format.
 ///
@@ -101,7 +102,7 @@ impl CurveShape {
 
     /// The image under an affine map; exact except of arcs.
     #[must_use]
-    pub fn mapped(&self, map: &Affine<Rational>) -> Self {
+    pub fn mapped(&self, map: &AffineMap<Rational>) -> Self {
         match self {
             Self::Spline(spline) => Self::Spline(spline.mapped(map)),
             Self::Arc(arc) => Self::Arc(arc.mapped(&rounded(map))),
@@ -173,9 +174,9 @@ impl CurveShape {
 }
 
 /// An affine map on f64.
-pub(super) fn rounded(map: &Affine<Rational>) -> Affine<f64> {
+pub(super) fn rounded(map: &AffineMap<Rational>) -> AffineMap<f64> {
     let number = |q: &Rational| q.approximate();
-    Affine {
+    AffineMap {
         linear: map.linear.each_ref().map(|row| row.each_ref().map(number)),
         shift: map.shift.each_ref().map(number),
     }
@@ -233,7 +234,7 @@ pub enum SurfaceShape {
 impl SurfaceShape {
     /// The image under a motion and one stretch; exact of B-splines.
     #[must_use]
-    pub(super) fn moved(&self, map: &Affine<Rational>, factor: f64) -> Self {
+    pub(super) fn moved(&self, map: &AffineMap<Rational>, factor: f64) -> Self {
         let near = rounded(map);
         let frame = |frame: &SurfaceFrame| {
             let turned = |v: &[f64; 3]| unit(&near.turn(v)).unwrap_or(*v);
@@ -293,6 +294,9 @@ impl SurfaceShape {
         }
     }
 }
+
+/// The most patches that a B-spline surface is divided into, by its knots.
+const MAX_PATCHES: usize = 4096;
 
 /// A B-spline surface with exact control data: rows along the first parameter, weights where it is rational.
 ///
@@ -364,6 +368,78 @@ impl SplineSurface {
             net,
             weights,
         })
+    }
+
+    /// The Bezier patches of the surface, exact, row by row along the first parameter.
+    ///
+    /// # Errors
+    /// As [`Spline::pieces`]; [`GeometryError::OutOfRange`] for more than 4096.
+    pub fn patches(&self) -> Result<Vec<BezierNet>, GeometryError> {
+        let [u, v] = &self.knots;
+        let count = u.len().saturating_mul(v.len());
+        if count > MAX_PATCHES {
+            #[allow(clippy::cast_precision_loss)]
+            return Err(GeometryError::OutOfRange {
+                name: "patches of a B-spline surface",
+                value: count as f64,
+                range: "at most 4096",
+            });
+        }
+        // Along the second parameter first: of each row its pieces.
+        let mut strips: Vec<Vec<Vec<[Rational; 4]>>> = Vec::new();
+        for (index, row) in self.net.iter().enumerate() {
+            let weights = self
+                .weights
+                .as_ref()
+                .and_then(|all| all.get(index).cloned());
+            let spline = Spline::new(self.degrees[1], v.clone(), row.clone(), weights)?;
+            for (piece, bezier) in spline.pieces()?.iter().enumerate() {
+                if strips.len() <= piece {
+                    strips.push(Vec::new());
+                }
+                if let Some(strip) = strips.get_mut(piece) {
+                    strip.push(bezier.homogeneous());
+                }
+            }
+        }
+        let mut patches: Vec<Vec<BezierNet>> = Vec::new();
+        for strip in &strips {
+            let width = strip.first().map_or(0, Vec::len);
+            // Then the columns of each strip: by piece, then by column, the control points.
+            let mut columns: Vec<Vec<Vec<[Rational; 4]>>> = Vec::new();
+            for column in 0..width {
+                let (points, weights): (Vec<[Rational; 3]>, Vec<Rational>) = strip
+                    .iter()
+                    .filter_map(|row| row.get(column))
+                    .map(|[x, y, z, w]| {
+                        let point = [x, y, z].map(|c| c.clone() / w.clone());
+                        (point, w.clone())
+                    })
+                    .unzip();
+                let weights = self.weights.is_some().then_some(weights);
+                let spline = Spline::new(self.degrees[0], u.clone(), points, weights)?;
+                for (piece, bezier) in spline.pieces()?.iter().enumerate() {
+                    if columns.len() <= piece {
+                        columns.push(Vec::new());
+                    }
+                    if let Some(all) = columns.get_mut(piece) {
+                        all.push(bezier.homogeneous());
+                    }
+                }
+            }
+            for (piece, columns) in columns.into_iter().enumerate() {
+                let height = columns.first().map_or(0, Vec::len);
+                let row = |i: usize| columns.iter().filter_map(|c| c.get(i).cloned()).collect();
+                let net = BezierNet::new((0..height).map(row).collect(), self.weights.is_some())?;
+                if patches.len() <= piece {
+                    patches.push(Vec::new());
+                }
+                if let Some(all) = patches.get_mut(piece) {
+                    all.push(net);
+                }
+            }
+        }
+        Ok(patches.into_iter().flatten().collect())
     }
 
     /// The curves of the net that the surface is ruled between, if it is straight in one direction and of one piece there.

@@ -38,13 +38,13 @@ impl FileKind {
     ///
     /// ```
     /// use torse_exchange::FileKind;
-    /// assert_eq!(FileKind::of(b"ISO-10303-21;\nHEADER;"), FileKind::Step);
-    /// assert_eq!(FileKind::of(b"station,x,y\n0,1.5,2\n1,3,4\n"), FileKind::Csv);
-    /// assert_eq!(FileKind::of(b"[curves.rim]\nbezier = [[0, 0, 0], [1, 0, 0]]\n"), FileKind::Text);
-    /// assert_eq!(FileKind::of(b"%PDF-1.7").to_string(), "a PDF document");
+    /// assert_eq!(FileKind::detect(b"ISO-10303-21;\nHEADER;"), FileKind::Step);
+    /// assert_eq!(FileKind::detect(b"station,x,y\n0,1.5,2\n1,3,4\n"), FileKind::Csv);
+    /// assert_eq!(FileKind::detect(b"[curves.rim]\nbezier = [[0, 0, 0], [1, 0, 0]]\n"), FileKind::Text);
+    /// assert_eq!(FileKind::detect(b"%PDF-1.7").to_string(), "a PDF document");
     /// ```
     #[must_use]
-    pub fn of(bytes: &[u8]) -> Self {
+    pub fn detect(bytes: &[u8]) -> Self {
         if let Some((_, name)) = SIGNATURES
             .iter()
             .find(|(start, _)| bytes.starts_with(start))

@@ -64,7 +64,7 @@ pub fn read(name: &str, bytes: &[u8], unit: Option<&LengthUnit>) -> ReadResult<I
             most: MAX_FILE_BYTES,
         });
     }
-    let kind = FileKind::of(bytes);
+    let kind = FileKind::detect(bytes);
     let text = || {
         let text = String::from_utf8_lossy(bytes);
         text.strip_prefix('\u{feff}')
@@ -90,7 +90,7 @@ pub fn read(name: &str, bytes: &[u8], unit: Option<&LengthUnit>) -> ReadResult<I
 /// Where the unit comes from.
 fn check_unit(stated: Option<LengthUnit>, given: Option<&LengthUnit>) -> ReadResult<UnitSource> {
     let shown = stated.as_ref().map_or("", LengthUnit::name).to_owned();
-    UnitSource::of(stated, given).ok_or_else(|| ReadError::OtherUnit {
+    UnitSource::agree(stated, given).ok_or_else(|| ReadError::OtherUnit {
         stated: shown,
         given: given.map_or("", LengthUnit::name).to_owned(),
     })

@@ -4,7 +4,7 @@ use super::decimal::{decimal, double};
 use super::error::{ReadError, ReadResult, at, refused};
 use super::imported::{Imported, PassedOver};
 use super::{CurveShape, Drafts, FileKind, FilePlace, LengthUnit, check_unit};
-use crate::mesh::{MOST_VERTICES, Mesh};
+use crate::mesh::{MAX_VERTICES, Mesh};
 use torse_algebra::Rational;
 use torse_geometry::Coordinate;
 use torse_geometry::curve::Spline;
@@ -34,11 +34,11 @@ pub(super) fn read(name: &str, text: &str, given: Option<&LengthUnit>) -> ReadRe
                     *slot = value.ok_or_else(|| at(&place, "a vertex has three finite numbers"))?
                         * factor;
                 }
-                if vertices.len() >= MOST_VERTICES {
+                if vertices.len() >= MAX_VERTICES {
                     return Err(ReadError::TooMuch {
                         place,
                         what: "vertices",
-                        most: MOST_VERTICES,
+                        most: MAX_VERTICES,
                     });
                 }
                 vertices.push(vertex);

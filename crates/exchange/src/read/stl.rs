@@ -4,7 +4,7 @@ use super::decimal::double;
 use super::error::{ReadError, ReadResult, at, at_line};
 use super::imported::{Imported, PassedOver};
 use super::{Drafts, FileKind, FilePlace, LengthUnit, check_unit};
-use crate::mesh::{MOST_VERTICES, Mesh};
+use crate::mesh::{MAX_VERTICES, Mesh};
 use std::collections::HashMap;
 use torse_geometry::Coordinate;
 
@@ -53,11 +53,11 @@ impl Corners {
         let fresh = u32::try_from(self.vertices.len()).unwrap_or(u32::MAX);
         let index = *self.known.entry(key).or_insert(fresh);
         if index == fresh {
-            if self.vertices.len() >= MOST_VERTICES {
+            if self.vertices.len() >= MAX_VERTICES {
                 return Err(ReadError::TooMuch {
                     place: place.clone(),
                     what: "vertices",
-                    most: MOST_VERTICES,
+                    most: MAX_VERTICES,
                 });
             }
             self.vertices.push(corner);

@@ -106,7 +106,7 @@ impl UnitSource {
     /// What holds for a file that states this unit, or none, for a caller that gives that one, or none; `None` where
     /// they contradict each other.
     #[must_use]
-    pub fn of(stated: Option<LengthUnit>, given: Option<&LengthUnit>) -> Option<Self> {
+    pub fn agree(stated: Option<LengthUnit>, given: Option<&LengthUnit>) -> Option<Self> {
         match (stated, given) {
             (Some(stated), Some(given)) if stated.millimetres != given.millimetres => None,
             (Some(stated), _) => Some(Self::Stated(stated)),

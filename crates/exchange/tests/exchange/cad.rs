@@ -2,13 +2,13 @@
 
 use proptest::prelude::*;
 use torse_exchange::{
-    BsplinePatch, Converted, ExactForm, ExchangeError, Knots, Model, approximate,
+    BsplinePatch, CadModel, Converted, ExactForm, ExchangeError, Knots, approximate,
     approximate_tensor, iges, step,
 };
 use torse_geometry::curve::ellipse_arc;
 use torse_geometry::vector::{cross, norm, sub};
 use torse_geometry::{
-    Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, PlaneFamily, Rails, RationalCurve,
+    Bernstein, Curve, EnvelopingPatch, Gbt, PatchBounds, PlaneFamily, Rails, RationalCurve,
     RuledSurface, Surface, TangentPatch, TensorSurface,
 };
 
@@ -65,7 +65,7 @@ fn sheet<B: torse_geometry::Basis<f64>>(basis: B) -> EnvelopingPatch<B, f64> {
         [7., 7., 5., 125.],
     ];
     let family = PlaneFamily::new(basis, planes).unwrap();
-    let cuts = Bounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 3.0]]);
+    let cuts = PatchBounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 3.0]]);
     EnvelopingPatch::new(family, cuts).unwrap()
 }
 
@@ -121,7 +121,8 @@ fn singular_rails_are_not_approximated() {
     let middle = family.ruling(&0.37).unwrap().direction;
     let across = cross(&middle, &[1.0, 2.0, 3.0]);
     let plane = |s: f64| [across[0], across[1], across[2], s];
-    let patch = EnvelopingPatch::new(family, Bounds::Planes([plane(0.0), plane(1.0)])).unwrap();
+    let patch =
+        EnvelopingPatch::new(family, PatchBounds::Planes([plane(0.0), plane(1.0)])).unwrap();
     let error = approximate(&patch, 1e-3).unwrap_err();
     let ExchangeError::NotReached { from, to, .. } = error else {
         panic!("{error}")
@@ -141,12 +142,12 @@ fn exact_forms_are_the_patches_ruling_by_ruling() {
         [3., -3., 1., 1.],
     ];
     let family = || PlaneFamily::new(Bernstein, cubic.clone()).unwrap();
-    let cut = Bounds::Planes([[1., 0., 0., 2.], [1., 0., 0.1, 5.]]);
+    let cut = PatchBounds::Planes([[1., 0., 0., 2.], [1., 0., 0.1, 5.]]);
     let rail = |z: f64| vec![[0.0, z, 0.0], [1.0, 1.0, z], [5.0, z, z]];
     let weighted = RationalCurve::new(Bernstein, &rail(2.0), vec![1.0, 0.5, 3.0]).unwrap();
     let lifted = Curve::new(Bernstein, vec![[0.0, 9.0, 1.0], [4.0, 9.0, 2.0]]).unwrap();
     check_rulings(&EnvelopingPatch::new(family(), cut).unwrap());
-    check_rulings(&EnvelopingPatch::new(family(), Bounds::Range([-1.0, 2.0])).unwrap());
+    check_rulings(&EnvelopingPatch::new(family(), PatchBounds::Range([-1.0, 2.0])).unwrap());
     check_rulings(&TangentPatch::new(family(), [0.5, 2.0]).unwrap());
     check_rulings(&RuledSurface::new(lifted, weighted));
     check_rulings(&sheet(Bernstein));
@@ -179,7 +180,7 @@ fn what_is_not_rational_says_why() {
         .map(f64::from)
         .map(|t| [libm::sin(t), libm::cos(t), 2.0 + libm::sin(2.0 * t), 3.0]);
     let family = PlaneFamily::new(Bernstein, planes.collect()).unwrap();
-    let high = EnvelopingPatch::new(family, Bounds::Range([1.0, 2.0]))
+    let high = EnvelopingPatch::new(family, PatchBounds::Range([1.0, 2.0]))
         .unwrap()
         .exact_form();
     assert_eq!(
@@ -223,7 +224,7 @@ fn neighbours_of_a_ring_share_their_rulings() {
     let way =
         |n: usize, z: f64| [[2.0, 0.0, z], [0.0, 2.0, z], [-2.0, 0.0, z], [0.0, -2.0, z]][n % 4];
     let arc = |n: usize, z: f64| ellipse_arc(&[0.0, 0.0, z], &way(n, z), &way(n + 1, z)).unwrap();
-    let mut ring = Model::new("ring", 1e-7).unwrap();
+    let mut ring = CadModel::new("ring", 1e-7).unwrap();
     for n in 0..4 {
         let quarter = RuledSurface::new(arc(n, 0.0), arc(n, 1.0));
         ring.add("quarter", approximate(&quarter, 1e-4).unwrap())
@@ -246,7 +247,7 @@ fn every_step_reference_is_defined_before_it_is_used() {
     let points = |z: f64| vec![[0.0, z, 1e30], [1.0, 1.0, z], [5.0, z, z]];
     let polynomial = Curve::new(Bernstein, points(0.0)).unwrap();
     let rational = RationalCurve::new(Bernstein, &points(2.0), vec![1.0, 0.5, 1.0]).unwrap();
-    let mut model = Model::new("it's \\ ä", 1e-6).unwrap();
+    let mut model = CadModel::new("it's \\ ä", 1e-6).unwrap();
     let mixed = RuledSurface::new(polynomial, rational);
     model.add("mixed", mixed.exact_form().unwrap()).unwrap();
     let text = step(&model).unwrap();
@@ -276,7 +277,7 @@ fn iges_marks_what_is_developable() {
         rail([0., 1., 0.], [1., 1., 1.]),
     );
     let flags = |surface: Converted| -> Vec<String> {
-        let mut model = Model::new(
+        let mut model = CadModel::new(
             "a name, with separators; and more than eighty characters in it, so that it is broken",
             1e-6,
         )

@@ -8,7 +8,7 @@ fn mesh() -> Mesh {
         let points = vec![[0.0, z, 0.0], [1.0, 1.0, z], [5.0, z, z]];
         Curve::new(Gbt::new(0.2, 0.3).unwrap(), points).unwrap()
     };
-    Mesh::of(&RuledSurface::new(rail(1.0), rail(2.0)), 5, 3).unwrap()
+    Mesh::sample(&RuledSurface::new(rail(1.0), rail(2.0)), 5, 3).unwrap()
 }
 
 #[test]

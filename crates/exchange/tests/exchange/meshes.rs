@@ -4,13 +4,13 @@ use proptest::prelude::*;
 use torse_exchange::{ExchangeError, Mesh};
 use torse_geometry::curve::ellipse_arc;
 use torse_geometry::{
-    Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, PlaneFamily, RuledSurface, TensorSurface,
+    Bernstein, Curve, EnvelopingPatch, Gbt, PatchBounds, PlaneFamily, RuledSurface, TensorSurface,
 };
 
 #[test]
 fn meshes_too_large_to_index_are_refused_before_memory_is_asked_for() {
     let flat = TensorSurface::new(Bernstein, Bernstein, vec![vec![[0.0; 3]; 2]; 2]).unwrap();
-    let refused = |m, n| Mesh::of(&flat, m, n).unwrap_err();
+    let refused = |m, n| Mesh::sample(&flat, m, n).unwrap_err();
     assert!(matches!(refused(0, 3), ExchangeError::OutOfRange { .. }));
     for (m, n) in [(usize::MAX, 1), (1 << 20, 1 << 20)] {
         assert!(matches!(refused(m, n), ExchangeError::TooMany { .. }));
@@ -22,7 +22,7 @@ fn the_area_of_a_mesh_converges_to_the_area_of_the_cylinder() {
     let quarter = ellipse_arc(&[0.0; 3], &[2.0, 0.0, 0.0], &[0.0, 2.0, 0.0]).unwrap();
     let cylinder = TensorSurface::cylinder(&quarter, &[0.0, 0.0, 1.0], &3.0).unwrap();
     let exact = 3.0 * std::f64::consts::PI;
-    let area = Mesh::of(&cylinder, 200, 4).unwrap().area();
+    let area = Mesh::sample(&cylinder, 200, 4).unwrap().area();
     assert!(area < exact && exact - area < 1e-4 * exact);
 }
 
@@ -93,9 +93,9 @@ proptest! {
         planes in prop::collection::vec(prop::array::uniform4(any()), 3..6), mu in any(), a in any(), b in any(),
     ) {
         let patch = Gbt::new(mu, mu).and_then(|basis| PlaneFamily::new(basis, planes))
-            .and_then(|family| EnvelopingPatch::new(family, Bounds::Range([a, b])));
+            .and_then(|family| EnvelopingPatch::new(family, PatchBounds::Range([a, b])));
         let Ok(patch) = patch else { return Ok(()) };
-        for mesh in [Mesh::of(&patch, 2, 2), Mesh::ruled(&patch, 1.0)].into_iter().flatten() {
+        for mesh in [Mesh::sample(&patch, 2, 2), Mesh::ruled(&patch, 1.0)].into_iter().flatten() {
             prop_assert!(mesh.vertices().iter().flatten().all(|x| x.is_finite()));
             for n in mesh.normals() {
                 prop_assert!((n.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-12);

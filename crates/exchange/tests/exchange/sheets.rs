@@ -18,7 +18,7 @@ fn sheets_that_are_polynomial_or_rational_have_exact_forms() {
     let cut = Cut::between([1., 0., 0., 2.], [1., 0., 0., 4.]);
     let low = Rail::bezier(&[[0., 0., 0.], [1., 2., 0.], [3., 0., 0.]]).unwrap();
     let high = Rail::weighted(
-        Shape::Bernstein,
+        BasisShape::Bernstein,
         &[[0., 0., 2.], [1., 2., 2.], [3., 0., 2.]],
         &[1.0, 2.0, 1.0],
     )
@@ -64,9 +64,9 @@ fn shapes_chosen_at_run_time_make_tensor_surfaces_that_are_converted() {
                 .collect()
         })
         .collect();
-    let with = |shape: Shape<f64>| TensorSurface::new(shape, shape, net.clone()).unwrap();
-    assert_eq!(with(Shape::Bernstein).exact_form().unwrap().error, 0.0);
-    let trigonometric = with(Shape::gbt(0.5, 0.25).unwrap());
+    let with = |shape: BasisShape<f64>| TensorSurface::new(shape, shape, net.clone()).unwrap();
+    assert_eq!(with(BasisShape::Bernstein).exact_form().unwrap().error, 0.0);
+    let trigonometric = with(BasisShape::gbt(0.5, 0.25).unwrap());
     let refused = trigonometric.exact_form();
     assert!(matches!(refused, Err(ExchangeError::NotRational { .. })));
     assert!(approximate_tensor(&trigonometric, 1e-4).unwrap().error <= 1e-4);

@@ -26,7 +26,7 @@ mod shape;
 
 pub use bernstein::Bernstein;
 pub use gbt::Gbt;
-pub use shape::Shape;
+pub use shape::BasisShape;
 
 use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Result, count};

@@ -8,23 +8,23 @@ use torse_algebra::{ExactError, Jet};
 /// One of the families of this library, so that curves of different kinds have one type.
 ///
 /// ```
-/// use torse_geometry::basis::Shape;
+/// use torse_geometry::basis::BasisShape;
 /// use torse_geometry::{Basis, Gbt};
-/// let shapes = [Shape::Bernstein, Shape::gbt(0.5, -0.25)?];
+/// let shapes = [BasisShape::Bernstein, BasisShape::gbt(0.5, -0.25)?];
 /// let rows = shapes.map(|shape| shape.row(3, &0.3).unwrap());
 /// assert_eq!(rows[1], Gbt::new(0.5, -0.25)?.row(3, &0.3)?);
 /// assert!(rows.iter().all(|row| (row.iter().sum::<f64>() - 1.0).abs() < 1e-15));
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Shape<S> {
+pub enum BasisShape<S> {
     /// The Bernstein polynomials: Bezier curves.
     Bernstein,
     /// Generalized blended trigonometric functions with two shape parameters.
     Gbt(Gbt<S>),
 }
 
-impl<S: Coordinate> Shape<S> {
+impl<S: Coordinate> BasisShape<S> {
     /// The family with these shape parameters, both in [-1, 1].
     ///
     /// # Errors
@@ -34,19 +34,19 @@ impl<S: Coordinate> Shape<S> {
     }
 }
 
-impl<S> From<Bernstein> for Shape<S> {
+impl<S> From<Bernstein> for BasisShape<S> {
     fn from(_: Bernstein) -> Self {
         Self::Bernstein
     }
 }
 
-impl<S> From<Gbt<S>> for Shape<S> {
+impl<S> From<Gbt<S>> for BasisShape<S> {
     fn from(basis: Gbt<S>) -> Self {
         Self::Gbt(basis)
     }
 }
 
-impl<S: Coordinate> Basis<S> for Shape<S> {
+impl<S: Coordinate> Basis<S> for BasisShape<S> {
     fn seeds(&self, x: &S) -> Result<[S; 3], ExactError> {
         match self {
             Self::Bernstein => Bernstein.seeds(x),

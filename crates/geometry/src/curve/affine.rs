@@ -7,8 +7,8 @@ use torse_algebra::Scalar;
 /// The map `p -> linear p + shift`; rows of the linear part first.
 ///
 /// ```
-/// use torse_geometry::{Affine, Curve, Gbt};
-/// let map = Affine { linear: [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 2.0]], shift: [1.0, 2.0, 3.0] };
+/// use torse_geometry::{AffineMap, Curve, Gbt};
+/// let map = AffineMap { linear: [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 2.0]], shift: [1.0, 2.0, 3.0] };
 /// let curve = Curve::new(Gbt::new(0.2, 0.7)?, vec![[0.0, 0.0, 1.0], [1.0, 3.0, 0.0], [4.0, 1.0, 2.0]])?;
 /// let (of_curve, of_points) = (map.apply(&curve.point(&0.3)?), curve.mapped(|p| map.apply(p)).point(&0.3)?);
 /// assert!(of_curve.iter().zip(of_points).all(|(a, b)| (a - b).abs() < 1e-14));
@@ -20,9 +20,9 @@ use torse_algebra::Scalar;
 ///
 /// ```
 /// use nalgebra::{Isometry3, Matrix4, Point3, Vector3};
-/// use torse_geometry::{Affine, Bernstein, Curve};
+/// use torse_geometry::{AffineMap, Bernstein, Curve};
 /// let motion = Isometry3::new(Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.3, -0.4, 0.5));
-/// let map = Affine::from(motion);
+/// let map = AffineMap::from(motion);
 /// let curve = Curve::new(Bernstein, vec![[0.0, 0.0, 1.0], [1.0, 3.0, 0.0], [4.0, 1.0, 2.0]])?;
 /// let expected = motion * Point3::from(curve.point(&0.3)?);
 /// let moved = Point3::from(curve.mapped(|p| map.apply(p)).point(&0.3)?);
@@ -32,20 +32,20 @@ use torse_algebra::Scalar;
 /// // Other maps come as `Affine3`; back to it, nalgebra checks that the map can be inverted.
 /// let shear = Matrix4::new(1., 2., 0., 5., 0., 1., 0., 6., 0., 0., 3., 7., 0., 0., 0., 1.);
 /// let affine: nalgebra::Affine3<f64> = nalgebra::try_convert(shear).expect("an invertible map");
-/// let map = Affine::from(affine);
+/// let map = AffineMap::from(affine);
 /// assert_eq!(map.apply(&[1.0, 1.0, 1.0]), [8.0, 7.0, 10.0]);
 /// assert_eq!(nalgebra::try_convert(Matrix4::from(map)), Some(affine));
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Affine<S> {
+pub struct AffineMap<S> {
     /// The rows of the linear part.
     pub linear: [[S; 3]; 3],
     /// The image of the origin.
     pub shift: [S; 3],
 }
 
-impl<S: Scalar> Affine<S> {
+impl<S: Scalar> AffineMap<S> {
     /// The image of a point.
     #[must_use]
     pub fn apply(&self, p: &[S; 3]) -> [S; 3] {
@@ -54,7 +54,7 @@ impl<S: Scalar> Affine<S> {
     }
 }
 
-impl From<Affine3<f64>> for Affine<f64> {
+impl From<Affine3<f64>> for AffineMap<f64> {
     fn from(map: Affine3<f64>) -> Self {
         let matrix = map.matrix();
         Self {
@@ -64,15 +64,15 @@ impl From<Affine3<f64>> for Affine<f64> {
     }
 }
 
-impl From<Isometry3<f64>> for Affine<f64> {
+impl From<Isometry3<f64>> for AffineMap<f64> {
     fn from(motion: Isometry3<f64>) -> Self {
         Self::from(nalgebra::convert::<_, Affine3<f64>>(motion))
     }
 }
 
 /// The homogeneous matrix.
-impl From<Affine<f64>> for Matrix4<f64> {
-    fn from(map: Affine<f64>) -> Self {
+impl From<AffineMap<f64>> for Matrix4<f64> {
+    fn from(map: AffineMap<f64>) -> Self {
         let linear = Matrix3::from(map.linear).transpose();
         linear
             .to_homogeneous()

@@ -10,11 +10,11 @@ use torse_algebra::Rational;
 /// Invariant: weights are positive; without weights all of them are one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bezier {
-    curve: Shape,
+    curve: BezierShape,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum Shape {
+enum BezierShape {
     Plain(Curve<Bernstein, Rational, 3>),
     Weighted(RationalCurve<Bernstein, Rational, 3>),
 }
@@ -27,9 +27,9 @@ impl Bezier {
             .map(|[x, y, z, w]| ([x, y, z], w))
             .unzip();
         let curve = if weighted {
-            Shape::Weighted(RationalCurve::from_homogeneous(Bernstein, points, weights)?)
+            BezierShape::Weighted(RationalCurve::from_homogeneous(Bernstein, points, weights)?)
         } else {
-            Shape::Plain(Curve::new(Bernstein, points)?)
+            BezierShape::Plain(Curve::new(Bernstein, points)?)
         };
         Ok(Self { curve })
     }
@@ -37,7 +37,7 @@ impl Bezier {
     /// Whether the curve has weights.
     #[must_use]
     pub fn is_weighted(&self) -> bool {
-        matches!(self.curve, Shape::Weighted(_))
+        matches!(self.curve, BezierShape::Weighted(_))
     }
 
     /// The homogeneous control points `(w x, w y, w z, w)`.
@@ -47,8 +47,10 @@ impl Bezier {
             |[x, y, z]: &[Rational; 3], w: &Rational| [x.clone(), y.clone(), z.clone(), w.clone()];
         let one = Rational::from_integer(1.into());
         match &self.curve {
-            Shape::Plain(curve) => curve.points().iter().map(|p| joined(p, &one)).collect(),
-            Shape::Weighted(curve) => curve.homogeneous().map(|(p, w)| joined(p, w)).collect(),
+            BezierShape::Plain(curve) => curve.points().iter().map(|p| joined(p, &one)).collect(),
+            BezierShape::Weighted(curve) => {
+                curve.homogeneous().map(|(p, w)| joined(p, w)).collect()
+            }
         }
     }
 
@@ -56,8 +58,8 @@ impl Bezier {
     #[must_use]
     pub fn degree(&self) -> usize {
         match &self.curve {
-            Shape::Plain(curve) => curve.degree(),
-            Shape::Weighted(curve) => curve.degree(),
+            BezierShape::Plain(curve) => curve.degree(),
+            BezierShape::Weighted(curve) => curve.degree(),
         }
     }
 
@@ -67,8 +69,8 @@ impl Bezier {
     /// Where the weights cancel, outside of [0, 1].
     pub fn point(&self, x: &Rational) -> Result<[Rational; 3]> {
         match &self.curve {
-            Shape::Plain(curve) => curve.point(x),
-            Shape::Weighted(curve) => curve.point(x),
+            BezierShape::Plain(curve) => curve.point(x),
+            BezierShape::Weighted(curve) => curve.point(x),
         }
     }
 
@@ -78,11 +80,11 @@ impl Bezier {
     /// As [`RationalCurve::split`].
     pub fn split(&self, x: &Rational) -> Result<[Self; 2]> {
         Ok(match &self.curve {
-            Shape::Plain(curve) => curve.split(x)?.map(|part| Self {
-                curve: Shape::Plain(part),
+            BezierShape::Plain(curve) => curve.split(x)?.map(|part| Self {
+                curve: BezierShape::Plain(part),
             }),
-            Shape::Weighted(curve) => curve.split(x)?.map(|part| Self {
-                curve: Shape::Weighted(part),
+            BezierShape::Weighted(curve) => curve.split(x)?.map(|part| Self {
+                curve: BezierShape::Weighted(part),
             }),
         })
     }

@@ -4,7 +4,7 @@
 //! `to` as the parameter runs from 0 to 1. Its Taylor series is in closed form: a derivative turns the pair `(cosine,
 //! sine)` by a quarter and stretches it by `pi/2 (to - from)`.
 
-use super::{Affine, SpaceCurve};
+use super::{AffineMap, SpaceCurve};
 use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Place, Result};
 use crate::vector::{add, cross, dot, norm, scale, sub, unit};
@@ -83,7 +83,7 @@ impl<S: Coordinate> EllipticHelix<S> {
 
     /// The image under an affine map.
     #[must_use]
-    pub fn mapped(&self, map: &Affine<S>) -> Self {
+    pub fn mapped(&self, map: &AffineMap<S>) -> Self {
         Self {
             centre: map.apply(&self.centre),
             cosine: map.turn(&self.cosine),

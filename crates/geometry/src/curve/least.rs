@@ -12,7 +12,7 @@ use torse_algebra::{Ball, Jet};
 /// The order of the Taylor form.
 const ORDER: usize = 4;
 /// The most intervals.
-const MOST_CELLS: usize = 1 << 12;
+const MAX_CELLS: usize = 1 << 12;
 
 /// A least value `low <= least <= high`, and a parameter at which the value is not above `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,7 +76,7 @@ pub(crate) fn least(
         if apart <= accuracy {
             return Ok(Least { low, high, x });
         }
-        if open.len() >= MOST_CELLS {
+        if open.len() >= MAX_CELLS {
             return Err(GeometryError::NotConverged {
                 what: "least value along a curve",
                 reached: apart,

@@ -70,9 +70,9 @@ fn still(x: f64) -> GeometryError {
 }
 
 /// The smallest interval that [`arc_length`] halves to, as a number of halvings.
-const DEEPEST: u32 = 40;
+const MAX_DEPTH: u32 = 40;
 /// The most intervals that [`arc_length`] visits: about a second of work.
-const MOST_INTERVALS: usize = 200_000;
+const MAX_INTERVALS: usize = 200_000;
 
 /// The arc length over `[from, to]` with an absolute error estimated to be at most `accuracy`.
 ///
@@ -140,7 +140,7 @@ pub(crate) fn integrate(
         if error <= allowed.max(rounding) {
             total += left + right;
             lost += error.min(allowed);
-        } else if depth >= DEEPEST || visited > MOST_INTERVALS {
+        } else if depth >= MAX_DEPTH || visited > MAX_INTERVALS {
             return Err(GeometryError::NotConverged {
                 what,
                 reached: lost + error,

@@ -12,7 +12,7 @@ mod spline;
 mod split;
 mod through;
 
-pub use affine::Affine;
+pub use affine::AffineMap;
 pub use bezier::Bezier;
 pub use conic::{ellipse_arc, parabola_arc};
 pub use elliptic::EllipticHelix;

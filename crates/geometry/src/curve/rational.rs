@@ -1,6 +1,6 @@
 //! Weighted (rational) curves.
 
-use super::{Affine, Curve, derivatives_of};
+use super::{AffineMap, Curve, derivatives_of};
 use crate::basis::Basis;
 use crate::coordinate::{Coordinate, check_finite};
 use crate::error::{GeometryError, Result};
@@ -190,16 +190,16 @@ impl<S: Coordinate, B: Basis<S>> RationalCurve<B, S, 3> {
     /// The image under an affine map, which acts on the homogeneous points `(w R, w)`.
     ///
     /// ```
-    /// use torse_geometry::{Affine, Bernstein, RationalCurve};
+    /// use torse_geometry::{AffineMap, Bernstein, RationalCurve};
     /// let points = [[0.0, 0.0, 1.0], [1.0, 3.0, 0.0], [4.0, 1.0, 2.0]];
     /// let curve = RationalCurve::new(Bernstein, &points, vec![1.0, 2.0, 0.5])?;
-    /// let map = Affine { linear: [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 2.0]], shift: [1.0, 2.0, 3.0] };
+    /// let map = AffineMap { linear: [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 2.0]], shift: [1.0, 2.0, 3.0] };
     /// let (of_curve, of_point) = (curve.mapped(&map).point(&0.3)?, map.apply(&curve.point(&0.3)?));
     /// assert!(of_curve.iter().zip(of_point).all(|(a, b)| (a - b).abs() < 1e-14));
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     #[must_use]
-    pub fn mapped(&self, map: &Affine<S>) -> Self {
+    pub fn mapped(&self, map: &AffineMap<S>) -> Self {
         let image = |(point, weight): (&[S; 3], &S)| {
             let turned = map.linear.each_ref().map(|row| dot(row, point));
             add(&turned, &scale(weight, &map.shift))

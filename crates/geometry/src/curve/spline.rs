@@ -8,7 +8,7 @@
 //! the same at `b` on those gives, as the first entries, the control points of the piece. Both are knot insertion, so over
 //! the rationals no digit is lost.
 
-use super::{Affine, Bezier};
+use super::{AffineMap, Bezier};
 use crate::coordinate::Coordinate;
 use crate::error::{GeometryError, Place, Result, count};
 use crate::vector::{add, dot, scale};
@@ -320,7 +320,7 @@ impl Spline {
 
     /// The image under an affine map, exactly.
     #[must_use]
-    pub fn mapped(&self, map: &Affine<Rational>) -> Self {
+    pub fn mapped(&self, map: &AffineMap<Rational>) -> Self {
         let points = self.points.iter().map(|point| map.apply(point)).collect();
         Self {
             points,
@@ -539,13 +539,13 @@ fn check(
     }
 }
 
-impl Affine<Rational> {
+impl AffineMap<Rational> {
     /// The map that only stretches, by one factor.
     ///
     /// ```
     /// use torse_algebra::rational::{integer, ratio};
-    /// use torse_geometry::Affine;
-    /// let inches = Affine::stretch(&ratio(127, 5).unwrap());
+    /// use torse_geometry::AffineMap;
+    /// let inches = AffineMap::stretch(&ratio(127, 5).unwrap());
     /// assert_eq!(inches.apply(&[integer(5), integer(0), integer(-5)]), [integer(127), integer(0), integer(-127)]);
     /// ```
     #[must_use]
@@ -564,7 +564,7 @@ impl Affine<Rational> {
     }
 }
 
-impl<S: Scalar> Affine<S> {
+impl<S: Scalar> AffineMap<S> {
     /// The image of a direction: the shift does not act on it.
     #[must_use]
     pub fn turn(&self, direction: &[S; 3]) -> [S; 3] {

@@ -36,7 +36,7 @@ impl<S: Coordinate, const D: usize> Curve<Bernstein, S, D> {
     /// let curve = Curve::new(Bernstein, [0, 3, 6, 12].map(|n| [integer(n)]).to_vec())?;
     /// let third = ratio(1, 3).unwrap();
     /// let [first, second] = curve.split(&third)?;
-    /// // Half-way on the second part is at 1/3 + 2/3 1/2.
+    /// // HalfTurn-way on the second part is at 1/3 + 2/3 1/2.
     /// assert_eq!(second.point(&ratio(1, 2).unwrap())?, curve.point(&ratio(2, 3).unwrap())?);
     /// assert_eq!(first.points()[3], second.points()[0]);
     /// # Ok::<(), torse_geometry::GeometryError>(())

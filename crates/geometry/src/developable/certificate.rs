@@ -49,7 +49,7 @@ pub enum Singularity {
 
 /// What [`certify`] measured: estimates, for bounds see [`enclose`](super::enclose). All numbers are finite.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Certificate {
+pub struct PatchCertificate {
     /// The largest `|det(P', Q', R)| / (|P'| |Q'| |R|)`. A ruling without a normal counts as zero.
     pub determinant: Worst,
     /// The largest angle between the tangent planes at the ends of a ruling, in radians (0 to pi/2:
@@ -68,7 +68,7 @@ pub struct Certificate {
     singularity: Option<Singularity>,
 }
 
-impl Certificate {
+impl PatchCertificate {
     /// Whether the patch is regular, as far as measured: on every ruling the normals at both ends are there
     /// and point to the same side. Then the normal vanishes nowhere, and no ruling meets its neighbours inside.
     #[must_use]
@@ -100,7 +100,7 @@ impl Certificate {
 /// assert!(said.contains(" from the edge of regression at x = "));
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
-impl fmt::Display for Certificate {
+impl fmt::Display for PatchCertificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let degrees = self.twist.value.to_degrees();
         write!(
@@ -146,7 +146,7 @@ impl fmt::Display for Singularity {
 /// Rulings sampled by [`certify`] at least.
 const LEAST_RULINGS: usize = 8;
 /// Rulings sampled at most.
-const MOST_RULINGS: usize = 1 << 16;
+const MAX_RULINGS: usize = 1 << 16;
 /// Golden-section steps in the local search: the bracket shrinks by `0.618^40 < 1e-8`.
 const SEARCH_STEPS: usize = 40;
 /// Normals (relative to the size of the patch) and ratios of normals that f64 cannot tell from zero: the
@@ -180,12 +180,12 @@ const ROUNDING: f64 = 1e-12;
 /// assert!(certificate.clearance.is_some_and(|worst| worst.value < 0.0 && (worst.v - 0.5).abs() < 1e-9));
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
-pub fn certify<R: Rails<f64> + ?Sized>(patch: &R, rulings: usize) -> Result<Certificate> {
-    let count = rulings.clamp(LEAST_RULINGS, MOST_RULINGS);
+pub fn certify<R: Rails<f64> + ?Sized>(patch: &R, rulings: usize) -> Result<PatchCertificate> {
+    let count = rulings.clamp(LEAST_RULINGS, MAX_RULINGS);
     let last = crate::error::count(count - 1);
     let xs = (0..count).into_par_iter();
     let xs = xs.map(|i| crate::error::count(i) / last);
-    let extent = Extent::of(patch, |x| x);
+    let extent = Extent::measure(patch, |x| x);
     let reduced = |x: f64| {
         let extent = extent.unwrap_or(Extent::ONE);
         Ok((x, RulingForms::reduced(patch, &x, extent)?))
@@ -224,7 +224,7 @@ pub fn certify<R: Rails<f64> + ?Sized>(patch: &R, rulings: usize) -> Result<Cert
     } else {
         gap.map(|[from, to]| Singularity::Unresolved { from, to })
     };
-    Ok(Certificate {
+    Ok(PatchCertificate {
         determinant: determinant.whole(),
         twist: twist.whole(),
         gaussian: finite(gaussian.with(extent.curvature(gaussian.value))),

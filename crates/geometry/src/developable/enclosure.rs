@@ -1,7 +1,7 @@
 //! Certificates that enclose: between which bounds the numbers of [`certify`](super::certify) lie.
 //!
 //! A few functions of `x` say everything (modules `forms` and `measures`). On an interval each is had in one of two ways:
-//! as a Chebyshev model ([`Model`]), fast and good to the rounding of f64; or as its Taylor polynomial at the middle with
+//! as a Chebyshev model ([`ChebyshevModel`]), fast and good to the rounding of f64; or as its Taylor polynomial at the middle with
 //! the last coefficient taken over the interval (Lagrange), on balls of any number of bits: of half width `w` the excess
 //! falls with `w^6`. Intervals are halved where the bound is worst. Of a patch that is developable by construction `D` is
 //! zero, not evaluated.
@@ -11,7 +11,7 @@ use super::forms::{RulingForms, Squares};
 use super::measures::{
     CLEARANCE, DETERMINANT, GAUSSIAN, Intervals, NORMAL, QUANTITIES, SIDE, TWIST, trivial,
 };
-use crate::model::Model;
+use crate::model::ChebyshevModel;
 use crate::surface::Rails;
 use crate::{exact, exact_ball};
 use torse_algebra::rational::{Rational, integer, to_f64};
@@ -33,7 +33,7 @@ pub struct Enclosed {
     pub x: f64,
 }
 
-/// What [`enclose`] proved about a patch; for the quantities see [`Certificate`](super::Certificate).
+/// What [`enclose`] proved about a patch; for the quantities see [`PatchCertificate`](super::PatchCertificate).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EnclosedCertificate {
     /// The largest normalised determinant.
@@ -44,7 +44,7 @@ pub struct EnclosedCertificate {
     pub gaussian: Enclosed,
     /// The smallest distance from the patch to the point where the ruling meets its neighbours.
     pub clearance: Enclosed,
-    /// The length of the shortest normal, relative as in [`Certificate`](super::Certificate).
+    /// The length of the shortest normal, relative as in [`PatchCertificate`](super::PatchCertificate).
     pub normal: Enclosed,
     /// The least `N0 . N1 / max(|N0|^2, |N1|^2)`: positive when the patch is regular. Of a developable it is
     /// the ratio of the distances of the two ends of a ruling from the edge of regression.
@@ -72,10 +72,10 @@ impl EnclosedCertificate {
 ///
 /// ```
 /// use torse_geometry::developable::{certify, enclose};
-/// use torse_geometry::{Bounds, EnvelopingPatch, Gbt, Over, PlaneFamily, exact_ball};
+/// use torse_geometry::{PatchBounds, EnvelopingPatch, Gbt, Over, PlaneFamily, exact_ball};
 /// let planes = vec![[7., -7., 5., 125.], [-7., -7., 5., 120.], [-7., 7., 5., 130.], [7., 7., 5., 125.]];
 /// let family = PlaneFamily::new(Gbt::new(0.5, 0.25)?, planes)?;
-/// let sheet = EnvelopingPatch::new(family, Bounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 3.0]]))?;
+/// let sheet = EnvelopingPatch::new(family, PatchBounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 3.0]]))?;
 /// let proved = enclose(&sheet.over(&|x| exact_ball(*x, 128))?, 128, 0.1, 64);
 /// assert_eq!(proved.is_regular(), Some(true));
 /// assert_eq!((proved.twist.high, proved.gaussian.high), (0.0, 0.0));
@@ -93,7 +93,7 @@ pub fn enclose<R: Rails<Ball> + ?Sized>(
     accuracy: f64,
     cells: usize,
 ) -> EnclosedCertificate {
-    let extent = Extent::of(patch, |x| exact_ball(x, bits));
+    let extent = Extent::measure(patch, |x| exact_ball(x, bits));
     let series = Series {
         patch,
         extent: extent.unwrap_or(Extent::ONE),
@@ -107,13 +107,13 @@ pub fn enclose<R: Rails<Ball> + ?Sized>(
 ///
 /// ```
 /// use torse_geometry::developable::{enclose, enclose_by_models};
-/// use torse_geometry::{Bernstein, Curve, Model, Over, RuledSurface, exact_ball};
+/// use torse_geometry::{Bernstein, Curve, ChebyshevModel, Over, RuledSurface, exact_ball};
 /// let rail = |points: [[f64; 3]; 2]| Curve::new(Bernstein, points.to_vec());
 /// let strip = RuledSurface::new(
 ///     rail([[0.0, 0.0, 0.0], [100.0, 0.0, 0.0]])?,
 ///     rail([[0.0, 10.0, 0.0], [100.0, 10.0, 0.5]])?,
 /// );
-/// let fast = enclose_by_models(&strip.over(&|x| Model::exact(*x))?, 0.01, 64);
+/// let fast = enclose_by_models(&strip.over(&|x| ChebyshevModel::exact(*x))?, 0.01, 64);
 /// let slow = enclose(&strip.over(&|x| exact_ball(*x, 128))?, 128, 0.01, 64);
 /// assert_eq!((fast.is_regular(), slow.is_regular()), (Some(true), Some(true)));
 /// assert!(fast.twist.low <= slow.twist.high && slow.twist.low <= fast.twist.high);
@@ -121,12 +121,12 @@ pub fn enclose<R: Rails<Ball> + ?Sized>(
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 #[must_use]
-pub fn enclose_by_models<R: Rails<Model> + ?Sized>(
+pub fn enclose_by_models<R: Rails<ChebyshevModel> + ?Sized>(
     patch: &R,
     accuracy: f64,
     cells: usize,
 ) -> EnclosedCertificate {
-    let extent = Extent::of(patch, Model::exact);
+    let extent = Extent::measure(patch, ChebyshevModel::exact);
     let modelled = Modelled {
         patch,
         extent: extent.unwrap_or(Extent::ONE),
@@ -292,12 +292,12 @@ struct Modelled<'a, R: ?Sized> {
     extent: Extent,
 }
 
-impl<R: Rails<Model> + ?Sized> Modelled<'_, R> {
-    fn bounded(&self, x: &Model) -> Intervals {
+impl<R: Rails<ChebyshevModel> + ?Sized> Modelled<'_, R> {
+    fn bounded(&self, x: &ChebyshevModel) -> Intervals {
         let forms = RulingForms::reduced(self.patch, x, self.extent).ok();
         // What left the range of f64 says nothing.
         let finite = std::cell::Cell::new(true);
-        let range = |model: &Model| {
+        let range = |model: &ChebyshevModel| {
             let [low, high] = model.range();
             finite.set(finite.get() && low.is_finite() && high.is_finite());
             Ball::from_bounds(&exact(low), &exact(high), RANGE_BITS)
@@ -310,17 +310,17 @@ impl<R: Rails<Model> + ?Sized> Modelled<'_, R> {
     }
 }
 
-impl<R: Rails<Model> + ?Sized> Bounded for Modelled<'_, R> {
+impl<R: Rails<ChebyshevModel> + ?Sized> Bounded for Modelled<'_, R> {
     fn extent(&self) -> Extent {
         self.extent
     }
 
     fn at(&self, x: &Rational) -> Intervals {
-        self.bounded(&Model::exact(to_f64(x)))
+        self.bounded(&ChebyshevModel::exact(to_f64(x)))
     }
 
     fn over(&self, from: &Rational, to: &Rational) -> Intervals {
-        self.bounded(&Model::identity(to_f64(from), to_f64(to)))
+        self.bounded(&ChebyshevModel::identity(to_f64(from), to_f64(to)))
     }
 }
 

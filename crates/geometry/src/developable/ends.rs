@@ -7,17 +7,17 @@
 //! of the patch are those of the reduced data but for a positive factor and a sign that both have in common.
 
 use crate::coordinate::Coordinate;
-use crate::model::Model;
+use crate::model::ChebyshevModel;
 use crate::surface::{EndKinds, RailEnd, RailKind, Rails, RulingEnd};
 use crate::vector::{cross, dot, sub};
 use torse_algebra::Jet;
 
-type Vector = [Model; 3];
+type Vector = [ChebyshevModel; 3];
 
 /// Proves that a patch is regular between an end that is special by its kind, the first or the last, and the ruling at the
 /// distance `width` from it (`kinds` are those of its exact control data), but for the end itself: the normals at both ends of each ruling point to the same side. Returns
 /// a bound of the angle between them in radians; `None` where that is not proved, and of an ordinary end.
-pub(crate) fn regular_end<R: Rails<Model> + ?Sized>(
+pub(crate) fn regular_end<R: Rails<ChebyshevModel> + ?Sized>(
     patch: &R,
     kinds: EndKinds,
     last: bool,
@@ -40,9 +40,9 @@ pub(crate) fn regular_end<R: Rails<Model> + ?Sized>(
         RulingEnd::Tip | RulingEnd::Ordinary => return None,
     };
     let x = if last {
-        Model::identity(1.0 - width, 1.0)
+        ChebyshevModel::identity(1.0 - width, 1.0)
     } else {
-        Model::identity(0.0, width)
+        ChebyshevModel::identity(0.0, width)
     };
     let [first, second] = patch.rail_jets(&x, 1 + p.max(q)).ok()?;
     let ruling: Vector = if tip {
@@ -50,7 +50,7 @@ pub(crate) fn regular_end<R: Rails<Model> + ?Sized>(
     } else {
         sub(&points(&second), &points(&first))
     };
-    let speed = |jets: &[Jet<Model>; 3], order: usize| -> Option<Vector> {
+    let speed = |jets: &[Jet<ChebyshevModel>; 3], order: usize| -> Option<Vector> {
         let reduced = slopes(jets, order)?;
         match (order, last && order % 2 == 1) {
             (0, _) => Some(reduced),
@@ -74,13 +74,13 @@ pub(crate) fn regular_end<R: Rails<Model> + ?Sized>(
     (sine < 1.0).then(|| libm::asin(sine) * (1.0 + 8.0 * f64::EPSILON))
 }
 
-fn points(jets: &[Jet<Model>; 3]) -> Vector {
+fn points(jets: &[Jet<ChebyshevModel>; 3]) -> Vector {
     jets.each_ref().map(|jet| *jet.value())
 }
 
 /// The derivative of order `order` of the speed, over the factorial of `order`.
-fn slopes(jets: &[Jet<Model>; 3], order: usize) -> Option<Vector> {
-    let slope = |jet: &Jet<Model>| {
+fn slopes(jets: &[Jet<ChebyshevModel>; 3], order: usize) -> Option<Vector> {
+    let slope = |jet: &Jet<ChebyshevModel>| {
         let coefficient = jet.coefficients().get(order + 1)?;
         Some(coefficient.natural(order + 1) * *coefficient)
     };
@@ -92,13 +92,13 @@ fn slopes(jets: &[Jet<Model>; 3], order: usize) -> Option<Vector> {
 
 /// Any values within the ranges of these functions, each coordinate at a place of its own.
 fn boxed(vector: &Vector) -> Option<Vector> {
-    let constant = |model: &Model| {
+    let constant = |model: &ChebyshevModel| {
         let [low, high] = model.range();
         let middle = 0.5 * (low + high);
         let reach = (high - middle).max(middle - low).next_up();
         reach
             .is_finite()
-            .then(|| Model::exact(middle).widened(reach))
+            .then(|| ChebyshevModel::exact(middle).widened(reach))
     };
     match vector.each_ref().map(constant) {
         [Some(x), Some(y), Some(z)] => Some([x, y, z]),
@@ -113,7 +113,7 @@ mod tests {
     use crate::prelude::*;
 
     fn proved(sheet: &Sheet, last: bool) -> Option<f64> {
-        let models = sheet.over(&|x| Model::exact(*x)).unwrap();
+        let models = sheet.over(&|x| ChebyshevModel::exact(*x)).unwrap();
         let kinds = Rails::<f64>::end_kinds(sheet);
         regular_end(&models, kinds, last, 1.0 / 4096.0)
     }

@@ -25,7 +25,7 @@ impl Extent {
 
     /// The extent of a patch on nine rulings at equal steps, of which those that do not exist are left out;
     /// `number` makes the parameters. `None` when all have length zero or both rails stand still.
-    pub(crate) fn of<S: Coordinate, R: Rails<S> + ?Sized>(
+    pub(crate) fn measure<S: Coordinate, R: Rails<S> + ?Sized>(
         patch: &R,
         number: impl Fn(f64) -> S,
     ) -> Option<Self> {

@@ -32,7 +32,7 @@ use torse_algebra::Jet;
 /// use torse_geometry::{Bernstein, Curve, RuledSurface};
 /// // A quarter of a cone with its apex at (0, 0, 2) and its rails at the heights 0 and 1.
 /// let rail = |r: f64, z: f64| Curve::new(Bernstein, vec![[r, 0.0, z], [r, r, z], [0.0, r, z]]);
-/// let forms = RulingForms::of(&RuledSurface::new(rail(2.0, 0.0)?, rail(1.0, 1.0)?), &0.5)?;
+/// let forms = RulingForms::at(&RuledSurface::new(rail(2.0, 0.0)?, rail(1.0, 1.0)?), &0.5)?;
 /// assert!(forms.determinant().abs() < 1e-15);
 /// // The normals at both ends are parallel, that of the shorter rail half as long.
 /// let [n0, n1] = forms.normals();
@@ -53,7 +53,7 @@ impl<S: Coordinate> RulingForms<S> {
     ///
     /// # Errors
     /// What the rails refuse at `x`, and [`GeometryError::NoValue`] when a number is not finite.
-    pub fn of<R: Rails<S> + ?Sized>(rails: &R, x: &S) -> Result<Self> {
+    pub fn at<R: Rails<S> + ?Sized>(rails: &R, x: &S) -> Result<Self> {
         Self::reduced(rails, x, Extent::ONE)
     }
 
@@ -172,7 +172,7 @@ impl<S: Coordinate> RulingForms<Jet<S>> {
     /// The Taylor series of everything at `x` to this order (over `x`, when that is a wide ball).
     ///
     /// # Errors
-    /// As [`RulingForms::of`].
+    /// As [`RulingForms::at`].
     pub fn series<R: Rails<S> + ?Sized>(rails: &R, x: &S, order: usize) -> Result<Self> {
         Self::reduced_series(rails, x, order, Extent::ONE)
     }

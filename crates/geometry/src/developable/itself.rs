@@ -13,7 +13,7 @@
 //! take the place of the points.
 
 use crate::coordinate::Coordinate;
-use crate::model::Model;
+use crate::model::ChebyshevModel;
 use crate::surface::Rails;
 use crate::vector::{add, cross, dot, norm, scale, sub};
 use std::collections::BTreeMap;
@@ -58,11 +58,11 @@ impl SelfIntersection {
 }
 
 /// The shortest intervals, as a number of halvings.
-const DEEPEST: u32 = 12;
+const MAX_DEPTH: u32 = 12;
 /// Intervals shorter than this many halvings are looked at for a meeting.
 const MEETING_DEPTH: u32 = 6;
 /// The most pairs of intervals.
-const MOST_PAIRS: usize = 40_000;
+const MAX_PAIRS: usize = 40_000;
 /// Steps of the search for the distance of two hulls.
 const HULL_STEPS: usize = 24;
 /// First and last ruling are one if they are nearer than this share of the size.
@@ -78,8 +78,8 @@ struct Strip {
     /// How far the rails are from their chords, at most.
     room: f64,
     /// Intervals of the speeds of the rails, and of the ruling.
-    slopes: [[Model; 3]; 2],
-    ruling: [Model; 3],
+    slopes: [[ChebyshevModel; 3]; 2],
+    ruling: [ChebyshevModel; 3],
 }
 
 struct Search<'a, M> {
@@ -89,10 +89,11 @@ struct Search<'a, M> {
 }
 
 /// A constant that stands for all values of a model.
-fn constant(model: &Model) -> Model {
+fn constant(model: &ChebyshevModel) -> ChebyshevModel {
     let [low, high] = model.range();
     let middle = 0.5 * (low + high);
-    Model::exact(middle).widened((high - middle).max(middle - low) * (1.0 + 4.0 * f64::EPSILON))
+    ChebyshevModel::exact(middle)
+        .widened((high - middle).max(middle - low) * (1.0 + 4.0 * f64::EPSILON))
 }
 
 fn width((depth, index): Key) -> [f64; 2] {
@@ -104,7 +105,7 @@ fn halves((depth, index): Key) -> [Key; 2] {
     [(depth + 1, 2 * index), (depth + 1, 2 * index + 1)]
 }
 
-impl<M: Rails<Model>> Search<'_, M> {
+impl<M: Rails<ChebyshevModel>> Search<'_, M> {
     fn strip(&mut self, key: Key) -> Option<&Strip> {
         if !self.strips.contains_key(&key) {
             let made = self.made(key);
@@ -117,7 +118,7 @@ impl<M: Rails<Model>> Search<'_, M> {
         let [from, to] = width(key);
         let [[p, dp], [q, dq]] = self
             .models
-            .ends_and_slopes(&Model::identity(from, to))
+            .ends_and_slopes(&ChebyshevModel::identity(from, to))
             .ok()?;
         let ruling = sub(&q, &p);
         let ends = if self.apexes == [false; 2] {
@@ -171,7 +172,7 @@ impl<M: Rails<Model>> Search<'_, M> {
                 }
             }
         }
-        let across = across.map(Model::exact);
+        let across = across.map(ChebyshevModel::exact);
         let apexes = self.apexes;
         strips.iter().all(|(_, ruling)| {
             let square = dot(ruling, ruling);
@@ -244,7 +245,7 @@ fn are_hulls_apart(a: &[[f64; 3]; 4], b: &[[f64; 3]; 4], needed: f64) -> bool {
 pub(crate) fn self_intersection<P, M>(patch: &P, models: &M) -> SelfIntersection
 where
     P: Rails<f64> + ?Sized,
-    M: Rails<Model>,
+    M: Rails<ChebyshevModel>,
 {
     let whole = SelfIntersection::Undecided {
         ranges: [[0.0, 1.0]; 2],
@@ -268,7 +269,7 @@ where
     let mut looked = 0;
     while let Some((one, other)) = open.pop() {
         looked += 1;
-        if looked > MOST_PAIRS {
+        if looked > MAX_PAIRS {
             undecided = Some((one, other));
             break;
         }
@@ -298,7 +299,7 @@ where
                 proved,
             };
         }
-        if one.0.max(other.0) >= DEEPEST {
+        if one.0.max(other.0) >= MAX_DEPTH {
             undecided.get_or_insert((one, other));
             continue;
         }
@@ -388,26 +389,29 @@ const MEETING_ROOM: f64 = 1e-6;
 
 /// Whether a meeting is proved near two places, by the test of Krawczyk: `c - Y f(c) + (1 - Y f'(X))(X - c)` lies in the box `X`
 /// about `c`.
-fn is_proved(models: &impl Rails<Model>, [[x, v], [y, w]]: Places) -> bool {
+fn is_proved(models: &impl Rails<ChebyshevModel>, [[x, v], [y, w]]: Places) -> bool {
     let r = MEETING_ROOM;
     let inside = |x: f64| r <= x && x <= 1.0 - r;
     if !(inside(x) && inside(y) && (0.0..=1.0).contains(&w)) {
         return false;
     }
-    let exact = |x: f64| Model::exact(x);
-    let around = |x: f64| Model::exact(x).widened(r);
-    let at = |x: &Model, y: &Model, w: &Model| -> Option<([Model; 3], [[Model; 3]; 3])> {
+    let exact = |x: f64| ChebyshevModel::exact(x);
+    let around = |x: f64| ChebyshevModel::exact(x).widened(r);
+    let at = |x: &ChebyshevModel,
+              y: &ChebyshevModel,
+              w: &ChebyshevModel|
+     -> Option<([ChebyshevModel; 3], [[ChebyshevModel; 3]; 3])> {
         let one = models.ends_and_slopes(x).ok()?;
         let two = models.ends_and_slopes(y).ok()?;
-        let between = |p: &[Model; 3], q: &[Model; 3], v: &Model| {
+        let between = |p: &[ChebyshevModel; 3], q: &[ChebyshevModel; 3], v: &ChebyshevModel| {
             add(p, &scale(v, &sub(q, p))).each_ref().map(constant)
         };
-        let v = Model::exact(v);
+        let v = ChebyshevModel::exact(v);
         let off = sub(
             &between(&one[0][0], &one[1][0], &v),
             &between(&two[0][0], &two[1][0], w),
         );
-        let minus = |vector: [Model; 3]| vector.map(|c| -c);
+        let minus = |vector: [ChebyshevModel; 3]| vector.map(|c| -c);
         let columns = [
             between(&one[0][1], &one[1][1], &v),
             minus(between(&two[0][1], &two[1][1], w)),
@@ -419,7 +423,10 @@ fn is_proved(models: &impl Rails<Model>, [[x, v], [y, w]]: Places) -> bool {
         return false;
     };
     // Over the box: each model runs over its own interval, so only its range counts.
-    let (over_x, over_y) = (Model::identity(x - r, x + r), Model::identity(y - r, y + r));
+    let (over_x, over_y) = (
+        ChebyshevModel::identity(x - r, x + r),
+        ChebyshevModel::identity(y - r, y + r),
+    );
     let Some((_, over)) = at(&over_x, &over_y, &around(w)) else {
         return false;
     };
@@ -436,10 +443,10 @@ fn is_proved(models: &impl Rails<Model>, [[x, v], [y, w]]: Places) -> bool {
         }
     }
     inverse.iter().enumerate().all(|(i, row)| {
-        let row = row.map(Model::exact);
+        let row = row.map(ChebyshevModel::exact);
         let mut reach = dot(&row, &off).largest();
         for (j, column) in over.iter().enumerate() {
-            let unit = Model::exact(if i == j { 1.0 } else { 0.0 });
+            let unit = ChebyshevModel::exact(if i == j { 1.0 } else { 0.0 });
             reach += (unit - dot(&row, column)).largest() * r;
         }
         reach * (1.0 + 1e-12) < r

@@ -15,10 +15,10 @@ mod patch;
 mod proof;
 mod resolve;
 
-pub use certificate::{Certificate, Singularity, Worst, certify};
+pub use certificate::{PatchCertificate, Singularity, Worst, certify};
 pub use connect::{
-    BestRuling, Branch, BranchEnd, ConnectingPatch, Connections, Gap, NODE_RADIUS, ParameterBox,
-    Reason, connect,
+    BestRuling, Branch, BranchEnd, BranchReason, ConnectingPatch, Connections, NODE_RADIUS,
+    ParameterBox, RailGap, connect,
 };
 pub(crate) use connect::{Landscape, Node, Step, StepKind, Way, all_branches, may_exist, ways};
 pub use enclosure::{Enclosed, EnclosedCertificate, enclose, enclose_by_models};
@@ -31,5 +31,5 @@ pub(crate) use itself::self_intersection;
 pub use linear::solve;
 pub use oblique::{oblique_image, oblique_image_as_printed};
 pub(crate) use patch::unit_plane;
-pub use patch::{Bounds, EnvelopingPatch, TangentPatch};
+pub use patch::{EnvelopingPatch, PatchBounds, TangentPatch};
 pub use proof::{Developability, Regularity, prove_developable, prove_regular, twist_determinant};

@@ -12,7 +12,7 @@ use torse_algebra::{Jet, Scalar};
 
 /// What part of each ruling belongs to a patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Bounds<S> {
+pub enum PatchBounds<S> {
     /// A fixed range of the ruling parameter `x1` in `x1 phi + psi` (gbt-developable eq. (3.7)). The
     /// direction `phi = a x a'` is not normalised, so the width varies with its length.
     Range([S; 2]),
@@ -24,13 +24,13 @@ pub enum Bounds<S> {
 /// by construction: the plane `H(x)` touches it along the whole ruling of `x`.
 ///
 /// ```
-/// use torse_geometry::{Bounds, EnvelopingPatch, Gbt, PlaneFamily, Surface};
+/// use torse_geometry::{PatchBounds, EnvelopingPatch, Gbt, PlaneFamily, Surface};
 /// // gbt-developable Example 4.2, corrected: as printed Q2 = Q1 and Q3 = Q0, so that all planes pass
 /// // through one line. Four different sign patterns give a surface.
 /// let h = 5.0 * 2_f64.sqrt();
 /// let planes = vec![[h, -h, 5.0, 125.0], [-h, -h, 5.0, 125.0], [-h, h, 5.0, 125.0], [h, h, 5.0, 125.0]];
 /// let family = PlaneFamily::new(Gbt::new(0.5, 0.5)?, planes)?;
-/// let patch = EnvelopingPatch::new(family, Bounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 5.0]]))?;
+/// let patch = EnvelopingPatch::new(family, PatchBounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 5.0]]))?;
 /// let (bottom, top) = (patch.point(&0.3, &0.0)?, patch.point(&0.3, &1.0)?);
 /// assert!(bottom[2].abs() < 1e-12 && (top[2] - 5.0).abs() < 1e-12);
 /// // The plane of the family touches along the ruling.
@@ -42,7 +42,7 @@ pub enum Bounds<S> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct EnvelopingPatch<B, S> {
     family: PlaneFamily<B, S>,
-    bounds: Bounds<S>,
+    bounds: PatchBounds<S>,
 }
 
 impl<S: Coordinate, B: Basis<S>> EnvelopingPatch<B, S> {
@@ -54,21 +54,21 @@ impl<S: Coordinate, B: Basis<S>> EnvelopingPatch<B, S> {
     /// [`GeometryError::RulingParallelToPlane`] with its parameter.
     ///
     /// ```
-    /// use torse_geometry::{Bounds, EnvelopingPatch, Gbt, GeometryError, PlaneFamily, Surface};
+    /// use torse_geometry::{PatchBounds, EnvelopingPatch, Gbt, GeometryError, PlaneFamily, Surface};
     /// let planes = vec![[0.0, -20.0, 10.0, 400.0], [0.0, -10.0, 20.0, 400.0], [0.0, 10.0, 20.0, 400.0]];
     /// let family = PlaneFamily::new(Gbt::new(0.0, 0.0)?, planes)?;
     /// // All rulings run along x and never meet z = 0.
     /// let flat = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 9.0]];
-    /// let patch = EnvelopingPatch::new(family, Bounds::Planes(flat))?;
+    /// let patch = EnvelopingPatch::new(family, PatchBounds::Planes(flat))?;
     /// assert_eq!(
     ///     patch.point(&0.5, &0.0).unwrap_err(),
     ///     GeometryError::RulingParallelToPlane { parameter: 0.5 },
     /// );
     /// # Ok::<(), GeometryError>(())
     /// ```
-    pub fn new(family: PlaneFamily<B, S>, bounds: Bounds<S>) -> Result<Self> {
+    pub fn new(family: PlaneFamily<B, S>, bounds: PatchBounds<S>) -> Result<Self> {
         match &bounds {
-            Bounds::Range([from, to]) => {
+            PatchBounds::Range([from, to]) => {
                 check_finite("ruling range", [from, to])?;
                 if is_zero(&(to.clone() - from.clone())) {
                     return Err(GeometryError::Degenerate {
@@ -77,7 +77,7 @@ impl<S: Coordinate, B: Basis<S>> EnvelopingPatch<B, S> {
                     });
                 }
             }
-            Bounds::Planes(planes) => {
+            PatchBounds::Planes(planes) => {
                 check_finite("cutting plane", planes.iter().flatten())?;
                 for (index, plane) in planes.iter().enumerate() {
                     if normal_of(plane).iter().all(is_zero) {
@@ -101,7 +101,7 @@ impl<S: Coordinate, B: Basis<S>> EnvelopingPatch<B, S> {
 
     /// The bounds of the rulings.
     #[must_use]
-    pub fn bounds(&self) -> &Bounds<S> {
+    pub fn bounds(&self) -> &PatchBounds<S> {
         &self.bounds
     }
 
@@ -127,8 +127,8 @@ impl<S: Coordinate, B: Basis<S>> EnvelopingPatch<B, S> {
         lift: impl Fn(&S) -> T,
     ) -> Result<[[T; 3]; 2]> {
         let bounds = match &self.bounds {
-            Bounds::Range(range) => self.unit_range(range).each_ref().map(lift),
-            Bounds::Planes([first, second]) => {
+            PatchBounds::Range(range) => self.unit_range(range).each_ref().map(lift),
+            PatchBounds::Planes([first, second]) => {
                 let at = |plane| ruling.meets(&unit_plane(plane).each_ref().map(&lift), &lift(x));
                 [at(first)?, at(second)?]
             }

@@ -55,7 +55,7 @@ pub fn prove_developable(patch: &RuledSurface<Rail, Rail>) -> Result<Developabil
     let bound = (m + n).saturating_sub(2) + m.max(n);
     for i in 0..=bound {
         let x = Rational::new(Integer::from(i), Integer::from(bound.max(1)));
-        let determinant = RulingForms::of(patch, &x)?.determinant();
+        let determinant = RulingForms::at(patch, &x)?.determinant();
         if *determinant.numer() != Integer::ZERO {
             return Ok(Developability::Twisted { x, determinant });
         }
@@ -86,7 +86,7 @@ pub fn prove_developable(patch: &RuledSurface<Rail, Rail>) -> Result<Developabil
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 pub fn twist_determinant<R: Rails<Fraction> + ?Sized>(patch: &R) -> Result<Fraction> {
-    let forms = RulingForms::of(patch, &Fraction::named("x"))?;
+    let forms = RulingForms::at(patch, &Fraction::named("x"))?;
     Ok(forms.computed_determinant())
 }
 
@@ -111,7 +111,7 @@ pub enum Regularity {
     },
 }
 
-/// Proves or refutes that a patch is regular, in the sense of [`Certificate`](super::Certificate), with interval arithmetic of `bits` bits and at
+/// Proves or refutes that a patch is regular, in the sense of [`PatchCertificate`](super::PatchCertificate), with interval arithmetic of `bits` bits and at
 /// most `budget` intervals.
 ///
 /// # Errors
@@ -119,12 +119,12 @@ pub enum Regularity {
 ///
 /// ```
 /// use torse_geometry::developable::{Regularity, prove_regular};
-/// use torse_geometry::{Bounds, EnvelopingPatch, Gbt, Over, PlaneFamily, exact_ball};
+/// use torse_geometry::{PatchBounds, EnvelopingPatch, Gbt, Over, PlaneFamily, exact_ball};
 /// let h = 5.0 * 2_f64.sqrt();
 /// let planes = vec![[h, -h, 5.0, 125.0], [-h, -h, 5.0, 125.0], [-h, h, 5.0, 125.0], [h, h, 5.0, 125.0]];
 /// let family = PlaneFamily::new(Gbt::new(0.5, 0.5)?, planes)?;
 /// let upto = |z: f64| {
-///     let patch = EnvelopingPatch::new(family.clone(), Bounds::Planes([[0., 0., 1., 0.], [0., 0., 1., z]]))?;
+///     let patch = EnvelopingPatch::new(family.clone(), PatchBounds::Planes([[0., 0., 1., 0.], [0., 0., 1., z]]))?;
 ///     patch.over(&|x| exact_ball(*x, 80)).map(|patch| prove_regular(&patch, 80, 4096))
 /// };
 /// assert_eq!(upto(5.0)?, Regularity::Regular);
@@ -163,7 +163,7 @@ pub fn prove_regular<R: Rails<Ball> + ?Sized>(patch: &R, bits: usize, budget: us
 
 /// The sign of `N0 . N1` over an interval of parameters, where it is the same for all.
 fn same_side<R: Rails<Ball> + ?Sized>(patch: &R, x: &Ball) -> Option<Ordering> {
-    let forms = RulingForms::of(patch, x).ok()?;
+    let forms = RulingForms::at(patch, x).ok()?;
     let [n0, n1] = forms.normals();
     dot(n0, n1).sign()
 }

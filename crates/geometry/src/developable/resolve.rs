@@ -12,7 +12,7 @@ use crate::vector::{add, dot, norm, scale, sub};
 use rayon::prelude::*;
 
 /// How often one interval is halved at most.
-const DEEPEST: u32 = 40;
+const MAX_DEPTH: u32 = 40;
 /// Rulings added at most: this many and four for every one there was.
 const MORE: usize = 4096;
 /// Pairs that a thread takes at a time.
@@ -46,7 +46,7 @@ pub(super) fn resolved(
             continue;
         }
         let middle = 0.5 * (last.0 + next.0);
-        if depth >= DEEPEST || budget == 0 {
+        if depth >= MAX_DEPTH || budget == 0 {
             gap = Some([last.0, next.0]);
             done.push(next);
             continue;

@@ -1,6 +1,6 @@
 //! Functions on an interval with a proved bound: Chebyshev models.
 //!
-//! A [`Model`] is a polynomial of degree 16 in `t`, where `t` runs over [-1, 1] while the parameter runs over an interval,
+//! A [`ChebyshevModel`] is a polynomial of degree 16 in `t`, where `t` runs over [-1, 1] while the parameter runs over an interval,
 //! and a *radius*: it stands for every function that differs from the polynomial by no more than the radius anywhere on
 //! the interval. Sums and products of models hold the sums and products of all functions that they stand for: what
 //! exceeds degree 16 and all rounding goes into the radius. Quotients and square roots are interpolated, and then proved
@@ -25,10 +25,10 @@ use torse_algebra::{ExactError, Rational, Scalar, rational::to_f64};
 /// All functions on an interval within a radius of a polynomial of degree 16.
 ///
 /// ```
-/// use torse_geometry::{Coordinate, Model};
+/// use torse_geometry::{Coordinate, ChebyshevModel};
 /// use torse_geometry::prelude::*;
 /// // The parameter on [1/4, 1/2], and 1/(1 + x^2) there.
-/// let x = Model::identity(0.25, 0.5);
+/// let x = ChebyshevModel::identity(0.25, 0.5);
 /// let f = x.one().quotient(&(x.one() + x.clone() * x.clone())).ok_or("no zero there")?;
 /// let [low, high] = f.range();
 /// assert!(low <= 0.8 && 1.0 / 1.0625 <= high && high - low < 0.2);
@@ -36,7 +36,7 @@ use torse_algebra::{ExactError, Rational, Scalar, rational::to_f64};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Model {
+pub struct ChebyshevModel {
     /// Of `T_0`, ..., `T_16`.
     coefficients: Row,
     /// All coefficients above are zero.
@@ -56,7 +56,7 @@ fn rounding(terms: usize) -> f64 {
     (terms as f64 + 2.0) * f64::EPSILON
 }
 
-impl Model {
+impl ChebyshevModel {
     /// The constant function.
     #[must_use]
     pub fn exact(value: f64) -> Self {
@@ -84,7 +84,7 @@ impl Model {
     }
 
     /// A polynomial with these coefficients and a radius.
-    fn of(coefficients: Row, radius: f64) -> Self {
+    fn with_radius(coefficients: Row, radius: f64) -> Self {
         let degree = coefficients.iter().rposition(|c| *c != 0.0).unwrap_or(0);
         Self {
             coefficients,
@@ -95,7 +95,7 @@ impl Model {
 
     /// The polynomial through these values at the nodes, as a function of its own.
     pub(crate) fn through(values: &Row) -> Self {
-        Self::of(*Interpolant::through(values).coefficients(), 0.0)
+        Self::with_radius(*Interpolant::through(values).coefficients(), 0.0)
     }
 
     /// How far a function that the model stands for may be from the polynomial.
@@ -121,7 +121,7 @@ impl Model {
     }
 
     pub(crate) fn interpolant(&self) -> Interpolant {
-        Interpolant::of(self.coefficients)
+        Interpolant::from_coefficients(self.coefficients)
     }
 
     fn active(&self) -> &[f64] {
@@ -218,7 +218,7 @@ impl Model {
             0.0
         };
         let rounded = rounding(NODES + 4) * half * (2.0 * self.size());
-        Self::of(
+        Self::with_radius(
             *whole.coefficients(),
             up(dropped + rounded + 2.0 * half * self.radius),
         )
@@ -241,7 +241,7 @@ impl Model {
             .enumerate()
             .map(|(j, c)| (j * j) as f64 * c.abs());
         let rounded = rounding(NODES + 6) * terms.sum::<f64>() / half;
-        Self::of(*slope.coefficients(), up(rounded))
+        Self::with_radius(*slope.coefficients(), up(rounded))
     }
 
     /// The same functions on a part of the interval, `t` from `from` to `to`, as an interpolant of the polynomial: exact
@@ -249,17 +249,17 @@ impl Model {
     fn scaled_by(&self, factor: f64) -> Self {
         let coefficients = self.coefficients.map(|c| c * factor);
         let rounded = f64::EPSILON * self.size() * factor.abs();
-        Self::of(coefficients, up(self.radius * factor.abs() + rounded))
+        Self::with_radius(coefficients, up(self.radius * factor.abs() + rounded))
     }
 }
 
-impl Add for Model {
+impl Add for ChebyshevModel {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
         let coefficients: Row =
             std::array::from_fn(|k| self.coefficients[k] + other.coefficients[k]);
-        let sum = Self::of(coefficients, 0.0);
+        let sum = Self::with_radius(coefficients, 0.0);
         if self.is_exact_zero() {
             return other;
         }
@@ -274,7 +274,7 @@ impl Add for Model {
     }
 }
 
-impl Neg for Model {
+impl Neg for ChebyshevModel {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -285,7 +285,7 @@ impl Neg for Model {
     }
 }
 
-impl Sub for Model {
+impl Sub for ChebyshevModel {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -302,7 +302,7 @@ impl Sub for Model {
     }
 }
 
-impl Mul for Model {
+impl Mul for ChebyshevModel {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
@@ -328,7 +328,7 @@ impl Mul for Model {
             } else {
                 radii(product)
             };
-            return Self::of(coefficients, radius);
+            return Self::with_radius(coefficients, radius);
         }
         // T_i T_j = (T_(i+j) + T_|i-j|)/2.
         let mut sum = [0.0; 2 * NODES];
@@ -351,17 +351,17 @@ impl Mul for Model {
         coefficients.copy_from_slice(sum.get(..NODES).unwrap_or(&[0.0; NODES]));
         let tail: f64 = sum.iter().skip(NODES).map(|c| c.abs()).sum();
         let radius = up(radii(rounding(2 * short.degree + 4)) + tail);
-        Self::of(coefficients, radius)
+        Self::with_radius(coefficients, radius)
     }
 }
 
-impl Model {
+impl ChebyshevModel {
     fn is_exact_zero(&self) -> bool {
         self.degree == 0 && self.coefficients[0] == 0.0 && self.radius == 0.0
     }
 }
 
-impl Scalar for Model {
+impl Scalar for ChebyshevModel {
     fn constant(&self, q: &Rational) -> Self {
         let value = to_f64(q);
         let model = Self::exact(value);
@@ -422,7 +422,7 @@ impl Scalar for Model {
     }
 }
 
-impl Coordinate for Model {
+impl Coordinate for ChebyshevModel {
     fn is_finite(&self) -> bool {
         self.radius.is_finite() && self.active().iter().all(|c| c.is_finite())
     }
@@ -484,7 +484,7 @@ mod tests {
     use torse_algebra::Ball;
 
     /// Whether the exact value, in a ball, is where the model says.
-    fn holds(model: &Model, t: f64, value: &Ball) -> bool {
+    fn holds(model: &ChebyshevModel, t: f64, value: &Ball) -> bool {
         let (low, high) = value.to_f64_bounds();
         let at = model.at(t);
         let off = (at - low).abs().max((at - high).abs());
@@ -494,8 +494,8 @@ mod tests {
     #[test]
     fn quotients_roots_and_quarter_turns_stay_within_their_radius() {
         for (from, to) in [(0.0, 1.0), (0.25, 0.5), (0.75, 1.0)] {
-            let x = Model::identity(from, to);
-            let two = Model::exact(2.0);
+            let x = ChebyshevModel::identity(from, to);
+            let two = ChebyshevModel::exact(2.0);
             let f = (x * x - two).quotient(&(x + two)).unwrap();
             let g = (x * x + two).root().unwrap();
             let (sine, cosine) = x.quarter_turn().unwrap();
@@ -512,7 +512,7 @@ mod tests {
                 assert!(holds(&sine, t, &s) && holds(&cosine, t, &c));
             }
         }
-        let x = Model::identity(0.0, 1.0);
+        let x = ChebyshevModel::identity(0.0, 1.0);
         assert!(x.one().quotient(&x).is_none() && (x - x.one()).root().is_none());
     }
 
@@ -535,10 +535,12 @@ mod tests {
             Sheet::ruled(chine, deck).part(0.25, 0.75).unwrap(),
         ];
         for sheet in &sheets {
-            let models = sheet.over(&|x| Model::exact(*x)).unwrap();
+            let models = sheet.over(&|x| ChebyshevModel::exact(*x)).unwrap();
             let balls = sheet.over(&|x| exact_ball(*x, 160)).unwrap();
             for (from, to) in [(0.25, 0.375), (0.5, 0.75)] {
-                let strip = models.ends_and_slopes(&Model::identity(from, to)).unwrap();
+                let strip = models
+                    .ends_and_slopes(&ChebyshevModel::identity(from, to))
+                    .unwrap();
                 for k in 0..=6 {
                     let t = f64::from(k) / 3.0 - 1.0;
                     // A dyadic parameter, which both know exactly.

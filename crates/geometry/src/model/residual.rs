@@ -6,10 +6,10 @@
 //! | `y = sqrt(g)` | interpolant | `abs(y - sqrt(g)) <= max abs(y^2 - g) / (min y + sqrt(min g))` |
 //! | `z = exp(i theta)` | interpolant | `abs(z - exp(i theta)) <= width * max abs(z' - i theta' z)`, where both start alike |
 
-use super::{Model, up};
+use super::{ChebyshevModel, up};
 use crate::chebyshev::NODES;
 
-impl Model {
+impl ChebyshevModel {
     /// `self/divisor`; `None` where the divisor may vanish.
     #[must_use]
     pub fn quotient(&self, divisor: &Self) -> Option<Self> {

@@ -20,25 +20,25 @@ use super::flat::FlatPattern;
 
 /// A sheet to bend: thickness and K-factor.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sheet {
+pub struct BendingSheet {
     thickness: f64,
     k_factor: f64,
 }
 
-impl Sheet {
+impl BendingSheet {
     /// A sheet of this thickness (a length) and K-factor.
     ///
     /// # Errors
     /// [`PatternError::OutOfRange`] unless the thickness is positive and the K-factor between 0 and 1.
     ///
     /// ```
-    /// use torse_geometry::pattern::Sheet;
-    /// let sheet = Sheet::new(2.0, 0.4)?;
+    /// use torse_geometry::pattern::BendingSheet;
+    /// let sheet = BendingSheet::new(2.0, 0.4)?;
     /// let right = std::f64::consts::FRAC_PI_2;
     /// // A right angle over an inside radius of 3: the neutral axis has the radius 3.8.
     /// assert!((sheet.bend_allowance(right, 3.0) - right * 3.8).abs() < 1e-15);
     /// assert!((sheet.bend_deduction(right, 3.0) - (10.0 - right * 3.8)).abs() < 1e-14);
-    /// assert!(Sheet::new(-1.0, 0.4).is_err());
+    /// assert!(BendingSheet::new(-1.0, 0.4).is_err());
     /// # Ok::<(), torse_geometry::pattern::PatternError>(())
     /// ```
     pub fn new(thickness: f64, k_factor: f64) -> PatternResult<Self> {
@@ -128,7 +128,7 @@ pub struct Bend {
 
 /// The bends of a pattern, ruling by ruling; flat rulings are left out.
 #[must_use]
-pub fn bends(flat: &FlatPattern, sheet: &Sheet) -> Vec<Bend> {
+pub fn bends(flat: &FlatPattern, sheet: &BendingSheet) -> Vec<Bend> {
     let rulings = flat.rulings().iter().enumerate();
     rulings
         .filter(|(_, r)| r.bend != 0.0)
@@ -152,15 +152,15 @@ pub fn bends(flat: &FlatPattern, sheet: &Sheet) -> Vec<Bend> {
 /// an edge at a joint has a radius there that the press makes; it is not looked at.
 ///
 /// ```
-/// use torse_geometry::pattern::{Sheet, is_bendable, unroll};
+/// use torse_geometry::pattern::{BendingSheet, is_bendable, unroll};
 /// use torse_geometry::{RuledSurface, curve::ellipse_arc};
 /// let ring = |z: f64| ellipse_arc(&[0.0, 0.0, z], &[2.0, 0.0, z], &[0.0, 2.0, z]);
 /// let flat = unroll(&RuledSurface::new(ring(0.0)?, ring(3.0)?), 17, 1e-6)?;
-/// assert!(is_bendable(&flat, &Sheet::new(1.0, 0.4)?, 1.0));
-/// assert!(!is_bendable(&flat, &Sheet::new(1.5, 0.4)?, 1.0));
+/// assert!(is_bendable(&flat, &BendingSheet::new(1.0, 0.4)?, 1.0));
+/// assert!(!is_bendable(&flat, &BendingSheet::new(1.5, 0.4)?, 1.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]
-pub fn is_bendable(flat: &FlatPattern, sheet: &Sheet, least: f64) -> bool {
+pub fn is_bendable(flat: &FlatPattern, sheet: &BendingSheet, least: f64) -> bool {
     sheet.inside_radius(flat.smallest_radius()) >= least * sheet.thickness()
 }

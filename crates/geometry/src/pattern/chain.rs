@@ -39,7 +39,7 @@ impl FlatPattern {
             let (Some(last), Some(first)) = (pieces.last(), added.first()) else {
                 continue;
             };
-            let (here, there) = (EndRuling::of(last, true), EndRuling::of(first, false));
+            let (here, there) = (EndRuling::new(last, true), EndRuling::new(first, false));
             let (gap, crossed) = here.gap(&there);
             nearest = nearest.min(gap);
             if gap > within {
@@ -72,7 +72,7 @@ impl FlatPattern {
             pieces.extend(added.into_iter().map(moved));
             let tolerance = self.tolerance.max(next.tolerance);
             let developable = self.developable.min(next.developable);
-            return Self::of(pieces, developable, tolerance);
+            return Self::from_pieces(pieces, developable, tolerance);
         }
         Err(PatternError::NoCommonRuling {
             distance: nearest,
@@ -96,7 +96,7 @@ struct EndRuling {
 }
 
 impl EndRuling {
-    fn of(piece: &Piece, last: bool) -> Self {
+    fn new(piece: &Piece, last: bool) -> Self {
         let at = piece.development.at(piece.end(last));
         let sides = [piece.left(), 1 - piece.left()];
         Self {

@@ -11,12 +11,12 @@ use crate::scalars::exact;
 use std::cmp::Ordering;
 
 /// Halvings of a pair of segments.
-const DEEPEST: u32 = 48;
+const MAX_DEPTH: u32 = 48;
 
 /// The first two segments of a closed outline found to meet away from their common ends, and where. Arcs are
 /// followed to within `tolerance`.
 pub(super) fn crossing(outline: &[Segment], tolerance: f64) -> Option<([usize; 2], [f64; 2])> {
-    let boxes: Vec<Box> = outline.iter().map(Box::of).collect();
+    let boxes: Vec<Box> = outline.iter().map(Box::around).collect();
     let mut order: Vec<usize> = (0..outline.len()).collect();
     order.sort_by(|a, b| boxes[*a].low[0].total_cmp(&boxes[*b].low[0]));
     let mut found: Option<([usize; 2], [f64; 2])> = None;
@@ -58,11 +58,11 @@ fn neighbours(a: &Segment, b: &Segment, joined: [bool; 2]) -> Option<[f64; 2]> {
 }
 
 fn meet(a: &Segment, b: &Segment, tolerance: f64, depth: u32) -> Option<[f64; 2]> {
-    if !Box::of(a).meets(&Box::of(b)) {
+    if !Box::around(a).meets(&Box::around(b)) {
         return None;
     }
     let bent = [a, b].map(Segment::sagitta);
-    if depth >= DEEPEST || bent.iter().all(|s| *s <= tolerance) {
+    if depth >= MAX_DEPTH || bent.iter().all(|s| *s <= tolerance) {
         return chords_meet(a, b).then_some(a.from);
     }
     let tested = |a: &Segment, b: &Segment| meet(a, b, tolerance, depth + 1);
@@ -110,7 +110,7 @@ struct Box {
 
 impl Box {
     /// Around the chord and the arc: a sagitta to all sides.
-    fn of(segment: &Segment) -> Self {
+    fn around(segment: &Segment) -> Self {
         let wide = if segment.is_line() {
             0.0
         } else {

@@ -9,7 +9,7 @@ use super::flattening::{Flattening, lost};
 use super::frame::Frame;
 use super::interval::{Demand, Tried, tried};
 use super::panel::{At, Integral, Panel, Reach, Share, State};
-use super::source::{Evidence, Source};
+use super::source::{PatternEvidence, Source};
 use crate::chebyshev::{Interpolant, nodes};
 use crate::developable::Extent;
 use crate::surface::{Rails, RulingEnd};
@@ -19,9 +19,9 @@ use rayon::prelude::*;
 /// How many rulings are evaluated side by side.
 const LANES: usize = 8;
 /// The most intervals of a development.
-const MOST_PANELS: usize = 1 << 10;
+const MAX_PANELS: usize = 1 << 10;
 /// The shortest interval, as a number of halvings.
-const DEEPEST: u32 = 44;
+const MAX_DEPTH: u32 = 44;
 /// The length of what is left to a bound at a special end, as a number of halvings.
 const END_DEPTH: u32 = 36;
 /// The coarsest error that is allowed, as a share of the size of the patch.
@@ -34,7 +34,7 @@ pub(super) struct Development {
     panels: Vec<Panel>,
     /// Which development it is.
     pub flattening: Flattening,
-    pub evidence: Evidence,
+    pub evidence: PatternEvidence,
     /// Whether the patch is exactly developable.
     pub exact: bool,
     /// The largest strain.
@@ -69,17 +69,17 @@ pub(super) struct Wanted {
 
 impl Development {
     /// Develops the patch, with the functions of `source`.
-    pub(super) fn of<R: Rails<f64> + ?Sized>(
+    pub(super) fn new<R: Rails<f64> + ?Sized>(
         patch: &R,
         source: &dyn Source,
         wanted: Wanted,
     ) -> PatternResult<Self> {
         // Dyadic ends are exact.
-        let count = wanted.panels.clamp(1, MOST_PANELS).next_power_of_two();
+        let count = wanted.panels.clamp(1, MAX_PANELS).next_power_of_two();
         #[allow(clippy::cast_precision_loss)]
         let cut = |i: usize| i as f64 / count as f64;
         let equal: Vec<_> = (0..count).map(|i| [cut(i), cut(i + 1)]).collect();
-        let extent = Extent::of(patch, |x| x);
+        let extent = Extent::measure(patch, |x| x);
         let Some(extent) = extent else {
             return Err(diagnosed(patch, [0.0, 1.0], wanted.allowed));
         };
@@ -292,7 +292,7 @@ fn resolved<R: Rails<f64> + ?Sized>(
                 Tried::Halve if depth >= END_DEPTH && kind != RulingEnd::Ordinary => {
                     left.push((*range, kind))
                 }
-                Tried::Halve if depth >= DEEPEST || done.len() + halves.len() >= MOST_PANELS => {
+                Tried::Halve if depth >= MAX_DEPTH || done.len() + halves.len() >= MAX_PANELS => {
                     return Err(diagnosed(patch, *range, demand.allowed));
                 }
                 Tried::Halve => {
@@ -335,7 +335,12 @@ fn end_cell(
     let constant = |f: &Interpolant| Interpolant::constant(f.at(&row));
     let longest: f64 = strip
         .iter()
-        .map(|[_, slope]| slope.iter().map(crate::Model::largest).sum::<f64>())
+        .map(|[_, slope]| {
+            slope
+                .iter()
+                .map(crate::ChebyshevModel::largest)
+                .sum::<f64>()
+        })
         .fold(0.0, f64::max)
         * width;
     let long = neighbour.length.at(&row);
@@ -360,7 +365,7 @@ fn end_cell(
         length,
         space: strip
             .each_ref()
-            .map(|[end, _]| end.each_ref().map(crate::Model::interpolant)),
+            .map(|[end, _]| end.each_ref().map(crate::ChebyshevModel::interpolant)),
         normal: neighbour.normal.each_ref().map(constant),
         along: neighbour.along.each_ref().map(constant),
         across: neighbour.across.each_ref().map(constant),

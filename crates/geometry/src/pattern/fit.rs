@@ -15,9 +15,9 @@ use super::segment::Segment;
 use crate::chebyshev::{Interpolant, NODES, Row};
 
 /// Halvings of the parameter interval.
-const DEEPEST: u32 = 40;
+const MAX_DEPTH: u32 = 40;
 /// The most segments of one rail.
-const MOST_SEGMENTS: usize = 1 << 16;
+const MAX_SEGMENTS: usize = 1 << 16;
 /// Where candidates are looked at first, as shares of the interval.
 const LOOKS: [f64; 4] = [0.15, 0.4, 0.65, 0.85];
 /// The widest arc sweeps twice this angle, in radians.
@@ -42,7 +42,7 @@ pub(super) fn fit(development: &Development, side: usize, tolerance: f64) -> Pat
             let drawn = segments.into_iter().filter(|s| s.from != s.to);
             fitted.segments.extend(drawn);
             fitted.distance = fitted.distance.max(distance);
-        } else if depth >= DEEPEST || fitted.segments.len() + open.len() >= MOST_SEGMENTS {
+        } else if depth >= MAX_DEPTH || fitted.segments.len() + open.len() >= MAX_SEGMENTS {
             return Err(PatternError::NotReached {
                 reached: tolerance.next_up(),
                 demanded: tolerance,
@@ -79,7 +79,7 @@ impl Rail<'_> {
     fn try_segments(&self, from: &End, to: &End, tolerance: f64) -> Option<(Vec<Segment>, f64)> {
         let line = Segment::line(from.point, to.point);
         let looks = LOOKS.map(|share| self.end(from.x + share * (to.x - from.x)).point);
-        let frame = Chord::of(&line);
+        let frame = Chord::new(&line);
         // A first look, which spares most of the work of a bound that fails.
         let near = |s: &Segment| {
             let off = |p: &[f64; 2]| frame.off(s, *p).abs();
@@ -101,7 +101,7 @@ impl Rail<'_> {
             return Some((vec![arc], distance));
         }
         let pair = biarc(from.point, to.point, [alpha, beta]);
-        let halves = pair.each_ref().map(Chord::of);
+        let halves = pair.each_ref().map(Chord::new);
         let close = |p: &[f64; 2]| {
             let side = usize::from(frame.place(*p)[0] > 0.5 * frame.length);
             halves[side].off(&pair[side], *p).abs() <= tolerance
@@ -146,7 +146,7 @@ impl Rail<'_> {
         if phi.abs() > WIDEST || !(chord > 0.0 || segment.is_line()) {
             return None;
         }
-        let frame = Chord::of(segment);
+        let frame = Chord::new(segment);
         let mut largest = 0.0_f64;
         let mut before = f64::NEG_INFINITY;
         let panels = self.development.panels();
@@ -220,7 +220,7 @@ struct Chord {
 }
 
 impl Chord {
-    fn of(segment: &Segment) -> Self {
+    fn new(segment: &Segment) -> Self {
         let length = segment.chord_length();
         let axis = if length > 0.0 {
             [0, 1].map(|i| (segment.to[i] - segment.from[i]) / length)

@@ -3,12 +3,12 @@
 use super::crossing::crossing;
 use super::error::{PatternError, PatternResult};
 use super::flattening::Flattening;
-use super::outline::Outline;
+use super::outline::PatternOutline;
 use super::panel::At;
 use super::piece::Piece;
 use super::placement::Placement;
 use super::segment::Segment;
-use super::source::Evidence;
+use super::source::PatternEvidence;
 use crate::vector::{cross, dot};
 use rayon::prelude::*;
 
@@ -36,7 +36,7 @@ pub struct FlatRuling {
 /// against the development that it is ([`FlatPattern::flattening`]): how far that may be from others is the `ambiguity`.
 /// They are proved or measured, as [`FlatPattern::evidence`] says.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Errors {
+pub struct PatternErrors {
     /// The largest distance of the cut outline from the exact one, both ways.
     pub outline: f64,
     /// The largest error of a flat point: ends of rulings, marks.
@@ -58,9 +58,9 @@ pub struct Errors {
 #[derive(Debug, Clone, PartialEq)]
 pub struct FlatPattern {
     pub(super) pieces: Vec<Piece>,
-    outline: Outline,
+    outline: PatternOutline,
     rulings: Vec<FlatRuling>,
-    errors: Errors,
+    errors: PatternErrors,
     /// The strain up to which it counts as developable.
     pub(super) developable: f64,
     pub(super) tolerance: f64,
@@ -71,8 +71,12 @@ impl FlatPattern {
     ///
     /// # Errors
     /// [`PatternError::CrossesItself`].
-    pub(super) fn of(pieces: Vec<Piece>, developable: f64, tolerance: f64) -> PatternResult<Self> {
-        let look = |outline: &Outline| crossing(outline.segments(), 0.25 * tolerance);
+    pub(super) fn from_pieces(
+        pieces: Vec<Piece>,
+        developable: f64,
+        tolerance: f64,
+    ) -> PatternResult<Self> {
+        let look = |outline: &PatternOutline| crossing(outline.segments(), 0.25 * tolerance);
         match Self::seen(pieces, developable, tolerance, look) {
             (_, Some((segments, at))) => Err(PatternError::CrossesItself { at, segments }),
             (flat, None) => Ok(flat),
@@ -85,7 +89,7 @@ impl FlatPattern {
         pieces: Vec<Piece>,
         developable: f64,
         tolerance: f64,
-        look: impl FnOnce(&Outline) -> T + Send,
+        look: impl FnOnce(&PatternOutline) -> T + Send,
     ) -> (Self, T) {
         let bounded = || {
             let (outline, snapped) = outline(&pieces);
@@ -107,7 +111,7 @@ impl FlatPattern {
     /// The closed outline: along the rails, across at the first and the last ruling. It is simple: it does not meet
     /// itself.
     #[must_use]
-    pub fn outline(&self) -> &Outline {
+    pub fn outline(&self) -> &PatternOutline {
         &self.outline
     }
 
@@ -119,7 +123,7 @@ impl FlatPattern {
 
     /// Bounds for the errors.
     #[must_use]
-    pub fn errors(&self) -> Errors {
+    pub fn errors(&self) -> PatternErrors {
         self.errors
     }
 
@@ -146,9 +150,9 @@ impl FlatPattern {
 
     /// Whether the bounds are proved.
     #[must_use]
-    pub fn evidence(&self) -> Evidence {
+    pub fn evidence(&self) -> PatternEvidence {
         let each = self.pieces.iter().map(|p| p.development.evidence);
-        each.min().unwrap_or(Evidence::Measured)
+        each.min().unwrap_or(PatternEvidence::Measured)
     }
 
     /// By how much the flat edges of a patch of the chain are shorter than its edges in space, at most: zero for what is
@@ -350,7 +354,7 @@ impl At {
 }
 
 /// The closed outline, and the largest distance by which ends were moved to meet.
-fn outline(pieces: &[Piece]) -> (Outline, f64) {
+fn outline(pieces: &[Piece]) -> (PatternOutline, f64) {
     let mut segments: Vec<Segment> = Vec::new();
     for piece in pieces {
         segments.extend(piece.rail(1 - piece.left()));
@@ -383,7 +387,7 @@ fn outline(pieces: &[Piece]) -> (Outline, f64) {
     let size = pieces.iter().map(|p| p.development.size);
     let (segments, dropped) =
         without_points(segments, 64.0 * f64::EPSILON * size.fold(0.0, f64::max));
-    (Outline::new(segments), snapped.max(dropped))
+    (PatternOutline::new(segments), snapped.max(dropped))
 }
 
 /// The closed chain without segments that are points up to rounding (a rail that is an apex), so that neighbours share
@@ -411,7 +415,7 @@ fn without_points(segments: Vec<Segment>, rounding: f64) -> (Vec<Segment>, f64) 
     (kept, moved)
 }
 
-fn errors(pieces: &[Piece], outline: &Outline, snapped: f64) -> Errors {
+fn errors(pieces: &[Piece], outline: &PatternOutline, snapped: f64) -> PatternErrors {
     let largest = |f: &dyn Fn(&Piece) -> f64| pieces.iter().map(f).fold(0.0, f64::max);
     let rounding = 8.0 * f64::EPSILON * largest(&|p| p.development.size);
     let point = largest(&|p| p.development.error + p.inherited[0]) + rounding;
@@ -433,7 +437,7 @@ fn errors(pieces: &[Piece], outline: &Outline, snapped: f64) -> Errors {
             .sum::<f64>()
     };
     let cut = outline.length();
-    Errors {
+    PatternErrors {
         outline: point + fitted + snapped,
         point: point + snapped,
         angle,

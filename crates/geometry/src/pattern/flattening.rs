@@ -20,7 +20,7 @@
 //! |angle(x)| <= integral of (w0 + w1)/L,     |point(x)| <= integral of w0 + |P'| |angle|,     at the other edge L |angle| more.
 //! ```
 
-use crate::model::Model;
+use crate::model::ChebyshevModel;
 
 /// The development of a sheet that is not exactly developable, by what it keeps: see [`Unrolling::flattening`](super::Unrolling::flattening).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -87,26 +87,26 @@ pub(super) fn lost(sine: f64) -> f64 {
 /// What the choice is made from: vectors `N0, N1` of the lengths `s0 L, s1 L`, orthogonal to the ruling, and the unit
 /// vector between them.
 pub(super) struct Sides<'a> {
-    pub normals: [&'a [Model; 3]; 2],
-    pub between: &'a [Model; 3],
+    pub normals: [&'a [ChebyshevModel; 3]; 2],
+    pub between: &'a [ChebyshevModel; 3],
     /// `N1 - N0`.
-    pub change: &'a [Model; 3],
+    pub change: &'a [ChebyshevModel; 3],
     /// `L`.
-    pub length: &'a Model,
+    pub length: &'a ChebyshevModel,
     pub exact: bool,
 }
 
 /// The speeds across the ruling and `a1 - a0`, as models.
 pub(super) struct Across {
-    pub speeds: [Model; 2],
-    pub change: Model,
+    pub speeds: [ChebyshevModel; 2],
+    pub change: ChebyshevModel,
     /// The speeds in the mean plane, whose signs say on which side the edge of regression is.
-    pub signed: [Model; 2],
+    pub signed: [ChebyshevModel; 2],
 }
 
 impl Flattening {
     /// The choice; `None` where the interval is too long for it.
-    pub(super) fn of(self, sides: &Sides<'_>) -> Option<Across> {
+    pub(super) fn across(self, sides: &Sides<'_>) -> Option<Across> {
         use crate::vector::dot;
         let Sides {
             normals,
@@ -116,7 +116,7 @@ impl Flattening {
             exact,
         } = sides;
         let [n0, n1] = normals;
-        let over = |value: Model| value.quotient(length);
+        let over = |value: ChebyshevModel| value.quotient(length);
         let signed = [over(dot(n0, between))?, over(dot(n1, between))?];
         let turned = over(dot(change, between))?;
         let choice = |speeds, change| Across {
@@ -131,7 +131,7 @@ impl Flattening {
         let [Some(l0), Some(l1)] = roots else {
             // A rail that stands still, or an edge of regression on the border: the speed is that in the mean plane, up
             // to what leans out of it.
-            let out = |n: &[Model; 3]| -> f64 {
+            let out = |n: &[ChebyshevModel; 3]| -> f64 {
                 let height = dot(n, between);
                 let rest: [f64; 3] =
                     std::array::from_fn(|i| (n[i] - height * between[i]).largest());

@@ -7,7 +7,7 @@
 
 use super::error::{PatternError, PatternResult};
 use super::flat::FlatPattern;
-use super::lift::Place;
+use super::lift::PatternPlace;
 use crate::vector::{add, norm, sub};
 use nalgebra::{Matrix3, Vector3};
 
@@ -150,7 +150,7 @@ impl FlatPattern {
     /// The ends of the rulings in space, on the patch: what [`fold`] should come to.
     #[must_use]
     pub fn rulings_in_space(&self) -> Vec<[[f64; 3]; 2]> {
-        let end = |piece, x, v| self.space(Place { piece, x, v });
+        let end = |piece, x, v| self.space(PatternPlace { piece, x, v });
         self.rulings()
             .iter()
             .filter_map(|r| Some([end(r.piece, r.x, 0.0)?, end(r.piece, r.x, 1.0)?]))

@@ -23,7 +23,7 @@ use super::source::{Source, Strip};
 use crate::chebyshev::{Interpolant, NODES, node_rows, nodes};
 use crate::coordinate::Coordinate;
 use crate::developable::Extent;
-use crate::model::Model;
+use crate::model::ChebyshevModel;
 use crate::vector::{add, cross, det, dot, sub};
 
 /// What is asked of the functions of an interval.
@@ -59,22 +59,22 @@ pub(super) enum Tried {
     },
 }
 
-type Vector = [Model; 3];
+type Vector = [ChebyshevModel; 3];
 
 /// The functions of an interval, in units of the extent.
 struct Functions {
     normal: Vector,
-    length: Model,
-    along: [Model; 2],
+    length: ChebyshevModel,
+    along: [ChebyshevModel; 2],
     across: Across,
-    turn: Model,
+    turn: ChebyshevModel,
     sine: f64,
     /// Bounds of `s0` and `s1`.
     speeds: [f64; 2],
 }
 
 impl Functions {
-    fn of(strip: &Strip, source: &dyn Source, demand: &Demand) -> Option<Self> {
+    fn enclose(strip: &Strip, source: &dyn Source, demand: &Demand) -> Option<Self> {
         let Extent { length, speed } = demand.extent;
         let [[p, dp], [q, dq]] = strip;
         let by = |v: &Vector, power: i32| v.map(|c| c.times_two_to(-power));
@@ -106,7 +106,7 @@ impl Functions {
         };
         let normal = [x, y, z];
         let exact = source.is_exact();
-        let across = demand.flattening.of(&Sides {
+        let across = demand.flattening.across(&Sides {
             normals: [n0, n1],
             between: &normal,
             change: &change,
@@ -152,13 +152,13 @@ pub(super) fn tried(source: &dyn Source, [from, to]: [f64; 2], demand: &Demand) 
     let Some(strip) = source.strip(from, to) else {
         return Tried::Halve;
     };
-    let Some(functions) = Functions::of(&strip, source, demand) else {
+    let Some(functions) = Functions::enclose(&strip, source, demand) else {
         return Tried::Halve;
     };
     let signed = &functions.across.signed;
     let fastest = functions.speeds[0].max(functions.speeds[1]);
     let slack = TOUCHING * fastest;
-    let values = signed.each_ref().map(Model::at_nodes);
+    let values = signed.each_ref().map(ChebyshevModel::at_nodes);
     let room = [0, 1].map(|i| signed[i].radius() + slack);
     for (k, x) in nodes(from, to).into_iter().enumerate() {
         let across = [values[0][k], values[1][k]];
@@ -189,7 +189,7 @@ fn assembled(
     let along = functions.along.map(|a| a.times_two_to(speed));
     let across = functions.across.speeds.map(|a| a.times_two_to(speed));
     let long = functions.length.times_two_to(length);
-    let [cosine, sine] = Model::direction(&turn, half)?;
+    let [cosine, sine] = ChebyshevModel::direction(&turn, half)?;
     let velocity = [
         along[0] * cosine - across[0] * sine,
         along[0] * sine + across[0] * cosine,
@@ -197,14 +197,14 @@ fn assembled(
     let rail = velocity.map(|v| v.integral(half));
     let far = [rail[0] + long * cosine, rail[1] + long * sine];
     let theta = turn.polynomial().integral(half);
-    let radius = |pair: &[Model; 2]| pair[0].radius() + pair[1].radius();
+    let radius = |pair: &[ChebyshevModel; 2]| pair[0].radius() + pair[1].radius();
     let angle_error = width * turn.radius() + theta.radius();
     let rail_error = radius(&rail);
     let far_error = radius(&far);
     let normal_error = functions
         .normal
         .iter()
-        .map(Model::radius)
+        .map(ChebyshevModel::radius)
         .fold(0.0, f64::max);
     // Short intervals may be as bad as their share of 1/1024.
     let part = width.max(1.0 / 1024.0);
@@ -220,16 +220,16 @@ fn assembled(
     let fast = (0..2)
         .map(|i| along[i].largest() + speeds[i])
         .fold(0.0, f64::max);
-    let total = |f: &Model| {
+    let total = |f: &ChebyshevModel| {
         let [value, error] = f.total(half);
         Integral { value, error }
     };
-    let flat_speed = |i: usize| -> Model {
+    let flat_speed = |i: usize| -> ChebyshevModel {
         let square = along[i] * along[i] + across[i] * across[i];
         // A rail that stands still somewhere: the values, within what is left of the bound.
         square.root().unwrap_or_else(|| {
             let values = square.at_nodes().map(|s| s.max(0.0).sqrt());
-            let poly = Model::through(&values);
+            let poly = ChebyshevModel::through(&values);
             // |y - sqrt g|^2 <= |y^2 - g| where y is not negative.
             let below = (-poly.range()[0]).max(0.0);
             poly.widened((poly * poly - square).largest().sqrt() + 2.0 * below)
@@ -262,19 +262,20 @@ fn assembled(
             length: long.largest(),
         },
     };
-    let space = [&strip[0][0], &strip[1][0]].map(|end| end.each_ref().map(Model::interpolant));
-    let normal = functions.normal.each_ref().map(Model::interpolant);
+    let space =
+        [&strip[0][0], &strip[1][0]].map(|end| end.each_ref().map(ChebyshevModel::interpolant));
+    let normal = functions.normal.each_ref().map(ChebyshevModel::interpolant);
     let panel = Panel {
         from,
         to,
         theta: theta.interpolant(),
-        rails: [rail, far].map(|pair| pair.each_ref().map(Model::interpolant)),
+        rails: [rail, far].map(|pair| pair.each_ref().map(ChebyshevModel::interpolant)),
         length: long.interpolant(),
         bending: bending(&normal, &space, half),
         space,
         normal,
-        along: along.each_ref().map(Model::interpolant),
-        across: across.each_ref().map(Model::interpolant),
+        along: along.each_ref().map(ChebyshevModel::interpolant),
+        across: across.each_ref().map(ChebyshevModel::interpolant),
         error: 0.0,
         angle_error: 0.0,
     };

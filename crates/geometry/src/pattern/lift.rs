@@ -13,7 +13,7 @@ use super::piece::Piece;
 /// A place on a patch of a flat pattern: on the ruling at `x`, at the share `v` of the way from the first to the
 /// second rail, both in [0, 1].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct PatternPlace {
     /// The patch of the chain.
     pub piece: usize,
     /// The parameter of the ruling.
@@ -27,18 +27,18 @@ const SAMPLES: u32 = 24;
 /// Steps of the golden section: the bracket shrinks to rounding.
 const STEPS: usize = 76;
 /// The most points of a carried curve.
-const MOST_POINTS: usize = 1 << 18;
+const MAX_POINTS: usize = 1 << 18;
 
 impl FlatPattern {
     /// The flat image of a place; `None` unless it is on a patch of the pattern.
     ///
     /// ```
-    /// use torse_geometry::pattern::{Place, unroll};
+    /// use torse_geometry::pattern::{PatternPlace, unroll};
     /// use torse_geometry::{RuledSurface, curve::ellipse_arc};
     /// // A quarter of a cylinder; a hole halfway up at 30 degrees.
     /// let ring = |z: f64| ellipse_arc(&[0.0, 0.0, z], &[2.0, 0.0, z], &[0.0, 2.0, z]);
     /// let flat = unroll(&RuledSurface::new(ring(0.0)?, ring(3.0)?), 17, 1e-6)?;
-    /// let hole = flat.flatten(Place { piece: 0, x: 1.0 / 3.0, v: 0.5 }).ok_or("outside")?;
+    /// let hole = flat.flatten(PatternPlace { piece: 0, x: 1.0 / 3.0, v: 0.5 }).ok_or("outside")?;
     /// assert!((hole[0] - 1.5).abs() < 1e-12 && (hole[1] - std::f64::consts::PI / 3.0).abs() < 1e-12);
     /// // Back into space.
     /// let [x, y, z] = flat.lift(hole).ok_or("outside")?;
@@ -47,7 +47,7 @@ impl FlatPattern {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn flatten(&self, place: Place) -> Option<[f64; 2]> {
+    pub fn flatten(&self, place: PatternPlace) -> Option<[f64; 2]> {
         let piece = self.piece_of(place)?;
         let [p, q] = piece.development.at(place.x).rails;
         Some(piece.placement.point(between(&p, &q, place.v)))
@@ -55,7 +55,7 @@ impl FlatPattern {
 
     /// The point of the patch in space; `None` unless the place is on a patch of the pattern.
     #[must_use]
-    pub fn space(&self, place: Place) -> Option<[f64; 3]> {
+    pub fn space(&self, place: PatternPlace) -> Option<[f64; 3]> {
         let piece = self.piece_of(place)?;
         let [p, q] = piece.development.at(place.x).space;
         Some(between(&p, &q, place.v))
@@ -63,7 +63,7 @@ impl FlatPattern {
 
     /// The place of a point of the sheet; `None` outside the pattern, by more than the error of its points.
     #[must_use]
-    pub fn locate(&self, point: [f64; 2]) -> Option<Place> {
+    pub fn locate(&self, point: [f64; 2]) -> Option<PatternPlace> {
         let slack = self.errors().outline.max(1e-9 * self.reach());
         self.nearest(slack, |piece| {
             let point = piece.placement.point_back(point);
@@ -82,7 +82,7 @@ impl FlatPattern {
 
     /// The place nearest to a point in space; `None` when it is farther than `within` from the pattern.
     #[must_use]
-    pub fn locate_in_space(&self, point: [f64; 3], within: f64) -> Option<Place> {
+    pub fn locate_in_space(&self, point: [f64; 3], within: f64) -> Option<PatternPlace> {
         self.nearest(within, |piece| {
             move |x: f64| {
                 let [p, q] = piece.development.at(x).space;
@@ -125,7 +125,8 @@ impl FlatPattern {
                 value: if (0.0..=1.0).contains(&x) { v } else { x },
                 range: "[0, 1]",
             };
-            self.flatten(Place { piece, x, v }).ok_or_else(outside)
+            self.flatten(PatternPlace { piece, x, v })
+                .ok_or_else(outside)
         };
         let mut points = vec![at(0.0)?];
         // At least eight steps are looked at, so that a closed curve is not taken for a point.
@@ -142,7 +143,7 @@ impl FlatPattern {
             }
             if off <= chord {
                 points.push(b);
-            } else if points.len() + open.len() >= MOST_POINTS || to - from < 1e-12 {
+            } else if points.len() + open.len() >= MAX_POINTS || to - from < 1e-12 {
                 return Err(super::PatternError::NotReached {
                     reached: off,
                     demanded: chord,
@@ -157,7 +158,7 @@ impl FlatPattern {
         Ok(straightened(&points, chord))
     }
 
-    fn piece_of(&self, place: Place) -> Option<&Piece> {
+    fn piece_of(&self, place: PatternPlace) -> Option<&Piece> {
         let unit = 0.0..=1.0;
         let inside = unit.contains(&place.x) && unit.contains(&place.v);
         self.pieces.get(place.piece).filter(|_| inside)
@@ -174,8 +175,8 @@ impl FlatPattern {
         &'a self,
         slack: f64,
         distance: impl Fn(&'a Piece) -> F,
-    ) -> Option<Place> {
-        let mut best: Option<(f64, Place)> = None;
+    ) -> Option<PatternPlace> {
+        let mut best: Option<(f64, PatternPlace)> = None;
         for (index, piece) in self.pieces.iter().enumerate() {
             let at = distance(piece);
             let xs = samples(piece);
@@ -191,7 +192,7 @@ impl FlatPattern {
                 let x = golden(&at, low, high);
                 let (off, v) = at(x);
                 if off <= slack && best.is_none_or(|(least, _)| off < least) {
-                    best = Some((off, Place { piece: index, x, v }));
+                    best = Some((off, PatternPlace { piece: index, x, v }));
                 }
             }
         }

@@ -3,7 +3,7 @@
 //! A developable surface is isometric to a part of the plane, and its rulings stay straight. [`unroll`] turns
 //! a patch into a [`FlatPattern`]: the outline to be cut, as lines and circular arcs, the rulings with the angle
 //! by which the sheet is bent there, and the map between sheet and space. What it promises is
-//! about the *cut*: [`Errors::outline`] bounds the distance between the outline that a machine follows and
+//! about the *cut*: [`PatternErrors::outline`] bounds the distance between the outline that a machine follows and
 //! the exact one, not only errors at vertices.
 //!
 //! A patch that has no flat pattern is refused with numbers, [`PatternError`]: it is not developable, its edge
@@ -30,15 +30,15 @@ mod segment;
 mod source;
 mod unroll;
 
-pub use bending::{Bend, Sheet, bends, is_bendable};
+pub use bending::{Bend, BendingSheet, bends, is_bendable};
 pub use chain::side_by_side;
 pub use error::{PatternError, PatternResult};
-pub use flat::{Errors, FlatPattern, FlatRuling};
+pub use flat::{FlatPattern, FlatRuling, PatternErrors};
 pub use flattening::Flattening;
 pub use fold::{deviation, fold};
-pub use lift::Place;
-pub use outline::Outline;
+pub use lift::PatternPlace;
+pub use outline::PatternOutline;
 pub use placement::Placement;
 pub use segment::Segment;
-pub use source::Evidence;
-pub use unroll::{DEVELOPABLE_STRAIN, MOST_RULINGS, Unrolling, unroll};
+pub use source::PatternEvidence;
+pub use unroll::{DEVELOPABLE_STRAIN, MAX_RULINGS, Unrolling, unroll};

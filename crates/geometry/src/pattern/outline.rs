@@ -5,11 +5,11 @@ use super::segment::Segment;
 
 /// A closed chain of lines and arcs, counterclockwise: what is cut.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Outline {
+pub struct PatternOutline {
     segments: Vec<Segment>,
 }
 
-impl Outline {
+impl PatternOutline {
     /// The outline through these segments, each of which starts where the one before ends.
     pub(super) fn new(segments: Vec<Segment>) -> Self {
         Self { segments }

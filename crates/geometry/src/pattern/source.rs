@@ -1,16 +1,16 @@
 //! Where the development takes its functions from: the rails of a patch and their derivatives on an interval, as models.
 
 use crate::chebyshev::{NODES, Row, basis, between, nodes};
-use crate::model::Model;
+use crate::model::ChebyshevModel;
 use crate::over::Over;
 use crate::surface::Rails;
 
 /// Points and derivatives of both rails on an interval.
-pub(super) type Strip = [[[Model; 3]; 2]; 2];
+pub(super) type Strip = [[[ChebyshevModel; 3]; 2]; 2];
 
 /// How sure the numbers of a flat pattern are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Evidence {
+pub enum PatternEvidence {
     /// Estimates: the rails were looked at in finitely many parameters.
     Measured,
     /// Proved over whole intervals, for the exact numbers of the control data.
@@ -26,7 +26,7 @@ pub(super) trait Source: Sync {
     fn is_exact(&self) -> bool;
 
     /// Whether the bounds are proved.
-    fn evidence(&self) -> Evidence;
+    fn evidence(&self) -> PatternEvidence;
 }
 
 /// The patch over models: bounds are proved.
@@ -35,20 +35,20 @@ pub(super) struct Enclosed<R> {
     exact: bool,
 }
 
-impl<R: Rails<Model>> Enclosed<R> {
-    pub(super) fn of<P: Rails<f64> + Over<f64, Model, Object = R>>(
+impl<R: Rails<ChebyshevModel>> Enclosed<R> {
+    pub(super) fn new<P: Rails<f64> + Over<f64, ChebyshevModel, Object = R>>(
         patch: &P,
     ) -> crate::Result<Self> {
         Ok(Self {
-            over_models: patch.over(&|x| Model::exact(*x))?,
+            over_models: patch.over(&|x| ChebyshevModel::exact(*x))?,
             exact: patch.is_developable_by_construction(),
         })
     }
 }
 
-impl<R: Rails<Model>> Source for Enclosed<R> {
+impl<R: Rails<ChebyshevModel>> Source for Enclosed<R> {
     fn strip(&self, from: f64, to: f64) -> Option<Strip> {
-        let x = Model::identity(from, to);
+        let x = ChebyshevModel::identity(from, to);
         self.over_models.ends_and_slopes(&x).ok()
     }
 
@@ -56,8 +56,8 @@ impl<R: Rails<Model>> Source for Enclosed<R> {
         self.exact
     }
 
-    fn evidence(&self) -> Evidence {
-        Evidence::Proved
+    fn evidence(&self) -> PatternEvidence {
+        PatternEvidence::Proved
     }
 }
 
@@ -90,7 +90,7 @@ impl<R: Rails<f64> + ?Sized> Source for Sampled<'_, R> {
             let lists = off.iter_mut().flatten().zip(values.iter().flatten());
             for ((offs, rows), vector) in lists.zip(ends.as_flattened()) {
                 for ((off, values), c) in offs.iter_mut().zip(rows).zip(vector) {
-                    let poly = Model::through(values).interpolant();
+                    let poly = ChebyshevModel::through(values).interpolant();
                     *off = off.max((poly.at(&row) - c).abs()).max(0.5 * poly.tail());
                 }
             }
@@ -104,11 +104,11 @@ impl<R: Rails<f64> + ?Sized> Source for Sampled<'_, R> {
             [0, 1].map(|which| {
                 [0, 1, 2].map(|axis| {
                     if which == 1 && speeds[rail] <= STILL * fastest {
-                        return Model::exact(0.0);
+                        return ChebyshevModel::exact(0.0);
                     }
                     let row = &values[rail][which][axis];
                     let rounding = ROUNDINGS * f64::EPSILON * largest(row);
-                    Model::through(row).widened(SAFETY * off[rail][which][axis] + rounding)
+                    ChebyshevModel::through(row).widened(SAFETY * off[rail][which][axis] + rounding)
                 })
             })
         });
@@ -123,7 +123,7 @@ impl<R: Rails<f64> + ?Sized> Source for Sampled<'_, R> {
         self.0.is_developable_by_construction()
     }
 
-    fn evidence(&self) -> Evidence {
-        Evidence::Measured
+    fn evidence(&self) -> PatternEvidence {
+        PatternEvidence::Measured
     }
 }

@@ -7,7 +7,7 @@ use super::flat::FlatPattern;
 use super::flattening::Flattening;
 use super::piece::Piece;
 use super::source::{Enclosed, Sampled, Source};
-use crate::model::Model;
+use crate::model::ChebyshevModel;
 use crate::over::Over;
 use crate::surface::Rails;
 
@@ -17,7 +17,7 @@ use crate::surface::Rails;
 pub const DEVELOPABLE_STRAIN: f64 = 1e-6;
 
 /// The most rulings shown in a pattern.
-pub const MOST_RULINGS: usize = 1 << 16;
+pub const MAX_RULINGS: usize = 1 << 16;
 
 /// The coarsest tolerance, as a share of the size of the pattern: within one as large as the pattern a line would
 /// do for all of it, and nothing would be seen of how it winds.
@@ -34,12 +34,12 @@ const COARSEST: f64 = 0.01;
 ///     rail([[0.0, 0.0, 0.0], [100.0, 0.0, 0.0]])?,
 ///     rail([[0.0, 10.0, 0.0], [100.0, 10.0, 5.0]])?,
 /// );
-/// let Err(PatternError::NotDevelopable { strain, limit, .. }) = Unrolling::within(0.01).of(&strip) else {
+/// let Err(PatternError::NotDevelopable { strain, limit, .. }) = Unrolling::within(0.01).unroll(&strip) else {
 ///     panic!("a twisted strip");
 /// };
 /// assert!(strain > 1e-4 && limit == 1e-6);
 /// // unless strain is allowed; then the pattern says so, and how far other developments of it lie.
-/// let flat = Unrolling::within(0.01).allow_strain(strain).of(&strip)?;
+/// let flat = Unrolling::within(0.01).allow_strain(strain).unroll(&strip)?;
 /// assert!(flat.is_strained() && flat.strain() == strain && flat.errors().ambiguity > 0.0);
 /// // The usual one keeps the lengths of both edges.
 /// assert_eq!(flat.shortened(0), Some([0.0, 0.0]));
@@ -75,12 +75,12 @@ impl Unrolling {
         self
     }
 
-    /// Shows this many rulings, both ends included: 2 at least, [`MOST_RULINGS`] at most, at equal steps of the
+    /// Shows this many rulings, both ends included: 2 at least, [`MAX_RULINGS`] at most, at equal steps of the
     /// parameter. The patch is sampled a sixth as densely
     /// at least, and wherever that does not resolve it as densely as it takes.
     #[must_use]
     pub fn rulings(mut self, count: usize) -> Self {
-        self.rulings = count.clamp(2, MOST_RULINGS);
+        self.rulings = count.clamp(2, MAX_RULINGS);
         self
     }
 
@@ -106,7 +106,7 @@ impl Unrolling {
         self
     }
 
-    /// Unrolls a patch, with bounds that are proved over whole intervals ([`Model`]) for the exact numbers of its control
+    /// Unrolls a patch, with bounds that are proved over whole intervals ([`ChebyshevModel`]) for the exact numbers of its control
     /// data. Where the tolerance is out of their reach it is measured, as [`FlatPattern::evidence`] then says.
     ///
     /// The first rail starts at the origin, the first ruling points along the first axis, and the patch
@@ -119,21 +119,21 @@ impl Unrolling {
     /// [`PatternError::CrossesItself`] when it cannot be cut from one;
     /// [`PatternError::NotReached`] for a tolerance out of reach of f64; [`PatternError::Geometry`] from
     /// the evaluation of the patch.
-    pub fn of<P>(&self, patch: &P) -> PatternResult<FlatPattern>
+    pub fn unroll<P>(&self, patch: &P) -> PatternResult<FlatPattern>
     where
-        P: Rails<f64> + Over<f64, Model, Object: Rails<Model>>,
+        P: Rails<f64> + Over<f64, ChebyshevModel, Object: Rails<ChebyshevModel>>,
     {
-        match self.from(patch, &Enclosed::of(patch)?) {
+        match self.from(patch, &Enclosed::new(patch)?) {
             Err(PatternError::NotReached { .. }) => self.measured(patch),
             found => found,
         }
     }
 
     /// Unrolls a patch that can be evaluated at parameters alone: its rails are interpolated and looked at in finitely
-    /// many, so the bounds are estimates ([`Evidence::Measured`](super::Evidence::Measured)).
+    /// many, so the bounds are estimates ([`PatternEvidence::Measured`](super::PatternEvidence::Measured)).
     ///
     /// # Errors
-    /// As [`Unrolling::of`].
+    /// As [`Unrolling::unroll`].
     pub fn measured(&self, patch: &(impl Rails<f64> + ?Sized)) -> PatternResult<FlatPattern> {
         self.from(patch, &Sampled(patch))
     }
@@ -160,7 +160,7 @@ impl Unrolling {
             strain: self.developable.max(self.allowed),
             flattening: self.flattening,
         };
-        let development = Development::of(patch, source, wanted)?;
+        let development = Development::new(patch, source, wanted)?;
         let tolerance = self.tolerance.min(COARSEST * development.size);
         let side = |side| fit(&development, side, 0.5 * tolerance);
         let (first, second) = rayon::join(|| side(0), || side(1));
@@ -171,7 +171,7 @@ impl Unrolling {
         #[allow(clippy::cast_precision_loss)]
         let stations = (0..self.rulings).map(|i| i as f64 / last).collect();
         let piece = Piece::new(development, fitted.map(|f| f.segments), distance, stations);
-        FlatPattern::of(vec![piece], self.developable, tolerance)
+        FlatPattern::from_pieces(vec![piece], self.developable, tolerance)
     }
 }
 
@@ -179,7 +179,7 @@ impl Unrolling {
 /// otherwise.
 ///
 /// # Errors
-/// As [`Unrolling::of`].
+/// As [`Unrolling::unroll`].
 ///
 /// ```
 /// use torse_geometry::pattern::unroll;
@@ -198,7 +198,7 @@ impl Unrolling {
 /// ```
 pub fn unroll<P>(patch: &P, rulings: usize, tolerance: f64) -> PatternResult<FlatPattern>
 where
-    P: Rails<f64> + Over<f64, Model, Object: Rails<Model>>,
+    P: Rails<f64> + Over<f64, ChebyshevModel, Object: Rails<ChebyshevModel>>,
 {
-    Unrolling::within(tolerance).rulings(rulings).of(patch)
+    Unrolling::within(tolerance).rulings(rulings).unroll(patch)
 }

@@ -1,7 +1,7 @@
 //! Whether a ruled patch is exactly developable, decided on the exact numbers of its control points.
 
 use super::{Point, Rail, RailCurve};
-use crate::basis::Shape;
+use crate::basis::BasisShape;
 use crate::curve::{Curve, EllipticHelix};
 use crate::scalars::exact;
 use crate::vector::{cross, det, det4, sub};
@@ -114,11 +114,11 @@ fn vanishes(first: &Rail, second: &Rail, p: &Homogeneous, q: &Homogeneous) -> bo
         RailCurve::Weighted(curve) => Some(*curve.basis()),
         RailCurve::Elliptic(_) => None,
     };
-    let polynomial = Some(Shape::Bernstein);
+    let polynomial = Some(BasisShape::Bernstein);
     if [shape(first), shape(second)] != [polynomial; 2] || p.len() < 2 || q.len() < 2 {
         return false;
     }
-    let curve = |points: &Homogeneous| Curve::new(Shape::Bernstein, points.clone());
+    let curve = |points: &Homogeneous| Curve::new(BasisShape::Bernstein, points.clone());
     let (Ok(a), Ok(b)) = (curve(p), curve(q)) else {
         return false;
     };
@@ -187,7 +187,7 @@ mod tests {
         };
         let ((low, first), (_, second)) = (scaled(1.0), scaled(2.0));
         assert!(is_exactly_developable(&first, &second));
-        let weighted = Rail::weighted(Shape::Bernstein, &low, &[1.0, 2.0, 1.0, 1.0]).unwrap();
+        let weighted = Rail::weighted(BasisShape::Bernstein, &low, &[1.0, 2.0, 1.0, 1.0]).unwrap();
         assert!(!is_exactly_developable(&weighted, &second));
     }
 }

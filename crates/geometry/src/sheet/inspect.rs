@@ -2,7 +2,7 @@
 
 use super::Sheet;
 use crate::curve::integrate;
-use crate::developable::{Certificate, RulingForms, Worst};
+use crate::developable::{PatchCertificate, RulingForms, Worst};
 use crate::error::{Result, count};
 use crate::vector::{cross, dot, lerp, norm, sub, unit};
 
@@ -11,7 +11,7 @@ use crate::vector::{cross, dot, lerp, norm, sub, unit};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inspection {
     /// How developable and how regular.
-    pub certificate: Certificate,
+    pub certificate: PatchCertificate,
     /// The longest ruling.
     pub longest_ruling: Worst,
     /// The shortest ruling.
@@ -106,14 +106,14 @@ impl Sheet {
     /// use torse_geometry::prelude::*;
     /// let planes = [[7., -7., 5., 125.], [-7., -7., 5., 120.], [-7., 7., 5., 130.], [7., 7., 5., 125.]];
     /// let first = Planes::gbt(0.5, 0.25, &planes)?;
-    /// let second = first.next(Shape::gbt(0.0, 1.0)?, &Joint::parametric(2), &[[7., -7., 5., 125.]])?;
+    /// let second = first.next(BasisShape::gbt(0.0, 1.0)?, &Joint::parametric(2), &[[7., -7., 5., 125.]])?;
     /// let cut = Cut::between([0., 0., 1., 0.], [0., 0., 1., 3.]);
     /// let seam = Sheet::envelope(&first, cut)?.seam_with(&Sheet::envelope(&second, cut)?)?;
     /// assert!(seam.gap < 1e-9 && seam.kink < 1e-7);
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn seam_with(&self, next: &Self) -> Result<Seam> {
-        let (end, start) = (RulingForms::of(self, &1.0)?, RulingForms::of(next, &0.0)?);
+        let (end, start) = (RulingForms::at(self, &1.0)?, RulingForms::at(next, &0.0)?);
         let pairs = end.ends().iter().zip(start.ends());
         let gap = pairs.map(|(p, q)| norm(&sub(p, q))).fold(0.0, f64::max);
         // Both are the cross product of the direction of travel with the same ruling: their sign counts.
@@ -140,7 +140,7 @@ impl Sheet {
     /// The area of the sheet at `x` over `dx`: the integral of `|N(v)|` along the ruling, by Simpson's rule on
     /// eight parts (exact for a regular developable, where `|N|` is linear).
     fn width(&self, x: f64) -> Result<f64> {
-        let forms = RulingForms::of(self, &x)?;
+        let forms = RulingForms::at(self, &x)?;
         let [n0, n1] = forms.normals();
         let parallel = unit(n0)
             .zip(unit(n1))

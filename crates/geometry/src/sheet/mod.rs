@@ -44,7 +44,7 @@
 //! let sheet = Sheet::envelope(&planes, Cut::between([0., 0., 1., 0.], [0., 0., 1., 3.]))?;
 //! let [bottom, top] = sheet.ruling(0.3)?;
 //! assert!(bottom[2].abs() < 1e-12 && (top[2] - 3.0).abs() < 1e-12);
-//! assert_eq!(sheet.prove_regular(Budget::default())?, Proof::Regular);
+//! assert_eq!(sheet.prove_regular(MeasureBudget::default())?, Proof::Regular);
 //! # Ok::<(), torse_geometry::GeometryError>(())
 //! ```
 //!
@@ -70,8 +70,8 @@
 //! let first = Planes::gbt(0.5, 0.25, &[
 //!     [7., -7., 5., 125.], [-7., -7., 5., 120.], [-7., 7., 5., 130.], [7., 7., 5., 125.],
 //! ])?;
-//! let second = first.next(Shape::gbt(0.0, 1.0)?, &Joint::parametric(2), &[[7., -7., 5., 125.]])?;
-//! let third = second.next(Shape::Bernstein, &Joint::beta(&[1.5, 0.3])?, &[[9., 2., 5., 130.]])?;
+//! let second = first.next(BasisShape::gbt(0.0, 1.0)?, &Joint::parametric(2), &[[7., -7., 5., 125.]])?;
+//! let third = second.next(BasisShape::Bernstein, &Joint::beta(&[1.5, 0.3])?, &[[9., 2., 5., 130.]])?;
 //! let joint = second.joint_with(&third, 2)?;
 //! assert_eq!((joint.order_within(1e-9), joint.parametric_order_within(1e-9)), (Some(2), Some(0)));
 //! assert!((joint.betas[0] - 1.5).abs() < 1e-9);
@@ -102,10 +102,10 @@ mod rail;
 mod surface;
 mod swept;
 
-pub use crate::basis::Shape;
+pub use crate::basis::BasisShape;
 pub use crate::developable::{
-    Certificate, EnclosedCertificate, Gap, Reason, Regularity as Proof, SelfIntersection,
-    Singularity, Worst,
+    BranchReason, EnclosedCertificate, PatchCertificate, RailGap, Regularity as Proof,
+    SelfIntersection, Singularity, Worst,
 };
 pub use inspect::{Inspection, Seam};
 pub use nearest::Nearest;
@@ -113,7 +113,7 @@ pub use panel::{MAX_PANEL_SQUARES, Panel, PanelKind, PanelPiece, Panels};
 pub use piecewise::PiecewiseRail;
 pub use planes::{Joint, Planes};
 pub use rail::{Rail, RailCurve};
-pub use surface::{Budget, Connected, Construction, Cut, Sheet};
+pub use surface::{Connected, Construction, Cut, MeasureBudget, Sheet};
 pub use swept::{ConePatch, CylinderPatch, SweptEdge};
 
 /// A point or vector of space.

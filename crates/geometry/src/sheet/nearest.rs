@@ -1,7 +1,7 @@
 //! The box around a rail, and its point nearest to another: enclosed, not sampled.
 
 use super::{Point, Rail, RailCurve};
-use crate::basis::{Bernstein, Shape};
+use crate::basis::{BasisShape, Bernstein};
 use crate::coordinate::Coordinate;
 use crate::curve::{Curve, EllipticHelix, RationalCurve, least};
 use crate::error::{GeometryError, Place, Result};
@@ -121,11 +121,11 @@ impl Rail {
             });
         }
         match self.curve() {
-            RailCurve::Plain(curve) if *curve.basis() == Shape::Bernstein => {
+            RailCurve::Plain(curve) if *curve.basis() == BasisShape::Bernstein => {
                 let curve = curve.clone().with_basis(|_| Bernstein);
                 Ok(curve.split(&x)?.map(Self::from))
             }
-            RailCurve::Weighted(curve) if *curve.basis() == Shape::Bernstein => {
+            RailCurve::Weighted(curve) if *curve.basis() == BasisShape::Bernstein => {
                 let curve = curve.clone().with_basis(|_| Bernstein);
                 Ok(curve.split(&x)?.map(Self::from))
             }
@@ -144,7 +144,7 @@ impl Rail {
     fn about(&self, origin: Point) -> Result<Option<(i32, Rail<Ball>)>> {
         let origin = origin.map(exact);
         let ball = |x: &f64| exact_ball(*x, BITS);
-        let over = |shape: &Shape<f64>| shape.over(&ball);
+        let over = |shape: &BasisShape<f64>| shape.over(&ball);
         let control: Vec<_> = match self.curve() {
             RailCurve::Plain(curve) => curve.points().iter().map(|p| (p, 1.0)).collect(),
             RailCurve::Weighted(curve) => curve.homogeneous().map(|(p, w)| (p, *w)).collect(),

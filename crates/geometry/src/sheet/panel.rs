@@ -66,7 +66,7 @@ pub enum PanelKind {
 }
 
 /// A panel with a larger share of the rails in fans is compared with those of the second rail run the other way.
-const MOST_FANS: f64 = 0.3;
+const MAX_FANS: f64 = 0.3;
 /// Two neighbouring pieces of a rail make a corner if their tangents differ by more, in radians.
 const SMOOTH: f64 = 1e-6;
 /// Two points that count as one, as a share of the size of the rails.
@@ -88,7 +88,7 @@ struct Pieces {
 }
 
 impl Pieces {
-    fn of(curve: &PiecewiseRail) -> Result<Self> {
+    fn new(curve: &PiecewiseRail) -> Result<Self> {
         let rails = curve.rails()?;
         let breaks = curve
             .breaks()
@@ -260,8 +260,8 @@ fn single_rulings(
 }
 
 impl PanelRails {
-    fn of(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<Self> {
-        let rails = [Pieces::of(first)?, Pieces::of(second)?];
+    fn new(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<Self> {
+        let rails = [Pieces::new(first)?, Pieces::new(second)?];
         let count = rails[0].count().saturating_mul(rails[1].count());
         if count > MAX_PANEL_SQUARES {
             #[allow(clippy::cast_precision_loss)]
@@ -540,13 +540,13 @@ impl Sheet {
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn panels(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<Panels> {
-        let along = PanelRails::of(first, second)?;
+        let along = PanelRails::new(first, second)?;
         let own = ways(&along);
         // The other direction is asked where this one has none, or one that is fans for the most part.
         let good = |way: &Way| {
             #[allow(clippy::cast_precision_loss)]
             let all = along.size().iter().sum::<usize>() as f64;
-            way.folds == 0 && way.fans < MOST_FANS * all
+            way.folds == 0 && way.fans < MAX_FANS * all
         };
         let all = |landscape: &PanelRails, ways: &[Way], turned: bool| {
             let panels = ways.iter().map(|way| landscape.panel(way, turned));
@@ -555,7 +555,7 @@ impl Sheet {
         if own.first().is_some_and(good) {
             return all(&along, &own, false);
         }
-        let against = PanelRails::of(first, &second.reversed()?)?;
+        let against = PanelRails::new(first, &second.reversed()?)?;
         let other = ways(&against);
         match (own.first(), other.first()) {
             (Some(way), Some(turned)) if turned.cost() < way.cost() => {

@@ -3,7 +3,7 @@
 use super::{Point, Rail};
 use crate::basis::Bernstein;
 use crate::coordinate::Coordinate;
-use crate::curve::{Affine, Bezier, EllipticHelix, RationalCurve, Spline};
+use crate::curve::{AffineMap, Bezier, EllipticHelix, RationalCurve, Spline};
 use crate::error::{GeometryError, Place, Result};
 use crate::vector::{norm, sub};
 use std::cmp::Ordering;
@@ -254,7 +254,7 @@ impl PiecewiseRail {
     ///
     /// # Errors
     /// As [`PiecewiseRail::rails`].
-    pub fn mapped(&self, map: &Affine<f64>) -> Result<Self> {
+    pub fn mapped(&self, map: &AffineMap<f64>) -> Result<Self> {
         self.changed(|rail| Ok(rail.mapped(map)))
     }
 

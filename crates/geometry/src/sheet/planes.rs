@@ -1,7 +1,7 @@
 //! Families of planes and joints.
 
 use super::Point;
-use crate::basis::Shape;
+use crate::basis::BasisShape;
 use crate::error::Result;
 use crate::join::{Continuity, JointMeasure, measure_families, next_family};
 use crate::planes::{Plane, PlaneFamily};
@@ -19,7 +19,7 @@ use crate::planes::{Plane, PlaneFamily};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Planes {
-    family: PlaneFamily<Shape<f64>, f64>,
+    family: PlaneFamily<BasisShape<f64>, f64>,
 }
 
 impl Planes {
@@ -27,7 +27,7 @@ impl Planes {
     ///
     /// # Errors
     /// As [`PlaneFamily::new`].
-    pub fn new(shape: Shape<f64>, planes: &[Plane<f64>]) -> Result<Self> {
+    pub fn new(shape: BasisShape<f64>, planes: &[Plane<f64>]) -> Result<Self> {
         PlaneFamily::new(shape, planes.to_vec()).map(|family| Self { family })
     }
 
@@ -36,7 +36,7 @@ impl Planes {
     /// # Errors
     /// As [`PlaneFamily::new`].
     pub fn bernstein(planes: &[Plane<f64>]) -> Result<Self> {
-        Self::new(Shape::Bernstein, planes)
+        Self::new(BasisShape::Bernstein, planes)
     }
 
     /// The family with GBT functions of these shape parameters.
@@ -44,12 +44,12 @@ impl Planes {
     /// # Errors
     /// As [`PlaneFamily::new`] and [`Gbt::new`](crate::Gbt::new).
     pub fn gbt(mu: f64, nu: f64, planes: &[Plane<f64>]) -> Result<Self> {
-        Self::new(Shape::gbt(mu, nu)?, planes)
+        Self::new(BasisShape::gbt(mu, nu)?, planes)
     }
 
     /// The family of the generic layer.
     #[must_use]
-    pub fn family(&self) -> &PlaneFamily<Shape<f64>, f64> {
+    pub fn family(&self) -> &PlaneFamily<BasisShape<f64>, f64> {
         &self.family
     }
 
@@ -80,7 +80,7 @@ impl Planes {
     ///
     /// # Errors
     /// As [`next_family`].
-    pub fn next(&self, shape: Shape<f64>, joint: &Joint, free: &[Plane<f64>]) -> Result<Self> {
+    pub fn next(&self, shape: BasisShape<f64>, joint: &Joint, free: &[Plane<f64>]) -> Result<Self> {
         let family = next_family(&self.family, shape, joint.condition(), free)?;
         Ok(Self { family })
     }

@@ -1,11 +1,11 @@
 //! Space curves.
 
 use super::{Joint, Point};
-use crate::basis::{Basis, Bernstein, Shape, hermite};
+use crate::basis::{Basis, BasisShape, Bernstein, hermite};
 use crate::coordinate::Coordinate;
 use crate::curve::SpaceCurve;
 use crate::curve::{
-    Affine, Curve, EllipticHelix, RationalCurve, arc_length, curvature, ellipse_arc,
+    AffineMap, Curve, EllipticHelix, RationalCurve, arc_length, curvature, ellipse_arc,
 };
 use crate::error::{GeometryError, Place, Result};
 use crate::join::{JointMeasure, measure_curves, next_curve};
@@ -32,9 +32,9 @@ pub struct Rail<S = f64> {
 #[derive(Debug, Clone, PartialEq)]
 pub enum RailCurve<S = f64> {
     /// A curve without weights.
-    Plain(Curve<Shape<S>, S, 3>),
+    Plain(Curve<BasisShape<S>, S, 3>),
     /// A curve with weights.
-    Weighted(RationalCurve<Shape<S>, S, 3>),
+    Weighted(RationalCurve<BasisShape<S>, S, 3>),
     /// An arc of an ellipse of any angle, or a helix.
     Elliptic(EllipticHelix<S>),
 }
@@ -52,7 +52,7 @@ impl Rail {
     ///
     /// # Errors
     /// As [`Curve::new`].
-    pub fn new(shape: Shape<f64>, points: &[Point]) -> Result<Self> {
+    pub fn new(shape: BasisShape<f64>, points: &[Point]) -> Result<Self> {
         Curve::new(shape, points.to_vec()).map(Self::from)
     }
 
@@ -61,7 +61,7 @@ impl Rail {
     /// # Errors
     /// As [`Curve::new`].
     pub fn bezier(points: &[Point]) -> Result<Self> {
-        Self::new(Shape::Bernstein, points)
+        Self::new(BasisShape::Bernstein, points)
     }
 
     /// The GBT curve with these shape parameters and control points.
@@ -69,7 +69,7 @@ impl Rail {
     /// # Errors
     /// As [`Curve::new`] and [`Gbt::new`](crate::Gbt::new).
     pub fn gbt(mu: f64, nu: f64, points: &[Point]) -> Result<Self> {
-        Self::new(Shape::gbt(mu, nu)?, points)
+        Self::new(BasisShape::gbt(mu, nu)?, points)
     }
 
     /// The polynomial curve with these Hermite data: points first, then tangents (see
@@ -85,7 +85,7 @@ impl Rail {
     ///
     /// # Errors
     /// As [`RationalCurve::new`].
-    pub fn weighted(shape: Shape<f64>, points: &[Point], weights: &[f64]) -> Result<Self> {
+    pub fn weighted(shape: BasisShape<f64>, points: &[Point], weights: &[f64]) -> Result<Self> {
         let curve = RationalCurve::new(shape, points, weights.to_vec())?;
         Ok(Self {
             curve: RailCurve::Weighted(curve),
@@ -98,7 +98,7 @@ impl Rail {
     /// As [`ellipse_arc`].
     pub fn ellipse_arc(centre: Point, from: Point, to: Point) -> Result<Self> {
         let arc = ellipse_arc(&centre, &from, &to)?;
-        Self::new(Shape::Gbt(*arc.basis()), arc.points())
+        Self::new(BasisShape::Gbt(*arc.basis()), arc.points())
     }
 
     /// The point at `x`.
@@ -182,15 +182,15 @@ impl Rail {
     /// The image under an affine map.
     ///
     /// ```
-    /// use torse_geometry::Affine;
+    /// use torse_geometry::AffineMap;
     /// use torse_geometry::prelude::*;
-    /// let mirror = Affine { linear: [[-1., 0., 0.], [0., 1., 0.], [0., 0., 1.]], shift: [0.; 3] };
+    /// let mirror = AffineMap { linear: [[-1., 0., 0.], [0., 1., 0.], [0., 0., 1.]], shift: [0.; 3] };
     /// let arc = Rail::ellipse_arc([1., 0., 0.], [4., 0., 0.], [1., 2., 0.])?;
     /// assert_eq!(arc.mapped(&mirror).point(0.0)?, [-4.0, 0.0, 0.0]);
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     #[must_use]
-    pub fn mapped(&self, map: &Affine<f64>) -> Self {
+    pub fn mapped(&self, map: &AffineMap<f64>) -> Self {
         let curve = match &self.curve {
             RailCurve::Plain(curve) => RailCurve::Plain(curve.mapped(|p| map.apply(p))),
             RailCurve::Weighted(curve) => RailCurve::Weighted(curve.mapped(map)),
@@ -203,7 +203,7 @@ impl Rail {
     ///
     /// # Errors
     /// [`GeometryError::Degenerate`] for a weighted curve, and as [`next_curve`].
-    pub fn next(&self, shape: Shape<f64>, joint: &Joint, free: &[Point]) -> Result<Self> {
+    pub fn next(&self, shape: BasisShape<f64>, joint: &Joint, free: &[Point]) -> Result<Self> {
         next_curve(self.plain()?, shape, joint.condition(), free).map(Self::from)
     }
 
@@ -215,7 +215,7 @@ impl Rail {
         measure_curves(self.plain()?, next.plain()?, order)
     }
 
-    fn plain(&self) -> Result<&Curve<Shape<f64>, f64, 3>> {
+    fn plain(&self) -> Result<&Curve<BasisShape<f64>, f64, 3>> {
         match &self.curve {
             RailCurve::Plain(curve) => Ok(curve),
             RailCurve::Weighted(_) => Err(GeometryError::Degenerate {
@@ -235,11 +235,11 @@ impl<S: Coordinate + PartialEq> Rail<S> {
     #[must_use]
     pub fn end_kinds(&self) -> RailKind {
         match &self.curve {
-            RailCurve::Plain(curve) => RailKind::of(curve.points()),
+            RailCurve::Plain(curve) => RailKind::from_points(curve.points()),
             // Equal points may have different weights: those of equal weights are found.
             RailCurve::Weighted(curve) => {
                 let parts = curve.homogeneous().map(|(p, w)| (p.clone(), w.clone()));
-                RailKind::of(&parts.collect::<Vec<_>>())
+                RailKind::from_points(&parts.collect::<Vec<_>>())
             }
             // An arc is a point or runs with a speed; whether it closes depends on what is computed.
             RailCurve::Elliptic(arc) => {
@@ -276,7 +276,7 @@ impl<S: Coordinate + PartialEq> Rail<S> {
     }
 }
 
-impl<B: Into<Shape<S>> + Basis<S>, S: Coordinate> From<Curve<B, S, 3>> for Rail<S> {
+impl<B: Into<BasisShape<S>> + Basis<S>, S: Coordinate> From<Curve<B, S, 3>> for Rail<S> {
     fn from(curve: Curve<B, S, 3>) -> Self {
         Self {
             curve: RailCurve::Plain(curve.with_basis(Into::into)),

@@ -2,45 +2,46 @@
 
 use super::exact::is_exactly_developable;
 use super::{ConePatch, CylinderPatch, Planes, Point, Rail, RailCurve, SweptEdge};
-use crate::basis::Shape;
+use crate::basis::BasisShape;
 use crate::coordinate::Coordinate;
 use crate::developable::{
-    Bounds, Branch, Certificate, ConnectingPatch, EnclosedCertificate, EnvelopingPatch, Gap,
-    HermiteCone, Reason, Regularity, SelfIntersection, TangentPatch, certify, connect, enclose,
-    enclose_by_models, prove_regular, regular_end, self_intersection,
+    Branch, BranchReason, ConnectingPatch, EnclosedCertificate, EnvelopingPatch, HermiteCone,
+    PatchBounds, PatchCertificate, RailGap, Regularity, SelfIntersection, TangentPatch, certify,
+    connect, enclose, enclose_by_models, prove_regular, regular_end, self_intersection,
 };
 use crate::error::Result;
-use crate::model::Model;
+use crate::model::ChebyshevModel;
 use crate::over::Over;
 use crate::pattern::{FlatPattern, PatternResult, Unrolling};
 use crate::planes::Plane;
 use crate::scalars::exact_ball;
 use crate::surface::{
-    EndKinds, Part, Partials, Principal, RailKind, Rails, RuledSurface, Surface, partials_between,
+    EndKinds, Partials, PatchPart, Principal, RailKind, Rails, RuledSurface, Surface,
+    partials_between,
 };
 use torse_algebra::{Ball, Jet};
 
 /// What part of each ruling of an envelope belongs to a sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cut(Bounds<f64>);
+pub struct Cut(PatchBounds<f64>);
 
 impl Cut {
     /// The part between two planes.
     #[must_use]
     pub fn between(first: Plane<f64>, second: Plane<f64>) -> Self {
-        Self(Bounds::Planes([first, second]))
+        Self(PatchBounds::Planes([first, second]))
     }
 
     /// A range of the ruling parameter of gbt-developable eq. (3.7), in units of `a x a'`.
     #[must_use]
     pub fn range(from: f64, to: f64) -> Self {
-        Self(Bounds::Range([from, to]))
+        Self(PatchBounds::Range([from, to]))
     }
 }
 
 /// How much work bounds and proofs may take, and how close they should come.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Budget {
+pub struct MeasureBudget {
     /// Bits after the point, for a sheet of the size of one; smaller sheets get more.
     pub bits: usize,
     /// The relative width of bounds at which one is content.
@@ -50,7 +51,7 @@ pub struct Budget {
 }
 
 /// 128 bits, a tenth, 64 intervals: a third of a second or less for the examples of the papers.
-impl Default for Budget {
+impl Default for MeasureBudget {
     fn default() -> Self {
         Self {
             bits: 128,
@@ -66,13 +67,13 @@ pub struct Connected {
     /// The sheet of the chosen branch; `None` when no developable touches both rails.
     pub sheet: Option<Sheet>,
     /// Why it was chosen.
-    pub reason: Option<Reason>,
+    pub reason: Option<BranchReason>,
     /// All branches.
     pub branches: Vec<Branch>,
     /// The sheets of all branches, in their order.
     pub sheets: Vec<Sheet>,
     /// What the chosen branch leaves of the rails, with the twist of the best ruling there.
-    pub gaps: Vec<Gap>,
+    pub gaps: Vec<RailGap>,
 }
 
 /// A surface of straight rulings between two rails with a common parameter `u` in [0, 1]; `v` in [0, 1] runs
@@ -97,13 +98,13 @@ pub enum Construction<S = f64> {
     /// Straight lines through one point.
     Cone(Box<ConePatch<S>>),
     /// The envelope of a family of planes.
-    Envelope(Box<EnvelopingPatch<Shape<S>, S>>),
+    Envelope(Box<EnvelopingPatch<BasisShape<S>, S>>),
     /// The tangents of an edge of regression.
-    Tangent(Box<TangentPatch<Shape<S>, S>>),
+    Tangent(Box<TangentPatch<BasisShape<S>, S>>),
     /// A developable that touches two rails.
     Connecting(Box<ConnectingPatch<Rail<S>, Rail<S>>>),
     /// The rulings of another sheet in a parameter interval.
-    Part(Box<Part<Sheet<S>, S>>),
+    Part(Box<PatchPart<Sheet<S>, S>>),
 }
 
 impl<S> From<Construction<S>> for Sheet<S> {
@@ -243,7 +244,7 @@ impl Sheet {
     /// The rulings from `from` to `to`, with a parameter of their own in [0, 1].
     ///
     /// # Errors
-    /// As [`Part::new`].
+    /// As [`PatchPart::new`].
     ///
     /// ```
     /// use torse_geometry::prelude::*;
@@ -254,7 +255,7 @@ impl Sheet {
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn part(&self, from: f64, to: f64) -> Result<Self> {
-        let part = Part::new(self.clone(), from, to)?;
+        let part = PatchPart::new(self.clone(), from, to)?;
         Ok(Construction::Part(Box::new(part)).into())
     }
 
@@ -288,7 +289,7 @@ impl Sheet {
     ///
     /// # Errors
     /// As [`certify`].
-    pub fn certify(&self, rulings: usize) -> Result<Certificate> {
+    pub fn certify(&self, rulings: usize) -> Result<PatchCertificate> {
         certify(self, rulings)
     }
 
@@ -301,16 +302,16 @@ impl Sheet {
     /// use torse_geometry::prelude::*;
     /// let planes = Planes::bernstein(&[[0., 0., 1., 0.], [0., -1., 1., 0.], [1., -2., 1., 0.], [3., -3., 1., 1.]])?;
     /// let sheet = Sheet::tangent(&planes, 0.5, 1.0)?;
-    /// let proved = sheet.enclose(Budget::default())?;
+    /// let proved = sheet.enclose(MeasureBudget::default())?;
     /// assert_eq!((proved.is_regular(), proved.twist.high), (Some(true), 0.0));
     /// assert!(proved.clearance.low <= 0.5 && 0.5 <= proved.clearance.high);
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
-    pub fn enclose(&self, budget: Budget) -> Result<EnclosedCertificate> {
+    pub fn enclose(&self, budget: MeasureBudget) -> Result<EnclosedCertificate> {
         if let Some((near, _)) = self.near_origin() {
             return near.enclose(budget);
         }
-        let models = self.over(&|x| Model::exact(*x))?;
+        let models = self.over(&|x| ChebyshevModel::exact(*x))?;
         // They are cheap: closer than asked for.
         let found = enclose_by_models(&models, 0.05 * budget.accuracy, budget.cells);
         if found.is_regular().is_some() {
@@ -325,7 +326,7 @@ impl Sheet {
     ///
     /// # Errors
     /// As [`Sheet::enclose`].
-    pub fn prove_regular(&self, budget: Budget) -> Result<Regularity> {
+    pub fn prove_regular(&self, budget: MeasureBudget) -> Result<Regularity> {
         let (sheet, bits) = self.enclosed(budget)?;
         // One evaluation of first derivatives each, where an enclosure takes two of order six.
         Ok(prove_regular(&sheet, bits, budget.cells.saturating_mul(16)))
@@ -350,7 +351,7 @@ impl Sheet {
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn regular_end(&self, last: bool, width: f64) -> Result<Option<f64>> {
-        let models = self.over(&|x| Model::exact(*x))?;
+        let models = self.over(&|x| ChebyshevModel::exact(*x))?;
         let kinds = Rails::<f64>::end_kinds(self);
         Ok(regular_end(&models, kinds, last, width))
     }
@@ -371,7 +372,7 @@ impl Sheet {
         if let Some((near, origin)) = self.near_origin() {
             return Ok(near.self_intersection()?.moved(origin));
         }
-        let models = self.over(&|x| Model::exact(*x))?;
+        let models = self.over(&|x| ChebyshevModel::exact(*x))?;
         Ok(self_intersection(self, &models))
     }
 
@@ -379,7 +380,7 @@ impl Sheet {
     /// asked of it with [`Unrolling`](crate::pattern::Unrolling).
     ///
     /// # Errors
-    /// As [`crate::pattern::Unrolling::of`].
+    /// As [`crate::pattern::Unrolling::unroll`].
     pub fn unroll(&self, rulings: usize, tolerance: f64) -> PatternResult<FlatPattern> {
         self.unrolled(&Unrolling::within(tolerance).rulings(rulings))
     }
@@ -387,11 +388,11 @@ impl Sheet {
     /// The flat pattern that is asked for, wherever in space the sheet lies.
     ///
     /// # Errors
-    /// As [`Unrolling::of`].
+    /// As [`Unrolling::unroll`].
     pub fn unrolled(&self, unrolling: &Unrolling) -> PatternResult<FlatPattern> {
         match self.near_origin() {
-            None => unrolling.of(self),
-            Some((near, origin)) => Ok(unrolling.of(&near)?.moved_in_space(origin)),
+            None => unrolling.unroll(self),
+            Some((near, origin)) => Ok(unrolling.unroll(&near)?.moved_in_space(origin)),
         }
     }
 
@@ -460,7 +461,7 @@ impl Sheet {
     }
 
     /// The sheet over balls, with bits that fit its size.
-    fn enclosed(&self, budget: Budget) -> Result<(Sheet<Ball>, usize)> {
+    fn enclosed(&self, budget: MeasureBudget) -> Result<(Sheet<Ball>, usize)> {
         let [p, q] = self.ruling(0.5)?;
         let length = crate::vector::norm(&crate::vector::sub(&q, &p));
         let small = length.exponent().unwrap_or(0).min(0).unsigned_abs();
@@ -568,13 +569,13 @@ macro_rules! rails_over {
     )*};
 }
 
-rails_over!(f64, Ball, Model);
+rails_over!(f64, Ball, ChebyshevModel);
 
 /// The kinds of the ends of a patch between two rails.
 fn ruled_kinds<S: Coordinate + PartialEq>(first: &Rail<S>, second: &Rail<S>) -> EndKinds {
     let [p, q] = [first, second].map(Rail::end_points);
     let kinds = [first.end_kinds(), second.end_kinds()];
-    EndKinds::of(
+    EndKinds::new(
         kinds,
         [0, 1].map(|end| p[end].is_some() && p[end] == q[end]),
     )

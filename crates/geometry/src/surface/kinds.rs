@@ -48,11 +48,11 @@ impl RailKind {
     /// use torse_geometry::surface::{RailEnd, RailKind};
     /// let retracted = [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [6.0, 4.0, 0.0], [9.0, 0.0, 0.0]];
     /// let ends = [RailEnd::Still { order: 1 }, RailEnd::Ordinary];
-    /// assert_eq!(RailKind::of(&retracted), RailKind::Curve { ends, closed: false });
-    /// assert_eq!(RailKind::of(&[[1.0; 3]; 4]), RailKind::Point);
+    /// assert_eq!(RailKind::from_points(&retracted), RailKind::Curve { ends, closed: false });
+    /// assert_eq!(RailKind::from_points(&[[1.0; 3]; 4]), RailKind::Point);
     /// ```
     #[must_use]
-    pub fn of<P: PartialEq>(points: &[P]) -> Self {
+    pub fn from_points<P: PartialEq>(points: &[P]) -> Self {
         let (Some(first), Some(last)) = (points.first(), points.last()) else {
             return Self::default();
         };
@@ -104,7 +104,7 @@ pub struct EndKinds {
 impl EndKinds {
     /// Of a patch with these rails, which meet in a point at its first, its last ruling or at none.
     #[must_use]
-    pub fn of(rails: [RailKind; 2], tips: [bool; 2]) -> Self {
+    pub fn new(rails: [RailKind; 2], tips: [bool; 2]) -> Self {
         let ruling = |end: usize| {
             if tips[end] {
                 RulingEnd::Tip

@@ -13,10 +13,10 @@ mod tensor;
 
 pub use kinds::{EndKinds, RailEnd, RailKind, RulingEnd};
 pub use net::{BezierNet, CurvatureProof, CurvedPlace};
-pub use part::Part;
+pub use part::PatchPart;
 pub use partials::{Forms, Partials};
 pub use principal::Principal;
-pub use rotation::{Half, RotationSurface, rotation_parameter};
+pub use rotation::{HalfTurn, RotationSurface, rotation_parameter};
 pub use ruled::{Rails, RuledSurface, partials_between};
 pub use tensor::TensorSurface;
 
@@ -44,7 +44,7 @@ pub trait Surface<S: Coordinate> {
     /// # Errors
     /// As [`Surface::partials`].
     fn forms(&self, u: &S, v: &S) -> Result<Forms<S>> {
-        Ok(Forms::of(&self.partials(u, v, 2)?))
+        Ok(Forms::from_partials(&self.partials(u, v, 2)?))
     }
 
     /// The Gaussian curvature at `(u, v)`; needs no square root, so it is exact on exact scalars.

@@ -9,23 +9,23 @@ use torse_algebra::Jet;
 /// The rulings of another patch from `from` to `to`, with a parameter of their own in [0, 1].
 ///
 /// ```
-/// use torse_geometry::surface::Part;
+/// use torse_geometry::surface::PatchPart;
 /// use torse_geometry::{Bernstein, Curve, Rails, RuledSurface};
 /// let rail = |z: f64| Curve::new(Bernstein, vec![[0.0, 0.0, z], [1.0, 2.0, z], [4.0, 0.0, z]]);
 /// let whole = RuledSurface::new(rail(0.0)?, rail(3.0)?);
-/// let part = Part::new(whole.clone(), 0.25, 0.75)?;
+/// let part = PatchPart::new(whole.clone(), 0.25, 0.75)?;
 /// assert_eq!(part.ruling_ends(&0.5)?, whole.ruling_ends(&0.5)?);
 /// assert_eq!(part.ruling_ends(&0.0)?, whole.ruling_ends(&0.25)?);
-/// assert!(Part::new(whole, 0.75, 0.25).is_err());
+/// assert!(PatchPart::new(whole, 0.75, 0.25).is_err());
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Part<P, S> {
+pub struct PatchPart<P, S> {
     pub(crate) whole: P,
     pub(crate) range: [S; 2],
 }
 
-impl<P, S: Coordinate> Part<P, S> {
+impl<P, S: Coordinate> PatchPart<P, S> {
     /// The part between these parameters of the whole.
     ///
     /// # Errors
@@ -67,7 +67,7 @@ impl<P, S: Coordinate> Part<P, S> {
     }
 }
 
-impl<S: Coordinate, P: Rails<S>> Rails<S> for Part<P, S> {
+impl<S: Coordinate, P: Rails<S>> Rails<S> for PatchPart<P, S> {
     fn rail_jets(&self, x: &S, order: usize) -> Result<[[Jet<S>; 3]; 2]> {
         let jets = self.whole.rail_jets(&self.at(x), order)?;
         let width = self.width();
@@ -103,7 +103,7 @@ impl<S: Coordinate, P: Rails<S>> Rails<S> for Part<P, S> {
     }
 }
 
-impl<S: Coordinate, P: Rails<S>> Surface<S> for Part<P, S> {
+impl<S: Coordinate, P: Rails<S>> Surface<S> for PatchPart<P, S> {
     fn partials(&self, u: &S, v: &S, order: usize) -> Result<Partials<S>> {
         partials_between(self, u, v, order)
     }

@@ -88,7 +88,7 @@ pub struct Forms<S> {
 }
 
 impl<S: Coordinate> Forms<S> {
-    pub(crate) fn of(p: &Partials<S>) -> Self {
+    pub(crate) fn from_partials(p: &Partials<S>) -> Self {
         let (su, sv) = (p.or_zero(1, 0), p.or_zero(0, 1));
         let normal = cross(&su, &sv);
         Self {

@@ -18,7 +18,7 @@ use torse_algebra::{Jet, Scalar};
 
 /// Which half turn: `Upper` has `Y >= 0` (for positive radii), `Lower` its mirror image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Half {
+pub enum HalfTurn {
     /// Angles 0 to pi.
     Upper,
     /// Angles 0 to -pi.
@@ -29,7 +29,7 @@ pub enum Half {
 #[derive(Debug, Clone, PartialEq)]
 pub struct RotationSurface<B, S> {
     profile: Curve<B, S, 2>,
-    half: Half,
+    half: HalfTurn,
     /// The bounds of `z`; the whole half turn when absent.
     range: Option<[S; 2]>,
 }
@@ -39,16 +39,16 @@ impl<S: Coordinate, B: Basis<S>> RotationSurface<B, S> {
     ///
     /// ```
     /// use torse_algebra::rational::{integer, ratio};
-    /// use torse_geometry::{Bernstein, Curve, Half, RotationSurface, Surface};
+    /// use torse_geometry::{Bernstein, Curve, HalfTurn, RotationSurface, Surface};
     /// let profile = Curve::new(Bernstein, vec![[integer(2), integer(0)], [integer(2), integer(5)]])?;
-    /// let half = RotationSurface::half_turn(profile, Half::Upper);
+    /// let half = RotationSurface::half_turn(profile, HalfTurn::Upper);
     /// // Exactly on the circle of radius 2:
     /// let [x, y, _] = half.point(&ratio(1, 3).unwrap(), &ratio(1, 4).unwrap())?;
     /// assert_eq!(&x * &x + &y * &y, integer(4));
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     #[must_use]
-    pub fn half_turn(profile: Curve<B, S, 2>, half: Half) -> Self {
+    pub fn half_turn(profile: Curve<B, S, 2>, half: HalfTurn) -> Self {
         Self {
             profile,
             half,
@@ -60,7 +60,7 @@ impl<S: Coordinate, B: Basis<S>> RotationSurface<B, S> {
     ///
     /// # Errors
     /// [`GeometryError::OutOfRange`] when a bound is known to lie outside [0, 1].
-    pub fn sector(profile: Curve<B, S, 2>, half: Half, range: [S; 2]) -> Result<Self> {
+    pub fn sector(profile: Curve<B, S, 2>, half: HalfTurn, range: [S; 2]) -> Result<Self> {
         for bound in &range {
             // 2z - 1 lies in [-1, 1] exactly when z lies in [0, 1].
             let centred = bound.clone() + bound.clone() - bound.one();
@@ -81,7 +81,7 @@ impl<S: Coordinate, B: Basis<S>> RotationSurface<B, S> {
 
     /// Which half turn it belongs to.
     #[must_use]
-    pub fn half(&self) -> Half {
+    pub fn half(&self) -> HalfTurn {
         self.half
     }
 
@@ -123,13 +123,16 @@ impl<B: Basis<f64>> RotationSurface<B, f64> {
         }
         let sector = |half, range| Self::sector(profile.clone(), half, range);
         if angle <= PI {
-            return Ok(vec![sector(Half::Upper, [0.0, rotation_parameter(angle)])?]);
+            return Ok(vec![sector(
+                HalfTurn::Upper,
+                [0.0, rotation_parameter(angle)],
+            )?]);
         }
         // The second part runs from the angle pi = -pi to the angle -(2 pi - angle) on the mirror image.
         let rest = [1.0, rotation_parameter(2.0 * PI - angle)];
         Ok(vec![
-            sector(Half::Upper, [0.0, 1.0])?,
-            sector(Half::Lower, rest)?,
+            sector(HalfTurn::Upper, [0.0, 1.0])?,
+            sector(HalfTurn::Lower, rest)?,
         ])
     }
 }
@@ -169,7 +172,7 @@ impl<S: Coordinate, B: Basis<S>> Surface<S> for RotationSurface<B, S> {
         let bottom = one.clone() - sine.clone();
         let cosine = (one - z.clone() - z).divided_by(&bottom)?;
         let sine = sine.divided_by(&bottom)?;
-        let sine = if self.half == Half::Lower {
+        let sine = if self.half == HalfTurn::Lower {
             -sine
         } else {
             sine

@@ -2,13 +2,13 @@
 
 use crate::ulps::{points, shape, unit};
 use proptest::prelude::*;
-use torse_geometry::basis::Shape;
+use torse_geometry::basis::BasisShape;
 use torse_geometry::{Basis, Bernstein, Curve, Gbt, GeometryError, PlaneFamily};
 
 /// A basis of either family.
-fn basis() -> impl Strategy<Value = Shape<f64>> {
+fn basis() -> impl Strategy<Value = BasisShape<f64>> {
     prop_oneof![
-        Just(Shape::Bernstein),
+        Just(BasisShape::Bernstein),
         (shape(), shape()).prop_map(|(mu, nu)| Gbt::new(mu, nu).unwrap().into()),
     ]
 }

@@ -5,8 +5,8 @@ use crate::ulps::{agrees, ball, farthest, points, shape, ulps, unit};
 use proptest::prelude::*;
 use torse_geometry::vector::norm;
 use torse_geometry::{
-    Basis, Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, Half, Over, PlaneFamily, RationalCurve,
-    RotationSurface, RuledSurface, Surface, TangentPatch, TensorSurface,
+    Basis, Bernstein, Curve, EnvelopingPatch, Gbt, HalfTurn, Over, PatchBounds, PlaneFamily,
+    RationalCurve, RotationSurface, RuledSurface, Surface, TangentPatch, TensorSurface,
 };
 
 /// `sum_i |row[i]|` times the bound 10 of the coordinates.
@@ -254,7 +254,7 @@ fn ruled_and_rotation_surfaces_lie_within_ulps_of_the_control_points() {
         input,
         |(mu, nu, profile, u, v)| {
             let profile = Curve::new(Gbt::new(mu, nu).unwrap(), profile).unwrap();
-            let surface = RotationSurface::half_turn(profile, Half::Upper);
+            let surface = RotationSurface::half_turn(profile, HalfTurn::Upper);
             let enclosed = surface
                 .over(&ball)
                 .unwrap()
@@ -286,7 +286,7 @@ fn feet_and_points_of_rulings_lie_within_ulps_of_their_conditioned_size() {
                 &certified.ruling(&ball(&x)).unwrap().foot,
                 scale,
             );
-            let patch = EnvelopingPatch::new(family, Bounds::Range([-1.0, 2.0])).unwrap();
+            let patch = EnvelopingPatch::new(family, PatchBounds::Range([-1.0, 2.0])).unwrap();
             let enclosed = patch
                 .over(&ball)
                 .unwrap()

@@ -1,7 +1,7 @@
 //! Developables between two curves: the known ones are found, and none is missed.
 
 use proptest::prelude::*;
-use torse_geometry::developable::{BranchEnd, NODE_RADIUS, Reason, certify, connect};
+use torse_geometry::developable::{BranchEnd, BranchReason, NODE_RADIUS, certify, connect};
 use torse_geometry::pattern::unroll;
 use torse_geometry::vector::{cross, det, dot, norm, sub};
 use torse_geometry::{Bernstein, Curve, Gbt, GeometryError, Over, Rails, SpaceCurve, exact_ball};
@@ -185,7 +185,9 @@ fn closed_ends_leave_two_branches_between_two_arches() {
         found.choice(),
         Some((
             _,
-            Reason::CoversMost(..) | Reason::ShorterRulings(..) | Reason::OnlyRegular
+            BranchReason::CoversMost(..)
+                | BranchReason::ShorterRulings(..)
+                | BranchReason::OnlyRegular
         ))
     ));
 }

@@ -4,8 +4,8 @@ use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Scalar};
 use torse_geometry::vector::{add, cross, det, dot, scale, sub};
 use torse_geometry::{
-    Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Gbt, Half, PlaneFamily, RotationSurface,
-    RuledSurface, Surface, TensorSurface, join,
+    Bernstein, Continuity, Curve, EnvelopingPatch, Gbt, HalfTurn, PatchBounds, PlaneFamily,
+    RotationSurface, RuledSurface, Surface, TensorSurface, join,
 };
 
 fn symbol(name: &str) -> Fraction {
@@ -94,7 +94,7 @@ fn rotation_surfaces_keep_height_and_distance_from_the_axis() {
     for degree in 2..=12 {
         let profile = curve::<2>(degree, "mu", "nu");
         let [radius, height] = profile.point(&u).unwrap();
-        for half in [Half::Upper, Half::Lower] {
+        for half in [HalfTurn::Upper, HalfTurn::Lower] {
             let surface = RotationSurface::half_turn(profile.clone(), half);
             let [x, y, z] = surface.point(&u, &v).unwrap();
             let square = x.clone() * x + y.clone() * y;
@@ -182,7 +182,8 @@ fn enveloping_patches_have_a_vanishing_determinant_at_every_degree() {
             .collect();
         let basis = Gbt::new(symbol("mu"), symbol("nu")).unwrap();
         let family = PlaneFamily::new(basis, planes).unwrap();
-        let patch = EnvelopingPatch::new(family, Bounds::Range([number(1), number(4)])).unwrap();
+        let patch =
+            EnvelopingPatch::new(family, PatchBounds::Range([number(1), number(4)])).unwrap();
         for end in [number(0), number(1)] {
             let [p, q] = torse_geometry::Rails::rail_jets(&patch, &end, 1).unwrap();
             let part = |jets: &[torse_algebra::Jet<Fraction>; 3], n: usize| {

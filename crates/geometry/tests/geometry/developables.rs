@@ -10,7 +10,7 @@ use torse_geometry::developable::{
 };
 use torse_geometry::vector::{det, dot, sub};
 use torse_geometry::{
-    Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, HermiteCone, Over, PlaneFamily, Rails,
+    Bernstein, Curve, EnvelopingPatch, Gbt, HermiteCone, Over, PatchBounds, PlaneFamily, Rails,
     RuledSurface, Surface, TangentPatch, hermite,
 };
 
@@ -40,12 +40,12 @@ proptest! {
     fn enveloping_patches_are_developable_exactly(planes in vectors::<4>(4)) {
         let Ok(family) = PlaneFamily::new(Bernstein, planes) else { return Ok(()) };
         let x = ratio(2, 7).unwrap();
-        let bounds = Bounds::Range([integer(-1), integer(2)]);
+        let bounds = PatchBounds::Range([integer(-1), integer(2)]);
         let patch = EnvelopingPatch::new(family.clone(), bounds).unwrap();
         if patch.ruling_ends(&x).is_ok() {
             prop_assert_eq!(determinant(&patch, &x), integer(0));
         }
-        let cut = Bounds::Planes([[1, 2, 3, 4].map(integer), [2, -1, 0, 5].map(integer)]);
+        let cut = PatchBounds::Planes([[1, 2, 3, 4].map(integer), [2, -1, 0, 5].map(integer)]);
         let patch = EnvelopingPatch::new(family.clone(), cut).unwrap();
         if patch.ruling_ends(&x).is_ok() {
             prop_assert_eq!(determinant(&patch, &x), integer(0));
@@ -150,7 +150,7 @@ fn an_enveloping_patch_of_gbt_planes_is_developable_as_an_identity() {
     let family = formal_family(&[[7, -7, 5, 125], [-7, -7, 5, 120], [-7, 7, 5, 130]]);
     // Not parallel: on a cone, parallel cuts have parallel tangents, and the determinant is trivially zero.
     let cut = [[0, 0, 1, 0], [1, 2, 5, 3]].map(|plane| plane.map(|n| Fraction::from(integer(n))));
-    let patch = EnvelopingPatch::new(family, Bounds::Planes(cut)).unwrap();
+    let patch = EnvelopingPatch::new(family, PatchBounds::Planes(cut)).unwrap();
     assert!(twist_determinant(&patch).unwrap().is_zero());
 }
 

@@ -5,8 +5,8 @@ use proptest::prelude::*;
 use torse_algebra::{Ball, rational::ratio};
 use torse_geometry::developable::{Enclosed, certify, enclose};
 use torse_geometry::{
-    Basis, Bernstein, Bounds, Curve, EnvelopingPatch, Gbt, Over, PlaneFamily, Rails, RuledSurface,
-    Surface, TangentPatch, exact_ball,
+    Basis, Bernstein, Curve, EnvelopingPatch, Gbt, Over, PatchBounds, PlaneFamily, Rails,
+    RuledSurface, Surface, TangentPatch, exact_ball,
 };
 
 const BITS: usize = 128;
@@ -90,7 +90,7 @@ fn a_cylinder_clears_every_bound_and_a_cone_across_its_apex_none() {
         [0., 20., 10., 400.],
     ];
     let family = PlaneFamily::new(Gbt::new(0.3, 0.3).unwrap(), planes).unwrap();
-    let sheet = EnvelopingPatch::new(family, Bounds::Range([-1.0, 1.0])).unwrap();
+    let sheet = EnvelopingPatch::new(family, PatchBounds::Range([-1.0, 1.0])).unwrap();
     // The direction a x a' grows along x, so the ends of the rulings run apart, but the rulings never meet.
     let proved = enclose(&sheet.over(&ball).unwrap(), BITS, 1e-2, 24);
     assert_eq!(proved.is_regular(), Some(true), "{proved:?}");

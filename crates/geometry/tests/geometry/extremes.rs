@@ -44,9 +44,9 @@ fn rails() -> impl Strategy<Value = Rail> {
     let weights = prop::option::of(prop::array::uniform4(0.2..5.0_f64));
     (points(4), shapes, weights).prop_map(|(points, (gbt, mu, nu), weights)| {
         let shape = if gbt {
-            Shape::gbt(mu, nu).unwrap()
+            BasisShape::gbt(mu, nu).unwrap()
         } else {
-            Shape::Bernstein
+            BasisShape::Bernstein
         };
         match weights {
             Some(weights) => Rail::weighted(shape, &points, &weights).unwrap(),
@@ -103,7 +103,7 @@ proptest! {
         t in 0.0..=1.0_f64,
     ) {
         let rail = match weights {
-            Some(weights) => Rail::weighted(Shape::Bernstein, &points, &weights).unwrap(),
+            Some(weights) => Rail::weighted(BasisShape::Bernstein, &points, &weights).unwrap(),
             None => Rail::bezier(&points).unwrap(),
         };
         let [first, second] = rail.split(x).unwrap();

@@ -5,8 +5,8 @@ use torse_algebra::{ExactError, Jet};
 use torse_geometry::developable::certify;
 use torse_geometry::pattern::{PatternError, unroll};
 use torse_geometry::{
-    Basis, Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Forms, Gbt, GeometryError,
-    HermiteCone, PlaneFamily, RationalCurve, RotationSurface, Surface, TensorSurface, curve, join,
+    Basis, Bernstein, Continuity, Curve, EnvelopingPatch, Forms, Gbt, GeometryError, HermiteCone,
+    PatchBounds, PlaneFamily, RationalCurve, RotationSurface, Surface, TensorSurface, curve, join,
 };
 
 fn any() -> impl Strategy<Value = f64> {
@@ -45,7 +45,7 @@ proptest! {
         }
         if let Ok(family) = PlaneFamily::new(basis, planes) {
             let _ = (family.ruling(&x), family.characteristic_point(&x));
-            if let Ok(patch) = EnvelopingPatch::new(family, Bounds::Range([x, y])) {
+            if let Ok(patch) = EnvelopingPatch::new(family, PatchBounds::Range([x, y])) {
                 let _ = certify(&patch, 0);
             }
         }
@@ -114,7 +114,7 @@ fn impossible_degrees_and_orders_are_refused_before_memory_is_asked_for() {
     assert!(refused(
         family.characteristic_jet(&0.5, usize::MAX).map(drop)
     ));
-    let patch = EnvelopingPatch::new(family, Bounds::Range([0.0, 1.0])).unwrap();
+    let patch = EnvelopingPatch::new(family, PatchBounds::Range([0.0, 1.0])).unwrap();
     assert!(refused(patch.partials(&0.5, &0.5, usize::MAX).map(drop)));
 }
 

@@ -1,6 +1,6 @@
 //! Whole panels between rails: their pieces meet smoothly, and they cover both rails.
 
-use torse_geometry::Affine;
+use torse_geometry::AffineMap;
 use torse_geometry::curve::{EndCondition, Spacing, interpolate};
 use torse_geometry::prelude::*;
 use torse_geometry::vector::{cross, dot, norm, sub};
@@ -95,9 +95,13 @@ fn a_hull_plate_has_fans_over_what_no_ruling_touches() {
 fn reducer() -> [PiecewiseRail; 2] {
     let weights = [1.0, 0.35, 0.7975, 1.08575, 0.7975, 0.35, 1.0];
     let rail = |points: &[Point]| -> PiecewiseRail {
-        Rail::weighted(torse_geometry::basis::Shape::Bernstein, points, &weights)
-            .unwrap()
-            .into()
+        Rail::weighted(
+            torse_geometry::basis::BasisShape::Bernstein,
+            points,
+            &weights,
+        )
+        .unwrap()
+        .into()
     };
     let a = 93.341_692_789_968_62;
     let b = 98.708_463_949_843_25;
@@ -331,7 +335,7 @@ fn tubes_between_random_loops_close() {
             };
             let linear = [row(0), row(1), row(2)];
             let shift = [0, 1, 2].map(|_| 10.0 * random.next());
-            rail.mapped(&Affine { linear, shift }).unwrap()
+            rail.mapped(&AffineMap { linear, shift }).unwrap()
         };
         let [first, second] = reducer().each_ref().map(&mut image);
         let Panels::Found(panels) = Sheet::panels(&first, &second).unwrap() else {

@@ -7,11 +7,11 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use torse_algebra::rational::{Rational, integer};
 use torse_algebra::{Ball, SturmSequence};
 use torse_geometry::developable::{
-    Certificate, EnclosedCertificate, Regularity, Singularity, certify, enclose, prove_regular,
+    EnclosedCertificate, PatchCertificate, Regularity, Singularity, certify, enclose, prove_regular,
 };
 use torse_geometry::{
-    Bernstein, Bounds, Continuity, Curve, EnvelopingPatch, Gbt, GeometryError, Over, PlaneFamily,
-    Rails, RuledSurface, TangentPatch, exact, exact_ball, join,
+    Bernstein, Continuity, Curve, EnvelopingPatch, Gbt, GeometryError, Over, PatchBounds,
+    PlaneFamily, Rails, RuledSurface, TangentPatch, exact, exact_ball, join,
 };
 
 fn enclosed(patch: &RuledSurface<Rail, Rail>, cells: usize) -> EnclosedCertificate {
@@ -27,7 +27,7 @@ fn proved(patch: &RuledSurface<Rail, Rail>, budget: usize) -> Regularity {
     prove_regular(&patch.over(&|x| exact_ball(*x, 128)).unwrap(), 128, budget)
 }
 
-fn all_finite(c: &Certificate) -> bool {
+fn all_finite(c: &PatchCertificate) -> bool {
     let worst = [
         Some(c.determinant),
         Some(c.twist),
@@ -103,7 +103,7 @@ fn a_patch_through_infinity_is_not_regular() {
         &[[0., 40., -40., 400.]],
     )
     .unwrap();
-    let cut = Bounds::Planes([[1., 0., 0., 0.], [1., 0., 0., 10.]]);
+    let cut = PatchBounds::Planes([[1., 0., 0., 0.], [1., 0., 0., 10.]]);
     let patch = EnvelopingPatch::new(right, cut).unwrap();
     for rulings in [8, 64, 4096] {
         match certify(&patch, rulings) {
@@ -196,7 +196,7 @@ fn a_common_factor_of_the_planes_changes_nothing() {
         [-7., 7., 5., 130.],
         [7., 7., 5., 125.],
     ];
-    let cut = |k: f64| Bounds::Planes([[0., 0., k, 0.], [0., 0., k, 3. * k]]);
+    let cut = |k: f64| PatchBounds::Planes([[0., 0., k, 0.], [0., 0., k, 3. * k]]);
     let patch = |k: f64| {
         let scaled = planes.map(|plane| plane.map(|c| c * k)).to_vec();
         let family = PlaneFamily::new(Gbt::new(0.5, 0.25).unwrap(), scaled).unwrap();
@@ -507,7 +507,10 @@ fn hostile_patches_give_errors_or_finite_numbers() {
         let Ok(family) = PlaneFamily::new(Bernstein, planes) else {
             continue;
         };
-        for bounds in [Bounds::Range([0.0, 1.0]), Bounds::Planes([cut[0], cut[1]])] {
+        for bounds in [
+            PatchBounds::Range([0.0, 1.0]),
+            PatchBounds::Planes([cut[0], cut[1]]),
+        ] {
             let Ok(patch) = EnvelopingPatch::new(family.clone(), bounds) else {
                 continue;
             };

@@ -5,7 +5,7 @@ use torse_algebra::rational::{integer, ratio};
 use torse_geometry::batch::GridEvaluator;
 use torse_geometry::curve::{arc_length, curvature, ellipse_arc, torsion};
 use torse_geometry::{
-    Bernstein, Curve, Gbt, Half, Over, RationalCurve, RotationSurface, RuledSurface, Surface,
+    Bernstein, Curve, Gbt, HalfTurn, Over, RationalCurve, RotationSurface, RuledSurface, Surface,
     TensorSurface, exact_ball,
 };
 
@@ -58,7 +58,7 @@ fn partial_derivatives_agree_with_central_differences() {
         Gbt::new(0.9, 0.25).unwrap(),
         vec![[4.0, 15.0], [1.0, 10.0], [3.0, 5.0], [4.0, 0.0]],
     );
-    let sector = RotationSurface::sector(profile.unwrap(), Half::Lower, [0.2, 0.9]).unwrap();
+    let sector = RotationSurface::sector(profile.unwrap(), HalfTurn::Lower, [0.2, 0.9]).unwrap();
     check_partials(&sector, 0.41, 0.77);
     let first = Curve::new(
         Bernstein,
@@ -77,7 +77,7 @@ fn partial_derivatives_agree_with_central_differences() {
 #[test]
 fn a_sphere_of_radius_two_has_curvatures_one_quarter_and_one_half_everywhere() {
     let profile = ellipse_arc(&[0.0, 0.0], &[2.0, 0.0], &[0.0, 2.0]).unwrap();
-    let sphere = RotationSurface::half_turn(profile, Half::Upper);
+    let sphere = RotationSurface::half_turn(profile, HalfTurn::Upper);
     for (u, v) in [(0.2, 0.3), (0.7, 0.9), (0.5, 0.0)] {
         let forms = sphere.forms(&u, &v).unwrap();
         assert!((forms.gaussian().unwrap() - 0.25).abs() < 1e-13);
@@ -138,8 +138,8 @@ fn the_two_halves_of_a_rotation_surface_meet_along_both_seams() {
         vec![[4.0, 9.0], [1.0, 6.0], [2.0, 0.0]],
     )
     .unwrap();
-    let upper = RotationSurface::half_turn(profile.clone(), Half::Upper);
-    let lower = RotationSurface::half_turn(profile, Half::Lower);
+    let upper = RotationSurface::half_turn(profile.clone(), HalfTurn::Upper);
+    let lower = RotationSurface::half_turn(profile, HalfTurn::Lower);
     for v in [0.0, 1.0] {
         let (a, b) = (
             upper.point(&0.4, &v).unwrap(),
@@ -155,7 +155,7 @@ fn sectors_over_balls_contain_their_points() {
     let profile = Curve::new(Gbt::new(0.1, 0.2).unwrap(), points).unwrap();
     let ball = |x: &f64| exact_ball(*x, 100);
     let mut sectors = RotationSurface::turned(&profile, 4.0).unwrap();
-    sectors.push(RotationSurface::half_turn(profile, Half::Lower));
+    sectors.push(RotationSurface::half_turn(profile, HalfTurn::Lower));
     for sector in sectors {
         let point = sector.point(&0.3, &0.8).unwrap();
         let over = sector.over(&ball).unwrap();

@@ -3,7 +3,7 @@
 use super::ToolBend;
 use super::strip::Side;
 use crate::design::{Design, Material, Patch};
-use torse_geometry::pattern::{FlatPattern, Sheet};
+use torse_geometry::pattern::{BendingSheet, FlatPattern};
 
 /// Rulings whose radii differ by no more, as a share, are those of a circular cylinder.
 const SAME_RADIUS: f64 = 1e-6;
@@ -58,14 +58,14 @@ pub(super) fn radii(flat: &FlatPattern, place: usize) -> [f64; 2] {
 }
 
 /// The sheet of a design, with the K-factor for this inside radius.
-fn sheet(design: &Design, name: &str, inside_radius: f64) -> Result<Sheet, String> {
+fn sheet(design: &Design, name: &str, inside_radius: f64) -> Result<BendingSheet, String> {
     let metal = metal(design, name)?;
     let thickness = metal.sheet.thickness();
     let ratio = inside_radius / thickness;
     let k = design.bending.neutral.k_factor(ratio).ok_or_else(|| {
         format!("`k-factor` says nothing of `{name}`, whose inside radius is {ratio:.3} times the thickness")
     })?;
-    Sheet::new(thickness, k).map_err(|error| error.to_string())
+    BendingSheet::new(thickness, k).map_err(|error| error.to_string())
 }
 
 fn metal(design: &Design, name: &str) -> Result<Material, String> {
@@ -74,7 +74,13 @@ fn metal(design: &Design, name: &str) -> Result<Material, String> {
     })
 }
 
-fn tool(sheet: &Sheet, name: String, angle: f64, inside_radius: f64, designed: f64) -> ToolBend {
+fn tool(
+    sheet: &BendingSheet,
+    name: String,
+    angle: f64,
+    inside_radius: f64,
+    designed: f64,
+) -> ToolBend {
     let allowance = sheet.bend_allowance(angle, inside_radius);
     ToolBend {
         name,

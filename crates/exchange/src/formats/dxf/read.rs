@@ -43,7 +43,7 @@ impl Drawing {
                     pending = kind == "SECTION";
                     inside = inside && kind != "ENDSEC";
                     if inside {
-                        entity = Entity::of(kind, line);
+                        entity = Entity::new(kind, line);
                     }
                 }
                 (2, name) if pending => inside = name == "ENTITIES",
@@ -87,7 +87,7 @@ struct Entity {
 }
 
 impl Entity {
-    fn of(kind: &str, line: usize) -> Option<Self> {
+    fn new(kind: &str, line: usize) -> Option<Self> {
         let kind = match kind {
             "LWPOLYLINE" => Kind::Polyline,
             "LINE" => Kind::Line,

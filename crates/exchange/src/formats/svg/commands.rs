@@ -10,7 +10,7 @@ pub(super) fn commands(path: &Path) -> String {
     let mut text = format!("M{}", point(start));
     let straight_back = |to: [f64; 2], bulge: f64| path.is_closed() && to == start && bulge == 0.0;
     for (from, to) in path.sides() {
-        match Arc::of(from, to) {
+        match Arc::from_bulge(from, to) {
             Some(arc) => {
                 // Left in the drawing is against the clock, which SVG, with y down, calls negative.
                 let (large, sweep) = (u8::from(from.bulge.abs() > 1.0), u8::from(from.bulge < 0.0));

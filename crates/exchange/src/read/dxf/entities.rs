@@ -8,7 +8,7 @@ use torse_algebra::Rational;
 use torse_algebra::rational::integer;
 use torse_geometry::curve::{EllipticHelix, EndCondition, Spacing, Spline, interpolate};
 use torse_geometry::vector::{add, cross, norm, scale, sub, unit};
-use torse_geometry::{Affine, Coordinate, GeometryError, exact};
+use torse_geometry::{AffineMap, Coordinate, GeometryError, exact};
 
 /// The curve that an entity is; nothing for one of another kind. Vertices are those of a polyline.
 pub(super) fn curve(
@@ -221,9 +221,9 @@ fn extrusion(entity: &Entity<'_, '_>) -> ReadResult<[f64; 3]> {
 }
 
 /// From the coordinates of a flat entity to those of the drawing, by the reference's rule for axes.
-pub(super) fn entity_axes(entity: &Entity<'_, '_>) -> ReadResult<Affine<Rational>> {
+pub(super) fn entity_axes(entity: &Entity<'_, '_>) -> ReadResult<AffineMap<Rational>> {
     let normal = extrusion(entity)?;
-    let identity = Affine::stretch(&integer(1));
+    let identity = AffineMap::stretch(&integer(1));
     if normal == [0.0, 0.0, 1.0] {
         return Ok(identity);
     }
@@ -236,7 +236,7 @@ pub(super) fn entity_axes(entity: &Entity<'_, '_>) -> ReadResult<Affine<Rational
     let x = unit(&cross(&other, &normal)).unwrap_or([1.0, 0.0, 0.0]);
     let y = cross(&normal, &x);
     let columns = [x, y, normal].map(|column| column.map(exact));
-    Ok(Affine {
+    Ok(AffineMap {
         linear: std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i].clone())),
         shift: identity.shift,
     })
@@ -247,7 +247,7 @@ pub(super) fn insert_map(
     entity: &Entity<'_, '_>,
     base: &[Rational; 3],
     [column, row]: [i64; 2],
-) -> ReadResult<Affine<Rational>> {
+) -> ReadResult<AffineMap<Rational>> {
     let factor = |code: i32| -> ReadResult<Rational> {
         let value = entity
             .exacts(code)?
@@ -263,7 +263,7 @@ pub(super) fn insert_map(
     let (sine, cosine) = turned(entity.number(50, 0.0)?);
     let (sine, cosine) = (exact(sine), exact(cosine));
     let zero = Rational::default;
-    let turn = Affine {
+    let turn = AffineMap {
         linear: [
             [cosine.clone(), -sine.clone(), zero()],
             [sine, cosine, zero()],
@@ -275,7 +275,7 @@ pub(super) fn insert_map(
         Ok(entity.exacts(code)?.into_iter().next().unwrap_or_default() * integer(count))
     };
     let place = [step(44, column)?, step(45, row)?, zero()];
-    let stretched = Affine {
+    let stretched = AffineMap {
         linear: std::array::from_fn(|i| {
             std::array::from_fn(|j| if i == j { factors[i].clone() } else { zero() })
         }),

@@ -14,7 +14,7 @@ use groups::{Entity, Group, groups};
 use std::collections::HashMap;
 use torse_algebra::Rational;
 use torse_algebra::rational::ratio;
-use torse_geometry::Affine;
+use torse_geometry::AffineMap;
 
 /// How deep blocks are inserted into blocks.
 const MAX_DEPTH: usize = 16;
@@ -23,7 +23,7 @@ const MAX_ENTITIES: usize = 500_000;
 
 pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Imported> {
     let all = groups(text)?;
-    let file = File::of(&all);
+    let file = File::new(&all);
     let unit = check_unit(file.unit()?, given)?;
     let mut reader = Reader {
         blocks: &file.blocks,
@@ -31,7 +31,7 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
         passed: PassedOver::default(),
         seen: 0,
     };
-    let map = Affine::stretch(unit.unit().millimetres());
+    let map = AffineMap::stretch(unit.unit().millimetres());
     reader.entities(&file.entities, &map, &mut Vec::new())?;
     reader.drafts.finish(FileKind::Dxf, None, reader.passed)
 }
@@ -52,7 +52,7 @@ struct Block<'t, 'g> {
 }
 
 impl<'t, 'g> File<'t, 'g> {
-    fn of(all: &'g [Group<'t>]) -> Self {
+    fn new(all: &'g [Group<'t>]) -> Self {
         let mut file = Self::default();
         let starts: Vec<usize> = (0..all.len()).filter(|k| all[*k].code == 0).collect();
         let ends = starts.iter().skip(1).copied().chain([all.len()]);
@@ -144,7 +144,7 @@ impl<'t, 'g> Reader<'t, 'g, '_> {
     fn entities(
         &mut self,
         list: &[Entity<'t, 'g>],
-        map: &Affine<Rational>,
+        map: &AffineMap<Rational>,
         inside: &mut Vec<&'t str>,
     ) -> ReadResult<()> {
         let mut index = 0;
@@ -199,7 +199,7 @@ impl<'t, 'g> Reader<'t, 'g, '_> {
     fn insert(
         &mut self,
         entity: &Entity<'t, 'g>,
-        map: &Affine<Rational>,
+        map: &AffineMap<Rational>,
         inside: &mut Vec<&'t str>,
     ) -> ReadResult<()> {
         let place = entity.place();

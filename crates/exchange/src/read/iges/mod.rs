@@ -19,7 +19,7 @@ use torse_algebra::Rational;
 use torse_algebra::rational::ratio;
 use torse_geometry::curve::{EllipticHelix, MAX_SPLINE_POINTS, Spline};
 use torse_geometry::vector::{sub, unit};
-use torse_geometry::{Affine, Coordinate};
+use torse_geometry::{AffineMap, Coordinate};
 
 /// How deep entities point to entities.
 const MAX_DEPTH: usize = 24;
@@ -43,7 +43,7 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
         .and_then(|text| super::decimal::decimal(text));
     let reader = Reader {
         file: &file,
-        map: Affine::stretch(&factor),
+        map: AffineMap::stretch(&factor),
         factor: factor.approximate(),
         work: Cell::new(0),
     };
@@ -127,7 +127,7 @@ type Border = Vec<(usize, super::FilePlace, CurveShape)>;
 struct Reader<'t, 'f> {
     file: &'f File<'t>,
     /// To millimetres.
-    map: Affine<Rational>,
+    map: AffineMap<Rational>,
     factor: f64,
     work: Cell<usize>,
 }
@@ -147,7 +147,7 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// The map of an entity's matrix, and of the matrix of that.
-    fn matrix(&self, entity: &Entity<'t>, depth: usize) -> ReadResult<Option<Affine<Rational>>> {
+    fn matrix(&self, entity: &Entity<'t>, depth: usize) -> ReadResult<Option<AffineMap<Rational>>> {
         if entity.matrix == 0 {
             return Ok(None);
         }
@@ -165,7 +165,7 @@ impl<'t> Reader<'t, '_> {
             .ok_or_else(missing)?;
         let row = |k: usize| own.exacts(4 * k, 4);
         let rows = [row(0)?, row(1)?, row(2)?];
-        let map = Affine {
+        let map = AffineMap {
             linear: std::array::from_fn(|i| std::array::from_fn(|j| rows[i][j].clone())),
             shift: std::array::from_fn(|i| rows[i][3].clone()),
         };

@@ -18,7 +18,7 @@ use part21::{Data, Instance, Value, parse};
 use std::collections::{HashMap, HashSet};
 use structure::{Context, Placed, motion, stretch, too_deep};
 use torse_algebra::Rational;
-use torse_geometry::{Affine, Coordinate};
+use torse_geometry::{AffineMap, Coordinate};
 use values::{Resolver, label, list, truth};
 
 /// How deep parts are placed in parts, and items in items.
@@ -67,9 +67,9 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
             .or_default()
             .push(placed);
     }
-    let identity = Affine::stretch(&Rational::from(1));
+    let identity = AffineMap::stretch(&Rational::from(1));
     let mapped: HashSet<u64> = data
-        .of("REPRESENTATION_MAP")
+        .instances("REPRESENTATION_MAP")
         .filter_map(|map| match map.part("REPRESENTATION_MAP")?.get(1)? {
             Value::Reference(id) => Some(*id),
             _ => None,
@@ -103,7 +103,7 @@ struct Reader<'t, 'd> {
 struct Setting<'t, 'd> {
     curves: Curves<'t, 'd, 'd>,
     /// From the numbers of the file to millimetres in place.
-    map: Affine<Rational>,
+    map: AffineMap<Rational>,
     factor: f64,
 }
 
@@ -120,7 +120,7 @@ impl<'t, 'd> Reader<'t, 'd> {
     fn representation(
         &mut self,
         instance: &'d Instance<'t>,
-        place: &Affine<Rational>,
+        place: &AffineMap<Rational>,
         depth: usize,
     ) -> ReadResult<()> {
         self.placed += 1;
@@ -135,7 +135,7 @@ impl<'t, 'd> Reader<'t, 'd> {
             });
         }
         let own = self.millimetres(instance.id);
-        let map = place.after(&Affine::stretch(&own));
+        let map = place.after(&AffineMap::stretch(&own));
         let setting = Setting {
             curves: Curves {
                 resolver: self.resolver,
@@ -183,7 +183,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         from: &Instance<'t>,
         item: &Instance<'t>,
         values: &[Value<'t>],
-        place: &Affine<Rational>,
+        place: &AffineMap<Rational>,
         depth: usize,
     ) -> ReadResult<()> {
         let source = self.resolver.instance(item, values.get(1))?;

@@ -65,7 +65,7 @@ impl<'t> Data<'t> {
     }
 
     /// The instances of an entity, in the order of the file.
-    pub(super) fn of(&self, keyword: &'static str) -> impl Iterator<Item = &Instance<'t>> {
+    pub(super) fn instances(&self, keyword: &'static str) -> impl Iterator<Item = &Instance<'t>> {
         self.instances
             .iter()
             .filter(move |instance| instance.part(keyword).is_some())

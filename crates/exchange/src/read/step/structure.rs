@@ -5,7 +5,7 @@ use super::values::{Axes, Resolver, exact, label, list, number};
 use crate::read::LengthUnit;
 use crate::read::error::{ReadError, ReadResult, at};
 use torse_algebra::Rational;
-use torse_geometry::{Affine, Coordinate};
+use torse_geometry::{AffineMap, Coordinate};
 
 /// The units and the uncertainty of a representation.
 #[derive(Debug, Clone)]
@@ -208,7 +208,7 @@ pub(super) fn representation<'i, 't>(instance: &'i Instance<'t>) -> Option<&'i [
 }
 
 /// The motion that brings one placement on another, each with millimetres of its unit, in millimetres.
-pub(super) fn motion([from, to]: &[Axes; 2], units: [&Rational; 2]) -> Affine<Rational> {
+pub(super) fn motion([from, to]: &[Axes; 2], units: [&Rational; 2]) -> AffineMap<Rational> {
     let rows = |axes: &Axes| [axes.x, axes.y, axes.z];
     let (first, second) = (rows(from), rows(to));
     // The sum over the three directions of second times first transposed.
@@ -218,13 +218,13 @@ pub(super) fn motion([from, to]: &[Axes; 2], units: [&Rational; 2]) -> Affine<Ra
     let place = |axes: &Axes, unit: &Rational| -> [Rational; 3] {
         axes.origin.each_ref().map(|c| c.clone() * unit.clone())
     };
-    let turn = Affine {
+    let turn = AffineMap {
         linear,
         shift: std::array::from_fn(|_| Rational::default()),
     };
     let carried = turn.turn(&place(from, units[0]));
     let target = place(to, units[1]);
-    Affine {
+    AffineMap {
         shift: std::array::from_fn(|k| target[k].clone() - carried[k].clone()),
         ..turn
     }
@@ -240,7 +240,7 @@ pub(super) fn too_deep(from: &Instance<'_>, most: usize) -> ReadError {
 }
 
 /// How much a map stretches, for lengths that it does not act on.
-pub(super) fn stretch(map: &Affine<Rational>) -> f64 {
+pub(super) fn stretch(map: &AffineMap<Rational>) -> f64 {
     let row: [f64; 3] = map.linear[0].each_ref().map(Coordinate::approximate);
     torse_geometry::vector::norm(&row)
 }

@@ -27,7 +27,7 @@ pub(super) struct Contact<S> {
 }
 
 impl<S: Coordinate> Contact<S> {
-    pub(super) fn of<C: SpaceCurve<S>>(curve: &C, at: &S) -> Result<Self> {
+    pub(super) fn at<C: SpaceCurve<S>>(curve: &C, at: &S) -> Result<Self> {
         let jets = curve.space_jet(at, 2)?;
         let derivative = |n: usize| {
             let all = jets.each_ref().map(|jet| jet.derivative(n));
@@ -45,7 +45,7 @@ impl<S: Coordinate> Contact<S> {
 }
 
 impl<S: Coordinate> Equation<S> {
-    pub(super) fn of(one: &Contact<S>, two: &Contact<S>) -> Self {
+    pub(super) fn from_contacts(one: &Contact<S>, two: &Contact<S>) -> Self {
         let ruling = sub(&two.point, &one.point);
         Self {
             value: det(&one.first, &two.first, &ruling),
@@ -59,9 +59,9 @@ impl<S: Coordinate> Equation<S> {
         s: &S,
         t: &S,
     ) -> Result<Self> {
-        Ok(Self::of(
-            &Contact::of(rails.0, s)?,
-            &Contact::of(rails.1, t)?,
+        Ok(Self::from_contacts(
+            &Contact::at(rails.0, s)?,
+            &Contact::at(rails.1, t)?,
         ))
     }
 }
@@ -74,7 +74,7 @@ pub(super) struct Expansion<S> {
 
 impl<S: Coordinate> Expansion<S> {
     /// About `at`, good for series of this order.
-    pub(super) fn of<C: SpaceCurve<S>>(curve: &C, at: &S, order: usize) -> Result<Self> {
+    pub(super) fn about<C: SpaceCurve<S>>(curve: &C, at: &S, order: usize) -> Result<Self> {
         let point = curve.space_jet(at, order.saturating_add(1))?;
         let slope = point.each_ref().map(Jet::differentiated);
         match slope {

@@ -42,7 +42,7 @@ use torse_algebra::Ball;
 
 /// Why a branch was preferred.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Reason {
+pub enum BranchReason {
     /// There is no other.
     Only,
     /// No other gives a regular patch.
@@ -67,7 +67,7 @@ pub struct BestRuling {
 
 /// A part of a curve that no ruling of the chosen branch meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Gap {
+pub struct RailGap {
     /// Whether it is on the first curve (0) or on the second (1).
     pub curve: usize,
     /// Its parameters.
@@ -81,8 +81,8 @@ pub struct Gap {
 pub struct Connections<P, Q> {
     curves: (P, Q),
     branches: Vec<Branch>,
-    choice: Option<(usize, Reason)>,
-    gaps: Vec<Gap>,
+    choice: Option<(usize, BranchReason)>,
+    gaps: Vec<RailGap>,
     falling: Vec<ParameterBox>,
     open: Vec<ParameterBox>,
 }
@@ -96,13 +96,13 @@ impl<P: Clone, Q: Clone> Connections<P, Q> {
 
     /// The branch that was chosen, and why; `None` when there is none.
     #[must_use]
-    pub fn choice(&self) -> Option<(usize, Reason)> {
+    pub fn choice(&self) -> Option<(usize, BranchReason)> {
         self.choice
     }
 
     /// What the chosen branch leaves of the curves; all of both when there is none.
     #[must_use]
-    pub fn gaps(&self) -> &[Gap] {
+    pub fn gaps(&self) -> &[RailGap] {
         &self.gaps
     }
 
@@ -186,11 +186,11 @@ impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Connections<P, Q> {
         let at = |x: f64| -> Option<[f64; 2]> {
             let [s, t] = place(x);
             let (one, two) = (
-                Contact::of(&self.curves.0, &s).ok()?,
-                Contact::of(&self.curves.1, &t).ok()?,
+                Contact::at(&self.curves.0, &s).ok()?,
+                Contact::at(&self.curves.1, &t).ok()?,
             );
             let size = norm(&one.first) * norm(&two.first) * norm(&sub(&two.point, &one.point));
-            Some([Equation::of(&one, &two).value, size])
+            Some([Equation::from_contacts(&one, &two).value, size])
         };
         let mut found = Vec::new();
         let mut before: Option<(f64, f64)> = None;
@@ -232,8 +232,8 @@ impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Connections<P, Q> {
 
     fn one_side(&self, [s, t]: &Node) -> bool {
         let ends = (
-            Contact::of(&self.curves.0, s),
-            Contact::of(&self.curves.1, t),
+            Contact::at(&self.curves.0, s),
+            Contact::at(&self.curves.1, t),
         );
         let (Ok(one), Ok(two)) = ends else {
             return false;
@@ -267,8 +267,8 @@ where
         while let Some((cell, depth)) = open.pop() {
             work += 1;
             let contacts = (
-                Contact::of(&one, &over(cell.s)),
-                Contact::of(&two, &over(cell.t)),
+                Contact::at(&one, &over(cell.s)),
+                Contact::at(&two, &over(cell.t)),
             );
             let (Ok(a), Ok(b)) = contacts else {
                 kept.push(cell);
@@ -276,7 +276,7 @@ where
             };
             let ruling = sub(&b.point, &a.point);
             let side = dot(&cross(&a.first, &ruling), &cross(&b.first, &ruling)).sign();
-            let value = Equation::of(&a, &b).value.sign();
+            let value = Equation::from_contacts(&a, &b).value.sign();
             if side == Some(Ordering::Less) || value.is_some_and(Ordering::is_ne) {
                 continue;
             }
@@ -403,7 +403,7 @@ fn precision<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(rails: (&P, &Q)) -> Result<
     const GRID: u32 = 7;
     let contacts = |k: u32| -> Result<_> {
         let x = (f64::from(k) + 0.5) / f64::from(GRID);
-        Ok((Contact::of(rails.0, &x)?, Contact::of(rails.1, &x)?))
+        Ok((Contact::at(rails.0, &x)?, Contact::at(rails.1, &x)?))
     };
     let contacts = (0..GRID).map(contacts).collect::<Result<Vec<_>>>()?;
     let (mut scale, mut nonzero) = (0.0_f64, false);
@@ -412,7 +412,7 @@ fn precision<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(rails: (&P, &Q)) -> Result<
             let size = norm(&one.first) * norm(&two.first);
             let reach = norm(&sub(&two.point, &one.point));
             let away = norm(&one.point) + norm(&two.point);
-            let value = Equation::of(one, two).value.abs();
+            let value = Equation::from_contacts(one, two).value.abs();
             if !(size.is_finite() && away.is_finite() && value.is_finite()) {
                 return Err(GeometryError::NoValue {
                     what: "size of the curves",
@@ -437,7 +437,7 @@ fn precision<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(rails: (&P, &Q)) -> Result<
 /// The branch to take, and why.
 fn choose<P: SpaceCurve<f64> + Clone, Q: SpaceCurve<f64> + Clone>(
     found: &Connections<P, Q>,
-) -> Option<(usize, Reason)> {
+) -> Option<(usize, BranchReason)> {
     struct Candidate {
         index: usize,
         regular: bool,
@@ -448,7 +448,7 @@ fn choose<P: SpaceCurve<f64> + Clone, Q: SpaceCurve<f64> + Clone>(
         let patch = found.patch(index)?;
         let rails = found.curves.clone();
         let length = |[s, t]: &[f64; 2]| {
-            let ends = (Contact::of(&rails.0, s), Contact::of(&rails.1, t));
+            let ends = (Contact::at(&rails.0, s), Contact::at(&rails.1, t));
             match ends {
                 (Ok(one), Ok(two)) => norm(&sub(&two.point, &one.point)),
                 _ => f64::INFINITY,
@@ -471,10 +471,10 @@ fn choose<P: SpaceCurve<f64> + Clone, Q: SpaceCurve<f64> + Clone>(
     });
     let reason = match all.as_slice() {
         [] => return None,
-        [_] => Reason::Only,
-        [a, b, ..] if a.regular && !b.regular => Reason::OnlyRegular,
-        [a, b, ..] if share(a) > share(b) => Reason::CoversMost(a.coverage, b.coverage),
-        [a, b, ..] => Reason::ShorterRulings(a.longest, b.longest),
+        [_] => BranchReason::Only,
+        [a, b, ..] if a.regular && !b.regular => BranchReason::OnlyRegular,
+        [a, b, ..] if share(a) > share(b) => BranchReason::CoversMost(a.coverage, b.coverage),
+        [a, b, ..] => BranchReason::ShorterRulings(a.longest, b.longest),
     };
     all.first().map(|best| (best.index, reason))
 }
@@ -486,7 +486,7 @@ const OTHER_SAMPLES: usize = 65;
 fn gaps<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
     rails: (&P, &Q),
     ranges: Option<[[f64; 2]; 2]>,
-) -> Result<Vec<Gap>> {
+) -> Result<Vec<RailGap>> {
     let mut gaps = Vec::new();
     for curve in [0, 1] {
         let parts = match ranges.map(|ranges| ranges[curve]) {
@@ -503,7 +503,7 @@ fn gaps<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
                     worst = Some(best);
                 }
             }
-            gaps.extend(worst.map(|worst| Gap {
+            gaps.extend(worst.map(|worst| RailGap {
                 curve,
                 range,
                 worst,
@@ -522,7 +522,7 @@ fn best_ruling<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
 ) -> Result<BestRuling> {
     let ruling = |other: f64| -> Result<BestRuling> {
         let (s, t) = if curve == 0 { (at, other) } else { (other, at) };
-        let (one, two) = (Contact::of(rails.0, &s)?, Contact::of(rails.1, &t)?);
+        let (one, two) = (Contact::at(rails.0, &s)?, Contact::at(rails.1, &t)?);
         let r = sub(&two.point, &one.point);
         let (n0, n1) = (cross(&one.first, &r), cross(&two.first, &r));
         let twist = libm::atan2(norm(&cross(&n0, &n1)), dot(&n0, &n1).abs());

@@ -6,7 +6,7 @@ use crate::chebyshev::{NODES, nodes};
 use crate::coordinate::Coordinate;
 use crate::curve::SpaceCurve;
 use crate::error::{GeometryError, Place, Result};
-use crate::model::Model;
+use crate::model::ChebyshevModel;
 use crate::over::Over;
 use crate::scalars::exact_ball;
 use crate::surface::{Partials, Rails, Surface, partials_between};
@@ -75,8 +75,8 @@ impl<P, Q> ConnectingPatch<P, Q> {
         }
         let s0 = (u.clone() - w.clone()).times_two_to(-1);
         let t0 = (u.clone() + w.clone()).times_two_to(-1);
-        let one = Expansion::of(&self.first, &s0, order)?;
-        let two = Expansion::of(&self.second, &t0, order)?;
+        let one = Expansion::about(&self.first, &s0, order)?;
+        let two = Expansion::about(&self.second, &t0, order)?;
         let mut w_series = Jet::of_constant(w, order);
         let at = |w: &Jet<S>| {
             (
@@ -235,9 +235,11 @@ impl<P: SpaceCurve<Ball>, Q: SpaceCurve<Ball>> ConnectingPatch<P, Q> {
     }
 }
 
-impl<P: SpaceCurve<Model>, Q: SpaceCurve<Model>> Rails<Model> for ConnectingPatch<P, Q> {
-    fn rail_jets(&self, x: &Model, order: usize) -> Result<[[Jet<Model>; 3]; 2]> {
-        let [from, to] = self.span().map(Model::exact);
+impl<P: SpaceCurve<ChebyshevModel>, Q: SpaceCurve<ChebyshevModel>> Rails<ChebyshevModel>
+    for ConnectingPatch<P, Q>
+{
+    fn rail_jets(&self, x: &ChebyshevModel, order: usize) -> Result<[[Jet<ChebyshevModel>; 3]; 2]> {
+        let [from, to] = self.span().map(ChebyshevModel::exact);
         let u = from + (to - from) * *x;
         let w = self.modelled(&u).ok_or_else(|| turns(&u))?;
         self.series(&u, w, order)
@@ -251,9 +253,9 @@ impl<P: SpaceCurve<Model>, Q: SpaceCurve<Model>> Rails<Model> for ConnectingPatc
 /// How often Newton's method is tried at a node.
 const STEPS: usize = 12;
 
-impl<P: SpaceCurve<Model>, Q: SpaceCurve<Model>> ConnectingPatch<P, Q> {
+impl<P: SpaceCurve<ChebyshevModel>, Q: SpaceCurve<ChebyshevModel>> ConnectingPatch<P, Q> {
     /// The equation at the parameters `s = (u - w)/2` and `t = (u + w)/2`.
-    fn equation(&self, u: &Model, w: &Model) -> Option<Equation<Model>> {
+    fn equation(&self, u: &ChebyshevModel, w: &ChebyshevModel) -> Option<Equation<ChebyshevModel>> {
         let s = (*u - *w).times_two_to(-1);
         let t = (*u + *w).times_two_to(-1);
         Equation::at((&self.first, &self.second), &s, &t).ok()
@@ -263,7 +265,7 @@ impl<P: SpaceCurve<Model>, Q: SpaceCurve<Model>> ConnectingPatch<P, Q> {
     /// `|F(w)| / min |F_w|`, where `F_w` is bounded over a tube about the polynomial. In the tube there is one solution for
     /// each `u`, and it is the one of the branch, since in the middle of the interval the tube lies in the box of a proved
     /// link.
-    fn modelled(&self, u: &Model) -> Option<Model> {
+    fn modelled(&self, u: &ChebyshevModel) -> Option<ChebyshevModel> {
         let [low, high] = u.range();
         let [first, last] = self.span();
         let [low, high] = [low.max(first), high.min(last)];
@@ -276,7 +278,8 @@ impl<P: SpaceCurve<Model>, Q: SpaceCurve<Model>> ConnectingPatch<P, Q> {
                 w0
             };
             for _ in 0..STEPS {
-                let equation = self.equation(&Model::exact(at), &Model::exact(w))?;
+                let equation =
+                    self.equation(&ChebyshevModel::exact(at), &ChebyshevModel::exact(w))?;
                 let by_w = 0.5 * (equation.by_t.approximate() - equation.by_s.approximate());
                 let step = equation.value.approximate() / by_w;
                 if !step.is_finite() {
@@ -289,7 +292,7 @@ impl<P: SpaceCurve<Model>, Q: SpaceCurve<Model>> ConnectingPatch<P, Q> {
             }
             *value = w;
         }
-        let w = Model::through(&values);
+        let w = ChebyshevModel::through(&values);
         let residual = self.equation(u, &w)?.value.largest();
         let mut tube = 1e-12;
         // As narrow as it may be: a wide tube says less about the slope.

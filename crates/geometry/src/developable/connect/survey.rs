@@ -33,10 +33,10 @@ pub(super) struct Survey {
     pub open: Vec<ParameterBox>,
 }
 
-/// The finest cells have a side of `2^-DEEPEST`.
-const DEEPEST: u32 = 9;
+/// The finest cells have a side of `2^-MAX_DEPTH`.
+const MAX_DEPTH: u32 = 9;
 /// Cells looked at, at most.
-const MOST_CELLS: usize = 40_000;
+const MAX_CELLS: usize = 40_000;
 
 /// A dyadic interval `[index, index + 1] / 2^depth`, or its middle.
 type Key = (u32, u32, bool);
@@ -54,7 +54,7 @@ impl<C: SpaceCurve<Ball>> Cache<'_, C> {
         let contact = self
             .known
             .entry(key)
-            .or_insert_with(|| Contact::of(curve, &interval(key, bits)).ok());
+            .or_insert_with(|| Contact::at(curve, &interval(key, bits)).ok());
         contact.as_ref()
     }
 }
@@ -101,7 +101,7 @@ pub(super) fn survey<P: SpaceCurve<Ball>, Q: SpaceCurve<Ball>>(
                 t: side(j),
             }
         };
-        let spent = depth >= DEEPEST || visited >= MOST_CELLS;
+        let spent = depth >= MAX_DEPTH || visited >= MAX_CELLS;
         match classify(&mut one, &mut two, (depth, i, j)) {
             Kind::Empty => {}
             Kind::Rising => match corners(first, second, &cell(), bits) {
@@ -138,14 +138,14 @@ fn classify<P: SpaceCurve<Ball>, Q: SpaceCurve<Ball>>(
     else {
         return Kind::Unknown;
     };
-    let over = Equation::of(over_s, over_t);
+    let over = Equation::from_contacts(over_s, over_t);
     if over.value.sign().is_some_and(Ordering::is_ne) {
         return Kind::Empty;
     }
     let (Some(at_s), Some(at_t)) = (one.at((depth, i, true)), two.at((depth, j, true))) else {
         return Kind::Unknown;
     };
-    let middle = Equation::of(at_s, at_t).value;
+    let middle = Equation::from_contacts(at_s, at_t).value;
     let half = dyadic(1, depth + 1);
     let reach = Ball::from_bounds(&-half.clone(), &half, bits);
     let form = middle + over.by_s.clone() * reach.clone() + over.by_t.clone() * reach;

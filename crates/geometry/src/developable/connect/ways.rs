@@ -22,7 +22,7 @@ pub(crate) type Node = [f64; 2];
 pub(crate) const SAME_NODE: f64 = 2e-9;
 
 /// The most ways that are kept of each place.
-const MOST_WAYS: usize = 8;
+const MAX_WAYS: usize = 8;
 
 /// A part of a way.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -133,7 +133,7 @@ fn moved([s, t]: Node, by: Node) -> Node {
 }
 
 impl<'a, L: Landscape> Graph<'a, L> {
-    fn of(landscape: &'a L) -> Self {
+    fn new(landscape: &'a L) -> Self {
         #[allow(clippy::cast_precision_loss)]
         let [m, n] = landscape.size().map(|count| count as f64);
         let shifts = if landscape.is_closed() {
@@ -301,12 +301,12 @@ fn near(a: &Node, b: &Node) -> bool {
 fn sorted(ways: &mut Vec<Way>) {
     ways.sort_by_key(Way::cost);
     ways.dedup();
-    ways.truncate(MOST_WAYS);
+    ways.truncate(MAX_WAYS);
 }
 
 /// The best whole ways, the best first; none of them may be left.
 pub(crate) fn ways(landscape: &impl Landscape) -> Vec<Way> {
-    let graph = Graph::of(landscape);
+    let graph = Graph::new(landscape);
     let mut found = if landscape.is_closed() {
         loops(&graph)
     } else {

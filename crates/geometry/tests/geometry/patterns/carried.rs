@@ -2,7 +2,7 @@
 
 use crate::support::{cone, cubic, helix, unroll};
 use torse_geometry::pattern::{
-    FlatPattern, PatternError, Place, Placement, Segment, deviation, fold,
+    FlatPattern, PatternError, PatternPlace, Placement, Segment, deviation, fold,
 };
 use torse_geometry::surface::Rails;
 use torse_geometry::vector::{norm, sub};
@@ -43,7 +43,7 @@ fn points_go_to_the_sheet_and_back_and_distances_along_rulings_stay() {
                 (2, 2),
                 (7, 3),
             ] {
-                let place = Place {
+                let place = PatternPlace {
                     piece: 0,
                     x: f64::from(i) / 8.0,
                     v: f64::from(j) / 4.0,
@@ -56,7 +56,7 @@ fn points_go_to_the_sheet_and_back_and_distances_along_rulings_stay() {
                     (found.x - place.x).abs() < 1e-7 && (found.v - place.v).abs() < 1e-7,
                     "{name} {found:?}"
                 );
-                let start = Place { v: 0.0, ..place };
+                let start = PatternPlace { v: 0.0, ..place };
                 let (a, b) = (flat.flatten(start).unwrap(), flat.space(start).unwrap());
                 let change = norm(&sub(&sheet, &a)) - norm(&sub(&space, &b));
                 assert!(change.abs() < 1e-9, "{name}");
@@ -64,7 +64,7 @@ fn points_go_to_the_sheet_and_back_and_distances_along_rulings_stay() {
             assert_eq!(flat.lift([100.0, 100.0]), None);
             assert_eq!(flat.locate_in_space([100.0; 3], 1.0), None);
             assert_eq!(
-                flat.flatten(Place {
+                flat.flatten(PatternPlace {
                     piece: 1,
                     x: 0.5,
                     v: 0.5
@@ -72,7 +72,7 @@ fn points_go_to_the_sheet_and_back_and_distances_along_rulings_stay() {
                 None
             );
             assert_eq!(
-                flat.space(Place {
+                flat.space(PatternPlace {
                     piece: 0,
                     x: f64::NAN,
                     v: 0.5
@@ -91,7 +91,7 @@ fn lengths_of_curves_on_the_patch_stay_on_the_sheet() {
         let (mut sheet, mut space) = (0.0, 0.0);
         let at = |i: i32| {
             let [x, v] = curve(f64::from(i) / f64::from(n));
-            let place = Place { piece: 0, x, v };
+            let place = PatternPlace { piece: 0, x, v };
             (flat.flatten(place).unwrap(), flat.space(place).unwrap())
         };
         for i in 0..n {
@@ -174,7 +174,7 @@ fn marks_that_touch_the_edge_of_regression_are_carried_to_its_flat_image() {
     let sheet: f64 = carried.windows(2).map(|w| norm(&sub(&w[1], &w[0]))).sum();
     let at = |i: i32| {
         let [x, v] = curve(f64::from(i) / 20_000.0);
-        flat.space(Place { piece: 0, x, v }).unwrap()
+        flat.space(PatternPlace { piece: 0, x, v }).unwrap()
     };
     let space: f64 = (0..20_000).map(|i| norm(&sub(&at(i + 1), &at(i)))).sum();
     assert!((sheet - space).abs() < 1e-4 * space, "{sheet} {space}");
@@ -186,7 +186,7 @@ fn marks_that_touch_the_edge_of_regression_are_carried_to_its_flat_image() {
     // The way back: next to the edge the distance falls with the square, the ruling is known to half the digits,
     // the point to all of them.
     for x in [0.0, 0.3, 0.5, 1.0] {
-        let place = Place {
+        let place = PatternPlace {
             piece: 0,
             x,
             v: 0.0,

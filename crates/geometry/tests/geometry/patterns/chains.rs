@@ -3,7 +3,7 @@
 use crate::support::{helix, unroll};
 use torse_algebra::Jet;
 use torse_geometry::curve::ellipse_arc;
-use torse_geometry::pattern::{PatternError, Place};
+use torse_geometry::pattern::{PatternError, PatternPlace};
 use torse_geometry::surface::Rails;
 use torse_geometry::vector::{norm, sub};
 use torse_geometry::{Bernstein, Curve, GeometryError, RuledSurface};
@@ -75,7 +75,7 @@ fn a_chain_of_parts_is_the_pattern_of_the_whole_however_the_parts_are_run() {
             "{bends:?}"
         );
         // A point of the second part comes back from the sheet.
-        let place = Place {
+        let place = PatternPlace {
             piece: 1,
             x: 0.3,
             v: 0.4,

@@ -4,10 +4,10 @@ use crate::support::{Formula, cone, cubic, helix, unroll};
 use std::f64::consts::PI;
 use torse_algebra::Jet;
 use torse_geometry::curve::ellipse_arc;
-use torse_geometry::pattern::{FlatPattern, Place};
+use torse_geometry::pattern::{FlatPattern, PatternPlace};
 use torse_geometry::surface::Rails;
 use torse_geometry::vector::{norm, sub};
-use torse_geometry::{Bounds, EnvelopingPatch, Gbt, PlaneFamily, RuledSurface};
+use torse_geometry::{EnvelopingPatch, Gbt, PatchBounds, PlaneFamily, RuledSurface};
 
 /// The largest distance of points of the exact outline from the cut one, and of points of the cut one from the
 /// exact one, where `exact` gives the flat ruling of a parameter.
@@ -210,7 +210,7 @@ fn a_cone_of_planes_unrolls_about_the_image_of_its_apex() {
         [h, h, 5.0, 125.0],
     ];
     let family = PlaneFamily::new(Gbt::new(0.5, 0.5).unwrap(), planes).unwrap();
-    let cuts = Bounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 5.0]]);
+    let cuts = PatchBounds::Planes([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 1.0, 5.0]]);
     let patch = EnvelopingPatch::new(family, cuts).unwrap();
     let flat = unroll(&patch, 65, 1e-8).unwrap();
     let apex = [0.0, 0.0, 25.0];
@@ -259,7 +259,7 @@ fn the_tangents_of_the_twisted_cubic_lie_where_integration_with_fifty_digits_put
         let errors = flat.errors();
         for (x, p, q) in CUBIC {
             for (v, exact) in [(0.0, p), (1.0, q)] {
-                let point = flat.flatten(Place { piece: 0, x, v }).unwrap();
+                let point = flat.flatten(PatternPlace { piece: 0, x, v }).unwrap();
                 let off = norm(&sub(&point, &exact));
                 assert!(off <= errors.point, "x = {x}: {off:e} {errors:?}");
                 assert!(flat.outline().distance(exact) <= errors.outline);

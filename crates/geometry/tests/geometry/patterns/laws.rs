@@ -48,7 +48,7 @@ proptest! {
         let (Ok(p), Ok(q)) = (Curve::new(Bernstein, p), Curve::new(Bernstein, q)) else { return Ok(()) };
         let patch = RuledSurface::new(p, q);
         for demand in [Unrolling::within(1e-3), Unrolling::within(1e-3).allow_strain(0.999)] {
-            if let Ok(flat) = demand.rulings(5).of(&patch) {
+            if let Ok(flat) = demand.rulings(5).unroll(&patch) {
                 let e = flat.errors();
                 let numbers = [e.outline, e.point, e.angle, e.length, e.area, flat.strain(), flat.area()];
                 prop_assert!(numbers.iter().all(|v| v.is_finite() && *v >= 0.0), "{numbers:?}");

@@ -40,7 +40,7 @@ fn what_cannot_be_cut_from_a_sheet_is_refused_with_numbers() {
     assert!(limit == 1e-6 && strain > 1e-3 && twist > 0.1);
     let allowed = Unrolling::within(1e-6)
         .allow_strain(0.5)
-        .of(&saddle)
+        .unroll(&saddle)
         .unwrap();
     assert!(allowed.is_strained() && allowed.strain() > 0.05);
     // A cusp: the first rail and the second turn back together.

@@ -1,6 +1,6 @@
 //! Random twisted strips against developments that were integrated elsewhere with 40 digits: `tests/strips/strips.py`.
 
-use torse_geometry::pattern::{Flattening, Place, Unrolling};
+use torse_geometry::pattern::{Flattening, PatternPlace, Unrolling};
 use torse_geometry::sheet::{Rail, Sheet};
 use torse_geometry::vector::{norm, sub};
 
@@ -87,7 +87,7 @@ fn no_bound_is_below_the_error_of_the_named_development_nor_the_ambiguity_below_
             let (errors, (exact, lengths)) = (flat.errors(), &strip.developments[k]);
             for (ruling, x) in exact.iter().zip([0.25, 0.5, 0.75, 1.0]) {
                 for (point, v) in ruling.iter().zip([0.0, 1.0]) {
-                    let found = flat.flatten(Place { piece: 0, x, v }).unwrap();
+                    let found = flat.flatten(PatternPlace { piece: 0, x, v }).unwrap();
                     let off = norm(&sub(&found, point));
                     assert!(
                         off <= errors.point,
@@ -185,7 +185,7 @@ fn a_long_plank_is_cut_with_edges_of_the_right_length_and_says_how_far_it_is_fro
         .unwrap();
     let [a, m, b] = [0.0, 0.5, 1.0].map(|x| {
         straight
-            .flatten(Place {
+            .flatten(PatternPlace {
                 piece: 0,
                 x,
                 v: 0.0,

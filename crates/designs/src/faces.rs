@@ -1,0 +1,353 @@
+//! A design from a file of another program: each face with rulings between two of its edges is a patch.
+
+use crate::DesignUnit;
+use crate::audit::FaceAudit;
+use crate::bending::Bending;
+use crate::design::{
+    Chain, ChainLayout, Design, DesignView, Patch, PatchEnds, Tolerances, USUAL_RULINGS,
+};
+use crate::error::DesignError;
+use std::path::Path;
+use torse_exchange::{CurveShape, Imported, ImportedFace, SurfaceShape};
+use torse_geometry::prelude::{GeometryError, PiecewiseRail, Point, Sheet, SweptEdge};
+use torse_geometry::vector::{cross, dot, norm, sub};
+
+/// Points of a file that are nearer than this share of the size of a face are one, unless it states an uncertainty.
+const SAME: f64 = 1e-6;
+/// Rulings at which a patch is compared with the surface of its face.
+const SAMPLES: u32 = 9;
+
+/// What the edges of a face are to its rulings.
+enum Border {
+    /// Rulings run from the one to the other.
+    Between([PiecewiseRail; 2]),
+    /// Rulings run to a point.
+    Apex(PiecewiseRail, Point),
+}
+
+/// The design of the faces of a file.
+///
+/// # Errors
+/// [`DesignError::NoFace`] where no face has rulings between its edges, with the reason for each.
+pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, DesignError> {
+    let name = Path::new(path).file_stem().unwrap_or_default();
+    let name = name.to_string_lossy().into_owned();
+    let mut design = Design {
+        title: name.clone(),
+        name,
+        unit: DesignUnit::Millimetre,
+        metal: None,
+        bending: Bending::USUAL,
+        tolerances: Tolerances::USUAL,
+        view: DesignView {
+            angles: None,
+            rulings: USUAL_RULINGS,
+        },
+        patches: Vec::new(),
+        chains: Vec::new(),
+        notes: vec![format!(
+            "{path}: {}, lengths in {}",
+            imported.kind, imported.unit
+        )],
+        surfaces: Vec::new(),
+        seams: Vec::new(),
+    };
+    let mut left_out = Vec::new();
+    for face in &imported.faces {
+        match sheets(face, imported) {
+            Ok((sheets, closed)) => add(&mut design, face, sheets, closed),
+            Err(reason) => {
+                let verdict = FaceAudit::of_surface(face).map(|audit| audit.words);
+                let verdict =
+                    verdict.map_or(String::new(), |words| format!(" (developable: {words})"));
+                left_out.push(format!("{}: {reason}{verdict}", face.name));
+            }
+        }
+    }
+    if design.patches.is_empty() {
+        return Err(DesignError::NoFace {
+            path: path.to_owned(),
+            reasons: left_out,
+        });
+    }
+    let left_out = left_out.into_iter();
+    design
+        .notes
+        .extend(left_out.map(|reason| format!("left out: {reason}")));
+    Ok(design)
+}
+
+fn add(design: &mut Design, face: &ImportedFace, sheets: Vec<Sheet>, closed: bool) {
+    let first = design.patches.len();
+    let several = sheets.len() > 1;
+    let joints = sheets.len().saturating_sub(1);
+    for (index, sheet) in sheets.into_iter().enumerate() {
+        let name = if several {
+            format!("{}.{}", face.name, index + 1)
+        } else {
+            face.name.clone()
+        };
+        design.patches.push(Patch {
+            name,
+            kind: "face",
+            sheet,
+            ends: PatchEnds {
+                planes: None,
+                rails: None,
+                part: [0.0, 1.0],
+            },
+            marks: Vec::new(),
+            bend: false,
+            edges: Vec::new(),
+            notes: Vec::new(),
+        });
+    }
+    if several {
+        design.chains.push(Chain {
+            name: face.name.clone(),
+            patches: (first..design.patches.len()).collect(),
+            continuity: None,
+            closed,
+            layout: ChainLayout::Attached,
+            radii: vec![None; joints],
+        });
+    }
+}
+
+/// The sheets of a face, and whether the last meets the first; or why it has none.
+fn sheets(face: &ImportedFace, imported: &Imported) -> Result<(Vec<Sheet>, bool), String> {
+    let words = |error: GeometryError| error.to_string();
+    let border = border(face, imported)?;
+    let (pairs, closed) = match border {
+        Border::Apex(rail, apex) => {
+            let tolerance = tolerance(imported, &rail, &rail).map_err(words)?;
+            let edges = [SweptEdge::Share(1.0), SweptEdge::Share(0.0)];
+            let mut cones = Vec::new();
+            for piece in rail.rails().map_err(words)? {
+                cones.push(Sheet::swept_cone(&piece, apex, edges).map_err(words)?);
+            }
+            on_surface(face, &cones, tolerance)?;
+            return Ok((cones, is_closed(&rail, tolerance).map_err(words)?));
+        }
+        Border::Between([first, second]) => {
+            let tolerance = tolerance(imported, &first, &second).map_err(words)?;
+            let own = own_rails(&face.surface).map_err(words)?;
+            let [first, second] = match own {
+                // The surface says itself between which curves its rulings run.
+                Some(own) => untrimmed([first, second], own, tolerance)?,
+                None => [first, second],
+            };
+            let closed = is_closed(&first, tolerance).map_err(words)?
+                && is_closed(&second, tolerance).map_err(words)?;
+            let pair = first.common_refinement(&second).map_err(words)?;
+            let [p, q] = [
+                pair[0].rails().map_err(words)?,
+                pair[1].rails().map_err(words)?,
+            ];
+            let sheets: Vec<Sheet> = p
+                .into_iter()
+                .zip(q)
+                .map(|(p, q)| Sheet::ruled(p, q))
+                .collect();
+            on_surface(face, &sheets, tolerance)?;
+            (sheets, closed)
+        }
+    };
+    Ok((pairs, closed))
+}
+
+/// The distance within which points are one.
+fn tolerance(
+    imported: &Imported,
+    first: &PiecewiseRail,
+    second: &PiecewiseRail,
+) -> Result<f64, GeometryError> {
+    let mut points = Vec::new();
+    for rail in [first, second] {
+        for x in [0.0, 0.5, 1.0] {
+            points.push(rail.point(x)?);
+        }
+    }
+    let reach = points
+        .iter()
+        .flat_map(|a| points.iter().map(|b| norm(&sub(a, b))));
+    let size = reach.fold(0.0, f64::max);
+    Ok((SAME * size).max(imported.uncertainty.unwrap_or(0.0)))
+}
+
+fn is_closed(rail: &PiecewiseRail, tolerance: f64) -> Result<bool, GeometryError> {
+    Ok(norm(&sub(&rail.point(0.0)?, &rail.point(1.0)?)) <= tolerance)
+}
+
+/// Two edges between which rulings may run, passed side by side.
+fn border(face: &ImportedFace, imported: &Imported) -> Result<Border, String> {
+    let words = |error: GeometryError| error.to_string();
+    let shape = |index: usize| imported.curves.get(index).map(|curve| &curve.shape);
+    let all: Vec<(usize, bool)> = face.loops.iter().flatten().copied().collect();
+    // The seam of a closed surface is passed twice.
+    let times = |edge: usize| all.iter().filter(|(other, _)| *other == edge).count();
+    let kept: Vec<(usize, bool)> = all
+        .iter()
+        .filter(|(edge, _)| times(*edge) == 1)
+        .copied()
+        .collect();
+    let straight = |k: usize| {
+        let edge = kept.get(k).and_then(|(edge, _)| shape(*edge));
+        matches!(edge, Some(CurveShape::Spline(spline)) if spline.degree() == 1 && spline.points().len() == 2)
+    };
+    let rail = |k: usize| -> Result<PiecewiseRail, String> {
+        let missing = || "an edge is missing".to_owned();
+        let (edge, forward) = kept.get(k).ok_or_else(missing)?;
+        let shape = shape(*edge).ok_or_else(missing)?;
+        let shape = if *forward {
+            shape.clone()
+        } else {
+            shape.reversed()
+        };
+        shape.rail().map_err(words)
+    };
+    let between = |a: usize, b: usize| -> Result<Border, String> {
+        let second = rail(b)?.reversed().map_err(words)?;
+        Ok(Border::Between([rail(a)?, second]))
+    };
+    match (kept.len(), face.loops.len()) {
+        (1, _) => {
+            // A cone whose seam leads from its edge to its apex.
+            let base = rail(0)?;
+            let start = base.point(0.0).map_err(words)?;
+            let seam = all.iter().find(|(edge, _)| times(*edge) == 2);
+            let seam = seam.and_then(|(edge, _)| shape(*edge));
+            let Some(seam) = seam else {
+                return Err("one edge and no seam: it has no rulings between edges".to_owned());
+            };
+            let seam = seam.rail().map_err(words)?;
+            let ends = [
+                seam.point(0.0).map_err(words)?,
+                seam.point(1.0).map_err(words)?,
+            ];
+            let away = |point: &Point| norm(&sub(point, &start));
+            let apex = if away(&ends[0]) > away(&ends[1]) {
+                ends[0]
+            } else {
+                ends[1]
+            };
+            Ok(Border::Apex(base, apex))
+        }
+        (2, _) => between(0, 1),
+        (3, 1) => {
+            let base = (0..3).find(|k| straight((k + 1) % 3) && straight((k + 2) % 3));
+            let Some(base) = base else {
+                return Err("three edges of which not two are straight".to_owned());
+            };
+            let apex = rail((base + 1) % 3)?.point(1.0).map_err(words)?;
+            Ok(Border::Apex(rail(base)?, apex))
+        }
+        (4, 1) if straight(1) && straight(3) => between(0, 2),
+        (4, 1) if straight(0) && straight(2) => between(1, 3),
+        (count, loops) => Err(format!(
+            "{count} edges in {loops} loops: only faces between two edges and two rulings are unrolled"
+        )),
+    }
+}
+
+/// The curves between which a surface says that its rulings run.
+fn own_rails(surface: &SurfaceShape) -> Result<Option<[PiecewiseRail; 2]>, GeometryError> {
+    match surface {
+        SurfaceShape::Ruled(pair) => {
+            let [first, second] = pair.as_ref();
+            Ok(Some([first.rail()?, second.rail()?]))
+        }
+        SurfaceShape::Spline(surface) => match surface.rails()? {
+            Some([first, second]) => Ok(Some([
+                PiecewiseRail::spline(&first)?,
+                PiecewiseRail::spline(&second)?,
+            ])),
+            None => Ok(None),
+        },
+        _ => Ok(None),
+    }
+}
+
+/// The curves of the surface, if the edges are these curves: else the face is trimmed.
+fn untrimmed(
+    edges: [PiecewiseRail; 2],
+    own: [PiecewiseRail; 2],
+    tolerance: f64,
+) -> Result<[PiecewiseRail; 2], String> {
+    let words = |error: GeometryError| error.to_string();
+    let same = |a: &PiecewiseRail, b: &PiecewiseRail| -> Result<bool, String> {
+        for k in 0..=SAMPLES {
+            let x = f64::from(k) / f64::from(SAMPLES);
+            let (p, q) = (a.point(x).map_err(words)?, b.point(x).map_err(words)?);
+            if norm(&sub(&p, &q)) > tolerance {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    };
+    let turned = [
+        own[0].reversed().map_err(words)?,
+        own[1].reversed().map_err(words)?,
+    ];
+    let mut found = false;
+    for [p, q] in [[&own[0], &own[1]], [&turned[0], &turned[1]]] {
+        for [p, q] in [[p, q], [q, p]] {
+            found = found || (same(&edges[0], p)? && same(&edges[1], q)?);
+        }
+    }
+    if found {
+        return Ok(own);
+    }
+    Err("its edges are not the curves between which its rulings run: it is trimmed".to_owned())
+}
+
+/// Whether rulings of these sheets lie on the surface of a face, as far as samples show.
+fn on_surface(face: &ImportedFace, sheets: &[Sheet], tolerance: f64) -> Result<(), String> {
+    let words = |error: GeometryError| error.to_string();
+    for sheet in sheets {
+        for k in 0..=SAMPLES {
+            let u = f64::from(k) / f64::from(SAMPLES);
+            for v in [0.25, 0.5, 0.75] {
+                let point = sheet.point(u, v).map_err(words)?;
+                let off = match &face.surface {
+                    SurfaceShape::Plane(frame) => {
+                        dot(&sub(&point, &frame.origin), &frame.axis).abs()
+                    }
+                    SurfaceShape::Cylinder(frame, radius) => {
+                        let [_, out] = polar(&point, &frame.origin, &frame.axis);
+                        (out - radius).abs()
+                    }
+                    SurfaceShape::Cone(frame, radius, angle) => {
+                        let [along, out] = polar(&point, &frame.origin, &frame.axis);
+                        (out - (radius + along * libm::tan(*angle)).abs()).abs() * libm::cos(*angle)
+                    }
+                    SurfaceShape::Extruded(_, vector) => {
+                        let [p, q] = sheet.ruling(u).map_err(words)?;
+                        norm(&cross(&sub(&q, &p), vector)) / norm(vector)
+                    }
+                    // Its own curves were taken.
+                    SurfaceShape::Ruled(_) => 0.0,
+                    SurfaceShape::Spline(surface) if surface.degrees.contains(&1) => 0.0,
+                    _ => {
+                        return Err(format!(
+                            "the rulings of a {} surface are not known",
+                            face.surface.words()
+                        ));
+                    }
+                };
+                if off.is_nan() || off > 4.0 * tolerance {
+                    return Err(format!(
+                        "lines between its edges at equal parameters leave its surface by {off:.2e} mm: no rulings"
+                    ));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The way along an axis and the distance from it.
+fn polar(point: &Point, origin: &Point, axis: &Point) -> [f64; 2] {
+    let arm = sub(point, origin);
+    [dot(&arm, axis), norm(&cross(&arm, axis))]
+}

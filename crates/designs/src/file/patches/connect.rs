@@ -1,0 +1,227 @@
+//! Developables between two free curves: one of several, or a whole panel.
+
+use super::raw::{MadePatches, Raw, trimmed};
+use crate::design::{Mark, Smoothness};
+use crate::file::pieces::{Cells, distributed, is_closed};
+use crate::file::reader::{Reader, accepted};
+use std::ops::Range;
+use torse_geometry::developable::Branch;
+use torse_geometry::prelude::{
+    BranchReason, Connected, GeometryError, Panel, PanelKind, PanelPiece, Panels, PiecewiseRail,
+    Rail, Sheet,
+};
+
+/// Whether both curves are closed, or one of them has several pieces: then a whole panel is meant.
+pub(super) fn is_whole(pair: &[PiecewiseRail; 2]) -> Result<bool, GeometryError> {
+    if pair.iter().any(|curve| curve.count() > 1) {
+        return Ok(true);
+    }
+    Ok(is_closed(&pair[0])? && is_closed(&pair[1])?)
+}
+
+/// The panels that were found, or why there are none.
+pub(super) fn paneled<'p>(
+    reader: &mut Reader,
+    place: &Range<usize>,
+    found: &'p Panels,
+) -> Option<&'p [Panel]> {
+    let listed = |ranges: &[[[f64; 2]; 2]]| -> String {
+        let each = ranges.iter().map(|[[s0, s1], [t0, t1]]| {
+            format!("curve 1 from {s0} to {s1} with curve 2 from {t0} to {t1}")
+        });
+        each.collect::<Vec<_>>().join("; ")
+    };
+    match found {
+        Panels::Found(panels) => return Some(panels),
+        Panels::None { ways } => {
+            let help = if ways.is_empty() {
+                "no ruling touches both: bend the curves, or use `ruled`".to_owned()
+            } else {
+                format!("the developables between them: {}", listed(ways))
+            };
+            let message = "there is no whole panel between the curves: proved";
+            reader.complain(place, message, &help);
+        }
+        Panels::Undecided { cells } => {
+            let ranges: Vec<[[f64; 2]; 2]> = cells.iter().map(|c| [c.s, c.t]).take(8).collect();
+            let help = format!(
+                "{} cells of the parameters are undecided: {}",
+                cells.len(),
+                listed(&ranges)
+            );
+            reader.complain(place, "no whole panel was found between the curves", &help);
+        }
+    }
+    None
+}
+
+/// The patches of a panel.
+pub(super) fn assembled(
+    reader: &mut Reader,
+    (name, span): (&str, &Range<usize>),
+    panel: &Panel,
+    all: &[Panel],
+    (number, marks): (usize, Vec<Mark>),
+) -> Option<MadePatches> {
+    let cells = Cells::of_panel(panel);
+    let marks = distributed(marks, &cells);
+    let several = panel.pieces.len() > 1;
+    let mut patches = Vec::with_capacity(panel.pieces.len());
+    for (index, (piece, marks)) in panel.pieces.iter().zip(marks).enumerate() {
+        let name = if several {
+            format!("{name}.{}", index + 1)
+        } else {
+            name.to_owned()
+        };
+        let mut notes = Vec::new();
+        if index == 0 {
+            notes.push(summary(panel, number, all.len()));
+        }
+        notes.push(extent(piece));
+        let raw = Raw::connecting(piece.sheet.clone(), notes);
+        patches.push(trimmed(
+            reader,
+            span,
+            (name, "connect"),
+            raw,
+            ([0.0, 1.0], marks),
+        )?);
+    }
+    Some(MadePatches {
+        patches,
+        closed: several && panel.closed,
+        continuity: (panel.folds == 0).then_some(Smoothness::G1),
+        cut: None,
+    })
+}
+
+/// What is said of a panel as a whole.
+fn summary(panel: &Panel, number: usize, count: usize) -> String {
+    let mut text = match count {
+        1 => "a whole panel, the only one found".to_owned(),
+        _ => format!("the whole panel {number} of {count}, the best first: `panel` takes another"),
+    };
+    text.push_str(&format!(
+        "; {:.1} % of the curves in fans",
+        100.0 * panel.fans
+    ));
+    if panel.folds > 0 {
+        text.push_str(&format!(", {} folds", panel.folds));
+    }
+    if panel.turned {
+        text.push_str("; curve 2 runs against curve 1: it is passed from its end to its start");
+    }
+    text
+}
+
+/// What part of the curves a piece of a panel takes.
+fn extent(piece: &PanelPiece) -> String {
+    let [[s0, s1], [t0, t1]] = piece.ranges;
+    match piece.kind {
+        PanelKind::Arc => {
+            format!("touches curve 1 from {s0} to {s1} and curve 2 from {t0} to {t1}")
+        }
+        PanelKind::Fan(1) => {
+            format!("a fan from the point of curve 1 at {s0} over curve 2 from {t0} to {t1}")
+        }
+        PanelKind::Fan(_) => {
+            format!("a fan from the point of curve 2 at {t0} over curve 1 from {s0} to {s1}")
+        }
+    }
+}
+
+/// A developable that touches two free curves: the one of this number, or the best.
+pub(super) fn connected(
+    reader: &mut Reader,
+    place: &Range<usize>,
+    [first, second]: [&Rail; 2],
+    branch: Option<(usize, Range<usize>)>,
+) -> Option<Raw> {
+    let mut notes = Vec::new();
+    let mut found = accepted(reader, place, Sheet::between(first, second))?;
+    if found.sheet.is_none() {
+        // A curve may be drawn from either of its ends.
+        let turned = accepted(reader, place, Sheet::between(first, &second.reversed()))?;
+        if turned.sheet.is_some() {
+            notes.push(
+                "curve 2 runs against curve 1: it is passed from its end to its start".to_owned(),
+            );
+            found = turned;
+        }
+    }
+    let Some(best) = &found.sheet else {
+        let twists = found.gaps.iter().map(|gap| gap.worst.twist);
+        let worst = twists.fold(0.0, f64::max).to_degrees();
+        let help = format!(
+            "the best ruling twists by up to {worst:.3} degrees: bend the curves, or use `ruled`"
+        );
+        reader.complain(place, "no developable touches both curves", &help);
+        return None;
+    };
+    let count = found.branches.len();
+    if let Some((number, place)) = branch {
+        let Some(sheet) = number
+            .checked_sub(1)
+            .and_then(|index| found.sheets.get(index))
+        else {
+            let message = format!("there is no developable {number} between the curves");
+            let help = format!("`branch` is from 1 to {count}");
+            reader.complain(&place, message, &help);
+            return None;
+        };
+        notes.push(format!(
+            "the developable {number} of {count} that touch both curves"
+        ));
+        notes.extend(others(&found));
+        return Some(Raw::connecting(sheet.clone(), notes));
+    }
+    notes.push(match count {
+        1 => "one developable touches both curves".to_owned(),
+        _ => format!(
+            "of {count} developables that touch both curves: {}",
+            reason(&found)
+        ),
+    });
+    notes.extend(others(&found));
+    if !found.gaps.is_empty() {
+        notes.push(
+            "`panel = 1` goes on over the rest with fans, where there is a whole panel".to_owned(),
+        );
+    }
+    for gap in &found.gaps {
+        notes.push(format!(
+            "curve {} from {} to {} is left over: there the best ruling twists by up to {:.3} degrees",
+            gap.curve + 1,
+            gap.range[0],
+            gap.range[1],
+            gap.worst.twist.to_degrees()
+        ));
+    }
+    Some(Raw::connecting(best.clone(), notes))
+}
+
+/// Why the best was chosen.
+fn reason(found: &Connected) -> String {
+    match found.reason {
+        None | Some(BranchReason::Only) => "the only one".to_owned(),
+        Some(BranchReason::OnlyRegular) => "the only regular one".to_owned(),
+        Some(BranchReason::CoversMost(own, next)) => format!(
+            "it uses {:.1} % of the curves, the next best {:.1} %",
+            100.0 * own,
+            100.0 * next
+        ),
+        Some(BranchReason::ShorterRulings(own, next)) => {
+            format!("its longest ruling is {own:.4} mm, that of the next {next:.4} mm")
+        }
+    }
+}
+
+/// All developables, where there are several, so that each can be asked for.
+fn others(found: &Connected) -> Option<String> {
+    let part = |(number, branch): (usize, &Branch)| {
+        let [[s0, s1], [t0, t1]] = branch.ranges();
+        format!("{number}: curve 1 from {s0} to {s1}, curve 2 from {t0} to {t1}")
+    };
+    let list: Vec<String> = (1..).zip(&found.branches).map(part).collect();
+    (list.len() > 1).then(|| format!("take another by `branch`; {}", list.join("; ")))
+}
