@@ -9,7 +9,7 @@ use crate::design::{
 use crate::error::DesignError;
 use std::path::Path;
 use torse_exchange::{CurveShape, Imported, ImportedFace, SurfaceShape};
-use torse_geometry::prelude::{GeometryError, PiecewiseRail, Point, Sheet, SweptEdge};
+use torse_geometry::prelude::{GeometryError, PiecewiseRail, Point, Rail, Sheet, SweptEdge};
 use torse_geometry::vector::{cross, dot, norm, sub};
 
 /// Points of a file that are nearer than this share of the size of a face are one, unless it states an uncertainty.
@@ -55,7 +55,7 @@ pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, Design
     let mut left_out = Vec::new();
     for face in &imported.faces {
         match sheets(face, imported) {
-            Ok((sheets, closed)) => add(&mut design, face, sheets, closed),
+            Ok(found) => add(&mut design, face, found),
             Err(reason) => {
                 let verdict = FaceAudit::of_surface(face).map(|audit| audit.words);
                 let verdict =
@@ -77,7 +77,21 @@ pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, Design
     Ok(design)
 }
 
-fn add(design: &mut Design, face: &ImportedFace, sheets: Vec<Sheet>, closed: bool) {
+/// What is unrolled of a face.
+struct FaceSheets {
+    sheets: Vec<Sheet>,
+    /// Whether the last meets the first.
+    closed: bool,
+    /// What was made equal.
+    note: Option<String>,
+}
+
+fn add(design: &mut Design, face: &ImportedFace, found: FaceSheets) {
+    let FaceSheets {
+        sheets,
+        closed,
+        note,
+    } = found;
     let first = design.patches.len();
     let several = sheets.len() > 1;
     let joints = sheets.len().saturating_sub(1);
@@ -99,7 +113,7 @@ fn add(design: &mut Design, face: &ImportedFace, sheets: Vec<Sheet>, closed: boo
             marks: Vec::new(),
             bend: false,
             edges: Vec::new(),
-            notes: Vec::new(),
+            notes: note.iter().filter(|_| index == 0).cloned().collect(),
         });
     }
     if several {
@@ -114,11 +128,11 @@ fn add(design: &mut Design, face: &ImportedFace, sheets: Vec<Sheet>, closed: boo
     }
 }
 
-/// The sheets of a face, and whether the last meets the first; or why it has none.
-fn sheets(face: &ImportedFace, imported: &Imported) -> Result<(Vec<Sheet>, bool), String> {
+/// The sheets of a face, or why it has none.
+fn sheets(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String> {
     let words = |error: GeometryError| error.to_string();
     let border = border(face, imported)?;
-    let (pairs, closed) = match border {
+    match border {
         Border::Apex(rail, apex) => {
             let tolerance = tolerance(imported, &rail, &rail).map_err(words)?;
             let edges = [SweptEdge::Share(1.0), SweptEdge::Share(0.0)];
@@ -127,7 +141,11 @@ fn sheets(face: &ImportedFace, imported: &Imported) -> Result<(Vec<Sheet>, bool)
                 cones.push(Sheet::swept_cone(&piece, apex, edges).map_err(words)?);
             }
             on_surface(face, &cones, tolerance)?;
-            return Ok((cones, is_closed(&rail, tolerance).map_err(words)?));
+            Ok(FaceSheets {
+                sheets: cones,
+                closed: is_closed(&rail, tolerance).map_err(words)?,
+                note: None,
+            })
         }
         Border::Between([first, second]) => {
             let tolerance = tolerance(imported, &first, &second).map_err(words)?;
@@ -144,16 +162,81 @@ fn sheets(face: &ImportedFace, imported: &Imported) -> Result<(Vec<Sheet>, bool)
                 pair[0].rails().map_err(words)?,
                 pair[1].rails().map_err(words)?,
             ];
-            let sheets: Vec<Sheet> = p
-                .into_iter()
-                .zip(q)
-                .map(|(p, q)| Sheet::ruled(p, q))
-                .collect();
+            let pairs: Vec<[Rail; 2]> = p.into_iter().zip(q).map(|(p, q)| [p, q]).collect();
+            let (sheets, note) = match swept(&face.surface, &pairs, tolerance).map_err(words)? {
+                Some((sheets, off)) => {
+                    let note = format!(
+                        "made over its first edge: the second one is that of the file but for {off:.1e} mm, measured"
+                    );
+                    (sheets, Some(note))
+                }
+                None => {
+                    let ruled = pairs.into_iter().map(|[p, q]| Sheet::ruled(p, q));
+                    (ruled.collect(), None)
+                }
+            };
             on_surface(face, &sheets, tolerance)?;
-            (sheets, closed)
+            Ok(FaceSheets {
+                sheets,
+                closed,
+                note,
+            })
         }
+    }
+}
+
+/// Of a cone or cylinder between two edges that are images of one another along its rulings: the cones or cylinders over the
+/// first edge, which are exact whatever the rounding of the numbers in the file, and how far the second edge is from theirs,
+/// as samples show. `None` of any other face.
+fn swept(
+    surface: &SurfaceShape,
+    pairs: &[[Rail; 2]],
+    tolerance: f64,
+) -> Result<Option<(Vec<Sheet>, f64)>, GeometryError> {
+    let Some([p, q]) = pairs.first() else {
+        return Ok(None);
     };
-    Ok((pairs, closed))
+    let [start, end] = [p.point(0.0)?, q.point(0.0)?];
+    let along = |base: &Point, axis: &Point, share: f64| -> Point {
+        std::array::from_fn(|k| base[k] + share * axis[k])
+    };
+    // Where the second edge should be, and the sheet over the first one.
+    type Image = Box<dyn Fn(&Point) -> Point>;
+    type Swept = Box<dyn Fn(&Rail) -> Result<Sheet, GeometryError>>;
+    let (image, sheet): (Image, Swept) = match surface {
+        SurfaceShape::Cone(frame, radius, angle) => {
+            let apex = along(&frame.origin, &frame.axis, -radius / libm::tan(*angle));
+            let share = norm(&sub(&end, &apex)) / norm(&sub(&start, &apex));
+            let edges = [SweptEdge::Share(1.0), SweptEdge::Share(share)];
+            (
+                Box::new(move |p| along(&apex, &sub(p, &apex), share)),
+                Box::new(move |rail| Sheet::swept_cone(rail, apex, edges)),
+            )
+        }
+        SurfaceShape::Cylinder(frame, _) => {
+            let height = dot(&sub(&end, &start), &frame.axis);
+            let direction = frame.axis.map(|c| c * height);
+            let edges = [SweptEdge::Share(0.0), SweptEdge::Share(1.0)];
+            (
+                Box::new(move |p| along(p, &direction, 1.0)),
+                Box::new(move |rail| Sheet::cylinder(rail, direction, edges)),
+            )
+        }
+        _ => return Ok(None),
+    };
+    let (mut sheets, mut farthest) = (Vec::with_capacity(pairs.len()), 0.0_f64);
+    for [p, q] in pairs {
+        for k in 0..=SAMPLES {
+            let x = f64::from(k) / f64::from(SAMPLES);
+            let off = norm(&sub(&q.point(x)?, &image(&p.point(x)?)));
+            if off.is_nan() || off > tolerance {
+                return Ok(None);
+            }
+            farthest = farthest.max(off);
+        }
+        sheets.push(sheet(p)?);
+    }
+    Ok(Some((sheets, farthest)))
 }
 
 /// The distance within which points are one.

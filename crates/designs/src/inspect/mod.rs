@@ -381,7 +381,13 @@ fn measured(
         (Some(proved), _) => {
             let bounds = proved.clearance;
             let unbounded = bounds.high == f64::INFINITY && certificate.clearance.is_none();
-            (!unbounded).then(|| ValueBounds::new(bounds.low, bounds.high))
+            // Of an end that was left out it is known at most that the edge does not run through it.
+            let low = match ends {
+                EndsJudged::All => bounds.low,
+                EndsJudged::Proved(_) => bounds.low.min(0.0),
+                EndsJudged::Open => f64::NEG_INFINITY,
+            };
+            (!unbounded).then(|| ValueBounds::new(low, bounds.high))
         }
         (None, Some(_)) => Some(ValueBounds::new(f64::NEG_INFINITY, f64::INFINITY)),
         (None, None) => None,

@@ -47,7 +47,7 @@ fn the_conical_face_of_a_step_file_is_unrolled() {
     assert!(report.missed.is_empty(), "{:?}", report.missed);
     assert_eq!(
         (report.patches[0].developable, report.patches[0].regular),
-        (Assurance::Proved, Assurance::Proved)
+        (Assurance::ByConstruction, Assurance::Proved)
     );
     let pieces = unroll(&design, &Demand::default()).unwrap();
     // Radii 50 and 25, 80 high: pi (50 + 25) times the slant height.
