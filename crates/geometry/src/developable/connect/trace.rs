@@ -99,21 +99,43 @@ const LEAST_STEP: f64 = 1.0 / 65536.0;
 /// Newton steps to a solution.
 const NEWTON: usize = 30;
 
-/// `w` and `(F_t - F_s)/2` on the antidiagonal `u` near `guess`, if the branch rises there.
+/// `w` on the antidiagonal `u` near `guess`, if the branch rises there.
 pub(super) fn solution<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
     rails: (&P, &Q),
     u: f64,
     guess: f64,
     room: f64,
 ) -> Option<f64> {
+    newton(rails, u, guess, room, |Equation { by_s, by_t, .. }| {
+        (*by_s > 0.0 && *by_t < 0.0) || (*by_s < 0.0 && *by_t > 0.0)
+    })
+}
+
+/// [`solution`] near a proved link, where the branch may be as flat as rounding: whether it rises is not asked.
+pub(super) fn solution_on_link<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
+    rails: (&P, &Q),
+    u: f64,
+    guess: f64,
+    room: f64,
+) -> Option<f64> {
+    newton(rails, u, guess, room, |_| true)
+}
+
+/// Newton's method for `w` on the antidiagonal `u`, as long as the derivatives are `admitted`, and `w` stays within `room` of
+/// the guess.
+fn newton<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
+    rails: (&P, &Q),
+    u: f64,
+    guess: f64,
+    room: f64,
+    admitted: impl Fn(&Equation<f64>) -> bool,
+) -> Option<f64> {
     let mut w = guess;
     let mut last = f64::INFINITY;
     for _ in 0..NEWTON {
         let equation = Equation::at(rails, &(0.5 * (u - w)), &(0.5 * (u + w))).ok()?;
-        let (a, b) = (equation.by_s, equation.by_t);
-        let rises = (a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0);
-        let step = equation.value / (0.5 * (b - a));
-        if !rises || !step.is_finite() {
+        let step = equation.value / (0.5 * (equation.by_t - equation.by_s));
+        if !admitted(&equation) || !step.is_finite() {
             return None;
         }
         // Rounding: the steps no longer shrink.
@@ -127,32 +149,6 @@ pub(super) fn solution<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
         }
     }
     (last < 1e-12).then_some(w)
-}
-
-/// [`solution`] near a proved link, where the branch may be as flat as rounding: whether it rises is not asked.
-pub(super) fn solution_on_link<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
-    rails: (&P, &Q),
-    u: f64,
-    guess: f64,
-    room: f64,
-) -> Option<f64> {
-    let found = solution(rails, u, guess, room);
-    if found.is_some() {
-        return found;
-    }
-    let mut w = guess;
-    for _ in 0..NEWTON {
-        let equation = Equation::at(rails, &(0.5 * (u - w)), &(0.5 * (u + w))).ok()?;
-        let step = equation.value / (0.5 * (equation.by_t - equation.by_s));
-        w -= step;
-        if !step.is_finite() || (w - guess).abs() > room {
-            return None;
-        }
-        if step.abs() <= 4.0 * f64::EPSILON {
-            return Some(w);
-        }
-    }
-    None
 }
 
 /// The curves, for following and for proving what was followed.
