@@ -156,6 +156,53 @@ between = ["l", "r"]
 }
 
 #[test]
+fn a_sail_is_cut_whose_head_is_a_point_far_from_the_origin() {
+    let head = r#"
+[curves]
+luff = { bezier = [[0, 0, 0], [0, 40, 900], [20, 10, 1700], [0, 0, 2400]] }
+[patches.head]
+cylinder = "luff"
+direction = [1, 0, 0]
+between = [[1, 0, 0, 0], ["24/25", 0, "7/25", "672"]]
+"#;
+    let pieces = unroll(&design(head), &Demand::default()).unwrap();
+    let flat = &pieces[0].flat;
+    // The integral of the width 700 - 7 z/24 along the profile in the plane across the rulings, by Gauss's rule.
+    let mut area = 0.0;
+    let steps = 20_000_u32;
+    for k in 0..steps {
+        for shift in [-0.5 / 3.0_f64.sqrt(), 0.5 / 3.0_f64.sqrt()] {
+            let t = (f64::from(k) + 0.5 + shift) / f64::from(steps);
+            let b = |c: [f64; 4]| {
+                let s = 1.0 - t;
+                c[0] * s * s * s
+                    + 3.0 * c[1] * s * s * t
+                    + 3.0 * c[2] * s * t * t
+                    + c[3] * t * t * t
+            };
+            let d = |c: [f64; 4]| {
+                let s = 1.0 - t;
+                3.0 * ((c[1] - c[0]) * s * s + 2.0 * (c[2] - c[1]) * s * t + (c[3] - c[2]) * t * t)
+            };
+            let (y, z) = ([0.0, 40.0, 10.0, 0.0], [0.0, 900.0, 1700.0, 2400.0]);
+            area += 0.5 * d(y).hypot(d(z)) * (700.0 - 7.0 * b(z) / 24.0) / f64::from(steps);
+        }
+    }
+    assert!((area - 840_209.0).abs() < 1.0, "{area}");
+    let errors = flat.errors();
+    assert!(
+        (flat.area() - area).abs() <= errors.area + 1e-6,
+        "{} {area}",
+        flat.area()
+    );
+    assert!(errors.outline <= 0.01, "{errors:?}");
+    assert_eq!(
+        inspect(&design(head)).unwrap().patches[0].regular,
+        Assurance::Proved
+    );
+}
+
+#[test]
 fn a_rail_that_stands_still_at_its_end_is_no_hindrance() {
     let text = r#"
 [curves]

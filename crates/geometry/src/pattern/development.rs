@@ -2,7 +2,8 @@
 //!
 //! The parameter is cut into intervals, each of which is halved until its functions are resolved (module `interval`); then
 //! they are put one behind the other. At an end where the rulings shrink to a point or both rails stand still no interval
-//! is ever resolved that reaches it: the last `2^-36` of the parameter is left to a bound of how far the rails move there.
+//! is ever resolved that reaches it: so much of the parameter is left to a bound of how far the rails move there that this
+//! takes a small share of the error that is allowed, or `2^-36` of it.
 
 use super::error::{PatternError, PatternResult};
 use super::flattening::{Flattening, lost};
@@ -22,8 +23,10 @@ const LANES: usize = 8;
 const MAX_PANELS: usize = 1 << 10;
 /// The shortest interval, as a number of halvings.
 const MAX_DEPTH: u32 = 44;
-/// The length of what is left to a bound at a special end, as a number of halvings.
+/// The most halvings at a special end, before what is left of it is bounded.
 const END_DEPTH: u32 = 36;
+/// What is left to a bound at a special end may add this share of the error that is allowed.
+const END_SHARE: f64 = 1.0 / 64.0;
 /// The coarsest error that is allowed, as a share of the size of the patch.
 const COARSEST: f64 = 0.0025;
 
@@ -289,7 +292,12 @@ fn resolved<R: Rails<f64> + ?Sized>(
             match found {
                 Tried::Resolved(found) => done.push(*found),
                 Tried::Crossed { x, across, length } => return Err(crossed(x, across, length)),
-                Tried::Halve if depth >= END_DEPTH && kind != RulingEnd::Ordinary => {
+                Tried::Halve
+                    if kind != RulingEnd::Ordinary
+                        && (depth >= END_DEPTH
+                            || (to - from) * demand.reach <= END_SHARE * demand.allowed
+                                && source.strip(from, to).is_some()) =>
+                {
                     left.push((*range, kind))
                 }
                 Tried::Halve if depth >= MAX_DEPTH || done.len() + halves.len() >= MAX_PANELS => {

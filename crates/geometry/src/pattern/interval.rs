@@ -42,6 +42,9 @@ const NORMAL_ERROR: f64 = 1e-7;
 /// Bounds that rounding does not let fall below this share of the size of the patch are good enough.
 const NOISE: f64 = 1e-12;
 
+/// An interval of the parameter that is short.
+const SHORT: f64 = 1.0 / 1024.0;
+
 /// Speeds across the ruling that are negative by no more than this share are those of an edge of regression on the border.
 const TOUCHING: f64 = 1e-10;
 
@@ -206,10 +209,18 @@ fn assembled(
         .iter()
         .map(ChebyshevModel::radius)
         .fold(0.0, f64::max);
-    // Short intervals may be as bad as their share of 1/1024.
-    let part = width.max(1.0 / 1024.0);
+    // Short intervals may be as bad as their share of 1/1024, and at the end of the patch their angle turns little more than
+    // themselves: towards a tip directions lose digits as the rulings shrink.
+    let part = width.max(SHORT);
+    let turned = if width < SHORT {
+        demand
+            .reach
+            .min((1.0 - from) * demand.reach + long.largest())
+    } else {
+        demand.reach
+    };
     let noise = NOISE * demand.reach;
-    let worst = ((angle_error * demand.reach + rail_error) / part).max(far_error);
+    let worst = ((angle_error * turned + rail_error) / part).max(far_error);
     if worst.is_nan()
         || worst > (0.25 * demand.allowed).max(noise)
         || normal_error * long.largest() > NORMAL_ERROR * demand.reach
