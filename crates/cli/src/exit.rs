@@ -56,6 +56,24 @@ impl Exit {
             .unwrap_or(Exit::AsExpected)
     }
 
+    /// All exit codes, the least grave first.
+    pub const ALL: [Self; 9] = [
+        Self::AsExpected,
+        Self::Undecided,
+        Self::Differs,
+        Self::Missing,
+        Self::TimeLimit,
+        Self::Output,
+        Self::BadData,
+        Self::Usage,
+        Self::Contradiction,
+    ];
+
+    /// The exit with this number.
+    pub fn from_code(code: u8) -> Option<Self> {
+        Self::ALL.into_iter().find(|exit| exit.code() == code)
+    }
+
     /// The number.
     pub fn code(self) -> u8 {
         match self {
@@ -111,6 +129,53 @@ pub enum Failure {
         path: PathBuf,
         /// The mistakes.
         reason: String,
+    },
+    /// A list of claims or of ids that cannot be read.
+    #[error("{} cannot be read: {reason}", path.display())]
+    #[diagnostic(help(
+        "`torse list --format json` writes the claims with their digests, a line each"
+    ))]
+    List {
+        /// The path as given.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+    },
+    /// An id that no claim has.
+    #[error("no claim has the id `{id}`")]
+    #[diagnostic(help("`--ids` takes full ids, one a line, as `torse list` shows them"))]
+    UnknownId {
+        /// The id as given.
+        id: String,
+    },
+    /// What claims are compared with is neither a list of claims nor a revision.
+    #[error("`{since}` is nothing that claims are compared with: {reason}")]
+    #[diagnostic(help(
+        "`--changed-since` takes a revision of git, or what `torse list --format json` has written"
+    ))]
+    Since {
+        /// As given.
+        since: String,
+        /// Why not.
+        reason: String,
+    },
+    /// Parts of a corpus that are no whole.
+    #[error("{} cannot be merged: {reason}", path.display())]
+    #[diagnostic(help("`torse verify --ids FILE` writes it anew"))]
+    Merge {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+    },
+    /// Claims that no part of a corpus has.
+    #[error("no file has the claim `{id}` as it is now")]
+    #[diagnostic(help(
+        "it is decided by `torse verify --ids FILE`, of a file with a line that is this id"
+    ))]
+    Unmerged {
+        /// The claim.
+        id: String,
     },
     /// Standard input cannot be read, or is no text.
     #[error("standard input cannot be read")]
@@ -219,6 +284,9 @@ impl Failure {
             | Failure::NotAFolder { .. }
             | Failure::Exists { .. }
             | Failure::Against { .. }
+            | Failure::List { .. }
+            | Failure::UnknownId { .. }
+            | Failure::Since { .. }
             | Failure::UnknownBasis { .. } => Exit::Usage,
             Failure::Library(error) => exit_of(error),
             Failure::Derive(error) => match **error {
@@ -231,7 +299,10 @@ impl Failure {
             },
             Failure::Load(_) | Failure::Derivation(_) | Failure::Slug { .. } => Exit::BadData,
             Failure::MissingCoqc => Exit::Missing,
-            Failure::ReadProofs { .. } | Failure::Unread { .. } => Exit::BadData,
+            Failure::ReadProofs { .. }
+            | Failure::Unread { .. }
+            | Failure::Merge { .. }
+            | Failure::Unmerged { .. } => Exit::BadData,
             Failure::Proofs(_)
             | Failure::Report(_)
             | Failure::Figure { .. }
@@ -263,18 +334,12 @@ mod tests {
 
     #[test]
     fn the_gravest_exit_wins_in_the_order_of_the_manual() {
-        let all = [
-            Exit::Contradiction,
-            Exit::Usage,
-            Exit::BadData,
-            Exit::Output,
-            Exit::TimeLimit,
-            Exit::Missing,
-            Exit::Differs,
-            Exit::Undecided,
-            Exit::AsExpected,
-        ];
-        assert!(all.is_sorted_by(|a, b| a > b));
-        assert_eq!(all.map(Exit::code), [6, 2, 4, 5, 8, 7, 1, 3, 0]);
+        assert!(Exit::ALL.is_sorted());
+        assert_eq!(Exit::ALL.map(Exit::code), [0, 3, 1, 7, 8, 5, 4, 2, 6]);
+        assert!(
+            Exit::ALL
+                .iter()
+                .all(|exit| Exit::from_code(exit.code()) == Some(*exit))
+        );
     }
 }

@@ -6,13 +6,15 @@ use crate::format::Format;
 use crate::{terminal, watchdog};
 use clap::Args;
 use serde::Serialize;
+use torse::digests;
 use torse_report::{ReportError, glossary};
 use torse_syntax::derivation::Paper;
 
 /// List papers and claims with their kinds and places, without deciding them.
 ///
 /// Each claim has a line with its id, its kind and its place in the paper. With `--papers`, each paper has a line with
-/// the number of its claims. `--format json` prints a JSON object on each line.
+/// the number of its claims. `--format json` prints a JSON object on each line; that of a claim has a digest of its fields
+/// and of the declarations that it sees, which `verify --changed-since` and `merge` compare.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct List {
@@ -43,6 +45,7 @@ struct ClaimLine<'a> {
     kind: &'static str,
     at: &'a str,
     uses: &'a [String],
+    digest: String,
 }
 
 /// A line of JSON about a paper.
@@ -64,7 +67,7 @@ impl List {
             (true, Format::Text) => paper_table(&papers),
             (false, Format::Text) => claim_table(&papers),
             (true, Format::Json) => lines(papers.iter().map(paper_line))?,
-            (false, Format::Json) => lines(papers.iter().flat_map(claim_lines))?,
+            (false, Format::Json) => lines(claim_lines(&papers))?,
         };
         terminal::print(&text)?;
         Ok(mistakes.tell(Exit::AsExpected))
@@ -81,14 +84,21 @@ fn paper_line(paper: &Paper) -> PaperLine<'_> {
     }
 }
 
-fn claim_lines(paper: &Paper) -> impl Iterator<Item = ClaimLine<'_>> {
-    paper.claims.iter().map(|claim| ClaimLine {
-        id: claim.entry.id.get_ref(),
-        paper: &paper.head.id,
-        kind: glossary::kind(claim.entry.kind).key,
-        at: &claim.entry.at,
-        uses: &claim.uses,
-    })
+fn claim_lines(papers: &[Paper]) -> impl Iterator<Item = ClaimLine<'_>> {
+    let claims = papers
+        .iter()
+        .flat_map(|paper| paper.claims.iter().map(move |claim| (paper, claim)));
+    let digests = digests(papers).into_iter();
+    claims
+        .zip(digests)
+        .map(|((paper, claim), digest)| ClaimLine {
+            id: claim.entry.id.get_ref(),
+            paper: &paper.head.id,
+            kind: glossary::kind(claim.entry.kind).key,
+            at: &claim.entry.at,
+            uses: &claim.uses,
+            digest: digest.digest,
+        })
 }
 
 fn lines(items: impl Iterator<Item = impl Serialize>) -> Result<String, ReportError> {
@@ -114,8 +124,9 @@ fn paper_table(papers: &[Paper]) -> String {
 
 fn claim_table(papers: &[Paper]) -> String {
     let mut table = terminal::table();
-    for claim in papers.iter().flat_map(claim_lines) {
-        table.add_row([claim.id, claim.kind, claim.at]);
+    for claim in papers.iter().flat_map(|paper| &paper.claims) {
+        let kind = glossary::kind(claim.entry.kind).key;
+        table.add_row([claim.entry.id.get_ref().as_str(), kind, &claim.entry.at]);
     }
     terminal::lines(&table)
 }

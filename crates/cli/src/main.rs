@@ -5,6 +5,7 @@
 
 mod audit;
 mod baseline;
+mod changed;
 mod completions;
 mod decide;
 mod derivations;
@@ -20,16 +21,20 @@ mod format;
 mod kernel;
 mod lint;
 mod list;
+mod listing;
+mod merge;
 mod new;
 mod proofs;
 mod prove;
 mod recheck;
 mod report;
 mod run;
+mod shard;
 mod terminal;
 mod unroll;
 mod verdicts;
 mod verify;
+mod version;
 mod watch;
 mod watchdog;
 
@@ -38,6 +43,7 @@ use exit::{Exit, Failure};
 use std::process::ExitCode;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
+use version::VERSION;
 
 /// Finds and corrects errors in published formulas, with proofs, and unrolls surfaces to patterns.
 ///
@@ -53,9 +59,6 @@ struct Arguments {
     #[command(subcommand)]
     command: Command,
 }
-
-/// The version, and the commit that it was built from where that is known.
-const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), env!("TORSE_COMMIT"));
 
 const EXAMPLES: &str = "\
 Examples:
@@ -116,6 +119,7 @@ enum Command {
     Verify(verify::Verify),
     Decide(decide::Decide),
     List(list::List),
+    Merge(merge::Merge),
     Explain(explain::Explain),
     Report(report::Report),
     Erratum(erratum::Erratum),
@@ -140,6 +144,7 @@ impl Command {
             Command::Verify(command) => command.run(),
             Command::Decide(command) => command.run(),
             Command::List(command) => command.run(),
+            Command::Merge(command) => command.run(),
             Command::Explain(command) => command.run(),
             Command::Report(command) => command.run(),
             Command::Erratum(command) => command.run(),

@@ -20,6 +20,11 @@ pub struct Budget {
 }
 
 impl Budget {
+    /// The largest work on a claim.
+    pub fn units(self) -> u64 {
+        self.units
+    }
+
     /// Who decides with this budget.
     pub fn verifier(self) -> Verifier<'static> {
         Verifier::new().with_budget(WorkBudget::new(self.units))

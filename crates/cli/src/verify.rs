@@ -1,13 +1,14 @@
 //! `torse verify`: the verdicts of claims.
 
 use crate::baseline::{self, Verdicts};
+use crate::changed::changed;
 use crate::derivations::Derivations;
 use crate::diagnostics::Diagnostics;
 use crate::exit::{Exit, Failure};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::watch::Watch;
-use crate::{figures, proofs, terminal, verdicts, watchdog};
+use crate::{figures, proofs, shard, terminal, verdicts, watchdog};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use torse::annotations::{annotations, github, sarif};
@@ -34,6 +35,14 @@ pub struct Verify {
     /// conditions differ
     #[arg(long, value_name = "FILE.json")]
     against: Option<PathBuf>,
+    /// Decide only the claims that are new or differ from this revision of git, or from this list (of `torse list --format
+    /// json`): in their own fields, or in the declarations that they see
+    #[arg(long, value_name = "REV|FILE", conflicts_with_all = ["against", "watch"])]
+    changed_since: Option<String>,
+    /// Decide exactly the claims of these ids, one a line (- reads standard input), and write each as a line of JSON, for
+    /// `torse merge`
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["names", "format", "against", "changed_since", "proofs", "watch", "timings"])]
+    ids: Option<PathBuf>,
     /// Write the proofs of the verdicts to this folder, as JSON, a file for each paper
     #[arg(long, value_name = "DIR")]
     proofs: Option<PathBuf>,
@@ -75,6 +84,8 @@ Examples:
   torse verify --format json > verdicts.json
   torse verify --format sarif > torse.sarif
   torse verify --against verdicts.json
+  torse verify --changed-since origin/main
+  torse verify --ids part.txt > part.ndjson
   torse verify my-paper --watch
   torse verify hermite-developable --proofs my-proofs
   torse verify --timings --derivations my-papers";
@@ -90,7 +101,18 @@ impl Verify {
             };
             return watch.run();
         }
-        let (papers, mut mistakes) = self.derivations.select(&self.names)?;
+        if let Some(ids) = &self.ids {
+            return shard::run(ids, self.budget, &self.derivations);
+        }
+        let (mut papers, mut mistakes) = self.derivations.select(&self.names)?;
+        if let Some(since) = &self.changed_since {
+            let all = count(&papers);
+            papers = changed(&papers, since, &self.derivations.find()?)?;
+            terminal::remark(&format!(
+                "{} of {all} claims have changed\n",
+                count(&papers)
+            ));
+        }
         let before = self.against.as_deref().map(Verdicts::read).transpose()?;
         let run = Run::new(&papers, self.budget, &mut mistakes);
         figures::evaluated(&papers, &mut mistakes);
@@ -157,6 +179,10 @@ impl Verify {
     fn json(&self, papers: &[Paper], run: &Run) -> Result<String, ReportError> {
         verdicts_json_with_kernel(run.outcomes(), &self.kernel.accepted(papers, run))
     }
+}
+
+fn count(papers: &[Paper]) -> usize {
+    papers.iter().map(|paper| paper.claims.len()).sum()
 }
 
 fn slowest(run: &Run) -> String {

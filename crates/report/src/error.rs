@@ -46,6 +46,9 @@ pub enum ReportError {
     /// A label of a picture does not parse.
     #[error("a label of a picture cannot be shown")]
     Label(#[from] torse_plot::FigureError),
+    /// An output that is written in pieces failed.
+    #[error("cannot write the output")]
+    Stream(#[from] std::io::Error),
     /// A file could not be written.
     #[error("cannot write {}", path.display())]
     Write {

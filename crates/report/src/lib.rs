@@ -32,6 +32,7 @@ mod gallery;
 pub mod glossary;
 mod html;
 mod json;
+mod json_stream;
 mod letter;
 #[cfg(feature = "pdf")]
 mod manuscript;
@@ -58,6 +59,7 @@ pub use findings::{Finding, findings_in_words};
 pub use gallery::gallery;
 pub use html::{html_page, landing_page};
 pub use json::{finding_json, verdicts_json, verdicts_json_with_kernel};
+pub use json_stream::VerdictsWriter;
 pub use letter::{Envelope, Item, ItemChange, Letter};
 #[cfg(feature = "pdf")]
 pub use manuscript::Manuscript;

@@ -97,6 +97,8 @@ pub mod annotations;
 mod decided;
 #[cfg(feature = "designs")]
 mod design;
+#[cfg(feature = "papers")]
+mod digests;
 #[cfg(any(feature = "papers", feature = "designs"))]
 mod error;
 #[cfg(feature = "papers")]
@@ -114,6 +116,8 @@ mod verifier;
 pub use decided::{Decided, decide, decide_where};
 #[cfg(feature = "designs")]
 pub use design::{Design, Pattern, connect, contents, report_text};
+#[cfg(feature = "papers")]
+pub use digests::{ClaimDigest, digests};
 #[cfg(feature = "designs")]
 pub use error::DesignFailure;
 #[cfg(any(feature = "papers", feature = "designs"))]

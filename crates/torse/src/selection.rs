@@ -4,6 +4,7 @@
 //! the end of a word: `gbt-developable/thm-4` matches `thm-4.a`, `thm-4.b` and `thm-4.c`, but not `thm-40`.
 
 use crate::error::Error;
+use std::sync::Arc;
 use torse_syntax::derivation::{Claim, Paper};
 
 /// Returns the claims of `papers` that match one of `names`, or all if there are no names, in file order; our own
@@ -48,6 +49,7 @@ pub fn only(papers: &[Paper], ids: &[&str]) -> Vec<Paper> {
     let kept = papers.iter().map(|paper| {
         let wanted = |claim: &&Claim| ids.contains(&claim.entry.id.get_ref().as_str());
         Paper {
+            source: Arc::clone(&paper.source),
             head: paper.head.clone(),
             declarations: paper.declarations.clone(),
             claims: paper.claims.iter().filter(wanted).cloned().collect(),

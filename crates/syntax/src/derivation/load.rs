@@ -165,6 +165,7 @@ impl Reading {
         }
         let corrigenda = corrigenda(&faults, &claims, &self.left_out, &mut self.errors);
         Some(Paper {
+            source,
             head,
             declarations,
             claims,

@@ -7,11 +7,14 @@ use super::error::LookAlike;
 use super::figure::Figure;
 use super::look_alikes::look_alikes;
 use super::schema::PaperHead;
+use super::source::Source;
 use std::sync::Arc;
 
 /// A paper with its claims in order.
 #[derive(Debug, Clone)]
 pub struct Paper {
+    /// The file `paper.toml`.
+    pub source: Arc<Source>,
     /// The bibliographic head.
     pub head: PaperHead,
     /// The declarations of `paper.toml`.

@@ -1,0 +1,333 @@
+//! What has changed, and corpora in parts: `torse list` with digests, `verify --changed-since`, `verify --ids`, `merge`.
+
+use crate::support::{Ran, add_paper, claim, mini, on, torse};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use tempfile::TempDir;
+
+const RIGHT: &str = "(x + 1)^2 == x^2 + 2*x + 1";
+const WRONG: &str = "(x + 1)^2 == x^2 + 3*x + 1";
+
+/// Two papers: right, wrong, expected otherwise, a remark, a definition that several claims see, values of an example.
+fn corpus() -> TempDir {
+    let remark = claim("ours", RIGHT, "").replace("\"identity\"", "\"remark\"");
+    let value = |name: &str, states: &str| {
+        claim(name, states, "").replace("kind = \"identity\"", "kind = \"value\"")
+    };
+    let first = [
+        "[define]\nF = '(x + 1)^2'\n".to_owned(),
+        claim("right", RIGHT, "expect = \"holds\""),
+        claim("wrong", WRONG, "expect = \"holds\""),
+        claim("defined", "F == x^2 + 2*x + 1", ""),
+        claim("open", "(x + 1)^1000 == (x + 1)^1000", ""),
+        remark,
+        value("ex.1", "1/3 == 0.333"),
+        value("ex.2", "2/3 == 0.667"),
+    ];
+    let folder = mini(&first.concat());
+    let second = claim("a", "x/x == 1", "").replace("mini/", "other/");
+    add_paper(folder.path(), "other", &second);
+    folder
+}
+
+fn edit(folder: &Path, from: &str, to: &str) {
+    let path = folder.join("mini/claims.toml");
+    let text = fs::read_to_string(&path).unwrap();
+    assert!(text.contains(from), "{from}");
+    fs::write(&path, text.replacen(from, to, 1)).unwrap();
+}
+
+fn list(folder: &Path) -> String {
+    let ran = on(folder, &["list", "--format", "json"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    ran.out
+}
+
+fn digests(folder: &Path) -> BTreeMap<String, String> {
+    let text = |line: &Value, field: &str| line[field].as_str().unwrap().to_owned();
+    let lines = list(folder);
+    let lines = lines
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap());
+    let pairs = lines.map(|line: Value| (text(&line, "id"), text(&line, "digest")));
+    pairs.collect()
+}
+
+/// The ids with other digests than before.
+fn differing(before: &BTreeMap<String, String>, folder: &Path) -> Vec<String> {
+    let now = digests(folder);
+    let differs = |id: &&String| before.get(*id) != now.get(*id);
+    now.keys().filter(differs).cloned().collect()
+}
+
+#[test]
+fn a_digest_changes_with_all_that_a_claim_rests_on_and_with_nothing_else() {
+    let folder = corpus();
+    let before = digests(folder.path());
+    assert!(before.values().all(|digest| digest.len() == 64));
+    edit(
+        folder.path(),
+        "[[claim]]",
+        "# a remark\n\n[[claim]] # and another",
+    );
+    assert_eq!(differing(&before, folder.path()), [""; 0]);
+    edit(folder.path(), WRONG, "(x + 1)^2 == x^2 + 4*x + 1");
+    assert_eq!(differing(&before, folder.path()), ["mini/wrong"]);
+    edit(folder.path(), "as printed", "as it is printed");
+    assert_eq!(
+        differing(&before, folder.path()),
+        ["mini/right", "mini/wrong"]
+    );
+    let before = digests(folder.path());
+    // A correction of data looks at the other values of the example.
+    edit(folder.path(), "0.667", "0.668");
+    assert_eq!(
+        differing(&before, folder.path()),
+        ["mini/ex.1", "mini/ex.2"]
+    );
+    // Whoever sees a declaration rests on it; other papers do not.
+    edit(folder.path(), "F = '(x + 1)^2'", "F = '(1 + x)^2'");
+    let differ = differing(&before, folder.path());
+    assert_eq!(differ.len(), 7);
+    assert!(differ.iter().all(|id| id.starts_with("mini/")));
+    let before = digests(folder.path());
+    let path = folder.path().join("other/paper.toml");
+    let head = fs::read_to_string(&path).unwrap();
+    fs::write(&path, head.replace("[0, 1]", "[0, 2]")).unwrap();
+    assert_eq!(differing(&before, folder.path()), ["other/a"]);
+}
+
+/// The ids of the claims that a run has decided.
+fn decided(ran: &Ran) -> Vec<String> {
+    let all: Value = serde_json::from_str(&ran.out).unwrap();
+    let claims = all["claims"].as_array().unwrap().iter();
+    claims
+        .map(|claim| claim["id"].as_str().unwrap().to_owned())
+        .collect()
+}
+
+#[test]
+fn what_has_changed_since_a_list_or_a_revision_is_decided_and_nothing_else() {
+    let folder = corpus();
+    let derivations = folder.path();
+    let git = |arguments: &[&str]| {
+        let mut git = Command::new("git");
+        git.args(["-c", "user.name=N", "-c", "user.email=n@n.invalid"]);
+        let ran = git.args(arguments).current_dir(derivations).output();
+        assert!(ran.unwrap().status.success(), "{arguments:?}");
+    };
+    git(&["init", "--quiet"]);
+    git(&["add", "."]);
+    git(&["commit", "--quiet", "--message", "all"]);
+    let written = TempDir::new().unwrap();
+    let before = written.path().join("before.ndjson");
+    fs::write(&before, list(derivations)).unwrap();
+    for since in [before.to_str().unwrap(), "HEAD"] {
+        let since = |names: &[&str]| {
+            let command = ["verify", "--format", "json", "--changed-since", since];
+            on(derivations, &[&command, names].concat())
+        };
+        let same = since(&[]);
+        assert_eq!(decided(&same), [""; 0]);
+        assert_eq!(same.code, Some(0), "{}", same.err);
+        assert!(
+            same.err.contains("0 of 8 claims have changed"),
+            "{}",
+            same.err
+        );
+        let text = fs::read_to_string(derivations.join("mini/claims.toml")).unwrap();
+        edit(derivations, RIGHT, "(x + 1)^2 == 1 + 2*x + x^2");
+        let new = claim("new", RIGHT, "");
+        let now = fs::read_to_string(derivations.join("mini/claims.toml")).unwrap();
+        fs::write(derivations.join("mini/claims.toml"), now + &new).unwrap();
+        assert_eq!(decided(&since(&[])), ["mini/right", "mini/new"]);
+        assert_eq!(decided(&since(&["mini/new"])), ["mini/new"]);
+        fs::write(derivations.join("mini/claims.toml"), text).unwrap();
+    }
+    // What was wrong at the revision has changed, as has everything where there was nothing.
+    edit(derivations, RIGHT, "x + == 1");
+    git(&["commit", "--quiet", "--all", "--message", "wrong"]);
+    edit(derivations, "x + == 1", RIGHT);
+    let command = ["verify", "--format", "json", "--changed-since", "HEAD"];
+    assert_eq!(decided(&on(derivations, &command)), ["mini/right"]);
+    for (since, reason) in [
+        ("no-such-revision", "no such commit"),
+        ("--help", "no such commit"),
+        (
+            derivations.join("mini/claims.toml").to_str().unwrap(),
+            "line 1",
+        ),
+    ] {
+        let since = format!("--changed-since={since}");
+        let ran = on(derivations, &["verify", &since]);
+        assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""), "{}", ran.err);
+        assert!(ran.err.contains(reason), "{}", ran.err);
+    }
+}
+
+/// A corpus in three parts, with the list of its claims.
+struct Parts {
+    folder: TempDir,
+    written: TempDir,
+}
+
+const PARTS: [&str; 3] = [
+    "mini/wrong\nmini/ex.1\n",
+    "other/a\n\nmini/right\n",
+    "mini/open\nmini/defined\nmini/ours\nmini/ex.2",
+];
+
+impl Parts {
+    fn new(folder: TempDir) -> Self {
+        let written = TempDir::new().unwrap();
+        let parts = Self { folder, written };
+        fs::write(parts.path("list"), list(parts.folder.path())).unwrap();
+        for number in 0..PARTS.len() {
+            parts.decide(number, &[]);
+        }
+        parts
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.written.path().join(name)
+    }
+
+    fn decide(&self, number: usize, more: &[&str]) -> Ran {
+        let ids = self.path("ids");
+        fs::write(&ids, PARTS[number]).unwrap();
+        let command = [&["verify", "--ids", ids.to_str().unwrap()], more].concat();
+        let ran = on(self.folder.path(), &command);
+        fs::write(self.path(&number.to_string()), &ran.out).unwrap();
+        ran
+    }
+
+    fn merge(&self, parts: &[&str]) -> Ran {
+        let path = |name: &&str| self.path(name).to_str().unwrap().to_owned();
+        let mut arguments = vec!["merge".to_owned(), "--list".to_owned(), path(&"list")];
+        arguments.extend(parts.iter().map(path));
+        torse(&arguments)
+    }
+
+    /// Asserts that nothing is printed, and why.
+    fn refused(&self, parts: &[&str], reason: &str) {
+        let ran = self.merge(parts);
+        assert_eq!(
+            (ran.code, ran.out.as_str()),
+            (Some(4), ""),
+            "{reason}: {}",
+            ran.err
+        );
+        let told = ran.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let told = told.replace("│ ", "");
+        assert!(told.contains(reason), "{reason}: {}", ran.err);
+    }
+}
+
+#[test]
+fn merged_parts_have_the_bytes_and_the_exit_code_of_one_run() {
+    let parts = Parts::new(corpus());
+    let whole = on(parts.folder.path(), &["verify", "--format", "json"]);
+    let merged = parts.merge(&["2", "0", "1"]);
+    assert_eq!(merged.out, whole.out, "{}", merged.err);
+    assert_eq!((merged.code, whole.code), (Some(1), Some(1)));
+    assert!(
+        whole.out.contains("\"remarks\": {\n      \"total\": 1"),
+        "{}",
+        whole.out
+    );
+    // Without the claim that is not as expected; its part ends with another code.
+    let text = fs::read_to_string(parts.path("0")).unwrap();
+    assert!(
+        text.lines().last().unwrap().contains("\"exit\":1"),
+        "{text}"
+    );
+    assert_eq!(parts.decide(1, &[]).code, Some(0));
+}
+
+#[test]
+fn a_claim_whose_formula_makes_no_sense_is_in_a_part_and_not_in_the_whole() {
+    let folder = corpus();
+    edit(folder.path(), RIGHT, "P[0] + x == 0");
+    let parts = Parts::new(folder);
+    let whole = on(parts.folder.path(), &["verify", "--format", "json"]);
+    let merged = parts.merge(&["0", "1", "2"]);
+    assert_eq!(whole.code, Some(4));
+    assert_eq!(
+        (merged.code, merged.out),
+        (whole.code, whole.out),
+        "{}",
+        merged.err
+    );
+}
+
+#[test]
+fn parts_that_are_no_whole_are_refused_and_nothing_is_printed() {
+    let parts = Parts::new(corpus());
+    parts.refused(&["0", "1"], "no file has the claim");
+    parts.refused(&["0", "1", "2", "2"], "has it too");
+    let text = fs::read_to_string(parts.path("1")).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    for (broken, reason) in [
+        (String::new(), "it is empty"),
+        (lines[..lines.len() - 1].join("\n"), "has not ended"),
+        (text[..text.len() - 100].to_owned(), ""),
+        (
+            text.replace("\"as printed\"", "\"as prunted\""),
+            "have changed since",
+        ),
+        (
+            text.replace("\"budget\":", "\"budget\":1"),
+            "with a budget of",
+        ),
+        (text.clone() + "\n", "its last line"),
+        (
+            lines.iter().rev().copied().collect::<Vec<_>>().join("\n"),
+            "first line",
+        ),
+        ("[]".to_owned(), "first line"),
+        (
+            text.replace(
+                "\"claim\":{\"id\":\"other/a\"",
+                "\"claim\":{\"id\":\"other/b\"",
+            ),
+            "another claim",
+        ),
+    ] {
+        assert_ne!(broken, text, "{reason}");
+        fs::write(parts.path("1"), broken).unwrap();
+        parts.refused(&["0", "1", "2"], reason);
+    }
+    fs::write(parts.path("1"), &text).unwrap();
+    assert_eq!(parts.merge(&["0", "1", "2"]).code, Some(1));
+    // Another budget, and a claim that has changed since it was decided.
+    parts.decide(1, &["--budget", "1000000"]);
+    parts.refused(&["0", "1", "2"], "with a budget of");
+    parts.decide(1, &[]);
+    edit(parts.folder.path(), RIGHT, "(x + 1)^2 == 1 + 2*x + x^2");
+    fs::write(parts.path("list"), list(parts.folder.path())).unwrap();
+    parts.refused(
+        &["0", "1", "2"],
+        "no file has the claim `mini/right` as it is now",
+    );
+    parts.decide(1, &[]);
+    assert_eq!(parts.merge(&["0", "1", "2"]).code, Some(1));
+}
+
+#[test]
+fn an_id_that_no_claim_has_is_a_usage_error() {
+    let folder = corpus();
+    let ids = folder.path().join("ids");
+    fs::write(&ids, "mini/right\nmini\n").unwrap();
+    let ran = on(folder.path(), &["verify", "--ids", ids.to_str().unwrap()]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""));
+    assert!(
+        ran.err.contains("no claim has the id `mini`"),
+        "{}",
+        ran.err
+    );
+    let ran = on(folder.path(), &["verify", "mini", "--ids", "x"]);
+    assert_eq!(ran.code, Some(2));
+}
