@@ -221,10 +221,12 @@ impl PyPattern {
     }
 
     fn dxf(&self, py: Python<'_>) -> PyResult<String> {
-        self.0.dxf().map_err(|error| raised(py, &error))
+        let text = py.detach(|| self.0.dxf());
+        text.map_err(|error| raised(py, &error))
     }
 
     fn svg(&self, py: Python<'_>) -> PyResult<String> {
-        self.0.svg().map_err(|error| raised(py, &error))
+        let text = py.detach(|| self.0.svg());
+        text.map_err(|error| raised(py, &error))
     }
 }

@@ -27,15 +27,8 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 
 /// An error with its place, if it has one.
 pub fn raised(py: Python<'_>, error: &Error) -> PyErr {
-    let mut message = error.to_string();
     let (place, hint) = (error.place(), error.hint());
-    if let Some(place) = &place {
-        message = format!("{}:{}:{}: {message}", place.file, place.line, place.column);
-    }
-    if let Some(hint) = &hint {
-        message = format!("{message} ({hint})");
-    }
-    let raised = TorseError::new_err(message);
+    let raised = TorseError::new_err(error.in_full());
     let value = raised.value(py);
     let file = place.as_ref().map(|place| place.file.as_str());
     let set = value

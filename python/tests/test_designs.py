@@ -77,6 +77,8 @@ def test_a_mistake_has_its_place():
     with pytest.raises(torse.TorseError) as raised:
         torse.Design.read("[points]\nA = [0, 0]\n", "mine.toml")
     assert (raised.value.file, raised.value.line, raised.value.column) == ("mine.toml", 2, 5)
+    # The message has the mistake, and not only their number.
+    assert "mine.toml:2:5: " in str(raised.value)
 
 
 def test_a_table_of_offsets_is_a_file_of_the_design():

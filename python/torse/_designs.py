@@ -58,7 +58,27 @@ def _written(text, path):
 
 
 class Design:
-    """Points, curves and patches, in millimetres."""
+    """Points, curves and patches, in millimetres.
+
+    >>> from torse import Design
+    >>> low = np.array([[0, 0, 0], [2, 3, 0], [6, 0, 0]]) * 100
+    >>> high = np.array([[0.5, 0, 2], [3, 2, 3], [6, -1, 2]]) * 100
+    >>> panel = Design.between(low, high)
+    >>> points = panel.evaluate(grid=(16, 4))["points"]
+    >>> points.shape[-3:], points.dtype.name
+    ((17, 5, 3), 'float64')
+    >>> outline = panel.unroll().outline()
+    >>> outline.shape[1]
+    2
+    >>> Design.ruled([[0, 0, 0], [0, 100, 0]], [[100, 0, 0], [100, 100, 80]]).unroll()
+    Traceback (most recent call last):
+    ...
+    torse.TorseError: ...
+    >>> Design.between([[0, 0, 0]], high)
+    Traceback (most recent call last):
+    ...
+    ValueError: first: an array of at least two points (n, 3) is wanted, not one of shape (1, 3)
+    """
 
     def __init__(self, found):
         self._found = found

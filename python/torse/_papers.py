@@ -2,9 +2,37 @@
 
 from . import _html, _torse
 
+# A paper of the examples.
+_EXAMPLE = {
+    "paper.toml": """
+[paper]
+id = "mine"
+title = "A paper"
+authors = "A. Uthor"
+venue = "nowhere"
+claims = ["claims.toml"]
+[symbols]
+x = { in = "(-inf, inf)" }
+""",
+    "claims.toml": """
+[[claim]]
+id = "mine/1"
+at = "eq. (1)"
+kind = "identity"
+printed = "(x + 1)² = x² + 3x + 1"
+states = "(x + 1)^2 == x^2 + 3*x + 1"
+""",
+}
+
 
 class Verification:
-    """What was found of a paper: a row for each claim."""
+    """What was found of a paper: a row for each claim.
+
+    >>> from torse import Paper
+    >>> verified = Paper.read(_EXAMPLE).verify()
+    >>> [(row["id"], row["verdict"], row["corrected"]) for row in verified.rows()]
+    [('mine/1', 'misprint', '(x + 1)^2 == x^2 + 2*x + 1')]
+    """
 
     def __init__(self, found):
         self._found = found
@@ -37,7 +65,18 @@ class Verification:
 
 
 class Paper:
-    """A paper: a folder of derivation files, that with a `paper.toml`."""
+    """A paper: a folder of derivation files, that with a `paper.toml`.
+
+    >>> from torse import Paper
+    >>> Paper.read(_EXAMPLE)
+    <Paper mine: 1 claims>
+    >>> Paper.read(_EXAMPLE).explain("mine/1")["where"]
+    'eq. (1)'
+    >>> Paper("no/such/folder")
+    Traceback (most recent call last):
+    ...
+    torse.TorseError: cannot read no/such/folder: ...
+    """
 
     def __init__(self, folder):
         self._paper = _torse.Paper(folder) if not isinstance(folder, _torse.Paper) else folder

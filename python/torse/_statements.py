@@ -8,6 +8,17 @@ class Decided:
 
     It is true or false only where that is decided: `bool` raises `UndecidedError` for a statement that is undecided, needs a
     condition, or says nothing.
+
+    >>> import torse
+    >>> wrong = torse.decide("(x + 1)^2 == x^2 + 3*x + 1", where="x in [0, 1]")
+    >>> wrong
+    <misprint: (x + 1)^2 == x^2 + 3*x + 1>
+    >>> wrong.corrected
+    '(x + 1)^2 == x^2 + 2*x + 1'
+    >>> bool(torse.decide("sqrt(x^2) == x"))
+    Traceback (most recent call last):
+    ...
+    torse.UndecidedError: the statement is neither true nor false as it stands: conditional
     """
 
     def __init__(self, found):
@@ -56,6 +67,16 @@ def decide(statement, where="", budget=None):
     `statement` is a text in the notation of torse, or a relation of SymPy. `where` declares names and states hypotheses, with
     semicolons between: `"x in [0, 1]; n in 0..; a > 0"`; or it is a list of such texts and relations of SymPy. Names that are
     not declared are real numbers. `budget` bounds the work; what needs more is undecided.
+
+    >>> import torse
+    >>> bool(torse.decide("x*(1 - x) <= 1/4", where="x in [0, 1]"))
+    True
+    >>> torse.decide("x^2 > 0").witness["at"]
+    {'x': '0'}
+    >>> torse.decide("x + == 1")
+    Traceback (most recent call last):
+    ...
+    torse.TorseError: the statement:1:5: ...
     """
     text, assumed = _sympy.statement(statement)
     return Decided(_torse.decide(text, _sympy.setting(where, assumed), budget))

@@ -1,4 +1,12 @@
-"""Expressions of SymPy as texts in the notation of torse. SymPy is imported only where an expression of it comes in."""
+"""Expressions of SymPy as texts in the notation of torse. SymPy is imported only where an expression of it comes in.
+
+>>> import sympy
+>>> x = sympy.Symbol("x", positive=True)
+>>> term(sympy.sqrt(x) / 2)[0]
+'(sqrt(x))/(2)'
+>>> setting("", {"x": x})
+'x > 0'
+"""
 
 import re
 import sys
@@ -81,27 +89,38 @@ def _assumed(expression):
 
 
 def _assumption(symbol):
-    """What a symbol assumes, as entries of a setting. What cannot be said is left out: more is decided then, not less."""
+    """What a symbol assumes, as entries of a setting.
+
+    All of it is said, or an error raised: a point at which a statement fails, and that the symbol excludes, would be no
+    counterexample.
+    """
     name = symbol.name
     if symbol.is_real is False:
         raise ValueError(f"{name} is no real number")
-    if symbol.is_integer:
-        if symbol.is_positive:
-            return [f"{name} in 1.."]
-        if symbol.is_nonnegative:
-            return [f"{name} in 0.."]
+    if symbol.is_integer and not symbol.is_nonnegative:
         raise ValueError(f"the range of the integer {name} is wanted: where='{name} in 0..'")
-    if symbol.is_positive:
-        return [f"{name} > 0"]
-    if symbol.is_negative:
-        return [f"{name} < 0"]
-    if symbol.is_nonnegative:
-        return [f"{name} >= 0"]
-    if symbol.is_nonpositive:
-        return [f"{name} <= 0"]
-    if symbol.is_nonzero:
-        return [f"{name} != 0"]
+    for facts, entries in _SAID:
+        if all(symbol.assumptions0.get(fact) for fact in facts):
+            said = type(symbol)(name, real=True, **dict.fromkeys(facts, True)).assumptions0
+            more = sorted((not value, f) for f, value in symbol.assumptions0.items() if said.get(f) != value)
+            if more:
+                more = [fact if not denied else f"not {fact}" for denied, fact in more]
+                raise ValueError(f"of {name} SymPy assumes what is not said here ({', '.join(more)}): declare it by where='{name} in ...'")
+            return [entry.format(name) for entry in entries]
     return []
+
+
+# What SymPy assumes of a symbol and the entries that say it; the first that fits has all of it.
+_SAID = [
+    (("integer", "positive"), ["{} in 1.."]),
+    (("integer", "nonnegative"), ["{} in 0.."]),
+    (("positive",), ["{} > 0"]),
+    (("negative",), ["{} < 0"]),
+    (("nonnegative",), ["{} >= 0"]),
+    (("nonpositive",), ["{} <= 0"]),
+    (("nonzero",), ["{} != 0"]),
+    ((), []),
+]
 
 
 def _printed(expression):
@@ -116,6 +135,9 @@ def _printed(expression):
 
     class Printer(StrPrinter):
         def _print(self, part, **options):
+            # Matrices and operators: torse would read numbers, which commute.
+            if getattr(part, "is_commutative", True) is False or getattr(part, "is_Matrix", False):
+                raise ValueError(f"{part} is no number")
             # Other constants, infinity among them, have names that would be read as those of variables.
             known = isinstance(part, (Symbol, Rational)) or part is pi or part is E
             if getattr(part, "is_Atom", False) and not known:

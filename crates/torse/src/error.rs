@@ -93,6 +93,33 @@ impl Error {
         let own = Diagnostic::help(self).map(|help| help.to_string());
         own.or_else(first)
     }
+
+    /// Says everything in plain text, for where its place cannot be shown beside it: what is wrong and why, with file, line and
+    /// column, and what would help; the mistakes of a design each on a line of its own.
+    ///
+    /// ```
+    /// let error = torse::Design::read("cone.toml", "[points]\nA = [0, 0]\nB = [1]\n").unwrap_err();
+    /// let lines: Vec<String> = error.in_full().lines().map(str::to_owned).collect();
+    /// assert_eq!(lines[0], "2 mistakes in the design");
+    /// assert!(lines[1].starts_with("cone.toml:2:5: ") && lines[2].starts_with("cone.toml:3:5: "), "{lines:?}");
+    /// ```
+    #[must_use]
+    pub fn in_full(&self) -> String {
+        let related = self.related().into_iter().flatten();
+        let lines = std::iter::once(line(self)).chain(related.map(line));
+        lines.collect::<Vec<String>>().join("\n")
+    }
+}
+
+/// One diagnostic with its place, its causes and its help.
+fn line(diagnostic: &dyn Diagnostic) -> String {
+    let place = label_place(diagnostic);
+    let place = place.map(|at| format!("{}:{}:{}: ", at.file, at.line, at.column));
+    let causes = std::iter::successors(diagnostic.source(), |cause| cause.source());
+    let causes: String = causes.map(|cause| format!(": {cause}")).collect();
+    let help = diagnostic.help().map(|help| format!(" ({help})"));
+    let [place, help] = [place, help].map(Option::unwrap_or_default);
+    format!("{place}{diagnostic}{causes}{help}")
 }
 
 /// Where something is wrong, as its diagnostic says; of several mistakes, the first that has a place.
