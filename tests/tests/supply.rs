@@ -125,6 +125,64 @@ fn what_the_command_is_built_from_is_not_built_again_for_the_tests() {
     assert_eq!(again, [""; 0]);
 }
 
+/// The rows of the tables of `docs/dependencies.md`: the names of a row, and the cell beside them.
+fn listed() -> Vec<(Vec<String>, String)> {
+    let page = std::fs::read_to_string(format!("{ROOT}/docs/dependencies.md")).unwrap();
+    let rows = page.lines().filter_map(|line| {
+        let (names, beside) = line
+            .strip_prefix("| ")?
+            .strip_suffix(" |")?
+            .split_once(" | ")?;
+        let names = names.split('`').skip(1).step_by(2).map(str::to_owned);
+        Some((names.collect(), beside.to_owned()))
+    });
+    rows.filter(|(names, _): &(Vec<String>, _)| !names.is_empty())
+        .collect()
+}
+
+#[test]
+fn the_page_of_dependencies_has_those_of_the_manifests_and_no_others() {
+    let read = |name: &str| std::fs::read_to_string(format!("{ROOT}/{name}")).unwrap();
+    let workspace: toml::Table = read("Cargo.toml").parse().unwrap();
+    let python: toml::Table = read("python/Cargo.toml").parse().unwrap();
+    let tables = [
+        &workspace["workspace"]["dependencies"],
+        &python["dependencies"],
+    ];
+    let tables = tables.map(|table| table.as_table().unwrap());
+    let named = tables.into_iter().flat_map(toml::Table::keys);
+    let outside = named.filter(|name| *name != "torse" && !name.starts_with("torse-"));
+    let needed: BTreeSet<String> = outside.cloned().collect();
+    let listed: Vec<String> = listed()
+        .into_iter()
+        .filter(|(_, beside)| beside.parse::<usize>().is_err())
+        .flat_map(|(names, _)| names)
+        .collect();
+    assert_eq!(listed.len(), needed.len());
+    assert_eq!(listed.into_iter().collect::<BTreeSet<_>>(), needed);
+}
+
+#[test]
+fn no_set_of_features_takes_more_packages_than_its_page_says() {
+    let mut tried = 0;
+    for (names, beside) in listed() {
+        let Ok(most) = beside.parse::<usize>() else {
+            continue;
+        };
+        let wanted = format!("--features={}", names.join(" "));
+        let options = ["--package=torse", "--no-default-features", &wanted];
+        let all = features(&[&options[..], &["--edges=normal,build"]].concat());
+        let outside = all.iter().filter(|package| !package.contains("(/"));
+        let count = outside.count();
+        assert!(
+            (most / 2..=most).contains(&count),
+            "{names:?}: {count} packages"
+        );
+        tried += 1;
+    }
+    assert_eq!(tried, 6);
+}
+
 #[test]
 fn alternatives_need_one_licence_and_conjunctions_all() {
     let allowed = ["MIT".to_owned(), "Unicode-3.0".to_owned()];
