@@ -154,8 +154,8 @@ fn what_has_changed_since_a_list_or_a_revision_is_decided_and_nothing_else() {
     let command = ["verify", "--format", "json", "--changed-since", "HEAD"];
     assert_eq!(decided(&on(derivations, &command)), ["mini/right"]);
     for (since, reason) in [
-        ("no-such-revision", "no such commit"),
-        ("--help", "no such commit"),
+        ("no-such-revision", "there is no such file"),
+        ("--help", "there is no such file"),
         (
             derivations.join("mini/claims.toml").to_str().unwrap(),
             "line 1",
