@@ -31,10 +31,10 @@ def paper(*statements):
 
 
 def test_a_paper_is_a_table():
-    verified = paper("x + x == 2*x", "(x + 1)^2 == x^2 + 3*x + 1").verify()
+    verified = paper("x + x == 2*x", "(x + 1)*(x - 1) == x^2 + 1").verify()
     first, second = verified.rows()
     assert (first["id"], first["verdict"], first["evidence"]) == ("mine/1", "holds", "identity")
-    assert (second["verdict"], second["corrected"]) == ("misprint", "(x + 1)^2 == x^2 + 2*x + 1")
+    assert (second["verdict"], second["corrected"]) == ("misprint", "(x + 1)*(x - 1) == x^2 - 1")
     assert '"verdict": "misprint"' in verified.json()
 
 
@@ -45,7 +45,7 @@ def test_a_paper_is_a_data_frame():
 
 
 def test_claims_are_chosen_and_explained():
-    own = paper("x + x == 2*x", "(x + 1)^2 == x^2 + 3*x + 1")
+    own = paper("x + x == 2*x", "(x + 1)*(x - 1) == x^2 + 1")
     assert own.ids == ["mine/1", "mine/2"]
     assert len(own.only("mine/2").verify()) == 1
     note = own.explain("mine/2")

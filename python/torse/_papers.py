@@ -19,8 +19,8 @@ x = { in = "(-inf, inf)" }
 id = "mine/1"
 at = "eq. (1)"
 kind = "identity"
-printed = "(x + 1)² = x² + 3x + 1"
-states = "(x + 1)^2 == x^2 + 3*x + 1"
+printed = "(x + 1)(x - 1) = x² + 1"
+states = "(x + 1)*(x - 1) == x^2 + 1"
 """,
 }
 
@@ -31,7 +31,7 @@ class Verification:
     >>> from torse import Paper
     >>> verified = Paper.read(_EXAMPLE).verify()
     >>> [(row["id"], row["verdict"], row["corrected"]) for row in verified.rows()]
-    [('mine/1', 'misprint', '(x + 1)^2 == x^2 + 2*x + 1')]
+    [('mine/1', 'misprint', '(x + 1)*(x - 1) == x^2 - 1')]
     """
 
     def __init__(self, found):
