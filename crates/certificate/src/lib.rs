@@ -1,7 +1,7 @@
 //! Proofs as values.
 //!
 //! The prover searches, and its result is a [`Proof`] or a [`Refuted`]: data from which the verdict, the evidence and the
-//! conditions are derived, which `torse_prove::steps` puts into words, and which can be written for another system.
+//! conditions are derived, which `steps` of the room of proofs puts into words, and which can be written for another system.
 //! Certificates are generic over their polynomials, so that the prover can build them from its own without
 //! conversion. Certificates that are written, put into words or checked use the plain [`Polynomial`] of this room.
 //!
