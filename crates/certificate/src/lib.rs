@@ -25,7 +25,7 @@
 //! | `enclosure` | printed numbers are the values, rounded or cut off | [`enclosure::Enclosure`] |
 //! | `nonnegative`, `powers` | properties of a basis at every degree | [`family`] |
 //! | `wronskians` | total positivity at some degrees, by positive determinants on cells | [`wronskian`] |
-//! | `on` | a proof with its ground: eliminated symbols, constraints, conditions | [`proof::assumptions::Assumptions`] |
+//! | `on` | a proof with its assumptions: eliminated symbols, constraints, conditions | [`proof::assumptions::Assumptions`] |
 //! | `both`, `clauses`, `parts`, `instances` | conjunctions, of halves, clauses, parts of the domain, values of integers | [`proof::Proof`] |
 //! | `alternative`, `conclusion` | one part of `or`, perhaps where the others fail; the end of `implies` | [`proof::Proof`] |
 //! | `exists` | `not p` by a point | [`proof::refutation::Refuted`] |

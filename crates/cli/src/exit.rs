@@ -33,7 +33,7 @@ pub enum Exit {
     BadData,
     /// 2: the command line cannot be followed; clap uses the same code.
     Usage,
-    /// 6: levels of assurance contradict each other: the prover and the semantics, or the prover and the kernel.
+    /// 6: levels of assurance contradict each other: the prover and the second evaluator, the checker, or the kernel.
     Contradiction,
 }
 

@@ -1,6 +1,6 @@
 //! The `torse` command: arguments in, verdicts, explanations and reports out.
 //!
-//! One file a subcommand; no mathematics. Derivation files come from [`derivations`], the claims that
+//! Each subcommand has a file; what several of them share has one of its own. There is no mathematics here. Derivation files come from [`derivations`], the claims that
 //! the user names from [`torse::selection`], outcomes from [`mod@run`]; [`exit`] says which exit code means what.
 
 mod audit;

@@ -3,7 +3,7 @@
 //! One file a paper, `DIR/PAPER.json`: an object whose `claims` are those with a proof or a refutation, in file order. A claim
 //! has its `id`, the `reading` of the sentence that it is about (or null), what it `states`, the `verdict`, whether the proof
 //! is `replayed`, and `rests_on`: `{"proof": {"conditions": [...], "of": ...}}` or `{"refutation": ...}`, in the form that the
-//! crate `torse-proof` documents.
+//! crate `torse-certificate` documents.
 
 use crate::exit::Failure;
 use serde::Serialize;

@@ -1,6 +1,6 @@
 //! Folding a pattern file back into space and comparing it with the design.
 //!
-//! Nothing of the design enters the folding but the file: outline, rulings, bend angles. The sheet between two rulings
+//! Folding uses the pattern file alone: outline, rulings, bend angles. The sheet between two rulings
 //! is taken as flat, so the points miss the design by what falls with the square of the number of rulings. The pattern of
 //! the design itself, with as many rulings, misses it by as much: what is judged is how far the two folded patterns are
 //! from each other, or, where the file says `fold`, how far the points are from the design.

@@ -1,7 +1,8 @@
 //! From syntax trees to core terms.
 //!
-//! This room resolves names, opens definitions, and replaces families and smooth functions. Its results are not
-//! trusted: the room `semantics` works out the meaning of each statement from its text a second time.
+//! This room resolves names, opens definitions, and replaces families and smooth functions. Its results are
+//! tested, not proved: on every claim they have the values of the text at random residues, and the room `semantics` works
+//! out the meaning of each statement from its text a second time.
 #![warn(missing_docs)]
 
 mod claim;

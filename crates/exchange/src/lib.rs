@@ -1,4 +1,4 @@
-//! What leaves the house, and what comes in: meshes, drawings and CAD patches of the geometry, and the files that carry them.
+//! Meshes, drawings and CAD patches of the geometry, and the file formats that carry them, in and out.
 //!
 //! | you have | you make | you write |
 //! |---|---|---|

@@ -1,7 +1,7 @@
 //! The figures of derivation files, sampled and drawn.
 //!
 //! A derivation file describes a figure in formulas ([`figure`]); each is evaluated once, exactly. Here the exact
-//! formula becomes a [`Function`] of machine numbers, its samples become layers of a plot or solids of a view, and
+//! formula becomes a [`Function`] of doubles, its samples become layers of a plot or solids of a view, and
 //! `torse_plot` draws them. This crate knows no basis and no paper.
 //!
 //! | wanted | call |

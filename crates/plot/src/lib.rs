@@ -14,7 +14,7 @@
 //! | a developable for a viewer that unrolls it | [`Torse`] |
 //!
 //! How it works: charts are laid out by plotters (axes of the plane, projection of space) on a drawing backend
-//! that records vectors; solids are rasterised by a z-buffer of our own in linear light and laid between the axes
+//! that records vectors; solids are rasterised by our own z-buffer in linear light and laid between the axes
 //! and the labels.
 //!
 //! # Labels

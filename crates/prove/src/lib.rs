@@ -1,8 +1,9 @@
 //! From statements to decisions.
 //!
-//! [`evaluate`] turns trees into exact values (normal forms, and series of symbolic degree), [`context`] makes a
-//! claim ready, [`combination`] sees what follows from given equations unsolved, [`decide`] turns its statement into a decision, [`statement`] does all of it for a claim, [`formula`]
-//! leads from exact values back to a formula as one would write it by hand.
+//! [`context`] collects the hypotheses of a claim; [`evaluate`] turns core terms into exact values (normal forms, and
+//! series of symbolic degree); [`decide`] has the procedures that decide one kind of statement; [`combination`] derives
+//! equations from given ones without solving these; [`statement`] runs all of it for a claim. [`steps`] puts a
+//! certificate into words, and [`formula`] writes an exact value as one would write it by hand.
 #![warn(missing_docs)]
 
 mod case_split;

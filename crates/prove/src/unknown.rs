@@ -1,4 +1,4 @@
-//! What an equation may be solved for.
+//! The unknowns of equations: the symbols for which an equation may be solved.
 
 use torse_algebra::{Fraction, Symbol};
 

@@ -1,7 +1,8 @@
 //! Statements and proofs of claims for the Rocq kernel (Coq 8.16 with Coquelicot).
 //!
-//! To believe a verdict with a proof that the kernel accepts, one has to trust the printed formula, a page of
-//! definitions (`proofs/Torse/Defs.v`) and the kernel, but not the prover. [`task`] derives from a verdict what is to
+//! To believe a verdict with a proof that the kernel accepts, one has to trust the parser, [`tree`], which writes the
+//! statement that is read from the syntax tree, a page of definitions (`proofs/Torse/Defs.v`) and the kernel, but not
+//! the prover. [`task`] derives from a verdict what is to
 //! be proved, [`statement`] writes a claim's core term as a proposition in the order of the print, with the premises of
 //! [`defined`], since Rocq's operations are total, [`script`] chooses the tactics that prove it, [`folder`] lays out
 //! the files, [`coqc`] asks the kernel. A [`gap`] says why something cannot be written.

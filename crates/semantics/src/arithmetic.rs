@@ -1,8 +1,9 @@
 //! The numbers a term is evaluated in.
 //!
 //! The evaluator is generic over [`Arithmetic`]. It runs on real numbers that are exact where possible and enclosed
-//! elsewhere ([`Reals`](crate::Reals)), and on quotients of polynomials ([`Polynomials`](crate::Polynomials)), for
-//! which a statement at fixed small degrees is an identity.
+//! elsewhere ([`Reals`](crate::Reals)), on quotients of polynomials ([`Polynomials`](crate::Polynomials)), for which a
+//! statement at fixed small degrees is an identity, on real numbers with their gradients, and on residues modulo a
+//! prime.
 
 use crate::no_value::{NoValue, Work};
 use std::fmt::Debug;

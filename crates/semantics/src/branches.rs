@@ -5,7 +5,6 @@
 //! hypotheses and premises and each symbol in it, points are sought at which the derivative of the equation by the
 //! symbol vanishes; also points at which a premise is true, and points at which both sides of a comparison in the
 //! statement are equal.
-//! those at which a premise is true, and those at which both sides of a comparison in the statement are equal.
 
 use crate::domain::constraints::constraints;
 use crate::tree::Reading;

@@ -1,4 +1,4 @@
-//! What a reader of changed files should see beside them: findings with their places, for programs that show such.
+//! Findings with file and line, for tools of code review.
 
 use crate::error::ErrorPlace;
 use miette::SourceCode;

@@ -4,7 +4,6 @@
 //! 1/2)/N`, divided by `x^o` on the first cell, where it vanishes at 0 to the order o (computed by `orders`). The
 //! polynomial p of degree N - 1 through these values has Bernstein coefficients on the cell, and differs little from
 //! `f = w/x^o`: with a disc of radius R about the midpoint of the cell, where R exceeds half of the length,
-//! about the middle of the cell, more than the half length,
 //!
 //! ```text
 //! f(x) - p(x) = 1/(2 pi i) integral over the circle of  f(z) g(x)/(g(z) (z - x)) dz,   g(x) = product of (x - x_i)

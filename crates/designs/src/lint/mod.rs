@@ -1,7 +1,7 @@
-//! Drawings, by whomever, against what bureaus that cut sheet publish of the files they take.
+//! Checks any drawing against the rules that cutting services publish for the files they take.
 //!
 //! A file fails a rule with the place and the reason. What is curved is looked at through points on it, and a bound is
-//! missed only where it is missed by more than these can be off: what passes narrowly may miss narrowly, what fails does fail.
+//! missed only where it is missed by more than these can be off: a reported failure is certain, a narrow pass is not.
 
 mod contours;
 mod judge;

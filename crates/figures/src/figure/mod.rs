@@ -2,7 +2,7 @@
 //!
 //! [`torse_syntax::derivation::schema::figure`] is the text of a file, [`Drawing`] the result: each formula is
 //! evaluated once, exactly, with the running variables left symbolic. So a figure shows what the claims define, and a
-//! formula that makes no sense is an error with file, line and caret. The crate `plot` draws.
+//! formula that makes no sense is an error with file, line and caret. The crate `torse-plot` draws.
 
 pub mod drawing;
 mod environment;

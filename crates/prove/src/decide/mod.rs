@@ -1,4 +1,4 @@
-//! From statements to decisions.
+//! Procedures that decide one kind of statement.
 //!
 //! Equality is decided by normal forms ([`equality`]), printed decimals by certified enclosures
 //! ([`agreement`]), order by proofs of sign on the declared domain ([`sign`]). A refutation always

@@ -6,7 +6,7 @@
 //! the elaborator is a statement that does not follow from the one that is proved, and no theorem.
 //!
 //! `reach` says which declared symbols a formula depends on, `kinds` which parameters are integers, `value` writes values,
-//! `function` what is applied, `defined` where all terms have values (`ranges` of indices, `applied` of functions and their derivatives), `said` what is said, and `sentence` puts them
+//! `function` what is applied, `defined` where all terms have values (`ranges` of indices, `applied` of functions and their derivatives), `proposition` writes statements, and `sentence` puts them
 //! together. The rules are those of `derivations/SEMANTICS.md`, in its order.
 
 mod applied;

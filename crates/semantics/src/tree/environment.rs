@@ -5,7 +5,6 @@
 //! which `at`, `D`, `integral`, `coefficients` or a witness gives another value; everything evaluated inside sees
 //! them, including the bodies of definitions. Both layers are lists with shared tails, so that a closure keeps the
 //! environment in which it was made.
-//! layers are lists that share their tails, so that a closure keeps the one that it was made in.
 
 use crate::series::Series;
 use crate::value::Value;

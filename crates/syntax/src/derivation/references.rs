@@ -1,6 +1,5 @@
 //! References between claims: the claims that they use, the sentences of which they are parts, and quotations from
 //! other claims.
-//! prints.
 
 use super::claim::Claim;
 use super::error::{DerivationError, LoadError};

@@ -6,7 +6,6 @@
 //! several places is tried ([`repeated`], [`names`], [`arguments`]), in a definition of the printed side ([`subject`])
 //! or beside the formula ([`move_factor`]). A wrong value may be the right value of other data, and a wrong determinant
 //! that of another matrix: see [`data`] and [`entries`].
-//! determinant that of another matrix: see [`data`] and [`entries`].
 
 pub(crate) mod alphabet;
 pub mod ansatz;
