@@ -558,3 +558,26 @@ fn a_circle_of_files_is_seen_through_what_is_made_public_elsewhere() {
     let tests = "use crate::x;\n#[cfg(test)]\nmod tests { use crate::a::inner::Thing; }";
     assert_eq!(circles(&[lib, a, inner, ("b.rs", tests)]), [""; 0]);
 }
+
+/// Rooms that decide, and the files in them that may use doubles: to skip searches that cannot succeed, to show a number, and in tests.
+const DECIDING: [(&str, &[&str]); 6] = [
+    ("certificate", &[]),
+    ("checker", &[]),
+    ("core", &[]),
+    ("elaborate", &[]),
+    ("prove", &["samples.rs"]),
+    ("semantics", &["real.rs", "surd.rs"]),
+];
+
+#[test]
+fn nothing_is_decided_in_doubles() {
+    for (room, allowed) in DECIDING {
+        let mut files = vec![];
+        sources(&crates().join(room).join("src"), &mut files);
+        let uses = |path: &PathBuf| fs::read_to_string(path).unwrap().contains("f64");
+        let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
+        let found: BTreeSet<String> = files.iter().filter(|p| uses(p)).map(name).collect();
+        let allowed: BTreeSet<String> = allowed.iter().map(|name| (*name).to_owned()).collect();
+        assert_eq!(found, allowed, "{room}");
+    }
+}
