@@ -20,7 +20,7 @@
 //! | `identity` | the difference vanishes, by its normal form or as a series of symbolic degree | [`identity::Identity`] |
 //! | `combination` | the difference is a sum of multiples of equations | [`identity::Combination`] |
 //! | `forced` | the difference can be nothing but zero: between two signs, by its square, or beside factors that do not vanish | [`zero_by_sign::ZeroBySign`] |
-//! | `order` | the difference has a sign: certificates with boxes, squares, factors, rays | [`order::Order`], [`sign::Sign`] |
+//! | `order` | the difference has a sign: certificates with boxes, squares, factors, rays, real roots on the line ([`mod@line`]), partial sums of series ([`taylor`]) | [`order::Order`], [`sign::Sign`] |
 //! | `excluded` | hypotheses say that the difference is not zero | [`order::Excluded`] |
 //! | `enclosure` | printed numbers are the values, rounded or cut off | [`enclosure::Enclosure`] |
 //! | `nonnegative`, `powers` | properties of a basis at every degree | [`family`] |
@@ -39,6 +39,7 @@ pub mod enclosure;
 pub mod evidence;
 pub mod family;
 pub mod identity;
+pub mod line;
 pub mod number;
 pub mod order;
 pub mod point;
@@ -47,6 +48,7 @@ pub mod proof;
 pub mod ratio;
 pub mod sign;
 pub mod symbol;
+pub mod taylor;
 mod text;
 pub mod wronskian;
 pub mod zero_by_sign;

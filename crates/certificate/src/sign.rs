@@ -11,8 +11,10 @@
 //! of the domain. r is positive on a piece if, in addition, each face of the piece that belongs to the domain has a
 //! positive coefficient.
 
+use crate::line::Line;
 use crate::ratio::Ratio;
 use crate::symbol::{Angle, Symbol};
+use crate::taylor::PartialSum;
 use crate::text;
 use serde::Serialize;
 use torse_numbers::Rational;
@@ -44,6 +46,12 @@ pub enum Shown<P> {
     Along(Box<Along<P>>),
     /// The polynomial is a - b where a is nonnegative and a^2 >= b^2.
     Squares(Box<Squares<P>>),
+    /// It has one variable: the signs of factors between their roots.
+    Line(Box<Line<P>>),
+    /// It has sines and cosines beside their variable: partial sums of their series.
+    Taylor(Box<Taylor<P>>),
+    /// It is linear in the square of a bounded symbol: the signs where that is zero, and where it is largest.
+    Even(Box<Even<P>>),
 }
 
 /// A product of nonnegative symbols, and the sign of its coefficient.
@@ -75,7 +83,40 @@ pub struct Squares<P> {
     pub difference: Sign<P>,
 }
 
-/// A part of the domain: symbols, or the angles of cosines, between numbers.
+/// A polynomial by gaps between functions and partial sums of their series.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Taylor<P> {
+    /// The partial sums.
+    pub bounds: Vec<PartialSum>,
+    /// The products of gaps, with their coefficients, which make the polynomial.
+    pub terms: Vec<GapTerm<P>>,
+}
+
+/// A product of powers of gaps, and its coefficient, which is not negative.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct GapTerm<P> {
+    /// The exponents of the gaps, in the order of the sums.
+    pub exponents: Vec<u32>,
+    /// The coefficient.
+    pub coefficient: Sign<P>,
+}
+
+/// A polynomial `p + q b^2`, where b lies between `-c` and c. **Theorem.** It is `(1 - s) p + s (p + q c^2)` with `s = b^2/c^2`
+/// between 0 and 1; so it is not negative if neither of both is, and positive if p is and `b^2 < c^2`, or the other is as well.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Even<P> {
+    /// The symbol b.
+    pub symbol: Symbol,
+    /// The number c, which is positive.
+    #[serde(serialize_with = "text::number")]
+    pub bound: Rational,
+    /// The sign of p.
+    pub at_zero: Sign<P>,
+    /// The sign of `p + q c^2`.
+    pub at_bound: Sign<P>,
+}
+
+/// A part of the domain: a symbol, or the angle of a cosine, between two numbers.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Part<P> {
     /// The bounds, one symbol after the other.
@@ -235,6 +276,14 @@ impl<P> Sign<P> {
                     larger: own.larger.map(change),
                     difference: own.difference.map(change),
                 })),
+                Shown::Line(line) => Shown::Line(Box::new(line.map(change))),
+                Shown::Taylor(taylor) => Shown::Taylor(Box::new(taylor.map(change))),
+                Shown::Even(own) => Shown::Even(Box::new(Even {
+                    symbol: own.symbol.clone(),
+                    bound: own.bound.clone(),
+                    at_zero: own.at_zero.map(change),
+                    at_bound: own.at_bound.map(change),
+                })),
                 Shown::Rays(rays) => Shown::Rays(
                     rays.iter()
                         .map(|ray| Ray {
@@ -255,9 +304,12 @@ impl<P> Sign<P> {
             Shown::Parts(parts) => parts.iter().map(|part| &part.certificate).collect(),
             Shown::Factors(signs) => signs.iter().flat_map(Self::certificates).collect(),
             Shown::Along(along) => along.rest.certificates(),
+            Shown::Line(_) => vec![],
+            Shown::Taylor(taylor) => taylor.coefficients().flat_map(Self::certificates).collect(),
             Shown::Squares(own) => {
                 [own.larger.certificates(), own.difference.certificates()].concat()
             }
+            Shown::Even(own) => [own.at_zero.certificates(), own.at_bound.certificates()].concat(),
             Shown::Rays(rays) => {
                 let signs = rays.iter().map(|ray| &ray.coefficient);
                 signs.flat_map(Self::certificates).collect()
@@ -278,22 +330,76 @@ impl<P> Sign<P> {
             }));
         }
         used.extend(self.equations());
+        used.extend(self.lines().into_iter().flat_map(Line::constraints));
         used.sort_unstable();
         used.dedup();
         used
     }
 
-    /// The indices of the equations of which multiples are subtracted.
+    /// The lines.
+    #[must_use]
+    pub fn lines(&self) -> Vec<&Line<P>> {
+        match &self.by {
+            Shown::Line(line) => vec![line],
+            Shown::Whole(_) | Shown::Parts(_) => vec![],
+            Shown::Factors(signs) => signs.iter().flat_map(Self::lines).collect(),
+            Shown::Taylor(taylor) => taylor.coefficients().flat_map(Self::lines).collect(),
+            Shown::Rays(rays) => {
+                let signs = rays.iter().map(|ray| &ray.coefficient);
+                signs.flat_map(Self::lines).collect()
+            }
+            Shown::Along(along) => along.rest.lines(),
+            Shown::Squares(own) => [own.larger.lines(), own.difference.lines()].concat(),
+            Shown::Even(own) => [own.at_zero.lines(), own.at_bound.lines()].concat(),
+        }
+    }
+
+    /// Whether partial sums of series are used.
+    #[must_use]
+    pub fn uses_series(&self) -> bool {
+        match &self.by {
+            Shown::Taylor(_) => true,
+            Shown::Whole(_) | Shown::Parts(_) | Shown::Line(_) => false,
+            Shown::Factors(signs) => signs.iter().any(Self::uses_series),
+            Shown::Rays(rays) => rays.iter().any(|ray| ray.coefficient.uses_series()),
+            Shown::Along(along) => along.rest.uses_series(),
+            Shown::Squares(own) => own.larger.uses_series() || own.difference.uses_series(),
+            Shown::Even(own) => own.at_zero.uses_series() || own.at_bound.uses_series(),
+        }
+    }
+
+    /// The places of the equations of which multiples are subtracted.
     fn equations(&self) -> Vec<usize> {
         match &self.by {
-            Shown::Whole(_) | Shown::Parts(_) => vec![],
+            Shown::Whole(_) | Shown::Parts(_) | Shown::Line(_) => vec![],
             Shown::Factors(signs) => signs.iter().flat_map(Self::equations).collect(),
+            Shown::Taylor(taylor) => taylor.coefficients().flat_map(Self::equations).collect(),
             Shown::Rays(rays) => {
                 let signs = rays.iter().map(|ray| &ray.coefficient);
                 signs.flat_map(Self::equations).collect()
             }
             Shown::Along(along) => [vec![along.equation], along.rest.equations()].concat(),
             Shown::Squares(own) => [own.larger.equations(), own.difference.equations()].concat(),
+            Shown::Even(own) => [own.at_zero.equations(), own.at_bound.equations()].concat(),
+        }
+    }
+}
+
+impl<P> Taylor<P> {
+    /// The signs of the coefficients.
+    pub fn coefficients(&self) -> impl Iterator<Item = &Sign<P>> {
+        self.terms.iter().map(|term| &term.coefficient)
+    }
+
+    /// The same in other polynomials.
+    pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Taylor<Q> {
+        let term = |term: &GapTerm<P>| GapTerm {
+            exponents: term.exponents.clone(),
+            coefficient: term.coefficient.map(change),
+        };
+        Taylor {
+            bounds: self.bounds.clone(),
+            terms: self.terms.iter().map(term).collect(),
         }
     }
 }

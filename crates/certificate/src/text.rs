@@ -8,6 +8,11 @@ pub(crate) fn number<S: Serializer>(value: &Rational, to: S) -> Result<S::Ok, S:
     to.collect_str(value)
 }
 
+/// Rational numbers, one after the other.
+pub(crate) fn numbers<S: Serializer>(values: &[Rational], to: S) -> Result<S::Ok, S::Error> {
+    to.collect_seq(values.iter().map(ToString::to_string))
+}
+
 /// The sides of a box, `[[low, high], ...]`.
 pub(crate) fn region<S: Serializer>(
     region: &[(Rational, Rational)],

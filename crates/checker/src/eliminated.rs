@@ -45,7 +45,8 @@ impl Domain<'_> {
                     self.by_given(place, (places, nonzero), known)
                 }
                 Determining::Assumed { nonzero } => self.by_one(place, nonzero, known),
-                Determining::Root(own) => self.by_root(place, own),
+                Determining::Root(own) => self.by_root(place, own, &[]),
+                Determining::RootAlong(own) => self.by_root(place, &own.root, &own.multiples),
             };
             match (determined, hypotheses.gap.clone()) {
                 // The equation may be one that could not be expanded.

@@ -1,6 +1,7 @@
 //! Why a proof is not accepted: it is wrong, or it uses something that the checker does not support.
 
 use std::cell::Cell;
+use torse_certificate::line::Uncut;
 use torse_certificate::polynomial::Polynomial;
 use torse_certificate::wronskian::Unfit;
 
@@ -98,7 +99,10 @@ pub enum Wrong {
     /// Total positivity was not shown.
     #[error("total positivity is not shown: {0}")]
     Wronskians(Unfit),
-    /// Some instances are missing.
+    /// The line is not cut as a sign on it needs it.
+    #[error("{0}")]
+    Line(Uncut),
+    /// The instances are not all there are.
     #[error("an instance is missing")]
     Instances,
 }

@@ -10,10 +10,12 @@ mod assumptions;
 mod bernstein;
 mod eliminated;
 mod ends;
+mod even;
 mod expand;
 mod functions;
 mod gap;
 mod integral;
+mod line;
 mod point;
 mod printed;
 mod quotient;
@@ -21,6 +23,7 @@ mod range;
 mod root;
 mod sign;
 mod statement;
+mod taylor;
 mod turn;
 mod value;
 mod variation;
@@ -45,6 +48,8 @@ use torse_syntax::formula::Connective;
 pub const WORK: u64 = 400_000;
 /// The largest number of instances.
 const MAX_INSTANCES: usize = 400;
+/// The most clauses.
+const MAX_CLAUSES: usize = 64;
 
 /// Checks a proof of the statement of a claim, under the conditions that these polynomials do not vanish.
 ///
@@ -217,7 +222,17 @@ impl Check<'_> {
                 }
             }
             (_, Proof::Parts(_)) => beyond("a domain cut into parts"),
-            (_, Proof::Clauses(_)) => beyond("a conjunction of alternatives"),
+            // A statement is true where all clauses of its conjunctive form are.
+            (statement, Proof::Clauses(proofs)) => {
+                let clauses = clauses(statement).ok_or(Unsupported::Large)?;
+                if clauses.len() != proofs.len() {
+                    return Err(Wrong::Kind.into());
+                }
+                for (clause, proof) in clauses.iter().zip(proofs) {
+                    self.proof(&stating(claim, clause), proof, integers)?;
+                }
+                Ok(())
+            }
             (_, Proof::Nowhere(_)) => beyond("a domain without points"),
             _ => Err(Wrong::Kind.into()),
         }
@@ -339,7 +354,31 @@ fn alternatives(statement: &Statement) -> Vec<&Statement> {
     }
 }
 
-/// All combinations of values of these integers in their ranges, which may refer to one another.
+/// A statement of `and` and `or` as clauses that are all true, each one part or several that `or` joins; `None` if there are too many.
+fn clauses(statement: &Statement) -> Option<Vec<Statement>> {
+    let Statement::Join(connective, a, b) = statement else {
+        return Some(vec![statement.clone()]);
+    };
+    match connective {
+        Connective::And => Some([clauses(a)?, clauses(b)?].concat()),
+        Connective::Or => {
+            let (first, second) = (clauses(a)?, clauses(b)?);
+            if first.len() * second.len() > MAX_CLAUSES {
+                return None;
+            }
+            let join = |x: &Statement, y: &Statement| {
+                Statement::Join(Connective::Or, Box::new(x.clone()), Box::new(y.clone()))
+            };
+            let pairs = first
+                .iter()
+                .flat_map(|x| second.iter().map(move |y| join(x, y)));
+            Some(pairs.collect())
+        }
+        Connective::Implies => Some(vec![statement.clone()]),
+    }
+}
+
+/// All values of these integers in their ranges, which may name one another.
 fn assignments(
     claim: &Claim,
     names: &[String],

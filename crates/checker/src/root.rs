@@ -10,7 +10,7 @@ use super::quotient::Quotient;
 use super::sign::Signs;
 use std::sync::Arc;
 use torse_certificate::polynomial::Polynomial;
-use torse_certificate::proof::assumptions::Signed;
+use torse_certificate::proof::assumptions::{EquationMultiple, Signed};
 use torse_certificate::symbol::Symbol;
 use torse_core::Hypothesis;
 
@@ -21,8 +21,13 @@ struct Root {
 }
 
 impl Domain<'_> {
-    /// Checks a symbol that is a root, by a value that is nonnegative and whose square is the radicand.
-    pub(super) fn by_root(&self, place: usize, own: &Signed<Polynomial>) -> Result<(), CheckError> {
+    /// A symbol that is a root, by a value whose square is the radicand, but for multiples of equations, and which is not negative.
+    pub(super) fn by_root(
+        &self,
+        place: usize,
+        own: &Signed<Polynomial>,
+        multiples: &[EquationMultiple<Polynomial>],
+    ) -> Result<(), CheckError> {
         let work = self.work;
         let group = self.groups.get(place).ok_or(Wrong::Kind)?;
         let [determined] = group.values.as_slice() else {
@@ -44,7 +49,13 @@ impl Domain<'_> {
         self.note(&met);
         let value = Quotient::from_ratio(&determined.value, work)?;
         let square = value.times(&value, work)?;
-        let difference = square.minus(&radicand, work)?.above;
+        let signs = Signs::new(self, &own.constraints, place)?;
+        let mut difference = square.minus(&radicand, work)?;
+        for EquationMultiple { equation, multiple } in multiples {
+            let zero = work.times(signs.equation(*equation)?, multiple)?;
+            difference = difference.plus(&zero.into(), work)?;
+        }
+        let difference = difference.above;
         if !self.reduced(&difference, place)?.is_zero(work)? {
             return Err(wrong());
         }
@@ -55,7 +66,6 @@ impl Domain<'_> {
         if !same.is_zero(work)? {
             return Err(Wrong::Sign.into());
         }
-        let signs = Signs::new(self, &own.constraints, place)?;
         signs.check(&own.sign)?;
         if below.is_number() || self.nonzero_at(below, place)? {
             Ok(())

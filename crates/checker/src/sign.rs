@@ -19,14 +19,14 @@ use torse_syntax::formula::Relation;
 
 /// The data against which signs are checked.
 pub struct Signs<'a> {
-    domain: &'a Domain<'a>,
+    pub(super) domain: &'a Domain<'a>,
     constraints: &'a [Constraint<Polynomial>],
     /// The constraints that the claim itself states.
     own: Vec<Compared>,
     gap: Option<Unsupported>,
-    ranges: Ranges,
-    /// The number of groups of symbols that are replaced.
-    groups: usize,
+    pub(super) ranges: Ranges,
+    /// How many groups of symbols have their values.
+    pub(super) groups: usize,
 }
 
 impl<'a> Signs<'a> {
@@ -48,8 +48,8 @@ impl<'a> Signs<'a> {
         })
     }
 
-    /// The constraint of this index, which must be one of the claim.
-    fn known(&self, place: usize) -> Result<&Constraint<Polynomial>, CheckError> {
+    /// The constraint in this place, which has to be one of the claim.
+    pub(super) fn known(&self, place: usize) -> Result<&Constraint<Polynomial>, CheckError> {
         let work = self.domain.work;
         let constraint = self.constraints.get(place).ok_or(Wrong::Kind)?;
         let value = Quotient::from_ratio(&constraint.value, work)?;
@@ -70,8 +70,8 @@ impl<'a> Signs<'a> {
         Ok(constraint)
     }
 
-    /// The numerator of the equation of this index, which is zero wherever the quotient is defined.
-    fn equation(&self, place: usize) -> Result<&Polynomial, CheckError> {
+    /// The numerator of the equation in this place: it is zero wherever the quotient is defined.
+    pub(super) fn equation(&self, place: usize) -> Result<&Polynomial, CheckError> {
         let constraint = self.known(place)?;
         match constraint.relation {
             Relation::Equal => Ok(&constraint.value.above),
@@ -105,7 +105,7 @@ impl<'a> Signs<'a> {
         checked
     }
 
-    fn sign(&self, sign: &Sign<Polynomial>) -> Result<(), CheckError> {
+    pub(super) fn sign(&self, sign: &Sign<Polynomial>) -> Result<(), CheckError> {
         let work = self.domain.work;
         let same = |p: &Polynomial| Quotient::from(p.minus(&sign.polynomial)).is_zero(work);
         let strict = match &sign.by {
@@ -144,6 +144,15 @@ impl<'a> Signs<'a> {
                     return Err(Wrong::Equation.into());
                 }
                 along.rest.strict
+            }
+            Shown::Even(even) => self.even(&sign.polynomial, even)?,
+            Shown::Taylor(taylor) => self.taylor(&sign.polynomial, taylor)?,
+            Shown::Line(line) => {
+                let target = self.product(&line.target, line)?;
+                if !same(&target)? {
+                    return Err(Wrong::Equation.into());
+                }
+                self.line(line)?
             }
             Shown::Squares(own) => {
                 self.sign(&own.larger)?;
@@ -276,9 +285,8 @@ impl<'a> Signs<'a> {
         Ok(positive)
     }
 
-    /// The error for a symbol that is not within its coordinate. For an integer that is bounded by other integers its
-    /// bounds do not determine the range, so this is merely unsupported.
-    fn left(&self, symbol: &Symbol) -> CheckError {
+    /// A symbol leaves its coordinate, as far as its bounds tell: of an integer between others they do not tell all.
+    pub(super) fn left(&self, symbol: &Symbol) -> CheckError {
         let set = match symbol {
             Symbol::Named(name) => self.domain.claim.symbols.get(name),
             _ => None,
@@ -337,7 +345,9 @@ impl<'a> Signs<'a> {
                     ..
                 } => {
                     let mut all = polynomials.iter().flat_map(|p| p.symbols());
-                    (format!("{angle}{variable}"), all.all(|own| own != symbol))
+                    // The angle of w in radians is not w.
+                    let name = format!("the angle {angle}{variable}");
+                    (name, all.all(|own| own != symbol))
                 }
                 Coordinate::Side { symbol, .. }
                 | Coordinate::Ray { symbol, .. }

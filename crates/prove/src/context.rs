@@ -19,7 +19,7 @@ use crate::unknown::Unknown;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::{Fraction, Polynomial, Symbol};
-use torse_certificate::proof::assumptions::{Determining, Signed};
+use torse_certificate::proof::assumptions::{Determining, RootAlong, Signed};
 use torse_core::{self as core, Hypothesis, Source};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::declarations::SymbolKind;
@@ -229,7 +229,11 @@ impl<'a> ProofContext<'a> {
         let root = plain_symbol(root);
         self.branch.eliminated().iter().any(|elimination| {
             let mut values = elimination.values.iter();
-            matches!(elimination.by, Determining::Root(_)) && values.any(|v| v.symbol == root)
+            let is_root = matches!(
+                elimination.by,
+                Determining::Root(_) | Determining::RootAlong(_)
+            );
+            is_root && values.any(|v| v.symbol == root)
         })
     }
 
@@ -246,9 +250,14 @@ impl<'a> ProofContext<'a> {
         };
         let value = found.value.under(radicand.conditions());
         let unknown = Unknown::new(symbol.clone()).ok_or_else(no_unknown)?;
-        let _ = self
-            .branch
-            .solve(&[(unknown, value)], Equation::Root(Box::new(rooted)))?;
+        let by = match found.multiples.is_empty() {
+            true => Equation::Root(Box::new(rooted)),
+            false => Equation::RootAlong(Box::new(RootAlong {
+                root: rooted,
+                multiples: found.multiples,
+            })),
+        };
+        let _ = self.branch.solve(&[(unknown, value)], by)?;
         Ok(())
     }
 

@@ -289,6 +289,7 @@ impl<'a> Decider<'a> {
         let ground = self.ground(instance)?;
         let rooted = !ground.branch.domain.roots.is_empty();
         let splits = ground.branch.splits().to_vec();
+        let has_divisors = !splits.is_empty();
         let decision = self.on_ground(statement, instance, ground)?;
         let decision = self.split(statement, instance, decision, splits);
         if rooted && matches!(decision, Decision::Open { .. }) {
@@ -297,6 +298,16 @@ impl<'a> Decider<'a> {
             if let Ok(decided @ (Decision::Proven(_) | Decision::Refuted(_))) = again {
                 return Ok(decided);
             }
+        }
+        if matches!(decision, Decision::Open { .. })
+            && has_divisors
+            && let Some((kept, combination, conditions)) = self.uneliminated(statement, instance)
+            && conditions.is_empty()
+        {
+            let met = unrooted(&combination.divisors, &kept);
+            let nonzero = nonzero(met, &conditions, &kept.branch.domain);
+            let combination = Proof::Combination(combination);
+            return Ok(proved(kept, combination, (conditions, nonzero), vec![]));
         }
         Ok(decision)
     }

@@ -145,6 +145,12 @@ fn order(own: &Order<Polynomial>) -> Vec<String> {
     if certificates().any(|certificate| !certificate.squares.is_empty()) {
         steps.push("sums of squares are not negative");
     }
+    if own.signs.iter().any(Sign::uses_series) {
+        steps.push("partial sums of their series bound sines and cosines");
+    }
+    if own.signs.iter().any(|sign| !sign.lines().is_empty()) {
+        steps.push("the signs between the real roots are those that are asked");
+    }
     let uses = own.signs.iter().any(|sign| !sign.constraints().is_empty());
     if uses || own.bounded_by_assumptions {
         steps.push("the assumptions bound the domain");
@@ -204,12 +210,17 @@ fn wronskians(own: &Wronskians) -> Vec<String> {
 
 /// The value of a root; `None` for other symbols.
 fn elimination(own: &Elimination<Polynomial>) -> Option<String> {
-    let (Determining::Root(_), [determined]) = (&own.by, own.values.as_slice()) else {
+    let [determined] = own.values.as_slice() else {
         return None;
+    };
+    let square = match &own.by {
+        Determining::Root(_) => "the square is the radicand",
+        Determining::RootAlong(_) => "by the equations the square is the radicand",
+        Determining::Assumed { .. } | Determining::Given { .. } => return None,
     };
     let (root, value) = (&determined.symbol, &determined.value);
     Some(format!(
-        "{root} is {value}: the square is the radicand, and this is nowhere negative"
+        "{root} is {value}: {square}, and this is nowhere negative"
     ))
 }
 

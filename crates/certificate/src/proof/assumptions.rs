@@ -67,6 +67,26 @@ pub enum Determining<P> {
     /// The symbol is a root, and the square of the value is its radicand. The product of numerator and denominator of
     /// the value is nonnegative, so the value is the root and not its negative.
     Root(Box<Signed<P>>),
+    /// The same, where the square is the radicand but for multiples of equations.
+    RootAlong(Box<RootAlong<P>>),
+}
+
+/// Why a root has its value where equations hold.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct RootAlong<P> {
+    /// The sign of the value, with the constraints.
+    pub root: Signed<P>,
+    /// Multiples of equations, which with the square of the value make the radicand.
+    pub multiples: Vec<EquationMultiple<P>>,
+}
+
+/// A multiple of an equation.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct EquationMultiple<P> {
+    /// The place of the equation among the constraints; its numerator is what is zero.
+    pub equation: usize,
+    /// What it is multiplied with.
+    pub multiple: P,
 }
 
 /// A sign under the assumptions that were available before an elimination.
@@ -141,6 +161,16 @@ impl<P> Elimination<P> {
                     nonzero: nonzero.iter().map(signed).collect(),
                 },
                 Determining::Root(own) => Determining::Root(Box::new(signed(own))),
+                Determining::RootAlong(own) => {
+                    let multiples = own.multiples.iter().map(|own| EquationMultiple {
+                        equation: own.equation,
+                        multiple: change(&own.multiple),
+                    });
+                    Determining::RootAlong(Box::new(RootAlong {
+                        root: signed(&own.root),
+                        multiples: multiples.collect(),
+                    }))
+                }
             },
         }
     }

@@ -3,6 +3,7 @@
 
 use super::domain::Domain;
 use super::order::truth;
+use super::real_symbol::RealSymbol;
 use crate::decide::interval::{Bound, Interval};
 use num_traits::Signed;
 use torse_algebra::rational::{integer, ratio};
@@ -89,8 +90,10 @@ impl Domain<'_> {
         .into_iter()
         .chain(own)
         {
-            let whole = || value.as_rational().is_some_and(|q| q.is_integer());
-            if inside(&interval, &value) && !found.contains(&value) && (!is_integer || whole()) {
+            if inside(&interval, &value)
+                && !found.contains(&value)
+                && (!is_integer || is_whole(&value))
+            {
                 found.push(value);
             }
         }
@@ -99,6 +102,12 @@ impl Domain<'_> {
 }
 
 impl Domain<'_> {
+    /// Whether a number is a value of the symbol, as far as its interval tells.
+    #[must_use]
+    pub(crate) fn admits(&self, symbol: &RealSymbol, value: &Fraction) -> bool {
+        inside(&self.interval(symbol.symbol()), value)
+    }
+
     /// The values of a symbol in its interval that equations such as `2*w^2 == 3` leave.
     pub(crate) fn roots_of(
         &self,
@@ -136,6 +145,11 @@ fn roots<'c>(
     roots
         .flat_map(|root| [Fraction::from(root.clone()), Fraction::from(-root)])
         .collect()
+}
+
+/// Whether a value is an integer.
+pub(crate) fn is_whole(value: &Fraction) -> bool {
+    value.as_rational().is_some_and(|q| q.is_integer())
 }
 
 fn inside(interval: &Interval, value: &Fraction) -> bool {

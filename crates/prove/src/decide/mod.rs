@@ -19,6 +19,7 @@ pub mod instances;
 pub mod interval;
 pub mod nondegenerate;
 pub mod order;
+pub mod real_symbol;
 mod render;
 pub mod root;
 pub mod sharpness;

@@ -5,10 +5,11 @@
 //! vanishes. A nonzero polynomial has a nonzero value on every grid that is fine enough, so the search
 //! goes back only where assumptions bind.
 
-use super::candidates::Turns;
+use super::candidates::{Turns, is_whole};
 use super::domain::Domain;
 use super::nondegenerate::make_nondegenerate;
 use super::order::truth;
+use super::real_symbol::RealSymbol;
 use super::value::{fraction, plain_symbol, quotient};
 use std::collections::BTreeMap;
 use torse_algebra::fault_injection::{InjectedFault, injected};
@@ -100,6 +101,18 @@ pub fn find(
     domain: &Domain<'_>,
     wanted: Relation,
 ) -> Option<Point> {
+    near(difference, also, domain, wanted, None)
+}
+
+/// The same, with this value of a symbol tried first.
+#[must_use]
+pub fn near(
+    difference: &Fraction,
+    also: &[&Fraction],
+    domain: &Domain<'_>,
+    wanted: Relation,
+    first: Option<(&RealSymbol, &Fraction)>,
+) -> Option<Point> {
     let mut constraints: Vec<(Fraction, Relation)> = domain
         .constraints
         .iter()
@@ -130,7 +143,13 @@ pub fn find(
     let candidates: Vec<(Symbol, Vec<Fraction>)> = symbols
         .into_iter()
         .map(|s| {
-            let values = domain.candidates(&s, turns(&everything, &s));
+            let mut values = domain.candidates(&s, turns(&everything, &s));
+            if let Some((own, value)) = first
+                && *own.symbol() == s
+                && domain.admits(own, value)
+            {
+                values.insert(0, value.clone());
+            }
             (s, values)
         })
         .collect();
@@ -263,19 +282,14 @@ impl Search<'_> {
             && self.integers_in_range(point)
     }
 
-    /// Whether every integer of the point respects its bounds, which may name others, and every eliminated one is an
-    /// integer.
+    /// Whether every integer of the point, also one that is eliminated, is an integer and respects its bounds, which may name
+    /// others.
     fn integers_in_range(&self, point: &Point) -> bool {
         let mut all = point.clone();
         for (symbol, value) in self.domain.solved() {
             let Some(value) = at_point(value, point) else {
                 return false;
             };
-            if self.domain.is_integer(symbol)
-                && !value.as_rational().is_some_and(|q| q.is_integer())
-            {
-                return false;
-            }
             all.insert(symbol.clone(), value);
         }
         all.iter().all(|(symbol, at)| {
@@ -293,7 +307,7 @@ impl Search<'_> {
                         .is_some_and(|value| truth(&(at.clone() - value), relation) == Some(true))
                 })
             };
-            bound(least, Relation::AtLeast) && bound(most, Relation::AtMost)
+            is_whole(at) && bound(least, Relation::AtLeast) && bound(most, Relation::AtMost)
         })
     }
 }

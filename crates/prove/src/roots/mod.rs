@@ -5,7 +5,8 @@
 //! of r. Those that are left are symbols; a polynomial in them is reduced by their equations. Since `w^2` is r, w vanishes where
 //! r does and nowhere else.
 
-mod square;
+mod equations;
+pub(crate) mod square;
 
 use crate::decide::domain::Domain;
 use crate::decide::root::Root;
@@ -13,6 +14,7 @@ use crate::decide::sign;
 use square::root_of;
 use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Fraction, Polynomial};
+use torse_certificate::proof::assumptions::EquationMultiple;
 use torse_certificate::sign::Sign;
 
 /// Radicands of more terms than this are not examined for their sign.
@@ -26,6 +28,8 @@ pub struct Resolved {
     pub value: Fraction,
     /// What shows that it is not negative.
     pub sign: Sign<Polynomial>,
+    /// Multiples of the assumed equations that make the square of the value the radicand.
+    pub multiples: Vec<EquationMultiple<Polynomial>>,
 }
 
 /// The value of a root of this radicand, if it is found: from squares in it, and from the roots that are known.
@@ -42,6 +46,7 @@ pub fn resolved(radicand: &Fraction, domain: &Domain<'_>) -> Option<Resolved> {
     products
         .iter()
         .find_map(|roots| as_multiple(radicand, roots, domain))
+        .or_else(|| equations::resolved(radicand, domain))
 }
 
 /// The root as a multiple of these.
@@ -69,17 +74,28 @@ fn as_multiple(radicand: &Fraction, roots: &[&Root], domain: &Domain<'_>) -> Opt
     if !value.conditions().iter().all(known) {
         return None;
     }
-    [value.clone(), -value].into_iter().find_map(|value| {
-        let product = value.numerator() * &value.denominator();
-        let shown = match injected(InjectedFault::RootSignIgnored) {
-            true => product.power(2),
-            false => product,
-        };
-        let sign = (shown.len() <= MAX_EXAMINED)
-            .then(|| sign::nonnegative(&shown, domain))
-            .flatten()?;
-        Some(Resolved { value, sign })
-    })
+    not_negative(&value, domain)
+}
+
+/// A value or its negative, whichever is nowhere negative.
+fn not_negative(value: &Fraction, domain: &Domain<'_>) -> Option<Resolved> {
+    [value.clone(), -value.clone()]
+        .into_iter()
+        .find_map(|value| {
+            let product = value.numerator() * &value.denominator();
+            let shown = match injected(InjectedFault::RootSignIgnored) {
+                true => product.power(2),
+                false => product,
+            };
+            let sign = (shown.len() <= MAX_EXAMINED)
+                .then(|| sign::nonnegative(&shown, domain))
+                .flatten()?;
+            Some(Resolved {
+                value,
+                sign,
+                multiples: vec![],
+            })
+        })
 }
 
 /// The value of one of the roots that are known, in terms of the others, if it is found.

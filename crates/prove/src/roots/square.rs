@@ -15,7 +15,7 @@ const MAX_ANGLES: usize = 3;
 
 /// Something whose square is the fraction, if it is found.
 #[must_use]
-pub(super) fn root_of(value: &Fraction) -> Option<Fraction> {
+pub(crate) fn root_of(value: &Fraction) -> Option<Fraction> {
     let (mut above, mut below) = (value.numerator().clone(), Polynomial::integer(1));
     for (factor, exponent) in value.denominator_factors() {
         if exponent % 2 == 1 {

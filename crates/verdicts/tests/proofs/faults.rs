@@ -48,7 +48,7 @@ fn the_checker_sees_mistakes_of_the_prover() {
         ),
         (
             InjectedFault::WitnessAnywhere,
-            "assume = ['a^3 > 1']\nstates = 'a > 1/2'",
+            "assume = ['a^3 > 1 + x*b^2']\nstates = 'a > 1/2'",
         ),
         (
             InjectedFault::RoundingTooWide,

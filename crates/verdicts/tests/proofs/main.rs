@@ -16,6 +16,7 @@ mod damaged;
 mod faults;
 mod forced;
 mod kinds;
+mod lines;
 mod random;
 
 use torse_certificate::Polynomial;

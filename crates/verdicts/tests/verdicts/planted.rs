@@ -182,7 +182,7 @@ const CASES: &[PreparedClaim] = &[
     ),
     case(
         InjectedFault::WitnessAnywhere,
-        "assume = ['a^3 > 1']\nstates = 'a > 1/2'",
+        "assume = ['a*exp(a) > 2']\nstates = 'a > 1/2'",
         Undecided,
         Caught::Net,
     ),

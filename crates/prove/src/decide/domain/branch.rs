@@ -15,7 +15,9 @@ use crate::evaluate::value::UNPLACED;
 use crate::unknown::{Unknown, mentions};
 use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Fraction, Polynomial, Symbol};
-use torse_certificate::proof::assumptions::{Determined, Determining, Elimination, Signed};
+use torse_certificate::proof::assumptions::{
+    Determined, Determining, Elimination, RootAlong, Signed,
+};
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::Relation;
@@ -74,6 +76,8 @@ pub enum Equation {
     },
     /// That a symbol is a root whose radicand has this sign.
     Root(Box<Signed<Polynomial>>),
+    /// The same, where equations make the square of the value the radicand.
+    RootAlong(Box<RootAlong<Polynomial>>),
 }
 
 impl<'a> Branch<'a> {
@@ -132,6 +136,7 @@ impl<'a> Branch<'a> {
                 (Determining::Given { places, nonzero }, open)
             }
             Equation::Root(signed) => (Determining::Root(signed), vec![]),
+            Equation::RootAlong(own) => (Determining::RootAlong(own), vec![]),
         };
         let cases = if open.is_empty() {
             Cases::Whole

@@ -5,18 +5,23 @@
 //! polynomials sum to one, so if all coefficients are nonnegative the polynomial is, and if moreover every
 //! face of the box has a positive coefficient it is positive. Assumed inequalities c >= 0 help in three
 //! ways: parts of the box where one fails are left out, one that divides the polynomial is split off, and
-//! multiples of one are subtracted; of equations multiples of either sign are. Every proof is a [`certificate`], which is
+//! multiples of one are subtracted; of equations multiples of either sign are. What has one variable alone is decided by
+//! its real roots ([`line`]). Every proof is a [`certificate`], which is
 //! replayed by other means.
 
 mod bernstein;
 pub mod certificate;
 pub mod coordinates;
+mod even;
+mod failing_point;
 mod farkas;
+mod line;
 mod proof;
 mod prove;
 mod rooted;
 mod samples;
 mod squares;
+mod taylor;
 
 use super::domain::Domain;
 use super::value::Proof as Whole;
@@ -79,6 +84,9 @@ pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proo
             let (sign, proof) = rooted::proof(&-polynomial, domain)?;
             Some((sign.negated(), proof))
         })
+        .or_else(|| line::proof(polynomial, domain, &[]))
+        .or_else(|| taylor::proof(polynomial, domain))
+        .or_else(|| even::proof(polynomial, domain))
 }
 
 /// That the polynomial is zero or more, if that can be proved: one that is zero everywhere is zero or less as well.
@@ -125,7 +133,8 @@ pub fn nonnegative(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Writt
     let wanted = |(sign, _): &(Sign, Proof)| matches!(sign, Sign::Positive | Sign::Nonnegative);
     let (_, proof) = proof(polynomial, domain)
         .filter(wanted)
-        .or_else(|| not_negative(polynomial, domain))?;
+        .or_else(|| not_negative(polynomial, domain))
+        .or_else(|| line::not_negative(polynomial, domain, &[]))?;
     proof.check(domain).ok()?;
     proof.written(domain)
 }
@@ -133,13 +142,21 @@ pub fn nonnegative(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Writt
 /// What shows that the polynomial or its negative is positive on the domain, replayed.
 #[must_use]
 pub fn positive(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Written<Polynomial>> {
-    match proof(polynomial, domain)? {
-        (Sign::Positive | Sign::Negative, proof) => {
-            proof.check(domain).ok()?;
-            proof.written(domain)
-        }
-        _ => None,
-    }
+    let (_, proof) = strict(polynomial, domain, &[])?;
+    proof.check(domain).ok()?;
+    proof.written(domain)
+}
+
+/// A sign that is not zero, where these divisors do not vanish.
+fn strict(
+    polynomial: &Polynomial,
+    domain: &Domain<'_>,
+    divisors: &[Polynomial],
+) -> Option<(Sign, Proof)> {
+    let wanted = |(sign, _): &(Sign, Proof)| matches!(sign, Sign::Positive | Sign::Negative);
+    proof(polynomial, domain)
+        .filter(wanted)
+        .or_else(|| line::strict(polynomial, domain, divisors))
 }
 
 /// Whether the polynomial never vanishes on the domain, by a sign whose certificate is replayed, or because no integers
@@ -149,10 +166,7 @@ pub fn never_zero(polynomial: &Polynomial, domain: &Domain<'_>) -> bool {
     if no_integers_solve(polynomial, domain) {
         return true;
     }
-    match proof(polynomial, domain) {
-        Some((Sign::Positive | Sign::Negative, proof)) => proof.check(domain).is_ok(),
-        _ => false,
-    }
+    strict(polynomial, domain, &[]).is_some_and(|(_, proof)| proof.check(domain).is_ok())
 }
 
 /// Whether a linear form in integers with integer coefficients has a constant that their greatest common divisor does
@@ -222,8 +236,26 @@ pub fn compare(
         with_denominator(above, &difference, domain)
     };
     let one = || sign_of_fraction(&difference, domain);
-    let tried: [&dyn Fn() -> Option<Found>; 3] =
-        [&one, &|| other(not_negative), &|| other(not_positive)];
+    let by_line = || {
+        let (above, below) = (difference.numerator(), difference.denominator());
+        let divisors = difference.conditions();
+        line::proof(above, domain, divisors)
+            .and_then(|above| with_denominator(above, &difference, domain))
+            .or_else(|| {
+                let (sign, proof) = line::proof(&(above * &below), domain, divisors)?;
+                Some(Found {
+                    sign,
+                    product: true,
+                    proofs: vec![proof],
+                })
+            })
+    };
+    let tried: [&dyn Fn() -> Option<Found>; 4] = [
+        &one,
+        &|| other(not_negative),
+        &|| other(not_positive),
+        &by_line,
+    ];
     for found in tried.iter().filter_map(|try_one| try_one()) {
         let sign = found.sign;
         let proven = match relation {
@@ -246,6 +278,7 @@ pub fn compare(
         }
     }
     if let Some(point) = witness::find(&difference, &[x, y], domain, opposite)
+        .or_else(|| failing_point::find(&difference, &[x, y], domain, opposite))
         && let Some(point) = witness::described(
             &point,
             Comparison::Order,
@@ -393,7 +426,7 @@ fn with_denominator(
 ) -> Option<Found> {
     let (mut negative, mut proofs) = (false, vec![first]);
     for (factor, exponent) in value.denominator_factors() {
-        let (sign, proof) = proof(factor, domain)?;
+        let (sign, proof) = strict(factor, domain, value.conditions())?;
         match sign {
             Sign::Positive => {}
             Sign::Negative => negative ^= exponent % 2 == 1,

@@ -4,11 +4,16 @@ use super::certificate::{self, Certificate, CertificateError};
 use super::{Sign, prove, without_equations};
 use crate::decide::domain::Domain;
 use crate::decide::interval::Bound;
-use crate::decide::value::{plain_symbol, quotient};
+use crate::decide::value::{plain, plain_symbol, quotient};
 use crate::formula::factored;
 use std::collections::BTreeMap;
+use torse_algebra::rational::integer;
 use torse_algebra::{Polynomial, Rational, Symbol};
-use torse_certificate::sign::{self as written, Bounded, End, Part, Ray, Sign as Written};
+use torse_certificate::line::Line;
+use torse_certificate::sign::{
+    self as written, Bounded, End, GapTerm, Part, Ray, Sign as Written, Taylor,
+};
+use torse_certificate::taylor::PartialSum;
 use torse_syntax::formula::Relation;
 
 /// A proof of sign about one polynomial, with what shows it.
@@ -35,6 +40,13 @@ pub enum Shown {
     Along(usize, Polynomial, Box<Proof>),
     /// A proof that a is zero or more, and one about a^2 - b^2, for a - b.
     Squares(Box<[Proof; 2]>),
+    /// The signs of factors between their roots; whether the polynomial is more than zero.
+    Line(Box<Line<Polynomial>>, bool),
+    /// Partial sums of series, and proofs about the coefficients of products of gaps; whether the polynomial is more than zero.
+    Taylor(Vec<PartialSum>, Vec<(Vec<u32>, Proof)>, bool),
+    /// A symbol, a bound of it, and proofs about the polynomial where its square is zero and where it is that of the bound; whether
+    /// the polynomial is more than zero.
+    Even(Symbol, Rational, Box<[Proof; 2]>, bool),
 }
 
 impl Proof {
@@ -108,6 +120,28 @@ impl Proof {
                     equation: *equation,
                     multiple: multiple.clone(),
                     rest: rest.written(domain)?,
+                }))
+            }
+            Shown::Line(line, _) => written::Shown::Line(line.clone()),
+            Shown::Even(symbol, bound, own, _) => {
+                let [at_zero, at_bound] = &**own;
+                written::Shown::Even(Box::new(written::Even {
+                    symbol: plain_symbol(symbol),
+                    bound: bound.clone(),
+                    at_zero: at_zero.written(domain)?,
+                    at_bound: at_bound.written(domain)?,
+                }))
+            }
+            Shown::Taylor(bounds, terms, _) => {
+                let term = |(exponents, proof): &(Vec<u32>, Self)| {
+                    Some(GapTerm {
+                        exponents: exponents.clone(),
+                        coefficient: proof.written(domain)?,
+                    })
+                };
+                written::Shown::Taylor(Box::new(Taylor {
+                    bounds: bounds.clone(),
+                    terms: terms.iter().map(term).collect::<Option<_>>()?,
                 }))
             }
             Shown::Squares(own) => {
@@ -204,22 +238,64 @@ impl Proof {
         if polynomial.len() > MAX_TERMS {
             return None;
         }
-        for (place, value) in equations(domain).filter(|(_, value)| value.len() <= MAX_TERMS) {
+        let short: Vec<(usize, &Polynomial)> = equations(domain)
+            .filter(|(_, value)| value.len() <= MAX_TERMS)
+            .collect();
+        for (place, value) in &short {
             for multiple in multiples(polynomial, value) {
-                let rest = polynomial - &value.scaled(&multiple);
-                if let Some((sign @ (Sign::Positive | Sign::Nonnegative), rest)) =
-                    without_equations(&rest, domain)
+                if let Some(found) = Self::along(polynomial, &[(*place, *value, multiple)], domain)
                 {
-                    let multiple = Polynomial::constant(&multiple);
-                    let own = Self {
-                        polynomial: polynomial.clone(),
-                        shown: Shown::Along(place, multiple, Box::new(rest)),
-                    };
-                    return Some((sign, own));
+                    return Some(found);
+                }
+            }
+        }
+        Self::along_two(polynomial, &short, domain)
+    }
+
+    /// The same with multiples of two equations that cancel a term together, each half of it.
+    fn along_two(
+        polynomial: &Polynomial,
+        equations: &[(usize, &Polynomial)],
+        domain: &Domain<'_>,
+    ) -> Option<(Sign, Self)> {
+        let half = integer(1) / integer(2);
+        for (number, (first, one)) in equations.iter().enumerate() {
+            for (second, two) in equations.iter().skip(number + 1).take(MAX_MULTIPLES) {
+                let shared = multiples(polynomial, two);
+                let both = multiples(polynomial, one);
+                for multiple in both.iter().filter(|multiple| shared.contains(multiple)) {
+                    let multiple = multiple * &half;
+                    let along = [(*first, *one, multiple.clone()), (*second, *two, multiple)];
+                    if let Some(found) = Self::along(polynomial, &along, domain) {
+                        return Some(found);
+                    }
                 }
             }
         }
         None
+    }
+
+    /// The polynomial by the sign of what is left without these multiples of equations.
+    fn along(
+        polynomial: &Polynomial,
+        equations: &[(usize, &Polynomial, Rational)],
+        domain: &Domain<'_>,
+    ) -> Option<(Sign, Self)> {
+        let mut wholes = vec![];
+        let mut rest = polynomial.clone();
+        for (place, value, multiple) in equations {
+            let left = &rest - &value.scaled(multiple);
+            wholes.push((*place, multiple, std::mem::replace(&mut rest, left)));
+        }
+        let found = without_equations(&rest, domain)?;
+        let (sign @ (Sign::Positive | Sign::Nonnegative), proof) = found else {
+            return None;
+        };
+        let along = |rest: Self, (place, multiple, polynomial)| Self {
+            polynomial,
+            shown: Shown::Along(place, Polynomial::constant(multiple), Box::new(rest)),
+        };
+        Some((sign, wholes.into_iter().rev().fold(proof, along)))
     }
 
     /// Whether the polynomial is shown to be more than zero.
@@ -234,6 +310,8 @@ impl Proof {
                 .any(|(rays, proof)| rays.is_constant() && proof.strict()),
             Shown::Along(_, _, rest) => rest.strict(),
             Shown::Squares(own) => own[1].strict(),
+            Shown::Line(_, strict) => *strict,
+            Shown::Taylor(.., strict) | Shown::Even(.., strict) => *strict,
         }
     }
 
@@ -282,6 +360,17 @@ impl Proof {
                     return Err(CertificateError::Equation);
                 }
                 rest.check(domain)
+            }
+            // What the coefficients make is multiplied out by the checker.
+            Shown::Taylor(_, terms, _) => terms.iter().try_for_each(|(_, own)| own.check(domain)),
+            Shown::Even(_, _, own, _) => own.iter().try_for_each(|proof| proof.check(domain)),
+            // Its cells were looked at when it was made, and the checker looks at them again.
+            Shown::Line(line, _) => {
+                let line = line.map(&plain);
+                match line.target.polynomial(&line.factors) {
+                    Some(target) if target == plain(&self.polynomial) => Ok(()),
+                    _ => Err(CertificateError::Equation),
+                }
             }
             Shown::Squares(own) => {
                 let [larger, difference] = &**own;
