@@ -215,3 +215,27 @@ fn developables_of_pieces_that_do_not_meet_point_to_whole_panels() {
         report.missed
     );
 }
+
+#[test]
+fn a_rectangle_and_a_round_pipe_end_with_an_answer() {
+    let text = r#"
+[curves]
+rect = { polyline = [[0, -100, 0], [150, -100, 0], [150, 100, 0], [-150, 100, 0], [-150, -100, 0], [0, -100, 0]] }
+pipe = { arc = { centre = [40, 0, 250], from = [40, -90, 250], axis = [0, 0, 1], angle = 360 } }
+[patches]
+duct = { connect = ["rect", "pipe"] }
+"#;
+    match read("duct.toml", text) {
+        // Four triangles and four cones, as a sheet-metal worker would draw it.
+        Ok(duct) => assert!(inspect(&duct).unwrap().missed.is_empty()),
+        Err(torse_designs::DesignError::Wrong { mistakes }) => {
+            let [mistake] = mistakes.as_slice() else {
+                panic!("{mistakes:?}")
+            };
+            let help = miette::Diagnostic::help(mistake).unwrap().to_string();
+            assert!(help.contains("connect piece by piece"), "{help}");
+            assert!(help.matches("with curve 2 from").count() <= 2, "{help}");
+        }
+        Err(other) => panic!("{other:?}"),
+    }
+}

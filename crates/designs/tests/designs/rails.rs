@@ -309,3 +309,30 @@ fn fold_reads_patterns_in_the_unit_that_they_state() {
     let inches = format!("{first}in\" height{height}in\" viewBox{rest}");
     assert!(!folded(&inches).missed.is_empty());
 }
+
+#[test]
+fn a_quarter_of_an_ellipse_is_cut_exactly() {
+    let part = |section: &str| {
+        let text = format!(
+            "[curves]\nq = {{ arc = {{ centre = [1, 0, 0], from = [31, 0, 0], to = [1, 20, 5] }}, section = {section} }}\n\
+             [patches.wall]\ncylinder = \"q\"\ndirection = [0, 0, 40]\n"
+        );
+        design(&text).patches.remove(0).sheet
+    };
+    let (whole, middle) = (part("[0, 1]"), part("[0.25, 0.75]"));
+    for k in 0..=8 {
+        let x = f64::from(k) / 8.0;
+        let (here, there) = (middle.point(x, 0.0), whole.point(0.25 + 0.5 * x, 0.0));
+        let (here, there) = (here.unwrap(), there.unwrap());
+        assert!(here.iter().zip(&there).all(|(a, b)| (a - b).abs() < 1e-13));
+    }
+    // A row with straight sides is cut where the arc begins and ends.
+    let ruled = design(
+        "[curves]\nrect = { polyline = [[0, -60, 0], [70, -60, 0], [70, 0, 0]] }\n\
+         pipe = { arc = { centre = [0, 0, 80], from = [0, -40, 80], to = [40, 0, 80] } }\n\
+         [patches.side]\nruled = [\"rect\", \"pipe\"]\n",
+    );
+    assert_eq!(ruled.patches.len(), 2);
+    let other = "[curves]\ng = { gbt = [[0, 0, 0], [1, 2, 0], [3, 0, 0]], shape = [0.5, 0], section = [0, 0.5] }\n";
+    assert!(refused(other).contains("no control points"));
+}

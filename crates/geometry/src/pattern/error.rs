@@ -42,8 +42,9 @@ pub enum PatternError {
     },
     /// The patch is not developable: flattening it takes more strain than allowed.
     #[error(
-        "not developable: strain {strain:e} about x = {x}, where the tangent plane turns by {twist} rad, \
-         {limit:e} allowed"
+        "not developable: strain {strain:.3e} about x = {x:.6}, where the tangent plane turns by {:.6} degrees, \
+         {limit:e} allowed",
+        twist.to_degrees()
     )]
     NotDevelopable {
         /// A bound of the strain: with so much allowed it is flattened.

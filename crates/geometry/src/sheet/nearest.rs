@@ -7,6 +7,7 @@ use crate::curve::{Curve, EllipticHelix, RationalCurve, least};
 use crate::error::{GeometryError, Place, Result};
 use crate::over::Over;
 use crate::scalars::{exact, exact_ball};
+use crate::vector::sub;
 use torse_algebra::{Ball, Jet};
 
 /// The point of a rail nearest to another point.
@@ -97,11 +98,13 @@ impl Rail {
         at(found.x, back(found.high.max(0.0).sqrt(), units)?)
     }
 
-    /// The parts on `[0, x]` and `[x, 1]` of a Bezier curve, weighted or not, each with a parameter of its own in [0, 1].
+    /// The parts on `[0, x]` and `[x, 1]` of a Bezier curve, weighted or not, or of an arc of an ellipse, each with a
+    /// parameter of its own in [0, 1].
     ///
     /// # Errors
-    /// [`GeometryError::OutOfRange`] unless `0 < x < 1`; [`GeometryError::Degenerate`] for a curve with shape parameters,
-    /// whose parts have no control points (a patch over it is trimmed by [`Sheet::part`](super::Sheet::part)).
+    /// [`GeometryError::OutOfRange`] unless `0 < x < 1`; [`GeometryError::Degenerate`] for a curve with shape parameters
+    /// that is no arc of an ellipse: its parts have no control points (a patch over it is trimmed by
+    /// [`Sheet::part`](super::Sheet::part)).
     ///
     /// ```
     /// use torse_geometry::prelude::*;
@@ -129,13 +132,12 @@ impl Rail {
                 let curve = curve.clone().with_basis(|_| Bernstein);
                 Ok(curve.split(&x)?.map(Self::from))
             }
-            RailCurve::Elliptic(curve) => {
-                Ok([[0.0, x], [x, 1.0]].map(|[from, to]| curve.part(&from, &to).into()))
-            }
-            _ => Err(GeometryError::Degenerate {
-                what: "a part of a curve with shape parameters has no control points",
-                at: Place::Parameter(x),
-            }),
+            RailCurve::Elliptic(curve) => Ok(split_arc(curve, x)),
+            RailCurve::Plain(curve) => match quarter_of_ellipse(curve)? {
+                Some(arc) => Ok(split_arc(&arc, x)),
+                None => Err(no_control_points(x)),
+            },
+            RailCurve::Weighted(_) => Err(no_control_points(x)),
         }
     }
 
@@ -188,6 +190,31 @@ impl Rail {
         };
         Ok(Some((units, Rail { curve })))
     }
+}
+
+fn no_control_points(x: f64) -> GeometryError {
+    GeometryError::Degenerate {
+        what: "a part of a curve with shape parameters has no control points",
+        at: Place::Parameter(x),
+    }
+}
+
+fn split_arc(arc: &EllipticHelix, x: f64) -> [Rail; 2] {
+    [[0.0, x], [x, 1.0]].map(|[from, to]| arc.part(&from, &to).into())
+}
+
+/// The quadratic curve with shape parameters 0 as what it is, with the same parameter: a quarter of the ellipse about
+/// `R0 + R2 - R1` (see [`ellipse_arc`](crate::curve::ellipse_arc)).
+fn quarter_of_ellipse(curve: &Curve<BasisShape<f64>, f64, 3>) -> Result<Option<EllipticHelix>> {
+    let (BasisShape::Gbt(basis), [from, middle, to]) = (curve.basis(), curve.points()) else {
+        return Ok(None);
+    };
+    if *basis.mu() != 0.0 || *basis.nu() != 0.0 {
+        return Ok(None);
+    }
+    let (cosine, sine) = (sub(middle, to), sub(middle, from));
+    let centre = sub(from, &cosine);
+    EllipticHelix::new(centre, cosine, sine, [0.0; 3], [0.0, 1.0]).map(Some)
 }
 
 /// As [`Rail::about`], of an arc of an ellipse.

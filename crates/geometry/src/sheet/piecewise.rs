@@ -273,7 +273,7 @@ impl PiecewiseRail {
     /// The same curve, cut at these places as well; pieces of splines are cut exactly.
     ///
     /// # Errors
-    /// [`GeometryError::Degenerate`] where a curve with shape parameters would be cut.
+    /// As [`Rail::split`]: [`GeometryError::Degenerate`] where a curve with shape parameters would be cut.
     ///
     /// ```
     /// use torse_algebra::rational::ratio;

@@ -43,10 +43,13 @@ pub(super) fn paneled<'p>(
             reader.complain(place, message, &help);
         }
         Panels::Undecided { cells } => {
-            let ranges: Vec<[[f64; 2]; 2]> = cells.iter().map(|c| [c.s, c.t]).take(8).collect();
+            let ranges: Vec<[[f64; 2]; 2]> = cells.iter().map(|c| [c.s, c.t]).take(2).collect();
+            let more = match cells.len().saturating_sub(ranges.len()) {
+                0 => String::new(),
+                count => format!("; and {count} more"),
+            };
             let help = format!(
-                "{} cells of the parameters are undecided: {}",
-                cells.len(),
+                "split both curves where a side is parallel to the arc, and connect piece by piece; undecided are {}{more}",
                 listed(&ranges)
             );
             reader.complain(place, "no whole panel was found between the curves", &help);

@@ -179,7 +179,8 @@ impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Connections<P, Q> {
     }
 
     /// The solutions with this value of the parameter of this curve (0, 1), at which the tangent planes at both ends have the
-    /// patch on the same side: as many as samples show.
+    /// patch on the same side: as many as samples show, and of a run of samples that all are solutions both ends, as those
+    /// between them are rulings of the fan over it.
     pub(crate) fn on_line(&self, curve: usize, value: f64) -> Vec<Node> {
         const SAMPLES: u32 = 128;
         let place = |x: f64| if curve == 0 { [value, x] } else { [x, value] };
@@ -193,18 +194,24 @@ impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Connections<P, Q> {
             Some([Equation::from_contacts(&one, &two).value, size])
         };
         let mut found = Vec::new();
+        let mut run: Vec<Node> = Vec::new();
         let mut before: Option<(f64, f64)> = None;
         for k in 0..=SAMPLES {
             let x = f64::from(k) / f64::from(SAMPLES);
-            let Some([value, size]) = at(x) else {
-                before = None;
-                continue;
-            };
-            if value.abs() <= 1e-14 * size {
-                found.push(place(x));
+            let here = at(x);
+            if let Some([value, size]) = here
+                && value.abs() <= 1e-14 * size
+            {
+                run.extend(Some(place(x)).filter(|node| self.one_side(node)));
                 before = None;
                 continue;
             }
+            found.extend(ends_of(&run));
+            run.clear();
+            let Some([value, _]) = here else {
+                before = None;
+                continue;
+            };
             if let Some((from, last)) = before
                 && (last < 0.0) != (value < 0.0)
             {
@@ -220,6 +227,7 @@ impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Connections<P, Q> {
             }
             before = Some((x, value));
         }
+        found.extend(ends_of(&run));
         found.retain(|node| self.one_side(node));
         found
     }
@@ -241,6 +249,12 @@ impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Connections<P, Q> {
         let ruling = sub(&two.point, &one.point);
         dot(&cross(&one.first, &ruling), &cross(&two.first, &ruling)) > 0.0
     }
+}
+
+/// The first and the last of a run.
+fn ends_of(run: &[Node]) -> impl Iterator<Item = Node> {
+    let last = run.last().filter(|_| run.len() > 1);
+    run.first().into_iter().chain(last).copied()
 }
 
 impl<P, Q> Connections<P, Q>

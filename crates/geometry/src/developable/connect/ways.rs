@@ -24,6 +24,15 @@ pub(crate) const SAME_NODE: f64 = 2e-9;
 /// The most ways that are kept of each place.
 const MAX_WAYS: usize = 8;
 
+/// The most fans that are looked at between arcs.
+const MAX_FANS: usize = 200_000;
+
+/// The most looks at a fan when ways are put together.
+const MAX_LOOKS: usize = 4_000_000_000;
+
+/// The most pairs of boxes that are looked at before a way counts as possible.
+const MAX_PAIRS: usize = 200_000_000;
+
 /// A part of a way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Step {
@@ -153,6 +162,7 @@ impl<'a, L: Landscape> Graph<'a, L> {
             fans: Vec::new(),
         };
         let mut jumps = Vec::new();
+        let mut looked = 0;
         for one in 0..graph.arcs.len() {
             for other in (0..graph.arcs.len()).filter(|other| *other != one) {
                 for rail in 0..2 {
@@ -164,9 +174,10 @@ impl<'a, L: Landscape> Graph<'a, L> {
                             continue;
                         };
                         let length = to[1 - rail] - from[1 - rail];
-                        if length < -SAME_NODE {
+                        if length < -SAME_NODE || looked >= MAX_FANS {
                             continue;
                         }
+                        looked += 1;
                         if let Some(folds) = graph.folds(rail, from, to) {
                             jumps.push((one, from, other, to, rail, folds));
                         }
@@ -361,8 +372,15 @@ fn loops<L: Landscape>(graph: &Graph<'_, L>) -> Vec<Way> {
     let turn = graph.landscape.size().map(|count| count as f64);
     let count = graph.landscape.arcs().len();
     let mut all: Vec<Way> = Vec::new();
+    let stops: usize = graph.stops.iter().map(Vec::len).sum();
+    let each = stops.saturating_mul(graph.fans.len()).max(1);
+    let mut left = MAX_LOOKS;
     for arc in 0..count {
         for start in graph.stops[arc].clone() {
+            if left < each {
+                break;
+            }
+            left -= each;
             let wanted = moved(start.at, turn);
             let number = graph.arcs[arc].0;
             let goal = |stop: Stop| {
@@ -431,7 +449,7 @@ fn is_rotation(one: &Way, other: &Way, turn: Node, count: usize) -> bool {
 }
 
 /// Whether a way is possible at all, if everything that is not excluded is passable: `elements` are boxes that hold all
-/// solutions, rising or falling. If not, there is no panel.
+/// solutions, rising or falling. If not, there is no panel. Of too many boxes nothing is excluded.
 pub(crate) fn may_exist(size: [usize; 2], elements: &[ParameterBox]) -> bool {
     const SLACK: f64 = 1e-8;
     #[allow(clippy::cast_precision_loss)]
@@ -448,7 +466,12 @@ pub(crate) fn may_exist(size: [usize; 2], elements: &[ParameterBox]) -> bool {
     let mut open: Vec<usize> = (0..elements.len())
         .filter(|k| entries[*k].is_some())
         .collect();
+    let mut looked = 0_usize;
     while let Some(one) = open.pop() {
+        looked = looked.saturating_add(elements.len());
+        if looked > MAX_PAIRS {
+            return true;
+        }
         let Some(entry) = entries[one] else { continue };
         if (0..2).any(|i| high(one)[i] >= end[i] - SLACK) {
             return true;
