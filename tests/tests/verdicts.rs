@@ -383,9 +383,11 @@ fn numbers_of_the_readme() -> String {
         format!("| hold under a condition that the print leaves out | {conditional} |"),
         format!("| are false as printed; a small correction is proved | {misprints} |"),
         format!("| are false, with an exact counterexample | {wrong} |"),
-        format!("| of these {refuted} refutations, accepted by the Rocq kernel | {kernel} |"),
         format!("| could not be decided | {undecided} |"),
         format!("| are definitions, figures, readings that differ, or lack data | {others} |"),
+        format!(
+            "| *beside the sum:* of these {refuted} refutations, accepted by the Rocq kernel | *{kernel}* |"
+        ),
     ]
     .join("\n")
 }
