@@ -10,7 +10,7 @@ use torse_designs::export::{ENDINGS, PATTERNS, bytes, ending};
 use torse_designs::fold::fold_back;
 use torse_designs::inspect::{DesignReport, inspect, inspect_quickly, overview, table};
 use torse_designs::listing::{FileListing, list};
-use torse_designs::unroll::{Demand, Flattening};
+use torse_designs::unroll::{Demand, Flattening, development_note};
 use torse_designs::{Design, DesignError, draw, load, load_with_settings};
 use torse_exchange::{FileKind, LengthUnit, MAX_FILE_BYTES, write_file};
 
@@ -264,7 +264,7 @@ pub(crate) fn format_of(
 }
 
 /// Returns 0 if every tolerance is met, else 1.
-fn met(missed: &[String]) -> Exit {
+pub(crate) fn met(missed: &[String]) -> Exit {
     if missed.is_empty() {
         Exit::AsExpected
     } else {
@@ -370,6 +370,9 @@ impl Export {
         let ending = format_of(&self.to, self.r#as.as_deref(), ENDINGS)?;
         let design = self.file.open()?;
         write(&self.to, &bytes(&design, ending, &self.pattern.demand())?)?;
+        if let Some(note) = development_note(&design).filter(|_| PATTERNS.contains(&ending)) {
+            remark(&format!("note: {note}\n"));
+        }
         Ok(Exit::AsExpected)
     }
 }

@@ -1,13 +1,15 @@
 //! `unroll`: from a design to what is cut and bent.
 
 use crate::design::{
-    DesignFile, Format, Pattern, answer, format_of, is_standard, json, named, write,
+    DesignFile, Format, Pattern, answer, format_of, is_standard, json, met, named, write,
 };
 use crate::exit::{Exit, Failure};
+use crate::terminal::remark;
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use torse_designs::export::PATTERNS;
+use torse_designs::inspect::{inspect_for, missed_line};
 use torse_designs::unroll::{PartsList, Purpose, Summary, drawing, parts, unroll};
 use torse_designs::{Design, DesignError};
 use torse_exchange::{Drawing, dxf, svg};
@@ -16,7 +18,8 @@ use torse_exchange::{Drawing, dxf, svg};
 ///
 /// Each part is turned to its smallest box and has a file of its own: of several, the name of each is added to that of the
 /// file. Refuses, with exit code 1 and without a file, what is not developable within tolerance, has its edge of regression
-/// inside, an outline that crosses itself, or a bend that has no blank.
+/// inside, an outline that crosses itself, or a bend that has no blank. A design that misses another tolerance of its file
+/// is written, what it misses is said on standard error, and the exit code is 1.
 #[derive(Args)]
 pub struct Unroll {
     #[command(flatten)]
@@ -103,9 +106,9 @@ impl Unroll {
             let text = text_of(&drawing(&design, &pieces)?, ending)?;
             write(&self.to, text.as_bytes())?;
             return self.end(
+                &design,
                 &summary,
                 list.as_ref().unwrap_or(&PartsList::new(&design, &[])),
-                false,
             );
         }
         let made = made?;
@@ -125,7 +128,7 @@ impl Unroll {
         if let Some(file) = &self.parts {
             write(file, list.csv().as_bytes())?;
         }
-        self.end(&summary, &list, true)
+        self.end(&design, &summary, &list)
     }
 
     /// Several parts have several files: no standard output, and no two of one name.
@@ -156,16 +159,21 @@ impl Unroll {
         .into())
     }
 
-    fn end(&self, summary: &Summary, list: &PartsList, shown: bool) -> Result<Exit, Failure> {
+    /// Says what was written, and what the design misses all the same.
+    fn end(&self, design: &Design, summary: &Summary, list: &PartsList) -> Result<Exit, Failure> {
         let text = match self.format {
-            Format::Text if shown => summary.text() + &list.text(),
-            Format::Text => summary.text(),
+            Format::Text if self.purpose == Purpose::Fold => summary.text(),
+            Format::Text => list.text() + &summary.text(),
             Format::Json => json(&Answer {
                 summary,
                 parts: list,
             })?,
         };
         answer(&self.to, &text)?;
-        Ok(Exit::AsExpected)
+        let missed = inspect_for(design, &self.pattern.demand())?.missed;
+        for reason in &missed {
+            remark(&missed_line(reason));
+        }
+        Ok(met(&missed))
     }
 }

@@ -28,14 +28,13 @@ pub fn watch(limit: Duration) {
 
 fn message(limit: Duration, claims: &BTreeSet<String>) -> String {
     let ids: Vec<&str> = claims.iter().map(String::as_str).collect();
-    let doing = match ids.as_slice() {
-        [] => "no claim was being decided".to_owned(),
-        ids => format!("being decided: {}", ids.join(", ")),
-    };
     let seconds = limit.as_secs();
-    format!(
-        "the time limit of {seconds} s has ended the run, without verdicts; {doing} (--time-limit SECONDS)\n"
-    )
+    let doing = match ids.as_slice() {
+        // What is measured or drawn has no verdicts.
+        [] => String::new(),
+        ids => format!(", without verdicts; being decided: {}", ids.join(", ")),
+    };
+    format!("the time limit of {seconds} s has ended the run{doing} (--time-limit SECONDS)\n")
 }
 
 /// Disarms the limit: everything is decided, and writing is not interrupted.

@@ -58,10 +58,20 @@ pub enum DesignedSurface {
 impl DesignedSurface {
     /// All with their names in files.
     pub const ALL: [(&'static str, Self); 3] = [
-        ("inside", Self::Inside),
-        ("middle", Self::Middle),
-        ("outside", Self::Outside),
+        (Self::Inside.name(), Self::Inside),
+        (Self::Middle.name(), Self::Middle),
+        (Self::Outside.name(), Self::Outside),
     ];
+
+    /// Its name in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Inside => "inside",
+            Self::Middle => "middle",
+            Self::Outside => "outside",
+        }
+    }
 
     /// How far the surface is from the inside face of a bend, as a share of the thickness.
     #[must_use]

@@ -222,6 +222,18 @@ pub struct DesignPiece {
     pub patches: Vec<usize>,
 }
 
+impl DesignPiece {
+    /// Whether tools bend it: a patch is said to be a bend, or edges have a radius. Then its blank differs from its
+    /// development.
+    #[must_use]
+    pub fn has_tool_bends(&self, design: &Design) -> bool {
+        let mut patches = self.patches.iter();
+        let bent = |index: &usize| design.patches.get(*index).is_some_and(|patch| patch.bend);
+        let mut chains = design.chains.iter().filter(|chain| chain.name == self.name);
+        patches.any(bent) || chains.any(|chain| chain.radii.iter().any(Option::is_some))
+    }
+}
+
 impl Patch {
     /// Rails that are a point: the apex of a cone, the corner of a triangle.
     #[must_use]
@@ -254,6 +266,12 @@ impl Design {
             }
         }
         pieces
+    }
+
+    /// Whether tools bend one of its pieces.
+    #[must_use]
+    pub fn has_tool_bends(&self) -> bool {
+        self.pieces().iter().any(|piece| piece.has_tool_bends(self))
     }
 
     /// The names of all patches and surfaces.

@@ -6,6 +6,7 @@ use torse_geometry::GeometryError;
 use torse_geometry::pattern::PatternError;
 use torse_plot::FigureError;
 use torse_syntax::derivation::DerivationError;
+use torse_syntax::similar::similar;
 
 /// What ends a command before it has an answer, or is the answer.
 #[derive(Debug, thiserror::Error)]
@@ -59,7 +60,7 @@ pub enum DesignError {
         /// The endings.
         known: &'static [&'static str],
     },
-    /// A name that no patch or piece has.
+    /// A name that no patch, piece or number has.
     #[error("no {what} of the design is called `{name}`")]
     NoSuch {
         /// What was looked for.
@@ -184,8 +185,21 @@ impl DesignError {
     #[must_use]
     pub fn help(&self) -> Option<String> {
         match self {
+            Self::Format { path, known } if path.as_os_str() == "-" && known.contains(&"dxf") => {
+                Some(format!(
+                    "standard output has no name: add `--as dxf`, or another of `{}`",
+                    known.join("`, `")
+                ))
+            }
             Self::Format { known, .. } => Some(format!("the extensions are .{}", known.join(", ."))),
-            Self::NoSuch { known, .. } => Some(format!("there are `{}`", known.join("`, `"))),
+            Self::NoSuch { what, known, .. } if known.is_empty() => {
+                Some(format!("the design has no {what}"))
+            }
+            Self::NoSuch { name, known, .. } => {
+                let near = similar(name, known.iter().map(String::as_str));
+                let near = near.map_or(String::new(), |near| format!("did you mean `{near}`? "));
+                Some(format!("{near}there are `{}`", known.join("`, `")))
+            }
             Self::Unroll { reason, needed, .. } => match reason {
                 PatternError::NotDevelopable { .. } => needed.map(|strain| {
                     format!(

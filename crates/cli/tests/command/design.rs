@@ -223,6 +223,7 @@ fn unknown_formats_and_names_are_mistakes_of_the_command_line() {
         &["eval", "part.toml", "--grid", "99999999x99999999"],
         &["eval", "part.toml", "--at", "0,0", "--patch", "cylinder"],
         &["eval", "part.toml"],
+        &["inspect", "part.toml", "--set", "W=90"],
     ] {
         let wrong = run(folder.path(), arguments);
         assert_eq!(wrong.code, 2, "{arguments:?}: {}", wrong.error);
@@ -592,4 +593,45 @@ fn a_bend_is_one_line_with_its_angle_and_its_radius() {
             .len(),
         1
     );
+}
+
+#[test]
+fn what_is_missed_is_said_of_what_is_written() {
+    let chain = "[chains.angle]\npatches = [\"base\", \"wall\"]\n";
+    let folder = folder(&format!("{ANGLE}least-radius = 2\n{chain}radius = 2\n"));
+    let done = run(folder.path(), &["unroll", "part.toml", "--to", "part.dxf"]);
+    assert_eq!(done.code, 1, "{}", done.error);
+    assert!(
+        done.error
+            .contains("missed: angle: the inside radius of its edges is 1.3333 times"),
+        "{}",
+        done.error
+    );
+    assert_eq!(files(folder.path()), ["part.dxf", "part.toml"]);
+    // The blank first, then the surface that was developed.
+    let surface = done
+        .output
+        .find("angle, developed surface, not the blank: ");
+    assert!(
+        done.output.starts_with("cut angle: ") && surface.is_some(),
+        "{}",
+        done.output
+    );
+    let exported = run(folder.path(), &["export", "part.toml", "--to", "flat.dxf"]);
+    assert_eq!(exported.code, 0, "{}", exported.error);
+    assert!(
+        exported
+            .error
+            .contains("not the blank: bends have no allowance"),
+        "{}",
+        exported.error
+    );
+    let stream = run(folder.path(), &["export", "part.toml", "--to", "-"]);
+    assert_eq!(stream.code, 2);
+    assert!(stream.error.contains("add `--as dxf`"), "{}", stream.error);
+    let text = format!("{ANGLE}least-radius = 1\n").replace("= 1.5", "= \"1.5 mm\"");
+    std::fs::write(folder.path().join("part.toml"), text).unwrap();
+    let unit = run(folder.path(), &["inspect", "part.toml"]);
+    assert_eq!(unit.code, 4);
+    assert!(unit.error.contains("here mm: `1.5`"), "{}", unit.error);
 }

@@ -94,6 +94,10 @@ pub fn page(design: &Design, demand: &Demand) -> Result<String, DesignError> {
         html.push_str(&match part {
             "title" => escaped(&design.title),
             "pattern" => pattern.clone(),
+            "kind" if design.has_tool_bends() => {
+                "The development, without bend allowance,".to_owned()
+            }
+            "kind" => "The flat pattern".to_owned(),
             "promise" => escaped(&promise),
             "report" => escaped(&report),
             "shapes" => data.clone(),

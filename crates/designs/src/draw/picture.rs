@@ -35,7 +35,11 @@ pub fn picture(design: &Design, demand: &Demand) -> Result<Picture, DesignError>
         let drawn = drawing(design, &pieces)?;
         panels.push(Panel {
             content: Content::Plot(pattern(&pieces, &drawn)),
-            caption: "flat pattern (mm)".to_owned(),
+            caption: if design.has_tool_bends() {
+                "development, without bend allowance (mm)".to_owned()
+            } else {
+                "flat pattern (mm)".to_owned()
+            },
         });
     }
     let figure = Figure {

@@ -235,7 +235,7 @@ pub fn read_with(name: &str, text: &str, files: Files<'_>) -> Result<Design, Des
 /// As [`read_with`], with numbers that take the place of those of these names under `[let]`.
 ///
 /// # Errors
-/// As [`read`]; a name that the file does not have is a mistake too.
+/// As [`read`]; [`DesignError::NoSuch`] for a name that `[let]` does not have.
 ///
 /// ```
 /// let text = r#"
@@ -284,6 +284,13 @@ pub fn read_with_settings(
     } else {
         None
     };
+    if let Some(name) = reader.unset.first() {
+        return Err(DesignError::NoSuch {
+            what: "number under [let]",
+            name: name.clone(),
+            known: reader.names(),
+        });
+    }
     let mut mistakes = std::mem::take(&mut reader.mistakes);
     mistakes.sort_by_key(|(start, _)| *start);
     match design {
@@ -323,11 +330,10 @@ fn sections(
     let head = settings::head(reader, take("design"), name);
     match take("let") {
         Some(value) => reader.constants(value),
-        None if !reader.settings.is_empty() => {
-            let help = "numbers with names stand under [let]";
-            reader.complain(&(0..0), "there is no number to be set", help);
+        None => {
+            let names = reader.settings.iter().map(|(name, _)| name.clone());
+            reader.unset = names.collect();
         }
-        None => {}
     }
     let (metal, bending) = settings::metal(reader, take("sheet"));
     let tolerances = settings::tolerances(reader, take("tolerances"));

@@ -1,6 +1,7 @@
 //! Values of a design file, each with its place: what is wrong is kept, and the rest is read on.
 
 use super::formula::{FormulaValue as Number, evaluate};
+use crate::DesignUnit;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -55,6 +56,8 @@ pub struct Reader {
     pub unit: Rational,
     /// Formulas that take the place of those of `[let]`, by name.
     pub settings: Vec<(String, String)>,
+    /// The names among them that `[let]` does not have.
+    pub unset: Vec<String>,
 }
 
 /// A table whose entries are taken one by one.
@@ -94,6 +97,7 @@ impl Reader {
             values: BTreeMap::new(),
             unit: Rational::from_integer(1.into()),
             settings: Vec::new(),
+            unset: Vec::new(),
         }
     }
 
@@ -337,9 +341,37 @@ impl Reader {
 
     fn formula(&mut self, origin: &Origin, text: &str, start: usize) -> Option<Number> {
         let result = self.value_of(origin, text, 0);
+        let help = self.unit_help(text);
+        let helped = |error: Box<DerivationError>| match help {
+            Some(help) => Box::new(error.with_help(help)),
+            None => error,
+        };
         result
+            .map_err(|error| error.map(helped))
             .map_err(|error| self.mistakes.extend(error.map(|e| (start, *e))))
             .ok()
+    }
+
+    /// What is said of a formula that is a number and a unit of length: `2 mm`.
+    fn unit_help(&self, text: &str) -> Option<String> {
+        let text = text.trim();
+        let value = text.trim_end_matches(char::is_alphabetic);
+        let (value, word) = (value.trim_end(), text.get(value.len()..)?);
+        let unit = DesignUnit::named(word)?;
+        if value.is_empty() || self.constants.contains_key(word) {
+            return None;
+        }
+        let mut units = DesignUnit::ALL.iter().map(|(_, unit)| *unit);
+        let own = units.find(|unit| unit.millimetres() == self.unit)?;
+        let example = if own == unit {
+            format!(": `{value}`")
+        } else {
+            String::new()
+        };
+        Some(format!(
+            "a length is a bare number in the `unit` of [design], here {}{example}",
+            own.name()
+        ))
     }
 
     /// The value of a formula; `Err(None)` when it leans on a constant that was complained about.
@@ -394,12 +426,16 @@ impl Reader {
         Some(known.clone())
     }
 
+    /// The names under `[let]`.
+    pub fn names(&self) -> Vec<String> {
+        self.constants.keys().cloned().collect()
+    }
+
     /// Reads the section `[let]`.
     pub fn constants(&mut self, value: Value<'_>) {
         let Some(entries) = self.table(value, "[let]") else {
             return;
         };
-        let entries_span = entries.span.clone();
         let mut plain = Vec::new();
         let settings = self.settings.clone();
         let mut missing: Vec<&(String, String)> = settings.iter().collect();
@@ -427,14 +463,7 @@ impl Reader {
                 plain.push((name, value));
             }
         }
-        for (name, _) in missing {
-            let message = format!("there is no number `{name}` to be set");
-            self.complain(
-                &entries_span,
-                message,
-                "numbers with names stand under [let]",
-            );
-        }
+        self.unset = missing.into_iter().map(|(name, _)| name.clone()).collect();
         for (name, value) in plain {
             let number = self.exact(value);
             self.values.insert(name, number);

@@ -1,10 +1,12 @@
 //! Can it be made? Every patch and every joint measured, and held against the tolerances of the file.
 //!
+//! The patterns, their marks and the blanks are made as well: what is refused there is missed here.
 //! Numbers with bounds come from [`Sheet::enclose`]: they hold for the exact numbers of the control data. The others are
 //! estimates of [`Sheet::inspect`].
 
 mod ends;
 mod joint;
+mod making;
 mod numbers;
 mod seams;
 mod surface;
@@ -18,11 +20,13 @@ pub use seams::{SeamReport, seams};
 pub use surface::SurfaceReport;
 pub(crate) use text::columns;
 pub(crate) use text::wrapped;
-pub use text::{overview, table};
+pub use text::{missed_line, overview, table};
 
 use crate::design::{Chain, Design, Patch};
 use crate::error::DesignError;
+use crate::unroll::Demand;
 use ends::{EndsJudged, Judged, judged};
+use making::unmade;
 use serde::Serialize;
 use torse_geometry::Rails;
 use torse_geometry::developable::{EnclosedCertificate, PatchCertificate, Singularity};
@@ -214,11 +218,20 @@ pub fn inspect(design: &Design) -> Result<DesignReport, DesignError> {
 /// # Errors
 /// As [`inspect`].
 pub fn inspect_within(design: &Design, budget: MeasureBudget) -> Result<DesignReport, DesignError> {
-    inspected(design, Some(budget))
+    inspected(design, Some(budget), &Demand::default())
+}
+
+/// As [`inspect`], for patterns that are made so: with a strain that is allowed, a patch that is not developable misses
+/// nothing.
+///
+/// # Errors
+/// As [`inspect`].
+pub fn inspect_for(design: &Design, demand: &Demand) -> Result<DesignReport, DesignError> {
+    inspected(design, Some(MeasureBudget::default()), demand)
 }
 
 /// As [`inspect`], without bounds and proofs: everything is measured on some rulings, and says so. Whether a patch passes
-/// through itself is not asked.
+/// through itself, and whether its pieces have patterns and blanks, is not asked.
 ///
 /// # Errors
 /// As [`inspect`].
@@ -237,10 +250,14 @@ pub fn inspect_within(design: &Design, budget: MeasureBudget) -> Result<DesignRe
 /// # Ok::<(), torse_designs::DesignError>(())
 /// ```
 pub fn inspect_quickly(design: &Design) -> Result<DesignReport, DesignError> {
-    inspected(design, None)
+    inspected(design, None, &Demand::default())
 }
 
-fn inspected(design: &Design, budget: Option<MeasureBudget>) -> Result<DesignReport, DesignError> {
+fn inspected(
+    design: &Design,
+    budget: Option<MeasureBudget>,
+    demand: &Demand,
+) -> Result<DesignReport, DesignError> {
     let mut missed = Vec::new();
     let mut patches = Vec::new();
     for (index, patch) in design.patches.iter().enumerate() {
@@ -248,7 +265,7 @@ fn inspected(design: &Design, budget: Option<MeasureBudget>) -> Result<DesignRep
             patch: patch.name.clone(),
             reason,
         })?;
-        judge(design, &report, &mut missed);
+        judge(design, &report, demand, &mut missed);
         let failed = |reason| DesignError::Patch {
             patch: patch.name.clone(),
             reason,
@@ -266,6 +283,9 @@ fn inspected(design: &Design, budget: Option<MeasureBudget>) -> Result<DesignRep
         patch: design.name.clone(),
         reason,
     })?;
+    if budget.is_some() {
+        missed.extend(unmade(design, &patches, demand));
+    }
     let failed = |name: &String| {
         let patch = name.clone();
         move |reason| DesignError::Patch { patch, reason }
@@ -591,9 +611,9 @@ fn tight_folds(design: &Design) -> Vec<String> {
     missed
 }
 
-fn judge(design: &Design, report: &PatchReport, missed: &mut Vec<String>) {
+fn judge(design: &Design, report: &PatchReport, demand: &Demand, missed: &mut Vec<String>) {
     let (name, limits) = (&report.name, &design.tolerances);
-    if !report.developable.holds() {
+    if !report.developable.holds() && demand.allow_strain == 0.0 {
         missed.push(format!(
             "{name} is not developable: the tangent plane turns by {:.6} degrees along the ruling at u = {:.6}, {} \
              allowed",

@@ -19,7 +19,7 @@ pub fn table(report: &DesignReport) -> String {
     );
     text = wrapped("", &text.trim_end().replace('\n', " ")) + "\n";
     for reason in &report.missed {
-        text.push_str(&wrapped("missed: ", reason));
+        text.push_str(&missed_line(reason));
     }
     if !report.missed.is_empty() {
         text.push('\n');
@@ -241,6 +241,12 @@ pub fn columns(heads: &[&str], rows: &[Vec<String>]) -> String {
         text.push('\n');
     }
     text
+}
+
+/// What is said of a tolerance that is missed, in lines of at most 100 columns.
+#[must_use]
+pub fn missed_line(reason: &str) -> String {
+    wrapped("missed: ", reason)
 }
 
 /// A paragraph in lines of at most [`WIDTH`], after a label, indented under it.

@@ -31,7 +31,23 @@ pub(super) struct LooseEnd {
     pub gap: Option<f64>,
 }
 
+/// Arcs whose circles differ by no more, as a share of the radius, are of one circle.
+const SAME_CIRCLE: f64 = 1e-9;
+
 impl Contour {
+    /// The diameter of a contour that is a circle.
+    pub(super) fn diameter(&self) -> Option<f64> {
+        let mut circles = self.segments.iter().map(Segment::circle);
+        let (centre, radius) = circles.next()??;
+        let near = SAME_CIRCLE * (radius + libm::hypot(centre[0], centre[1]));
+        let same = |circle: Option<([f64; 2], f64)>| {
+            circle.is_some_and(|(other, size)| {
+                distance(centre, other) <= near && (size - radius).abs() <= near
+            })
+        };
+        circles.all(same).then_some(2.0 * radius)
+    }
+
     /// The contour as a polygon.
     pub(super) fn polygon(&self) -> Vec<[f64; 2]> {
         let each = self.segments.iter();

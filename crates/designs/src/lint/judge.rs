@@ -345,9 +345,12 @@ impl<'d> Judge<'d> {
         openings
             .filter_map(|(index, contour)| {
                 let polygon = contour.polygon();
-                // The polygon is inside of what is round, by a share of its size.
-                let width = least_width(&polygon) * (1.0 + 5e-3);
-                (width < least).then(|| Finding {
+                let width = contour.diameter().unwrap_or_else(|| {
+                    // The polygon is inside of what is round, by a share of its size.
+                    let round = contour.segments.iter().any(|segment| !segment.is_line());
+                    least_width(&polygon) * if round { 1.0 + 5e-3 } else { 1.0 }
+                });
+                (width < least * (1.0 - 1e-9)).then(|| Finding {
                     measured: Some(width),
                     ..Finding::at(
                         centre(&polygon),

@@ -13,6 +13,18 @@ const LETTERS: f64 = 0.025;
 /// How far from the sheet the edge of regression is still shown, as a share of its size.
 const REACH: f64 = 0.25;
 
+/// What whoever takes the pattern of a design that tools bend should know: it is not what is cut. `None` where no bend has
+/// an allowance, so that patterns are blanks.
+#[must_use]
+pub fn development_note(design: &Design) -> Option<String> {
+    design.has_tool_bends().then(|| {
+        let surface = design.bending.surface.name();
+        format!(
+            "development of the designed {surface} surface; not the blank: bends have no allowance, see `unroll`"
+        )
+    })
+}
+
 /// Draws the pieces: what is cut, bent and marked, each with its name, and notes of how exact it is.
 ///
 /// # Errors
@@ -22,11 +34,10 @@ pub fn drawing(design: &Design, pieces: &[FlatPiece]) -> Result<Drawing, DesignE
     let mut drawing = Drawing::default();
     drawing.note(&format!("{}: {}", design.name, design.title))?;
     if let Some(metal) = design.metal {
-        drawing.note(&format!(
-            "middle surface of a sheet {} mm thick, K-factor {}",
-            metal.sheet.thickness(),
-            metal.sheet.k_factor()
-        ))?;
+        drawing.note(&format!("a sheet {} mm thick", metal.sheet.thickness()))?;
+    }
+    if let Some(note) = development_note(design) {
+        drawing.note(&note)?;
     }
     for FlatPiece { piece, flat } in pieces {
         let [low, high] = flat.outline().bounds();

@@ -72,10 +72,13 @@ pub struct SharpRow {
 pub struct RolledRow {
     /// The patch.
     pub name: String,
-    /// The smallest of the radii of the rulings, of each where it is tightest.
+    /// The smallest of the radii of the rulings, of each where it is tightest; of a cone that reaches its apex, at the
+    /// other end.
     pub from: f64,
     /// The largest; `null` where it is flat somewhere.
     pub to: Option<f64>,
+    /// Whether it reaches its apex, towards which all radii fall to 0.
+    pub apex: bool,
 }
 
 /// The parts of a design in numbers.
@@ -182,21 +185,32 @@ impl PartRow {
                 fold.direction
             );
         }
-        if !self.rolled.is_empty() {
-            let from = self.rolled.iter().map(|rolled| rolled.from);
-            let from = from.fold(f64::INFINITY, f64::min);
-            let to: Option<Vec<f64>> = self.rolled.iter().map(|rolled| rolled.to).collect();
-            let to = to.map(|all| all.into_iter().fold(0.0, f64::max));
-            let (from, to) = (number(from), to.map(number));
-            words += &match to {
-                Some(to) if to == from => format!("; roll to radius {from} mm"),
-                Some(to) => format!("; roll to radii from {from} to {to} mm"),
-                None => format!("; roll to radii from {from} mm"),
-            };
-            words += " where each ruling is tightest";
+        let [cones, others]: [Vec<&RolledRow>; 2] =
+            [true, false].map(|apex| self.rolled.iter().filter(|row| row.apex == apex).collect());
+        if let Some(radii) = radii_of(&others) {
+            let _ = write!(words, "; roll to {radii} where each ruling is tightest");
+        }
+        if let Some(radii) = radii_of(&cones) {
+            let _ = write!(
+                words,
+                "; roll to {radii} at the wide end, towards 0 at the apex"
+            );
         }
         wrapped(&format!("cut {}: ", self.name), &words)
     }
+}
+
+/// The radii of patches in words; `None` where there are none.
+fn radii_of(rows: &[&RolledRow]) -> Option<String> {
+    let from = rows.iter().map(|row| row.from).min_by(f64::total_cmp)?;
+    let to: Option<Vec<f64>> = rows.iter().map(|row| row.to).collect();
+    let to = to.map(|all| all.into_iter().fold(0.0, f64::max));
+    let (from, to) = (number(from), to.map(number));
+    Some(match to {
+        Some(to) if to == from => format!("radius {from} mm"),
+        Some(to) => format!("radii from {from} to {to} mm"),
+        None => format!("radii from {from} mm"),
+    })
 }
 
 fn row(part: &Part) -> PartRow {
@@ -240,6 +254,7 @@ fn row(part: &Part) -> PartRow {
                 name: rolled.name.clone(),
                 from: rolled.radii[0],
                 to: Some(rolled.radii[1]).filter(|radius| radius.is_finite()),
+                apex: rolled.apex,
             })
             .collect(),
     }

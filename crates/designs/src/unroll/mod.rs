@@ -10,7 +10,7 @@ mod part;
 mod summary;
 
 pub use blank::{Blank, Rolled, SharpFold, ToolBend, blank};
-pub use drawing::drawing;
+pub use drawing::{development_note, drawing};
 pub use listing::{PartRow, PartsList, RolledRow, SharpRow, ToolBendRow};
 pub use part::{Part, Purpose, parts};
 pub use summary::{BendRow, PieceSummary, Summary};

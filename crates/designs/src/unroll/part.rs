@@ -7,7 +7,7 @@ use super::{FlatPiece, drawing, position};
 use crate::design::{Design, Mark};
 use crate::error::DesignError;
 use crate::inspect::at_most;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 use torse_exchange::{BendLine, Drawing, Layer, Vertex};
 use torse_geometry::pattern::{PatternPlace, Placement, Segment};
 
@@ -36,6 +36,8 @@ impl Purpose {
 
 /// The strokes of a cut in drawings for the eye's programs, in millimetres: bureaus take at most this for a cut.
 const HAIRLINE: f64 = 0.01;
+/// Coordinates of parts are whole multiples of a millimetre over this: files have no digits that mean nothing.
+const STEPS: f64 = 1e9;
 /// What counts as nothing beside the size of a part when vertices are left out.
 const ROUNDING: f64 = 1e-12;
 
@@ -173,9 +175,11 @@ fn part(design: &Design, piece: &FlatPiece) -> Result<Part, DesignError> {
         blank.place(patch, centre, radius)
     })?;
     let notches = notches(design, piece, &blank)?;
-    let place = |ends: [[f64; 2]; 2]| ends.map(|end| placement.point(end));
+    let point = |at: [f64; 2]| placement.point(at).map(on_grid);
+    let place = |ends: [[f64; 2]; 2]| ends.map(point);
     let [low, high] = bounds(&outline, &placement);
-    let error = blank.error + off;
+    let moved = outline.iter().map(moved_on_grid).fold(0.0_f64, f64::max);
+    let error = blank.error + off + moved;
     let mut notes = vec![format!("{}: {}", design.name, design.title)];
     if let Some(metal) = design.metal {
         notes.push(format!("a sheet {} mm thick", metal.sheet.thickness()));
@@ -195,11 +199,18 @@ fn part(design: &Design, piece: &FlatPiece) -> Result<Part, DesignError> {
         name: piece.piece.name.clone(),
         outline: outline
             .iter()
-            .map(|segment| placement.segment(segment))
+            .map(|segment| {
+                let placed = placement.segment(segment);
+                Segment {
+                    from: placed.from.map(on_grid),
+                    to: placed.to.map(on_grid),
+                    ..placed
+                }
+            })
             .collect(),
         openings: openings
             .into_iter()
-            .map(|(centre, radius)| (placement.point(centre), radius))
+            .map(|(centre, radius)| (point(centre), radius))
             .collect(),
         bends: blank
             .bends
@@ -219,11 +230,30 @@ fn part(design: &Design, piece: &FlatPiece) -> Result<Part, DesignError> {
             .collect(),
         rolled: blank.rolled,
         notches: notches.into_iter().map(place).collect(),
-        size: [high[0] - low[0], high[1] - low[1]],
+        size: [high[0] - low[0], high[1] - low[1]].map(on_grid),
         error,
         notes,
         placement,
     })
+}
+
+/// How far the points of a segment move at most whose ends are moved to the grid: its ends by half a diagonal of a cell,
+/// and a point at `w` between them, the start being 0 and the end 1 of the complex plane, by `|1 - w| + |w|` times as
+/// much: by at most two diameters for each chord.
+fn moved_on_grid(segment: &Segment) -> f64 {
+    let bulge = segment.bulge.abs();
+    let factor = if bulge <= 1.0 {
+        SQRT_2
+    } else {
+        (1.0 + bulge * bulge) / bulge
+    };
+    FRAC_1_SQRT_2 / STEPS * factor
+}
+
+/// The nearest point of the grid of [`STEPS`].
+fn on_grid(length: f64) -> f64 {
+    // Divided: the nearest double to the decimal, whose shortest form is short.
+    (length * STEPS).round() / STEPS
 }
 
 /// The openings of a piece, on its blank.

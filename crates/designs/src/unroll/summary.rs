@@ -23,6 +23,8 @@ pub struct PieceSummary {
     pub name: String,
     /// The patches that are attached.
     pub patches: Vec<String>,
+    /// Whether the pattern is what is cut: no bend of a tool has an allowance.
+    pub is_blank: bool,
     /// Width and height of the box around it.
     pub size: [f64; 2],
     /// The area inside the outline, without the holes.
@@ -125,7 +127,12 @@ impl Summary {
                     at_most(piece.strain)
                 );
             }
-            text.push_str(&wrapped(&format!("{}: ", piece.name), &words));
+            let label = if piece.is_blank {
+                format!("{}: ", piece.name)
+            } else {
+                format!("{}, developed surface, not the blank: ", piece.name)
+            };
+            text.push_str(&wrapped(&label, &words));
         }
         text
     }
@@ -190,6 +197,7 @@ fn summary(design: &Design, FlatPiece { piece, flat }: &FlatPiece) -> PieceSumma
     PieceSummary {
         name: piece.name.clone(),
         patches: piece.patches.iter().filter_map(name).collect(),
+        is_blank: !piece.has_tool_bends(design),
         size: [high[0] - low[0], high[1] - low[1]],
         area: flat.area() - open,
         cut: flat.outline().length() + around,

@@ -182,6 +182,19 @@ fn what_cannot_be_bent_has_no_blank() {
         .unwrap_err()
         .to_string();
     assert!(short.contains("shorter than the setback"), "{short}");
+    // 20 mm of flange, and (20 + 1) tan 45 degrees.
+    assert!(
+        short.contains("`left` is 20.0000 mm wide at an end of the edge left-base")
+            && short.contains("21.0000 mm"),
+        "{short}"
+    );
+    let both = made(&channel("radius = [15, 35]", [90.0, 90.0])).unwrap_err();
+    // 50 mm of base, and setbacks of 16 and 36 mm.
+    assert!(
+        both.to_string()
+            .contains("`base` is 50.0000 mm wide at an end of the edge base-right, and the setback is 36.0000 mm beside the 16.0000 mm"),
+        "{both}"
+    );
     let no_sheet = channel("radius = 3", [90.0, 90.0])
         .replace("[sheet]\nthickness = 2\nk-factor = 0.44\n", "");
     let no_sheet = made(&no_sheet).unwrap_err().to_string();
@@ -240,4 +253,122 @@ fn a_shelf_bracket_by_its_inside_is_as_long_as_the_standard_says() {
         part.size
     );
     assert_eq!((part.bends.len(), part.openings.len()), (2, 2));
+}
+
+#[test]
+fn no_radius_is_possible_where_bends_meet_in_a_point() {
+    let corner = r#"
+[curves]
+south = { bezier = [[0, 0, 0], [60, 0, 0]] }
+east = { bezier = [[60, 0, 0], [60, 60, 0]] }
+[patches]
+a = { cone = "south", apex = [30, 30, 40] }
+b = { cone = "east", apex = [30, 30, 40] }
+[chains.hopper]
+patches = ["a", "b"]
+radius = 2
+[sheet]
+thickness = 1
+"#;
+    let refused = made(corner).unwrap_err().to_string();
+    assert!(
+        refused.contains("comes to a point at an end of the edge")
+            && refused.contains("the edges stay scored"),
+        "{refused}"
+    );
+    let scored = made(&corner.replace("radius = 2\n", "")).unwrap();
+    assert_eq!(scored[0].sharp.len(), 1);
+}
+
+#[test]
+fn a_whole_cone_is_rolled_to_the_radius_of_its_wide_end() {
+    let cone = r#"
+[curves.rim]
+arc = { centre = [0, 0, 0], from = [30, 0, 0], to = [0, 30, 0] }
+[patches.cone]
+cone = "rim"
+apex = [0, 0, 40]
+"#;
+    let design = read("x.toml", cone).unwrap();
+    let made = parts(&design, &unroll(&design, &Demand::default()).unwrap()).unwrap();
+    let rolled = &made[0].rolled[0];
+    // The slant is 50 for a radius of 30, and the normal curvature of the rim is (1/30)(40/50).
+    assert!(rolled.apex && rolled.radii.iter().all(|r| (r - 37.5).abs() < 1e-9));
+    let text = torse_designs::unroll::PartsList::new(&design, &made).text();
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        text.ends_with("roll to radius 37.5 mm at the wide end, towards 0 at the apex"),
+        "{text}"
+    );
+}
+
+#[test]
+fn coordinates_of_a_part_have_nine_decimals_at_most() {
+    let part = made(&channel("radius = [3, 5]", [90.0, 60.0]))
+        .unwrap()
+        .remove(0);
+    let ends = part.outline.iter().flat_map(|segment| segment.from);
+    for length in ends.chain(part.bends.iter().flat_map(|bend| bend.line).flatten()) {
+        let text = length.to_string();
+        let decimals = text
+            .split_once('.')
+            .map_or(0, |(_, decimals)| decimals.len());
+        assert!(decimals <= 9, "{text}");
+    }
+}
+
+#[test]
+fn the_development_of_what_tools_bend_is_told_not_to_be_the_blank() {
+    use torse_designs::unroll::{Summary, development_note, drawing};
+    let text =
+        channel("radius = 3", [90.0, 60.0]).replace("k-factor", "surface = \"outside\"\nk-factor");
+    let bent = read("x.toml", &text).unwrap();
+    let pieces = unroll(&bent, &Demand::default()).unwrap();
+    let notes = drawing(&bent, &pieces).unwrap().notes().join("\n");
+    assert!(
+        notes.contains("development of the designed outside surface; not the blank")
+            && !notes.contains("K-factor"),
+        "{notes}"
+    );
+    let summary = Summary::new(&bent, &pieces);
+    assert!(!summary.pieces[0].is_blank);
+    assert!(
+        summary
+            .text()
+            .starts_with("channel, developed surface, not the blank: "),
+        "{}",
+        summary.text()
+    );
+    let scored = read("x.toml", &channel("", [90.0, 60.0])).unwrap();
+    assert_eq!(development_note(&scored), None);
+    let pieces = unroll(&scored, &Demand::default()).unwrap();
+    assert!(Summary::new(&scored, &pieces).pieces[0].is_blank);
+}
+
+#[test]
+fn what_cannot_be_cut_is_missed() {
+    let missed = |text: &str| {
+        let design = read("x.toml", text).unwrap();
+        let refused = unroll(&design, &Demand::default())
+            .and_then(|pieces| parts(&design, &pieces))
+            .unwrap_err()
+            .to_string();
+        let report = torse_designs::inspect::inspect(&design).unwrap();
+        assert_eq!(report.missed, [refused]);
+        let quick = torse_designs::inspect::inspect_quickly(&design).unwrap();
+        assert!(quick.missed.is_empty());
+    };
+    missed(&channel("radius = 20", [90.0, 90.0]));
+    let hole = |at: &str| channel("radius = 3", [90.0, 90.0]).replace("[0.5, 0.25]", at);
+    missed(&hole("[0.15, 0.25]"));
+    missed(&hole("[0.5, 0.01]"));
+    let second = ", { at = [0.5, 0.3], radius = 6 }]";
+    missed(
+        &channel("radius = 3", [90.0, 90.0])
+            .replace("radius = 6 }]", &format!("radius = 6 }}{second}")),
+    );
+    missed(
+        &channel("radius = 3", [90.0, -90.0])
+            .replace("k-factor", "surface = \"outside\"\nk-factor"),
+    );
 }

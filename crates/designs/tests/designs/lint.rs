@@ -546,3 +546,22 @@ fn the_cut_files_of_all_worked_designs_pass() {
     }
     assert!(seen >= 28, "{seen}");
 }
+
+#[test]
+fn the_width_of_a_circle_is_its_diameter() {
+    let text = with(|drawing| {
+        drawing.circle(Layer::Outline, [90.0, 65.0], 0.65).unwrap();
+    });
+    let report = judged("part.dxf", &text);
+    let widths: Vec<f64> = report
+        .faults
+        .iter()
+        .filter(|fault| fault.check == Check::Hole)
+        .filter_map(|fault| fault.measured)
+        .collect();
+    assert!(
+        !widths.is_empty() && widths.iter().all(|w| (w - 1.3).abs() < 1e-12),
+        "{:?}",
+        report.faults
+    );
+}

@@ -1,7 +1,7 @@
 //! The bends of a piece: how long each is on the blank.
 
-use super::ToolBend;
-use super::strip::Side;
+use super::strip::{Side, Taken};
+use super::{Rolled, ToolBend};
 use crate::design::{Design, Material, Patch};
 use torse_geometry::pattern::{BendingSheet, FlatPattern};
 
@@ -26,6 +26,27 @@ pub(super) struct FoldBend {
     /// Where the patch before it ends on the pattern, and the one behind it starts.
     pub start: Side,
     pub end: Side,
+    /// How far they are from the edge.
+    pub setback: f64,
+}
+
+impl FoldBend {
+    /// What it takes of the patch before it.
+    pub(super) fn taken_before(&self) -> Taken {
+        Taken {
+            edge: self.tool.name.clone(),
+            side: self.start,
+            setback: self.setback,
+        }
+    }
+
+    /// What it takes of the patch behind it.
+    pub(super) fn taken_behind(&self) -> Taken {
+        Taken {
+            side: self.end.turned(),
+            ..self.taken_before()
+        }
+    }
 }
 
 /// The joint behind a patch of the pattern.
@@ -54,6 +75,37 @@ pub(super) fn radii(flat: &FlatPattern, place: usize) -> [f64; 2] {
     let radii = own.map(|ruling| ruling.radius);
     radii.fold([f64::INFINITY, 0.0], |[low, high], radius| {
         [low.min(radius), high.max(radius)]
+    })
+}
+
+/// Rulings at which the radius of the wide end of a cone is measured.
+const RULINGS: u32 = 256;
+
+/// How a patch is rolled that has these radii on its rulings; where it reaches an apex, the radii at its other end.
+pub(super) fn rolled(patch: &Patch, radii: [f64; 2]) -> Result<Rolled, String> {
+    let name = patch.name.clone();
+    let [first, second] = patch.apexes();
+    if first == second {
+        return Ok(Rolled {
+            name,
+            radii,
+            apex: false,
+        });
+    }
+    let wide = if first { 1.0 } else { 0.0 };
+    let mut radii = [f64::INFINITY, 0.0_f64];
+    for k in 0..=RULINGS {
+        let u = f64::from(k) / f64::from(RULINGS);
+        let bent = patch.sheet.principal(u, wide);
+        let bent = bent.map_err(|error| error.to_string())?;
+        let [a, b] = bent.map(|principal| principal.curvature.abs());
+        let radius = 1.0 / a.max(b);
+        radii = [radii[0].min(radius), radii[1].max(radius)];
+    }
+    Ok(Rolled {
+        name,
+        radii,
+        apex: true,
     })
 }
 
@@ -175,5 +227,6 @@ pub(super) fn joint_bend(
         tool: tool(&sheet, name, joint.angle, inside_radius, 2.0 * setback),
         start: joint.side.moved(-setback),
         end: joint.side.moved(setback),
+        setback,
     })
 }

@@ -13,7 +13,7 @@ use super::{FlatPiece, position};
 use crate::bending::DesignedSurface;
 use crate::design::{Design, Patch};
 use crate::error::DesignError;
-use bends::{FoldBend, Joint, joint_bend, patch_bend, radii};
+use bends::{FoldBend, Joint, joint_bend, patch_bend, radii, rolled};
 use strip::{Side, closed};
 use torse_geometry::pattern::{FlatPattern, Segment};
 
@@ -55,8 +55,10 @@ pub struct Rolled {
     /// The patch.
     pub name: String,
     /// The smallest and the largest of the radii of its rulings, of each where it is tightest; the largest is infinite
-    /// where it is flat somewhere.
+    /// where it is flat somewhere. Towards an apex all of them fall to 0: then those of the other end.
     pub radii: [f64; 2],
+    /// Whether it reaches its apex.
+    pub apex: bool,
 }
 
 /// What is cut for a piece, and how it is formed.
@@ -170,8 +172,8 @@ struct Builder<'d> {
     /// What is drawn to the left and to the right of one who follows the chain.
     sides: [Vec<Segment>; 2],
     shift: [f64; 2],
-    /// The bend at the joint before: where it ends on the pattern, and where its strip starts on both sides.
-    open: Option<(ToolBend, Side, [[f64; 2]; 2])>,
+    /// The bend at the joint before, and where its strip starts on both sides.
+    open: Option<(FoldBend, [[f64; 2]; 2])>,
 }
 
 impl<'d> Builder<'d> {
@@ -240,11 +242,14 @@ impl<'d> Builder<'d> {
             taken: Vec::new(),
         };
         let opened = self.open.take();
-        if let Some((_, start, _)) = &opened {
+        let whole = sides.clone();
+        let before = opened.as_ref().map(|(bend, _)| bend.taken_behind());
+        if let Some(before) = &before {
             for side in &mut sides {
-                *side = strip::behind(side, start)?;
+                before.check(&patch.name, side, 0.0)?;
+                *side = strip::behind(side, &before.side.turned())?;
             }
-            zone.taken.push(start.turned());
+            zone.taken.push(before.side);
         }
         let radii = radii(self.flat, place);
         let mut bent = None;
@@ -259,12 +264,14 @@ impl<'d> Builder<'d> {
                 .along(self.shift, (bend.factor - 1.0) * bend.width);
             bent = Some((bend.tool, bend.start.moved(0.5 * bend.width)));
         } else if radii[0].is_finite() {
-            let name = patch.name.clone();
-            self.blank.rolled.push(Rolled { name, radii });
+            self.blank.rolled.push(rolled(patch, radii)?);
         }
         let fold = self.fold(place, number, patch, &zone)?;
         if let Some(fold) = &fold {
-            for side in &mut sides {
+            let other = before.map_or(0.0, |before| before.setback);
+            let taken = fold.taken_before();
+            for (side, whole) in sides.iter_mut().zip(&whole) {
+                taken.check(&patch.name, whole, other)?;
                 *side = strip::before(side, &fold.start)?;
             }
             zone.taken.push(fold.start);
@@ -293,14 +300,14 @@ impl<'d> Builder<'d> {
                     .max(zone.add(segment, chord, chain) + self.flat.errors().outline);
             }
         }
-        if let Some((mut tool, _, ends)) = opened {
+        if let Some((FoldBend { mut tool, .. }, ends)) = opened {
             tool.line = [0, 1].map(|i| middle(ends[i], starts[i]));
             self.blank.bends.push(tool);
         }
         if let Some(fold) = fold {
             self.shift = fold.start.along(self.shift, fold.tool.growth);
             let ends = [0, 1].map(|i| self.sides[i].last().map_or([0.0; 2], |last| last.to));
-            self.open = Some((fold.tool, fold.end, ends));
+            self.open = Some((fold, ends));
         }
         self.blank.zones.push(zone);
         Ok(())
@@ -353,7 +360,8 @@ impl<'d> Builder<'d> {
         }
         if let Some(rolled) = self.blank.rolled.first() {
             return Err(format!(
-                "`{}` is rolled, and the blank of what is rolled is the development of the middle of the sheet: design                  that, or say `bend = true` of an arc of a circular cylinder",
+                "`{}` is rolled, and the blank of what is rolled is the development of the middle of the sheet: design \
+                 that, or say `bend = true` of an arc of a circular cylinder",
                 rolled.name
             ));
         }

@@ -5,6 +5,47 @@ use torse_geometry::pattern::Segment;
 /// Heights that count as none, as a share of the size of what is cut.
 const SAME: f64 = 1e-12;
 
+/// What is said of a chain that is wholly behind a line.
+const SHORT: &str = "a flange is shorter than the setback of its bend";
+
+/// A bend at an end of a patch: its edge, and how far from it the patch is cut.
+#[derive(Debug, Clone)]
+pub(super) struct Taken {
+    /// The two patches that meet there.
+    pub edge: String,
+    /// The line at which the patch is cut, and the side of it that the bend takes.
+    pub side: Side,
+    pub setback: f64,
+}
+
+impl Taken {
+    /// Refuses a patch whose chain along a rail is no longer than what its bends take, in numbers.
+    pub(super) fn check(&self, patch: &str, chain: &[Segment], other: f64) -> Result<(), String> {
+        let ends = chain.iter().flat_map(|segment| [segment.from, segment.to]);
+        let wide = ends
+            .map(|point| self.setback - self.side.height(point))
+            .fold(0.0_f64, f64::max);
+        if wide > self.setback + other {
+            return Ok(());
+        }
+        let (edge, setback) = (&self.edge, self.setback);
+        if wide <= SAME * setback {
+            return Err(format!(
+                "`{patch}` comes to a point at an end of the edge {edge}, where bends meet: a radius is impossible there; \
+                 without `radius` the edges stay scored"
+            ));
+        }
+        let more = if other > 0.0 {
+            format!(" beside the {other:.4} mm of its other bend")
+        } else {
+            String::new()
+        };
+        Err(format!(
+            "{SHORT}: `{patch}` is {wide:.4} mm wide at an end of the edge {edge}, and the setback is {setback:.4} mm{more}"
+        ))
+    }
+}
+
 /// A side of a straight line: where its normal points to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Side {
@@ -78,7 +119,7 @@ pub(super) fn before(chain: &[Segment], side: &Side) -> Result<Vec<Segment>, Str
     let small = SAME * size;
     let is_before = |segment: &Segment| side.height(segment.from) < -small;
     let Some(last) = chain.iter().rposition(is_before) else {
-        return Err("a flange is shorter than the setback of its bend".to_owned());
+        return Err(SHORT.to_owned());
     };
     let mut kept = chain.get(..last).unwrap_or_default().to_vec();
     let inside = |segment: &Segment| {
