@@ -109,7 +109,10 @@ fn summary(panel: &Panel, number: usize, count: usize) -> String {
         100.0 * panel.fans
     ));
     if panel.folds > 0 {
-        text.push_str(&format!(", {} folds", panel.folds));
+        text.push_str(&format!(
+            ", {} folds: for fewer, split both curves where a side is parallel to the arc, and connect piece by piece",
+            panel.folds
+        ));
     }
     if panel.turned {
         text.push_str("; curve 2 runs against curve 1: it is passed from its end to its start");
