@@ -27,6 +27,22 @@ Definition O__ (d2 : list R) (dd2 : list R) (h2 : list R) (e : R) : list R :=
   vadd (vadd h2 (vscale e d2)) (vscale (e ^ 2 / 2) dd2).
 Definition P_ (d : list R) (dd : list R) (h : list R) (e : R) : list R :=
   vadd (vadd h (vscale e d)) (vscale (e ^ 2 / 2) dd).
+Definition E1_0 : list R :=
+  [0; - 20; 10; 400].
+Definition E1_1 : list R :=
+  [0; - 10; 20; 400].
+Definition E1_2 : list R :=
+  [0; 10; 20; 400].
+Definition E1_3 : list R :=
+  [0; 20; 10; 400].
+Definition F1 (x : Z) : list R :=
+  vadd (vadd (vadd (vscale (g (IZR x) 1 1 0%Z 3%Z) E1_0) (vscale (g (IZR x) 1 1 1%Z 3%Z) E1_1)) (vscale (g (IZR x) 1 1 2%Z 3%Z) E1_2)) (vscale (g (IZR x) 1 1 3%Z 3%Z) E1_3).
+Definition F1_ (x : R) : list R :=
+  vadd (vadd (vadd (vscale (g x 1 1 0%Z 3%Z) E1_0) (vscale (g x 1 1 1%Z 3%Z) E1_1)) (vscale (g x 1 1 2%Z 3%Z) E1_2)) (vscale (g x 1 1 3%Z 3%Z) E1_3).
+Definition profile1 (x : Z) : list R :=
+  foot (F1 x) (vDerive 4 (fun x_ => F1_ x_) 1 (IZR x)).
+Definition profile1_ (x : R) : list R :=
+  foot (F1_ x) (vDerive 4 (fun x_ => F1_ x_) 1 x).
 Definition kappa2 (l : Z) (mu2 : R) : R :=
   IZR l - 2 + PI / 2 * (1 + mu2).
 Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
@@ -273,28 +289,12 @@ Module sec_5_1_certify_cusp.
 (* gbt-developable/sec-5.1.certify.cusp, Sect. 5.1, sentence before Theorem 2
    printed: Two families that satisfy (5.4) and (5.5), whose surfaces fold back at the joint.
    stated: F2(0) == F1(1) and F2'(0) == F1'(1) and profile1(1) == profile2(0) and cross(profile1'(1), profile2'(0)) == 0 and dot(profile1'(1), profile2'(0)) < 0 *)
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition F1 (x : Z) : list R :=
-  vadd (vadd (vadd (vscale (g (IZR x) 1 1 0%Z 3%Z) E1_0) (vscale (g (IZR x) 1 1 1%Z 3%Z) E1_1)) (vscale (g (IZR x) 1 1 2%Z 3%Z) E1_2)) (vscale (g (IZR x) 1 1 3%Z 3%Z) E1_3).
-Definition F1_ (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x 1 1 0%Z 3%Z) E1_0) (vscale (g x 1 1 1%Z 3%Z) E1_1)) (vscale (g x 1 1 2%Z 3%Z) E1_2)) (vscale (g x 1 1 3%Z 3%Z) E1_3).
 Definition F2 (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) 1 1 0%Z 3%Z) [0; 20; 10; 400]) (vscale (g (IZR x) 1 1 1%Z 3%Z) [0; 30; 0; 400])) (vscale (g (IZR x) 1 1 2%Z 3%Z) [0; 50; 0; 400])) (vscale (g (IZR x) 1 1 3%Z 3%Z) [0; 60; - 20; 400]).
 Definition F2_ (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x 1 1 0%Z 3%Z) [0; 20; 10; 400]) (vscale (g x 1 1 1%Z 3%Z) [0; 30; 0; 400])) (vscale (g x 1 1 2%Z 3%Z) [0; 50; 0; 400])) (vscale (g x 1 1 3%Z 3%Z) [0; 60; - 20; 400]).
-Definition profile1 (x : Z) : list R :=
-  foot (F1 x) (vDerive 4 (fun x_ => F1_ x_) 1 (IZR x)).
 Definition profile2 (x : Z) : list R :=
   foot (F2 x) (vDerive 4 (fun x_ => F2_ x_) 1 (IZR x)).
-Definition profile1_ (x : R) : list R :=
-  foot (F1_ x) (vDerive 4 (fun x_ => F1_ x_) 1 x).
 Definition profile2_ (x : R) : list R :=
   foot (F2_ x) (vDerive 4 (fun x_ => F2_ x_) 1 x).
 Definition statement : Prop :=
@@ -313,6 +313,35 @@ Definition instance : Prop :=
   locally (IZR 1%Z) (fun x__ => dot (direction (F1_ x__) (let x_____ := x__ in vDerive 4 (fun x______ => F1_ x______) 1 x_____)) (direction (F1_ x__) (let x_____ := x__ in vDerive 4 (fun x______ => F1_ x______) 1 x_____)) <> 0) /\
   locally (IZR 0%Z) (fun x__ => dot (direction (F2_ x__) (let x______ := x__ in vDerive 4 (fun x_______ => F2_ x_______) 1 x______)) (direction (F2_ x__) (let x______ := x__ in vDerive 4 (fun x_______ => F2_ x_______) 1 x______)) <> 0).
 End sec_5_1_certify_cusp.
+
+Module thm_2_inflection.
+(* gbt-developable/thm-2.inflection, Sect. 5.1, Theorem 2
+   printed: Two families with γ = −1, whose surfaces have a smooth joint.
+   stated: F2(0) == F1(1) and F2'(0) == -F1'(1) and profile1(1) == profile2(0) and profile1'(1) == profile2'(0) and dot(profile1'(1), profile2'(0)) > 0 *)
+Definition F2 (x : Z) : list R :=
+  vadd (vadd (vadd (vscale (g (IZR x) 1 1 0%Z 3%Z) [0; 20; 10; 400]) (vscale (g (IZR x) 1 1 1%Z 3%Z) [0; 10; 20; 400])) (vscale (g (IZR x) 1 1 2%Z 3%Z) [0; 10; 40; 400])) (vscale (g (IZR x) 1 1 3%Z 3%Z) [0; 0; 30; 400]).
+Definition F2_ (x : R) : list R :=
+  vadd (vadd (vadd (vscale (g x 1 1 0%Z 3%Z) [0; 20; 10; 400]) (vscale (g x 1 1 1%Z 3%Z) [0; 10; 20; 400])) (vscale (g x 1 1 2%Z 3%Z) [0; 10; 40; 400])) (vscale (g x 1 1 3%Z 3%Z) [0; 0; 30; 400]).
+Definition profile2 (x : Z) : list R :=
+  foot (F2 x) (vDerive 4 (fun x_ => F2_ x_) 1 (IZR x)).
+Definition profile2_ (x : R) : list R :=
+  foot (F2_ x) (vDerive 4 (fun x_ => F2_ x_) 1 x).
+Definition statement : Prop :=
+  dot (direction (F1 1%Z) (let x := 1%Z in vDerive 4 (fun x_ => F1_ x_) 1 (IZR x))) (direction (F1 1%Z) (let x := 1%Z in vDerive 4 (fun x_ => F1_ x_) 1 (IZR x))) <> 0 ->
+  dot (direction (F2 0%Z) (let x_ := 0%Z in vDerive 4 (fun x__ => F2_ x__) 1 (IZR x_))) (direction (F2 0%Z) (let x_ := 0%Z in vDerive 4 (fun x__ => F2_ x__) 1 (IZR x_))) <> 0 ->
+  locally (IZR 1%Z) (fun x__ => dot (direction (F1_ x__) (let x___ := x__ in vDerive 4 (fun x____ => F1_ x____) 1 x___)) (direction (F1_ x__) (let x___ := x__ in vDerive 4 (fun x____ => F1_ x____) 1 x___)) <> 0) ->
+  locally (IZR 0%Z) (fun x__ => dot (direction (F2_ x__) (let x____ := x__ in vDerive 4 (fun x_____ => F2_ x_____) 1 x____)) (direction (F2_ x__) (let x____ := x__ in vDerive 4 (fun x_____ => F2_ x_____) 1 x____)) <> 0) ->
+  locally (IZR 1%Z) (fun x__ => dot (direction (F1_ x__) (let x_____ := x__ in vDerive 4 (fun x______ => F1_ x______) 1 x_____)) (direction (F1_ x__) (let x_____ := x__ in vDerive 4 (fun x______ => F1_ x______) 1 x_____)) <> 0) ->
+  locally (IZR 0%Z) (fun x__ => dot (direction (F2_ x__) (let x______ := x__ in vDerive 4 (fun x_______ => F2_ x_______) 1 x______)) (direction (F2_ x__) (let x______ := x__ in vDerive 4 (fun x_______ => F2_ x_______) 1 x______)) <> 0) ->
+  F2 0%Z = F1 1%Z /\ (let x__ := 0%Z in vDerive 4 (fun x_______ => F2_ x_______) 1 (IZR x__)) = vopp (let x_______ := 1%Z in vDerive 4 (fun x________ => F1_ x________) 1 (IZR x_______)) /\ profile1 1%Z = profile2 0%Z /\ (let x________ := 1%Z in vDerive 3 (fun x_________ => profile1_ x_________) 1 (IZR x________)) = (let x_________ := 0%Z in vDerive 3 (fun x__________ => profile2_ x__________) 1 (IZR x_________)) /\ dot (let x__________ := 1%Z in vDerive 3 (fun x___________ => profile1_ x___________) 1 (IZR x__________)) (let x___________ := 0%Z in vDerive 3 (fun x____________ => profile2_ x____________) 1 (IZR x___________)) > 0.
+Definition instance : Prop :=
+  dot (direction (F1 1%Z) (let x := 1%Z in vDerive 4 (fun x_ => F1_ x_) 1 (IZR x))) (direction (F1 1%Z) (let x := 1%Z in vDerive 4 (fun x_ => F1_ x_) 1 (IZR x))) <> 0 /\
+  dot (direction (F2 0%Z) (let x_ := 0%Z in vDerive 4 (fun x__ => F2_ x__) 1 (IZR x_))) (direction (F2 0%Z) (let x_ := 0%Z in vDerive 4 (fun x__ => F2_ x__) 1 (IZR x_))) <> 0 /\
+  locally (IZR 1%Z) (fun x__ => dot (direction (F1_ x__) (let x___ := x__ in vDerive 4 (fun x____ => F1_ x____) 1 x___)) (direction (F1_ x__) (let x___ := x__ in vDerive 4 (fun x____ => F1_ x____) 1 x___)) <> 0) /\
+  locally (IZR 0%Z) (fun x__ => dot (direction (F2_ x__) (let x____ := x__ in vDerive 4 (fun x_____ => F2_ x_____) 1 x____)) (direction (F2_ x__) (let x____ := x__ in vDerive 4 (fun x_____ => F2_ x_____) 1 x____)) <> 0) /\
+  locally (IZR 1%Z) (fun x__ => dot (direction (F1_ x__) (let x_____ := x__ in vDerive 4 (fun x______ => F1_ x______) 1 x_____)) (direction (F1_ x__) (let x_____ := x__ in vDerive 4 (fun x______ => F1_ x______) 1 x_____)) <> 0) /\
+  locally (IZR 0%Z) (fun x__ => dot (direction (F2_ x__) (let x______ := x__ in vDerive 4 (fun x_______ => F2_ x_______) 1 x______)) (direction (F2_ x__) (let x______ := x__ in vDerive 4 (fun x_______ => F2_ x_______) 1 x______)) <> 0).
+End thm_2_inflection.
 
 Module sec_5_1_G0_families.
 (* gbt-developable/sec-5.1.G0.families, Sect. 5.1, proof of Theorem 2, first sentence, eq. (5.6)
@@ -608,7 +637,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu2 : R) (nu1 : 
 End eq_5_10.
 
 Module thm_2_sufficient.
-(* gbt-developable/thm-2.sufficient, Sect. 5.1, Theorem 2 ('Adequate')
+(* gbt-developable/thm-2.sufficient, Sect. 5.1, Theorem 2, the word 'adequate'
    printed: Adequate ... requirements for G1 smooth connection among two contiguous developable GBT-Bézier surfaces ... are (5.5)
    read as: (5.5) makes the end planes equal and the derivatives proportional, and the common generator is the line of Q_{k-1,1} and Q_{k,1}. With h, d, dd for H_1(1), H'_1(1), H''_1(1) and h2, d2, dd2 for H_2(0), H'_2(0), H''_2(0) the rulings JA and JB of both surfaces are the same there, and the second sheet continues the first.
    stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and P1[k-1] == H2(0) - H2'(0)/(gamma*(k - 2 + pi/2*(1 + nu1))) and JB(0) == JA(0) and cross(direction(h, d), JB'(0)) == e2/(gamma*e1)*cross(direction(h, d), JA'(0)) *)
@@ -718,7 +747,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (d'1 d'2 d'3 d'4 : R) (d2'1 d
 End thm_2_sufficient.
 
 Module thm_2_necessary_families.
-(* gbt-developable/thm-2.necessary.families, Sect. 5.1, Theorem 2 ('essential')
+(* gbt-developable/thm-2.necessary.families, Sect. 5.1, Theorem 2, the word 'essential'
    printed: ... essential requirements for G1 smooth connection among two contiguous developable GBT-Bézier surfaces ... are (5.5)
    read as: G1 smooth connection is (5.4) for the families, as the proof takes it.
    stated: P2[0] == P1[k] and P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
@@ -760,7 +789,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End thm_2_necessary_families.
 
 Module thm_2_necessary_surfaces.
-(* gbt-developable/thm-2.necessary.surfaces, Sect. 5.1, Theorem 2 ('essential')
+(* gbt-developable/thm-2.necessary.surfaces, Sect. 5.1, Theorem 2, the word 'essential'
    printed: ... essential requirements for G1 smooth connection among two contiguous developable GBT-Bézier surfaces ... are (5.5)
    read as: G1 smooth connection is what it is for surfaces: same generator, same tangent plane along it.
    stated: P2[0] == P1[k] and P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
@@ -790,7 +819,6 @@ Module thm_2_true_necessary.
    stated: P2[0] == rho*P1[k] and P2[1] == rho*P1[k] + rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k] *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
-  0 < gamma ->
   (2 <= k)%Z ->
   (2 <= l)%Z ->
   (-1) <= mu1 <= 1 ->
@@ -808,7 +836,6 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
   P2 0%Z = rho * P1 k /\ P2 1%Z = rho * P1 k + rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k.
 Definition instance : Prop :=
 exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
-  0 < gamma /\
   (2 <= k)%Z /\
   (2 <= l)%Z /\
   (-1) <= mu1 <= 1 /\
@@ -831,7 +858,6 @@ Module thm_2_true_sufficient.
    stated: H2(0) == rho*H1(1) and H2'(0) == rho*gamma*H1'(1) + s*H1(1) *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
-  0 < gamma ->
   (2 <= k)%Z ->
   (2 <= l)%Z ->
   (-1) <= mu1 <= 1 ->
@@ -849,7 +875,6 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
   H2 P2 l mu2 nu2 0%Z = rho * H1 P1 k mu1 nu1 1%Z /\ (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = rho * gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) + s * H1 P1 k mu1 nu1 1%Z.
 Definition instance : Prop :=
 exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
-  0 < gamma /\
   (2 <= k)%Z /\
   (2 <= l)%Z /\
   (-1) <= mu1 <= 1 /\

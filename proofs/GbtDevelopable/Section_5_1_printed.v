@@ -9,6 +9,16 @@ Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition E1_0 : list R :=
+  [0; - 20; 10; 400].
+Definition E1_1 : list R :=
+  [0; - 10; 20; 400].
+Definition E1_2 : list R :=
+  [0; 10; 20; 400].
+Definition E1_3 : list R :=
+  [0; 20; 10; 400].
+Definition F1 (x : R) : list R :=
+  vadd (vadd (vadd (vscale (g x 1 1 0%Z 3%Z) E1_0) (vscale (g x 1 1 1%Z 3%Z) E1_1)) (vscale (g x 1 1 2%Z 3%Z) E1_2)) (vscale (g x 1 1 3%Z 3%Z) E1_3).
 Definition kappa2 (l : Z) (mu2 : R) : R :=
   IZR l - 2 + PI / 2 * (1 + mu2).
 Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
@@ -261,16 +271,6 @@ Module sec_5_1_certify_cusp.
    stated: F2(0) == F1(1) and F2'(0) == F1'(1) and profile1(1) == profile2(0) and cross(profile1'(1), profile2'(0)) == 0 and dot(profile1'(1), profile2'(0)) < 0 *)
 Definition F2 (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x 1 1 0%Z 3%Z) [0; 20; 10; 400]) (vscale (g x 1 1 1%Z 3%Z) [0; 30; 0; 400])) (vscale (g x 1 1 2%Z 3%Z) [0; 50; 0; 400])) (vscale (g x 1 1 3%Z 3%Z) [0; 60; - 20; 400]).
-Definition E1_0 : list R :=
-  [0; - 20; 10; 400].
-Definition E1_1 : list R :=
-  [0; - 10; 20; 400].
-Definition E1_2 : list R :=
-  [0; 10; 20; 400].
-Definition E1_3 : list R :=
-  [0; 20; 10; 400].
-Definition F1 (x : R) : list R :=
-  vadd (vadd (vadd (vscale (g x 1 1 0%Z 3%Z) E1_0) (vscale (g x 1 1 1%Z 3%Z) E1_1)) (vscale (g x 1 1 2%Z 3%Z) E1_2)) (vscale (g x 1 1 3%Z 3%Z) E1_3).
 Definition normal (P : list R) : list R :=
   [entry P 1; entry P 2; entry P 3].
 Definition direction (P : list R) (D_ : list R) : list R :=
@@ -295,6 +295,37 @@ Definition instance : Prop :=
   locally 1 (fun x => dot (direction (F1 x) (vDerive 4 (fun x => F1 x) 1 x)) (direction (F1 x) (vDerive 4 (fun x => F1 x) 1 x)) <> 0) /\
   locally 0 (fun x => dot (direction (F2 x) (vDerive 4 (fun x => F2 x) 1 x)) (direction (F2 x) (vDerive 4 (fun x => F2 x) 1 x)) <> 0).
 End sec_5_1_certify_cusp.
+
+Module thm_2_inflection.
+(* gbt-developable/thm-2.inflection, Sect. 5.1, Theorem 2
+   printed: Two families with γ = −1, whose surfaces have a smooth joint.
+   stated: F2(0) == F1(1) and F2'(0) == -F1'(1) and profile1(1) == profile2(0) and profile1'(1) == profile2'(0) and dot(profile1'(1), profile2'(0)) > 0 *)
+Definition F2 (x : R) : list R :=
+  vadd (vadd (vadd (vscale (g x 1 1 0%Z 3%Z) [0; 20; 10; 400]) (vscale (g x 1 1 1%Z 3%Z) [0; 10; 20; 400])) (vscale (g x 1 1 2%Z 3%Z) [0; 10; 40; 400])) (vscale (g x 1 1 3%Z 3%Z) [0; 0; 30; 400]).
+Definition normal (P : list R) : list R :=
+  [entry P 1; entry P 2; entry P 3].
+Definition direction (P : list R) (D_ : list R) : list R :=
+  cross (normal P) (normal D_).
+Definition moment (P : list R) (D_ : list R) : list R :=
+  vsub (vscale (entry D_ 4) (normal P)) (vscale (entry P 4) (normal D_)).
+Definition foot (P : list R) (D_ : list R) : list R :=
+  vdiv (cross (direction P D_) (moment P D_)) (dot (direction P D_) (direction P D_)).
+Definition profile1 (x : R) : list R :=
+  foot (F1 x) (vDerive 4 (fun x => F1 x) 1 x).
+Definition profile2 (x : R) : list R :=
+  foot (F2 x) (vDerive 4 (fun x => F2 x) 1 x).
+Definition statement : Prop :=
+  dot (direction (F1 1) (vDerive 4 (fun x => F1 x) 1 1)) (direction (F1 1) (vDerive 4 (fun x => F1 x) 1 1)) <> 0 ->
+  dot (direction (F2 0) (vDerive 4 (fun x => F2 x) 1 0)) (direction (F2 0) (vDerive 4 (fun x => F2 x) 1 0)) <> 0 ->
+  locally 1 (fun x => dot (direction (F1 x) (vDerive 4 (fun x => F1 x) 1 x)) (direction (F1 x) (vDerive 4 (fun x => F1 x) 1 x)) <> 0) ->
+  locally 0 (fun x => dot (direction (F2 x) (vDerive 4 (fun x => F2 x) 1 x)) (direction (F2 x) (vDerive 4 (fun x => F2 x) 1 x)) <> 0) ->
+  F2 0 = F1 1 /\ vDerive 4 (fun x => F2 x) 1 0 = vopp (vDerive 4 (fun x => F1 x) 1 1) /\ profile1 1 = profile2 0 /\ vDerive 3 (fun x => profile1 x) 1 1 = vDerive 3 (fun x => profile2 x) 1 0 /\ dot (vDerive 3 (fun x => profile1 x) 1 1) (vDerive 3 (fun x => profile2 x) 1 0) > 0.
+Definition instance : Prop :=
+  dot (direction (F1 1) (vDerive 4 (fun x => F1 x) 1 1)) (direction (F1 1) (vDerive 4 (fun x => F1 x) 1 1)) <> 0 /\
+  dot (direction (F2 0) (vDerive 4 (fun x => F2 x) 1 0)) (direction (F2 0) (vDerive 4 (fun x => F2 x) 1 0)) <> 0 /\
+  locally 1 (fun x => dot (direction (F1 x) (vDerive 4 (fun x => F1 x) 1 x)) (direction (F1 x) (vDerive 4 (fun x => F1 x) 1 x)) <> 0) /\
+  locally 0 (fun x => dot (direction (F2 x) (vDerive 4 (fun x => F2 x) 1 x)) (direction (F2 x) (vDerive 4 (fun x => F2 x) 1 x)) <> 0).
+End thm_2_inflection.
 
 Module sec_5_1_G0_families.
 (* gbt-developable/sec-5.1.G0.families, Sect. 5.1, proof of Theorem 2, first sentence, eq. (5.6)
@@ -594,7 +625,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu2 : R) (nu1 : 
 End eq_5_10.
 
 Module thm_2_sufficient.
-(* gbt-developable/thm-2.sufficient, Sect. 5.1, Theorem 2 ('Adequate')
+(* gbt-developable/thm-2.sufficient, Sect. 5.1, Theorem 2, the word 'adequate'
    printed: Adequate ... requirements for G1 smooth connection among two contiguous developable GBT-Bézier surfaces ... are (5.5)
    read as: (5.5) makes the end planes equal and the derivatives proportional, and the common generator is the line of Q_{k-1,1} and Q_{k,1}. With h, d, dd for H_1(1), H'_1(1), H''_1(1) and h2, d2, dd2 for H_2(0), H'_2(0), H''_2(0) the rulings JA and JB of both surfaces are the same there, and the second sheet continues the first.
    stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and P1[k-1] == H2(0) - H2'(0)/(gamma*(k - 2 + pi/2*(1 + nu1))) and JB(0) == JA(0) and cross(direction(h, d), JB'(0)) == e2/(gamma*e1)*cross(direction(h, d), JA'(0)) *)
@@ -690,7 +721,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (d'1 d'2 d'3 d'4 : R) (d2'1 d
 End thm_2_sufficient.
 
 Module thm_2_necessary_families.
-(* gbt-developable/thm-2.necessary.families, Sect. 5.1, Theorem 2 ('essential')
+(* gbt-developable/thm-2.necessary.families, Sect. 5.1, Theorem 2, the word 'essential'
    printed: ... essential requirements for G1 smooth connection among two contiguous developable GBT-Bézier surfaces ... are (5.5)
    read as: G1 smooth connection is (5.4) for the families, as the proof takes it.
    stated: P2[0] == P1[k] and P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
@@ -732,7 +763,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End thm_2_necessary_families.
 
 Module thm_2_necessary_surfaces.
-(* gbt-developable/thm-2.necessary.surfaces, Sect. 5.1, Theorem 2 ('essential')
+(* gbt-developable/thm-2.necessary.surfaces, Sect. 5.1, Theorem 2, the word 'essential'
    printed: ... essential requirements for G1 smooth connection among two contiguous developable GBT-Bézier surfaces ... are (5.5)
    read as: G1 smooth connection is what it is for surfaces: same generator, same tangent plane along it.
    stated: P2[0] == P1[k] and P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
@@ -762,7 +793,6 @@ Module thm_2_true_necessary.
    stated: P2[0] == rho*P1[k] and P2[1] == rho*P1[k] + rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k] *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
-  0 < gamma ->
   (2 <= k)%Z ->
   (2 <= l)%Z ->
   (-1) <= mu1 <= 1 ->
@@ -780,7 +810,6 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
   P2 0%Z = rho * P1 k /\ P2 1%Z = rho * P1 k + rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k.
 Definition instance : Prop :=
 exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
-  0 < gamma /\
   (2 <= k)%Z /\
   (2 <= l)%Z /\
   (-1) <= mu1 <= 1 /\
@@ -803,7 +832,6 @@ Module thm_2_true_sufficient.
    stated: H2(0) == rho*H1(1) and H2'(0) == rho*gamma*H1'(1) + s*H1(1) *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
-  0 < gamma ->
   (2 <= k)%Z ->
   (2 <= l)%Z ->
   (-1) <= mu1 <= 1 ->
@@ -821,7 +849,6 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
   H2 P2 l mu2 nu2 0 = rho * H1 P1 k mu1 nu1 1 /\ Derive_n (fun x => H2 P2 l mu2 nu2 x) 1 0 = rho * gamma * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 + s * H1 P1 k mu1 nu1 1.
 Definition instance : Prop :=
 exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
-  0 < gamma /\
   (2 <= k)%Z /\
   (2 <= l)%Z /\
   (-1) <= mu1 <= 1 /\

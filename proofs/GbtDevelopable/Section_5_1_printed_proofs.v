@@ -63,6 +63,14 @@ Theorem met : instance.
 Proof. follows GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_cusp.met. Qed.
 End sec_5_1_certify_cusp.
 
+Module thm_2_inflection.
+Import GbtDevelopable.Section_5_1_printed.thm_2_inflection.
+Theorem proved : statement.
+Proof. follows GbtDevelopable.Section_5_1_proofs.thm_2_inflection.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtDevelopable.Section_5_1_proofs.thm_2_inflection.met. Qed.
+End thm_2_inflection.
+
 Module sec_5_1_G0_families.
 Import GbtDevelopable.Section_5_1_printed.sec_5_1_G0_families.
 Theorem proved : statement.

@@ -312,7 +312,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_3_c.
 
 Module thm_3_sufficient.
-(* gbt-developable/thm-3.sufficient, Sect. 5.2, Theorem 3 ('satisfactory')
+(* gbt-developable/thm-3.sufficient, Sect. 5.2, Theorem 3, the word 'satisfactory'
    printed: The essential and satisfactory requirements for achieving Farin–Boehm G2 continuity betwixt two contiguous developable GBT-Bézier surfaces ... at the connection are (5.12)
    read as: (5.12) gives (5.11), and the common generator, the line of Q_{k-1,1} and Q_{k,1}, is there.
    stated: H2(0) == H1(1) and H2'(0) == H1'(1) and H2''(0) == H1''(1) and P1[k-1] == H2(0) - H2'(0)/(k - 2 + pi/2*(1 + nu1)) *)
@@ -366,7 +366,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_3_sufficient.
 
 Module thm_3_necessary_families.
-(* gbt-developable/thm-3.necessary.families, Sect. 5.2, Theorem 3 ('essential')
+(* gbt-developable/thm-3.necessary.families, Sect. 5.2, Theorem 3, the word 'essential'
    printed: The essential ... requirements for achieving Farin–Boehm G2 continuity betwixt two contiguous developable GBT-Bézier surfaces ... are (5.12)
    read as: Farin–Boehm G2 continuity is (5.11), which 'they must satisfy'.
    stated: P2[0] == P1[k] and P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
@@ -414,7 +414,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_3_necessary_families.
 
 Module thm_3_necessary_surfaces.
-(* gbt-developable/thm-3.necessary.surfaces, Sect. 5.2, Theorem 3 ('essential')
+(* gbt-developable/thm-3.necessary.surfaces, Sect. 5.2, Theorem 3, the word 'essential'
    printed: The essential ... requirements for achieving Farin–Boehm G2 continuity betwixt two contiguous developable GBT-Bézier surfaces ... are (5.12)
    read as: Farin–Boehm G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. A factor rho of all coordinates is enough to refute.
    stated: P2[0] == P1[k] and P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)

@@ -288,7 +288,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End eq_5_17.
 
 Module thm_4_sufficient.
-(* gbt-developable/thm-4.sufficient, Sect. 5.3, Theorem 4 ('sufficient')
+(* gbt-developable/thm-4.sufficient, Sect. 5.3, Theorem 4, the word 'sufficient'
    printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
    read as: λ is a constant that (5.17) leaves open: (5.16) as printed gives (5.17) with λ/4 in place of λ. The common generator, the line of Q_{k-1,1} and Q_{k,1}, is there.
    stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and H2''(0) == gamma^2*H1''(1) + lambda/4*H1'(1) and P1[k-1] == H2(0) - H2'(0)/(gamma*(k - 2 + pi/2*(1 + nu1))) *)
@@ -344,7 +344,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End thm_4_sufficient.
 
 Module thm_4_necessary_families.
-(* gbt-developable/thm-4.necessary.families, Sect. 5.3, Theorem 4 ('necessary')
+(* gbt-developable/thm-4.necessary.families, Sect. 5.3, Theorem 4, the word 'necessary'
    printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
    read as: G2 beta continuity is (5.17). The constant λ of (5.16) is four times that of (5.17).
    stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) and P2[2] == at(beta, lambda, 4*lambda) *)
@@ -396,7 +396,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End thm_4_necessary_families.
 
 Module thm_4_necessary_surfaces.
-(* gbt-developable/thm-4.necessary.surfaces, Sect. 5.3, Theorem 4 ('necessary')
+(* gbt-developable/thm-4.necessary.surfaces, Sect. 5.3, Theorem 4, the word 'necessary'
    printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
    read as: G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. The first two lines of (5.16) are stated; a factor rho of all coordinates is enough to refute.
    stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) *)

@@ -364,3 +364,40 @@ exists (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2
   dot (direction (K2 B mu2 nu2 0%Z) (let x_______ := 0%Z in vDerive 4 (fun x________ => K2_ B mu2 nu2 x________) 1 (IZR x_______))) (direction (K2 B mu2 nu2 0%Z) (let x_______ := 0%Z in vDerive 4 (fun x________ => K2_ B mu2 nu2 x________) 1 (IZR x_______))) <> 0 /\
   dot (direction (K1 mu1 nu1 1%Z) (let x________ := 1%Z in vDerive 4 (fun x_________ => K1_ mu1 nu1 x_________) 1 (IZR x________))) (direction (K1 mu1 nu1 1%Z) (let x________ := 1%Z in vDerive 4 (fun x_________ => K1_ mu1 nu1 x_________) 1 (IZR x________))) <> 0.
 End ex_5_2_gap_drawn_pieces.
+
+Module ex_5_2_one_line.
+(* gbt-developable/ex-5.2.one-line, Sect. 5.5, Example 5.2
+   printed: The end generators of both surfaces are one line for every γ, and their lengths for one range of x1 are in the ratio γ.
+   stated: foot(K2(0), K2'(0)) == foot(K1(1), K1'(1)) and direction(K2(0), K2'(0)) == gamma*direction(K1(1), K1'(1)) and foot(K1(1), K1'(1)) == [0, 40/3, 40/3] and at(direction(K1(1), K1'(1)), nu1, 1) == [-300*(1 + pi), 0, 0] *)
+Definition K1__ (mu1 : R) (nu1 : Z) (x : Z) : list R :=
+  vadd (vadd (vadd (vscale (g (IZR x) mu1 (IZR nu1) 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu1 (IZR nu1) 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu1 (IZR nu1) 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu1 (IZR nu1) 3%Z 3%Z) E1_3).
+Definition K1___ (mu1 : R) (nu1 : Z) (x : R) : list R :=
+  vadd (vadd (vadd (vscale (g x mu1 (IZR nu1) 0%Z 3%Z) E1_0) (vscale (g x mu1 (IZR nu1) 1%Z 3%Z) E1_1)) (vscale (g x mu1 (IZR nu1) 2%Z 3%Z) E1_2)) (vscale (g x mu1 (IZR nu1) 3%Z 3%Z) E1_3).
+Definition statement : Prop :=
+forall (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
+  0 < gamma ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  K2 B mu2 nu2 0%Z = K1 mu1 nu1 1%Z ->
+  (let x := 0%Z in vDerive 4 (fun x_ => K2_ B mu2 nu2 x_) 1 (IZR x)) = vscale gamma (let x_ := 1%Z in vDerive 4 (fun x__ => K1_ mu1 nu1 x__) 1 (IZR x_)) ->
+  dot (direction (K2 B mu2 nu2 0%Z) (let x__ := 0%Z in vDerive 4 (fun x___ => K2_ B mu2 nu2 x___) 1 (IZR x__))) (direction (K2 B mu2 nu2 0%Z) (let x__ := 0%Z in vDerive 4 (fun x___ => K2_ B mu2 nu2 x___) 1 (IZR x__))) <> 0 ->
+  dot (direction (K1 mu1 nu1 1%Z) (let x___ := 1%Z in vDerive 4 (fun x____ => K1_ mu1 nu1 x____) 1 (IZR x___))) (direction (K1 mu1 nu1 1%Z) (let x___ := 1%Z in vDerive 4 (fun x____ => K1_ mu1 nu1 x____) 1 (IZR x___))) <> 0 ->
+  dot (direction (K1 mu1 nu1 1%Z) (let x______ := 1%Z in vDerive 4 (fun x_______ => K1_ mu1 nu1 x_______) 1 (IZR x______))) (direction (K1 mu1 nu1 1%Z) (let x______ := 1%Z in vDerive 4 (fun x_______ => K1_ mu1 nu1 x_______) 1 (IZR x______))) <> 0 ->
+  foot (K2 B mu2 nu2 0%Z) (let x________ := 0%Z in vDerive 4 (fun x_________ => K2_ B mu2 nu2 x_________) 1 (IZR x________)) = foot (K1 mu1 nu1 1%Z) (let x_________ := 1%Z in vDerive 4 (fun x__________ => K1_ mu1 nu1 x__________) 1 (IZR x_________)) /\ direction (K2 B mu2 nu2 0%Z) (let x__________ := 0%Z in vDerive 4 (fun x___________ => K2_ B mu2 nu2 x___________) 1 (IZR x__________)) = vscale gamma (direction (K1 mu1 nu1 1%Z) (let x___________ := 1%Z in vDerive 4 (fun x____________ => K1_ mu1 nu1 x____________) 1 (IZR x___________))) /\ foot (K1 mu1 nu1 1%Z) (let x____________ := 1%Z in vDerive 4 (fun x_____________ => K1_ mu1 nu1 x_____________) 1 (IZR x____________)) = [0; 40 / 3; 40 / 3] /\ direction (K1__ mu1 1%Z 1%Z) (let x_____________ := 1%Z in vDerive 4 (fun x______________ => K1___ mu1 1%Z x______________) 1 (IZR x_____________)) = [- 300 * (1 + PI); 0; 0].
+Definition instance : Prop :=
+exists (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
+  0 < gamma /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  K2 B mu2 nu2 0%Z = K1 mu1 nu1 1%Z /\
+  (let x := 0%Z in vDerive 4 (fun x_ => K2_ B mu2 nu2 x_) 1 (IZR x)) = vscale gamma (let x_ := 1%Z in vDerive 4 (fun x__ => K1_ mu1 nu1 x__) 1 (IZR x_)) /\
+  dot (direction (K2 B mu2 nu2 0%Z) (let x__ := 0%Z in vDerive 4 (fun x___ => K2_ B mu2 nu2 x___) 1 (IZR x__))) (direction (K2 B mu2 nu2 0%Z) (let x__ := 0%Z in vDerive 4 (fun x___ => K2_ B mu2 nu2 x___) 1 (IZR x__))) <> 0 /\
+  dot (direction (K1 mu1 nu1 1%Z) (let x___ := 1%Z in vDerive 4 (fun x____ => K1_ mu1 nu1 x____) 1 (IZR x___))) (direction (K1 mu1 nu1 1%Z) (let x___ := 1%Z in vDerive 4 (fun x____ => K1_ mu1 nu1 x____) 1 (IZR x___))) <> 0 /\
+  dot (direction (K1 mu1 nu1 1%Z) (let x______ := 1%Z in vDerive 4 (fun x_______ => K1_ mu1 nu1 x_______) 1 (IZR x______))) (direction (K1 mu1 nu1 1%Z) (let x______ := 1%Z in vDerive 4 (fun x_______ => K1_ mu1 nu1 x_______) 1 (IZR x______))) <> 0.
+End ex_5_2_one_line.

@@ -348,3 +348,34 @@ exists (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2
   dot (direction (K2 B mu2 nu2 0) (vDerive 4 (fun x => K2 B mu2 nu2 x) 1 0)) (direction (K2 B mu2 nu2 0) (vDerive 4 (fun x => K2 B mu2 nu2 x) 1 0)) <> 0 /\
   dot (direction (K1 mu1 nu1 1) (vDerive 4 (fun x => K1 mu1 nu1 x) 1 1)) (direction (K1 mu1 nu1 1) (vDerive 4 (fun x => K1 mu1 nu1 x) 1 1)) <> 0.
 End ex_5_2_gap_drawn_pieces.
+
+Module ex_5_2_one_line.
+(* gbt-developable/ex-5.2.one-line, Sect. 5.5, Example 5.2
+   printed: The end generators of both surfaces are one line for every γ, and their lengths for one range of x1 are in the ratio γ.
+   stated: foot(K2(0), K2'(0)) == foot(K1(1), K1'(1)) and direction(K2(0), K2'(0)) == gamma*direction(K1(1), K1'(1)) and foot(K1(1), K1'(1)) == [0, 40/3, 40/3] and at(direction(K1(1), K1'(1)), nu1, 1) == [-300*(1 + pi), 0, 0] *)
+Definition statement : Prop :=
+forall (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
+  0 < gamma ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  K2 B mu2 nu2 0 = K1 mu1 nu1 1 ->
+  vDerive 4 (fun x => K2 B mu2 nu2 x) 1 0 = vscale gamma (vDerive 4 (fun x => K1 mu1 nu1 x) 1 1) ->
+  dot (direction (K2 B mu2 nu2 0) (vDerive 4 (fun x => K2 B mu2 nu2 x) 1 0)) (direction (K2 B mu2 nu2 0) (vDerive 4 (fun x => K2 B mu2 nu2 x) 1 0)) <> 0 ->
+  dot (direction (K1 mu1 nu1 1) (vDerive 4 (fun x => K1 mu1 nu1 x) 1 1)) (direction (K1 mu1 nu1 1) (vDerive 4 (fun x => K1 mu1 nu1 x) 1 1)) <> 0 ->
+  foot (K2 B mu2 nu2 0) (vDerive 4 (fun x => K2 B mu2 nu2 x) 1 0) = foot (K1 mu1 nu1 1) (vDerive 4 (fun x => K1 mu1 nu1 x) 1 1) /\ direction (K2 B mu2 nu2 0) (vDerive 4 (fun x => K2 B mu2 nu2 x) 1 0) = vscale gamma (direction (K1 mu1 nu1 1) (vDerive 4 (fun x => K1 mu1 nu1 x) 1 1)) /\ foot (K1 mu1 nu1 1) (vDerive 4 (fun x => K1 mu1 nu1 x) 1 1) = [0; 40 / 3; 40 / 3] /\ (fun nu1 : R => direction (K1 mu1 nu1 1) (vDerive 4 (fun x => K1 mu1 nu1 x) 1 1)) 1 = [- 300 * (1 + PI); 0; 0].
+Definition instance : Prop :=
+exists (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
+  0 < gamma /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  K2 B mu2 nu2 0 = K1 mu1 nu1 1 /\
+  vDerive 4 (fun x => K2 B mu2 nu2 x) 1 0 = vscale gamma (vDerive 4 (fun x => K1 mu1 nu1 x) 1 1) /\
+  dot (direction (K2 B mu2 nu2 0) (vDerive 4 (fun x => K2 B mu2 nu2 x) 1 0)) (direction (K2 B mu2 nu2 0) (vDerive 4 (fun x => K2 B mu2 nu2 x) 1 0)) <> 0 /\
+  dot (direction (K1 mu1 nu1 1) (vDerive 4 (fun x => K1 mu1 nu1 x) 1 1)) (direction (K1 mu1 nu1 1) (vDerive 4 (fun x => K1 mu1 nu1 x) 1 1)) <> 0.
+End ex_5_2_one_line.

@@ -70,3 +70,11 @@ Proof. follows GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_drawn_pieces.proved.
 Theorem met : instance.
 Proof. follows GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_drawn_pieces.met. Qed.
 End ex_5_2_gap_drawn_pieces.
+
+Module ex_5_2_one_line.
+Import GbtDevelopable.Section_5_5_printed.ex_5_2_one_line.
+Theorem proved : statement.
+Proof. follows GbtDevelopable.Section_5_5_proofs.ex_5_2_one_line.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtDevelopable.Section_5_5_proofs.ex_5_2_one_line.met. Qed.
+End ex_5_2_one_line.

@@ -673,6 +673,8 @@ Check (GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_certify_sheets.proved :
 Check (GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_certify_sheets.met : GbtDevelopable.Section_5_1_printed.sec_5_1_certify_sheets.instance).
 Check (GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_certify_cusp.proved : GbtDevelopable.Section_5_1_printed.sec_5_1_certify_cusp.statement).
 Check (GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_certify_cusp.met : GbtDevelopable.Section_5_1_printed.sec_5_1_certify_cusp.instance).
+Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_inflection.proved : GbtDevelopable.Section_5_1_printed.thm_2_inflection.statement).
+Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_inflection.met : GbtDevelopable.Section_5_1_printed.thm_2_inflection.instance).
 Check (GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_G0_families.proved : GbtDevelopable.Section_5_1_printed.sec_5_1_G0_families.statement).
 Check (GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_G0_families.met : GbtDevelopable.Section_5_1_printed.sec_5_1_G0_families.instance).
 Check (GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_G0_surfaces.refuted : ~ GbtDevelopable.Section_5_1_printed.sec_5_1_G0_surfaces.statement).
@@ -718,6 +720,8 @@ Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_sheets.proved : GbtDeve
 Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_sheets.met : GbtDevelopable.Section_5_1.sec_5_1_certify_sheets.instance).
 Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_cusp.proved : GbtDevelopable.Section_5_1.sec_5_1_certify_cusp.statement).
 Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_cusp.met : GbtDevelopable.Section_5_1.sec_5_1_certify_cusp.instance).
+Check (GbtDevelopable.Section_5_1_proofs.thm_2_inflection.proved : GbtDevelopable.Section_5_1.thm_2_inflection.statement).
+Check (GbtDevelopable.Section_5_1_proofs.thm_2_inflection.met : GbtDevelopable.Section_5_1.thm_2_inflection.instance).
 Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_G0_families.proved : GbtDevelopable.Section_5_1.sec_5_1_G0_families.statement).
 Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_G0_families.met : GbtDevelopable.Section_5_1.sec_5_1_G0_families.instance).
 Check (GbtDevelopable.Section_5_1_proofs.sec_5_1_G0_surfaces.refuted : ~ GbtDevelopable.Section_5_1.sec_5_1_G0_surfaces.statement).
@@ -899,6 +903,8 @@ Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gamma_one.met : GbtDevel
 Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gap_surfaces.refuted : ~ GbtDevelopable.Section_5_5_printed.ex_5_2_gap_surfaces.statement).
 Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gap_drawn_pieces.proved : GbtDevelopable.Section_5_5_printed.ex_5_2_gap_drawn_pieces.statement).
 Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gap_drawn_pieces.met : GbtDevelopable.Section_5_5_printed.ex_5_2_gap_drawn_pieces.instance).
+Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_one_line.proved : GbtDevelopable.Section_5_5_printed.ex_5_2_one_line.statement).
+Check (GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_one_line.met : GbtDevelopable.Section_5_5_printed.ex_5_2_one_line.instance).
 Check (GbtDevelopable.Section_5_5_proofs.ex_5_1_construct.proved : GbtDevelopable.Section_5_5.ex_5_1_construct.statement).
 Check (GbtDevelopable.Section_5_5_proofs.ex_5_1_construct.met : GbtDevelopable.Section_5_5.ex_5_1_construct.instance).
 Check (GbtDevelopable.Section_5_5_proofs.ex_5_1_shape_shape.proved : GbtDevelopable.Section_5_5.ex_5_1_shape_shape.statement).
@@ -915,6 +921,8 @@ Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_gamma_one.met : GbtDevelopable.S
 Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_surfaces.refuted : ~ GbtDevelopable.Section_5_5.ex_5_2_gap_surfaces.statement).
 Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_drawn_pieces.proved : GbtDevelopable.Section_5_5.ex_5_2_gap_drawn_pieces.statement).
 Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_drawn_pieces.met : GbtDevelopable.Section_5_5.ex_5_2_gap_drawn_pieces.instance).
+Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_one_line.proved : GbtDevelopable.Section_5_5.ex_5_2_one_line.statement).
+Check (GbtDevelopable.Section_5_5_proofs.ex_5_2_one_line.met : GbtDevelopable.Section_5_5.ex_5_2_one_line.instance).
 Check (GbtDevelopable.Section_5_printed_proofs.eq_5_1.proved : GbtDevelopable.Section_5_printed.eq_5_1.statement).
 Check (GbtDevelopable.Section_5_printed_proofs.eq_5_1.met : GbtDevelopable.Section_5_printed.eq_5_1.instance).
 Check (GbtDevelopable.Section_5_printed_proofs.sec_5_weighted_a.proved : GbtDevelopable.Section_5_printed.sec_5_weighted_a.statement).
@@ -1572,6 +1580,8 @@ let _ := GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_certify_sheets.proved
 let _ := GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_certify_sheets.met in
 let _ := GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_certify_cusp.proved in
 let _ := GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_certify_cusp.met in
+let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_inflection.proved in
+let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_inflection.met in
 let _ := GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_G0_families.proved in
 let _ := GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_G0_families.met in
 let _ := GbtDevelopable.Section_5_1_printed_proofs.sec_5_1_G0_surfaces.refuted in
@@ -1617,6 +1627,8 @@ let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_sheets.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_sheets.met in
 let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_cusp.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_certify_cusp.met in
+let _ := GbtDevelopable.Section_5_1_proofs.thm_2_inflection.proved in
+let _ := GbtDevelopable.Section_5_1_proofs.thm_2_inflection.met in
 let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_G0_families.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_G0_families.met in
 let _ := GbtDevelopable.Section_5_1_proofs.sec_5_1_G0_surfaces.refuted in
@@ -1798,6 +1810,8 @@ let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gamma_one.met in
 let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gap_surfaces.refuted in
 let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gap_drawn_pieces.proved in
 let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_gap_drawn_pieces.met in
+let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_one_line.proved in
+let _ := GbtDevelopable.Section_5_5_printed_proofs.ex_5_2_one_line.met in
 let _ := GbtDevelopable.Section_5_5_proofs.ex_5_1_construct.proved in
 let _ := GbtDevelopable.Section_5_5_proofs.ex_5_1_construct.met in
 let _ := GbtDevelopable.Section_5_5_proofs.ex_5_1_shape_shape.proved in
@@ -1814,6 +1828,8 @@ let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_gamma_one.met in
 let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_surfaces.refuted in
 let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_drawn_pieces.proved in
 let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_gap_drawn_pieces.met in
+let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_one_line.proved in
+let _ := GbtDevelopable.Section_5_5_proofs.ex_5_2_one_line.met in
 let _ := GbtDevelopable.Section_5_printed_proofs.eq_5_1.proved in
 let _ := GbtDevelopable.Section_5_printed_proofs.eq_5_1.met in
 let _ := GbtDevelopable.Section_5_printed_proofs.sec_5_weighted_a.proved in

@@ -58,7 +58,7 @@ End eq_1_f1.
 
 Module eq_1_f2.
 (* gbt-surfaces/eq-1.f2, Sect. 2.1, eq. (1), third line
-   printed: f_{2,2}(z) = (1 - cos(π/2 z))(1 - ν cos(π/2 z))
+   printed: f_{2,2}(z) = (1 - cos(π/2 z))(1 - ν cos(π/2 z)) [...] are known as second order GBTB basis functions with shape parameters μ, ν
    read as: The printed formula against the first line of (1), of which Theorem 1 makes it the mirror image.
    stated: (1 - cos(pi/2*z))*(1 - nu*cos(pi/2*z)) == f[0,2](1 - z, nu, mu) *)
 Definition statement : Prop :=

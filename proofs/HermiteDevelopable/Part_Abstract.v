@@ -281,7 +281,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R)
 End abs_construct_c.
 
 Module abs_construct_d.
-(* hermite-developable/abs.construct.d, Abstract, second and last-but-one sentences
+(* hermite-developable/abs.construct.d, Abstract, second sentence
    printed: this paper introduces the construction of cubic, quartic, and quintic developable Hermite surfaces with their boundary curves placed in two parallel and oblique planes
    read as: patches between oblique planes, by the construction of Sect. 4; decided on the example of that section, with its first plane
    stated: det([p5'(u), r5'(u), r5(u) - p5(u)]) == 0 *)

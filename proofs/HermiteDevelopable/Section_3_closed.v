@@ -5,7 +5,5 @@ Import HermiteDevelopable.Section_3.Definitions.
 Open Scope R_scope.
 Definition f_closed := ltac:(closed_once f).
 #[export] Instance f_is : Closed f _ := f_closed.
-Definition across_closed := ltac:(stage f; closed_once across).
-#[export] Instance across_is : Closed across _ := across_closed.
 Definition part_closed := ltac:(closed_at part [0; 1; 2; 3; 4; 5]%Z).
 #[export] Instance part_is : Closed part _ := part_closed.

@@ -15,8 +15,6 @@ Definition P (o : list R) (x : list R) : list R :=
   vadd o x.
 Definition f (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (u : R) : R :=
   f5 * u ^ 5 + f4 * u ^ 4 + f3 * u ^ 3 + f2 * u ^ 2 + f1 * u + f0.
-Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R) : R :=
-  k * f f0 f1 f2 f3 f4 f5 u + k * Derive_n (fun u => f f0 f1 f2 f3 f4 f5 u) 1 u - (1 - k) * s.
 Definition cone_normal (dx : list R) (x : list R) : list R :=
   cross dx x.
 Definition cone_gap (dlam : R) (dx : list R) (k : R) (lam : R) (x : list R) : list R :=
@@ -647,6 +645,8 @@ Module eq_3_2_planes_b_direction.
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is the vector that the next sentence determines: the component of (3.2) across the plane of q is k f + k f' = (1 - k) s, where s is the distance of that plane from the summit
    stated: fails(f'(u) == 0) *)
+Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R) : R :=
+  k * f f0 f1 f2 f3 f4 f5 u + k * Derive_n (fun u => f f0 f1 f2 f3 f4 f5 u) 1 u - (1 - k) * s.
 Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (n : Z) : R :=
   (fun u : R => Derive_n (fun u => across f0 f1 f2 f3 f4 f5 k s u) (Z.to_nat n) u / factorial n) 0.
 Definition statement : Prop :=
@@ -687,8 +687,10 @@ End eq_3_2_planes_b_direction.
 
 Module eq_3_2_planes_parallel.
 (* hermite-developable/eq-3.2.planes.parallel, Sect. 3, sentence before (3.2)
-   printed: With h = (q - o) - k (p - o) in the place of g the criterion (3.2) puts the Hermite curve p into a plane parallel to that of a plane Hermite curve q, in the distance (1 - k)/k times that of the summit.
-   stated: f'(u) == 0 and f(u) == (1 - k)/k*s *)
+   printed: With h = (q - o) - k (p - o) in the place of g the criterion (3.2) puts the Hermite curve p into a plane parallel to that of a plane Hermite curve q, at (k - 1)/k of the way to the parallel plane through the summit.
+   stated: f'(u) == 0 and f(u) == (k - 1)/k*s *)
+Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R) : R :=
+  k * Derive_n (fun u => f f0 f1 f2 f3 f4 f5 u) 1 u - (0 - s - k * (f f0 f1 f2 f3 f4 f5 u - s)).
 Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (n : Z) : R :=
   (fun u : R => Derive_n (fun u => across f0 f1 f2 f3 f4 f5 k s u) (Z.to_nat n) u / factorial n) 0.
 Definition statement : Prop :=
@@ -709,7 +711,7 @@ forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u 
   factorial 0%Z <> 0 ->
   part f0 f1 f2 f3 f4 f5 k s 5%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 4%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 3%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 2%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 1%Z = 0 /\ part f0 f1 f2 f3 f4 f5 k s 0%Z = 0 ->
   k <> 0 ->
-  Derive_n (fun u => f f0 f1 f2 f3 f4 f5 u) 1 u = 0 /\ f f0 f1 f2 f3 f4 f5 u = (1 - k) / k * s.
+  Derive_n (fun u => f f0 f1 f2 f3 f4 f5 u) 1 u = 0 /\ f f0 f1 f2 f3 f4 f5 u = (k - 1) / k * s.
 Definition instance : Prop :=
 exists (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R),
   0 < u < 1 /\

@@ -162,9 +162,9 @@ End eq_3_2_planes_b_direction.
 Module eq_3_2_planes_parallel.
 Import HermiteDevelopable.Section_3.eq_3_2_planes_parallel.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage f; stage across; staged_goal part; unstaged; prepared; known (f0) (-k*s + s) (k); known (f1) (0) (1); known (f2) (0) (1); known (f3) (0) (1); known (f4) (0) (1); known (f5) (0) (1); put_known; Solved.concluded. Qed.
+Proof. cbv beta zeta delta [statement]; stage f; stage across; staged_goal part; unstaged; prepared; known (f0) (k*s - s) (k); known (f1) (0) (1); known (f2) (0) (1); known (f3) (0) (1); known (f4) (0) (1); known (f5) (0) (1); put_known; Solved.concluded. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage f; stage across; staged_goal part; unstaged; first [(exists ((-((8))*((9)) + ((9))) / (((8)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (8), (9), (1 / 3); met) | (exists ((-((0))*((0)) + ((0))) / (((0)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (0), (0), (1 / 2); met) | (exists ((-((9))*((7)) + ((7))) / (((9)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (9), (7), (1 / 3); met) | (exists ((-((1))*((1)) + ((1))) / (((1)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (1), (1), (1 / 3); met) | (exists ((-((0))*((0)) + ((0))) / (((0)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (0), (0), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance]; stage f; stage across; staged_goal part; unstaged; first [(exists ((((8))*((9)) - ((9))) / (((8)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (8), (9), (1 / 3); met) | (exists ((((0))*((0)) - ((0))) / (((0)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (0), (0), (1 / 2); met) | (exists ((((9))*((7)) - ((7))) / (((9)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (9), (7), (1 / 3); met) | (exists ((((1))*((1)) - ((1))) / (((1)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (1), (1), (1 / 3); met) | (exists ((((0))*((0)) - ((0))) / (((0)))), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), ((0) / (1)), (0), (0), (1 / 3); met)]. Qed.
 End eq_3_2_planes_parallel.
 
 Module eq_3_2_with_h.
