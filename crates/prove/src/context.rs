@@ -174,7 +174,9 @@ impl<'a> ProofContext<'a> {
         let hypotheses = claim.hypotheses.iter();
         let assumed = hypotheses.filter(|h| h.source == Source::Assume);
         // Inequalities first: they may say that the divisor of an elimination does not vanish.
-        let (equations, others) = assumed.partition(|h| has_equation(&h.statement));
+        let (equations, others) = assumed
+            .flat_map(conjuncts)
+            .partition(|own| has_equation(own.statement));
         ground.assume_all(others)?;
         let rooted = claim.hypotheses.iter().filter(|h| h.root().is_some());
         let mut roots = ground.resolve(rooted.collect())?;
@@ -356,14 +358,16 @@ impl<'a> ProofContext<'a> {
         }
     }
 
-    /// Takes the assumptions, each as soon as it can be evaluated: one may fix the degree that another one needs.
-    fn assume_all(&mut self, mut pending: Vec<&Hypothesis>) -> Result<(), Fault> {
+    /// Takes the assumptions, each as soon as it can be evaluated: one may fix the degree that another one needs. Each is evaluated
+    /// after those before it were taken, so that it speaks of no symbol that one of these eliminated.
+    fn assume_all(&mut self, mut pending: Vec<Conjunct<'_>>) -> Result<(), Fault> {
         loop {
             let before = pending.len();
             let (mut rest, mut obstacle) = (vec![], None);
-            for hypothesis in pending {
-                let of_exponents = hypothesis.statement.compare_exponents();
-                let said = of_exponents.as_ref().unwrap_or(&hypothesis.statement);
+            for conjunct in pending {
+                let hypothesis = conjunct.hypothesis;
+                let of_exponents = conjunct.statement.compare_exponents();
+                let said = of_exponents.as_ref().unwrap_or(conjunct.statement);
                 let taken = self
                     .branch
                     .evaluator
@@ -372,7 +376,7 @@ impl<'a> ProofContext<'a> {
                 match taken {
                     Ok(()) => {}
                     Err(fault) if fault.is_limit() => {
-                        rest.push(hypothesis);
+                        rest.push(conjunct);
                         obstacle.get_or_insert(fault.within(&hypothesis.origin));
                     }
                     Err(fault) => return Err(fault.within(&hypothesis.origin)),
@@ -586,6 +590,27 @@ impl<'a> ProofContext<'a> {
             .iter()
             .try_for_each(|form| self.vanishes(form).map_err(within))
     }
+}
+
+/// A part of a hypothesis that holds where the hypothesis does.
+struct Conjunct<'h> {
+    hypothesis: &'h Hypothesis,
+    statement: &'h core::Statement,
+}
+
+/// The statements of which a hypothesis is the conjunction.
+fn conjuncts(hypothesis: &Hypothesis) -> Vec<Conjunct<'_>> {
+    let (mut found, mut pending) = (vec![], vec![&hypothesis.statement]);
+    while let Some(statement) = pending.pop() {
+        match statement {
+            core::Statement::Join(Connective::And, a, b) => pending.extend([&**b, &**a]),
+            statement => found.push(Conjunct {
+                hypothesis,
+                statement,
+            }),
+        }
+    }
+    found
 }
 
 /// Whether an equation is part of a hypothesis.

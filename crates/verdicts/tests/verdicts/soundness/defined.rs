@@ -59,3 +59,17 @@ fn what_a_derivative_divides_by_does_not_vanish() {
         &[Conditional, False, Misprint],
     );
 }
+
+#[test]
+fn parts_of_a_hypothesis_speak_of_no_symbol_that_an_earlier_part_eliminated() {
+    let numbers = "[symbols]\nx = {}\ny = {}\n";
+    for (assumed, states) in [
+        ("x/y == 1 and x >= 0", "x > 0"),
+        ("x/y == 1 and x >= 0", "1/x > 0"),
+        ("x >= 0 and x/y == 1", "x > 0"),
+        ("x == y + 1 and x > 3 and x < 5", "1 < y < 4"),
+    ] {
+        let lines = format!("assume = ['{assumed}']\nstates = '{states}'");
+        found(numbers, &lines, &[Holds]);
+    }
+}
