@@ -17,8 +17,8 @@ const MAX_RADICAND_BITS: usize = 64;
 /// `rational + multiple * sqrt(radicand)`: the multiple is not zero, and the radicand is positive and no square.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surd {
-    pub(crate) rational: Rational,
-    pub(crate) multiple: Rational,
+    rational: Rational,
+    multiple: Rational,
     radicand: Integer,
 }
 

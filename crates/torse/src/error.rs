@@ -100,7 +100,7 @@ impl Error {
     /// ```
     /// let error = torse::Design::read("cone.toml", "[points]\nA = [0, 0]\nB = [1]\n").unwrap_err();
     /// let lines: Vec<String> = error.in_full().lines().map(str::to_owned).collect();
-    /// assert_eq!(lines[0], "2 mistakes in the design");
+    /// assert_eq!(lines[0], "3 mistakes in the design");
     /// assert!(lines[1].starts_with("cone.toml:2:5: ") && lines[2].starts_with("cone.toml:3:5: "), "{lines:?}");
     /// ```
     #[must_use]
