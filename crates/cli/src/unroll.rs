@@ -9,7 +9,7 @@ use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use torse_designs::export::PATTERNS;
-use torse_designs::inspect::{inspect_for, missed_line};
+use torse_designs::inspect::{inspect_for, inspect_unrolled, missed_line};
 use torse_designs::unroll::{PartsList, Purpose, Summary, drawing, parts, unroll};
 use torse_designs::{Design, DesignError};
 use torse_exchange::{Drawing, dxf, svg};
@@ -170,7 +170,13 @@ impl Unroll {
             })?,
         };
         answer(&self.to, &text)?;
-        let missed = inspect_for(design, &self.pattern.demand())?.missed;
+        let demand = self.pattern.demand();
+        // A pattern to fold is written where a blank is refused; all other parts were made.
+        let report = match self.purpose {
+            Purpose::Fold => inspect_for(design, &demand)?,
+            Purpose::Cut | Purpose::Bend | Purpose::Sew => inspect_unrolled(design, &demand)?,
+        };
+        let missed = report.missed;
         for reason in &missed {
             remark(&missed_line(reason));
         }

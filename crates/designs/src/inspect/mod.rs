@@ -218,7 +218,7 @@ pub fn inspect(design: &Design) -> Result<DesignReport, DesignError> {
 /// # Errors
 /// As [`inspect`].
 pub fn inspect_within(design: &Design, budget: MeasureBudget) -> Result<DesignReport, DesignError> {
-    inspected(design, Some(budget), &Demand::default())
+    inspected_and_made(design, budget, &Demand::default())
 }
 
 /// As [`inspect`], for patterns that are made so: with a strain that is allowed, a patch that is not developable misses
@@ -227,7 +227,26 @@ pub fn inspect_within(design: &Design, budget: MeasureBudget) -> Result<DesignRe
 /// # Errors
 /// As [`inspect`].
 pub fn inspect_for(design: &Design, demand: &Demand) -> Result<DesignReport, DesignError> {
+    inspected_and_made(design, MeasureBudget::default(), demand)
+}
+
+/// As [`inspect_for`], for pieces of which patterns and blanks were made so: these are not made again.
+///
+/// # Errors
+/// As [`inspect`].
+pub fn inspect_unrolled(design: &Design, demand: &Demand) -> Result<DesignReport, DesignError> {
     inspected(design, Some(MeasureBudget::default()), demand)
+}
+
+fn inspected_and_made(
+    design: &Design,
+    budget: MeasureBudget,
+    demand: &Demand,
+) -> Result<DesignReport, DesignError> {
+    let mut report = inspected(design, Some(budget), demand)?;
+    let unmade = unmade(design, &report.patches, demand);
+    report.missed.extend(unmade);
+    Ok(report)
 }
 
 /// As [`inspect`], without bounds and proofs: everything is measured on some rulings, and says so. Whether a patch passes
@@ -283,9 +302,6 @@ fn inspected(
         patch: design.name.clone(),
         reason,
     })?;
-    if budget.is_some() {
-        missed.extend(unmade(design, &patches, demand));
-    }
     let failed = |name: &String| {
         let patch = name.clone();
         move |reason| DesignError::Patch { patch, reason }
