@@ -392,10 +392,6 @@ impl<'a> ProofContext<'a> {
 
     fn assume(&mut self, statement: &Statement) -> Result<(), Fault> {
         match statement {
-            Statement::Join(Connective::And, a, b) => {
-                self.assume(a)?;
-                self.assume(b)
-            }
             Statement::Compare {
                 relation,
                 left,

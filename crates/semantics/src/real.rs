@@ -5,7 +5,7 @@
 use crate::arithmetic::{Arithmetic, Comparison};
 use crate::no_value::{NoValue, Undefined, Unknown, Work};
 use crate::surd::{Exact, Surd};
-use dashu_int::ops::{BitTest, SquareRoot};
+use dashu_int::ops::BitTest;
 use num_traits::{One, Signed, Zero};
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -262,15 +262,6 @@ fn rational_sine(t: &Rational) -> Option<Rational> {
     })
 }
 
-/// The square root of a rational number, if it is rational.
-fn rational_root(q: &Rational) -> Option<Rational> {
-    let root = |n: &Integer| {
-        let root = Integer::from(n.clone().into_parts().1.sqrt());
-        (&root * &root == *n).then_some(root)
-    };
-    Some(Rational::new(root(q.numer())?, root(q.denom())?))
-}
-
 impl Arithmetic for Reals<'_> {
     type Number = Real;
 
@@ -389,11 +380,8 @@ impl Arithmetic for Reals<'_> {
         if a.sign() == Some(Ordering::Less) {
             return Err(Undefined::NegativeRoot.into());
         }
-        if let Some(root) = a.as_rational().and_then(rational_root) {
-            return Ok(root.into());
-        }
-        if let Some(surd) = a.as_rational().and_then(Surd::root) {
-            return Ok(self.bounded(Exact::Surd(surd).into()));
+        if let Some(root) = a.as_rational().and_then(Exact::root) {
+            return Ok(self.bounded(root.into()));
         }
         let root = a.ball(self.bits).sqrt();
         root.map(Real::from).map_err(|_| Unknown::Precision.into())

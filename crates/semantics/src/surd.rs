@@ -28,6 +28,36 @@ pub(crate) enum Exact {
     Surd(Surd),
 }
 
+impl Exact {
+    /// The square root of a rational number; `None` for a negative one, and for a surd with a long radicand.
+    pub(crate) fn root(q: &Rational) -> Option<Self> {
+        // The root of n/d is that of n d, over d.
+        let mut radicand = q.numer() * q.denom();
+        if radicand < Integer::ZERO {
+            return None;
+        }
+        let floor = Integer::from(radicand.clone().into_parts().1.sqrt());
+        if &floor * &floor == radicand {
+            return Some(Self::Rational(Rational::new(floor, q.denom().clone())));
+        }
+        let mut multiple = Rational::new(1.into(), q.denom().clone());
+        for factor in 2..=MAX_FACTOR {
+            let square = Integer::from(factor * factor);
+            while (&radicand % &square).is_zero() {
+                radicand = &radicand / &square;
+                multiple *= integer(factor);
+            }
+        }
+        (radicand.bit_len() <= MAX_RADICAND_BITS).then(|| {
+            Self::Surd(Surd {
+                rational: Rational::zero(),
+                multiple,
+                radicand,
+            })
+        })
+    }
+}
+
 impl Surd {
     /// `rational + multiple * sqrt(radicand)`, for a radicand that is positive and no square.
     fn simplified(rational: Rational, multiple: Rational, radicand: &Integer) -> Exact {
@@ -38,32 +68,6 @@ impl Surd {
             rational,
             multiple,
             radicand: radicand.clone(),
-        })
-    }
-
-    /// The square root of a positive rational number that is not the square of one; `None` for others, and for long radicands.
-    pub(crate) fn root(q: &Rational) -> Option<Self> {
-        // The root of n/d is that of n d, over d.
-        let mut radicand = q.numer() * q.denom();
-        if radicand <= Integer::ZERO {
-            return None;
-        }
-        let floor = Integer::from(radicand.clone().into_parts().1.sqrt());
-        if &floor * &floor == radicand {
-            return None;
-        }
-        let mut multiple = Rational::new(1.into(), q.denom().clone());
-        for factor in 2..=MAX_FACTOR {
-            let square = Integer::from(factor * factor);
-            while (&radicand % &square).is_zero() {
-                radicand = &radicand / &square;
-                multiple *= integer(factor);
-            }
-        }
-        (radicand.bit_len() <= MAX_RADICAND_BITS).then(|| Self {
-            rational: Rational::zero(),
-            multiple,
-            radicand,
         })
     }
 
@@ -154,7 +158,8 @@ mod tests {
     use torse_numbers::rational::ratio;
 
     fn root(n: i64, d: i64) -> Surd {
-        Surd::root(&ratio(n, d).unwrap()).unwrap()
+        let root = Exact::root(&ratio(n, d).unwrap());
+        root.and_then(Exact::surd).unwrap()
     }
 
     #[test]
@@ -164,7 +169,8 @@ mod tests {
         assert_eq!(half.to_string(), "1/2*sqrt(2)");
         assert!(matches!(two.times(&eight), Some(Exact::Rational(q)) if q == integer(4)));
         assert!(two.plus(&root(3, 1)).is_none());
-        assert!(Surd::root(&integer(9)).is_none() && Surd::root(&integer(-2)).is_none());
+        assert!(matches!(Exact::root(&integer(9)), Some(Exact::Rational(q)) if q == integer(3)));
+        assert!(Exact::root(&integer(-2)).is_none());
     }
 
     #[test]
