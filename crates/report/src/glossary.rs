@@ -121,6 +121,14 @@ pub fn verdict_on(outcome: &Outcome) -> Term {
             meaning: "False as printed: the opposite is proved, everywhere.",
             ..term
         },
+        (Verdict::False, _) if outcome.correction().is_some() && outcome.ended_early() => Term {
+            meaning: "False as printed, with an exact counterexample; small edits that would repair it were not searched to the end. What is true instead was derived anew and is proved.",
+            ..term
+        },
+        (Verdict::False, _) if outcome.ended_early() && outcome.data().is_none() => Term {
+            meaning: "False as printed, with an exact counterexample; small edits that would repair it were not searched to the end.",
+            ..term
+        },
         (Verdict::False, _) if outcome.correction().is_some() => Term {
             meaning: "False as printed, with an exact counterexample; no small edit corrects it. The true form was derived anew and is proved.",
             ..term

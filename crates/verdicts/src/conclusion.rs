@@ -87,6 +87,7 @@ fn refuted(refutation: Refutation, statement: &Written, steps: Vec<String>) -> R
         ))),
         repair: None,
         data: None,
+        search_ended_early: false,
         steps,
     }
 }
@@ -117,6 +118,8 @@ pub(crate) fn drawn(claim: &Claim, figure: &Figure) -> FigureFinding {
 pub(crate) struct Correcting {
     pub repair: Option<Repair>,
     pub data: Option<DataCorrection>,
+    /// Whether the work was used up before all small edits were tried.
+    pub ended_early: bool,
 }
 
 /// Searches for a correction. A search that ends at a limit found nothing; earlier results stand.
@@ -145,9 +148,11 @@ fn search(
     }
     let kind = claim.entry.kind;
     if repair::is_sought(kind) {
-        let slip = found(repair::search(claim, statement))?;
-        if slip.is_some() {
-            correcting.repair = slip.map(Repair::Misprint);
+        correcting.ended_early = true;
+        let search = found(repair::search(claim, statement))?;
+        correcting.ended_early = search.ended_early;
+        if let Some(slip) = search.correction {
+            correcting.repair = Some(Repair::Misprint(slip));
             return Ok(());
         }
         // A side that is derived anew is not a slip of printing: the statement is false.

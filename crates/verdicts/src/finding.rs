@@ -92,6 +92,12 @@ impl Outcome {
         self.refuted()?.correction()
     }
 
+    /// Whether the search for a small edit that repairs a refuted statement ended before all were tried.
+    #[must_use]
+    pub fn ended_early(&self) -> bool {
+        self.refuted().is_some_and(|own| own.search_ended_early)
+    }
+
     /// Returns the change of the data that explains a refuted value.
     #[must_use]
     pub fn data(&self) -> Option<&DataCorrection> {

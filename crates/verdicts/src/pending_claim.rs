@@ -135,6 +135,7 @@ impl Remaining<'_> {
                 let refuted = RefutedStatement {
                     repair: correcting.repair,
                     data: correcting.data,
+                    search_ended_early: correcting.ended_early,
                     steps: [refuted.steps, parts].concat(),
                     ..*refuted
                 };

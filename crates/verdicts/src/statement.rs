@@ -70,6 +70,9 @@ pub struct RefutedStatement {
     pub repair: Option<Repair>,
     /// A change of the data that explains a refuted value.
     pub data: Option<DataCorrection>,
+    /// Whether the search for a small edit that repairs it ended before all were tried.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub search_ended_early: bool,
     /// The steps of the refutation, in words.
     pub steps: Vec<String>,
 }

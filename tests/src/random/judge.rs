@@ -4,12 +4,13 @@
 //! which is asked at points of its own. No two of them may contradict each other.
 
 use super::Kind;
-use super::claim::{Claim, Truth};
+use super::claim::{Claim, States, Truth};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use torse_semantics::tree::Reading;
 use torse_semantics::{Tally as Points, tally};
 use torse_syntax::derivation::{self, LoadError, Paper, Source, paper};
+use torse_syntax::formula::parse;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::Outcome;
 use torse_verdicts::engine::decide_claim;
@@ -149,10 +150,14 @@ pub fn judge(claim: &Claim, answer: &Result<Outcome, String>) -> Judgement {
             outcome.verdict()
         ))
     };
-    if let (Some(wanted), Some(correction)) = (&claim.wanted, outcome.correction())
-        && wanted.agrees(&correction.statement.text) == Some(false)
-    {
-        return wrong();
+    if let Some(correction) = outcome.correction() {
+        let (text, always) = (&correction.statement.text, correction.conditions.is_empty());
+        let wanted = claim.wanted.as_ref().filter(|_| keeps_left(claim, text));
+        if wanted.is_some_and(|wanted| wanted.agrees(text) == Some(false))
+            || always && fails_somewhere(claim, text)
+        {
+            return wrong();
+        }
     }
     match (&claim.truth, outcome.verdict()) {
         (_, Verdict::Undecided)
@@ -165,6 +170,24 @@ pub fn judge(claim: &Claim, answer: &Result<Outcome, String>) -> Judgement {
         | (Truth::Fails(_), Verdict::False | Verdict::Misprint) => Judgement::Right,
         _ => wrong(),
     }
+}
+
+/// Whether a corrected statement has the left side of the printed one: what the right side should be is known of that alone.
+fn keeps_left(claim: &Claim, corrected: &str) -> bool {
+    let left = |text: &str| {
+        let whole = parse(text).ok()?;
+        Some(whole.parts().first()?.placeless())
+    };
+    left(&claim.states.text()) == left(corrected)
+}
+
+/// Whether the semantics finds a point at which a corrected statement is false.
+fn fails_somewhere(claim: &Claim, corrected: &str) -> bool {
+    let corrected = Claim {
+        states: States::Other(corrected.to_owned()),
+        ..claim.clone()
+    };
+    semantics(&corrected).is_ok_and(|points| points.failing.is_some())
 }
 
 /// What a run of one kind came to.

@@ -126,6 +126,7 @@ fn without_repair(evidence: Option<Evidence>, witness: Option<Witness>) -> Refut
         certificate: None,
         repair: None,
         data: None,
+        search_ended_early: false,
         steps: vec![],
     }
 }

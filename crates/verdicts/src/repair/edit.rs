@@ -37,6 +37,12 @@ impl Change {
         Self::new("_ replaced by _", [old, new])
     }
 
+    /// Whether a factor was put in before something: of several corrections that which says least of what went wrong.
+    #[must_use]
+    pub fn is_factor_inserted(&self) -> bool {
+        self.words.iter().any(|words| words == " inserted before ")
+    }
+
     /// Describes the change and its place.
     #[must_use]
     pub fn at(mut self, place: &str) -> Self {

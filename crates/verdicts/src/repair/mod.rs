@@ -16,12 +16,16 @@ pub mod edit;
 pub mod edits;
 pub mod entries;
 pub mod global_edits;
+pub mod insertions;
 pub mod move_factor;
 pub mod names;
+mod operands;
+mod points;
 mod rates;
 pub mod repeated;
 mod residue;
 pub mod slips;
+mod solved;
 pub mod subject;
 pub mod target;
 mod terms;
@@ -49,8 +53,12 @@ const MAX_FIRST: usize = 150;
 const MAX_DOUBLE: usize = 12_000;
 /// Maximum work for slips that show in several places, in the units of [`target`].
 const MAX_ELSEWHERE: u64 = 300_000;
+/// The work for numbers that are solved for, for what was left out, and for the other side.
+const MAX_APART: u64 = 800_000;
 /// Maximum number of survivors of the sample point that are proved.
 const MAX_PROOFS: usize = 8;
+/// The side that was not taken for the printed one is left as it is if it has more nodes than this.
+const MAX_OTHER_SIDE: usize = 500;
 /// If the left side of a comparison has at most so many nodes and both sides become equal, it is a tautology.
 const MAX_TAUTOLOGY: usize = 5;
 /// Formulas larger than this are corrected with one edit at most.
@@ -66,12 +74,32 @@ pub fn is_sought(kind: Kind) -> bool {
     )
 }
 
+/// What a search for a correction came to.
+#[derive(Debug, Default)]
+pub struct Search {
+    /// The correction, if one was found.
+    pub correction: Option<Correction>,
+    /// Whether the work was used up before all small edits were tried.
+    pub ended_early: bool,
+}
+
 /// Searches for a correction of a refuted statement.
 #[must_use]
-pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
+pub fn search(claim: &Claim, statement: &Written) -> Search {
+    let mut ended_early = false;
+    let correction = corrected(claim, statement, &mut ended_early);
+    Search {
+        correction,
+        ended_early,
+    }
+}
+
+fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Option<Correction> {
     let subject = Subject::from_claim(claim, statement)?;
     let printed = &subject.formula;
-    let target = Target::new(claim, statement, &subject)?;
+    let Some(target) = Target::new(claim, statement, &subject) else {
+        return beside_roots((claim, statement), &subject, ended_early);
+    };
     let alphabet = alphabet::alphabet(claim, &statement.expr, printed);
     let mut singles = vec![];
     let mut once = vec![];
@@ -86,7 +114,31 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
         }
         singles.push((agreement.entries, edit));
     }
-    if let Some(found) = proved(claim, statement, &subject, once) {
+    *ended_early = !target.within_budget();
+    let says_little = once
+        .iter()
+        .all(|(edit, _)| edit.change.is_factor_inserted());
+    let found = proved(claim, statement, &subject, once);
+    if found.is_some() && !says_little {
+        return found;
+    }
+    let search = (claim, statement);
+    // Where names in the place of others used up the work, the edits without them have some of their own.
+    let likely = || {
+        let edits = cautious(printed);
+        proved(
+            claim,
+            statement,
+            &subject,
+            agreeing(&subject, &target, edits),
+        )
+    };
+    if let Some(found) = solved(search, &subject, &target)
+        .or(found)
+        .or_else(|| ended_early.then(likely).flatten())
+        .or_else(|| inserted(search, &subject, &target))
+        .or_else(|| across(search, &subject))
+    {
         return Some(found);
     }
     if let Some(found) = elsewhere(claim, statement, &subject, &target, &alphabet) {
@@ -114,6 +166,104 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<Correction> {
         }
     }
     proved(claim, statement, &subject, twice)
+}
+
+/// The search where a side has no value at the sample point: all edits that are tried once, on either side, at points of the
+/// domain.
+fn beside_roots(
+    (claim, statement): (&Claim, &Written),
+    subject: &Subject,
+    ended_early: &mut bool,
+) -> Option<Correction> {
+    let mut search = |subject: &Subject, mut edits: Vec<Edit>| {
+        edits.extend(insertions::edits(&subject.formula));
+        edits.extend(points::numbers(&subject.formula));
+        *ended_early |= edits.len() > points::MAX_CANDIDATES;
+        let found = points::agreeing(claim, statement, subject, edits);
+        let told = found
+            .into_iter()
+            .map(|edit| (edit.clone(), vec![edit.change.to_string()]));
+        proved(claim, statement, subject, told.collect())
+    };
+    let alphabet = alphabet::alphabet(claim, &statement.expr, &subject.formula);
+    let first = search(subject, edits::single(&subject.formula, &alphabet));
+    first.or_else(|| {
+        let other = subject.across(&statement.expr)?;
+        search(&other, cautious(&other.formula))
+    })
+}
+
+/// The edits of a side that was not taken for the printed one: those that change no name and leave out nothing.
+fn cautious(formula: &Expr) -> Vec<Edit> {
+    let size = formula.size();
+    if size > MAX_OTHER_SIDE {
+        return vec![];
+    }
+    let mut edits = edits::single(formula, &Alphabet::default());
+    edits.retain(|edit| edit.expr.size() >= size && !edit.change.is_factor_inserted());
+    edits
+}
+
+/// A number that is solved for. Where no side depends on a symbol some number always fits: that is a coincidence.
+fn solved(
+    (claim, statement): (&Claim, &Written),
+    subject: &Subject,
+    target: &Target<'_>,
+) -> Option<Correction> {
+    let declared = |name: &&str| {
+        claim
+            .declarations
+            .symbol(name.trim_end_matches('\''))
+            .is_some()
+    };
+    statement.expr.names().iter().find(|name| declared(name))?;
+    let edits = target.apart(MAX_APART, || {
+        solved::edits(&subject.formula, subject, target)
+    });
+    let told = edits
+        .into_iter()
+        .map(|edit| (edit.clone(), vec![edit.change.to_string()]));
+    proved(claim, statement, subject, told.collect())
+}
+
+/// An exponent or a shift that was left out.
+fn inserted(
+    (claim, statement): (&Claim, &Written),
+    subject: &Subject,
+    target: &Target<'_>,
+) -> Option<Correction> {
+    let edits = insertions::edits(&subject.formula);
+    proved(claim, statement, subject, agreeing(subject, target, edits))
+}
+
+/// An edit of the side that was not taken for the printed one.
+fn across(search: (&Claim, &Written), printed: &Subject) -> Option<Correction> {
+    let (claim, statement) = search;
+    let subject = printed.across(&statement.expr)?;
+    if !(MAX_TAUTOLOGY + 1..=MAX_OTHER_SIDE).contains(&subject.formula.size()) {
+        return None;
+    }
+    let target = Target::new(claim, statement, &subject)?;
+    let edits = cautious(&subject.formula);
+    proved(
+        claim,
+        statement,
+        &subject,
+        agreeing(&subject, &target, edits),
+    )
+    .or_else(|| solved(search, &subject, &target))
+    .or_else(|| inserted(search, &subject, &target))
+}
+
+/// The edits with which the sides agree at the sample point, with their changes in words.
+fn agreeing(subject: &Subject, target: &Target<'_>, edits: Vec<Edit>) -> Vec<(Edit, Vec<String>)> {
+    target.apart(MAX_APART, || {
+        let agree = |edit: &Edit| target.agrees(&subject.side(&edit.expr));
+        let found = edits.into_iter().filter(agree);
+        found
+            .map(|edit| (edit.clone(), vec![edit.change.to_string()]))
+            .collect()
+    })
 }
 
 /// Tries one slip that shows in several places, in a definition of the printed side, or beside it.
@@ -223,7 +373,9 @@ fn proved(
             continue;
         }
         let expr = subject.statement(&statement.expr, &edit.expr);
-        if is_tautology(&expr, &subject.path) {
+        if is_tautology(&expr, &subject.path)
+            || operands::one_ceases_to_matter(claim, subject, &edit.expr)
+        {
             continue;
         }
         let Some(conditions) = provable(claim, statement, &expr) else {
@@ -250,12 +402,14 @@ fn proved(
 /// Whether both sides of the comparison at the end of the path are the same: no correction.
 fn is_tautology(expr: &Expr, path: &[usize]) -> bool {
     let parent = path.split_last().map_or(path, |(_, parent)| parent);
+    let is_left = path.last() == Some(&0);
     let comparison = parent
         .iter()
         .try_fold(expr, |e, position| e.parts().into_iter().nth(*position));
     match comparison.map(|e| &e.node) {
-        // A long formula that becomes the left side is a corrected restatement; a short one says nothing.
-        Some(Node::Compare(left, _)) if left.size() > MAX_TAUTOLOGY => false,
+        // A long formula that becomes the left side is a corrected restatement; a short one says nothing, nor does a left side that
+        // becomes what is printed.
+        Some(Node::Compare(left, _)) if left.size() > MAX_TAUTOLOGY && !is_left => false,
         Some(Node::Compare(left, rest)) => rest
             .iter()
             .any(|(_, right)| canonical::canonical(left) == canonical::canonical(right)),

@@ -77,6 +77,25 @@ impl Subject {
         })
     }
 
+    /// The other side of the comparison, where both stand in the statement as they are.
+    #[must_use]
+    pub fn across(&self, statement: &Expr) -> Option<Self> {
+        if self.definition.is_some() || !self.within.is_empty() {
+            return None;
+        }
+        let (last, parent) = self.path.split_last()?;
+        let path = [parent, &[1 - (*last).min(1)]].concat();
+        let formula = path.iter().try_fold(statement, |e, position| {
+            e.parts().into_iter().nth(*position)
+        })?;
+        Some(Self {
+            formula: formula.clone(),
+            path,
+            definition: None,
+            within: vec![],
+        })
+    }
+
     /// Returns the definitions that only this formula uses: one of them may contain the slip.
     #[must_use]
     pub fn definitions(&self, claim: &Claim, statement: &Written) -> Vec<Self> {

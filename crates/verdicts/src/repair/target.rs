@@ -3,7 +3,7 @@
 use super::subject::Subject;
 use std::cell::Cell;
 use std::collections::BTreeMap;
-use torse_algebra::Fraction;
+use torse_algebra::{Fraction, Rational};
 use torse_prove::context::PreparedClaim;
 use torse_prove::decide::domain::Constraint;
 use torse_prove::decide::order::truth;
@@ -113,6 +113,27 @@ impl<'a> Target<'a> {
     #[must_use]
     pub fn agrees(&self, candidate: &Expr) -> bool {
         self.agreement(candidate).everywhere
+    }
+
+    /// The values of a candidate at the first instance, where they are numbers.
+    #[must_use]
+    pub fn values(&self, candidate: &Expr) -> Option<Vec<Rational>> {
+        let (evaluator, other) = self.instances.first().filter(|_| self.within_budget())?;
+        let value = evaluator.evaluate(candidate).ok()?;
+        let entries = value.entries().into_iter();
+        let at_sample = |q: &Quantity| {
+            let own = q.as_fraction().and_then(probabilistic_refuter::at_sample)?;
+            own.as_rational()
+        };
+        let values: Vec<Rational> = entries.map(at_sample).collect::<Option<_>>()?;
+        (values.len() == other.len()).then_some(values)
+    }
+
+    /// The values that are wanted of it.
+    #[must_use]
+    pub fn wanted(&self) -> Option<Vec<Rational>> {
+        let (_, other) = self.instances.first()?;
+        other.iter().map(Fraction::as_rational).collect()
     }
 
     /// Starts a search of its own with so much work, without reducing the rest.

@@ -14,6 +14,7 @@ mod audit;
 mod author_note;
 mod binders;
 mod certificates;
+mod corrections;
 mod derive;
 mod elaboration;
 mod ends;

@@ -78,6 +78,7 @@ fn refuted(outcome: &Outcome, at: &[(&str, &str)]) -> Outcome {
         certificate: None,
         repair: None,
         data: None,
+        search_ended_early: false,
         steps: vec![],
     };
     Outcome {
