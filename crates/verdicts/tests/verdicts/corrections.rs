@@ -1,6 +1,6 @@
 //! One slip anywhere: exponents of brackets, calls and indices, numbers that are solved for, the other side, beside roots.
 
-use crate::common::stated;
+use crate::common::outcomes;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
 
@@ -26,7 +26,8 @@ step = ['1 - t', 't']
 "#;
 
 fn decided(states: &str) -> Outcome {
-    let mut outcomes = stated("corrections", DECLARATIONS, &[states]);
+    let lines = format!("kind = \"identity\"\nstates = \"{states}\"");
+    let mut outcomes = outcomes("corrections", DECLARATIONS, &[&lines]);
     outcomes.pop().unwrap()
 }
 
