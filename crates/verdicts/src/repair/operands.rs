@@ -10,6 +10,7 @@
 
 use super::edit::placed;
 use super::subject::Subject;
+use num_traits::Zero as _;
 use std::mem::discriminant;
 use std::sync::Arc;
 use torse_algebra::rational::integer;
@@ -42,7 +43,7 @@ struct Operation<'e> {
 #[must_use]
 pub(super) fn one_ceases_to_matter(claim: &Claim, subject: &Subject, edited: &Expr) -> bool {
     let (printed, edited) = (subject.formula.placeless(), edited.placeless());
-    if idle_names(&edited) > idle_names(&printed) {
+    if idle_operands(&edited) > idle_operands(&printed) {
         return true;
     }
     let whole = Operation {
@@ -81,8 +82,8 @@ pub(super) fn one_ceases_to_matter(claim: &Claim, subject: &Subject, edited: &Ex
     false
 }
 
-/// Counts the calls in which a bound name does not occur in what it is bound in.
-fn idle_names(expr: &Expr) -> usize {
+/// Counts the calls in which a bound name does not occur in what it is bound in, and the powers with exponent zero.
+fn idle_operands(expr: &Expr) -> usize {
     let own = match &expr.node {
         Node::Call(head, arguments) => match (&head.node, arguments.as_slice()) {
             (Node::Name(name), [bound, _, _, body]) if name == "sum" || name == "product" => {
@@ -93,10 +94,13 @@ fn idle_names(expr: &Expr) -> usize {
             }
             _ => false,
         },
+        Node::Binary(Operator::Power, _, exponent) => {
+            matches!(&exponent.node, Node::Number { value, .. } if value.is_zero())
+        }
         _ => false,
     };
     let parts = expr.parts().into_iter();
-    usize::from(own) + parts.map(idle_names).sum::<usize>()
+    usize::from(own) + parts.map(idle_operands).sum::<usize>()
 }
 
 /// Whether a bound name does not occur in a body.
