@@ -259,6 +259,9 @@ fn proved(
         Some(name) => replaced(&subject.formula, name, body),
     };
     let expr = subject.statement(&statement.expr, &edited);
+    if super::is_tautology(claim, &expr, subject) {
+        return None;
+    }
     let trial = Written {
         expr: expr.clone(),
         origin: statement.origin.clone(),

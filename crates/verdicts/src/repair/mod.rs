@@ -144,7 +144,7 @@ fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Opti
     if let Some(found) = elsewhere(claim, statement, &subject, &target, &alphabet) {
         return Some(found);
     }
-    if printed.size() > MAX_SIZE_DOUBLE {
+    if printed.size() > MAX_SIZE_DOUBLE || is_of_numbers(claim, &statement.expr) {
         return None;
     }
     // First edits that make an entry of a vector right come first.
@@ -158,7 +158,8 @@ fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Opti
             if budget == 0 || twice.len() >= MAX_PROOFS || !target.within_budget() {
                 break 'firsts;
             }
-            if second.expr != *printed && target.agrees(&subject.side(&second.expr)) {
+            let agrees = second.expr != *printed && target.agrees(&subject.side(&second.expr));
+            if agrees && says_something(claim, &subject, [&first.expr, &second.expr]) {
                 let changes = [&first.change, &second.change];
                 let changes = changes.map(ToString::to_string).to_vec();
                 twice.push((second, changes));
@@ -166,6 +167,14 @@ fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Opti
         }
     }
     proved(claim, statement, &subject, twice)
+}
+
+/// Whether all that stands beside two edits goes on to matter, at the first one and at the second.
+fn says_something(claim: &Claim, subject: &Subject, [first, second]: [&Expr; 2]) -> bool {
+    let mut once = subject.clone();
+    once.formula = first.clone();
+    !operands::one_ceases_to_matter(claim, subject, first)
+        && !operands::one_ceases_to_matter(claim, &once, second)
 }
 
 /// The search where a side has no value at the sample point: all edits that are tried once, on either side, at points of the
@@ -177,7 +186,9 @@ fn beside_roots(
 ) -> Option<Correction> {
     let mut search = |subject: &Subject, mut edits: Vec<Edit>| {
         edits.extend(insertions::edits(&subject.formula));
-        edits.extend(points::numbers(&subject.formula));
+        if has_symbol(claim, &statement.expr) {
+            edits.extend(points::numbers(&subject.formula));
+        }
         *ended_early |= edits.len() > points::MAX_CANDIDATES;
         let found = points::agreeing(claim, statement, subject, edits);
         let told = found
@@ -199,8 +210,17 @@ fn cautious(formula: &Expr) -> Vec<Edit> {
     if size > MAX_OTHER_SIDE {
         return vec![];
     }
+    let names = |expr: &Expr| -> Vec<String> {
+        let mut names: Vec<_> = expr.names().into_iter().map(str::to_owned).collect();
+        names.sort_unstable();
+        names
+    };
+    let printed = names(formula);
     let mut edits = edits::single(formula, &Alphabet::default());
-    edits.retain(|edit| edit.expr.size() >= size && !edit.change.is_factor_inserted());
+    edits.retain(|edit| {
+        let keeps = edit.expr.size() >= size && names(&edit.expr) == printed;
+        keeps && !edit.change.is_factor_inserted()
+    });
     edits
 }
 
@@ -210,13 +230,9 @@ fn solved(
     subject: &Subject,
     target: &Target<'_>,
 ) -> Option<Correction> {
-    let declared = |name: &&str| {
-        claim
-            .declarations
-            .symbol(name.trim_end_matches('\''))
-            .is_some()
-    };
-    statement.expr.names().iter().find(|name| declared(name))?;
+    if !has_symbol(claim, &statement.expr) {
+        return None;
+    }
     let edits = target.apart(MAX_APART, || {
         solved::edits(&subject.formula, subject, target)
     });
@@ -224,6 +240,26 @@ fn solved(
         .into_iter()
         .map(|edit| (edit.clone(), vec![edit.change.to_string()]));
     proved(claim, statement, subject, told.collect())
+}
+
+/// Whether a declared symbol stands in a formula. What is about numbers alone becomes true by many a number, which says nothing.
+fn has_symbol(claim: &Claim, expr: &Expr) -> bool {
+    let declared = |name: &str| {
+        let base = name.trim_end_matches('\'');
+        claim.declarations.symbol(base).is_some()
+    };
+    expr.names().into_iter().any(declared)
+}
+
+/// Whether a formula is about numbers alone: nothing in it is declared or defined.
+fn is_of_numbers(claim: &Claim, expr: &Expr) -> bool {
+    let own = &claim.declarations;
+    let has_meaning = |name: &str| {
+        let base = name.trim_end_matches('\'');
+        let stands_for_something = own.definition(base).is_some() || own.function(base).is_some();
+        stands_for_something || own.basis(base).is_some()
+    };
+    !has_symbol(claim, expr) && !expr.names().into_iter().any(has_meaning)
 }
 
 /// An exponent or a shift that was left out.
@@ -373,7 +409,7 @@ fn proved(
             continue;
         }
         let expr = subject.statement(&statement.expr, &edit.expr);
-        if is_tautology(&expr, &subject.path)
+        if is_tautology(claim, &expr, subject)
             || operands::one_ceases_to_matter(claim, subject, &edit.expr)
         {
             continue;
@@ -400,16 +436,21 @@ fn proved(
 }
 
 /// Whether both sides of the comparison at the end of the path are the same: no correction.
-fn is_tautology(expr: &Expr, path: &[usize]) -> bool {
+fn is_tautology(claim: &Claim, expr: &Expr, subject: &Subject) -> bool {
+    let path = subject.path.as_slice();
     let parent = path.split_last().map_or(path, |(_, parent)| parent);
-    let is_left = path.last() == Some(&0);
+    let is_left = path.last() == Some(&0) && subject.defined_as().is_none();
     let comparison = parent
         .iter()
         .try_fold(expr, |e, position| e.parts().into_iter().nth(*position));
     match comparison.map(|e| &e.node) {
-        // A long formula that becomes the left side is a corrected restatement; a short one says nothing, nor does a left side that
-        // becomes what is printed.
-        Some(Node::Compare(left, _)) if left.size() > MAX_TAUTOLOGY && !is_left => false,
+        // A long formula that becomes the left side is a corrected restatement; a short one says nothing, nor does one of numbers, nor
+        // a left side that becomes what is printed.
+        Some(Node::Compare(left, _))
+            if left.size() > MAX_TAUTOLOGY && !is_left && !is_of_numbers(claim, expr) =>
+        {
+            false
+        }
         Some(Node::Compare(left, rest)) => rest
             .iter()
             .any(|(_, right)| canonical::canonical(left) == canonical::canonical(right)),

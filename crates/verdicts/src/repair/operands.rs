@@ -69,7 +69,7 @@ pub(super) fn one_ceases_to_matter(claim: &Claim, subject: &Subject, edited: &Ex
             continue;
         }
         for (place, (old, new)) in old.into_iter().zip(new).enumerate() {
-            if old != new {
+            if old != new || continues(before, old) && continues(after, new) {
                 pending.push(inner(&pair, place, (old, new)));
             } else if place >= first_operand(pair.before)
                 && matters((claim, subject), (&edited, path, after), new) == Some(false)
@@ -82,20 +82,24 @@ pub(super) fn one_ceases_to_matter(claim: &Claim, subject: &Subject, edited: &Ex
     false
 }
 
-/// Counts the calls in which a bound name does not occur in what it is bound in, and the powers with exponent zero.
+/// Counts the calls in which a bound name does not occur in what it is bound in, the ranges of numbers that are empty, and zeros as
+/// exponents, terms and factors.
 fn idle_operands(expr: &Expr) -> usize {
     let own = match &expr.node {
         Node::Call(head, arguments) => match (&head.node, arguments.as_slice()) {
-            (Node::Name(name), [bound, _, _, body]) if name == "sum" || name == "product" => {
-                is_idle(bound, body)
+            (Node::Name(name), [bound, first, last, body])
+                if name == "sum" || name == "product" =>
+            {
+                is_idle(bound, body) || is_empty(first, last)
             }
             (Node::Name(name), [body, bound, ..]) if name == "D" || name == "at" => {
                 is_idle(bound, body)
             }
             _ => false,
         },
-        Node::Binary(Operator::Power, _, exponent) => {
-            matches!(&exponent.node, Node::Number { value, .. } if value.is_zero())
+        Node::Binary(Operator::Power, _, exponent) => is_zero(exponent),
+        Node::Binary(Operator::Add | Operator::Subtract | Operator::Multiply, a, b) => {
+            is_zero(a) || is_zero(b)
         }
         _ => false,
     };
@@ -103,9 +107,53 @@ fn idle_operands(expr: &Expr) -> usize {
     usize::from(own) + parts.map(idle_operands).sum::<usize>()
 }
 
+/// Whether a formula is the number zero.
+fn is_zero(expr: &Expr) -> bool {
+    matches!(&expr.node, Node::Number { value, .. } if value.is_zero())
+}
+
+/// Whether both ends of a range are numbers, and the first is larger than the last.
+fn is_empty(first: &Expr, last: &Expr) -> bool {
+    match (&first.node, &last.node) {
+        (Node::Number { value: first, .. }, Node::Number { value: last, .. }) => first > last,
+        _ => false,
+    }
+}
+
 /// Whether a bound name does not occur in a body.
 fn is_idle(bound: &Expr, body: &Expr) -> bool {
-    matches!(&bound.node, Node::Name(bound) if !body.names().contains(&bound.as_str()))
+    matches!(&bound.node, Node::Name(bound) if !occurs(bound, body))
+}
+
+/// Whether a name occurs in a formula where no sum, product, integral or value at a place binds it anew.
+fn occurs(name: &str, expr: &Expr) -> bool {
+    if let Node::Name(own) = &expr.node {
+        return own == name;
+    }
+    let body = match &expr.node {
+        Node::Call(head, arguments) => binding(head, arguments.len()).filter(|(bound, _)| {
+            let bound = arguments.get(*bound).map(|own| &own.node);
+            matches!(bound, Some(Node::Name(own)) if own == name)
+        }),
+        _ => None,
+    };
+    let parts = expr.parts().into_iter().enumerate();
+    // The head is the first part of a call.
+    let is_bound =
+        |place: usize| body.is_some_and(|(bound, body)| place == bound + 1 || place == body + 1);
+    parts
+        .filter(|(place, _)| !is_bound(*place))
+        .any(|(_, part)| occurs(name, part))
+}
+
+/// The places of the bound name and of the body among the arguments of a call.
+fn binding(head: &Expr, arguments: usize) -> Option<(usize, usize)> {
+    match (&head.node, arguments) {
+        (Node::Name(name), 4) if name == "sum" || name == "product" => Some((0, 3)),
+        (Node::Name(name), 3) if name == "at" => Some((1, 0)),
+        (Node::Name(name), 4) if name == "integral" => Some((1, 0)),
+        _ => None,
+    }
 }
 
 /// The parts in one place of a pair of parts.

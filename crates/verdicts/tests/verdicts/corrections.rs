@@ -103,6 +103,14 @@ fn a_coincidence_of_numbers_is_no_correction() {
         .correction()
         .is_some_and(|own| own.statement.text.contains("11"));
     assert!(!solved);
+    for states in [
+        "sqrt(2) == sqrt(5)",
+        "sqrt(2) + sqrt(3) == sqrt(3) + sqrt(5)",
+    ] {
+        let outcome = decided(states);
+        let found = outcome.correction().map(|own| &own.statement.text);
+        assert_eq!(found, None, "{states}");
+    }
 }
 
 #[test]
