@@ -43,6 +43,21 @@ forall (t : R),
   det [vDerive 2 (fun t_ => K t_) 1 t; vDerive 2 (fun t_ => K t_) 2 t] / norm (vDerive 2 (fun t_ => K t_) 1 t) ^ 3 = 1 / ((exp t + exp (- t)) / 2).
 End catenary_bend_slip.
 
+Module catenary_bend_slip_corrected.
+(* hyperbolic/catenary.bend.slip (corrected), Roots
+   printed: A common slip: det(K', K'')/|K'|³ = 1/cosh t
+   stated: det([K'(t), K''(t)])/norm(K'(t))^3 == 1/cosh(t)^2 *)
+Definition statement : Prop :=
+forall (t : R),
+  norm (vDerive 2 (fun t_ => K t_) 1 t) ^ 3 <> 0 ->
+  ((exp t + exp (- t)) / 2) ^ 2 <> 0 ->
+  det [vDerive 2 (fun t_ => K t_) 1 t; vDerive 2 (fun t_ => K t_) 2 t] / norm (vDerive 2 (fun t_ => K t_) 1 t) ^ 3 = 1 / ((exp t + exp (- t)) / 2) ^ 2.
+Definition instance : Prop :=
+exists (t : R),
+  norm (vDerive 2 (fun t_ => K t_) 1 t) ^ 3 <> 0 /\
+  ((exp t + exp (- t)) / 2) ^ 2 <> 0.
+End catenary_bend_slip_corrected.
+
 Module tractrix_norm.
 (* hyperbolic/tractrix.norm, Roots
    printed: |T'| = |tanh t|

@@ -23,6 +23,14 @@ Theorem refuted : ~ statement.
 Proof. follows Hyperbolic.Part_Roots_proofs.catenary_bend_slip.refuted. Qed.
 End catenary_bend_slip.
 
+Module catenary_bend_slip_corrected.
+Import Hyperbolic.Part_Roots_printed.catenary_bend_slip_corrected.
+Theorem proved : statement.
+Proof. follows Hyperbolic.Part_Roots_proofs.catenary_bend_slip_corrected.proved. Qed.
+Theorem met : instance.
+Proof. follows Hyperbolic.Part_Roots_proofs.catenary_bend_slip_corrected.met. Qed.
+End catenary_bend_slip_corrected.
+
 Module tractrix_norm.
 Import Hyperbolic.Part_Roots_printed.tractrix_norm.
 Theorem proved : statement.

@@ -24,6 +24,14 @@ Theorem refuted : ~ statement.
 Proof. let powers_of_two := fun _ => (let E := fresh in assert (E : exp (ln 2) = 2) by (apply exp_ln; lra); let is v x y := (replace (exp x) with v by (symmetry; transitivity (exp y); [f_equal; field | rewrite ?exp_Ropp, ?exp_plus, ?exp_0, ?E; field])) in repeat match goal with |- context [exp ?x] => first [is 1 x 0 | is 2 x (ln 2) | is (/ 2) x (- ln 2) | is 4 x (ln 2 + ln 2) | is (/ 4) x (- (ln 2 + ln 2)) | is 16 x (ln 2 + ln 2 + (ln 2 + ln 2)) | is (/ 16) x (- (ln 2 + ln 2 + (ln 2 + ln 2)))] end; clear E) in cbv beta zeta delta [statement]; intro no; assert (L : forall t, norm (vDerive 2 (fun t_ => K t_) 1 t) = (exp t + exp (- t)) / 2) by (clear; intro t; cbv beta zeta delta [K norm]; compute_goal; derivatives; pose proof (exp_inverse t) as E; pose proof (exp_pos t); pose proof (exp_pos (- t)); generalize dependent (exp t); generalize dependent (exp (- t)); intros m M e E P; apply sqrt_lem_1; [ nra | lra | field_simplify_eq; ring [E] ]); generalize (no (ln 2)); clear no; rewrite L; clear L; cbv beta delta [K]; compute_goal; derivatives; powers_of_two tt; intro no; refine (_ (no _ _)); [ intro C; revert C; match goal with |- ?a = ?b -> False => change (a <> b) end; numeric | numeric | numeric ]. Qed.
 End catenary_bend_slip.
 
+Module catenary_bend_slip_corrected.
+Import Hyperbolic.Part_Roots.catenary_bend_slip_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement K]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance K]; first [(exists (2); met) | (exists (0); met) | (exists (13); met) | (exists (1); met) | (exists (1); met)]. Qed.
+End catenary_bend_slip_corrected.
+
 Module tractrix_norm.
 Import Hyperbolic.Part_Roots.tractrix_norm.
 Theorem proved : statement.

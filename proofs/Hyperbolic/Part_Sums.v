@@ -20,6 +20,15 @@ forall (y : R),
   ((exp y + exp (- y)) / 2) ^ 2 + ((exp y - exp (- y)) / 2) ^ 2 = 1.
 End fn_pythagoras_slip.
 
+Module fn_pythagoras_slip_corrected.
+(* hyperbolic/fn.pythagoras.slip (corrected), Sums
+   printed: A common slip: cosh² y + sinh² y = 1
+   stated: cosh(y)^2 - sinh(y)^2 == 1 *)
+Definition statement : Prop :=
+forall (y : R),
+  ((exp y + exp (- y)) / 2) ^ 2 - ((exp y - exp (- y)) / 2) ^ 2 = 1.
+End fn_pythagoras_slip_corrected.
+
 Module fn_sum.
 (* hyperbolic/fn.sum, Sums
    printed: cosh(y + z) = cosh y cosh z + sinh y sinh z

@@ -15,6 +15,12 @@ Theorem refuted : ~ statement.
 Proof. follows Hyperbolic.Part_Sums_proofs.fn_pythagoras_slip.refuted. Qed.
 End fn_pythagoras_slip.
 
+Module fn_pythagoras_slip_corrected.
+Import Hyperbolic.Part_Sums_printed.fn_pythagoras_slip_corrected.
+Theorem proved : statement.
+Proof. follows Hyperbolic.Part_Sums_proofs.fn_pythagoras_slip_corrected.proved. Qed.
+End fn_pythagoras_slip_corrected.
+
 Module fn_sum.
 Import Hyperbolic.Part_Sums_printed.fn_sum.
 Theorem proved : statement.

@@ -161,12 +161,16 @@ Check (Hyperbolic.Part_Roots_printed_proofs.catenary_norm.proved : Hyperbolic.Pa
 Check (Hyperbolic.Part_Roots_printed_proofs.catenary_bend.proved : Hyperbolic.Part_Roots_printed.catenary_bend.statement).
 Check (Hyperbolic.Part_Roots_printed_proofs.catenary_bend.met : Hyperbolic.Part_Roots_printed.catenary_bend.instance).
 Check (Hyperbolic.Part_Roots_printed_proofs.catenary_bend_slip.refuted : ~ Hyperbolic.Part_Roots_printed.catenary_bend_slip.statement).
+Check (Hyperbolic.Part_Roots_printed_proofs.catenary_bend_slip_corrected.proved : Hyperbolic.Part_Roots_printed.catenary_bend_slip_corrected.statement).
+Check (Hyperbolic.Part_Roots_printed_proofs.catenary_bend_slip_corrected.met : Hyperbolic.Part_Roots_printed.catenary_bend_slip_corrected.instance).
 Check (Hyperbolic.Part_Roots_printed_proofs.tractrix_norm.proved : Hyperbolic.Part_Roots_printed.tractrix_norm.statement).
 Check (Hyperbolic.Part_Roots_printed_proofs.tractrix_norm.met : Hyperbolic.Part_Roots_printed.tractrix_norm.instance).
 Check (Hyperbolic.Part_Roots_proofs.catenary_norm.proved : Hyperbolic.Part_Roots.catenary_norm.statement).
 Check (Hyperbolic.Part_Roots_proofs.catenary_bend.proved : Hyperbolic.Part_Roots.catenary_bend.statement).
 Check (Hyperbolic.Part_Roots_proofs.catenary_bend.met : Hyperbolic.Part_Roots.catenary_bend.instance).
 Check (Hyperbolic.Part_Roots_proofs.catenary_bend_slip.refuted : ~ Hyperbolic.Part_Roots.catenary_bend_slip.statement).
+Check (Hyperbolic.Part_Roots_proofs.catenary_bend_slip_corrected.proved : Hyperbolic.Part_Roots.catenary_bend_slip_corrected.statement).
+Check (Hyperbolic.Part_Roots_proofs.catenary_bend_slip_corrected.met : Hyperbolic.Part_Roots.catenary_bend_slip_corrected.instance).
 Check (Hyperbolic.Part_Roots_proofs.tractrix_norm.proved : Hyperbolic.Part_Roots.tractrix_norm.statement).
 Check (Hyperbolic.Part_Roots_proofs.tractrix_norm.met : Hyperbolic.Part_Roots.tractrix_norm.instance).
 Check (Hyperbolic.Part_Signs_printed_proofs.fn_positive.proved : Hyperbolic.Part_Signs_printed.fn_positive.statement).
@@ -197,10 +201,12 @@ Check (Hyperbolic.Part_Spiral_proofs.cone_torse.proved : Hyperbolic.Part_Spiral.
 Check (Hyperbolic.Part_Spiral_proofs.cone_torse.met : Hyperbolic.Part_Spiral.cone_torse.instance).
 Check (Hyperbolic.Part_Sums_printed_proofs.fn_pythagoras.proved : Hyperbolic.Part_Sums_printed.fn_pythagoras.statement).
 Check (Hyperbolic.Part_Sums_printed_proofs.fn_pythagoras_slip.refuted : ~ Hyperbolic.Part_Sums_printed.fn_pythagoras_slip.statement).
+Check (Hyperbolic.Part_Sums_printed_proofs.fn_pythagoras_slip_corrected.proved : Hyperbolic.Part_Sums_printed.fn_pythagoras_slip_corrected.statement).
 Check (Hyperbolic.Part_Sums_printed_proofs.fn_sum.proved : Hyperbolic.Part_Sums_printed.fn_sum.statement).
 Check (Hyperbolic.Part_Sums_printed_proofs.fn_difference.proved : Hyperbolic.Part_Sums_printed.fn_difference.statement).
 Check (Hyperbolic.Part_Sums_proofs.fn_pythagoras.proved : Hyperbolic.Part_Sums.fn_pythagoras.statement).
 Check (Hyperbolic.Part_Sums_proofs.fn_pythagoras_slip.refuted : ~ Hyperbolic.Part_Sums.fn_pythagoras_slip.statement).
+Check (Hyperbolic.Part_Sums_proofs.fn_pythagoras_slip_corrected.proved : Hyperbolic.Part_Sums.fn_pythagoras_slip_corrected.statement).
 Check (Hyperbolic.Part_Sums_proofs.fn_sum.proved : Hyperbolic.Part_Sums.fn_sum.statement).
 Check (Hyperbolic.Part_Sums_proofs.fn_difference.proved : Hyperbolic.Part_Sums.fn_difference.statement).
 Check (Hyperbolic.Part_The_printed_proofs.quadratic_unity.proved : Hyperbolic.Part_The_printed.quadratic_unity.statement).
@@ -390,12 +396,16 @@ let _ := Hyperbolic.Part_Roots_printed_proofs.catenary_norm.proved in
 let _ := Hyperbolic.Part_Roots_printed_proofs.catenary_bend.proved in
 let _ := Hyperbolic.Part_Roots_printed_proofs.catenary_bend.met in
 let _ := Hyperbolic.Part_Roots_printed_proofs.catenary_bend_slip.refuted in
+let _ := Hyperbolic.Part_Roots_printed_proofs.catenary_bend_slip_corrected.proved in
+let _ := Hyperbolic.Part_Roots_printed_proofs.catenary_bend_slip_corrected.met in
 let _ := Hyperbolic.Part_Roots_printed_proofs.tractrix_norm.proved in
 let _ := Hyperbolic.Part_Roots_printed_proofs.tractrix_norm.met in
 let _ := Hyperbolic.Part_Roots_proofs.catenary_norm.proved in
 let _ := Hyperbolic.Part_Roots_proofs.catenary_bend.proved in
 let _ := Hyperbolic.Part_Roots_proofs.catenary_bend.met in
 let _ := Hyperbolic.Part_Roots_proofs.catenary_bend_slip.refuted in
+let _ := Hyperbolic.Part_Roots_proofs.catenary_bend_slip_corrected.proved in
+let _ := Hyperbolic.Part_Roots_proofs.catenary_bend_slip_corrected.met in
 let _ := Hyperbolic.Part_Roots_proofs.tractrix_norm.proved in
 let _ := Hyperbolic.Part_Roots_proofs.tractrix_norm.met in
 let _ := Hyperbolic.Part_Signs_printed_proofs.fn_positive.proved in
@@ -426,10 +436,12 @@ let _ := Hyperbolic.Part_Spiral_proofs.cone_torse.proved in
 let _ := Hyperbolic.Part_Spiral_proofs.cone_torse.met in
 let _ := Hyperbolic.Part_Sums_printed_proofs.fn_pythagoras.proved in
 let _ := Hyperbolic.Part_Sums_printed_proofs.fn_pythagoras_slip.refuted in
+let _ := Hyperbolic.Part_Sums_printed_proofs.fn_pythagoras_slip_corrected.proved in
 let _ := Hyperbolic.Part_Sums_printed_proofs.fn_sum.proved in
 let _ := Hyperbolic.Part_Sums_printed_proofs.fn_difference.proved in
 let _ := Hyperbolic.Part_Sums_proofs.fn_pythagoras.proved in
 let _ := Hyperbolic.Part_Sums_proofs.fn_pythagoras_slip.refuted in
+let _ := Hyperbolic.Part_Sums_proofs.fn_pythagoras_slip_corrected.proved in
 let _ := Hyperbolic.Part_Sums_proofs.fn_sum.proved in
 let _ := Hyperbolic.Part_Sums_proofs.fn_difference.proved in
 let _ := Hyperbolic.Part_The_printed_proofs.quadratic_unity.proved in

@@ -26,6 +26,18 @@ forall (c''_phi_u__'1 c''_phi_u__'2 c''_phi_u__'3 : R) (c'_phi_u__'1 c'_phi_u__'
   vDerive 3 (fun u_ => let u__ := u + u_ in let u___ := u__ in vadd (vadd c_phi_u__ (vscale (1 * (phi_u_ + 1 * u_ * phi'_u_ + 1 / 2 * u_ ^ 2 * phi''_u_ - phi_u_)) c'_phi_u__)) (vscale (1 / 2 * (phi_u_ + 1 * u_ * phi'_u_ + 1 / 2 * u_ ^ 2 * phi''_u_ - phi_u_) ^ 2) c''_phi_u__)) 2 0 = vadd (vscale phi'_u_ c''_phi_u__) (vscale phi''_u_ c'_phi_u__).
 End curve_chain_slip.
 
+Module curve_chain_slip_corrected.
+(* torses/curve.chain.slip (corrected), Curves
+   printed: A slip: C'' = c''(φ) φ' + c'(φ) φ''
+   stated: C''(u) == c''(phi(u))*phi'(u)^2 + c'(phi(u))*phi''(u) *)
+Definition statement : Prop :=
+forall (c''_phi_u__'1 c''_phi_u__'2 c''_phi_u__'3 : R) (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_phi_u__'3 : R) (phi''_u_ : R) (phi'_u_ : R) (phi_u_ : R) (u : R),
+  let c''_phi_u__ := [c''_phi_u__'1; c''_phi_u__'2; c''_phi_u__'3] in
+  let c'_phi_u__ := [c'_phi_u__'1; c'_phi_u__'2; c'_phi_u__'3] in
+  let c_phi_u__ := [c_phi_u__'1; c_phi_u__'2; c_phi_u__'3] in
+  vDerive 3 (fun u_ => let u__ := u + u_ in let u___ := u__ in vadd (vadd c_phi_u__ (vscale (1 * (phi_u_ + 1 * u_ * phi'_u_ + 1 / 2 * u_ ^ 2 * phi''_u_ - phi_u_)) c'_phi_u__)) (vscale (1 / 2 * (phi_u_ + 1 * u_ * phi'_u_ + 1 / 2 * u_ ^ 2 * phi''_u_ - phi_u_) ^ 2) c''_phi_u__)) 2 0 = vadd (vscale (phi'_u_ ^ 2) c''_phi_u__) (vscale phi''_u_ c'_phi_u__).
+End curve_chain_slip_corrected.
+
 Module curve_curvature.
 (* torses/curve.curvature, Curves
    printed: The square of the curvature, (c' × c'')²/(c' · c')^3, does not depend on the parameter.

@@ -43,6 +43,27 @@ forall (c'1 c'2 c'3 : R -> R) (phi : R -> R) (u : R),
   vDerive 3 (fun u => C_ c phi u) 2 u = vadd (vscale (Derive_n (fun x => phi x) 1 u) (vDerive 3 (fun x => c x) 2 (phi u))) (vscale (Derive_n (fun x => phi x) 2 u) (vDerive 3 (fun x => c x) 1 (phi u))).
 End curve_chain_slip.
 
+Module curve_chain_slip_corrected.
+(* torses/curve.chain.slip (corrected), Curves
+   printed: A slip: C'' = c''(φ) φ' + c'(φ) φ''
+   stated: C''(u) == c''(phi(u))*phi'(u)^2 + c'(phi(u))*phi''(u) *)
+Definition statement : Prop :=
+forall (c'1 c'2 c'3 : R -> R) (phi : R -> R) (u : R),
+  let c := fun t => [c'1 t; c'2 t; c'3 t] in
+  smooth c'1 ->
+  smooth c'2 ->
+  smooth c'3 ->
+  smooth phi ->
+  vDerive 3 (fun u => C_ c phi u) 2 u = vadd (vscale (Derive_n (fun x => phi x) 1 u ^ 2) (vDerive 3 (fun x => c x) 2 (phi u))) (vscale (Derive_n (fun x => phi x) 2 u) (vDerive 3 (fun x => c x) 1 (phi u))).
+Definition instance : Prop :=
+exists (c'1 c'2 c'3 : R -> R) (phi : R -> R) (u : R),
+  let c := fun t => [c'1 t; c'2 t; c'3 t] in
+  smooth c'1 /\
+  smooth c'2 /\
+  smooth c'3 /\
+  smooth phi.
+End curve_chain_slip_corrected.
+
 Module curve_curvature.
 (* torses/curve.curvature, Curves
    printed: The square of the curvature, (c' × c'')²/(c' · c')^3, does not depend on the parameter.

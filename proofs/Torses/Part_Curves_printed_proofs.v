@@ -17,6 +17,14 @@ Theorem refuted : ~ statement.
 Proof. intro all; apply Torses.Part_Curves_proofs.curve_chain_slip.refuted; hnf; intros c''_phi_u__'1 c''_phi_u__'2 c''_phi_u__'3 c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 c_phi_u__'1 c_phi_u__'2 c_phi_u__'3 phi''_u_ phi'_u_ phi_u_ u; by_jets (all (fun t : R => (t - phi_u_) * (t - phi_u_) * (c''_phi_u__'1 / 2) + (t - phi_u_) * c'_phi_u__'1 + c_phi_u__'1) (fun t : R => (t - phi_u_) * (t - phi_u_) * (c''_phi_u__'2 / 2) + (t - phi_u_) * c'_phi_u__'2 + c_phi_u__'2) (fun t : R => (t - phi_u_) * (t - phi_u_) * (c''_phi_u__'3 / 2) + (t - phi_u_) * c'_phi_u__'3 + c_phi_u__'3) (fun t : R => (t - u) * (t - u) * (phi''_u_ / 2) + (t - u) * phi'_u_ + phi_u_) u). Qed.
 End curve_chain_slip.
 
+Module curve_chain_slip_corrected.
+Import Torses.Part_Curves_printed.curve_chain_slip_corrected.
+Theorem proved : statement.
+Proof. hnf; intros c'1 c'2 c'3 phi u; by_jets (Torses.Part_Curves_proofs.curve_chain_slip_corrected.proved (Derive_n c'1 2 (phi u)) (Derive_n c'2 2 (phi u)) (Derive_n c'3 2 (phi u)) (Derive_n c'1 1 (phi u)) (Derive_n c'2 1 (phi u)) (Derive_n c'3 1 (phi u)) (c'1 (phi u)) (c'2 (phi u)) (c'3 (phi u)) (Derive_n phi 2 u) (Derive_n phi 1 u) (phi u) u). Qed.
+Theorem met : instance.
+Proof. hnf; exists (fun _ : R => 0), (fun _ : R => 0), (fun _ : R => 0), (fun _ : R => 0), 0; met_by_jets. Qed.
+End curve_chain_slip_corrected.
+
 Module curve_curvature.
 Import Torses.Part_Curves_printed.curve_curvature.
 Theorem proved : statement.

@@ -15,6 +15,12 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no (1) (0) (0) (0) (1) (0) 0 0 0 (1) (2) (0) (0)). Qed.
 End curve_chain_slip.
 
+Module curve_chain_slip_corrected.
+Import Torses.Part_Curves.curve_chain_slip_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; identity. Qed.
+End curve_chain_slip_corrected.
+
 Module curve_curvature.
 Import Torses.Part_Curves.curve_curvature.
 Theorem proved : statement.

@@ -3,8 +3,8 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module Definitions.
-Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
-  det [c'_u_; r_u_; r'_u_].
+Definition delta (c'_phi_u__ : list R) (r'_phi_u__ : list R) (r_phi_u__ : list R) : R :=
+  det [c'_phi_u__; r_phi_u__; r'_phi_u__].
 End Definitions.
 Import Definitions.
 
@@ -12,6 +12,8 @@ Module ruled_directrix.
 (* torses/ruled.directrix, Freedom
    printed: δ is the same for every other directrix c + a r on the surface.
    stated: det([D(c(u) + a(u)*r(u), u), r(u), r'(u)]) == delta(u) *)
+Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
+  det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -25,6 +27,8 @@ Module ruled_scaled.
 (* torses/ruled.scaled, Freedom
    printed: With directions a r instead of r, δ becomes a² δ.
    stated: det([c'(u), a(u)*r(u), D(a(u)*r(u), u)]) == a(u)^2*delta(u) *)
+Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
+  det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -37,8 +41,6 @@ Module ruled_parameter.
 (* torses/ruled.parameter, Freedom
    printed: With φ(u) for u, δ becomes φ'² δ(φ).
    stated: det([D(c(phi(u)), u), r(phi(u)), D(r(phi(u)), u)]) == phi'(u)^2*delta(phi(u)) *)
-Definition delta (c'_phi_u__ : list R) (r'_phi_u__ : list R) (r_phi_u__ : list R) : R :=
-  det [c'_phi_u__; r_phi_u__; r'_phi_u__].
 Definition statement : Prop :=
 forall (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_phi_u__'3 : R) (phi'_u_ : R) (phi_u_ : R) (r'_phi_u__'1 r'_phi_u__'2 r'_phi_u__'3 : R) (r_phi_u__'1 r_phi_u__'2 r_phi_u__'3 : R) (u : R),
   let c'_phi_u__ := [c'_phi_u__'1; c'_phi_u__'2; c'_phi_u__'3] in
@@ -52,8 +54,6 @@ Module ruled_parameter_slip.
 (* torses/ruled.parameter.slip, Freedom
    printed: A slip: with φ(u) for u, δ becomes φ' δ(φ).
    stated: det([D(c(phi(u)), u), r(phi(u)), D(r(phi(u)), u)]) == phi'(u)*delta(phi(u)) *)
-Definition delta (c'_phi_u__ : list R) (r'_phi_u__ : list R) (r_phi_u__ : list R) : R :=
-  det [c'_phi_u__; r_phi_u__; r'_phi_u__].
 Definition statement : Prop :=
 forall (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_phi_u__'3 : R) (phi'_u_ : R) (phi_u_ : R) (r'_phi_u__'1 r'_phi_u__'2 r'_phi_u__'3 : R) (r_phi_u__'1 r_phi_u__'2 r_phi_u__'3 : R) (u : R),
   let c'_phi_u__ := [c'_phi_u__'1; c'_phi_u__'2; c'_phi_u__'3] in
@@ -62,6 +62,19 @@ forall (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_p
   let r_phi_u__ := [r_phi_u__'1; r_phi_u__'2; r_phi_u__'3] in
   det [vDerive 3 (fun u_ => let u__ := u + u_ in vadd c_phi_u__ (vscale (1 * (phi_u_ + 1 * u_ * phi'_u_ - phi_u_)) c'_phi_u__)) 1 0; r_phi_u__; vDerive 3 (fun u_ => let u__ := u + u_ in vadd r_phi_u__ (vscale (1 * (phi_u_ + 1 * u_ * phi'_u_ - phi_u_)) r'_phi_u__)) 1 0] = phi'_u_ * delta c'_phi_u__ r'_phi_u__ r_phi_u__.
 End ruled_parameter_slip.
+
+Module ruled_parameter_slip_corrected.
+(* torses/ruled.parameter.slip (corrected), Freedom
+   printed: A slip: with φ(u) for u, δ becomes φ' δ(φ).
+   stated: det([D(c(phi(u)), u), r(phi(u)), D(r(phi(u)), u)]) == phi'(u)^2*delta(phi(u)) *)
+Definition statement : Prop :=
+forall (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_phi_u__'3 : R) (phi'_u_ : R) (phi_u_ : R) (r'_phi_u__'1 r'_phi_u__'2 r'_phi_u__'3 : R) (r_phi_u__'1 r_phi_u__'2 r_phi_u__'3 : R) (u : R),
+  let c'_phi_u__ := [c'_phi_u__'1; c'_phi_u__'2; c'_phi_u__'3] in
+  let c_phi_u__ := [c_phi_u__'1; c_phi_u__'2; c_phi_u__'3] in
+  let r'_phi_u__ := [r'_phi_u__'1; r'_phi_u__'2; r'_phi_u__'3] in
+  let r_phi_u__ := [r_phi_u__'1; r_phi_u__'2; r_phi_u__'3] in
+  det [vDerive 3 (fun u_ => let u__ := u + u_ in vadd c_phi_u__ (vscale (1 * (phi_u_ + 1 * u_ * phi'_u_ - phi_u_)) c'_phi_u__)) 1 0; r_phi_u__; vDerive 3 (fun u_ => let u__ := u + u_ in vadd r_phi_u__ (vscale (1 * (phi_u_ + 1 * u_ * phi'_u_ - phi_u_)) r'_phi_u__)) 1 0] = phi'_u_ ^ 2 * delta c'_phi_u__ r'_phi_u__ r_phi_u__.
+End ruled_parameter_slip_corrected.
 
 Module ruled_ends.
 (* torses/ruled.ends, Freedom

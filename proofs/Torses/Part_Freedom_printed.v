@@ -113,6 +113,35 @@ forall (c'1 c'2 c'3 : R -> R) (phi : R -> R) (r'1 r'2 r'3 : R -> R) (u : R),
   det [vDerive 3 (fun u => c (phi u)) 1 u; r (phi u); vDerive 3 (fun u => r (phi u)) 1 u] = Derive_n (fun x => phi x) 1 u * delta c r (phi u).
 End ruled_parameter_slip.
 
+Module ruled_parameter_slip_corrected.
+(* torses/ruled.parameter.slip (corrected), Freedom
+   printed: A slip: with φ(u) for u, δ becomes φ' δ(φ).
+   stated: det([D(c(phi(u)), u), r(phi(u)), D(r(phi(u)), u)]) == phi'(u)^2*delta(phi(u)) *)
+Definition statement : Prop :=
+forall (c'1 c'2 c'3 : R -> R) (phi : R -> R) (r'1 r'2 r'3 : R -> R) (u : R),
+  let c := fun t => [c'1 t; c'2 t; c'3 t] in
+  let r := fun t => [r'1 t; r'2 t; r'3 t] in
+  smooth c'1 ->
+  smooth c'2 ->
+  smooth c'3 ->
+  smooth phi ->
+  smooth r'1 ->
+  smooth r'2 ->
+  smooth r'3 ->
+  det [vDerive 3 (fun u => c (phi u)) 1 u; r (phi u); vDerive 3 (fun u => r (phi u)) 1 u] = Derive_n (fun x => phi x) 1 u ^ 2 * delta c r (phi u).
+Definition instance : Prop :=
+exists (c'1 c'2 c'3 : R -> R) (phi : R -> R) (r'1 r'2 r'3 : R -> R) (u : R),
+  let c := fun t => [c'1 t; c'2 t; c'3 t] in
+  let r := fun t => [r'1 t; r'2 t; r'3 t] in
+  smooth c'1 /\
+  smooth c'2 /\
+  smooth c'3 /\
+  smooth phi /\
+  smooth r'1 /\
+  smooth r'2 /\
+  smooth r'3.
+End ruled_parameter_slip_corrected.
+
 Module ruled_ends.
 (* torses/ruled.ends, Freedom
    printed: Between two curves b and c, with the rulings b - c: det(c', b - c, (b - c)') = det(c', b - c, b').

@@ -33,6 +33,14 @@ Theorem refuted : ~ statement.
 Proof. intro all; apply Torses.Part_Freedom_proofs.ruled_parameter_slip.refuted; hnf; intros c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 c_phi_u__'1 c_phi_u__'2 c_phi_u__'3 phi'_u_ phi_u_ r'_phi_u__'1 r'_phi_u__'2 r'_phi_u__'3 r_phi_u__'1 r_phi_u__'2 r_phi_u__'3 u; by_jets (all (fun t : R => (t - phi_u_) * c'_phi_u__'1 + c_phi_u__'1) (fun t : R => (t - phi_u_) * c'_phi_u__'2 + c_phi_u__'2) (fun t : R => (t - phi_u_) * c'_phi_u__'3 + c_phi_u__'3) (fun t : R => (t - u) * phi'_u_ + phi_u_) (fun t : R => (t - phi_u_) * r'_phi_u__'1 + r_phi_u__'1) (fun t : R => (t - phi_u_) * r'_phi_u__'2 + r_phi_u__'2) (fun t : R => (t - phi_u_) * r'_phi_u__'3 + r_phi_u__'3) u). Qed.
 End ruled_parameter_slip.
 
+Module ruled_parameter_slip_corrected.
+Import Torses.Part_Freedom_printed.ruled_parameter_slip_corrected.
+Theorem proved : statement.
+Proof. hnf; intros c'1 c'2 c'3 phi r'1 r'2 r'3 u; by_jets (Torses.Part_Freedom_proofs.ruled_parameter_slip_corrected.proved (Derive_n c'1 1 (phi u)) (Derive_n c'2 1 (phi u)) (Derive_n c'3 1 (phi u)) (c'1 (phi u)) (c'2 (phi u)) (c'3 (phi u)) (Derive_n phi 1 u) (phi u) (Derive_n r'1 1 (phi u)) (Derive_n r'2 1 (phi u)) (Derive_n r'3 1 (phi u)) (r'1 (phi u)) (r'2 (phi u)) (r'3 (phi u)) u). Qed.
+Theorem met : instance.
+Proof. hnf; exists (fun _ : R => 0), (fun _ : R => 0), (fun _ : R => 0), (fun _ : R => 0), (fun _ : R => 0), (fun _ : R => 0), (fun _ : R => 0), 0; met_by_jets. Qed.
+End ruled_parameter_slip_corrected.
+
 Module ruled_ends.
 Import Torses.Part_Freedom_printed.ruled_ends.
 Theorem proved : statement.

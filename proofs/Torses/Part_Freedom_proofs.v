@@ -28,6 +28,12 @@ Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement delta] in no; refuting (no (0) (0) (1) 0 0 0 (2) (0) (0) (1) (0) (1) (0) (0) (0)). Qed.
 End ruled_parameter_slip.
 
+Module ruled_parameter_slip_corrected.
+Import Torses.Part_Freedom.ruled_parameter_slip_corrected.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement delta]; identity. Qed.
+End ruled_parameter_slip_corrected.
+
 Module ruled_ends.
 Import Torses.Part_Freedom.ruled_ends.
 Theorem proved : statement.

@@ -101,6 +101,8 @@ Check (Torses.Part_Curvature_proofs.ruled_gauss_slip_corrected.proved : Torses.P
 Check (Torses.Part_Curves_printed_proofs.curve_chain.proved : Torses.Part_Curves_printed.curve_chain.statement).
 Check (Torses.Part_Curves_printed_proofs.curve_chain.met : Torses.Part_Curves_printed.curve_chain.instance).
 Check (Torses.Part_Curves_printed_proofs.curve_chain_slip.refuted : ~ Torses.Part_Curves_printed.curve_chain_slip.statement).
+Check (Torses.Part_Curves_printed_proofs.curve_chain_slip_corrected.proved : Torses.Part_Curves_printed.curve_chain_slip_corrected.statement).
+Check (Torses.Part_Curves_printed_proofs.curve_chain_slip_corrected.met : Torses.Part_Curves_printed.curve_chain_slip_corrected.instance).
 Check (Torses.Part_Curves_printed_proofs.curve_curvature.proved : Torses.Part_Curves_printed.curve_curvature.statement).
 Check (Torses.Part_Curves_printed_proofs.curve_curvature.met : Torses.Part_Curves_printed.curve_curvature.instance).
 Check (Torses.Part_Curves_printed_proofs.curve_torsion.proved : Torses.Part_Curves_printed.curve_torsion.statement).
@@ -109,6 +111,7 @@ Check (Torses.Part_Curves_printed_proofs.curve_straight.proved : Torses.Part_Cur
 Check (Torses.Part_Curves_printed_proofs.curve_straight.met : Torses.Part_Curves_printed.curve_straight.instance).
 Check (Torses.Part_Curves_proofs.curve_chain.proved : Torses.Part_Curves.curve_chain.statement).
 Check (Torses.Part_Curves_proofs.curve_chain_slip.refuted : ~ Torses.Part_Curves.curve_chain_slip.statement).
+Check (Torses.Part_Curves_proofs.curve_chain_slip_corrected.proved : Torses.Part_Curves.curve_chain_slip_corrected.statement).
 Check (Torses.Part_Curves_proofs.curve_curvature.proved : Torses.Part_Curves.curve_curvature.statement).
 Check (Torses.Part_Curves_proofs.curve_curvature.met : Torses.Part_Curves.curve_curvature.instance).
 Check (Torses.Part_Curves_proofs.curve_torsion.proved : Torses.Part_Curves.curve_torsion.statement).
@@ -166,6 +169,8 @@ Check (Torses.Part_Freedom_printed_proofs.ruled_scaled.met : Torses.Part_Freedom
 Check (Torses.Part_Freedom_printed_proofs.ruled_parameter.proved : Torses.Part_Freedom_printed.ruled_parameter.statement).
 Check (Torses.Part_Freedom_printed_proofs.ruled_parameter.met : Torses.Part_Freedom_printed.ruled_parameter.instance).
 Check (Torses.Part_Freedom_printed_proofs.ruled_parameter_slip.refuted : ~ Torses.Part_Freedom_printed.ruled_parameter_slip.statement).
+Check (Torses.Part_Freedom_printed_proofs.ruled_parameter_slip_corrected.proved : Torses.Part_Freedom_printed.ruled_parameter_slip_corrected.statement).
+Check (Torses.Part_Freedom_printed_proofs.ruled_parameter_slip_corrected.met : Torses.Part_Freedom_printed.ruled_parameter_slip_corrected.instance).
 Check (Torses.Part_Freedom_printed_proofs.ruled_ends.proved : Torses.Part_Freedom_printed.ruled_ends.statement).
 Check (Torses.Part_Freedom_printed_proofs.ruled_ends.met : Torses.Part_Freedom_printed.ruled_ends.instance).
 Check (Torses.Part_Freedom_printed_proofs.ruled_start.proved : Torses.Part_Freedom_printed.ruled_start.statement).
@@ -174,6 +179,7 @@ Check (Torses.Part_Freedom_proofs.ruled_directrix.proved : Torses.Part_Freedom.r
 Check (Torses.Part_Freedom_proofs.ruled_scaled.proved : Torses.Part_Freedom.ruled_scaled.statement).
 Check (Torses.Part_Freedom_proofs.ruled_parameter.proved : Torses.Part_Freedom.ruled_parameter.statement).
 Check (Torses.Part_Freedom_proofs.ruled_parameter_slip.refuted : ~ Torses.Part_Freedom.ruled_parameter_slip.statement).
+Check (Torses.Part_Freedom_proofs.ruled_parameter_slip_corrected.proved : Torses.Part_Freedom.ruled_parameter_slip_corrected.statement).
 Check (Torses.Part_Freedom_proofs.ruled_ends.proved : Torses.Part_Freedom.ruled_ends.statement).
 Check (Torses.Part_Freedom_proofs.ruled_start.proved : Torses.Part_Freedom.ruled_start.statement).
 Check (Torses.Part_Normal_printed_proofs.ruled_normal.proved : Torses.Part_Normal_printed.ruled_normal.statement).
@@ -339,6 +345,8 @@ let _ := Torses.Part_Curvature_proofs.ruled_gauss_slip_corrected.proved in
 let _ := Torses.Part_Curves_printed_proofs.curve_chain.proved in
 let _ := Torses.Part_Curves_printed_proofs.curve_chain.met in
 let _ := Torses.Part_Curves_printed_proofs.curve_chain_slip.refuted in
+let _ := Torses.Part_Curves_printed_proofs.curve_chain_slip_corrected.proved in
+let _ := Torses.Part_Curves_printed_proofs.curve_chain_slip_corrected.met in
 let _ := Torses.Part_Curves_printed_proofs.curve_curvature.proved in
 let _ := Torses.Part_Curves_printed_proofs.curve_curvature.met in
 let _ := Torses.Part_Curves_printed_proofs.curve_torsion.proved in
@@ -347,6 +355,7 @@ let _ := Torses.Part_Curves_printed_proofs.curve_straight.proved in
 let _ := Torses.Part_Curves_printed_proofs.curve_straight.met in
 let _ := Torses.Part_Curves_proofs.curve_chain.proved in
 let _ := Torses.Part_Curves_proofs.curve_chain_slip.refuted in
+let _ := Torses.Part_Curves_proofs.curve_chain_slip_corrected.proved in
 let _ := Torses.Part_Curves_proofs.curve_curvature.proved in
 let _ := Torses.Part_Curves_proofs.curve_curvature.met in
 let _ := Torses.Part_Curves_proofs.curve_torsion.proved in
@@ -404,6 +413,8 @@ let _ := Torses.Part_Freedom_printed_proofs.ruled_scaled.met in
 let _ := Torses.Part_Freedom_printed_proofs.ruled_parameter.proved in
 let _ := Torses.Part_Freedom_printed_proofs.ruled_parameter.met in
 let _ := Torses.Part_Freedom_printed_proofs.ruled_parameter_slip.refuted in
+let _ := Torses.Part_Freedom_printed_proofs.ruled_parameter_slip_corrected.proved in
+let _ := Torses.Part_Freedom_printed_proofs.ruled_parameter_slip_corrected.met in
 let _ := Torses.Part_Freedom_printed_proofs.ruled_ends.proved in
 let _ := Torses.Part_Freedom_printed_proofs.ruled_ends.met in
 let _ := Torses.Part_Freedom_printed_proofs.ruled_start.proved in
@@ -412,6 +423,7 @@ let _ := Torses.Part_Freedom_proofs.ruled_directrix.proved in
 let _ := Torses.Part_Freedom_proofs.ruled_scaled.proved in
 let _ := Torses.Part_Freedom_proofs.ruled_parameter.proved in
 let _ := Torses.Part_Freedom_proofs.ruled_parameter_slip.refuted in
+let _ := Torses.Part_Freedom_proofs.ruled_parameter_slip_corrected.proved in
 let _ := Torses.Part_Freedom_proofs.ruled_ends.proved in
 let _ := Torses.Part_Freedom_proofs.ruled_start.proved in
 let _ := Torses.Part_Normal_printed_proofs.ruled_normal.proved in
