@@ -20,9 +20,6 @@ pub fn paper_of(name: &str, declarations: &str, claims: &[&str]) -> Result<Paper
     );
     paper(|file| {
         let text = if file == "paper.toml" { &head } else { &body };
-        Ok(Arc::new(Source {
-            name: file.to_owned(),
-            text: text.clone(),
-        }))
+        Ok(Arc::new(Source::new(file, text.clone())))
     })
 }

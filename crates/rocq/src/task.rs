@@ -263,10 +263,7 @@ fn differentiates_roots(term: &Term) -> bool {
 /// Reads back a formula of an outcome.
 fn written(text: &str, name: &str) -> Result<Written, Untranslatable> {
     let expr = parse(text).map_err(|_| Untranslatable::Unread(text.to_owned()))?;
-    let source = Source {
-        name: name.to_owned(),
-        text: text.to_owned(),
-    };
+    let source = Source::new(name, text);
     let origin = Origin::range(&Arc::new(source), 0, text.len());
     Ok(Written { expr, origin })
 }

@@ -21,29 +21,26 @@
 //! use torse_semantics::tree::Reading;
 //! use torse_semantics::{Witness, check_witness, tally};
 //!
-//! let files = |name: &str| Ok(Arc::new(Source {
-//!     name: name.to_owned(),
-//!     text: match name {
-//!         "paper.toml" => r#"
-//!             [paper]
-//!             id = "p"
-//!             title = "t"
-//!             authors = "a"
-//!             venue = "v"
-//!             claims = ["c.toml"]
-//!             [symbols]
-//!             x = { in = "[0, 1]" }
-//!         "#,
-//!         _ => r#"
-//!             [[claim]]
-//!             id = "p/square"
-//!             at = "p. 1"
-//!             kind = "inequality"
-//!             printed = "x² < x"
-//!             states = 'x^2 < x'
-//!         "#,
-//!     }.to_owned(),
-//! }));
+//! let files = |name: &str| Ok(Arc::new(Source::new(name, match name {
+//!     "paper.toml" => r#"
+//!         [paper]
+//!         id = "p"
+//!         title = "t"
+//!         authors = "a"
+//!         venue = "v"
+//!         claims = ["c.toml"]
+//!         [symbols]
+//!         x = { in = "[0, 1]" }
+//!     "#,
+//!     _ => r#"
+//!         [[claim]]
+//!         id = "p/square"
+//!         at = "p. 1"
+//!         kind = "inequality"
+//!         printed = "x² < x"
+//!         states = 'x^2 < x'
+//!     "#,
+//! })));
 //! let paper = paper(files)?;
 //! let claim = &paper.claims[0];
 //! let statement = &claim.statement.as_ref().unwrap().expr;

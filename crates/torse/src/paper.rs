@@ -42,10 +42,7 @@ impl Paper {
     /// [`Error::Load`] with the first mistake.
     pub fn read(file: impl Fn(&str) -> Option<String>) -> Result<Self, Error> {
         let read = derivation::paper(|name| match file(name) {
-            Some(text) => Ok(Arc::new(Source {
-                name: name.to_owned(),
-                text,
-            })),
+            Some(text) => Ok(Arc::new(Source::new(name, text))),
             None => Err(LoadError::Unreadable {
                 path: name.to_owned(),
                 reason: "there is no such file".to_owned(),
@@ -127,14 +124,21 @@ impl Paper {
     /// # Ok::<(), torse::Error>(())
     /// ```
     pub fn explain(&self, name: &str) -> Result<Explanation, Error> {
+        self.explain_by(name, &Verifier::new())
+    }
+
+    /// Explains one claim, decided with a budget and watched as `verifier` says.
+    ///
+    /// # Errors
+    /// As [`Paper::explain`], and [`Error::Cancelled`].
+    pub fn explain_by(&self, name: &str, verifier: &Verifier<'_>) -> Result<Explanation, Error> {
         let papers = std::slice::from_ref(&self.read);
-        let verifier = Verifier::new();
         let wanted = selection::select_one(papers, name)?;
         let verified = verifier.verify(&[wanted])?;
         let outcome = verified.outcomes().next();
         match (verified.papers.first(), outcome) {
             (Some(paper), Some(outcome)) => {
-                let (resting, _) = crate::explanation::Resting::on(outcome, papers, &verifier)?;
+                let (resting, _) = crate::explanation::Resting::on(outcome, papers, verifier)?;
                 Ok(full(paper, outcome, resting, false, usize::MAX))
             }
             _ => {

@@ -18,10 +18,7 @@ pub fn nonzero(polynomial: &Polynomial) -> Formula {
 
 /// Reads back a formula of an outcome; `name` stands for the file in messages.
 pub fn written(formula: &Formula, name: &str) -> Option<Written> {
-    let source = Arc::new(Source {
-        name: name.to_owned(),
-        text: formula.text.clone(),
-    });
+    let source = Arc::new(Source::new(name, formula.text.clone()));
     let origin = Origin::range(&source, 0, formula.text.len());
     let expr = parse(&formula.text).ok()?;
     Some(Written { expr, origin })

@@ -333,7 +333,7 @@ mod tests {
         let read = |name: &str| -> Result<Arc<Source>, LoadError> {
             let text = if name == "paper.toml" { head } else { &claims };
             let (name, text) = (name.to_owned(), text.to_owned());
-            Ok(Arc::new(Source { name, text }))
+            Ok(Arc::new(Source::new(name, text)))
         };
         paper(read).unwrap()
     }

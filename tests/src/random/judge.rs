@@ -42,10 +42,7 @@ pub fn paper_of(claims: &[&Claim]) -> Result<Paper, LoadError> {
         let text = place
             .and_then(|place| claims.get(place))
             .map_or_else(|| head.clone(), |claim| claim.file());
-        Ok(Arc::new(Source {
-            name: name.to_owned(),
-            text,
-        }))
+        Ok(Arc::new(Source::new(name, text)))
     })
 }
 

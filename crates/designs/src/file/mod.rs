@@ -266,10 +266,7 @@ pub fn read_with_settings(
             reason: format!("line {} is longer than {MAX_LINE} bytes", line + 1),
         });
     }
-    let source = Arc::new(Source {
-        name: name.to_owned(),
-        text: text.to_owned(),
-    });
+    let source = Arc::new(Source::new(name, text));
     let mut reader = Reader::new(Arc::clone(&source));
     // Digits without an exponent are a formula that nothing is wrong with.
     let digits = |(name, value): &(String, f64)| (name.clone(), format!("{value}"));

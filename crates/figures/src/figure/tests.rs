@@ -54,7 +54,7 @@ fn tiny(claims: &str) -> Result<Paper, LoadError> {
             _ => claims.to_owned(),
         };
         let name = format!("tiny/{name}");
-        Ok(Arc::new(Source { name, text }))
+        Ok(Arc::new(Source::new(name, text)))
     })
 }
 

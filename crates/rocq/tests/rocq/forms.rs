@@ -74,10 +74,7 @@ fn claims(statements: &[(&str, &str)]) -> Vec<Claim> {
     let read = |name: &str| -> Result<Arc<Source>, LoadError> {
         let head = "[paper]\nid = 'p'\ntitle = ''\nauthors = ''\nvenue = ''\nclaims = ['c.toml']\n";
         let text = if name == "paper.toml" { head } else { &text };
-        Ok(Arc::new(Source {
-            name: name.to_owned(),
-            text: text.to_owned(),
-        }))
+        Ok(Arc::new(Source::new(name, text)))
     };
     paper(read).unwrap().claims
 }

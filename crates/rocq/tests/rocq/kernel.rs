@@ -127,10 +127,7 @@ fn claims(statements: &[&str]) -> Vec<Claim> {
         } else {
             text.clone()
         };
-        Ok(Arc::new(Source {
-            name: name.to_owned(),
-            text,
-        }))
+        Ok(Arc::new(Source::new(name, text)))
     };
     paper(read).unwrap().claims
 }

@@ -58,10 +58,7 @@ fn written(fields: &str) -> String {
         } else {
             text.clone()
         };
-        Ok(Arc::new(Source {
-            name: name.to_owned(),
-            text,
-        }))
+        Ok(Arc::new(Source::new(name, text)))
     };
     let paper = paper(read).unwrap();
     let claim = paper.claims.first().unwrap();

@@ -46,7 +46,7 @@ pub fn read(folder: &Path, slug: &str, name: &str) -> Result<Arc<Source>, LoadEr
     }
     let text = String::from_utf8(bytes).map_err(|error| refused(error.utf8_error().to_string()))?;
     let name = format!("{slug}/{name}");
-    Ok(Arc::new(Source { name, text }))
+    Ok(Arc::new(Source::new(name, text)))
 }
 
 /// Fails unless the name of a file with claims stays within the paper's folder, such as `claims.toml` or

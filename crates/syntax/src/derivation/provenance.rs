@@ -188,10 +188,7 @@ mod tests {
     use super::*;
 
     fn fills(words: &str, printed: &str) -> bool {
-        let source = Arc::new(Source {
-            name: String::new(),
-            text: String::new(),
-        });
+        let source = Arc::new(Source::new(String::new(), String::new()));
         let words = toml::Spanned::new(0..0, words.to_owned());
         Quote::new(&source, &words, None, "p/a").fills(printed)
     }

@@ -17,19 +17,16 @@ use super::definitions::name_of;
 use super::error::LoadError;
 use super::load::paper;
 use super::paper::Paper;
-use super::source::Source;
-use crate::formula::{Expr, Node, parse};
-use std::collections::BTreeSet;
+use super::source::{Copied, Source};
+use crate::formula::{Expr, Node, Place, parse};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
 use std::sync::Arc;
-use toml::{Table, Value};
-
-/// The id of the paper; the id of its claim begins with it.
-const PAPER: &str = "question";
 
 /// Makes a paper whose only claim, `question/1`, states `states` in this setting.
 ///
 /// # Errors
-/// The first mistake in the statement or the setting, at its place.
+/// The first mistake, at its place in the statement or the setting.
 ///
 /// ```
 /// let paper = torse_syntax::derivation::question("x + y >= x", "x, y in [0, 1]")?;
@@ -37,159 +34,269 @@ const PAPER: &str = "question";
 /// # Ok::<(), torse_syntax::derivation::LoadError>(())
 /// ```
 pub fn question(states: &str, setting: &str) -> Result<Paper, LoadError> {
-    let setting = Setting::read(setting);
-    let mut symbols = setting.symbols.clone();
-    for name in setting.undeclared(states) {
-        symbols.insert(name, Value::Table(Table::new()));
+    let statement = Arc::new(Source::new("the statement", states));
+    let setting = Arc::new(Source::new("the setting", setting));
+    let (states, setting) = (Typed::all(&statement), Setting::read(Typed::all(&setting)));
+
+    let mut head = Composed::default();
+    head.add("[paper]\nid = 'question'\ntitle = ''\nauthors = ''\nvenue = ''\nclaims = ['claim.toml']\n[symbols]\n");
+    for (name, set) in &setting.symbols {
+        head.quote(name);
+        head.add(" = ");
+        head.set(set);
     }
-    let mut head = Table::new();
-    let mut about = Table::new();
-    for (key, value) in [("id", PAPER), ("title", ""), ("authors", ""), ("venue", "")] {
-        about.insert(key.to_owned(), text(value));
+    for (name, first) in setting.undeclared(&states) {
+        head.copy(&first, &quoted(&name));
+        head.add(" = {}\n");
     }
-    about.insert("claims".to_owned(), Value::Array(vec![text("claim.toml")]));
-    head.insert("paper".to_owned(), Value::Table(about));
-    head.insert("symbols".to_owned(), Value::Table(symbols));
-    head.insert(
-        "define".to_owned(),
-        Value::Table(setting.definitions.clone()),
-    );
-    let mut claim = Table::new();
-    for (key, value) in [
-        ("id", "question/1"),
-        ("at", ""),
-        ("kind", "identity"),
-        ("printed", states),
-        ("states", states),
-    ] {
-        claim.insert(key.to_owned(), text(value));
+    head.add("[define]\n");
+    for (defined, body) in &setting.definitions {
+        head.quote(defined);
+        head.add(" = ");
+        head.quote(body);
+        head.add("\n");
     }
-    claim.insert(
-        "assume".to_owned(),
-        Value::Array(setting.hypotheses.clone()),
-    );
-    let mut claims = Table::new();
-    claims.insert("claim".to_owned(), Value::Array(vec![Value::Table(claim)]));
-    let (head, claims) = (head.to_string(), claims.to_string());
-    paper(|name| {
-        let (name, text) = match name {
-            "paper.toml" => ("the setting", &head),
-            _ => ("the statement", &claims),
-        };
-        Ok(Arc::new(Source {
-            name: name.to_owned(),
-            text: text.clone(),
-        }))
+    let mut claim = Composed::default();
+    claim.add("[[claim]]\nid = 'question/1'\nat = ''\nkind = 'identity'\nprinted = ");
+    claim.quote(&states);
+    claim.add("\nstates = ");
+    claim.quote(&states);
+    claim.add("\nassume = [");
+    for hypothesis in &setting.hypotheses {
+        claim.quote(hypothesis);
+        claim.add(", ");
+    }
+    claim.add("]\n");
+
+    let (head, claim) = (head.source(&states), claim.source(&states));
+    paper(|name| match name {
+        "paper.toml" => Ok(Arc::clone(&head)),
+        _ => Ok(Arc::clone(&claim)),
     })
 }
 
-fn text(text: &str) -> Value {
-    Value::String(text.to_owned())
-}
-/// The declarations and hypotheses of a setting.
-/// What the entries of a setting declare.
-#[derive(Default)]
-struct Setting {
-    symbols: Table,
-    definitions: Table,
-    hypotheses: Vec<Value>,
+/// A part of the statement or of the setting, as it was typed.
+#[derive(Clone, Copy)]
+struct Typed<'t> {
+    source: &'t Arc<Source>,
+    start: usize,
+    text: &'t str,
 }
 
-impl Setting {
+impl<'t> Typed<'t> {
+    fn all(source: &'t Arc<Source>) -> Self {
+        Self {
+            source,
+            start: 0,
+            text: &source.text,
+        }
+    }
+
+    /// The bytes from `start` to `end`; nothing if these are no characters.
+    fn part(self, start: usize, end: usize) -> Self {
+        Self {
+            source: self.source,
+            start: self.start + start,
+            text: self.text.get(start..end).unwrap_or(""),
+        }
+    }
+
+    fn trim(self) -> Self {
+        let end = self.text.trim_end().len();
+        let start = end - self.text.trim().len();
+        self.part(start, end)
+    }
+
+    fn split(self, separator: char) -> impl Iterator<Item = Self> {
+        let mut start = 0;
+        self.text.split(separator).map(move |text| {
+            let part = self.part(start, start + text.len());
+            start += text.len() + separator.len_utf8();
+            part.trim()
+        })
+    }
+
+    fn split_once(self, sign: &str) -> Option<(Self, Self)> {
+        let at = self.text.find(sign)?;
+        let before = self.part(0, at);
+        let after = self.part(at + sign.len(), self.text.len());
+        Some((before.trim(), after.trim()))
+    }
+
+    fn place(self) -> Place {
+        Place {
+            start: self.start,
+            end: self.start + self.text.len(),
+        }
+    }
+}
+
+/// The text of a file that is composed of what was typed.
+#[derive(Default)]
+struct Composed {
+    text: String,
+    copies: Vec<Copied>,
+}
+
+impl Composed {
+    fn add(&mut self, text: &str) {
+        self.text.push_str(text);
+    }
+
+    /// Adds a text of which errors are shown at `typed`.
+    fn copy(&mut self, typed: &Typed<'_>, text: &str) {
+        let start = self.text.len();
+        self.add(text);
+        self.copies.push(Copied {
+            range: start..self.text.len(),
+            source: Arc::clone(typed.source),
+            place: typed.place(),
+            is_verbatim: false,
+        });
+    }
+
+    /// Adds what was typed as a string of TOML.
+    fn quote(&mut self, typed: &Typed<'_>) {
+        self.copy(typed, &quoted(typed.text));
+        if let Some(copied) = self.copies.last_mut() {
+            copied.is_verbatim = true;
+        }
+    }
+
+    /// Adds the declaration of a symbol with this set.
+    fn set(&mut self, set: &Typed<'_>) {
+        let dimension = |count: &str| {
+            let number = count.trim().parse::<i64>();
+            number.map_or_else(|_| quoted(count.trim()), |number| number.to_string())
+        };
+        let (key, value) = if let Some(count) = set.text.strip_prefix("vector ") {
+            ("vector", dimension(count))
+        } else if let Some(count) = set.text.strip_prefix("function ") {
+            ("function", dimension(count))
+        } else if let (false, Some((low, high))) =
+            (set.text.starts_with(['[', '(']), set.text.split_once(".."))
+        {
+            let range = match (low.trim(), high.trim()) {
+                (low, "") if !low.is_empty() => format!(">= {low}"),
+                ("", high) if !high.is_empty() => format!("<= {high}"),
+                (low, high) => format!("{low}..{high}"),
+            };
+            ("integer", quoted(&range))
+        } else {
+            self.add("{ in = ");
+            self.quote(set);
+            self.add(" }\n");
+            return;
+        };
+        self.add(&format!("{{ {key} = "));
+        self.copy(set, &value);
+        self.add(" }\n");
+    }
+
+    /// The file; errors about nothing that was typed are shown at the whole statement.
+    fn source(mut self, statement: &Typed<'_>) -> Arc<Source> {
+        self.copies.push(Copied {
+            range: 0..self.text.len(),
+            source: Arc::clone(statement.source),
+            place: statement.place(),
+            is_verbatim: false,
+        });
+        Arc::new(Source::composed("the question", self.text, self.copies))
+    }
+}
+
+/// A text as a basic string of TOML.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for letter in text.chars() {
+        match letter {
+            '"' | '\\' => quoted.extend(['\\', letter]),
+            // A string takes all that is written.
+            _ if letter.is_control() => drop(write!(quoted, "\\u{:04X}", u32::from(letter))),
+            _ => quoted.push(letter),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
+/// The declarations and hypotheses of a setting.
+#[derive(Default)]
+struct Setting<'t> {
+    symbols: Vec<(Typed<'t>, Typed<'t>)>,
+    definitions: Vec<(Typed<'t>, Typed<'t>)>,
+    hypotheses: Vec<Typed<'t>>,
+}
+
+impl<'t> Setting<'t> {
     /// Reads the entries. An entry that is not a declaration is taken for a hypothesis, whose syntax is checked
     /// later.
-    fn read(setting: &str) -> Self {
+    fn read(setting: Typed<'t>) -> Self {
         let mut read = Self::default();
-        for entry in setting.split(';').map(str::trim) {
-            if entry.is_empty() {
-                continue;
-            }
-            if let Some((defined, body)) = entry.split_once(":=") {
-                let defined = defined.trim().to_owned();
-                read.definitions.insert(defined, text(body.trim()));
+        for entry in setting.split(';').filter(|entry| !entry.text.is_empty()) {
+            if let Some(definition) = entry.split_once(":=") {
+                read.definitions.push(definition);
             } else if let Some((names, set)) = declared(entry, " in ").or(declared(entry, ":")) {
-                for name in names {
-                    read.symbols.insert(name.to_owned(), symbol(set));
-                }
+                read.symbols.extend(names.map(|name| (name, set)));
             } else {
-                read.hypotheses.push(text(entry));
+                read.hypotheses.push(entry);
             }
         }
         read
     }
 
-    /// The undeclared names that the statement and the setting use as numbers, in alphabetical order.
-    fn undeclared(&self, states: &str) -> BTreeSet<String> {
-        let bodies = self
-            .definitions
-            .iter()
-            .map(|(head, body)| (parameters(head), body));
-        let hypotheses = self.hypotheses.iter().map(|formula| (vec![], formula));
-        let mut used = BTreeSet::new();
-        let mut add = |formula: &str, bound: &[String]| {
-            if let Ok(formula) = parse(formula) {
-                free_numbers(&formula, bound, &mut used);
-            }
-        };
-        add(states, &[]);
-        for (bound, formula) in bodies.chain(hypotheses) {
-            add(formula.as_str().unwrap_or_default(), &bound);
-        }
+    /// The undeclared names that the statement and the setting use as numbers, in alphabetical order, each where it is used
+    /// first.
+    fn undeclared(&self, states: &Typed<'t>) -> BTreeMap<String, Typed<'t>> {
+        let bodies = self.definitions.iter();
+        let bodies = bodies.map(|(head, body)| (parameters(head.text), *body));
+        let hypotheses = self.hypotheses.iter().map(|formula| (vec![], *formula));
         // The bounds of declared sets may contain symbols too.
-        for set in self.symbols.values().filter_map(Value::as_table) {
-            for end in set.values().filter_map(Value::as_str) {
-                let ends = end.split(['[', ']', '(', ')', ',', '.', '<', '>', '=']);
-                ends.for_each(|end| add(end, &[]));
+        let ends = self.symbols.iter().flat_map(|(_, set)| ends(*set));
+        let ends = ends.map(|end| (vec![], end));
+        let formulas = std::iter::once((vec![], *states));
+        let mut used = BTreeMap::new();
+        for (bound, typed) in formulas.chain(bodies).chain(hypotheses).chain(ends) {
+            if let Ok(formula) = parse(typed.text) {
+                free_numbers(&formula, &bound, &mut |name, place| {
+                    let first = typed.part(place.start, place.end);
+                    used.entry(name.to_owned()).or_insert(first);
+                });
             }
         }
-        let heads = self.definitions.keys().map(|head| name_of(head));
-        let defined: BTreeSet<String> = heads.collect();
-        used.retain(|name| {
-            !self.symbols.contains_key(name) && !defined.contains(name) && name != "inf"
-        });
+        let heads = self.definitions.iter().map(|(head, _)| name_of(head.text));
+        let names = self.symbols.iter().map(|(name, _)| name.text.to_owned());
+        let declared: BTreeSet<String> = heads.chain(names).collect();
+        used.retain(|name, _| !declared.contains(name) && name != "inf");
         used
     }
 }
 
-/// The names before the sign and the text after it, if all of them are names.
-fn declared<'e>(entry: &'e str, sign: &str) -> Option<(Vec<&'e str>, &'e str)> {
+/// The parts of a set between its brackets, dots, commas and signs.
+fn ends(set: Typed<'_>) -> impl Iterator<Item = Typed<'_>> {
+    let mut start = 0;
+    let signs = ['[', ']', '(', ')', ',', '.', '<', '>', '='];
+    set.text.split(signs).map(move |text| {
+        let end = set.part(start, start + text.len());
+        // Each sign is one byte.
+        start += text.len() + 1;
+        end
+    })
+}
+
+/// The names before the sign and the set after it, if all of them are names.
+fn declared<'t>(
+    entry: Typed<'t>,
+    sign: &str,
+) -> Option<(impl Iterator<Item = Typed<'t>>, Typed<'t>)> {
     let (names, set) = entry.split_once(sign)?;
-    let names: Vec<&str> = names.split(',').map(str::trim).collect();
-    let is_name = |name: &&str| {
-        let mut letters = name.chars();
+    let is_name = |name: Typed<'_>| {
+        let mut letters = name.text.chars();
         letters.next().is_some_and(char::is_alphabetic)
             && letters.all(|c| c.is_alphanumeric() || c == '_')
     };
-    names.iter().all(is_name).then_some((names, set.trim()))
-}
-
-/// The declaration of a symbol with this set.
-fn symbol(set: &str) -> Value {
-    let mut declaration = Table::new();
-    let mut insert = |key: &str, value: Value| declaration.insert(key.to_owned(), value);
-    let dimension = |count: &str| {
-        let count = count.trim();
-        count.parse().map_or_else(|_| text(count), Value::Integer)
-    };
-    if let Some(count) = set.strip_prefix("vector ") {
-        insert("vector", dimension(count));
-    } else if let Some(count) = set.strip_prefix("function ") {
-        insert("function", dimension(count));
-    } else if set.starts_with(['[', '(']) {
-        insert("in", text(set));
-    } else if let Some((low, high)) = set.split_once("..") {
-        let (low, high) = (low.trim(), high.trim());
-        let range = match (low.is_empty(), high.is_empty()) {
-            (false, true) => format!(">= {low}"),
-            (true, false) => format!("<= {high}"),
-            _ => format!("{low}..{high}"),
-        };
-        insert("integer", text(&range));
-    } else {
-        // Not a known form: leave it to the loader to report.
-        insert("in", text(set));
-    }
-    Value::Table(declaration)
+    let is_declaration = names.split(',').all(is_name);
+    is_declaration.then(|| (names.split(','), set))
 }
 
 /// The parameters of a head `H(t)`.
@@ -203,12 +310,12 @@ fn parameters(head: &str) -> Vec<String> {
 
 /// Collects the names that stand for numbers, except the bound variables of sums and products, and functions that are
 /// applied. The variable of an integral is a declared symbol, like that of a derivative.
-fn free_numbers(formula: &Expr, bound: &[String], found: &mut BTreeSet<String>) {
+fn free_numbers(formula: &Expr, bound: &[String], found: &mut dyn FnMut(&str, Place)) {
     match &formula.node {
         Node::Name(name) => {
             let name = name.trim_end_matches('\'');
             if name != "pi" && !bound.iter().any(|other| other == name) {
-                found.insert(name.to_owned());
+                found(name, formula.place);
             }
         }
         Node::Call(head, arguments) => {
@@ -251,12 +358,12 @@ fn free_numbers(formula: &Expr, bound: &[String], found: &mut BTreeSet<String>) 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use miette::Diagnostic;
 
     fn names(states: &str, setting: &str) -> Vec<String> {
-        Setting::read(setting)
-            .undeclared(states)
-            .into_iter()
-            .collect()
+        let [states, setting] = [states, setting].map(|text| Arc::new(Source::new("", text)));
+        let used = Setting::read(Typed::all(&setting)).undeclared(&Typed::all(&states));
+        used.into_keys().collect()
     }
 
     #[test]
@@ -285,14 +392,31 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_in_it_is_an_error_with_its_place() {
-        for (states, setting) in [
-            ("x ==", ""),
-            ("x == 1", "x in somewhere"),
-            ("x == 1", "y >"),
-            ("\"", "x := ;"),
+    fn what_is_wrong_is_an_error_with_its_place_in_what_was_typed() {
+        for (states, setting, wrong, line, column) in [
+            ("x ==", "", "the statement", 1, 5),
+            ("", "", "the statement", 1, 1),
+            ("x == 1 +\n\"", "", "the statement", 2, 1),
+            ("x == 1", "x in somewhere", "the setting", 1, 6),
+            ("1 == (((inf')))", "", "the statement", 1, 6),
+            ("x == 1", "n in 0..; y >", "the setting", 1, 14),
+            ("x == 1", "n in 0..1/2; a > 0", "the setting", 1, 6),
+            ("x == 1", "x: vector 3000", "the setting", 1, 4),
+            ("x == 1", "ä in [0, 1];\nx := x + *", "the setting", 2, 10),
+            ("x == 1", "x in [0, 1]; x in [2, 3]", "the setting", 1, 14),
+            ("x == 1", "H(t) := t; H(t) := 2*t", "the setting", 1, 12),
+            ("\"", "x := ;", "the setting", 1, 5),
         ] {
-            assert!(question(states, setting).is_err(), "{states} | {setting}");
+            let error = question(states, setting).expect_err(states);
+            let (source, labels) = (error.source_code(), error.labels());
+            let label = labels.and_then(|mut labels| labels.next()).unwrap();
+            let read = source.unwrap().read_span(label.inner(), 0, 0).unwrap();
+            let place = (read.name(), read.line() + 1, read.column() + 1);
+            assert_eq!(
+                place,
+                (Some(wrong), line, column),
+                "{states} | {setting}: {error}"
+            );
         }
     }
 }

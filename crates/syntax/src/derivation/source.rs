@@ -2,6 +2,7 @@
 
 use crate::formula::Place;
 use miette::{MietteError, NamedSource, SourceCode, SourceSpan, SpanContents};
+use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
 
@@ -12,6 +13,45 @@ pub struct Source {
     pub name: String,
     /// The whole text.
     pub text: String,
+    /// What was copied into it, if the text was composed of others; the first that contains a range is its origin.
+    copies: Vec<Copied>,
+}
+
+/// A range of a composed text that comes from another text: errors in it are shown there.
+#[derive(Debug)]
+pub(super) struct Copied {
+    /// The range in the composed text, with quotation marks.
+    pub range: Range<usize>,
+    /// The other text.
+    pub source: Arc<Source>,
+    /// The place in it.
+    pub place: Place,
+    /// Whether the value of the range is what stands at that place, and not made of it.
+    pub is_verbatim: bool,
+}
+
+impl Source {
+    /// A file with this name and text.
+    #[must_use]
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
+        Self::composed(name, text.into(), vec![])
+    }
+
+    /// A text that was composed of others.
+    pub(super) fn composed(name: impl Into<String>, text: String, copies: Vec<Copied>) -> Self {
+        Self {
+            name: name.into(),
+            text,
+            copies,
+        }
+    }
+
+    /// The other text that a range was copied from.
+    fn copied(&self, range: &Range<usize>) -> Option<&Copied> {
+        let contains =
+            |copy: &&Copied| copy.range.start <= range.start && range.end <= copy.range.end;
+        self.copies.iter().find(contains)
+    }
 }
 
 impl SourceCode for Source {
@@ -45,6 +85,13 @@ impl Origin {
     #[must_use]
     pub fn from_spanned(source: &Arc<Source>, text: &Spanned<String>) -> Self {
         let range = text.span();
+        if let Some(copied) = source.copied(&range) {
+            return Self {
+                source: Arc::clone(&copied.source),
+                start: copied.is_verbatim.then_some(copied.place.start),
+                whole: (copied.place.start, copied.place.end),
+            };
+        }
         let written = source.text.get(range.clone()).unwrap_or("");
         let inside = written
             .find(text.get_ref().as_str())
@@ -53,6 +100,16 @@ impl Origin {
             source: Arc::clone(source),
             start: inside.map(|offset| range.start + offset),
             whole: (range.start, range.end),
+        }
+    }
+
+    /// The origin of a formula that is all of a text.
+    #[must_use]
+    pub fn all(source: &Arc<Source>) -> Self {
+        Self {
+            source: Arc::clone(source),
+            start: Some(0),
+            whole: (0, source.text.len()),
         }
     }
 
@@ -66,10 +123,15 @@ impl Origin {
     /// The origin of a range of a file that is not a string value.
     #[must_use]
     pub fn range(source: &Arc<Source>, start: usize, end: usize) -> Self {
+        let copied = source.copied(&(start..end));
+        let (source, place) = match copied {
+            Some(copied) => (&copied.source, copied.place),
+            None => (source, Place { start, end }),
+        };
         Self {
             source: Arc::clone(source),
             start: None,
-            whole: (start, end),
+            whole: (place.start, place.end),
         }
     }
 

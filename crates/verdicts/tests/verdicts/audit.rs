@@ -38,7 +38,7 @@ fn loaded(claims: &str) -> Paper {
     paper(|name| {
         let text = if name == "paper.toml" { HEAD } else { claims };
         let (name, text) = (name.to_owned(), text.to_owned());
-        Ok(Arc::new(Source { name, text }))
+        Ok(Arc::new(Source::new(name, text)))
     })
     .expect("the claims make sense")
 }
