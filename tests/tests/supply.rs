@@ -180,7 +180,7 @@ fn no_set_of_features_takes_more_packages_than_its_page_says() {
         );
         tried += 1;
     }
-    assert_eq!(tried, 6);
+    assert_eq!(tried, 8);
 }
 
 #[test]

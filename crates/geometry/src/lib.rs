@@ -146,11 +146,13 @@ pub mod error;
 pub mod join;
 mod model;
 mod over;
+mod parallel;
 pub mod pattern;
 pub mod planes;
 mod scalars;
 pub mod sheet;
 pub mod surface;
+mod symmetric;
 mod turn;
 pub mod vector;
 

@@ -6,14 +6,14 @@
 
 use super::check_length;
 use super::lanes::Lanes;
+use super::registers::{Arch, Simd, WithSimd};
 use crate::basis::{Basis, blend, blend_with_slopes};
 use crate::coordinate::check_finite;
 use crate::curve::Curve;
 use crate::error::Result;
+use crate::parallel::prelude::*;
 use crate::planes::{Plane, PlaneFamily, Ruling, ruling_of};
 use crate::vector::blended;
-use pulp::{Arch, Simd, WithSimd};
-use rayon::prelude::*;
 
 /// Parameters of a block: one column of values is a quarter of a kilobyte.
 const BLOCK: usize = 32;

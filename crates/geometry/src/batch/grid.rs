@@ -3,8 +3,8 @@
 use super::{BasisTable, check_length};
 use crate::basis::{Basis, Bernstein};
 use crate::error::Result;
+use crate::parallel::prelude::*;
 use crate::surface::{Rails, TensorSurface};
-use rayon::prelude::*;
 
 /// Points from which a grid is shared among threads: below, starting them costs more than it gains.
 const PARALLEL_FROM: usize = 1 << 15;

@@ -3,8 +3,8 @@
 //! What is written for scalars runs on a whole register of parameters at once, with the operations of f64 in the
 //! same order and never fused: every lane has the bits that f64 alone would have, on every machine.
 
+use super::registers::{Simd, bytemuck};
 use crate::coordinate::Coordinate;
-use pulp::{Simd, bytemuck};
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 use torse_algebra::{ExactError, Rational, Scalar};

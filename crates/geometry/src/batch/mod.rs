@@ -9,6 +9,7 @@
 mod curves;
 mod grid;
 mod lanes;
+mod registers;
 mod table;
 mod wide;
 

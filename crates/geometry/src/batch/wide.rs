@@ -3,7 +3,7 @@
 //! The same additions and multiplications in the same order, only more of them at a time (and never
 //! fused), so the values do not depend on the machine.
 
-use pulp::{Arch, Simd, WithSimd};
+use super::registers::{Arch, Simd, WithSimd};
 
 /// Runs `f`, compiled for the machine's vector registers: call it around a whole loop.
 #[inline]

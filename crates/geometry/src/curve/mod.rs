@@ -6,6 +6,8 @@ mod conic;
 mod elliptic;
 mod least;
 mod measure;
+#[cfg(feature = "nalgebra")]
+mod nalgebra;
 mod rational;
 mod space;
 mod spline;

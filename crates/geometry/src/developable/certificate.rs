@@ -12,8 +12,8 @@ use super::forms::RulingForms;
 use super::measures::{CLEARANCE, DETERMINANT, GAUSSIAN, Intervals, NORMAL, SIDE, TWIST};
 use super::resolve::resolved;
 use crate::error::{GeometryError, Place, Result};
+use crate::parallel::prelude::*;
 use crate::surface::Rails;
-use rayon::prelude::*;
 use std::fmt;
 
 /// The worst value of a quantity and where it is taken.

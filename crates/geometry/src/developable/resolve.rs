@@ -8,8 +8,8 @@
 
 use super::forms::RulingForms;
 use crate::error::Result;
+use crate::parallel::prelude::*;
 use crate::vector::{add, dot, norm, scale, sub};
-use rayon::prelude::*;
 
 /// How often one interval is halved at most.
 const MAX_DEPTH: u32 = 40;

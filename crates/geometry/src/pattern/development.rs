@@ -13,9 +13,9 @@ use super::panel::{At, Integral, Panel, Reach, Share, State};
 use super::source::{PatternEvidence, Source};
 use crate::chebyshev::{Interpolant, nodes};
 use crate::developable::Extent;
+use crate::parallel::prelude::*;
 use crate::surface::{Rails, RulingEnd};
 use crate::vector::dot;
-use rayon::prelude::*;
 
 /// How many rulings are evaluated side by side.
 const LANES: usize = 8;

@@ -9,8 +9,8 @@ use super::piece::Piece;
 use super::placement::Placement;
 use super::segment::Segment;
 use super::source::PatternEvidence;
+use crate::parallel::prelude::*;
 use crate::vector::{cross, dot};
-use rayon::prelude::*;
 
 /// A ruling of a flat pattern.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,7 +96,8 @@ impl FlatPattern {
             let errors = errors(&pieces, &outline, snapped);
             (look(&outline), outline, errors)
         };
-        let (rulings, (found, outline, errors)) = rayon::join(|| rulings(&pieces), bounded);
+        let (rulings, (found, outline, errors)) =
+            crate::parallel::join(|| rulings(&pieces), bounded);
         let flat = Self {
             pieces,
             outline,

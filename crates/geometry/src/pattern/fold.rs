@@ -8,8 +8,8 @@
 use super::error::{PatternError, PatternResult};
 use super::flat::FlatPattern;
 use super::lift::PatternPlace;
-use crate::vector::{add, norm, sub};
-use nalgebra::{Matrix3, Vector3};
+use crate::symmetric::eigen;
+use crate::vector::{add, cross, dot, norm, scale, sub, unit};
 
 /// Folds a sheet: the ends in space of all rulings, from their ends on the sheet and the angles in radians by which
 /// the sheet is folded there, positive where both sides rise towards the viewer
@@ -50,47 +50,53 @@ pub fn fold(rulings: &[[[f64; 2]; 2]], angles: &[f64]) -> PatternResult<Vec<[[f6
         return Err(PatternError::OutOfRange { name, value, range });
     }
     // From the sheet into space: p -> rotation p + shift.
-    let (mut rotation, mut shift) = (Matrix3::<f64>::identity(), Vector3::<f64>::zeros());
+    let mut rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let mut shift = [0.0; 3];
     let mut folded = Vec::with_capacity(rulings.len());
     for (k, (ruling, angle)) in rulings.iter().zip(angles).enumerate() {
-        let flat = ruling.map(|[x, y]| Vector3::new(x, y, 0.0));
-        let place = |p: &Vector3<f64>| {
-            let p = rotation * p + shift;
-            [p.x, p.y, p.z]
-        };
-        folded.push([place(&flat[0]), place(&flat[1])]);
+        let flat = ruling.map(|[x, y]| [x, y, 0.0]);
+        folded.push(flat.map(|p| add(&image(&rotation, &p), &shift)));
         let Some(next) = rulings.get(k + 1).filter(|_| k > 0) else {
             continue;
         };
-        let axis = flat[1] - flat[0];
-        let length = axis.norm();
+        let axis = sub(&flat[1], &flat[0]);
+        let length = norm(&axis);
         if length == 0.0 {
             #[allow(clippy::cast_precision_loss)]
             let x = k as f64 / rulings.len() as f64;
             return Err(PatternError::NoRuling { x });
         }
         // The sheet goes on to the left of the axis, so that a positive angle lifts it.
-        let middle = |r: &[[f64; 2]; 2]| {
-            Vector3::new(0.5 * (r[0][0] + r[1][0]), 0.5 * (r[0][1] + r[1][1]), 0.0)
-        };
-        let ahead = axis.cross(&(middle(next) - middle(ruling))).z;
-        let axis = axis * (ahead.signum() / length);
-        let turn = rotation_about(&axis, *angle);
-        shift += rotation * (flat[0] - turn * flat[0]);
-        rotation *= turn;
+        let middle =
+            |r: &[[f64; 2]; 2]| [0.5 * (r[0][0] + r[1][0]), 0.5 * (r[0][1] + r[1][1]), 0.0];
+        let [_, _, ahead] = cross(&axis, &sub(&middle(next), &middle(ruling)));
+        let axis = scale(&(ahead.signum() / length), &axis);
+        let turn = |p: &[f64; 3]| turned_about(&axis, *angle, p);
+        let stays = sub(&flat[0], &turn(&flat[0]));
+        shift = add(&shift, &image(&rotation, &stays));
+        rotation = rotation.map(|row| turned_about(&axis, -angle, &row));
     }
     Ok(folded)
 }
 
-/// Rodrigues' formula.
-fn rotation_about(axis: &Vector3<f64>, angle: f64) -> Matrix3<f64> {
+/// The image of a point under the linear map with these rows.
+fn image(rows: &[[f64; 3]; 3], p: &[f64; 3]) -> [f64; 3] {
+    rows.each_ref().map(|row| dot(row, p))
+}
+
+/// A vector turned about a unit vector: Rodrigues' formula.
+fn turned_about(axis: &[f64; 3], angle: f64, p: &[f64; 3]) -> [f64; 3] {
     let (s, c) = libm::sincos(angle);
-    let cross = axis.cross_matrix();
-    Matrix3::identity() + cross * s + cross * cross * (1.0 - c)
+    let across = cross(axis, p);
+    let more = add(
+        &scale(&s, &across),
+        &scale(&(1.0 - c), &cross(axis, &across)),
+    );
+    add(p, &more)
 }
 
 /// The largest distance between corresponding points after the rigid motion (no reflection) that makes the
-/// sum of the squares least (Kabsch 1976).
+/// sum of the squares least (Horn 1987: its unit quaternion is an eigenvector).
 ///
 /// # Errors
 /// [`PatternError::Count`] when the lists differ in length or are empty, [`PatternError::OutOfRange`] for
@@ -126,21 +132,45 @@ pub fn deviation(points: &[[f64; 3]], others: &[[f64; 3]]) -> PatternResult<f64>
             .map(|c| c / count)
     };
     let (here, there) = (centre(points), centre(others));
-    let vector = |p: &[f64; 3], c: &[f64; 3]| Vector3::from(sub(p, c));
-    let mut covariance = Matrix3::<f64>::zeros();
+    // The sums of the products of coordinates.
+    let mut sums = [[0.0_f64; 3]; 3];
     for (p, q) in points.iter().zip(others) {
-        covariance += vector(q, &there) * vector(p, &here).transpose();
+        let (p, q) = (sub(p, &here), sub(q, &there));
+        for (row, a) in sums.iter_mut().zip(p) {
+            *row = add(row, &scale(&a, &q));
+        }
     }
-    let parts = covariance.svd(true, true);
-    let (Some(u), Some(v)) = (parts.u, parts.v_t) else {
+    let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = sums;
+    let pairs = eigen([
+        [xx + yy + zz, yz - zy, zx - xz, xy - yx],
+        [0.0, xx - yy - zz, xy + yx, zx + xz],
+        [0.0, 0.0, yy - xx - zz, yz + zy],
+        [0.0, 0.0, 0.0, zz - xx - yy],
+    ]);
+    let largest = pairs.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    let Some([w, x, y, z]) = largest.and_then(|(_, quaternion)| unit(quaternion)) else {
         return Ok(f64::INFINITY);
     };
-    let sign = (u * v).determinant().signum();
-    // The singular values are sorted: the direction that matters least is reflected if one must be.
-    let rotation = u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, sign)) * v;
+    let rotation = [
+        [
+            1.0 - 2.0 * (y * y + z * z),
+            2.0 * (x * y - w * z),
+            2.0 * (x * z + w * y),
+        ],
+        [
+            2.0 * (x * y + w * z),
+            1.0 - 2.0 * (x * x + z * z),
+            2.0 * (y * z - w * x),
+        ],
+        [
+            2.0 * (x * z - w * y),
+            2.0 * (y * z + w * x),
+            1.0 - 2.0 * (x * x + y * y),
+        ],
+    ];
     let mut largest = 0.0_f64;
     for (p, q) in points.iter().zip(others) {
-        let moved: [f64; 3] = (rotation * vector(p, &here)).into();
+        let moved = image(&rotation, &sub(p, &here));
         largest = largest.max(norm(&sub(&moved, &sub(q, &there))));
     }
     Ok(largest)

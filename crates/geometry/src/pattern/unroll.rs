@@ -163,7 +163,7 @@ impl Unrolling {
         let development = Development::new(patch, source, wanted)?;
         let tolerance = self.tolerance.min(COARSEST * development.size);
         let side = |side| fit(&development, side, 0.5 * tolerance);
-        let (first, second) = rayon::join(|| side(0), || side(1));
+        let (first, second) = crate::parallel::join(|| side(0), || side(1));
         let fitted = [first?, second?];
         let distance = fitted[0].distance.max(fitted[1].distance);
         #[allow(clippy::cast_precision_loss)]

@@ -13,7 +13,7 @@
 
 use super::partials::{Forms, singular};
 use crate::error::Result;
-use nalgebra::{Matrix2, SymmetricEigen};
+use crate::symmetric::eigen;
 
 /// A principal curvature with its direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,22 +48,22 @@ impl Forms<f64> {
     /// ```
     pub fn principal(&self) -> Result<[Principal; 2]> {
         let ([e, f, _], [l, m, n], a) = (self.first, self.second, self.area_squared);
-        let frame = Matrix2::new(
-            1.0 / e.sqrt(),
-            -f / (e.sqrt() * a.sqrt()),
-            0.0,
-            (e / a).sqrt(),
-        );
-        let shape = frame.transpose() * Matrix2::new(l, m, m, n) * frame / a.sqrt();
+        // The columns of B.
+        let frame = [
+            [1.0 / e.sqrt(), 0.0],
+            [-f / (e.sqrt() * a.sqrt()), (e / a).sqrt()],
+        ];
+        let second = |[x, y]: [f64; 2], [z, w]: [f64; 2]| {
+            ((l * x + m * y) * z + (m * x + n * y) * w) / a.sqrt()
+        };
+        let shape = frame.map(|one| frame.map(|other| second(one, other)));
         // Not finite where A = 0 or anything else is not.
-        if !shape.iter().all(|x| x.is_finite()) {
+        if !shape.iter().flatten().all(|x| x.is_finite()) {
             return Err(singular());
         }
-        let eigen = SymmetricEigen::new(shape);
-        let directions = frame * eigen.eigenvectors;
-        let mut pairs = [0, 1].map(|i| Principal {
-            curvature: eigen.eigenvalues[i],
-            direction: directions.column(i).into_owned().into(),
+        let mut pairs = eigen(shape).map(|(curvature, [p, q])| Principal {
+            curvature,
+            direction: [0, 1].map(|k| p * frame[0][k] + q * frame[1][k]),
         });
         pairs.sort_by(|p, q| q.curvature.total_cmp(&p.curvature));
         Ok(pairs)
