@@ -4,8 +4,9 @@ use crate::prove::findings;
 use crate::run::Run;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
+use torse_report::digest::digest;
 use torse_rocq::coqc::Accepted;
-use torse_rocq::folder::{Folder, Layout, chosen, unproved};
+use torse_rocq::folder::{ACCEPTED, Folder, Layout, chosen, unproved};
 use torse_syntax::derivation::Paper;
 
 /// The option that names the folder of the kernel's proofs.
@@ -18,6 +19,13 @@ pub struct Kernel {
 }
 
 impl Kernel {
+    /// Digests the list of what was accepted; none if there is no list that could be read.
+    pub fn digest(&self) -> Option<String> {
+        let text = std::fs::read(self.kernel.join(ACCEPTED)).ok()?;
+        Accepted::read(&self.kernel)?;
+        Some(digest([text.as_slice()]))
+    }
+
     /// Returns the ids of the claims of a run all of whose theorems were accepted in their present form. A claim with a
     /// theorem without a proof is not among them.
     pub fn accepted(&self, papers: &[Paper], run: &Run) -> BTreeSet<String> {

@@ -15,8 +15,8 @@ use torse_report::{ReportError, VerdictsWriter};
 ///
 /// Each file is the output of `torse verify --ids`; the list is that of `torse list --format json`. If every claim of the
 /// list is in one file, with the digest that it has in the list, torse prints what `torse verify --format json` would have
-/// printed for all of them (but for the field `kernel`), and ends with its exit code. Files of different programs or
-/// budgets, a file that is not whole, a claim that is missing, out of date or there twice: nothing is printed, and the exit
+/// printed for all of them, and ends with its exit code. Files of different programs, budgets or lists of what the kernel
+/// accepted, a file that is not whole, a claim that is missing, out of date or there twice: nothing is printed, and the exit
 /// code is 4.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -56,10 +56,14 @@ impl Merge {
         if let Some((first, others)) = shards.split_first()
             && let Some(other) = others.iter().find(|other| other.head != first.head)
         {
-            let ShardHead { torse, budget } = &first.head;
+            let ShardHead { torse, budget, .. } = &first.head;
+            let of_kernel = match first.head.kernel == other.head.kernel {
+                true => "",
+                false => ", and another list of what the kernel accepted",
+            };
             let first = first.path.display();
             return Err(other.wrong(format!(
-                "{first} was written by torse {torse} with a budget of {budget}, and this was not"
+                "{first} was written by torse {torse} with a budget of {budget}{of_kernel}, and this was not"
             )));
         }
         for claim in listed(&self.list)? {

@@ -5,6 +5,7 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
+use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::version::VERSION;
 use crate::{figures, terminal, watchdog};
@@ -14,7 +15,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
 use std::path::Path;
 use torse::{ClaimDigest, digests, selection};
-use torse_report::{ReportError, finding_json};
+use torse_report::{ReportError, finding_json_with_kernel};
 use torse_syntax::derivation::Paper;
 use torse_verdicts::outcome::Outcome;
 
@@ -29,6 +30,8 @@ pub struct ShardHead {
     pub torse: String,
     /// The largest work on a claim.
     pub budget: u64,
+    /// The SHA-256 of what the kernel of the proof assistant has accepted, if there is such a list.
+    pub kernel: Option<String>,
 }
 
 /// The line of a claim without its finding, which comes last: `"claim":` and the fields of a claim of
@@ -57,7 +60,12 @@ pub struct ShardEnd {
 pub const FINDING: &str = ",\"claim\":";
 
 /// Decides exactly the claims of these ids, one a line of a file or of standard input (`-`), and prints them.
-pub fn run(ids: &Path, budget: Budget, derivations: &Derivations) -> Result<Exit, Failure> {
+pub fn run(
+    ids: &Path,
+    budget: Budget,
+    kernel: &Kernel,
+    derivations: &Derivations,
+) -> Result<Exit, Failure> {
     let found = derivations.load()?;
     let (papers, mut mistakes) = (found.papers, found.mistakes);
     let wanted = read(ids)?;
@@ -75,6 +83,7 @@ pub fn run(ids: &Path, budget: Budget, derivations: &Derivations) -> Result<Exit
     written.line(&json(&ShardHead {
         torse: VERSION.to_owned(),
         budget: budget.units(),
+        kernel: kernel.digest(),
     })?)?;
     let mut exit = Exit::AsExpected;
     let claims: Vec<&ClaimDigest> = digests
@@ -87,6 +96,7 @@ pub fn run(ids: &Path, budget: Budget, derivations: &Derivations) -> Result<Exit
         let run = Run::new(&chunk, budget, &mut mistakes);
         figures::evaluated(&chunk, &mut mistakes);
         exit = exit.max(Exit::from_outcomes(run.outcomes(), &[]));
+        let accepted = kernel.accepted(&chunk, &run);
         let outcomes: BTreeMap<&str, &Outcome> = run
             .outcomes()
             .map(|outcome| (outcome.claim.id.as_str(), outcome))
@@ -94,7 +104,7 @@ pub fn run(ids: &Path, budget: Budget, derivations: &Derivations) -> Result<Exit
         for ClaimDigest { id, digest } in pending {
             let (id, digest) = (id.clone(), digest.clone());
             let finding = match outcomes.get(id.as_str()) {
-                Some(outcome) => finding_json(outcome)?,
+                Some(outcome) => finding_json_with_kernel(outcome, &accepted)?,
                 // Its formulas make no sense, which is told with the mistakes.
                 None => "null".to_owned(),
             };

@@ -102,7 +102,7 @@ impl Verify {
             return watch.run();
         }
         if let Some(ids) = &self.ids {
-            return shard::run(ids, self.budget, &self.derivations);
+            return shard::run(ids, self.budget, &self.kernel, &self.derivations);
         }
         let (mut papers, mut mistakes) = self.derivations.select(&self.names)?;
         if let Some(since) = &self.changed_since {

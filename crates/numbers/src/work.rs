@@ -19,9 +19,11 @@
 //! - code that can return an error calls [`check`] and does so, so that a job that is over ends soon.
 //!
 //! Jobs may be nested: the work of an inner job counts for the outer job too. When the inner job is over, the outer
-//! job goes on.
+//! job goes on. What runs in [`stoppable`] can be ended from another thread: then all of its jobs are over.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The largest memory, in bytes, that the formulas of a job may occupy at once.
 ///
@@ -45,6 +47,9 @@ pub enum Spent {
         /// The largest exponent.
         limit: u16,
     },
+    /// Another thread asked for the end: [`stoppable`].
+    #[error("ended from outside")]
+    Stopped,
     /// More memory than a job may hold.
     #[error("formulas of more than {limit} bytes at once")]
     Memory {
@@ -63,6 +68,15 @@ struct Meter {
     held: Cell<i64>,
     most: Cell<i64>,
     over: Cell<Option<Spent>>,
+    /// Whether another thread's wish to end was seen.
+    stopped: Cell<bool>,
+}
+
+/// The units between two looks at whether another thread asked for the end: a fraction of a millisecond.
+const LOOK: u64 = 1 << 14;
+
+thread_local! {
+    static STOP: RefCell<Option<Arc<AtomicBool>>> = const { RefCell::new(None) };
 }
 
 thread_local! {
@@ -74,6 +88,7 @@ thread_local! {
             held: Cell::new(0),
             most: Cell::new(i64::MAX),
             over: Cell::new(None),
+            stopped: Cell::new(false),
         }
     };
 }
@@ -91,9 +106,59 @@ impl Drop for Around {
             meter.limit.set(self.limit);
             meter.budget.set(self.budget);
             meter.most.set(self.most);
-            meter.over.set(None);
+            let stopped = meter.stopped.get().then_some(Spent::Stopped);
+            meter.over.set(stopped);
         });
     }
+}
+
+/// Runs what another thread may end by setting `stop`: soon after that all of its jobs are over.
+///
+/// # Errors
+/// [`Spent::Stopped`] if the wish was seen: the result would be that of jobs that are over.
+///
+/// ```
+/// use std::sync::{Arc, atomic::{AtomicBool, Ordering}};
+/// use torse_numbers::work::{Spent, spend, stoppable, within};
+/// let stop = Arc::new(AtomicBool::new(false));
+/// assert_eq!(stoppable(&stop, || within(100, || spend(50))), Ok(Ok(Ok(()))));
+/// stop.store(true, Ordering::Relaxed);
+/// let work = || (0..100_000).map(|_| within(9, || spend(9))).filter(|done| done.is_ok()).count();
+/// assert_eq!(stoppable(&stop, work), Err(Spent::Stopped));
+/// // Whoever is not asked goes on.
+/// assert_eq!(within(100, || spend(50)), Ok(Ok(())));
+/// ```
+pub fn stoppable<T>(stop: &Arc<AtomicBool>, job: impl FnOnce() -> T) -> Result<T, Spent> {
+    /// What was there before; restored even by a panic.
+    struct Before(Option<Arc<AtomicBool>>);
+    impl Drop for Before {
+        fn drop(&mut self) {
+            STOP.with(|stop| stop.replace(self.0.take()));
+            METER.with(|meter| {
+                if meter.stopped.replace(false) {
+                    meter.over.set(None);
+                }
+            });
+        }
+    }
+    let before = Before(STOP.with(|own| own.replace(Some(Arc::clone(stop)))));
+    let done = job();
+    let stopped = METER.with(|meter| meter.stopped.get());
+    drop(before);
+    match stopped {
+        true => Err(Spent::Stopped),
+        false => Ok(done),
+    }
+}
+
+/// Whether another thread asked for the end.
+#[cold]
+fn is_stopped() -> bool {
+    STOP.with(|stop| {
+        let stop = stop.borrow();
+        stop.as_ref()
+            .is_some_and(|stop| stop.load(Ordering::Relaxed))
+    })
 }
 
 /// Runs a job that may spend at most `limit` units (fewer if the outer job has fewer left) and may hold at most
@@ -184,7 +249,13 @@ pub fn spend(units: u64) -> Result<(), Spent> {
         if let Some(limit) = meter.over.get() {
             return Err(limit);
         }
-        let spent = meter.spent.get().saturating_add(units);
+        let before = meter.spent.get();
+        let spent = before.saturating_add(units);
+        if spent / LOOK != before / LOOK && is_stopped() {
+            meter.stopped.set(true);
+            meter.over.set(Some(Spent::Stopped));
+            return Err(Spent::Stopped);
+        }
         if spent > meter.limit.get() {
             let limit = Spent::Work {
                 limit: meter.budget.get(),

@@ -61,10 +61,6 @@ pub fn verdicts_json_with_kernel<'a>(
     accepted: &BTreeSet<String>,
 ) -> Result<String, ReportError> {
     let outcomes: Vec<&Outcome> = outcomes.into_iter().collect();
-    let entry = |outcome: &'a Outcome| Entry {
-        kernel: accepted.contains(&outcome.claim.id).then_some("accepted"),
-        ..Entry::from(outcome)
-    };
     let tally = Tally::new(outcomes.iter().copied());
     let list = List {
         totals: Totals {
@@ -78,7 +74,10 @@ pub fn verdicts_json_with_kernel<'a>(
             ),
             remarks: tally.remarks,
         },
-        claims: outcomes.into_iter().map(entry).collect(),
+        claims: outcomes
+            .into_iter()
+            .map(|outcome| entry(outcome, accepted))
+            .collect(),
     };
     let mut text = serde_json::to_string_pretty(&list)?;
     text.push('\n');
@@ -91,9 +90,28 @@ pub fn verdicts_json_with_kernel<'a>(
 ///
 /// As [`verdicts_json`].
 pub fn finding_json(outcome: &Outcome) -> Result<String, ReportError> {
-    let mut text = serde_json::to_string(&Entry::from(outcome))?;
+    finding_json_with_kernel(outcome, &BTreeSet::new())
+}
+
+/// The same for a claim of a run with these accepted claims: [`verdicts_json_with_kernel`].
+///
+/// # Errors
+///
+/// As [`verdicts_json`].
+pub fn finding_json_with_kernel(
+    outcome: &Outcome,
+    accepted: &BTreeSet<String>,
+) -> Result<String, ReportError> {
+    let mut text = serde_json::to_string(&entry(outcome, accepted))?;
     text.push('\n');
     Ok(text)
+}
+
+fn entry<'a>(outcome: &'a Outcome, accepted: &BTreeSet<String>) -> Entry<'a> {
+    Entry {
+        kernel: accepted.contains(&outcome.claim.id).then_some("accepted"),
+        ..Entry::from(outcome)
+    }
 }
 
 #[derive(Serialize)]

@@ -58,7 +58,7 @@ pub use figure::{FigureImage, Image};
 pub use findings::{Finding, findings_in_words};
 pub use gallery::gallery;
 pub use html::{html_page, landing_page};
-pub use json::{finding_json, verdicts_json, verdicts_json_with_kernel};
+pub use json::{finding_json, finding_json_with_kernel, verdicts_json, verdicts_json_with_kernel};
 pub use json_stream::VerdictsWriter;
 pub use letter::{Envelope, Item, ItemChange, Letter};
 #[cfg(feature = "pdf")]

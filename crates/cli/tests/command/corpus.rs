@@ -248,6 +248,68 @@ fn merged_parts_have_the_bytes_and_the_exit_code_of_one_run() {
 }
 
 #[test]
+fn merged_parts_say_what_the_kernel_accepted() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let (derivations, kernel) = (format!("{root}/derivations"), format!("{root}/proofs"));
+    let from = ["--derivations", &derivations, "--kernel", &kernel];
+    let verify = |arguments: &[&str]| torse(&[&["verify"][..], arguments, &from].concat());
+    let whole = verify(&["bezier/circle.kappa", "bezier/join.C1", "--format", "json"]);
+    assert!(
+        whole.out.contains("\"kernel\": \"accepted\""),
+        "{}",
+        whole.err
+    );
+    let claims: Value = serde_json::from_str(&whole.out).unwrap();
+    let claims = claims["claims"].as_array().unwrap();
+    let ids: Vec<&str> = claims
+        .iter()
+        .map(|claim| claim["id"].as_str().unwrap())
+        .collect();
+    let listed = torse(&["list", "--format", "json", "--derivations", &derivations]).out;
+    let is_one = |line: &&str| ids.iter().any(|id| line.contains(&format!("\"{id}\"")));
+    let folder = TempDir::new().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let lines: Vec<&str> = listed.lines().filter(is_one).collect();
+    fs::write(path("list"), lines.join("\n")).unwrap();
+    for (index, id) in ids.iter().enumerate() {
+        fs::write(path("ids"), id).unwrap();
+        let part = verify(&["--ids", &path("ids")]);
+        fs::write(path(&index.to_string()), part.out).unwrap();
+    }
+    let parts: Vec<String> = (0..ids.len())
+        .map(|index| path(&index.to_string()))
+        .collect();
+    let merge = |parts: &[String]| {
+        let parts = parts.iter().map(String::as_str);
+        let all: Vec<&str> = ["merge"].into_iter().chain(parts).collect();
+        torse(&[&all[..], &["--list", &path("list")]].concat())
+    };
+    let merged = merge(&parts);
+    assert_eq!(
+        (merged.out, merged.code),
+        (whole.out, whole.code),
+        "{}",
+        merged.err
+    );
+    // A part that was decided beside another list is refused.
+    fs::write(path("ids"), ids[0]).unwrap();
+    let ids = path("ids");
+    let other = torse(&[
+        "verify",
+        "--ids",
+        &ids,
+        "--derivations",
+        &derivations,
+        "--kernel",
+        &ids,
+    ]);
+    fs::write(path("0"), other.out).unwrap();
+    let merged = merge(&parts);
+    assert_eq!((merged.code, merged.out.as_str()), (Some(4), ""));
+    assert!(merged.err.contains("another list"), "{}", merged.err);
+}
+
+#[test]
 fn a_claim_whose_formula_makes_no_sense_is_in_a_part_and_not_in_the_whole() {
     let folder = corpus();
     edit(folder.path(), RIGHT, "P[0] + x == 0");
