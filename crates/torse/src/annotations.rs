@@ -2,6 +2,7 @@
 
 use crate::error::ErrorPlace;
 use miette::SourceCode;
+use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -11,7 +12,9 @@ use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
 
 /// How grave an annotation is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[non_exhaustive]
 pub enum AnnotationLevel {
     /// A run with it fails.
     Error,
@@ -20,7 +23,7 @@ pub enum AnnotationLevel {
 }
 
 /// A finding with its place.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Annotation {
     /// How grave it is.
     pub level: AnnotationLevel,

@@ -3,9 +3,13 @@
 use crate::error::Error;
 use crate::explanation::{Explanation, short};
 use crate::verifier::Verifier;
+use serde::ser::{Error as _, Serialize, Serializer};
+use serde_json::Value;
+use std::sync::Arc;
 use torse_prove::evidence::Witness;
 use torse_report::{Mathematics, finding_json, glossary};
-use torse_syntax::derivation::{LoadError, question};
+use torse_syntax::derivation::{DerivationError, LoadError, Origin, Source, question};
+use torse_syntax::formula::parse;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
 
@@ -47,6 +51,25 @@ pub fn decide_where(statement: &str, setting: &str) -> Result<Decided, Error> {
     Verifier::new().decide(statement, setting)
 }
 
+/// Writes a formula as exact SymPy code: quotients and decimals become rationals, never floats.
+///
+/// # Errors
+/// [`Error::Formula`] for one that cannot be read.
+///
+/// ```
+/// assert_eq!(torse::sympy("(a + b)^2/3 == 1/4")?, "Eq((a + b)**2/3, Rational(1, 4))");
+/// let place = torse::sympy("a +").unwrap_err().place().ok_or("it has a place")?;
+/// assert_eq!((place.file.as_str(), place.line, place.column), ("the formula", 1, 4));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn sympy(formula: &str) -> Result<String, Error> {
+    let source = Arc::new(Source::new("the formula", formula));
+    let origin = Origin::all(&source);
+    let read =
+        parse(formula).map_err(|error| Box::new(DerivationError::syntax(&origin, &error)))?;
+    Ok(torse_syntax::notation::sympy(&read))
+}
+
 impl Verifier<'_> {
     /// Decides one statement in a setting, as [`decide_where`].
     ///
@@ -73,6 +96,21 @@ impl Verifier<'_> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Decided {
     outcome: Outcome,
+}
+
+/// As a line of `torse decide - --format json`.
+///
+/// ```
+/// let value = serde_json::to_value(torse::decide("x + x == 2*x")?)?;
+/// assert_eq!(value["verdict"], "holds");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+impl Serialize for Decided {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let text = self.json().map_err(S::Error::custom)?;
+        let value: Value = serde_json::from_str(&text).map_err(S::Error::custom)?;
+        value.serialize(serializer)
+    }
 }
 
 impl Decided {

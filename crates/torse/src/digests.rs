@@ -1,11 +1,12 @@
 //! Digests of what claims rest on, by which a claim that has not changed is known.
 
+use serde::Serialize;
 use std::sync::Arc;
 use torse_report::digest::digest;
 use torse_syntax::derivation::Paper;
 
 /// A claim and the digest of what it rests on.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct ClaimDigest {
     /// The claim.
     pub id: String,

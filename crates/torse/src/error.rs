@@ -1,6 +1,7 @@
 //! The error of the library, with its place in a text.
 
 use miette::{Diagnostic, SourceCode};
+use serde::Serialize;
 use thiserror::Error as Failing;
 #[cfg(feature = "designs")]
 use torse_designs::DesignError;
@@ -59,7 +60,8 @@ pub enum Error {
 }
 
 /// The place of an error in a text; lines and columns are counted from one.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct ErrorPlace {
     /// The file, or what stands in for one, such as `the statement`.
     pub file: String,
@@ -73,9 +75,9 @@ impl Error {
     /// Returns the place of the error; none if it is not in a text. For several mistakes of a design, the first.
     ///
     /// ```
-    /// let error = torse::decide("x + == 1").unwrap_err();
+    /// let error = torse::decide_where("x == 1", "x in [0, 1]; y >").unwrap_err();
     /// let place = error.place().ok_or("an error of a formula has a place")?;
-    /// assert_eq!(place.file, "the statement");
+    /// assert_eq!((place.file.as_str(), place.line, place.column), ("the setting", 1, 17));
     /// # Ok::<(), &str>(())
     /// ```
     #[must_use]

@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::selection;
 use crate::verifier::Verifier;
+use serde::Serialize;
 use torse_prove::evidence::Witness;
 use torse_report::{counted, dependency_groups, difference, glossary, point};
 use torse_syntax::derivation::{DerivationError, Paper};
@@ -17,14 +18,16 @@ use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
 const ACCEPTED: &str = "accepted: Rocq has proofs of the statements of this verdict (`torse prove --check` asks it again).";
 
 /// What is known of a claim, ready to be set: labels on the left, plain texts on the right, in groups.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct Explanation {
     /// The groups; none is empty.
     pub groups: Vec<Vec<ExplanationLine>>,
 }
 
 /// A line of an [`Explanation`].
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct ExplanationLine {
     /// What it says; empty where it goes on with the label above.
     pub label: String,

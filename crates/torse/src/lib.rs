@@ -89,6 +89,9 @@
 //! | `designs` | [`Design`], [`connect`], [`contents`] | yes |
 //! | `pdf` | PDF in the module [`report`]: the typesetter with its two hundred packages | yes |
 //! | `kernel` | the module [`kernel`]: statements and proofs for Rocq | yes |
+//! | `parallel` | the geometry works on all threads; its values are the same without | yes |
+//! | `simd` | the geometry uses the widest vector registers of the machine; its values are the same without | yes |
+//! | `nalgebra` | affine maps from and to those of nalgebra | yes |
 #![warn(missing_docs)]
 
 #[cfg(feature = "papers")]
@@ -113,7 +116,7 @@ pub mod selection;
 mod verifier;
 
 #[cfg(feature = "papers")]
-pub use decided::{Decided, decide, decide_where};
+pub use decided::{Decided, decide, decide_where, sympy};
 #[cfg(feature = "designs")]
 pub use design::{Design, Pattern, connect, contents, report_text};
 #[cfg(feature = "papers")]

@@ -45,7 +45,8 @@ pub enum Pass {
 }
 
 /// A callback for all events, from any thread. If it breaks, no further claim is begun, and the call ends with
-/// [`Error::Cancelled`](crate::Error::Cancelled). A claim that was begun is finished.
+/// [`Error::Cancelled`](crate::Error::Cancelled). A claim that was begun is finished:
+/// [`Verifier::stopped_by`](crate::Verifier::stopped_by) ends that, too.
 pub type Observer<'o> = &'o (dyn Fn(Event<'_>) -> ControlFlow<()> + Sync);
 
 /// Ignores all events.

@@ -3,9 +3,14 @@
 use crate::error::Error;
 use crate::progress::{Event, Observer, Pass, unobserved};
 use rayon::prelude::*;
+use serde::ser::{Error as _, Serialize, Serializer};
+use serde_json::Value;
 use std::fmt;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use torse_numbers::work::{Spent, stoppable};
+use torse_report::verdicts_json;
 use torse_syntax::derivation::{Claim, DerivationError, Paper};
 use torse_verdicts::engine::{STANDARD_WORK, decide_claim_within};
 use torse_verdicts::faults::faults;
@@ -73,6 +78,7 @@ impl Default for WorkBudget {
 pub struct Verifier<'o> {
     budget: WorkBudget,
     observer: Observer<'o>,
+    stop: Option<&'o Arc<AtomicBool>>,
 }
 
 impl fmt::Debug for Verifier<'_> {
@@ -98,6 +104,15 @@ pub struct Verification {
     pub mistakes: Vec<DerivationError>,
 }
 
+/// As `torse verify --format json`.
+impl Serialize for Verification {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let text = verdicts_json(self.outcomes()).map_err(S::Error::custom)?;
+        let value: Value = serde_json::from_str(&text).map_err(S::Error::custom)?;
+        value.serialize(serializer)
+    }
+}
+
 impl Verification {
     /// Returns all outcomes, in file order.
     pub fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
@@ -112,6 +127,7 @@ impl<'o> Verifier<'o> {
         Self {
             budget: WorkBudget::STANDARD,
             observer: &unobserved,
+            stop: None,
         }
     }
 
@@ -123,10 +139,39 @@ impl<'o> Verifier<'o> {
 
     /// Sets the observer, which may end the work.
     #[must_use]
-    pub fn observed_by<'n>(self, observer: Observer<'n>) -> Verifier<'n> {
+    pub fn observed_by<'n>(self, observer: Observer<'n>) -> Verifier<'n>
+    where
+        'o: 'n,
+    {
+        Verifier { observer, ..self }
+    }
+
+    /// Ends the work soon after `stop` is set, also in the middle of a claim.
+    ///
+    /// ```
+    /// use std::sync::{Arc, atomic::AtomicBool};
+    /// use torse::{Error, Verifier};
+    /// let stop = Arc::new(AtomicBool::new(true));
+    /// let ended = Verifier::new().stopped_by(&stop).decide("(a + b + c)^60 == 1", "");
+    /// assert!(matches!(ended, Err(Error::Cancelled)));
+    /// ```
+    #[must_use]
+    pub fn stopped_by<'n>(self, stop: &'n Arc<AtomicBool>) -> Verifier<'n>
+    where
+        'o: 'n,
+    {
         Verifier {
-            budget: self.budget,
-            observer,
+            stop: Some(stop),
+            ..self
+        }
+    }
+
+    /// Does the work of a claim.
+    fn work<T>(&self, job: impl FnOnce() -> T) -> Result<T, Error> {
+        match self.stop {
+            // What comes of work that was stopped is no finding.
+            Some(stop) => stoppable(stop, job).map_err(|_: Spent| Error::Cancelled),
+            None => Ok(job()),
         }
     }
 
@@ -140,7 +185,7 @@ impl<'o> Verifier<'o> {
         let id = claim.entry.id.get_ref();
         watch.tell(Event::ClaimBegins { pass, id });
         watch.go_on()?;
-        let outcome = decide_claim_within(self.budget.units(), slug, claim)?;
+        let outcome = self.work(|| decide_claim_within(self.budget.units(), slug, claim))??;
         watch.tell(Event::ClaimEnds { pass, id });
         Ok(outcome)
     }
@@ -172,7 +217,7 @@ impl<'o> Verifier<'o> {
             .with_max_len(1)
             .map(|(slug, claim)| {
                 watch.claim(pass, claim, || {
-                    PendingClaim::verdict(self.budget.units(), slug, claim)
+                    self.work(|| PendingClaim::verdict(self.budget.units(), slug, claim))
                 })
             })
             .collect();
@@ -190,10 +235,12 @@ impl<'o> Verifier<'o> {
             .with_max_len(1)
             .map(|((_, claim), stage)| {
                 let seeks = refuted(&stage);
-                let complete = || Some(stage?.and_then(PendingClaim::complete));
+                let complete = || stage.map(|stage| self.work(|| stage?.complete()));
                 match seeks {
-                    true => watch.claim(pass, claim, complete).flatten(),
-                    false => complete(),
+                    true => watch
+                        .claim(pass, claim, || complete().transpose())
+                        .flatten(),
+                    false => complete().and_then(|done| watch.kept(done)),
                 }
             })
             .collect();
@@ -277,13 +324,24 @@ impl<'o> Watch<'o> {
     }
 
     /// Works on a claim, unless the work was ended.
-    fn claim<T>(&self, pass: Pass, claim: &Claim, job: impl FnOnce() -> T) -> Option<T> {
+    fn claim<T>(
+        &self,
+        pass: Pass,
+        claim: &Claim,
+        job: impl FnOnce() -> Result<T, Error>,
+    ) -> Option<T> {
         let id = claim.entry.id.get_ref();
         self.go_on().ok()?;
         self.tell(Event::ClaimBegins { pass, id });
         self.go_on().ok()?;
-        let done = job();
+        let done = self.kept(job())?;
         self.tell(Event::ClaimEnds { pass, id });
         Some(done)
+    }
+
+    /// What was done; nothing where it was stopped, which ends the work.
+    fn kept<T>(&self, done: Result<T, Error>) -> Option<T> {
+        done.map_err(|_| self.ended.store(true, Ordering::Relaxed))
+            .ok()
     }
 }
