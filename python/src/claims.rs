@@ -7,14 +7,15 @@ use pyo3::types::{PyDict, PyList};
 use std::path::PathBuf;
 use torse::report::{glossary, verdicts_json};
 use torse::verdicts::outcome::Outcome;
-use torse::{Decided, Paper, Verification, Verifier, WorkBudget};
+use torse::{Decided, Paper, Verification, WorkBudget};
 
 /// Adds classes and functions to the module.
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<PyDecided>()?;
     module.add_class::<PyPaper>()?;
     module.add_class::<PyVerification>()?;
-    module.add_function(wrap_pyfunction!(decide, module)?)
+    module.add_function(wrap_pyfunction!(decide, module)?)?;
+    module.add_function(wrap_pyfunction!(sympy_code, module)?)
 }
 
 fn budget(units: Option<u64>) -> WorkBudget {
@@ -34,11 +35,17 @@ fn decide(
     setting: &str,
     budget_units: Option<u64>,
 ) -> PyResult<PyDecided> {
-    let decided = interruptible(py, None, |observer| {
-        let verifier = Verifier::new().with_budget(budget(budget_units));
-        verifier.observed_by(observer).decide(statement, setting)
+    let decided = interruptible(py, None, |verifier| {
+        let verifier = verifier.with_budget(budget(budget_units));
+        verifier.decide(statement, setting)
     })?;
     Ok(PyDecided(decided))
+}
+
+/// A formula as code of SymPy.
+#[pyfunction]
+fn sympy_code(py: Python<'_>, formula: &str) -> PyResult<String> {
+    torse::sympy(formula).map_err(|error| raised(py, &error))
 }
 
 #[pymethods]
@@ -189,15 +196,15 @@ impl PyPaper {
         progress: Option<&Bound<'_, PyAny>>,
         budget: Option<u64>,
     ) -> PyResult<PyVerification> {
-        let verified = interruptible(py, progress, |observer| {
-            let verifier = Verifier::new().with_budget(self::budget(budget));
-            self.0.verify_by(&verifier.observed_by(observer))
+        let verified = interruptible(py, progress, |verifier| {
+            self.0
+                .verify_by(&verifier.with_budget(self::budget(budget)))
         })?;
         Ok(PyVerification(verified))
     }
 
     fn explain(&self, py: Python<'_>, name: &str) -> PyResult<Vec<Vec<(String, String)>>> {
-        let explained = interruptible(py, None, |_| self.0.explain(name))?;
+        let explained = interruptible(py, None, |verifier| self.0.explain_by(name, verifier))?;
         Ok(rows(&explained))
     }
 }

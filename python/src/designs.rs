@@ -142,6 +142,28 @@ impl PyDesign {
         ))
     }
 
+    /// The points of a patch on a grid of so many steps, those along the rulings fastest.
+    fn points<'py>(
+        &self,
+        py: Python<'py>,
+        patch: &str,
+        grid: [usize; 2],
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let points = py.detach(|| self.0.points(patch, grid));
+        array(py, points.map_err(|error| raised(py, &error))?)
+    }
+
+    /// How many seconds the library takes for `points`, without Python and numpy.
+    fn seconds_of_points(&self, py: Python<'_>, patch: &str, grid: [usize; 2]) -> PyResult<f64> {
+        let (points, seconds) = py.detach(|| {
+            let start = std::time::Instant::now();
+            let points = self.0.points(patch, grid);
+            (points, start.elapsed().as_secs_f64())
+        });
+        points.map_err(|error| raised(py, &error))?;
+        Ok(seconds)
+    }
+
     /// The design as one mesh: vertices, normals, triangles.
     #[expect(clippy::type_complexity, reason = "a tuple of arrays")]
     fn mesh<'py>(

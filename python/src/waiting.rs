@@ -3,23 +3,24 @@
 use crate::errors::raised;
 use pyo3::prelude::*;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
-use torse::{Error, Event, Observer, Pass};
+use torse::{Error, Event, Pass, Verifier};
 
 /// Between two looks at signals and progress.
 const PAUSE: Duration = Duration::from_millis(50);
 
 /// Does `work` on a thread of its own, which may use others. The calling thread looks at signals (Ctrl-C) and tells
 /// `progress`, if there is one, how far it is: `progress(what, done, total)`; where that raises or returns `False` the work
-/// is ended.
+/// is ended, also in the middle of a claim.
 pub fn interruptible<T: Send>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
-    work: impl FnOnce(Observer<'_>) -> Result<T, Error> + Send,
+    work: impl FnOnce(&Verifier<'_>) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
-    let (ended, correcting) = (AtomicBool::new(false), AtomicBool::new(false));
+    let (ended, correcting) = (Arc::new(AtomicBool::new(false)), AtomicBool::new(false));
     let (done, total) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let observe = |event: Event<'_>| {
         match event {
@@ -60,10 +61,11 @@ pub fn interruptible<T: Send>(
     let (result, stopped) = py.detach(|| {
         std::thread::scope(|scope| {
             let (sender, receiver) = channel();
-            let observe = &observe;
+            let (observe, stop) = (&observe, &ended);
             scope.spawn(move || {
+                let verifier = Verifier::new().observed_by(observe).stopped_by(stop);
                 // Whoever waits for it is below.
-                let _ = sender.send(work(observe));
+                let _ = sender.send(work(&verifier));
             });
             let mut stopped = None;
             loop {

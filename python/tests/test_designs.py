@@ -1,4 +1,5 @@
 import math
+import time
 
 import numpy as np
 import pytest
@@ -43,6 +44,31 @@ def test_points_and_normals_are_arrays():
     assert np.allclose(np.abs(found["curvatures"]).min(axis=-1), 0, atol=1e-9)
     some = torse.Design.read(CONE).evaluate(places=np.array([[0.5, 0.5], [0, 0]]))
     assert some["points"].shape == (2, 3)
+
+
+def test_a_million_points_cost_what_the_library_takes():
+    panel = torse.Design.read(CONE)
+    grid = (999, 999)
+    panel.points(grid)
+    # In turn, so that what else the machine does slows both.
+    ours, library = [], []
+    for _ in range(15):
+        start = time.perf_counter()
+        points = panel.points(grid)
+        ours.append(time.perf_counter() - start)
+        library.append(panel._found.seconds_of_points("cone", grid))
+        assert points.shape == (1000, 1000, 3)
+    assert min(ours) <= 1.3 * min(library), (min(ours), min(library))
+
+
+def test_points_are_those_of_an_evaluation():
+    panel = torse.Design.read(CONE)
+    assert np.array_equal(panel.points((8, 4)), panel.evaluate(grid=(8, 4))["points"])
+    with pytest.raises(torse.TorseError, match="none"):
+        panel.points((8, 4), patch="none")
+    for grid in ((0, 4), (10**5, 10**5)):
+        with pytest.raises(torse.TorseError, match="grid"):
+            panel.points(grid)
 
 
 def test_a_mesh_has_the_area_of_the_surface():

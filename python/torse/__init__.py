@@ -8,13 +8,14 @@ True
 """
 
 from ._designs import Design, Pattern
-from ._statements import Decided, decide, equal
-from ._papers import Paper, Verification
+from ._statements import Decided, decide, equal, to_sympy
+from ._papers import Explanation, Paper, Verification
 from ._torse import TorseError, UndecidedError, __version__
 
 __all__ = [
     "Decided",
     "Design",
+    "Explanation",
     "Paper",
     "Pattern",
     "TorseError",
@@ -23,4 +24,5 @@ __all__ = [
     "__version__",
     "decide",
     "equal",
+    "to_sympy",
 ]

@@ -15,14 +15,15 @@ class Decided:
     <misprint: (x + 1)*(x - 1) == x^2 + 1>
     >>> wrong.corrected
     '(x + 1)*(x - 1) == x^2 - 1'
-    >>> bool(torse.decide("sqrt(x^2) == x"))
+    >>> bool(torse.decide("x/x == 1"))
     Traceback (most recent call last):
     ...
     torse.UndecidedError: the statement is neither true nor false as it stands: conditional
     """
 
-    def __init__(self, found):
+    def __init__(self, found, symbols=()):
         self._found = found
+        self._symbols = dict(symbols)
 
     verdict = property(lambda self: self._found.verdict, doc="`holds`, `conditional`, `misprint`, `false`, `undecided`, `vacuous`")
     is_true = property(lambda self: self._found.is_true, doc="True, False, or None where that is not decided")
@@ -41,6 +42,11 @@ class Decided:
     def json(self):
         """One object of JSON, as a line of `torse decide - --format json`."""
         return self._found.json()
+
+    def to_sympy(self, text=None):
+        """The statement as an expression of SymPy, with the symbols that came in; or another text, such as `corrected` or a
+        value of `witness`."""
+        return to_sympy(self.statement if text is None else text, self._symbols.values())
 
     def __bool__(self):
         return bool(self._found)
@@ -76,20 +82,51 @@ def decide(statement, where="", budget=None):
     >>> torse.decide("x + == 1")
     Traceback (most recent call last):
     ...
-    torse.TorseError: the statement:...
+    torse.TorseError: the statement:1:5: ...
     """
-    text, assumed = _sympy.statement(statement)
-    return Decided(_torse.decide(text, _sympy.setting(where, assumed), budget))
+    read = _sympy.statement(statement)
+    return _decided(read.text, _sympy.Setting(where, read), budget)
 
 
 def equal(left, right, where="", budget=None):
     """Decides whether two terms, texts or expressions of SymPy, are equal for all values for which they have a meaning as real numbers.
 
+    What is true for real numbers, and not for all that a symbol of SymPy may be, is refused.
+
     >>> import torse
     >>> bool(torse.equal("(a + b)^2", "a^2 + 2*a*b + b^2"))
     True
+    >>> import sympy
+    >>> x = sympy.Symbol("x")
+    >>> torse.equal(sympy.sqrt(x**4), x**2)
+    Traceback (most recent call last):
+    ...
+    ValueError: it is true for real numbers; for SymPy x may be complex: Symbol('x', real=True), or where='x in (-inf, inf)'
     """
-    left, of_left = _sympy.term(left)
-    right, of_right = _sympy.term(right)
-    setting = _sympy.setting(where, of_left, of_right)
-    return Decided(_torse.decide(f"({left}) == ({right})", setting, budget))
+    left, right = _sympy.term(left), _sympy.term(right)
+    return _decided(f"({left.text}) == ({right.text})", _sympy.Setting(where, left, right), budget)
+
+
+def _decided(text, setting, budget):
+    found = Decided(_torse.decide(text, setting.text, budget), setting.symbols)
+    setting.check(found.is_true, lambda condition, where: _holds(condition, where, budget))
+    return found
+
+
+def _holds(condition, where, budget):
+    try:
+        return _torse.decide(condition, where, budget).is_true is True
+    except _torse.TorseError:
+        return False
+
+
+def to_sympy(text, symbols=()):
+    """A text in the notation of torse as an expression of SymPy: exact, and relations unevaluated.
+
+    Names are real numbers, but for those of `symbols`.
+
+    >>> import torse
+    >>> torse.to_sympy("(a + b)^2/3 == a")
+    Eq((a + b)**2/3, a)
+    """
+    return _sympy.expression(_torse.sympy_code(text), {symbol.name: symbol for symbol in symbols})

@@ -2,22 +2,44 @@
 
 >>> import sympy
 >>> x = sympy.Symbol("x", positive=True)
->>> term(sympy.sqrt(x) / 2)[0]
+>>> read = term(sympy.sqrt(x) / 2)
+>>> read.text
 '(sqrt(x))/(2)'
->>> setting("", {"x": x})
+>>> Setting("", read).text
 'x > 0'
+>>> expression("Eq(x**2, Rational(1, 4))", read.symbols)
+Eq(x**2, 1/4)
 """
 
-import re
 import sys
+from fractions import Fraction
 
 # Names of the notation: a symbol that is called so would be read as something else.
 RESERVED = {
-    "pi", "inf", "and", "or", "not", "in", "exists", "forall", "D", "at", "sum", "product", "integral", "binom",
+    "pi", "inf", "and", "or", "not", "implies", "in", "exists", "forall", "D", "at", "sum", "product", "integral", "binom",
     "factorial", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh", "sqrt", "abs", "dot", "cross", "det", "transpose",
     "inverse", "solve", "norm", "agrees", "fails", "coefficients", "identity", "nonnegative", "independent",
     "variation_diminishing",
 }
+
+
+class Read:
+    """A formula as a text, and what must be true for its answer to be one about what SymPy means."""
+
+    def __init__(self, text):
+        self.text = text
+        # The free symbols of SymPy, by name.
+        self.symbols = {}
+        # Where torse and SymPy agree: pairs of a setting and a statement. Sums and products: at least empty.
+        self.ranges = []
+        # Roots: of what is not negative, or SymPy goes on with complex numbers.
+        self.roots = []
+        # The symbols for which an equation on the reals says nothing about complex numbers.
+        self.strict = set()
+
+    def add(self, symbol):
+        if self.symbols.setdefault(symbol.name, symbol) != symbol:
+            raise ValueError(f"two symbols are called {symbol.name}, and assume different things")
 
 
 def _is_sympy(value):
@@ -26,47 +48,92 @@ def _is_sympy(value):
 
 
 def term(value):
-    """A term as a text, with its symbols of SymPy by name."""
+    """A term as it is read."""
     if isinstance(value, str):
-        return value, {}
+        return Read(value)
     if isinstance(value, int) and not isinstance(value, bool):
-        return str(value), {}
+        return Read(str(int(value)))
+    if isinstance(value, Fraction):
+        return Read(f"{value.numerator}/{value.denominator}")
     if not _is_sympy(value):
         raise TypeError(f"a text or an expression of SymPy is wanted, not {type(value).__name__}")
-    return _printed(value), _assumed(value)
+    return _read(value)
 
 
 def statement(value):
-    """A statement as a text, with its symbols of SymPy by name."""
+    """A statement as it is read."""
     if isinstance(value, str):
-        return value, {}
+        return Read(value)
     if _is_sympy(value) and (getattr(value, "is_Relational", False) or getattr(value, "is_Boolean", False)):
-        return _printed(value), _assumed(value)
+        return _read(value)
     # `Eq(a, a)` is already `true` for SymPy: that is what SymPy believes, and nothing is left to be decided.
     raise TypeError("a text or a relation of SymPy is wanted; `torse.equal` takes two terms")
 
 
-def setting(where, *assumptions):
-    """The setting as a text. What SymPy assumes of a symbol comes first, unless the same name is declared here."""
-    given = [where] if isinstance(where, str) or _is_sympy(where) else list(where)
-    texts, assumptions = [], list(assumptions)
-    for entry in given:
-        if isinstance(entry, str):
-            texts.extend(part.strip() for part in entry.split(";") if part.strip())
-        else:
-            text, more = statement(entry)
-            texts.append(text)
-            assumptions.append(more)
-    symbols = {}
-    for symbol in (symbol for more in assumptions for symbol in more.values()):
-        if symbols.setdefault(symbol.name, symbol) != symbol:
-            raise ValueError(f"two symbols are called {symbol.name}, and assume different things")
-    declared = {name.strip() for text in texts for name in _declared(text)}
-    own = []
-    for name, symbol in sorted(symbols.items()):
-        if name not in declared:
-            own.extend(_assumption(symbol))
-    return "; ".join(own + texts)
+class Setting:
+    """The setting of statements that were read. What SymPy assumes of a symbol comes first, unless its name is declared here."""
+
+    def __init__(self, where, *read):
+        given = [where] if isinstance(where, str) or _is_sympy(where) else list(where)
+        hypotheses = []
+        typed = []
+        for entry in given:
+            if isinstance(entry, str):
+                typed.extend(part.strip() for part in entry.split(";") if part.strip())
+            else:
+                hypotheses.append((entry, statement(entry)))
+        self.read = [*read, *(own for _, own in hypotheses)]
+        every = Read("")
+        for own in self.read:
+            for symbol in own.symbols.values():
+                every.add(symbol)
+        self.symbols = every.symbols
+        texts = typed + [own.text for _, own in hypotheses]
+        declared = {name.strip() for text in texts for name in _declared(text)}
+        own = []
+        for name, symbol in sorted(self.symbols.items()):
+            if name not in declared:
+                own.extend(_assumption(symbol))
+        self.text = "; ".join(own + texts)
+        # Who speaks of a name in the notation of torse speaks of a real number, and so does an order relation of it alone.
+        real = {name for text in typed for name in _names(text)}
+        for entry, _ in hypotheses:
+            if getattr(entry, "rel_op", "==") not in ("==", "!="):
+                real.update(side.name for side in (entry.lhs, entry.rhs) if side.is_Symbol)
+        strict = set().union(*(own.strict for own in read), *(own.symbols for _, own in hypotheses))
+        self.complex = sorted(name for name in strict - real if not _is_real(self.symbols[name]))
+
+    def check(self, is_true, holds):
+        """Refuses an answer that is one about real numbers, and not about what SymPy means."""
+        if is_true is None:
+            return
+        for text, condition in (pair for own in self.read for pair in own.ranges):
+            if not holds(condition, "; ".join(part for part in (self.text, text) if part)):
+                raise ValueError(
+                    f"SymPy continues a sum or product backwards where it has less than no terms; state that {condition} by where=..."
+                )
+        if not is_true:
+            return
+        for text, condition in (pair for own in self.read for pair in own.roots):
+            if not holds(condition, "; ".join(part for part in (self.text, text) if part)):
+                raise ValueError(
+                    f"it is true wherever its roots are real; for SymPy they may be complex: state that {condition} by where=..."
+                )
+        if self.complex:
+            name = self.complex[0]
+            raise ValueError(
+                f"it is true for real numbers; for SymPy {name} may be complex: Symbol({name!r}, real=True), or "
+                f"where='{name} in (-inf, inf)'"
+            )
+
+
+def _is_real(symbol):
+    return symbol.is_real is True
+
+
+def _names(text):
+    """All that could be a name in a text."""
+    return "".join(letter if letter.isalnum() or letter == "_" else " " for letter in text).split()
 
 
 def _declared(entry):
@@ -79,15 +146,6 @@ def _declared(entry):
     return []
 
 
-def _assumed(expression):
-    """The symbols that are free, by name."""
-    found = {}
-    for symbol in expression.free_symbols:
-        if found.setdefault(symbol.name, symbol) != symbol:
-            raise ValueError(f"two symbols are called {symbol.name}, and assume different things")
-    return found
-
-
 def _assumption(symbol):
     """What a symbol assumes, as entries of a setting.
 
@@ -95,7 +153,7 @@ def _assumption(symbol):
     counterexample.
     """
     name = symbol.name
-    if symbol.is_real is False:
+    if symbol.is_real is False or (symbol.is_extended_real and not symbol.is_real):
         raise ValueError(f"{name} is no real number")
     if symbol.is_integer and not symbol.is_nonnegative:
         raise ValueError(f"the range of the integer {name} is wanted: where='{name} in 0..'")
@@ -123,15 +181,39 @@ _SAID = [
 ]
 
 
-def _printed(expression):
-    from sympy import E, Rational, S, Symbol, pi
+def _needs_reals(part):
+    """The free symbols in which an equation of reals is not one of meromorphic functions, whose values on the reals have them all."""
+    import sympy
+
+    free = set(part.free_symbols)
+    whole = (sympy.sin, sympy.cos, sympy.tan, sympy.cot, sympy.exp, sympy.sinh, sympy.cosh, sympy.tanh)
+    if part.is_Atom:
+        return set()
+    if isinstance(part, (sympy.Eq, sympy.And, sympy.Add, sympy.Mul, *whole)):
+        return set().union(*map(_needs_reals, part.args))
+    if part.is_Pow and part.base is sympy.E:
+        return _needs_reals(part.exp)
+    if part.is_Pow and part.exp.is_integer:
+        return _needs_reals(part.base) | part.exp.free_symbols
+    if isinstance(part, (sympy.Sum, sympy.Product)):
+        ends = set().union(*(end.free_symbols for limit in part.limits for end in limit[1:]))
+        return (_needs_reals(part.function) | ends) & free
+    return free
+
+
+def _read(expression):
+    import sympy
+    from sympy import Dummy, E, Rational, S, Symbol, pi
     from sympy.printing.str import StrPrinter
 
+    # By their classes: a function that somebody calls `sin` is none of these.
     names = {
-        "sin": "sin", "cos": "cos", "tan": "tan", "exp": "exp", "sinh": "sinh", "cosh": "cosh", "tanh": "tanh",
-        "Abs": "abs", "binomial": "binom", "factorial": "factorial",
+        sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.exp: "exp", sympy.sinh: "sinh", sympy.cosh: "cosh",
+        sympy.tanh: "tanh", sympy.Abs: "abs", sympy.binomial: "binom", sympy.factorial: "factorial",
     }
     signs = {"==": "==", "!=": "!=", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
+    read = Read("")
+    around = []
 
     class Printer(StrPrinter):
         def _print(self, part, **options):
@@ -139,15 +221,19 @@ def _printed(expression):
             if getattr(part, "is_commutative", True) is False or getattr(part, "is_Matrix", False):
                 raise ValueError(f"{part} is no number")
             # Other constants, infinity among them, have names that would be read as those of variables.
-            known = isinstance(part, (Symbol, Rational)) or part is pi or part is E
+            known = type(part) in (Symbol, Dummy) or isinstance(part, Rational) or part is pi or part is E
             if getattr(part, "is_Atom", False) and not known:
                 raise ValueError(f"torse has no notation for {part}")
             return super()._print(part, **options)
 
         def _print_Symbol(self, symbol):
-            if not re.fullmatch(r"[^\W\d_]\w*", symbol.name) or symbol.name in RESERVED:
-                raise ValueError(f"`{symbol.name}` cannot be the name of a variable")
-            return symbol.name
+            name = symbol.name
+            letters = all(c.isalpha() or c in "_0123456789" for c in name)
+            if not (name[:1].isalpha() and letters) or name in RESERVED:
+                raise ValueError(f"`{name}` cannot be the name of a variable")
+            return name
+
+        _print_Dummy = _print_Symbol
 
         def _bracketed(self, part):
             text = self._print(part)
@@ -157,6 +243,8 @@ def _printed(expression):
             base, exponent = power.base, power.exp
             if base is E or base == E:
                 return f"exp({self._print(exponent)})"
+            if not exponent.is_integer and not base.is_nonnegative:
+                read.roots.append(("; ".join(around), f"{self._print(base)} >= 0"))
             if exponent == S.Half:
                 return f"sqrt({self._print(base)})"
             if exponent == -S.Half:
@@ -174,10 +262,10 @@ def _printed(expression):
             return "exp(1)"
 
         def _print_Function(self, call):
-            name = type(call).__name__
-            if name not in names:
-                raise ValueError(f"torse has no function `{name}`")
-            return f"{names[name]}({', '.join(self._print(part) for part in call.args)})"
+            name = names.get(type(call))
+            if name is None:
+                raise ValueError(f"torse has no function `{type(call).__name__}`")
+            return f"{name}({', '.join(self._print(part) for part in call.args)})"
 
         _print_Abs = _print_Function
 
@@ -192,10 +280,14 @@ def _printed(expression):
             return self._folded("product", total)
 
         def _folded(self, name, total):
-            text = self._print(total.function)
-            for index, low, high in total.limits:
-                text = f"{name}({self._print(index)}, {self._print(low)}, {self._print(high)}, {text})"
-            return text
+            # The last limits are the outermost.
+            index, low, high = map(self._print, total.limits[-1])
+            read.ranges.append(("; ".join(around), f"({high}) - ({low}) + 1 >= 0"))
+            around.append(f"{index} in {low}..{high}")
+            inner = total.limits[:-1]
+            text = self._print(total.func(total.function, *inner) if inner else total.function)
+            around.pop()
+            return f"{name}({index}, {low}, {high}, {text})"
 
         def _print_Integral(self, integral):
             text = self._print(integral.function)
@@ -218,4 +310,31 @@ def _printed(expression):
         def emptyPrinter(self, expression):
             raise ValueError(f"torse has no notation for {type(expression).__name__}")
 
-    return Printer().doprint(expression)
+    read.text = Printer().doprint(expression)
+    for symbol in expression.free_symbols:
+        read.add(symbol)
+    read.strict = {symbol.name for symbol in _needs_reals(expression)}
+    return read
+
+
+def expression(code, symbols):
+    """An expression of SymPy from the code that torse writes; names that are not among the symbols are real numbers."""
+    import sympy
+
+    def unevaluated(relation):
+        return lambda left, right: relation(sympy.sympify(left), sympy.sympify(right), evaluate=False)
+
+    class Names(dict):
+        def __missing__(self, name):
+            return sympy.Symbol(name, real=True)
+
+    functions = (
+        "sin cos tan exp sinh cosh tanh sqrt binomial factorial Abs Sum Product Integral Matrix diff Rational sympify pi "
+        "And Or Not Implies"
+    )
+    names = {name: getattr(sympy, name) for name in functions.split()}
+    relations = {name: unevaluated(getattr(sympy, name)) for name in ("Eq", "Ne", "Lt", "Le", "Gt", "Ge")}
+    try:
+        return sympy.sympify(eval(code, {"__builtins__": {}}, Names({**symbols, **names, **relations})))
+    except (AttributeError, TypeError) as error:
+        raise ValueError(f"SymPy has no expression for {code}: {error}") from error

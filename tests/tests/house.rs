@@ -195,8 +195,10 @@ fn doors_that_are_built_apart_see_the_facade_alone() {
         assert!(files.len() > 1, "{door}");
         for file in files {
             let text = fs::read_to_string(&file).unwrap();
+            // A profile says how a room is built, and imports nothing.
+            let (imports, _) = text.split_once("[profile.").unwrap_or((&text, ""));
             for prefix in ["torse_", "torse-"] {
-                let named: Vec<&str> = named(&text, prefix).collect();
+                let named: Vec<&str> = named(imports, prefix).collect();
                 assert_eq!(named, [""; 0], "{}", file.display());
             }
         }

@@ -34,9 +34,9 @@ pub(crate) fn eigen<const N: usize>(mut matrix: [[f64; N]; N]) -> [(f64, [f64; N
                     matrix[above.0][above.1] = x;
                     matrix[below.0][below.1] = y;
                 }
-                for k in 0..N {
-                    (vectors[p][k], vectors[q][k]) = turned(vectors[p][k], vectors[q][k]);
-                }
+                let (one, two) = (vectors[p], vectors[q]);
+                vectors[p] = std::array::from_fn(|k| turned(one[k], two[k]).0);
+                vectors[q] = std::array::from_fn(|k| turned(one[k], two[k]).1);
             }
         }
         if is_diagonal {

@@ -266,7 +266,10 @@ fn merged_parts_say_what_the_kernel_accepted() {
         .map(|claim| claim["id"].as_str().unwrap())
         .collect();
     let listed = torse(&["list", "--format", "json", "--derivations", &derivations]).out;
-    let is_one = |line: &&str| ids.iter().any(|id| line.contains(&format!("\"{id}\"")));
+    let is_one = |line: &&str| {
+        ids.iter()
+            .any(|id| line.starts_with(&format!("{{\"id\":\"{id}\"")))
+    };
     let folder = TempDir::new().unwrap();
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let lines: Vec<&str> = listed.lines().filter(is_one).collect();
