@@ -23,7 +23,7 @@ use torse::{Decided, Verdict};
 #[command(after_help = EXAMPLES)]
 pub struct Decide {
     /// The statement, or - to read statements from standard input
-    #[arg(value_name = "STATEMENT")]
+    #[arg(value_name = "STATEMENT", allow_hyphen_values = true)]
     statement: String,
     /// Add declarations, definitions and hypotheses
     #[arg(long = "where", value_name = "SETTING", default_value = "")]

@@ -10,6 +10,9 @@ use torse_typography::{Mathematics, Prose, Span, latex_words};
 /// Appears on every page of a letter without a sender.
 pub(crate) const DRAFT: &str = "Draft: no sender is named";
 
+/// Stands before the other places of a fault.
+pub(crate) const ALSO: &str = "The same fault also in";
+
 /// The headings of the three parts of a letter.
 pub(crate) const PARTS: [&str; 3] = [
     "Corrections",
@@ -132,13 +135,13 @@ fn markdown_item(out: &mut String, number: usize, item: &Item) -> fmt::Result {
         }
     }
     if let Some(why) = &item.why {
-        write!(out, "\n*Counterexample:* {}.\n", Markdown(why))?;
+        write!(out, "\n*{}:* {}.\n", item.why_label(), Markdown(why))?;
     }
     if !item.also.is_empty() {
         let also: Vec<String> = (item.also.iter())
             .map(|at| Markdown(at).to_string())
             .collect();
-        write!(out, "\nIt shows in: {}.\n", also.join("; "))?;
+        write!(out, "\n{ALSO}: {}.\n", also.join("; "))?;
     }
     Ok(())
 }
@@ -277,11 +280,11 @@ fn latex_item(out: &mut String, item: &Item) -> fmt::Result {
         }
     }
     if let Some(why) = &item.why {
-        write!(out, "\\emph{{Counterexample:}} {}.\n\n", Latex(why))?;
+        write!(out, "\\emph{{{}:}} {}.\n\n", item.why_label(), Latex(why))?;
     }
     if !item.also.is_empty() {
         let also: Vec<String> = (item.also.iter()).map(|at| Latex(at).to_string()).collect();
-        write!(out, "It shows in: {}.\n\n", also.join("; "))?;
+        write!(out, "{ALSO}: {}.\n\n", also.join("; "))?;
     }
     Ok(())
 }

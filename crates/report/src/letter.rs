@@ -13,7 +13,7 @@ use crate::view::{CorrectionView, correction};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use torse_syntax::taxonomy::{Kind, Verdict};
-use torse_typography::{PrintedNames, Prose, compared, in_words, plain, spans};
+use torse_typography::{PrintedNames, Prose, compared, in_words, plain, quotation, spans};
 use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome, Restored};
 use torse_verdicts::repair;
 
@@ -45,7 +45,7 @@ pub struct Letter {
     pub salutation: Option<String>,
     /// What the letter is about, and how the statements were decided.
     pub opening: String,
-    /// What is false and how it is to be corrected, what most rests on first.
+    /// What is false and how it is to be corrected, the most consequential first.
     pub corrections: Vec<Item>,
     /// Conditions that the text should state.
     pub conditions: Vec<Item>,
@@ -66,8 +66,20 @@ pub struct Item {
     pub changes: Vec<ItemChange>,
     /// An exact counterexample.
     pub why: Option<Prose>,
+    /// Whether its points and vectors are numbers: one coordinate of them, which stands for all.
+    pub in_one_coordinate: bool,
     /// Where it shows besides.
     pub also: Vec<Prose>,
+}
+
+impl Item {
+    /// What stands before the counterexample.
+    pub(crate) fn why_label(&self) -> &'static str {
+        match self.in_one_coordinate {
+            true => "Counterexample, for one coordinate",
+            false => "Counterexample",
+        }
+    }
 }
 
 /// Words of the paper, and what is to be read instead.
@@ -134,17 +146,12 @@ pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Lette
     let is_open = |outcome: &&Outcome| {
         outcome.verdict() == Verdict::Undecided && outcome.claim.kind != Kind::Remark
     };
-    let undecided = claims.iter().filter(is_open).count();
+    let open: Vec<&Outcome> = claims.iter().filter(is_open).collect();
     Letter {
         salutation: (!is_example(&paper.authors)).then(|| salutation(&visible(&paper.authors))),
         opening: match is_example(&paper.authors) {
             true => example(corrections.len()),
-            false => opening(
-                corrections.len(),
-                conditions.len(),
-                questions.len(),
-                undecided,
-            ),
+            false => opening(corrections.len(), conditions.len(), questions.len(), &open),
         },
         closing: closing(paper, corrections.len(), accepted),
         corrections,
@@ -172,8 +179,16 @@ fn part(shows: &[&Outcome]) -> Option<Part> {
             },
         );
     }
-    let limited =
-        |claim: &&Outcome| matches!(claim.verdict(), Verdict::Conditional | Verdict::Depends);
+    if !shows.is_empty() && shows.iter().all(|outcome| outcome.claim.garbled.is_some()) {
+        return Some(Part::Question);
+    }
+    // What has conditions or readings, and words of which nothing is to be decided.
+    let limited = |claim: &&Outcome| {
+        matches!(
+            claim.verdict(),
+            Verdict::Conditional | Verdict::Depends | Verdict::Underspecified | Verdict::OutOfScope
+        )
+    };
     shows.iter().any(limited).then_some(Part::Condition)
 }
 
@@ -211,7 +226,7 @@ fn told<'a>(
     if changes.is_empty() {
         changes.extend(shows.first().map(|outcome| ItemChange {
             at: None,
-            printed: spans(&visible(&outcome.claim.printed), &names),
+            printed: quotation(&visible(&outcome.claim.printed), &names),
             reads: None,
             formula: None,
         }));
@@ -222,6 +237,15 @@ fn told<'a>(
             .iter()
             .any(|change| change.claim == claim.claim.id)
     };
+    let heading = match &fault.at {
+        Some(at) => spans(&visible(at), &names),
+        None => shows.first().map(|claim| place(claim)).unwrap_or_default(),
+    };
+    // Places at which the item is already: its heading, or a part or the whole of that, and those of its changes.
+    let own = in_words(&heading);
+    let mut here: Vec<Prose> = (fault.changes.iter())
+        .filter_map(|change| find(&change.claim).map(place))
+        .collect();
     let mut also: Vec<Prose> = vec![];
     for claim in shows
         .iter()
@@ -229,20 +253,65 @@ fn told<'a>(
         .skip(usize::from(fault.changes.is_empty()))
     {
         let place = place(claim);
-        if !also.contains(&place) {
+        let words = in_words(&place);
+        let is_here = own.starts_with(&words) || words.starts_with(&own) || here.contains(&place);
+        if !is_here {
+            here.push(place.clone());
             also.push(place);
         }
     }
+    let told = shows
+        .iter()
+        .filter(|claim| !is_about_a_letter(fault, claim))
+        .find_map(|claim| Some((counterexample(claim)?, is_in_one_coordinate(claim))));
     Item {
-        heading: match &fault.at {
-            Some(at) => spans(&visible(at), &names),
-            None => shows.first().map(|claim| place(claim)).unwrap_or_default(),
-        },
+        heading,
         says: spans(&visible(&sentence::finished(&fault.says)), &names),
         changes,
-        why: shows.iter().find_map(|claim| counterexample(claim)),
+        in_one_coordinate: told.as_ref().is_some_and(|(_, one)| *one),
+        why: told.map(|(why, _)| why),
         also,
     }
+}
+
+/// Whether a witness has a number for a letter that stands in the print and in no correction. Such a letter may mean
+/// nothing, and a number for it refutes nothing.
+fn is_about_a_letter(fault: &PaperFault, outcome: &Outcome) -> bool {
+    let stands = |letter: &str, text: &str| {
+        text.match_indices(letter).any(|(at, _)| {
+            let before = text.get(..at).and_then(|text| text.chars().next_back());
+            let after = text
+                .get(at + letter.len()..)
+                .and_then(|text| text.chars().next());
+            let joined = |c: Option<char>| c.is_some_and(|c| c.is_ascii_lowercase());
+            !joined(before) && !joined(after)
+        })
+    };
+    let is_gone = |name: &String| {
+        let mut changes = fault.changes.iter();
+        name.len() == 1
+            && fault
+                .changes
+                .iter()
+                .any(|change| stands(name, &change.printed))
+            && !changes.any(|change| stands(name, &change.reads))
+    };
+    let witness = outcome.witness().into_iter();
+    let mut names = witness.flat_map(sentence::point).map(|(name, _)| name);
+    names.any(is_gone)
+}
+
+/// Whether a witness has a number for a point or a vector, each coordinate of which it stands for.
+fn is_in_one_coordinate(outcome: &Outcome) -> bool {
+    let generic = outcome.claim.table.symbols.iter();
+    let mut generic = generic.filter(|symbol| symbol.is_generic);
+    let Some(witness) = outcome.witness() else {
+        return false;
+    };
+    let head = |name: &str| name.split(['[', '(', '\'']).next().map(str::to_owned);
+    generic.any(|symbol| {
+        sentence::point(witness).any(|(name, _)| head(name).as_deref() == Some(&symbol.name))
+    })
 }
 
 /// The item of a refuted statement of which no fault is told.
@@ -270,10 +339,11 @@ fn untold(outcome: &Outcome) -> Item {
         says: spans(&visible(&says), &names),
         changes: vec![ItemChange {
             at: None,
-            printed: spans(&visible(&outcome.claim.printed), &names),
+            printed: quotation(&visible(&outcome.claim.printed), &names),
             reads: None,
             formula,
         }],
+        in_one_coordinate: why.is_some() && is_in_one_coordinate(outcome),
         why,
         also: vec![],
     }
@@ -304,6 +374,15 @@ fn counterexample(outcome: &Outcome) -> Option<Prose> {
     if why.chars().count() > MAX_COUNTEREXAMPLE_LENGTH {
         return None;
     }
+    // What is no equation in print has no sides there.
+    let has_sides = outcome
+        .claim
+        .printed
+        .contains(['=', '<', '>', '≤', '≥', '≠']);
+    let why = match has_sides {
+        true => why,
+        false => why.replace("the right side", "what is printed"),
+    };
     // Two sides of one name would be told to differ from themselves.
     let (left, right) = stated.text.split_once(" == ")?;
     let shown = |side: &str| in_words(&spans(&format!("`{side}`"), &names));
@@ -333,18 +412,19 @@ fn example(corrections: usize) -> String {
     )
 }
 
-fn opening(corrections: usize, conditions: usize, questions: usize, undecided: usize) -> String {
+fn opening(corrections: usize, conditions: usize, questions: usize, open: &[&Outcome]) -> String {
     let mut text = "Every statement of your paper that can be written as a formula was written as one and decided by exact computation, with the program torse".to_owned();
-    text.push_str(&match undecided {
-        0 => ". ".to_owned(),
-        1 => "; one is open. ".to_owned(),
-        _ => format!("; {undecided} are open. "),
+    let named: Vec<String> = open.iter().map(|outcome| named(outcome)).collect();
+    text.push_str(&match named.as_slice() {
+        [] => ". ".to_owned(),
+        [one] => format!("; one is open, {one}. "),
+        several => format!("; {} are open: {}. ", several.len(), several.join("; ")),
     });
     text.push_str(&match corrections {
         0 => "None was found to be false.".to_owned(),
-        1 => "One place needs a correction. What changes in it is framed; changed words are bold.".to_owned(),
+        1 => "One correction follows. What changes is framed; changed words are bold.".to_owned(),
         _ => format!(
-            "{corrections} places need a correction; what most rests on comes first. What changes is framed; changed words are bold."
+            "{corrections} corrections follow, the most consequential first. What changes is framed; changed words are bold."
         ),
     });
     if conditions > 0 {
@@ -363,6 +443,14 @@ fn opening(corrections: usize, conditions: usize, questions: usize, undecided: u
     text
 }
 
+/// The words of a statement and its place, for a sentence.
+fn named(outcome: &Outcome) -> String {
+    let words = outcome.claim.printed.replace("...", " ");
+    let words: Vec<&str> = words.split_whitespace().collect();
+    let at = plain(&outcome.claim.at);
+    visible(&format!("“{}” ({at})", words.join(" ")))
+}
+
 fn closing(paper: &PaperOutcome, corrections: usize, accepted: &BTreeSet<String>) -> Vec<String> {
     let mut list = vec![];
     list.extend(restored(paper));
@@ -377,20 +465,23 @@ fn closing(paper: &PaperOutcome, corrections: usize, accepted: &BTreeSet<String>
             .filter(|outcome| accepted.contains(&outcome.claim.id))
             .count();
         let mut text =
-            "Each counterexample is exact: its numbers are computed; where they are told as decimals, these are rounded.".to_owned();
+            "The counterexamples were computed exactly; the decimals in them are rounded."
+                .to_owned();
         if proved > 0 {
             text.push_str(&format!(
-                " Of {}, {proved} {} also accepted by the proof assistant Rocq; the proofs come with torse, in the folder proofs.",
+                " Of {}, the proof assistant Rocq accepted {proved} as well.",
                 plural(refuted.len(), "refutation"),
-                if proved == 1 { "was" } else { "were" },
             ));
         }
         list.push(text);
     }
-    list.push(format!(
-        "The report “{}” has every statement of the paper with its verdict and proof.",
-        visible(&paper.slug)
-    ));
+    list.push(match is_example(&paper.authors) {
+        true => format!(
+            "The command “torse report {}” writes a page with every statement, its verdict and its proof.",
+            visible(&paper.slug)
+        ),
+        false => "A report with every statement of the paper, its verdict and its proof is sent on request.".to_owned(),
+    });
     list
 }
 
@@ -409,7 +500,7 @@ fn restored(paper: &PaperOutcome) -> Option<String> {
         return None;
     }
     let mut text = format!(
-        "With all corrections of this letter in force at once, the {} in which the faults show {} decided again: ",
+        "With all corrections of this letter made, the {} that they concern {} decided again: ",
         plural(all, "statement"),
         if all == 1 { "was" } else { "were" }
     );

@@ -8,8 +8,8 @@
 use crate::difference::common;
 use crate::letters::is_function;
 use crate::markup;
-use crate::math_box::{MathBox, MathChange};
-use crate::prose::{Stretch, stretches};
+use crate::math_box::{Fence, MathBox, MathChange};
+use crate::prose::{Stretch, quoted};
 use crate::{Mathematics, PrintedNames, Prose, Span};
 
 /// Longer sentences, and formulas of more boxes, are not compared.
@@ -111,7 +111,7 @@ fn atoms(text: &str, names: &PrintedNames) -> Vec<Atom> {
         }];
     }
     let mut list: Vec<Atom> = vec![];
-    for stretch in stretches(text, names) {
+    for stretch in quoted(text, names) {
         let Stretch::Words(words) = &stretch else {
             list.push(Atom {
                 inner: stretch,
@@ -134,26 +134,119 @@ fn atoms(text: &str, names: &PrintedNames) -> Vec<Atom> {
                 rest = after;
                 continue;
             }
-            // A comma is an atom of its own, since the word before it may be unchanged.
-            let punctuation = |c: char| matches!(c, ',' | ';' | '.' | ':');
-            let end = match rest.starts_with(punctuation) {
-                true if rest.starts_with("...") => 3,
-                true => 1,
-                false => {
-                    let end = rest.find(|c: char| c.is_whitespace()).unwrap_or(rest.len());
-                    let word = rest.get(..end).unwrap_or(rest);
-                    word.trim_end_matches(punctuation).len().max(1)
+            let (inner, after) = match interval(rest) {
+                Some(end) => {
+                    let (stretch, after) = rest.split_at_checked(end).unwrap_or((rest, ""));
+                    (Stretch::Math(markup::boxes(stretch)), after)
+                }
+                None => {
+                    let (word, after) = first_word(rest);
+                    (Stretch::Words(word.to_owned()), after)
                 }
             };
-            let (word, after) = rest.split_at_checked(end).unwrap_or((rest, ""));
             list.push(Atom {
-                inner: Stretch::Words(word.to_owned()),
+                inner,
                 behind: String::new(),
             });
             rest = after;
         }
     }
-    list
+    enumerated(list)
+}
+
+/// The first word of a text, or a sign before or behind it: the word may be unchanged where they change.
+fn first_word(text: &str) -> (&str, &str) {
+    let punctuation = |c: char| matches!(c, ',' | ';' | '.' | ':');
+    let blank = text.find(char::is_whitespace).unwrap_or(text.len());
+    let word = text.get(..blank).unwrap_or(text);
+    let end = match text.starts_with(punctuation) {
+        true if text.starts_with("...") => 3,
+        true => 1,
+        false if word.starts_with('(') && !word.contains(')') => 1,
+        false => {
+            let word = word.trim_end_matches(punctuation);
+            let closed = match word.contains('(') {
+                true => word,
+                false => word.trim_end_matches(')'),
+            };
+            closed.len().max(1)
+        }
+    };
+    text.split_at_checked(end).unwrap_or((text, ""))
+}
+
+/// Where an interval between two numbers ends with which a text begins: `[−1, 1]`.
+fn interval(text: &str) -> Option<usize> {
+    let (inner, _) = text.strip_prefix('[')?.split_once(']')?;
+    let is_number = |end: &str| {
+        let digits = end.trim().trim_start_matches(['-', '−', '–']);
+        digits.starts_with(|c: char| c.is_ascii_digit()) && digits.parse::<f64>().is_ok()
+    };
+    let (from, to) = inner.split_once(',')?;
+    (is_number(from) && is_number(to)).then_some(inner.len() + 2)
+}
+
+/// The list with each enumeration, `i = 0, 1, ..., k`, as one formula.
+fn enumerated(list: Vec<Atom>) -> Vec<Atom> {
+    let mut made: Vec<Atom> = vec![];
+    let mut rest = list.as_slice();
+    while let Some((first, after)) = rest.split_first() {
+        rest = after;
+        let mut atom = first.clone();
+        if let Stretch::Math(MathBox::Row(nodes)) = &first.inner
+            && matches!(nodes.as_slice(), [.., MathBox::Sign('='), MathBox::Number(_)])
+        {
+            let mut nodes = nodes.clone();
+            while let Some((entry, behind)) = entry(rest, &nodes) {
+                nodes.extend([MathBox::Sign(','), entry]);
+                atom.behind = behind;
+                rest = slice(rest, 2, rest.len());
+            }
+            atom.inner = Stretch::Math(MathBox::Row(nodes));
+        }
+        made.push(atom);
+    }
+    made
+}
+
+/// The next entry of an enumeration, and the blanks behind it: a number, dots, or the last entry behind dots.
+fn entry(rest: &[Atom], before: &[MathBox]) -> Option<(MathBox, String)> {
+    let [comma, next, ..] = rest else {
+        return None;
+    };
+    let is_comma = matches!(&comma.inner, Stretch::Words(word) if word == ",");
+    let dots = MathBox::Sign('…');
+    let node = match &next.inner {
+        Stretch::Words(word) if word == "..." => Some(dots),
+        Stretch::Words(word) if word.chars().all(|c| c.is_ascii_digit()) => {
+            Some(MathBox::Number(word.clone()))
+        }
+        Stretch::Math(node) if before.last() == Some(&dots) => Some(node.clone()),
+        _ => None,
+    };
+    node.filter(|_| is_comma)
+        .map(|node| (node, next.behind.clone()))
+}
+
+/// Whether a formula is a range: an interval, or an enumeration. Half a range is no change that a reader can see.
+fn is_range(node: &MathBox) -> bool {
+    let has_comma = |nodes: &[MathBox]| nodes.contains(&MathBox::Sign(','));
+    match node {
+        MathBox::Fenced(Fence::Square, inner) => {
+            matches!(&**inner, MathBox::Row(nodes) if has_comma(nodes) && size(inner) <= 5)
+        }
+        MathBox::Row(nodes) => {
+            let simple = |node: &MathBox| match node {
+                MathBox::Letter(..) | MathBox::Number(_) => true,
+                MathBox::Sign(sign) => matches!(sign, ',' | '…' | '=' | '+' | '−'),
+                MathBox::Row(nodes) => !has_comma(nodes),
+                _ => false,
+            };
+            let relations = nodes.iter().filter(|node| **node == MathBox::Sign('='));
+            has_comma(nodes) && relations.count() == 1 && nodes.iter().all(simple)
+        }
+        _ => false,
+    }
 }
 
 /// Compares the parts between two common atoms: formulas with formulas, one by one.
@@ -272,6 +365,9 @@ fn compare(old: &MathBox, new: &MathBox) -> Pair {
             new: new.clone(),
             marked: 0,
         };
+    }
+    if is_range(old) && is_range(new) {
+        return replaced(old, new);
     }
     let pair = parts(old, new).unwrap_or_else(|| replaced(old, new));
     let all = size(old) + size(new);
@@ -403,6 +499,10 @@ fn rows(old: &[MathBox], new: &[MathBox]) -> Pair {
     if old.len().max(new.len()) > MAX_TOKENS {
         return replaced(&MathBox::Row(old.to_vec()), &MathBox::Row(new.to_vec()));
     }
+    let (a, b) = (terms(old), terms(new));
+    if a.len() != b.len() && a.len().min(b.len()) > 1 {
+        return sums(&a, &b);
+    }
     // With few boxes, such as indices, each is compared with the one in its place.
     const FEW: usize = 4;
     let (mut shown_old, mut shown_new, mut marked) = (vec![], vec![], 0);
@@ -457,6 +557,81 @@ fn rows(old: &[MathBox], new: &[MathBox]) -> Pair {
         old: MathBox::row(shown_old),
         new: MathBox::row(shown_new),
         marked,
+    }
+}
+
+/// The terms of a sum, each with its sign; a sign of equality is a term of its own.
+fn terms(nodes: &[MathBox]) -> Vec<MathBox> {
+    let (mut terms, mut term): (Vec<MathBox>, Vec<MathBox>) = (vec![], vec![]);
+    for node in nodes {
+        let begins = match (term.last(), node) {
+            (None, _) => false,
+            (Some(MathBox::Sign('=')), _) => true,
+            (Some(MathBox::Sign(_)), MathBox::Sign('+' | '−')) => false,
+            (_, MathBox::Sign('+' | '−' | '=')) => true,
+            _ => false,
+        };
+        if begins {
+            terms.push(MathBox::row(term.drain(..)));
+        }
+        term.push(node.clone());
+    }
+    if !term.is_empty() {
+        terms.push(MathBox::row(term));
+    }
+    terms
+}
+
+/// Compares sums of different length term by term: a term that only one has is framed as a whole.
+fn sums(old: &[MathBox], new: &[MathBox]) -> Pair {
+    let (mut shown_old, mut shown_new, mut marked) = (vec![], vec![], 0);
+    let mut between = |a: &[MathBox], b: &[MathBox]| {
+        if a.len() == b.len() {
+            for (a, b) in a.iter().zip(b) {
+                let pair = compare(a, b);
+                marked += pair.marked;
+                shown_old.push(pair.old);
+                shown_new.push(pair.new);
+            }
+            return;
+        }
+        for (list, shown, mark) in [
+            (a, &mut shown_old, MathChange::Removed),
+            (b, &mut shown_new, MathChange::Added),
+        ] {
+            marked += list.iter().map(size).sum::<usize>();
+            shown.extend(list.iter().map(|term| whole_term(mark, term)));
+        }
+    };
+    let (mut i, mut j) = (0, 0);
+    for (next_i, next_j) in common(old, new, |a, b| a == b) {
+        between(slice(old, i, next_i), slice(new, j, next_j));
+        between(
+            slice(old, next_i, next_i + 1),
+            slice(new, next_j, next_j + 1),
+        );
+        (i, j) = (next_i + 1, next_j + 1);
+    }
+    between(slice(old, i, old.len()), slice(new, j, new.len()));
+    Pair {
+        old: MathBox::row(shown_old),
+        new: MathBox::row(shown_new),
+        marked,
+    }
+}
+
+/// Frames a term and the sign before it, each in a frame of its own, so that the sign keeps its distance.
+fn whole_term(mark: MathChange, term: &MathBox) -> MathBox {
+    match term {
+        MathBox::Row(nodes) => match nodes.split_first() {
+            Some((sign @ MathBox::Sign('+' | '−'), rest)) => {
+                let rest = MathBox::row(rest.iter().cloned());
+                let sign = MathBox::Marked(mark, Box::new(sign.clone()));
+                MathBox::row([sign, whole(mark, &rest)])
+            }
+            _ => whole(mark, term),
+        },
+        _ => whole(mark, term),
     }
 }
 
@@ -529,6 +704,39 @@ mod tests {
         );
         assert!(new.matches("boxed").count() > 5, "{new}");
         assert!(new.contains("\\mathbin{\\boxed{+}}"), "{new}");
+    }
+
+    #[test]
+    fn a_range_is_framed_as_a_whole_and_keeps_its_brackets() {
+        let [old, new] = shown("in the value range [0, 1]", "in the value range [−1, 1]");
+        assert!(old.ends_with("\\boxed{[0 , 1]}"), "{old}");
+        assert!(new.ends_with("\\boxed{[- 1 , 1]}"), "{new}");
+        let [old, new] = shown("planes P (i = 1, 2, ..., k)", "planes P (i = 0, 1, ..., k)");
+        assert!(old.contains("\\boxed{i = 1 , 2 , \\dots , k}"), "{old}");
+        assert_eq!(new.matches("boxed").count(), 1, "{new}");
+        assert!(!new.contains("**"), "{new}");
+    }
+
+    #[test]
+    fn of_sums_with_other_terms_whole_terms_are_framed() {
+        let [old, new] = shown(
+            "det(A) = −2176 k^5 + 4336 k^4 − 2160 k^3",
+            "det(A) = −16 k^4 + 16 k^3",
+        );
+        assert!(old.contains("\\boxed{2176 k^5}"), "{old}");
+        assert!(new.contains("\\boxed{16 k^4}"), "{new}");
+        assert!(new.starts_with("\\det"), "{new}");
+    }
+
+    #[test]
+    fn brackets_dots_and_spelled_letters_of_a_quotation_stay() {
+        let [old, _] = shown(
+            "the G2 beta joint and k ≠ (135/136) for q − o and k [p − o]",
+            "the G2 beta joint",
+        );
+        assert!(old.contains("G2 beta joint"), "{old}");
+        assert!(old.contains("(135 / 136)"), "{old}");
+        assert!(old.contains("[p - o]"), "{old}");
     }
 
     #[test]

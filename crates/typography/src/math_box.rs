@@ -166,6 +166,19 @@ impl MathBox {
         }
     }
 
+    /// Returns the letter of which the box is made, with scripts or arguments, if it is italic.
+    pub(crate) fn light_letter(&self) -> Option<char> {
+        match self {
+            MathBox::Letter(letter, LetterFace::Italic) => letter.chars().next(),
+            MathBox::Scripts { base, .. } => base.light_letter(),
+            MathBox::Row(nodes) => match nodes.as_slice() {
+                [head, MathBox::Fenced(..)] => head.light_letter(),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// Makes these letters bold wherever they are italic.
     pub(crate) fn with_bold(self, letters: &BTreeSet<char>) -> Self {
         let bold = |node: Box<MathBox>| Box::new(node.with_bold(letters));

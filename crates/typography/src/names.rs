@@ -18,6 +18,8 @@ pub struct PrintedNames {
     known: BTreeSet<String>,
     /// The letters that the paper prints bold.
     vectors: BTreeSet<char>,
+    /// The letters that it does not: those of the components of a vector, for instance.
+    light: BTreeSet<char>,
 }
 
 impl PrintedNames {
@@ -26,6 +28,7 @@ impl PrintedNames {
         let name = head.split(['(', '[']).next().unwrap_or(head);
         self.known.insert(name.to_owned());
         if let Some(node) = display.and_then(markup::dollars) {
+            self.light.extend(node.light_letter());
             self.printed.insert(name.to_owned(), node);
         }
     }
@@ -68,13 +71,15 @@ impl PrintedNames {
         }
         self.known.extend(others.known);
         self.vectors.extend(others.vectors);
+        self.light.extend(others.light);
     }
 
     /// A typed formula, in which no letter has a face, with the paper's vectors bold.
     pub(crate) fn with_vectors(&self, node: MathBox) -> MathBox {
-        match self.vectors.is_empty() {
+        let bold: BTreeSet<char> = self.vectors.difference(&self.light).copied().collect();
+        match bold.is_empty() {
             true => node,
-            false => node.with_bold(&self.vectors),
+            false => node.with_bold(&bold),
         }
     }
 

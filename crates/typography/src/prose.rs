@@ -12,13 +12,21 @@ use crate::{MathBox, Mathematics, PrintedNames, Span, markup, read};
 
 /// The sentence in stretches; formulas are those of a claim with these names.
 pub fn spans(text: &str, names: &PrintedNames) -> Vec<Span> {
-    let span = |stretch: Stretch| match stretch {
+    stretches(text, names).into_iter().map(span).collect()
+}
+
+/// A quotation in spans, as the print has it.
+pub fn quotation(text: &str, names: &PrintedNames) -> Vec<Span> {
+    quoted(text, names).into_iter().map(span).collect()
+}
+
+fn span(stretch: Stretch) -> Span {
+    match stretch {
         Stretch::Words(text) => Span::Words(text),
         Stretch::Strong(text) => Span::Strong(text),
         Stretch::Code(text) => Span::Code(text),
         Stretch::Math(node) => Span::Math(Mathematics::inline(&node)),
-    };
-    stretches(text, names).into_iter().map(span).collect()
+    }
 }
 
 /// A stretch of a sentence, its formula not yet written in any language.
@@ -34,19 +42,34 @@ pub(crate) enum Stretch {
     Math(MathBox),
 }
 
+/// How a stretch of a sentence is read; none if it is a word after all.
+type Reading = fn(&str, &PrintedNames) -> Option<MathBox>;
+
 /// The sentence in stretches.
 pub(crate) fn stretches(text: &str, names: &PrintedNames) -> Vec<Stretch> {
+    read_as(text, names, |stretch, names| Some(formula(stretch, names)))
+}
+
+/// A quotation in stretches: every bracket, dot and spelled letter is that of the print.
+pub(crate) fn quoted(text: &str, names: &PrintedNames) -> Vec<Stretch> {
+    read_as(text, names, |stretch, _| {
+        let spelled = stretch.len() > 1 && stretch.chars().all(|c| c.is_ascii_alphabetic());
+        (!spelled).then(|| markup::boxes(&stretch.replace('⋅', ".")))
+    })
+}
+
+fn read_as(text: &str, names: &PrintedNames, reading: Reading) -> Vec<Stretch> {
     let mut list = List::default();
     match text.matches('$').count().is_multiple_of(2) {
         true => {
             for (number, part) in text.split('$').enumerate() {
                 match number % 2 {
-                    0 => between_backticks(part, names, &mut list),
+                    0 => between_backticks(part, names, reading, &mut list),
                     _ => list.math(&markup::boxes(part)),
                 }
             }
         }
-        false => between_backticks(text, names, &mut list),
+        false => between_backticks(text, names, reading, &mut list),
     }
     let bold = |stretch: Stretch| match stretch {
         Stretch::Math(node) => Stretch::Math(names.with_vectors(node)),
@@ -82,13 +105,13 @@ impl List {
     }
 }
 
-fn between_backticks(text: &str, names: &PrintedNames, list: &mut List) {
+fn between_backticks(text: &str, names: &PrintedNames, reading: Reading, list: &mut List) {
     if text.matches('`').count() % 2 == 1 {
-        return between_words(text, names, list);
+        return between_words(text, names, reading, list);
     }
     for (number, part) in text.split('`').enumerate() {
         match number % 2 {
-            0 => between_words(part, names, list),
+            0 => between_words(part, names, reading, list),
             // A command has blanks between words, and no formula has.
             _ => match notation(part, names) {
                 Some(node) => list.math(&node),
@@ -98,7 +121,7 @@ fn between_backticks(text: &str, names: &PrintedNames, list: &mut List) {
     }
 }
 
-fn between_words(text: &str, names: &PrintedNames, list: &mut List) {
+fn between_words(text: &str, names: &PrintedNames, reading: Reading, list: &mut List) {
     let text = with_powers(text);
     let tokens = tokens(&text, names);
     let mut position = 0;
@@ -117,7 +140,10 @@ fn between_words(text: &str, names: &PrintedNames, list: &mut List) {
                         _ => token.text,
                     })
                     .collect();
-                list.math(&formula(&stretch, names));
+                match reading(&stretch, names) {
+                    Some(node) => list.math(&node),
+                    None => list.words(&stretch),
+                }
                 position = end;
             }
             None if is_item(tokens.get(position..position + 3).unwrap_or_default()) => {
@@ -182,10 +208,21 @@ fn formula(stretch: &str, names: &PrintedNames) -> MathBox {
         let above = stretch.get(place + 1..).unwrap_or_default();
         above.starts_with(char::is_alphabetic)
     };
-    if stretch.match_indices('^').any(raised) {
+    if stretch.match_indices('^').any(raised) || has_plain_brackets(stretch) {
         return markup::boxes(stretch);
     }
     notation(stretch, names).unwrap_or_else(|| markup::boxes(stretch))
+}
+
+/// Whether square brackets stand around a sum, as prints have them, and neither around a list nor behind a name.
+fn has_plain_brackets(stretch: &str) -> bool {
+    stretch.match_indices('[').any(|(place, _)| {
+        let (before, after) = stretch.split_at(place);
+        let inner = after.get(1..).and_then(|rest| rest.split_once(']'));
+        let is_plain = inner.is_some_and(|(inner, _)| !inner.contains([',', '[']));
+        let head = before.trim_end().chars().next_back();
+        is_plain && !head.is_some_and(|c| c.is_alphanumeric() || matches!(c, '\'' | ']' | ')'))
+    })
 }
 
 /// A stretch in the notation of the files, with the signs of prints allowed.
@@ -251,7 +288,7 @@ fn run(tokens: &[Token<'_>], start: usize) -> Option<usize> {
                 last = Kind::Open;
             }
             Kind::Operator => {
-                operators += usize::from(operand || token.text != "-");
+                operators += usize::from(operand || !matches!(token.text, "-" | "−"));
                 last = Kind::Operator;
             }
             kind @ (Kind::Sure | Kind::Letter | Kind::Number) => {

@@ -6,7 +6,7 @@
 use serde::Serialize;
 use std::collections::BTreeSet;
 use torse_core as core;
-use torse_syntax::derivation::declarations::{Basis, Declarations, Definition};
+use torse_syntax::derivation::declarations::{Basis, Declarations, Definition, SymbolKind};
 use torse_syntax::derivation::{Claim, Hypothesis, Written};
 use torse_syntax::formula::{Expr, Node};
 use torse_syntax::notation::{self, Formula, domain};
@@ -33,6 +33,8 @@ pub struct Declared {
     pub name: String,
     /// Its set, in words: `mu in [-1, 1]`.
     pub set: String,
+    /// Whether it is one coordinate of a point or a vector, which stands for each.
+    pub is_generic: bool,
     /// How the paper prints the name: mathematics between dollar signs.
     pub display: Option<String>,
 }
@@ -103,6 +105,14 @@ pub fn find_dependencies(claim: &Claim, statement: &Written, core: &core::Claim)
         {
             symbols.push(Declared {
                 set: domain::words(&name, kind),
+                is_generic: matches!(
+                    kind,
+                    SymbolKind::Vector(None)
+                        | SymbolKind::Family {
+                            dimension: None,
+                            ..
+                        }
+                ),
                 display: claim.declarations.display(&name).map(str::to_owned),
                 name,
             });

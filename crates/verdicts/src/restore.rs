@@ -24,7 +24,9 @@ pub fn restore(
     outcome: &PaperOutcome,
 ) -> Result<Vec<Restored>, Box<DerivationError>> {
     let found = |id: &str| outcome.claims.iter().find(|other| other.claim.id == id);
+    // Of a claim that states nothing only the words change.
     let listed = paper.corrigenda.iter().flat_map(|of| &of.corrected);
+    let listed = listed.filter(|of| of.claim.statement.is_some() || !of.claim.readings.is_empty());
     let mut corrected: Vec<Claim> = listed
         .map(|of| {
             let id = of.claim.entry.id.get_ref();

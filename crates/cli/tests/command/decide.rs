@@ -68,6 +68,13 @@ fn a_statement_is_decided_without_a_folder_and_the_exit_code_is_the_answer() {
 }
 
 #[test]
+fn a_statement_may_begin_with_a_minus_sign() {
+    let ran = decide(&["-x^2 <= 0"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    assert_eq!(decide(&["-x == x"]).code, Some(1));
+}
+
+#[test]
 fn what_makes_no_sense_is_shown_with_a_caret() {
     for (arguments, words) in [
         (
@@ -80,6 +87,10 @@ fn what_makes_no_sense_is_shown_with_a_caret() {
             &["is not an interval"],
         ),
         (&["x == 1", "--where", "y +"], &["the end of the formula"]),
+        (
+            &["dot((1, 0), [1, 0]) == 1"],
+            &["a vector is written in square brackets"],
+        ),
     ] {
         let ran = decide(arguments);
         assert_eq!((ran.code, ran.out.as_str()), (Some(4), ""), "{arguments:?}");

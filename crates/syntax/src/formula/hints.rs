@@ -52,6 +52,9 @@ pub fn unexpected(before: Option<&Token>, found: Option<&Token>) -> Option<Strin
         Token::Sign(sign) => (*sign == "(").then(|| "(...)".to_owned()),
     };
     match (before?, found?) {
+        (_, Token::Sign(",")) => {
+            Some("a vector is written in square brackets: `[a, b]`".to_owned())
+        }
         (Token::Sign("*"), Token::Sign("*")) => Some("a power is written with `^`".to_owned()),
         (Token::Name(name), Token::Name(next)) if FUNCTIONS.contains(&name.as_str()) => {
             Some(format!("arguments stand in brackets: `{name}({next})`"))
