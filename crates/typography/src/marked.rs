@@ -194,7 +194,10 @@ fn enumerated(list: Vec<Atom>) -> Vec<Atom> {
         rest = after;
         let mut atom = first.clone();
         if let Stretch::Math(MathBox::Row(nodes)) = &first.inner
-            && matches!(nodes.as_slice(), [.., MathBox::Sign('='), MathBox::Number(_)])
+            && matches!(
+                nodes.as_slice(),
+                [.., MathBox::Sign('='), MathBox::Number(_)]
+            )
         {
             let mut nodes = nodes.clone();
             while let Some((entry, behind)) = entry(rest, &nodes) {
