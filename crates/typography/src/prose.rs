@@ -43,7 +43,7 @@ pub(crate) enum Stretch {
 }
 
 /// How a stretch of a sentence is read; none if it is a word after all.
-type Reading = fn(&str, &PrintedNames) -> Option<MathBox>;
+type ReadAs = fn(&str, &PrintedNames) -> Option<MathBox>;
 
 /// The sentence in stretches.
 pub(crate) fn stretches(text: &str, names: &PrintedNames) -> Vec<Stretch> {
@@ -58,7 +58,7 @@ pub(crate) fn quoted(text: &str, names: &PrintedNames) -> Vec<Stretch> {
     })
 }
 
-fn read_as(text: &str, names: &PrintedNames, reading: Reading) -> Vec<Stretch> {
+fn read_as(text: &str, names: &PrintedNames, reading: ReadAs) -> Vec<Stretch> {
     let mut list = List::default();
     match text.matches('$').count().is_multiple_of(2) {
         true => {
@@ -105,7 +105,7 @@ impl List {
     }
 }
 
-fn between_backticks(text: &str, names: &PrintedNames, reading: Reading, list: &mut List) {
+fn between_backticks(text: &str, names: &PrintedNames, reading: ReadAs, list: &mut List) {
     if text.matches('`').count() % 2 == 1 {
         return between_words(text, names, reading, list);
     }
@@ -121,7 +121,7 @@ fn between_backticks(text: &str, names: &PrintedNames, reading: Reading, list: &
     }
 }
 
-fn between_words(text: &str, names: &PrintedNames, reading: Reading, list: &mut List) {
+fn between_words(text: &str, names: &PrintedNames, reading: ReadAs, list: &mut List) {
     let text = with_powers(text);
     let tokens = tokens(&text, names);
     let mut position = 0;
