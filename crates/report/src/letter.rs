@@ -1,7 +1,7 @@
 //! The letter to the authors of a paper: what is to be corrected, fault by fault, in the notation of the paper.
 //!
 //! A fault that files tell of has one item, wherever it shows, with the words of the paper and what is to be read instead.
-//! A refuted statement of which no fault is told has an item of its own, so that none is left out. What may be a slip of the
+//! A refuted statement to which no fault is assigned has an item of its own, so that none is left out. What may be a slip of the
 //! copy at hand is asked, and not claimed; conditions that the text should state have a part of their own.
 
 use crate::corrections::{is_refuted, ranked};
@@ -114,9 +114,9 @@ pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Lette
             .iter()
             .filter_map(|outcome| ranks.get(outcome.claim.id.as_str()));
         let rank = rank.min().copied().unwrap_or(usize::MAX);
-        placed.push((part, rank, told(fault, &shows, &find)));
+        placed.push((part, rank, item_of_fault(fault, &shows, &find)));
     }
-    let is_told = |id: &str| {
+    let is_assigned = |id: &str| {
         paper
             .faults
             .iter()
@@ -124,14 +124,14 @@ pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Lette
     };
     for outcome in claims
         .iter()
-        .filter(|outcome| is_refuted(outcome) && !is_told(&outcome.claim.id))
+        .filter(|outcome| is_refuted(outcome) && !is_assigned(&outcome.claim.id))
     {
         let rank = ranks
             .get(outcome.claim.id.as_str())
             .copied()
             .unwrap_or(usize::MAX);
         let part = part(&[outcome]).unwrap_or(Part::Correction);
-        placed.push((part, rank, untold(outcome)));
+        placed.push((part, rank, item_without_fault(outcome)));
     }
     placed.sort_by_key(|(part, rank, _)| (*part, *rank));
     let take = |wanted: Part| -> Vec<Item> {
@@ -192,7 +192,7 @@ fn part(shows: &[&Outcome]) -> Option<Part> {
     shows.iter().any(limited).then_some(Part::Condition)
 }
 
-fn told<'a>(
+fn item_of_fault<'a>(
     fault: &PaperFault,
     shows: &[&'a Outcome],
     find: &impl Fn(&String) -> Option<&'a Outcome>,
@@ -211,7 +211,7 @@ fn told<'a>(
             let claim = find(&change.claim)?;
             let [printed, reads] =
                 compared(&visible(&change.printed), &visible(&change.reads), &names);
-            // A place is told once for all changes that follow one another there.
+            // A place is named once for all changes that follow one another there.
             let at = Some(place(claim)).filter(|at| several && before.as_ref() != Some(at));
             before = at.clone().or(before.take());
             Some(ItemChange {
@@ -260,7 +260,7 @@ fn told<'a>(
             also.push(place);
         }
     }
-    let told = shows
+    let refuted = shows
         .iter()
         .filter(|claim| !is_about_a_letter(fault, claim))
         .find_map(|claim| Some((counterexample(claim)?, is_in_one_coordinate(claim))));
@@ -268,8 +268,8 @@ fn told<'a>(
         heading,
         says: spans(&visible(&sentence::finished(&fault.says)), &names),
         changes,
-        in_one_coordinate: told.as_ref().is_some_and(|(_, one)| *one),
-        why: told.map(|(why, _)| why),
+        in_one_coordinate: refuted.as_ref().is_some_and(|(_, one)| *one),
+        why: refuted.map(|(why, _)| why),
         also,
     }
 }
@@ -314,11 +314,11 @@ fn is_in_one_coordinate(outcome: &Outcome) -> bool {
     })
 }
 
-/// The item of a refuted statement of which no fault is told.
-fn untold(outcome: &Outcome) -> Item {
+/// The item of a refuted statement to which no fault is assigned.
+fn item_without_fault(outcome: &Outcome) -> Item {
     let names = printed_names(outcome);
     let formula = (outcome.correction()).map(|repair| correction(outcome.parsed(), repair, &names));
-    let told = match (
+    let change = match (
         &outcome.claim.author_note,
         outcome.correction(),
         &outcome.claim.note,
@@ -328,9 +328,9 @@ fn untold(outcome: &Outcome) -> Item {
         (None, None, Some(note)) => Some(note.clone()),
         (None, None, None) => None,
     };
-    // Where nothing else is known it is the counterexample that says what is wrong, and it is told once.
-    let why = told.is_some().then(|| counterexample(outcome)).flatten();
-    let says = told.unwrap_or_else(|| {
+    // Where nothing else is known it is the counterexample that says what is wrong, and it is said once.
+    let why = change.is_some().then(|| counterexample(outcome)).flatten();
+    let says = change.unwrap_or_else(|| {
         let failure = sentence::failure_in_full(outcome);
         failure.map_or_else(String::new, |text| sentence::finished(&text))
     });
@@ -356,7 +356,7 @@ fn place(outcome: &Outcome) -> Prose {
 /// A counterexample of more characters is left to the report.
 const MAX_COUNTEREXAMPLE_LENGTH: usize = 400;
 
-/// Where a formula of the paper fails; none where that cannot be told in names that the paper has. The formulas of sentences
+/// Where a formula of the paper fails; none where that cannot be said in names that the paper has. The formulas of sentences
 /// are ours, and what they come to at a point tells an author nothing.
 fn counterexample(outcome: &Outcome) -> Option<Prose> {
     let witness = outcome.witness()?;
@@ -365,12 +365,12 @@ fn counterexample(outcome: &Outcome) -> Option<Prose> {
     let of_the_paper = names.are_of_the_paper(&stated.text)
         && sentence::point(witness).all(|(name, _)| names.are_of_the_paper(name));
     let plain_value = |text: &str| !text.starts_with('[');
-    let told = is_refuted(outcome)
+    let is_shown = is_refuted(outcome)
         && repair::is_sought(outcome.claim.kind)
         && of_the_paper
         && plain_value(&witness.left)
         && plain_value(&witness.right);
-    let why = told.then(|| sentence::counterexample(outcome)).flatten()?;
+    let why = is_shown.then(|| sentence::counterexample(outcome)).flatten()?;
     if why.chars().count() > MAX_COUNTEREXAMPLE_LENGTH {
         return None;
     }
@@ -383,7 +383,7 @@ fn counterexample(outcome: &Outcome) -> Option<Prose> {
         true => why,
         false => why.replace("the right side", "what is printed"),
     };
-    // Two sides of one name would be told to differ from themselves.
+    // Two sides of one name would be said to differ from themselves.
     let (left, right) = stated.text.split_once(" == ")?;
     let shown = |side: &str| in_words(&spans(&format!("`{side}`"), &names));
     (shown(left) != shown(right)).then(|| spans(&visible(&why), &names))
