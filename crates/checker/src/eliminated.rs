@@ -311,6 +311,28 @@ impl Domain<'_> {
         Ok(rest.is_number())
     }
 
+    /// Whether a polynomial divides something that a hypothesis alone, as a comparison or by its divisors, says to be nonzero.
+    pub(super) fn is_assumed_nonzero(
+        &self,
+        polynomial: &Polynomial,
+        groups: usize,
+    ) -> Result<bool, Unsupported> {
+        use Relation::{Different, Greater, Less};
+        for compared in &self.hypotheses(groups).all {
+            let (above, below) = (&compared.difference.above, &compared.difference.below);
+            let differs = matches!(compared.relation, Different | Less | Greater);
+            for nonzero in differs.then_some(above).into_iter().chain(below.keys()) {
+                self.work
+                    .spend(nonzero.len().saturating_mul(polynomial.len()))?;
+                if nonzero.quotient(polynomial).is_some() {
+                    self.note(&compared.met);
+                    return Ok(true);
+                }
+            }
+        }
+        Ok(false)
+    }
+
     /// The error for a polynomial of the statement that is not known to be nonzero.
     pub fn may_vanish_here(&self, polynomial: &Polynomial) -> CheckError {
         self.apart.borrow().may_vanish(polynomial)

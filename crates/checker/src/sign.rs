@@ -233,8 +233,13 @@ impl<'a> Signs<'a> {
     /// Checks that no part is negative; returns whether the whole is shown to be positive.
     fn certificate(&self, certificate: &Certificate<Polynomial>) -> Result<bool, CheckError> {
         let (mut sum_positive, mut factors_positive) = (false, true);
-        if certificate.squares.iter().any(|s| s.multiple < integer(0)) {
-            return Err(Wrong::Negative.into());
+        for square in &certificate.squares {
+            if square.multiple < integer(0) {
+                return Err(Wrong::Negative.into());
+            }
+            sum_positive |= square.multiple > integer(0)
+                && certificate.strict
+                && self.domain.is_assumed_nonzero(&square.root, self.groups)?;
         }
         for multiple in &certificate.multiples {
             let (_, strict) = self.constraint(multiple.constraint)?;

@@ -460,10 +460,14 @@ fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<
             Some(sign) => signs.push(sign),
             // A hypothesis says it, or no integers make it zero.
             None if domain.assumes_nonzero(&divisor) => {}
-            None => match sign::positive(&domain.without_assumed(&divisor), domain) {
-                Some(sign) => apart.push(sign),
-                None => without_sign.push(divisor),
-            },
+            None => {
+                let rest = domain.without_assumed(&divisor);
+                let sign = sign::positive(&rest, domain);
+                match sign.or_else(|| sign::positive_square(&rest, domain)) {
+                    Some(sign) => apart.push(sign),
+                    None => without_sign.push(divisor),
+                }
+            }
         }
     }
     let is_whole = |radicand: &&Polynomial| {

@@ -194,6 +194,20 @@ impl Domain<'_> {
         !polynomial.is_zero() && self.without_assumed(polynomial).as_constant().is_some()
     }
 
+    /// Whether the polynomial divides one quantity that is assumed to be different from zero.
+    #[must_use]
+    pub fn divides_assumed(&self, polynomial: &Polynomial) -> bool {
+        self.constraints.iter().any(|constraint| {
+            use Relation::{Different, Greater, Less};
+            matches!(constraint.relation, Different | Less | Greater)
+                && constraint
+                    .value
+                    .numerator()
+                    .exact_quotient(polynomial)
+                    .is_some()
+        })
+    }
+
     /// The polynomial without the factors that are assumed to be different from zero; 1 where it divides such a quantity.
     #[must_use]
     pub fn without_assumed(&self, polynomial: &Polynomial) -> Polynomial {

@@ -213,6 +213,7 @@ pub fn check(
         if *multiplier < integer(0) {
             return Err(CertificateError::Part { part });
         }
+        sum_positive |= *multiplier > integer(0) && domain.divides_assumed(root);
         total = &total + &root.power(2).scaled(multiplier);
     }
     let squares = certificate.squares.len();

@@ -163,10 +163,26 @@ fn strict(
 /// make it zero.
 #[must_use]
 pub fn never_zero(polynomial: &Polynomial, domain: &Domain<'_>) -> bool {
-    if no_integers_solve(polynomial, domain) {
-        return true;
+    no_integers_solve(polynomial, domain)
+        || strict(polynomial, domain, &[]).is_some_and(|(_, proof)| proof.check(domain).is_ok())
+        || positive_square(polynomial, domain).is_some()
+}
+
+/// The most terms of a polynomial whose square is examined.
+const MAX_SQUARED: usize = 3;
+
+/// What shows that the square of the polynomial is positive on the domain, replayed: it differs from zero on both sides of it.
+#[must_use]
+pub fn positive_square(
+    polynomial: &Polynomial,
+    domain: &Domain<'_>,
+) -> Option<Written<Polynomial>> {
+    if polynomial.len() > MAX_SQUARED || domain.constraints.is_empty() {
+        return None;
     }
-    strict(polynomial, domain, &[]).is_some_and(|(_, proof)| proof.check(domain).is_ok())
+    let proof = Proof::find(&polynomial.power(2), domain).filter(Proof::strict)?;
+    proof.check(domain).ok()?;
+    proof.written(domain)
 }
 
 /// Whether a linear form in integers with integer coefficients has a constant that their greatest common divisor does

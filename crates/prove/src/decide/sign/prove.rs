@@ -71,7 +71,7 @@ pub fn prove(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Certificate
         best = better(best, found);
     }
     if !strict(&best)
-        && let Some(found) = squares(polynomial)
+        && let Some(found) = squares(polynomial, domain)
     {
         best = better(best, found);
     }
@@ -227,7 +227,7 @@ fn with_positive_term(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Ce
             |product, (s, e)| &product * &Polynomial::symbol((*s).clone()).power(u32::from(*e)),
         );
         let positive = direct(&one, domain, &[]).filter(|found| found.strict)?;
-        let rest = squares(&(polynomial - &one))?;
+        let rest = squares(&(polynomial - &one), domain)?;
         let plain = rest.rest.is_zero() && rest.factors.is_empty() && rest.multipliers.is_empty();
         plain.then_some(Certificate {
             squares: rest.squares,

@@ -6,6 +6,7 @@
 //! monomials for one term the first is taken: this finds many sums of squares, and not all.
 
 use super::certificate::{Certificate, Piece, Reason};
+use crate::decide::domain::Domain;
 use std::collections::BTreeMap;
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Polynomial, Rational, Symbol};
@@ -33,9 +34,10 @@ fn product(a: &Monomial, b: &Monomial) -> Monomial {
     result
 }
 
-/// A certificate that the polynomial is a sum of squares and a number that is not negative.
+/// A certificate that the polynomial is a sum of squares and a number that is not negative. It is positive where the number is, or
+/// where one of the squares is that of something that is assumed to differ from zero.
 #[must_use]
-pub(super) fn squares(value: &Polynomial) -> Option<Certificate> {
+pub(super) fn squares(value: &Polynomial, domain: &Domain<'_>) -> Option<Certificate> {
     if value.len() > MAX_TERMS || value.as_constant().is_some() {
         return None;
     }
@@ -84,7 +86,7 @@ pub(super) fn squares(value: &Polynomial) -> Option<Certificate> {
         None => integer(0),
     };
     Some(Certificate {
-        strict: rest > integer(0),
+        strict: rest > integer(0) || found.iter().any(|(_, root)| domain.divides_assumed(root)),
         squares: found,
         multipliers: vec![],
         factors: vec![],
