@@ -476,6 +476,12 @@ fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<
     };
     let whole = radicands.iter().filter(is_whole);
     apart.extend(whole.filter_map(|radicand| sign::positive(radicand, domain)));
+    // That a root is positive follows from the sign of its radicand, which has to come before what the root occurs in.
+    apart.sort_by_key(|sign| {
+        let mut last_first = domain.roots.iter().rev();
+        let last = last_first.position(|root| sign.polynomial.symbols().contains(&root.symbol));
+        last.map_or(0, |behind| domain.roots.len() - behind)
+    });
     (signs, apart)
 }
 
