@@ -36,8 +36,30 @@ exists (k : Z) (m : Z) (mu : R) (nu : R) (z : R),
   0 <= z <= 1.
 End abs_basis_a.
 
-Module abs_basis_b.
-(* gbt-surfaces/abs.basis.b, Abstract, second sentence
+Module abs_basis_b_name.
+(* gbt-surfaces/abs.basis.b.name, Abstract, second sentence
+   printed: GBTB basis functions with two shape parameters
+   read as: Basis functions are what the field calls the functions with which points are weighted: they sum to one. Two shape parameters, of any values, are in them.
+   stated: sum(k, 0, m, f[k,m](z)) == 1 *)
+Definition statement : Prop :=
+forall (m : Z) (mu : R) (nu : R) (z : R),
+  (3 <= m)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= z <= 1 ->
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z) ->
+  sum 0%Z m (fun k => f z mu nu k m) = 1.
+Definition instance : Prop :=
+exists (m : Z) (mu : R) (nu : R) (z : R),
+  (3 <= m)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= z <= 1 /\
+  (forall k : Z, (0 <= k <= m)%Z -> (2 <= m)%Z).
+End abs_basis_b_name.
+
+Module abs_basis_b_basis.
+(* gbt-surfaces/abs.basis.b.basis, Abstract, second sentence
    printed: GBTB basis functions with two shape parameters
    read as: A basis is linearly independent; the shape parameters are all of the range -1 to 1.
    stated: independent(f) *)
@@ -47,7 +69,7 @@ forall (mu : R) (nu : R) (z : R),
   (-1) <= nu <= 1 ->
   0 <= z <= 1 ->
   forall (k : Z) (c : Z -> R), (2 <= k)%Z -> (forall z : R, 0 <= z <= 1 -> sum 0 k (fun i => c i * (f z mu nu i k)) = 0) -> forall i : Z, (0 <= i <= k)%Z -> c i = 0.
-End abs_basis_b.
+End abs_basis_b_basis.
 
 Module abs_basis_order_2.
 (* gbt-surfaces/abs.basis.order-2, Abstract, second sentence

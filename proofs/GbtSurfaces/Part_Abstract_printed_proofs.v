@@ -11,11 +11,19 @@ Theorem met : instance.
 Proof. follows GbtSurfaces.Part_Abstract_proofs.abs_basis_a.met. Qed.
 End abs_basis_a.
 
-Module abs_basis_b.
-Import GbtSurfaces.Part_Abstract_printed.abs_basis_b.
+Module abs_basis_b_name.
+Import GbtSurfaces.Part_Abstract_printed.abs_basis_b_name.
+Theorem proved : statement.
+Proof. follows GbtSurfaces.Part_Abstract_proofs.abs_basis_b_name.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtSurfaces.Part_Abstract_proofs.abs_basis_b_name.met. Qed.
+End abs_basis_b_name.
+
+Module abs_basis_b_basis.
+Import GbtSurfaces.Part_Abstract_printed.abs_basis_b_basis.
 Theorem refuted : ~ statement.
-Proof. follows GbtSurfaces.Part_Abstract_proofs.abs_basis_b.refuted. Qed.
-End abs_basis_b.
+Proof. follows GbtSurfaces.Part_Abstract_proofs.abs_basis_b_basis.refuted. Qed.
+End abs_basis_b_basis.
 
 Module abs_basis_order_2.
 Import GbtSurfaces.Part_Abstract_printed.abs_basis_order_2.

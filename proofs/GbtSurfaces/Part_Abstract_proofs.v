@@ -12,11 +12,19 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance f]; first [(exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, (0), (0), (1 / 2); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (0)%Z, (2)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End abs_basis_a.
 
-Module abs_basis_b.
-Import GbtSurfaces.Part_Abstract.abs_basis_b.
+Module abs_basis_b_name.
+Import GbtSurfaces.Part_Abstract.abs_basis_b_name.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance f]; first [(exists (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, (0), (0), (1 / 2); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (3)%Z, ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End abs_basis_b_name.
+
+Module abs_basis_b_basis.
+Import GbtSurfaces.Part_Abstract.abs_basis_b_basis.
 Theorem refuted : ~ statement.
-Proof. cbv beta zeta delta [statement not f]; intro no; specialize (no (-1) (-1) 0 ltac:(lra) ltac:(lra) ltac:(lra) 2%Z (unit 1) ltac:(lia)); assert (H : unit 1 1 = 0) by (apply no; [ intros; cbv delta [unit]; compute_goal; circles; equal | lia ]); rewrite unit_one in H by reflexivity; lra. Qed.
-End abs_basis_b.
+Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no (-1) (-1) (1 / 2)). Qed.
+End abs_basis_b_basis.
 
 Module abs_basis_order_2.
 Import GbtSurfaces.Part_Abstract.abs_basis_order_2.

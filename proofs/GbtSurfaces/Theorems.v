@@ -27,7 +27,9 @@ From GbtSurfaces Require Section_4_printed Section_4_printed_proofs.
 From GbtSurfaces Require Section_4 Section_4_proofs.
 Check (GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_a.proved : GbtSurfaces.Part_Abstract_printed.abs_basis_a.statement).
 Check (GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_a.met : GbtSurfaces.Part_Abstract_printed.abs_basis_a.instance).
-Check (GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_b.refuted : ~ GbtSurfaces.Part_Abstract_printed.abs_basis_b.statement).
+Check (GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_b_name.proved : GbtSurfaces.Part_Abstract_printed.abs_basis_b_name.statement).
+Check (GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_b_name.met : GbtSurfaces.Part_Abstract_printed.abs_basis_b_name.instance).
+Check (GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_b_basis.refuted : ~ GbtSurfaces.Part_Abstract_printed.abs_basis_b_basis.statement).
 Check (GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_order_2.proved : GbtSurfaces.Part_Abstract_printed.abs_basis_order_2.statement).
 Check (GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_order_2.met : GbtSurfaces.Part_Abstract_printed.abs_basis_order_2.instance).
 Check (GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_cubic.proved : GbtSurfaces.Part_Abstract_printed.abs_basis_cubic.statement).
@@ -40,7 +42,9 @@ Check (GbtSurfaces.Part_Abstract_printed_proofs.abs_continuity_rows.proved : Gbt
 Check (GbtSurfaces.Part_Abstract_printed_proofs.abs_continuity_rows.met : GbtSurfaces.Part_Abstract_printed.abs_continuity_rows.instance).
 Check (GbtSurfaces.Part_Abstract_proofs.abs_basis_a.proved : GbtSurfaces.Part_Abstract.abs_basis_a.statement).
 Check (GbtSurfaces.Part_Abstract_proofs.abs_basis_a.met : GbtSurfaces.Part_Abstract.abs_basis_a.instance).
-Check (GbtSurfaces.Part_Abstract_proofs.abs_basis_b.refuted : ~ GbtSurfaces.Part_Abstract.abs_basis_b.statement).
+Check (GbtSurfaces.Part_Abstract_proofs.abs_basis_b_name.proved : GbtSurfaces.Part_Abstract.abs_basis_b_name.statement).
+Check (GbtSurfaces.Part_Abstract_proofs.abs_basis_b_name.met : GbtSurfaces.Part_Abstract.abs_basis_b_name.instance).
+Check (GbtSurfaces.Part_Abstract_proofs.abs_basis_b_basis.refuted : ~ GbtSurfaces.Part_Abstract.abs_basis_b_basis.statement).
 Check (GbtSurfaces.Part_Abstract_proofs.abs_basis_order_2.proved : GbtSurfaces.Part_Abstract.abs_basis_order_2.statement).
 Check (GbtSurfaces.Part_Abstract_proofs.abs_basis_order_2.met : GbtSurfaces.Part_Abstract.abs_basis_order_2.instance).
 Check (GbtSurfaces.Part_Abstract_proofs.abs_basis_cubic.proved : GbtSurfaces.Part_Abstract.abs_basis_cubic.statement).
@@ -1066,7 +1070,9 @@ Check (GbtSurfaces.Section_4_proofs.sec_4_convex_hull.proved : GbtSurfaces.Secti
 Definition all_theorems : True :=
 let _ := GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_a.proved in
 let _ := GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_a.met in
-let _ := GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_b.refuted in
+let _ := GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_b_name.proved in
+let _ := GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_b_name.met in
+let _ := GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_b_basis.refuted in
 let _ := GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_order_2.proved in
 let _ := GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_order_2.met in
 let _ := GbtSurfaces.Part_Abstract_printed_proofs.abs_basis_cubic.proved in
@@ -1079,7 +1085,9 @@ let _ := GbtSurfaces.Part_Abstract_printed_proofs.abs_continuity_rows.proved in
 let _ := GbtSurfaces.Part_Abstract_printed_proofs.abs_continuity_rows.met in
 let _ := GbtSurfaces.Part_Abstract_proofs.abs_basis_a.proved in
 let _ := GbtSurfaces.Part_Abstract_proofs.abs_basis_a.met in
-let _ := GbtSurfaces.Part_Abstract_proofs.abs_basis_b.refuted in
+let _ := GbtSurfaces.Part_Abstract_proofs.abs_basis_b_name.proved in
+let _ := GbtSurfaces.Part_Abstract_proofs.abs_basis_b_name.met in
+let _ := GbtSurfaces.Part_Abstract_proofs.abs_basis_b_basis.refuted in
 let _ := GbtSurfaces.Part_Abstract_proofs.abs_basis_order_2.proved in
 let _ := GbtSurfaces.Part_Abstract_proofs.abs_basis_order_2.met in
 let _ := GbtSurfaces.Part_Abstract_proofs.abs_basis_cubic.proved in
