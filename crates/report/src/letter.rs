@@ -370,7 +370,9 @@ fn counterexample(outcome: &Outcome) -> Option<Prose> {
         && of_the_paper
         && plain_value(&witness.left)
         && plain_value(&witness.right);
-    let why = is_shown.then(|| sentence::counterexample(outcome)).flatten()?;
+    let why = is_shown
+        .then(|| sentence::counterexample(outcome))
+        .flatten()?;
     if why.chars().count() > MAX_COUNTEREXAMPLE_LENGTH {
         return None;
     }

@@ -712,10 +712,10 @@ mod tests {
     #[test]
     fn a_range_is_framed_as_a_whole_and_keeps_its_brackets() {
         let [old, new] = shown("in the value range [0, 1]", "in the value range [−1, 1]");
-        assert!(old.ends_with("\\boxed{[0 , 1]}"), "{old}");
-        assert!(new.ends_with("\\boxed{[- 1 , 1]}"), "{new}");
+        assert!(old.ends_with("\\boxed{[0, 1]}"), "{old}");
+        assert!(new.ends_with("\\boxed{[- 1, 1]}"), "{new}");
         let [old, new] = shown("planes P (i = 1, 2, ..., k)", "planes P (i = 0, 1, ..., k)");
-        assert!(old.contains("\\boxed{i = 1 , 2 , \\dots , k}"), "{old}");
+        assert!(old.contains("\\boxed{i = 1, 2, \\ldots, k}"), "{old}");
         assert_eq!(new.matches("boxed").count(), 1, "{new}");
         assert!(!new.contains("**"), "{new}");
     }

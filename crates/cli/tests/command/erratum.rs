@@ -28,7 +28,7 @@ fn the_corrections_of_a_paper_are_written_in_three_forms_and_the_same_twice() {
     );
     for text in [&tex, &markdown] {
         assert!(
-            text.contains("eq. (slip)") && text.contains("One place needs a correction"),
+            text.contains("eq. (slip)") && text.contains("One correction follows"),
             "{text}"
         );
         let (corrections, questions) = text.split_once("Please compare").unwrap();
@@ -89,8 +89,7 @@ fn all_corrections_of_a_letter_are_in_force_together_when_it_is_verified() {
     let (said, verified) = letter(&["--verify"]);
     assert!(said.contains("mini/product  holds"), "{said}");
     assert!(
-        verified
-            .contains("the 2 statements that they concern were decided again: 2 are true."),
+        verified.contains("the 2 statements that they concern were decided again: 2 are true."),
         "{verified}"
     );
 }

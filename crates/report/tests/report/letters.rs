@@ -80,7 +80,7 @@ fn a_fault_is_one_item_with_the_words_of_the_paper_and_what_changes_framed() {
         says: "the exponent is wrong".to_owned(),
         shows: shows.to_vec(),
         changes: vec![FaultChange {
-            claim: "sample/eq-3.7".to_owned(),
+            claim: "sample/thm-4.det".to_owned(),
             printed: printed.to_owned(),
             reads: "det(A) = k^3".to_owned(),
             remark: None,
@@ -92,7 +92,7 @@ fn a_fault_is_one_item_with_the_words_of_the_paper_and_what_changes_framed() {
     assert!(letter.contains("The exponent is wrong."));
     assert!(letter.contains("^{\\boxed{\\scriptstyle 4}}"), "{letter}");
     assert!(letter.contains("^{\\boxed{\\scriptstyle 3}}"), "{letter}");
-    assert!(letter.contains("The same fault also in:"));
+    assert!(letter.contains("The same fault also in: "), "{letter}");
 }
 
 #[test]

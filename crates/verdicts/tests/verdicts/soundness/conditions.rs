@@ -192,3 +192,27 @@ fn a_condition_that_an_assumption_excludes_is_none() {
         "{found:#?}"
     );
 }
+
+#[test]
+fn what_the_hypotheses_keep_from_zero_is_no_condition() {
+    // A sum of squares one of which differs from zero, and a number whose square is above one.
+    for (assumed, states) in [
+        ("a != 0", "1/(a^2 + y^2) > 0"),
+        ("a != 0", "a^2/sqrt(a^2 + y^2) >= 0"),
+        ("y^2 > 1", "abs(a/y) == abs(a)/abs(y)"),
+    ] {
+        let lines = format!("assume = ['{assumed}']\nstates = '{states}'");
+        let found = expect("settled", &lines, Holds);
+        assert_eq!(conditions(&found), [""; 0], "{states}");
+        assert!(found.replay().unwrap().is_whole(), "{states}");
+    }
+    let found = expect("open", "states = '1/a^2 > 0'", Conditional);
+    assert_eq!(conditions(&found), ["a != 0"]);
+}
+
+#[test]
+fn a_root_is_positive_before_what_it_occurs_in() {
+    let lines = "assume = ['y > 0']\nstates = '1/(a + sqrt(a^2 + y)) == (sqrt(a^2 + y) - a)/y'";
+    let found = expect("conjugate", lines, Holds);
+    assert!(found.replay().unwrap().is_whole());
+}
