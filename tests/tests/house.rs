@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each room with the rooms it may use. Rooms that are planned and not built stand here as well.
-const ROOMS: [(&str, &[&str]); 20] = [
+const ROOMS: [(&str, &[&str]); 21] = [
     ("numbers", &[]),
     ("algebra", &["numbers"]),
     ("syntax", &["numbers"]),
@@ -22,6 +22,7 @@ const ROOMS: [(&str, &[&str]); 20] = [
     ("checker", &["numbers", "core", "certificate"]),
     ("prove", &["algebra", "core", "elaborate", "certificate"]),
     ("typography", &["syntax"]),
+    ("manuscript", &["syntax"]),
     (
         "verdicts",
         &[
@@ -40,7 +41,10 @@ const ROOMS: [(&str, &[&str]); 20] = [
     ("figures", &["syntax", "prove", "plot"]),
     ("designs", &["syntax", "geometry", "exchange", "plot"]),
     ("report", &["verdicts", "typography", "plot"]),
-    ("torse", &["report", "figures", "designs", "rocq"]),
+    (
+        "torse",
+        &["manuscript", "report", "figures", "designs", "rocq"],
+    ),
     ("cli", &["torse"]),
 ];
 

@@ -15,6 +15,8 @@ use torse::{Decided, Verdict};
 /// Undeclared names are real numbers. `--where` declares other symbols, defines functions and adds hypotheses,
 /// separated by semicolons: `x in [0, 1]`, `n in 0..`, `p: vector 3`, `f: function 1`, `H(t) := t^2`, `a > 0`.
 ///
+/// `--latex` reads the statement as a paper prints it. A formula with two readings is an error that shows both.
+///
 /// If the statement is `-`, each line of standard input is a statement, or a JSON object with `states` and `where`. For
 /// each line torse prints a line of JSON as in `verify --format json`, or an `error`. The exit code is 0 for a true
 /// statement, 1 for a false one, 3 for one that is not decided, 4 for one that makes no sense; for several, the
@@ -25,6 +27,9 @@ pub struct Decide {
     /// The statement, or - to read statements from standard input
     #[arg(value_name = "STATEMENT", allow_hyphen_values = true)]
     statement: String,
+    /// Read the statement as LaTeX, without dollar signs
+    #[arg(long)]
+    latex: bool,
     /// Add declarations, definitions and hypotheses
     #[arg(long = "where", value_name = "SETTING", default_value = "")]
     setting: String,
@@ -40,6 +45,7 @@ Examples:
   torse decide \"sin(x)^2 + cos(x)^2 == 1\"
   torse decide \"(a + b)^2 == a^2 + b^2\"
   torse decide \"sum(i, 0, n, binom(n, i)*x^i*(1 - x)^(n - i)) == 1\" --where \"n in 0..\"
+  torse decide --latex '\\sin^2 x + \\cos^2 x = 1'
   torse decide \"x^2 > 0\" --where \"x != 0\"
   torse decide - < statements.txt";
 
@@ -59,7 +65,10 @@ impl Decide {
             return self.lines();
         }
         let verifier = self.budget.verifier();
-        let decided = verifier.decide(&self.statement, &self.setting)?;
+        let decided = match self.latex {
+            true => verifier.decide_latex(&self.statement, &self.setting)?,
+            false => verifier.decide(&self.statement, &self.setting)?,
+        };
         watchdog::finished();
         terminal::print(&match self.format {
             Format::Text => text(&decided.explanation()),
@@ -93,7 +102,10 @@ impl Decide {
         };
         let decided = question.and_then(|question| {
             let verifier = self.budget.verifier();
-            let decided = verifier.decide(&question.states, &question.setting);
+            let decided = match self.latex {
+                true => verifier.decide_latex(&question.states, &question.setting),
+                false => verifier.decide(&question.states, &question.setting),
+            };
             decided.map_err(|error| error.to_string())
         });
         Ok(match decided {

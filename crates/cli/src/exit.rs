@@ -256,6 +256,17 @@ pub enum Failure {
         #[source]
         source: std::io::Error,
     },
+    /// A manuscript is no text that can be read.
+    #[error("{}, line {line}: {reason}", path.display())]
+    #[diagnostic(help("a macro that calls itself has no end; give the text that it stands for"))]
+    Manuscript {
+        /// The path as given.
+        path: PathBuf,
+        /// The line.
+        line: usize,
+        /// Why.
+        reason: String,
+    },
     /// The output could not be written.
     #[error("cannot write the output")]
     Print(#[source] std::io::Error),
@@ -297,7 +308,10 @@ impl Failure {
                 | DeriveError::NeedsDegree { .. } => Exit::Usage,
                 _ => Exit::BadData,
             },
-            Failure::Load(_) | Failure::Derivation(_) | Failure::Slug { .. } => Exit::BadData,
+            Failure::Load(_)
+            | Failure::Derivation(_)
+            | Failure::Slug { .. }
+            | Failure::Manuscript { .. } => Exit::BadData,
             Failure::MissingCoqc => Exit::Missing,
             Failure::ReadProofs { .. }
             | Failure::Unread { .. }

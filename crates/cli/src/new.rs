@@ -4,6 +4,8 @@ use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::terminal;
 use clap::Args;
+use std::path::{Path, PathBuf};
+use torse_manuscript::{ManuscriptError, Proposal};
 use torse_report::write_file;
 
 /// The files of a new folder; `NAME` stands for its name.
@@ -14,6 +16,11 @@ const FILES: [(&str, &str); 2] = [
 
 /// Write a folder of derivation files to start from.
 ///
+/// `--from` reads a manuscript in LaTeX: each numbered equation and each theorem becomes a claim with its words and its place, and
+/// with a statement where the print has one meaning. What has two readings stands there twice, in comments; what is not understood is
+/// listed with its line and column. The text is one file: what it includes is listed, and not read.
+///
+/// Without `--from`:
 /// It contains a basis with a shape parameter, two curves, four claims about them and a figure, with comments that say
 /// what to change. Existing files are never overwritten.
 #[derive(Args)]
@@ -22,6 +29,9 @@ pub struct New {
     /// The name of the folder: lower-case letters, digits and hyphens
     #[arg(value_name = "PAPER", value_parser = name)]
     paper: String,
+    /// Read this manuscript in LaTeX
+    #[arg(long, value_name = "FILE")]
+    from: Option<PathBuf>,
     #[command(flatten)]
     derivations: Derivations,
 }
@@ -29,6 +39,7 @@ pub struct New {
 const EXAMPLES: &str = "\
 Examples:
   torse new my-paper
+  torse new my-paper --from paper.tex && torse verify my-paper
   torse new my-paper --derivations my-papers && torse verify my-paper --derivations my-papers";
 
 /// Checks that a name can begin an id and be the name of a report.
@@ -48,13 +59,67 @@ impl New {
         if folder.exists() {
             return Err(Failure::Exists { path: folder });
         }
+        let proposal = self.from.as_deref().map(|path| self.propose(path));
+        let (files, more) = match proposal.transpose()? {
+            Some(proposal) => {
+                let more = summary(&proposal);
+                let files = [
+                    ("paper.toml", proposal.paper),
+                    ("claims.toml", proposal.claims),
+                ];
+                (files, more)
+            }
+            None => {
+                let named =
+                    |(file, text): (&'static str, &str)| (file, text.replace("NAME", &self.paper));
+                (FILES.map(named), String::new())
+            }
+        };
         let mut written = String::new();
-        for (file, text) in FILES {
+        for (file, text) in files {
             let path = folder.join(file);
-            write_file(&path, text.replace("NAME", &self.paper).as_bytes())?;
+            write_file(&path, text.as_bytes())?;
             written.push_str(&format!("{}\n", path.display()));
         }
-        terminal::print(&written)?;
+        terminal::print(&format!("{written}{more}"))?;
         Ok(Exit::AsExpected)
     }
+
+    /// Reads a manuscript.
+    fn propose(&self, path: &Path) -> Result<Proposal, Failure> {
+        let text = std::fs::read_to_string(path).map_err(|source| Failure::Unread {
+            path: path.to_owned(),
+            source,
+        })?;
+        let manuscript = torse_manuscript::manuscript(&text).map_err(|error| {
+            let place = match &error {
+                ManuscriptError::Expansion { place, .. } => place.start,
+                ManuscriptError::TooLong => 0,
+            };
+            let before = text.get(..place).unwrap_or(&text);
+            Failure::Manuscript {
+                path: path.to_owned(),
+                line: before.matches('\n').count() + 1,
+                reason: error.to_string(),
+            }
+        })?;
+        Ok(torse_manuscript::propose(&manuscript, &self.paper))
+    }
+}
+
+/// What a person has to look at.
+fn summary(proposal: &Proposal) -> String {
+    let mut text = format!(
+        "\n{} stated or defined, {} to choose, {} not understood\n",
+        proposal.stated,
+        proposal.to_choose,
+        proposal.unread.len()
+    );
+    for unread in &proposal.unread {
+        text.push_str(&format!(
+            "{}:{} {}\n",
+            unread.line, unread.column, unread.why
+        ));
+    }
+    text
 }

@@ -9,6 +9,7 @@ pub mod derivation;
 pub mod fault;
 pub mod formula;
 pub mod greek;
+pub mod latex;
 pub mod notation;
 pub mod similar;
 pub mod taxonomy;

@@ -8,7 +8,9 @@ use serde_json::Value;
 use std::sync::Arc;
 use torse_prove::evidence::Witness;
 use torse_report::{Mathematics, finding_json, glossary};
-use torse_syntax::derivation::{DerivationError, LoadError, Origin, Source, question};
+use torse_syntax::derivation::{
+    DerivationError, LoadError, Origin, Source, latex_question, question,
+};
 use torse_syntax::formula::parse;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
@@ -89,6 +91,23 @@ impl Verifier<'_> {
         })?;
         let outcome = self.claim(&paper.head.id, claim)?;
         Ok(Decided { outcome })
+    }
+
+    /// Decides one statement in LaTeX in a setting.
+    ///
+    /// # Errors
+    /// As [`decide`]; [`Error::Load`] also for what has two readings, or none.
+    ///
+    /// ```
+    /// use torse::Verifier;
+    /// let decided = Verifier::new().decide_latex(r"\cos 2x = 1 - 2\sin^2 x", "")?;
+    /// assert_eq!(decided.is_true(), Some(true));
+    /// assert!(Verifier::new().decide_latex("1/2x = x/2", "").is_err());
+    /// # Ok::<(), torse::Error>(())
+    /// ```
+    pub fn decide_latex(&self, latex: &str, setting: &str) -> Result<Decided, Error> {
+        let (statement, setting) = latex_question(latex, setting)?;
+        self.decide(&statement, &setting)
     }
 }
 

@@ -143,6 +143,9 @@ pub use torse_exchange as exchange;
 /// Curves, surfaces, developables, patterns: for every scalar.
 #[cfg(feature = "geometry")]
 pub use torse_geometry as geometry;
+/// Manuscripts in LaTeX, read as proposals for derivation files.
+#[cfg(feature = "papers")]
+pub use torse_manuscript as manuscript;
 /// Documents and words: PDF, HTML, JSON, letters.
 #[cfg(feature = "papers")]
 pub use torse_report as report;

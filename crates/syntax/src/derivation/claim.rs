@@ -7,12 +7,14 @@ use super::error::{DerivationError, LoadError};
 use super::existential::{Existential, existentials};
 use super::figure::{Figure, figure};
 use super::folder;
+use super::latex_formula::latex_written;
 use super::provenance::{Hypothesis, Provenance, Quote, provenance};
 use super::schema::hypothesis::HypothesisEntry;
 use super::schema::{AnswerEntry, ClaimEntry, ReadingEntry};
 use super::source::{Origin, Source, whole};
 use super::table::Errors;
 use super::written::{Written, written};
+use crate::notation::text;
 use crate::taxonomy::{Flag, Kind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -193,10 +195,10 @@ pub(super) fn claim(
 fn formulas(
     source: &Arc<Source>,
     shared: &Arc<Declarations>,
-    entry: ClaimEntry,
+    mut entry: ClaimEntry,
     errors: &mut Errors,
 ) -> Claim {
-    let id = entry.id.get_ref();
+    let id = &entry.id.get_ref().clone();
     let own = [entry.symbols.len(), entry.local.len(), entry.display.len()];
     let declarations = if own == [0; 3] {
         Arc::clone(shared)
@@ -211,8 +213,13 @@ fn formulas(
         let parsed = texts.iter().map(|text| written(source, text));
         parsed.filter_map(|result| errors.keep(result)).collect()
     };
-    let statement = all(entry.states.as_slice()).pop();
+    let mut statement = all(entry.states.as_slice()).pop();
     let unknowns = all(&entry.solve_for);
+    if let (Some(latex), None) = (&entry.latex, &entry.states) {
+        statement = errors.keep(latex_written(source, latex, &declarations));
+        let read = statement.as_ref().map(|written| text(&written.expr));
+        entry.states = read.map(|read| Spanned::new(latex.span(), read));
+    }
     let existentials = existentials(source, &declarations, &entry.exists, errors);
     Claim {
         existentials,
@@ -264,6 +271,7 @@ fn read_as(entry: &ClaimEntry, reading: &ReadingEntry) -> ClaimEntry {
     let more = reading.clone();
     entry.readings.clear();
     entry.states = Some(more.states);
+    entry.latex = None;
     entry.reading = Some(more.says.into_inner());
     entry.symbols.extend(more.symbols);
     entry.local.extend(more.local);
@@ -282,7 +290,16 @@ fn check_fields(source: &Arc<Source>, entry: &ClaimEntry, errors: &mut Errors) {
     };
     let undecidable = entry.underspecified.is_some() || entry.out_of_scope.is_some();
     let optional = matches!(entry.kind, Kind::Definition | Kind::Figure) || undecidable;
-    if !optional && entry.states.is_none() && entry.readings.is_empty() {
+    if let (Some(latex), true) = (
+        &entry.latex,
+        entry.states.is_some() || !entry.readings.is_empty(),
+    ) {
+        let message =
+            "a claim has its statement in LaTeX, or in `states` or `readings`, but not both";
+        wrong(latex, message, "leave one of them out");
+    }
+    let nothing = entry.states.is_none() && entry.latex.is_none();
+    if !optional && nothing && entry.readings.is_empty() {
         let message = "this claim states nothing: the field `states` is missing";
         let help = "add `states = '...'`, or say why not with `underspecified` or `out_of_scope`";
         wrong(&entry.id, message, help);

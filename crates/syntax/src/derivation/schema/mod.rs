@@ -180,6 +180,8 @@ pub struct ClaimEntry {
     pub assume: Vec<HypothesisEntry>,
     /// The statement in the formula language.
     pub states: Option<Text>,
+    /// Instead of `states`: the statement in LaTeX, without dollar signs. After loading, `states` has what was read.
+    pub latex: Option<Text>,
     /// Instead of `states`: two or more possible readings of the sentence.
     #[serde(default)]
     pub readings: Vec<ReadingEntry>,

@@ -1,0 +1,594 @@
+//! Names with their scripts, primes and arguments.
+//!
+//! | print | reading |
+//! |---|---|
+//! | `P_i`, `Q_{i,j}`, `Q_{ij}` | members of a declared family, with as many indices as it has |
+//! | `B_i^n(t)`, `B_{i,n}(t)` | function i of degree n of a declared basis |
+//! | `v_2` | the coordinate of a declared vector |
+//! | `f(x)`, `f'(x)`, `f''(x)` | a declared function and its derivatives |
+//! | `x(a + b)` | a product, for a declared number |
+//! | `X_u`, `X_{uv}` | the derivative of a declared function by its parameters, at these |
+//! | `e^x` | `exp(x)`, where no `e` is declared |
+
+use super::error::LatexError;
+use super::item::{Nucleus, TexFace, TexItem, place_of};
+use super::names::{FoundName, LatexKind, parts, spelled};
+use super::reader::{Line, ReadTerm, Reader, Shape, Term};
+use crate::formula::{Expr, Node, Place};
+use std::sync::Arc;
+
+impl Reader<'_> {
+    /// Reads a letter with what belongs to it.
+    pub fn name(&mut self, line: &mut Line<'_>) -> ReadTerm {
+        let Some(item) = line.peek() else {
+            return Err(LatexError::new(line.place(), "an operand is missing"));
+        };
+        let place = item.place;
+        if let Some(index) = self.is_bound(item) {
+            line.next += 1;
+            if item.below.is_some() || item.primes > 0 {
+                return Err(LatexError::new(
+                    place,
+                    format!("the index `{index}` has a script"),
+                ));
+            }
+            return self.with_power(named(&index, place, Shape::Number), item.above.as_deref());
+        }
+        if let Some(term) = self.constant(line, item)? {
+            return Ok(term);
+        }
+        let found = match &item.nucleus {
+            Nucleus::Operator(letters) => {
+                let (name, kind) = (
+                    letters.clone(),
+                    self.names
+                        .kind(letters)
+                        .cloned()
+                        .unwrap_or(LatexKind::Number),
+                );
+                let below = item.below.as_deref().map(parts).unwrap_or_default();
+                FoundName {
+                    name,
+                    kind,
+                    below,
+                    above: item.above.as_deref(),
+                    primes: item.primes,
+                }
+            }
+            _ => self.names.find(item)?,
+        };
+        line.next += 1;
+        if found.primes > 0
+            && !matches!(
+                found.kind,
+                LatexKind::Function { .. } | LatexKind::Basis { .. } | LatexKind::Family { .. }
+            )
+        {
+            return Err(LatexError::new(
+                place,
+                format!("`{}` is no function, and has a prime", found.name),
+            ));
+        }
+        match found.kind.clone() {
+            LatexKind::Number => self.plain(found, place, Shape::Number),
+            LatexKind::Matrix => self.entries(found, place, 2),
+            LatexKind::Vector => self.entries(found, place, 1),
+            LatexKind::Open => {
+                let brackets = line
+                    .peek()
+                    .is_some_and(|next| matches!(next.nucleus, Nucleus::Fenced('(', ..)));
+                let says = ["a product", "a function with its argument"];
+                if brackets && self.choose(format!("call {}", found.name), place, says) == 1 {
+                    let head = named(&found.name, place, Shape::Number).expr;
+                    return self.called(line, head, Shape::Number, &found, 1);
+                }
+                self.plain(found, place, Shape::Number)
+            }
+            LatexKind::Family { indices, is_vector } => {
+                self.member(line, &found, place, indices, is_vector)
+            }
+            LatexKind::Basis { degree, variable } => {
+                self.basis(line, &found, place, degree, &variable)
+            }
+            LatexKind::Function {
+                parameters,
+                is_vector,
+            } => self.applied(line, &found, place, &parameters, is_vector),
+        }
+    }
+
+    /// `\pi`, and `e` with an exponent.
+    fn constant(
+        &mut self,
+        line: &mut Line<'_>,
+        item: &TexItem,
+    ) -> Result<Option<Term>, LatexError> {
+        let Nucleus::Letter(letters, face) = &item.nucleus else {
+            return Ok(None);
+        };
+        let is_plain = matches!(face, TexFace::Plain)
+            || matches!(face, TexFace::Other(name) if name == "mathrm");
+        let bare = item.below.is_none() && item.primes == 0;
+        if letters == "pi" && is_plain && bare && self.names.kind("pi").is_none() {
+            line.next += 1;
+            return self
+                .with_power(
+                    named("pi", item.place, Shape::Number),
+                    item.above.as_deref(),
+                )
+                .map(Some);
+        }
+        if let ("e", true, Some(above), None) = (
+            letters.as_str(),
+            is_plain && bare,
+            &item.above,
+            self.names.kind("e"),
+        ) {
+            line.next += 1;
+            let exponent = self.value(above, item.place, "the exponent")?;
+            return Ok(Some(Term::call(
+                "exp",
+                vec![exponent],
+                item.place,
+                Shape::Number,
+            )));
+        }
+        Ok(None)
+    }
+
+    fn with_power(&mut self, term: Term, above: Option<&[TexItem]>) -> ReadTerm {
+        match above {
+            None => Ok(term),
+            Some(above) => self.raised(term, above),
+        }
+    }
+
+    /// A name that takes no index.
+    fn plain(&mut self, found: FoundName<'_>, place: Place, shape: Shape) -> ReadTerm {
+        if !found.below.is_empty() {
+            let message = format!("`{}` is declared, but not with this subscript", found.name);
+            return Err(LatexError::new(place, message));
+        }
+        self.with_power(named(&found.name, place, shape), found.above)
+    }
+
+    /// A vector or a matrix, or one of its entries.
+    fn entries(&mut self, found: FoundName<'_>, place: Place, wanted: usize) -> ReadTerm {
+        let shape = if wanted == 1 {
+            Shape::Vector
+        } else {
+            Shape::Matrix
+        };
+        if found.below.is_empty() {
+            return self.plain(found, place, shape);
+        }
+        let indices = self.indices(&found.below, wanted, place)?;
+        let head = named(&found.name, place, shape).expr;
+        let entry = Term::number(Node::Index(Arc::new(head), indices), place);
+        self.with_power(entry, found.above)
+    }
+
+    /// Reads indices between commas, or two letters or digits side by side for two.
+    fn indices(
+        &mut self,
+        below: &[&[TexItem]],
+        wanted: usize,
+        place: Place,
+    ) -> Result<Vec<Expr>, LatexError> {
+        let wrong = |found: usize| {
+            LatexError::new(
+                place,
+                format!("{found} indices stand where {wanted} belong"),
+            )
+        };
+        if below.len() == wanted {
+            return below
+                .iter()
+                .map(|part| self.value(part, place, "the index"))
+                .collect();
+        }
+        let [only] = below else {
+            return Err(wrong(below.len()));
+        };
+        let mut single = vec![];
+        for item in *only {
+            match &item.nucleus {
+                Nucleus::Number(digits) if item.is_bare() && !digits.contains('.') => {
+                    for (at, digit) in digits.chars().enumerate() {
+                        let place = Place {
+                            start: item.place.start + at,
+                            end: item.place.start + at + 1,
+                        };
+                        single.push(TexItem::new(Nucleus::Number(digit.to_string()), place));
+                    }
+                }
+                Nucleus::Letter(..) if item.is_bare() => single.push(item.clone()),
+                _ => return Err(wrong(1)),
+            }
+        }
+        if single.len() != wanted {
+            return Err(wrong(single.len()));
+        }
+        single
+            .iter()
+            .map(|item| self.value(std::slice::from_ref(item), place, "the index"))
+            .collect()
+    }
+
+    /// A member of a family; a superscript is the last index where the subscripts are too few.
+    fn member(
+        &mut self,
+        line: &mut Line<'_>,
+        found: &FoundName<'_>,
+        place: Place,
+        wanted: usize,
+        is_vector: bool,
+    ) -> ReadTerm {
+        let shape = if is_vector {
+            Shape::Vector
+        } else {
+            Shape::Number
+        };
+        if found.primes > 0 {
+            return Err(LatexError::new(
+                place,
+                format!("`{}` is a family, and has a prime", found.name),
+            ));
+        }
+        let (mut below, mut above) = (found.below.clone(), found.above);
+        if below.len() + 1 == wanted
+            && let Some(last) = above.take()
+        {
+            below.push(last);
+        }
+        if below.is_empty() {
+            return Err(LatexError::new(
+                place,
+                format!("`{}` is a family, and has no index here", found.name),
+            ));
+        }
+        let indices = self.indices(&below, wanted, place)?;
+        let head = named(&found.name, place, shape).expr;
+        let member = Term::new(Node::Index(Arc::new(head), indices), place, shape);
+        let _ = line;
+        self.with_power(member, above)
+    }
+
+    /// A function of a basis.
+    fn basis(
+        &mut self,
+        line: &mut Line<'_>,
+        found: &FoundName<'_>,
+        place: Place,
+        degree: Option<u8>,
+        variable: &str,
+    ) -> ReadTerm {
+        let (mut below, mut above) = (found.below.clone(), found.above);
+        let mut indices = match (below.len(), degree) {
+            (1, Some(_)) if above.is_none() => self.indices(&below, 1, place)?,
+            (1, _) => {
+                let before = below.clone();
+                match above.take() {
+                    Some(order) => below.push(order),
+                    None if degree.is_none()
+                        && before.first().is_some_and(|part| part.len() == 2) => {}
+                    None => {
+                        return Err(LatexError::new(
+                            place,
+                            format!(
+                                "`{}` is a basis: its functions have an index and a degree",
+                                found.name
+                            ),
+                        ));
+                    }
+                }
+                self.indices(&below, 2, place)?
+            }
+            (2, _) => self.indices(&below, 2, place)?,
+            _ => {
+                return Err(LatexError::new(
+                    place,
+                    format!(
+                        "`{}` is a basis: its functions have an index and a degree",
+                        found.name
+                    ),
+                ));
+            }
+        };
+        if let (1, Some(degree)) = (indices.len(), degree) {
+            let degree =
+                torse_numbers::Rational::from_integer(torse_numbers::Integer::from(degree));
+            indices.push(Expr {
+                place,
+                ..Expr::number(&degree)
+            });
+        }
+        if above.is_some() {
+            return Err(
+                LatexError::new(place, "an exponent before the argument may be a degree")
+                    .with_help("write the power around the call"),
+            );
+        }
+        let head = named(&found.name, place, Shape::Number).expr;
+        let member = Expr {
+            node: Node::Index(Arc::new(head), indices),
+            place,
+        };
+        let mut member = Term {
+            expr: member,
+            shape: Shape::Number,
+        };
+        if found.primes > 0 {
+            // A prime is the derivative by the variable of the basis.
+            let mut arguments = vec![member.expr];
+            arguments.push(named(variable, place, Shape::Number).expr);
+            if found.primes > 1 {
+                let order = torse_numbers::Rational::from_integer(torse_numbers::Integer::from(
+                    u64::try_from(found.primes).unwrap_or(u64::MAX),
+                ));
+                arguments.push(Expr {
+                    place,
+                    ..Expr::number(&order)
+                });
+            }
+            member = Term::call("D", arguments, place, Shape::Number);
+        }
+        match line.peek().map(|next| &next.nucleus) {
+            Some(Nucleus::Fenced('(', ..)) => {
+                self.called(line, member.expr, Shape::Number, found, usize::MAX)
+            }
+            _ => Ok(member),
+        }
+    }
+
+    /// A function with its argument, its derivatives and its partial derivatives.
+    fn applied(
+        &mut self,
+        line: &mut Line<'_>,
+        found: &FoundName<'_>,
+        place: Place,
+        parameters: &[String],
+        is_vector: bool,
+    ) -> ReadTerm {
+        let shape = if is_vector {
+            Shape::Vector
+        } else {
+            Shape::Number
+        };
+        let brackets = line
+            .peek()
+            .is_some_and(|next| matches!(next.nucleus, Nucleus::Fenced('(', ..)));
+        // Scripts that the function's first parameters stand for: `B_i^n(t)` for `B(i, n, t)`.
+        let scripts: Vec<&[TexItem]> = found.below.iter().copied().chain(found.above).collect();
+        if !scripts.is_empty() && found.primes == 0 && brackets {
+            let given = line.peek().map_or(0, |next| match &next.nucleus {
+                Nucleus::Fenced(_, inner, _) => parts(inner).len(),
+                _ => 0,
+            });
+            if given + scripts.len() == parameters.len() {
+                let mut arguments = self.indices(&scripts, scripts.len(), place)?;
+                return self.finished(line, &found.name, &mut arguments, shape, place);
+            }
+        }
+        let primed = format!("{}{}", found.name, "'".repeat(found.primes));
+        if let Some(above) = found.above.filter(|_| brackets) {
+            let error = LatexError::new(
+                place_of(above, place),
+                format!(
+                    "an exponent of the function `{}` before its argument may be a power or a number of repetitions",
+                    found.name
+                ),
+            );
+            return Err(error.with_help("write the exponent behind the argument"));
+        }
+        if let [below] = found.below.as_slice() {
+            let Some(variables) = self.partials(below, parameters) else {
+                return Err(LatexError::new(
+                    place,
+                    format!("`{}` is declared, but not with this subscript", found.name),
+                ));
+            };
+            return self.partial(line, &primed, &variables, parameters, shape, place, found);
+        }
+        if !found.below.is_empty() {
+            return Err(LatexError::new(
+                place,
+                format!(
+                    "`{}` is declared, but not with these subscripts",
+                    found.name
+                ),
+            ));
+        }
+        if !brackets {
+            // Papers leave the argument out: it is the parameter.
+            if parameters.is_empty()
+                || parameters.iter().any(|name| {
+                    self.names.kind(name) != Some(&LatexKind::Number) || self.bound.contains(name)
+                })
+            {
+                return Err(LatexError::new(
+                    place,
+                    format!("the function `{}` has no argument here", found.name),
+                ));
+            }
+            let arguments = parameters
+                .iter()
+                .map(|name| named(name, place, Shape::Number).expr);
+            let head = named(&primed, place, shape).expr;
+            let call = Node::Call(Arc::new(head), arguments.collect());
+            return self.with_power(Term::new(call, place, shape), found.above);
+        }
+        let head = named(&primed, place, shape).expr;
+        self.called(line, head, shape, found, parameters.len())
+    }
+
+    /// The parameters that a subscript names, one letter each, if it names nothing else.
+    fn partials(&self, below: &[TexItem], parameters: &[String]) -> Option<Vec<String>> {
+        let letter = |item: &TexItem| match &item.nucleus {
+            Nucleus::Letter(letters, TexFace::Plain)
+                if item.is_bare() && parameters.contains(letters) =>
+            {
+                Some(letters.clone())
+            }
+            _ => None,
+        };
+        below
+            .iter()
+            .map(letter)
+            .collect::<Option<Vec<String>>>()
+            .filter(|found| !found.is_empty())
+    }
+
+    /// A derivative by parameters: at the arguments behind it, or at the parameters.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "one call, of values that belong to no type"
+    )]
+    fn partial(
+        &mut self,
+        line: &mut Line<'_>,
+        primed: &str,
+        variables: &[String],
+        parameters: &[String],
+        shape: Shape,
+        place: Place,
+        found: &FoundName<'_>,
+    ) -> ReadTerm {
+        let mut function = named(primed, place, shape).expr;
+        let mut variables = variables.iter().peekable();
+        while let Some(variable) = variables.next() {
+            let mut order = 1_u64;
+            while variables.next_if(|next| *next == variable).is_some() {
+                order += 1;
+            }
+            let mut arguments = vec![function, named(variable, place, Shape::Number).expr];
+            if order > 1 {
+                let order =
+                    torse_numbers::Rational::from_integer(torse_numbers::Integer::from(order));
+                arguments.push(Expr {
+                    place,
+                    ..Expr::number(&order)
+                });
+            }
+            function = Term::call("D", arguments, place, shape).expr;
+        }
+        if line
+            .peek()
+            .is_some_and(|next| matches!(next.nucleus, Nucleus::Fenced('(', ..)))
+        {
+            return self.called(line, function, shape, found, parameters.len());
+        }
+        if parameters.iter().any(|name| {
+            self.names.kind(name) != Some(&LatexKind::Number) || self.bound.contains(name)
+        }) {
+            return Err(LatexError::new(
+                place,
+                format!("the derivative of `{}` has no argument here", found.name),
+            ));
+        }
+        let arguments = parameters
+            .iter()
+            .map(|name| named(name, place, Shape::Number).expr);
+        Ok(Term::new(
+            Node::Call(Arc::new(function), arguments.collect()),
+            place,
+            shape,
+        ))
+    }
+
+    /// Reads the arguments behind a function.
+    fn called(
+        &mut self,
+        line: &mut Line<'_>,
+        head: Expr,
+        shape: Shape,
+        found: &FoundName<'_>,
+        most: usize,
+    ) -> ReadTerm {
+        let mut arguments = vec![];
+        let start = head.place;
+        let Some(TexItem {
+            nucleus: Nucleus::Fenced(_, inner, _),
+            ..
+        }) = line.peek()
+        else {
+            return Err(LatexError::new(
+                start,
+                format!("the function `{}` has no argument", found.name),
+            ));
+        };
+        let given = parts(inner).len();
+        if given > most {
+            return Err(LatexError::new(
+                start,
+                format!(
+                    "`{}` has {given} arguments here and {most} where it is defined",
+                    found.name
+                ),
+            ));
+        }
+        self.finished_with(line, head, &mut arguments, shape, start)
+    }
+
+    fn finished(
+        &mut self,
+        line: &mut Line<'_>,
+        name: &str,
+        arguments: &mut Vec<Expr>,
+        shape: Shape,
+        place: Place,
+    ) -> ReadTerm {
+        let head = named(name, place, shape).expr;
+        self.finished_with(line, head, arguments, shape, place)
+    }
+
+    /// Takes the bracket of arguments with what stands behind it.
+    fn finished_with(
+        &mut self,
+        line: &mut Line<'_>,
+        head: Expr,
+        arguments: &mut Vec<Expr>,
+        shape: Shape,
+        start: Place,
+    ) -> ReadTerm {
+        let Some(item) = line.peek() else {
+            return Err(LatexError::new(start, "the function has no argument"));
+        };
+        let (Nucleus::Fenced('(', inner, ')'), place) = (&item.nucleus, start.to(item.place))
+        else {
+            return Err(LatexError::new(
+                start,
+                "the function has no argument in round brackets",
+            ));
+        };
+        line.next += 1;
+        for part in parts(inner) {
+            arguments.push(self.value(part, item.place, "the argument")?);
+        }
+        if item.primes > 0 || item.below.is_some() {
+            return Err(LatexError::new(
+                item.place,
+                "this script behind the argument is not understood",
+            ));
+        }
+        let call = Term::new(
+            Node::Call(Arc::new(head), std::mem::take(arguments)),
+            place,
+            shape,
+        );
+        self.with_power(call, item.above.as_deref())
+    }
+}
+
+/// A name as a formula.
+pub(super) fn named(name: &str, place: Place, shape: Shape) -> Term {
+    Term::new(Node::Name(name.to_owned()), place, shape)
+}
+
+/// The spelling of a lone letter.
+pub(super) fn lone_letter(list: &[TexItem]) -> Option<String> {
+    match list {
+        [only] if only.is_bare() => spelled(only).ok().map(|(letters, _)| letters),
+        _ => None,
+    }
+}

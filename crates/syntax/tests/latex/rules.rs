@@ -1,0 +1,171 @@
+//! The rules one by one: what is clear, what has two readings, what is refused and why.
+
+use crate::normal::{normal, normal_text};
+use torse_syntax::derivation::{latex_names, question};
+use torse_syntax::latex::{LatexCondition, LatexError, LatexNames, LatexReading, read_latex};
+
+fn names(setting: &str) -> LatexNames {
+    let paper = question(
+        "1 == 1",
+        &format!("a, b, c, x, y, t in (-inf, inf); n, m in 0..; {setting}"),
+    );
+    latex_names(&paper.unwrap().claims[0].declarations)
+}
+
+fn read(print: &str, setting: &str) -> Result<LatexReading, LatexError> {
+    read_latex(print, &names(setting))
+}
+
+#[track_caller]
+fn is(print: &str, setting: &str, meant: &str) {
+    let read = read(print, setting).unwrap_or_else(|error| unreachable!("{print}: {error}"));
+    assert!(read.others.is_empty(), "{print}: {:?}", read.others);
+    assert_eq!(
+        normal(&read.statement.formula),
+        normal_text(meant),
+        "{print}"
+    );
+}
+
+#[track_caller]
+fn has_two_readings(print: &str, setting: &str, first: &str, second: &str) {
+    let read = read(print, setting).unwrap_or_else(|error| unreachable!("{print}: {error}"));
+    let others: Vec<_> = read
+        .others
+        .iter()
+        .map(|(_, other)| normal(&other.formula))
+        .collect();
+    assert_eq!(
+        normal(&read.statement.formula),
+        normal_text(first),
+        "{print}"
+    );
+    assert_eq!(others, [normal_text(second)], "{print}");
+}
+
+#[track_caller]
+fn is_refused(print: &str, setting: &str, at: &str, says: &str) {
+    let error = read(print, setting)
+        .err()
+        .unwrap_or_else(|| unreachable!("{print} is read"));
+    assert!(error.message.contains(says), "{print}: {error}");
+    assert_eq!(
+        print.get(error.place.start..error.place.end),
+        Some(at),
+        "{print}: {error}"
+    );
+}
+
+#[test]
+fn a_slash_before_a_product_and_a_function_before_several_operands_have_two_readings() {
+    has_two_readings("1/2x", "", "1/2*x", "1/(2*x)");
+    has_two_readings(r"\sin x y", "", "sin(x)*y", "sin(x*y)");
+    has_two_readings(r"\sin(x + 1)y", "", "sin(x + 1)*y", "sin((x + 1)*y)");
+    has_two_readings(r"\cos x/2", "", "cos(x)/2", "cos(x/2)");
+    has_two_readings(r"\sin(x)^2", "", "sin(x)^2", "sin(x^2)");
+    is(r"\sin(x)y", "", "sin(x)*y");
+    is(r"\sin\frac{\pi}{2}x\cos y", "", "sin(pi/2*x)*cos(y)");
+    is(r"\sin^2 2x", "", "sin(2*x)^2");
+    is(r"\sin -x", "", "sin(-x)");
+    is(r"a/b\cdot c", "", "a/b*c");
+}
+
+#[test]
+fn declarations_say_what_brackets_and_scripts_mean() {
+    is("x(a + b)", "", "x*(a + b)");
+    is("f(a + b)", "f: function 1", "f(a + b)");
+    is("f(x)^2", "f: function 1", "f(x)^2");
+    is("P_{i+1}(t)", "P[i] := i; i in 0..", "P[i+1]*t");
+    is("q_{12} = 1", "q[i, j] := i; i in 0..", "q[1, 2] == 1");
+    is(
+        "q_{ij} = q_{i+1,j}",
+        "q[i, j] := i; i, j in 0..",
+        "q[i, j] == q[i+1, j]",
+    );
+    is("v_2", "v: vector 3", "v[2]");
+    is_refused("x_1", "", "x_1", "not with this subscript");
+    is_refused("q", "", "q", "`q` is not declared");
+    is_refused(r"\mathbf x", "", "x", "printed as a vector");
+    is_refused(
+        "f^2(x)",
+        "f: function 1",
+        "2",
+        "may be a power or a number of repetitions",
+    );
+    is_refused("x'", "", "x'", "is no function");
+}
+
+#[test]
+fn what_may_mean_another_thing_is_refused_at_its_place() {
+    is_refused(
+        r"\sin^{-1} x = a",
+        "",
+        r"\sin^{-1}",
+        "may be an inverse function",
+    );
+    is_refused(
+        r"\mathbf{u}\mathbf{v}",
+        "u: vector 3; v: vector 3",
+        r"u}\mathbf{v",
+        "neither",
+    );
+    is_refused(
+        r"\mathbf u\cdot \mathbf v\times \mathbf w",
+        "u: vector 3; v: vector 3; w: vector 3",
+        r"u\cdot \mathbf v\times \mathbf w",
+        "between a number and a vector",
+    );
+    is_refused("x = 1 + 2 + \\ldots + n", "", "\\ldots", "ellipsis");
+    is_refused(
+        "x = 1, 2, \\ldots, n",
+        "",
+        "x = 1",
+        "a range of an index alone",
+    );
+    is_refused(
+        r"\sum_{k=0}^n x^k + k",
+        "k in 0..",
+        r"\sum_{k=0}^n x^k + k",
+        "also occurs outside",
+    );
+    is_refused(r"\sum_{k=0}^n x^k + k", "", "k", "not declared");
+    is_refused(r"|a|b|c|", "", "|c|", "two ways");
+    is_refused(
+        r"\phi = \varphi",
+        "phi in (0, 1)",
+        r"\varphi",
+        "two letters",
+    );
+    is_refused(r"x + \foo", "", r"\foo", "`\\foo` is not understood");
+    is_refused(r"\frac{d}{dt} t x", "", r"\frac{d}{dt}", "how far");
+    is_refused("x^{(2)}", "", "(2)", "in brackets");
+    is_refused("x 2", "", "2", "right behind an operand");
+}
+
+#[test]
+fn conditions_are_told_from_what_is_stated() {
+    let conditions = |print: &str| read(print, "").unwrap().statement.conditions;
+    let range = conditions(r"x = a, \quad 0 \le t < 1");
+    assert!(
+        matches!(range.as_slice(), [LatexCondition::Interval { names, low: (Some(_), true), high: (Some(_), false) }] if names == &["t"]),
+        "{range:?}"
+    );
+    let range = conditions(r"x = a, \quad x, t \in [0, \infty)");
+    assert!(
+        matches!(range.as_slice(), [LatexCondition::Interval { names, low: (Some(_), true), high: (None, _) }] if names == &["x", "t"]),
+        "{range:?}"
+    );
+    let range = conditions(r"x = a, \quad k = 0, 1, \ldots, n");
+    assert!(
+        matches!(range.as_slice(), [LatexCondition::Integers { name, .. }] if name == "k"),
+        "{range:?}"
+    );
+    let range = conditions(r"x = a \text{ if } b > c");
+    assert!(
+        matches!(range.as_slice(), [LatexCondition::Formula(_)]),
+        "{range:?}"
+    );
+    let doubt = read("x = a, b > c", "").unwrap();
+    assert_eq!(doubt.others.len(), 1);
+    assert!(read("x = a, k = 0, 2, \\ldots, n", "").is_err());
+}
