@@ -32,6 +32,22 @@ use crate::vector::{add, cross, dot, norm, scale, sub, unit};
 /// # Ok::<(), torse_geometry::pattern::PatternError>(())
 /// ```
 pub fn fold(rulings: &[[[f64; 2]; 2]], angles: &[f64]) -> PatternResult<Vec<[[f64; 3]; 2]>> {
+    let motions = facet_motions(rulings, angles)?;
+    let placed = |(ruling, motion): (&[[f64; 2]; 2], &RigidMotion)| {
+        ruling.map(|end| motion.point(&on_sheet(end)))
+    };
+    Ok(rulings.iter().zip(&motions).map(placed).collect())
+}
+
+/// The motions of the facets of a sheet that is folded as [`fold`] describes: for each ruling that of the facet before it,
+/// for the first one that of the facet after it.
+///
+/// # Errors
+/// As [`fold`].
+pub(super) fn facet_motions(
+    rulings: &[[[f64; 2]; 2]],
+    angles: &[f64],
+) -> PatternResult<Vec<RigidMotion>> {
     for (what, given, needed) in [
         ("rulings to fold", rulings.len(), rulings.len().max(2)),
         ("fold angles", angles.len(), rulings.len()),
@@ -49,13 +65,14 @@ pub fn fold(rulings: &[[[f64; 2]; 2]], angles: &[f64]) -> PatternResult<Vec<[[f6
         let (name, range) = ("number of the drawing", "(-infinity, infinity)");
         return Err(PatternError::OutOfRange { name, value, range });
     }
-    // From the sheet into space: p -> rotation p + shift.
-    let mut rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let mut shift = [0.0; 3];
-    let mut folded = Vec::with_capacity(rulings.len());
+    let RigidMotion {
+        mut rotation,
+        mut shift,
+    } = RigidMotion::IDENTITY;
+    let mut motions = Vec::with_capacity(rulings.len());
     for (k, (ruling, angle)) in rulings.iter().zip(angles).enumerate() {
-        let flat = ruling.map(|[x, y]| [x, y, 0.0]);
-        folded.push(flat.map(|p| add(&image(&rotation, &p), &shift)));
+        let flat = ruling.map(on_sheet);
+        motions.push(RigidMotion { rotation, shift });
         let Some(next) = rulings.get(k + 1).filter(|_| k > 0) else {
             continue;
         };
@@ -76,7 +93,59 @@ pub fn fold(rulings: &[[[f64; 2]; 2]], angles: &[f64]) -> PatternResult<Vec<[[f6
         shift = add(&shift, &image(&rotation, &stays));
         rotation = rotation.map(|row| turned_about(&axis, -angle, &row));
     }
-    Ok(folded)
+    Ok(motions)
+}
+
+/// A motion of space without reflection: p -> rotation p + shift. The rotation is given by its rows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct RigidMotion {
+    rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+}
+
+impl RigidMotion {
+    pub(super) const IDENTITY: Self = Self {
+        rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        shift: [0.0; 3],
+    };
+
+    /// The image of a point.
+    pub(super) fn point(&self, p: &[f64; 3]) -> [f64; 3] {
+        add(&image(&self.rotation, p), &self.shift)
+    }
+
+    /// First the other motion, then this one.
+    pub(super) fn after(&self, first: &Self) -> Self {
+        let columns = transposed(&first.rotation).map(|column| image(&self.rotation, &column));
+        Self {
+            rotation: transposed(&columns),
+            shift: self.point(&first.shift),
+        }
+    }
+
+    /// The motion back.
+    pub(super) fn inverse(&self) -> Self {
+        let rotation = transposed(&self.rotation);
+        Self {
+            rotation,
+            shift: image(&rotation, &self.shift).map(|c| -c),
+        }
+    }
+
+    /// Where the normal of the sheet goes.
+    pub(super) fn normal(&self) -> [f64; 3] {
+        self.rotation.map(|[_, _, z]| z)
+    }
+}
+
+/// The matrix with rows and columns exchanged.
+fn transposed(rows: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    [0, 1, 2].map(|k| rows.map(|row| row[k]))
+}
+
+/// A point of the sheet in the plane `z = 0`.
+pub(super) fn on_sheet([x, y]: [f64; 2]) -> [f64; 3] {
+    [x, y, 0.0]
 }
 
 /// The image of a point under the linear map with these rows.
@@ -124,6 +193,34 @@ pub fn deviation(points: &[[f64; 3]], others: &[[f64; 3]]) -> PatternResult<f64>
         let (name, range) = ("coordinate", "(-infinity, infinity)");
         return Err(PatternError::OutOfRange { name, value, range });
     }
+    let Some(fit) = rigid_fit(points, others) else {
+        return Ok(f64::INFINITY);
+    };
+    let mut largest = 0.0_f64;
+    for (p, q) in points.iter().zip(others) {
+        let moved = image(&fit.rotation, &sub(p, &fit.from));
+        largest = largest.max(norm(&sub(&moved, &sub(q, &fit.to))));
+    }
+    Ok(largest)
+}
+
+/// A rotation about one point, which is carried to another.
+struct RigidFit {
+    rotation: [[f64; 3]; 3],
+    from: [f64; 3],
+    to: [f64; 3],
+}
+
+/// The motion of points onto as many others that [`deviation`] takes.
+pub(super) fn best_motion(points: &[[f64; 3]], others: &[[f64; 3]]) -> Option<RigidMotion> {
+    let RigidFit { rotation, from, to } = rigid_fit(points, others)?;
+    let shift = sub(&to, &image(&rotation, &from));
+    Some(RigidMotion { rotation, shift })
+}
+
+/// The rigid motion of points onto as many others that makes the sum of the squares of the distances least; `None` where
+/// there is no number.
+fn rigid_fit(points: &[[f64; 3]], others: &[[f64; 3]]) -> Option<RigidFit> {
     #[allow(clippy::cast_precision_loss)]
     let count = points.len() as f64;
     let centre = |list: &[[f64; 3]]| {
@@ -148,9 +245,7 @@ pub fn deviation(points: &[[f64; 3]], others: &[[f64; 3]]) -> PatternResult<f64>
         [0.0, 0.0, 0.0, zz - xx - yy],
     ]);
     let largest = pairs.iter().max_by(|a, b| a.0.total_cmp(&b.0));
-    let Some([w, x, y, z]) = largest.and_then(|(_, quaternion)| unit(quaternion)) else {
-        return Ok(f64::INFINITY);
-    };
+    let [w, x, y, z] = largest.and_then(|(_, quaternion)| unit(quaternion))?;
     let rotation = [
         [
             1.0 - 2.0 * (y * y + z * z),
@@ -168,12 +263,11 @@ pub fn deviation(points: &[[f64; 3]], others: &[[f64; 3]]) -> PatternResult<f64>
             1.0 - 2.0 * (x * x + y * y),
         ],
     ];
-    let mut largest = 0.0_f64;
-    for (p, q) in points.iter().zip(others) {
-        let moved = image(&rotation, &sub(p, &here));
-        largest = largest.max(norm(&sub(&moved, &sub(q, &there))));
-    }
-    Ok(largest)
+    Some(RigidFit {
+        rotation,
+        from: here,
+        to: there,
+    })
 }
 
 impl FlatPattern {

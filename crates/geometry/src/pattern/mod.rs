@@ -10,6 +10,7 @@
 //! of regression runs inside, its outline would cross itself.
 
 mod bending;
+mod bent;
 mod chain;
 mod crossing;
 mod development;
@@ -31,6 +32,7 @@ mod source;
 mod unroll;
 
 pub use bending::{Bend, BendingSheet, bends, is_bendable};
+pub use bent::BentSheet;
 pub use chain::side_by_side;
 pub use error::{PatternError, PatternResult};
 pub use flat::{FlatPattern, FlatRuling, PatternErrors};

@@ -1,5 +1,6 @@
 //! Flat patterns.
 
+mod bent;
 mod carried;
 mod chains;
 mod closed_forms;
