@@ -285,7 +285,11 @@ fn scripts(
         _ => "msup",
     };
     out.push_str(&format!("<{name}>"));
-    write(base, out);
+    // The function with its exponent is what is applied: the sign of the application follows both.
+    match base {
+        MathBox::Function(function) => out.push_str(&format!("<mi>{function}</mi>")),
+        _ => write(base, out),
+    }
     if let Some(below) = below {
         write(below, out);
     }
@@ -308,6 +312,9 @@ fn scripts(
         }
     }
     out.push_str(&format!("</{name}>"));
+    if matches!(base, MathBox::Function(_)) {
+        out.push_str("<mo>\u{2061}</mo>");
+    }
 }
 
 fn letter_of(letter: &str, face: LetterFace, out: &mut String) {

@@ -1,5 +1,7 @@
 //! Formulas of the three papers as they are set.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
 use torse_syntax::formula::parse;
 use torse_typography::{Mathematics, latex, typst};
 
@@ -35,4 +37,58 @@ fn formulas_are_set_as_papers_print_them() {
         )
     };
     insta::assert_snapshot!(FORMULAS.map(set).join("\n"));
+}
+
+/// The number of children of each element of these names, as the text of well-formed MathML tells.
+fn children(mathml: &str, names: &[&str]) -> Vec<(String, usize)> {
+    let mut open: Vec<(String, usize)> = vec![];
+    let mut counted = vec![];
+    for tag in mathml.split('<').skip(1) {
+        let inner = tag.split('>').next().unwrap();
+        if let Some(name) = inner.strip_prefix('/') {
+            let (opened, count) = open.pop().unwrap();
+            assert_eq!(opened, name, "{mathml}");
+            if names.contains(&name) {
+                counted.push((opened, count));
+            }
+            continue;
+        }
+        if let Some((_, count)) = open.last_mut() {
+            *count += 1;
+        }
+        let name = inner.split(' ').next().unwrap();
+        if !inner.ends_with('/') && name != "wbr" {
+            open.push((name.to_owned(), 0));
+        }
+    }
+    counted
+}
+
+#[test]
+fn scripts_and_fractions_of_mathml_have_their_parts_and_no_others() {
+    let more = [
+        "sin(x)^2 + cos(2*x)^2 == 1",
+        "1/sin(x)^2 == sqrt(exp(x))/tan(x)",
+    ];
+    let wanted = [
+        ("msup", 2),
+        ("msub", 2),
+        ("msubsup", 3),
+        ("mfrac", 2),
+        ("munder", 2),
+        ("munderover", 3),
+        ("mover", 2),
+    ];
+    let names = wanted.map(|(name, _)| name);
+    let mut seen = 0;
+    for formula in FORMULAS.iter().chain(&more) {
+        for piece in Mathematics::read(formula).unwrap().mathml {
+            for (name, count) in children(&piece, &names) {
+                let (_, wanted) = wanted.iter().find(|(known, _)| **known == name).unwrap();
+                assert_eq!(count, *wanted, "{name} in {piece}");
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 50, "{seen}");
 }
