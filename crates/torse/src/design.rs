@@ -4,10 +4,11 @@ use crate::error::Error;
 use std::path::Path;
 use torse_designs as rooms;
 use torse_designs::eval::{EvalPlaces, EvalRow, eval};
+use torse_designs::export::PATTERNS;
 use torse_designs::fold::{FoldReport, fold_text};
 use torse_designs::inspect::{DesignReport, inspect, inspect_quickly, inspect_within, table};
 use torse_designs::listing::{FileListing, list};
-use torse_designs::unroll::{Demand, FlatPiece, Summary, drawing, unroll};
+use torse_designs::unroll::{Demand, FlatPiece, Part, Purpose, Summary, drawing, parts, unroll};
 use torse_exchange::{Drawing, LengthUnit, dxf, svg};
 use torse_geometry::batch::par_ruled_grid_into;
 use torse_geometry::prelude::{Connected, MeasureBudget, Rail, Sheet};
@@ -126,6 +127,26 @@ impl Design {
     ) -> Result<Self, Error> {
         Ok(Self {
             read: rooms::read_with(name, text, files)?,
+        })
+    }
+
+    /// Reads the bytes of a file with this name: a design, or a file of another program, of which each face with rulings between
+    /// two edges is a patch. Neither may name other files.
+    ///
+    /// # Errors
+    /// As [`Design::open`].
+    ///
+    /// ```
+    /// let tube = "[curves.rim]\narc = { centre = [0, 0, 0], from = [20, 0, 0], to = [0, 20, 0] }\n\
+    ///             [patches.tube]\ncylinder = 'rim'\ndirection = [0, 0, 30]\n";
+    /// let step = torse::Design::read("tube.toml", tube)?.export("step", &Default::default())?;
+    /// let faces = torse::Design::read_bytes("tube.step", &step)?;
+    /// assert_eq!(faces.names().len(), 1);
+    /// # Ok::<(), torse::Error>(())
+    /// ```
+    pub fn read_bytes(name: &str, bytes: &[u8]) -> Result<Self, Error> {
+        Ok(Self {
+            read: rooms::load_from(Path::new(name), bytes)?,
         })
     }
 
@@ -262,6 +283,45 @@ impl Design {
     /// [`Error::Design`] for what cannot be written so.
     pub fn export(&self, ending: &'static str, demand: &Demand) -> Result<Vec<u8>, Error> {
         Ok(rooms::export::bytes(&self.read, ending, demand)?)
+    }
+
+    /// The files that are cut, bent or sewn: the name of each part, and its text as DXF or SVG, as `torse unroll` writes them.
+    ///
+    /// # Errors
+    /// [`Error::Design`] for what has no pattern or no blank, and for an ending that is no pattern's.
+    ///
+    /// ```
+    /// let design = torse::Design::read("strip.toml", r#"
+    ///     [curves]
+    ///     a = { bezier = [[0, 0, 0], [40, 0, 0]] }
+    ///     b = { bezier = [[0, 60, 0], [40, 60, 0]] }
+    ///     [patches]
+    ///     strip = { ruled = ["a", "b"] }
+    /// "#)?;
+    /// use torse::designs::unroll::{Demand, Purpose};
+    /// let parts = design.parts_as("dxf", Purpose::Cut, &Demand::default())?;
+    /// assert_eq!((parts.len(), parts[0].0.as_str()), (1, "strip"));
+    /// assert!(parts[0].1.contains("LWPOLYLINE"));
+    /// # Ok::<(), torse::Error>(())
+    /// ```
+    pub fn parts_as(
+        &self,
+        ending: &str,
+        purpose: Purpose,
+        demand: &Demand,
+    ) -> Result<Vec<(String, String)>, Error> {
+        let ending = rooms::export::ending(Path::new(&format!("x.{ending}")), PATTERNS)?;
+        let made = parts(&self.read, &unroll(&self.read, demand)?)?;
+        let text = |part: &Part| {
+            let drawing = part.drawing(purpose)?;
+            let text = if ending == "dxf" {
+                dxf(&drawing)
+            } else {
+                svg(&drawing)
+            };
+            Ok((part.name.clone(), text.map_err(rooms::DesignError::from)?))
+        };
+        made.iter().map(text).collect()
     }
 
     /// A picture of it with its pattern.

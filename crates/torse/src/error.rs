@@ -71,7 +71,39 @@ pub struct ErrorPlace {
     pub column: usize,
 }
 
+/// Something that is wrong, with its place, for where it is shown beside the text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ErrorMessage {
+    /// The place, if it is in a text.
+    pub place: Option<ErrorPlace>,
+    /// How many characters from there are wrong; none without a place.
+    pub length: usize,
+    /// What is wrong, and why.
+    pub text: String,
+    /// What would help, if known.
+    pub hint: Option<String>,
+}
+
 impl Error {
+    /// Returns everything that is wrong, each with its place: of a design the first ten mistakes.
+    ///
+    /// ```
+    /// let error = torse::Design::read("cone.toml", "[points]\nA = [0, 0]\nB = [1]\n").unwrap_err();
+    /// let lines: Vec<_> = error.messages().iter().map(|m| m.place.as_ref().map(|at| at.line)).collect();
+    /// assert_eq!(lines, [Some(2), Some(3), Some(1)]);
+    /// let wrong = torse::decide("x + == 1").unwrap_err().messages().remove(0);
+    /// assert_eq!(wrong.place.map(|at| at.column), Some(5));
+    /// ```
+    #[must_use]
+    pub fn messages(&self) -> Vec<ErrorMessage> {
+        let related: Vec<ErrorMessage> =
+            self.related().into_iter().flatten().map(message).collect();
+        match related.is_empty() {
+            true => vec![message(self)],
+            false => related,
+        }
+    }
+
     /// Returns the place of the error; none if it is not in a text. For several mistakes of a design, the first.
     ///
     /// ```
@@ -122,6 +154,21 @@ fn line(diagnostic: &dyn Diagnostic) -> String {
     let help = diagnostic.help().map(|help| format!(" ({help})"));
     let [place, help] = [place, help].map(Option::unwrap_or_default);
     format!("{place}{diagnostic}{causes}{help}")
+}
+
+/// One diagnostic as a message.
+fn message(diagnostic: &dyn Diagnostic) -> ErrorMessage {
+    let causes = std::iter::successors(diagnostic.source(), |cause| cause.source());
+    let causes: String = causes.map(|cause| format!(": {cause}")).collect();
+    let place = label_place(diagnostic);
+    let label = diagnostic.labels().and_then(|mut labels| labels.next());
+    let length = label.filter(|_| place.is_some());
+    ErrorMessage {
+        length: length.map_or(0, |label| label.len()),
+        place,
+        text: format!("{diagnostic}{causes}"),
+        hint: diagnostic.help().map(|help| help.to_string()),
+    }
 }
 
 /// Where something is wrong, as its diagnostic says; of several mistakes, the first that has a place.

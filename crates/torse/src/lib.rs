@@ -124,7 +124,7 @@ pub use digests::{ClaimDigest, digests};
 #[cfg(feature = "designs")]
 pub use error::DesignFailure;
 #[cfg(any(feature = "papers", feature = "designs"))]
-pub use error::{Error, ErrorPlace, diagnostic_place};
+pub use error::{Error, ErrorMessage, ErrorPlace, diagnostic_place};
 #[cfg(feature = "papers")]
 pub use explanation::{Explanation, ExplanationLine};
 #[cfg(feature = "papers")]
@@ -155,6 +155,8 @@ pub use torse_rocq as kernel;
 /// Texts to trees; derivation files.
 #[cfg(feature = "papers")]
 pub use torse_syntax as syntax;
+#[cfg(feature = "papers")]
+pub use torse_syntax::derivation::undeclared_names;
 #[cfg(feature = "papers")]
 pub use torse_syntax::taxonomy::Verdict;
 /// Outcomes and what they hold.

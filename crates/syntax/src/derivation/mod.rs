@@ -41,7 +41,7 @@ pub use load::{Loaded, load, load_all, open, paper};
 pub use look_alikes::name_taken_for;
 pub use paper::Paper;
 pub use provenance::{Hypothesis, Provenance, Quote};
-pub use question::question;
+pub use question::{question, undeclared_names};
 pub use rests_on::RestsOn;
 pub use source::{Origin, Source};
 pub use written::{Written, parsed, written};

@@ -75,6 +75,20 @@ pub fn question(states: &str, setting: &str) -> Result<Paper, LoadError> {
     })
 }
 
+/// Returns the names that a statement and its setting use as numbers and that the setting does not declare, in alphabetical
+/// order: [`question`] takes each for a real number. What cannot be read has none.
+///
+/// ```
+/// use torse_syntax::derivation::undeclared_names;
+/// assert_eq!(undeclared_names("a*x^2 + b >= 0", "x in [0, 1]; b > c"), ["a", "b", "c"]);
+/// ```
+#[must_use]
+pub fn undeclared_names(states: &str, setting: &str) -> Vec<String> {
+    let [states, setting] = [states, setting].map(|text| Arc::new(Source::new("", text)));
+    let used = Setting::read(Typed::all(&setting)).undeclared(&Typed::all(&states));
+    used.into_keys().collect()
+}
+
 /// A part of the statement or of the setting, as it was typed.
 #[derive(Clone, Copy)]
 struct Typed<'t> {
@@ -361,9 +375,7 @@ mod tests {
     use miette::Diagnostic;
 
     fn names(states: &str, setting: &str) -> Vec<String> {
-        let [states, setting] = [states, setting].map(|text| Arc::new(Source::new("", text)));
-        let used = Setting::read(Typed::all(&setting)).undeclared(&Typed::all(&states));
-        used.into_keys().collect()
+        undeclared_names(states, setting)
     }
 
     #[test]
