@@ -320,7 +320,7 @@ impl LatexGuess {
                         },
                     );
                 }
-            } else if !uses.called && !(uses.raised && !is_bold) {
+            } else if !uses.called && (!uses.raised || is_bold) {
                 let two = |below: &Vec<TexItem>| match parts(below).as_slice() {
                     [one] if one.len() == 2 && one.iter().all(|item| letter(item).is_some()) => 2,
                     all => all.len(),

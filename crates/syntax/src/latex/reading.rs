@@ -86,10 +86,7 @@ pub fn read_items(
             }
             Ok((statement, reader.doubts))
         };
-    let (statement, doubts) = match read(BTreeMap::new()) {
-        Ok(read) => read,
-        Err(error) => return Err(error),
-    };
+    let (statement, doubts) = read(BTreeMap::new())?;
     if doubts.len() > MAX_DOUBTS {
         return Err(LatexError::new(
             around,
