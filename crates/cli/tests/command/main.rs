@@ -16,6 +16,7 @@ mod explain;
 mod help;
 mod hostile;
 mod list;
+mod manuscript;
 mod new;
 mod prove;
 mod readme;

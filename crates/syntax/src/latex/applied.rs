@@ -314,30 +314,23 @@ impl Reader<'_> {
             node: Node::Index(Arc::new(head), indices),
             place,
         };
-        let mut member = Term {
-            expr: member,
-            shape: Shape::Number,
-        };
-        if found.primes > 0 {
-            // A prime is the derivative by the variable of the basis.
-            let mut arguments = vec![member.expr];
-            arguments.push(named(variable, place, Shape::Number).expr);
-            if found.primes > 1 {
-                let order = torse_numbers::Rational::from_integer(torse_numbers::Integer::from(
-                    u64::try_from(found.primes).unwrap_or(u64::MAX),
-                ));
-                arguments.push(Expr {
-                    place,
-                    ..Expr::number(&order)
-                });
+        let has_argument = line
+            .peek()
+            .is_some_and(|next| matches!(next.nucleus, Nucleus::Fenced('(', ..)));
+        match (has_argument, found.primes) {
+            (true, 0) => self.called(line, member, Shape::Number, found, usize::MAX),
+            (false, 0) => Ok(Term {
+                expr: member,
+                shape: Shape::Number,
+            }),
+            (true, _) => {
+                let called = self.called(line, member.clone(), Shape::Number, found, usize::MAX)?;
+                derivative_of_member(member, variable, found.primes, called, place)
             }
-            member = Term::call("D", arguments, place, Shape::Number);
-        }
-        match line.peek().map(|next| &next.nucleus) {
-            Some(Nucleus::Fenced('(', ..)) => {
-                self.called(line, member.expr, Shape::Number, found, usize::MAX)
-            }
-            _ => Ok(member),
+            (false, _) => Err(LatexError::new(
+                place,
+                format!("the derivative of `{}` has no argument here", found.name),
+            )),
         }
     }
 
@@ -591,4 +584,48 @@ pub(super) fn lone_letter(list: &[TexItem]) -> Option<String> {
         [only] if only.is_bare() => spelled(only).ok().map(|(letters, _)| letters),
         _ => None,
     }
+}
+
+/// The derivative of a member of a basis by the variable of the basis, at the argument with which the member was called:
+/// `at(D(B[i,n](t), t), t, x)`, and without `at` where x is t.
+fn derivative_of_member(
+    member: Expr,
+    variable: &str,
+    primes: usize,
+    called: Term,
+    place: Place,
+) -> ReadTerm {
+    let Node::Call(_, arguments) = &called.expr.node else {
+        return Ok(called);
+    };
+    let [argument] = arguments.as_slice() else {
+        return Err(LatexError::new(
+            place,
+            "a member of a basis has one argument",
+        ));
+    };
+    let by = named(variable, place, Shape::Number).expr;
+    let own = Expr {
+        node: Node::Call(Arc::new(member), vec![by.clone()]),
+        place,
+    };
+    let mut parts = vec![own, by.clone()];
+    if primes > 1 {
+        let order = torse_numbers::Integer::from(u64::try_from(primes).unwrap_or(u64::MAX));
+        parts.push(Expr {
+            place,
+            ..Expr::number(&torse_numbers::Rational::from_integer(order))
+        });
+    }
+    let derivative = Term::call("D", parts, place, Shape::Number);
+    let is_own = matches!(&argument.node, Node::Name(name) if name == variable);
+    Ok(match is_own {
+        true => derivative,
+        false => Term::call(
+            "at",
+            vec![derivative.expr, by, argument.clone()],
+            place,
+            Shape::Number,
+        ),
+    })
 }
