@@ -1,7 +1,7 @@
 //! A manuscript taken apart: its sections, theorems, numbered equations and formulas, in their order.
 
 use crate::linear::linear;
-use crate::macros::{ManuscriptError, expanded};
+use crate::macros::{ManuscriptError, Unread, expanded};
 use crate::numbering::Numbering;
 use crate::words::{command_text, plain, tidy, typed};
 use std::collections::BTreeMap;
@@ -58,7 +58,7 @@ pub struct Manuscript {
     /// Numbered equations and theorems, in their order.
     pub items: Vec<ManuscriptItem>,
     /// What of the text is not followed: files that it includes, definitions that are not understood.
-    pub unread: Vec<(Place, String)>,
+    pub unread: Vec<Unread>,
 }
 
 impl Manuscript {
@@ -144,7 +144,7 @@ struct Scan {
 }
 
 /// Leaves out braces without a partner, and lists the first one.
-fn balanced(tokens: Vec<PlacedTex>) -> (Vec<PlacedTex>, Vec<(Place, String)>) {
+fn balanced(tokens: Vec<PlacedTex>) -> (Vec<PlacedTex>, Vec<Unread>) {
     let mut open: Vec<usize> = vec![];
     let mut alone: Vec<usize> = vec![];
     for (at, token) in tokens.iter().enumerate() {

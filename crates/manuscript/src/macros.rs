@@ -41,6 +41,9 @@ impl std::fmt::Display for ManuscriptError {
 
 impl std::error::Error for ManuscriptError {}
 
+/// What is not understood, and its place.
+pub type Unread = (Place, String);
+
 struct Macro {
     parameters: usize,
     default: Option<Vec<PlacedTex>>,
@@ -50,7 +53,7 @@ struct Macro {
 /// Takes definitions out of the text and expands their calls; also returns the places of definitions that are not understood.
 pub fn expanded(
     tokens: Vec<PlacedTex>,
-) -> Result<(Vec<PlacedTex>, Vec<(Place, String)>), ManuscriptError> {
+) -> Result<(Vec<PlacedTex>, Vec<Unread>), ManuscriptError> {
     let mut macros: BTreeMap<String, Macro> = BTreeMap::new();
     let mut unread = vec![];
     let mut output: Vec<PlacedTex> = vec![];

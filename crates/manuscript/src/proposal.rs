@@ -230,13 +230,13 @@ impl Writer<'_> {
 
     /// The fields of a numbered equation.
     fn equation(&mut self, item: &ManuscriptItem, comments: &mut String) -> Fields {
-        let formulas = item.formulas.iter().filter_map(|at| {
+        let mut formulas = item.formulas.iter().filter_map(|at| {
             Some((
                 self.manuscript.formulas.get(*at)?,
                 self.meanings.formulas.get(*at)?,
             ))
         });
-        let Some((formula, meaning)) = formulas.last() else {
+        let Some((formula, meaning)) = formulas.next_back() else {
             return Fields::out_of_scope("not stated yet: there is no formula");
         };
         comments.push_str(&format!("# {}\n", one_line(&formula.latex)));
