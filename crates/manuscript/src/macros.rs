@@ -51,9 +51,7 @@ struct Macro {
 }
 
 /// Takes definitions out of the text and expands their calls; also returns the places of definitions that are not understood.
-pub fn expanded(
-    tokens: Vec<PlacedTex>,
-) -> Result<(Vec<PlacedTex>, Vec<Unread>), ManuscriptError> {
+pub fn expanded(tokens: Vec<PlacedTex>) -> Result<(Vec<PlacedTex>, Vec<Unread>), ManuscriptError> {
     let mut macros: BTreeMap<String, Macro> = BTreeMap::new();
     let mut unread = vec![];
     let mut output: Vec<PlacedTex> = vec![];
