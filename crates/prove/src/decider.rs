@@ -130,7 +130,7 @@ impl<'a> Decider<'a> {
         if assignments.iter().all(Instance::is_empty) {
             return Ok(Decision::Open { reason, tried });
         }
-        let mut decided = vec![];
+        let (mut decided, mut divided) = (vec![], None);
         let far = instances::far(&assignments, self.elaborator.declarations());
         for (number, assignment) in assignments.iter().chain(&far).enumerate() {
             // Greater integers are for statements that say nothing about small ones.
@@ -142,6 +142,9 @@ impl<'a> Decider<'a> {
                 Ok(decision) => decision,
                 // Some term is defined at no point of the instance, so the statement says nothing there.
                 Err(fault) if undefined(&fault) => {
+                    if divides_by_zero(&fault) {
+                        divided.get_or_insert_with(|| instances::label(assignment));
+                    }
                     Decision::Vacuous(Emptiness::Undefined(fault.problem.to_string()))
                 }
                 Err(fault) if fault.is_limit() => Decision::Open {
@@ -156,7 +159,16 @@ impl<'a> Decider<'a> {
                 break;
             }
         }
-        Ok(instances::combined(decided, complete, &reason))
+        Ok(
+            match (instances::combined(decided, complete, &reason), divided) {
+                // That the divisor is not zero there would be a condition, and no instance states it.
+                (Decision::Proven(_), Some(values)) => Decision::Open {
+                    reason: format!("a divisor is zero for {values}"),
+                    tried,
+                },
+                (decision, _) => decision,
+            },
+        )
     }
 
     /// A proof by cases over the integers with short ranges of numbers, the others kept symbolic; or a refutation.
@@ -182,6 +194,8 @@ impl<'a> Decider<'a> {
             match self.symbolic(statement, &assignment) {
                 Ok(Decision::Open { .. }) => return Ok(None),
                 Ok(decision) => decided.push((assignment, decision)),
+                // That the divisor is not zero there would be a condition, and no case states it.
+                Err(fault) if divides_by_zero(&fault) => return Ok(None),
                 Err(fault) if undefined(&fault) => {
                     let why = Emptiness::Undefined(fault.problem.to_string());
                     decided.push((assignment, Decision::Vacuous(why)));
@@ -483,6 +497,11 @@ fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<
         last.map_or(0, |behind| domain.roots.len() - behind)
     });
     (signs, apart)
+}
+
+/// Whether a fault says that a term divides by zero everywhere.
+fn divides_by_zero(fault: &Fault) -> bool {
+    matches!(*fault.problem, Problem::ZeroDivisor { .. })
 }
 
 /// Whether a fault says that a term is defined nowhere.

@@ -210,7 +210,7 @@ fn told(proofs: &[Instance<Polynomial>]) -> Vec<String> {
     steps::steps(&Proof::Instances(proofs.to_vec()).map(&plain))
 }
 
-fn label(integers: &BTreeMap<String, i64>) -> String {
+pub(crate) fn label(integers: &BTreeMap<String, i64>) -> String {
     let values = integers.iter().map(|(n, v)| format!("{n} = {v}"));
     values.collect::<Vec<_>>().join(", ")
 }
