@@ -90,7 +90,7 @@ impl Error {
     /// ```
     /// let error = torse::Design::read("cone.toml", "[points]\nA = [0, 0]\nB = [1]\n").unwrap_err();
     /// let lines: Vec<_> = error.messages().iter().map(|m| m.place.as_ref().map(|at| at.line)).collect();
-    /// assert_eq!(lines, [Some(2), Some(3), Some(1)]);
+    /// assert_eq!(lines, [Some(2), Some(3), Some(4)]);
     /// let wrong = torse::decide("x + == 1").unwrap_err().messages().remove(0);
     /// assert_eq!(wrong.place.map(|at| at.column), Some(5));
     /// ```
