@@ -1,6 +1,6 @@
 //! Manuscripts in LaTeX, read as proposals for derivation files.
 //!
-//! [`manuscript`] reads a text: it expands the macros ([`macros`](mod@macros)), and finds sections, theorems, numbered equations and
+//! [`manuscript`] reads a text: it expands the macros (`macros`), and finds sections, theorems, numbered equations and
 //! labels ([`Manuscript`]). [`propose`] concludes what the letters stand for, reads the formulas by
 //! `torse_syntax::latex`, and writes the files of a folder ([`Proposal`]). What is read in two ways is written twice, for the author to choose;
 //! what is not understood is listed with its line and column. Nothing is decided here.
