@@ -13,7 +13,7 @@
 use super::error::LatexError;
 use super::item::{Nucleus, TexFace, TexItem, place_of};
 use super::names::{FoundName, LatexKind, parts, spelled};
-use super::reader::{Line, ReadTerm, Reader, Shape, Term};
+use super::reader::{Line, ReadTerm, Reader, Shape, Term, integer_at};
 use crate::formula::{Expr, Node, Place};
 use std::sync::Arc;
 
@@ -74,9 +74,7 @@ impl Reader<'_> {
             LatexKind::Matrix => self.entries(found, place, 2),
             LatexKind::Vector => self.entries(found, place, 1),
             LatexKind::Open => {
-                let brackets = line
-                    .peek()
-                    .is_some_and(|next| matches!(next.nucleus, Nucleus::Fenced('(', ..)));
+                let brackets = line.is_before_bracket();
                 let says = ["a product", "a function with its argument"];
                 if brackets && self.choose(format!("call {}", found.name), place, says) == 1 {
                     let head = named(&found.name, place, Shape::Number).expr;
@@ -85,7 +83,7 @@ impl Reader<'_> {
                 self.plain(found, place, Shape::Number)
             }
             LatexKind::Family { indices, is_vector } => {
-                self.member(line, &found, place, indices, is_vector)
+                self.member(&found, place, indices, is_vector)
             }
             LatexKind::Basis { degree, variable } => {
                 self.basis(line, &found, place, degree, &variable)
@@ -218,7 +216,6 @@ impl Reader<'_> {
     /// A member of a family; a superscript is the last index where the subscripts are too few.
     fn member(
         &mut self,
-        line: &mut Line<'_>,
         found: &FoundName<'_>,
         place: Place,
         wanted: usize,
@@ -250,7 +247,6 @@ impl Reader<'_> {
         let indices = self.indices(&below, wanted, place)?;
         let head = named(&found.name, place, shape).expr;
         let member = Term::new(Node::Index(Arc::new(head), indices), place, shape);
-        let _ = line;
         self.with_power(member, above)
     }
 
@@ -296,12 +292,7 @@ impl Reader<'_> {
             }
         };
         if let (1, Some(degree)) = (indices.len(), degree) {
-            let degree =
-                torse_numbers::Rational::from_integer(torse_numbers::Integer::from(degree));
-            indices.push(Expr {
-                place,
-                ..Expr::number(&degree)
-            });
+            indices.push(integer_at(u64::from(degree), place));
         }
         if above.is_some() {
             return Err(
@@ -314,24 +305,51 @@ impl Reader<'_> {
             node: Node::Index(Arc::new(head), indices),
             place,
         };
-        let has_argument = line
-            .peek()
-            .is_some_and(|next| matches!(next.nucleus, Nucleus::Fenced('(', ..)));
-        match (has_argument, found.primes) {
+        match (line.is_before_bracket(), found.primes) {
             (true, 0) => self.called(line, member, Shape::Number, found, usize::MAX),
+            (true, _) => self.member_derivative(line, member, variable, found.primes, place),
             (false, 0) => Ok(Term {
                 expr: member,
                 shape: Shape::Number,
             }),
-            (true, _) => {
-                let called = self.called(line, member.clone(), Shape::Number, found, usize::MAX)?;
-                derivative_of_member(member, variable, found.primes, called, place)
-            }
             (false, _) => Err(LatexError::new(
                 place,
                 format!("the derivative of `{}` has no argument here", found.name),
             )),
         }
+    }
+
+    /// The derivative of a member of a basis by the variable of the basis, at the argument behind it:
+    /// `at(D(B[i,n](t), t), t, x)`, and without `at` where x is t.
+    fn member_derivative(
+        &mut self,
+        line: &mut Line<'_>,
+        member: Expr,
+        variable: &str,
+        primes: usize,
+        place: Place,
+    ) -> ReadTerm {
+        let bracket = self.arguments(line, place)?;
+        let [argument] = bracket.arguments.as_slice() else {
+            return Err(LatexError::new(
+                place,
+                "a member of a basis has one argument",
+            ));
+        };
+        let by = named(variable, place, Shape::Number).expr;
+        let own = Node::Call(Arc::new(member), vec![by.clone()]);
+        let own = Term::number(own, place).expr;
+        let order = u64::try_from(primes).unwrap_or(u64::MAX);
+        let derivative = Term::derivative(own, variable, order, place, Shape::Number);
+        let is_own = matches!(&argument.node, Node::Name(name) if name == variable);
+        let derivative = match is_own {
+            true => derivative,
+            false => {
+                let arguments = vec![derivative.expr, by, argument.clone()];
+                Term::call("at", arguments, place, Shape::Number)
+            }
+        };
+        self.with_power(derivative, bracket.above)
     }
 
     /// A function with its argument, its derivatives and its partial derivatives.
@@ -348,9 +366,7 @@ impl Reader<'_> {
         } else {
             Shape::Number
         };
-        let brackets = line
-            .peek()
-            .is_some_and(|next| matches!(next.nucleus, Nucleus::Fenced('(', ..)));
+        let brackets = line.is_before_bracket();
         // Scripts that the function's first parameters stand for: `B_i^n(t)` for `B(i, n, t)`.
         let scripts: Vec<&[TexItem]> = found.below.iter().copied().chain(found.above).collect();
         if !scripts.is_empty() && found.primes == 0 && brackets {
@@ -359,8 +375,9 @@ impl Reader<'_> {
                 _ => 0,
             });
             if given + scripts.len() == parameters.len() {
-                let mut arguments = self.indices(&scripts, scripts.len(), place)?;
-                return self.finished(line, &found.name, &mut arguments, shape, place);
+                let arguments = self.indices(&scripts, scripts.len(), place)?;
+                let head = named(&found.name, place, shape).expr;
+                return self.finished_with(line, head, arguments, shape, place);
             }
         }
         let primed = format!("{}{}", found.name, "'".repeat(found.primes));
@@ -454,21 +471,9 @@ impl Reader<'_> {
             while variables.next_if(|next| *next == variable).is_some() {
                 order += 1;
             }
-            let mut arguments = vec![function, named(variable, place, Shape::Number).expr];
-            if order > 1 {
-                let order =
-                    torse_numbers::Rational::from_integer(torse_numbers::Integer::from(order));
-                arguments.push(Expr {
-                    place,
-                    ..Expr::number(&order)
-                });
-            }
-            function = Term::call("D", arguments, place, shape).expr;
+            function = Term::derivative(function, variable, order, place, shape).expr;
         }
-        if line
-            .peek()
-            .is_some_and(|next| matches!(next.nucleus, Nucleus::Fenced('(', ..)))
-        {
+        if line.is_before_bracket() {
             return self.called(line, function, shape, found, parameters.len());
         }
         if parameters.iter().any(|name| {
@@ -498,7 +503,6 @@ impl Reader<'_> {
         found: &FoundName<'_>,
         most: usize,
     ) -> ReadTerm {
-        let mut arguments = vec![];
         let start = head.place;
         let Some(TexItem {
             nucleus: Nucleus::Fenced(_, inner, _),
@@ -520,57 +524,65 @@ impl Reader<'_> {
                 ),
             ));
         }
-        self.finished_with(line, head, &mut arguments, shape, start)
+        self.finished_with(line, head, vec![], shape, start)
     }
 
-    fn finished(
-        &mut self,
-        line: &mut Line<'_>,
-        name: &str,
-        arguments: &mut Vec<Expr>,
-        shape: Shape,
-        place: Place,
-    ) -> ReadTerm {
-        let head = named(name, place, shape).expr;
-        self.finished_with(line, head, arguments, shape, place)
-    }
-
-    /// Takes the bracket of arguments with what stands behind it.
+    /// Takes the bracket of arguments, behind those that are there already, with what stands behind it.
     fn finished_with(
         &mut self,
         line: &mut Line<'_>,
         head: Expr,
-        arguments: &mut Vec<Expr>,
+        mut arguments: Vec<Expr>,
         shape: Shape,
         start: Place,
     ) -> ReadTerm {
+        let bracket = self.arguments(line, start)?;
+        arguments.extend(bracket.arguments);
+        let call = Node::Call(Arc::new(head), arguments);
+        self.with_power(Term::new(call, bracket.place, shape), bracket.above)
+    }
+
+    /// Takes the bracket of arguments.
+    fn arguments<'i>(
+        &mut self,
+        line: &mut Line<'i>,
+        start: Place,
+    ) -> Result<Bracket<'i>, LatexError> {
         let Some(item) = line.peek() else {
             return Err(LatexError::new(start, "the function has no argument"));
         };
-        let (Nucleus::Fenced('(', inner, ')'), place) = (&item.nucleus, start.to(item.place))
-        else {
+        let Nucleus::Fenced('(', inner, ')') = &item.nucleus else {
             return Err(LatexError::new(
                 start,
                 "the function has no argument in round brackets",
             ));
         };
         line.next += 1;
-        for part in parts(inner) {
-            arguments.push(self.value(part, item.place, "the argument")?);
-        }
+        let arguments = parts(inner)
+            .into_iter()
+            .map(|part| self.value(part, item.place, "the argument"))
+            .collect::<Result<_, _>>()?;
         if item.primes > 0 || item.below.is_some() {
             return Err(LatexError::new(
                 item.place,
                 "this script behind the argument is not understood",
             ));
         }
-        let call = Term::new(
-            Node::Call(Arc::new(head), std::mem::take(arguments)),
-            place,
-            shape,
-        );
-        self.with_power(call, item.above.as_deref())
+        Ok(Bracket {
+            arguments,
+            above: item.above.as_deref(),
+            place: start.to(item.place),
+        })
     }
+}
+
+/// The arguments in the bracket behind a function.
+struct Bracket<'i> {
+    arguments: Vec<Expr>,
+    /// The exponent of the bracket.
+    above: Option<&'i [TexItem]>,
+    /// The function with its bracket.
+    place: Place,
 }
 
 /// A name as a formula.
@@ -584,48 +596,4 @@ pub(super) fn lone_letter(list: &[TexItem]) -> Option<String> {
         [only] if only.is_bare() => spelled(only).ok().map(|(letters, _)| letters),
         _ => None,
     }
-}
-
-/// The derivative of a member of a basis by the variable of the basis, at the argument with which the member was called:
-/// `at(D(B[i,n](t), t), t, x)`, and without `at` where x is t.
-fn derivative_of_member(
-    member: Expr,
-    variable: &str,
-    primes: usize,
-    called: Term,
-    place: Place,
-) -> ReadTerm {
-    let Node::Call(_, arguments) = &called.expr.node else {
-        return Ok(called);
-    };
-    let [argument] = arguments.as_slice() else {
-        return Err(LatexError::new(
-            place,
-            "a member of a basis has one argument",
-        ));
-    };
-    let by = named(variable, place, Shape::Number).expr;
-    let own = Expr {
-        node: Node::Call(Arc::new(member), vec![by.clone()]),
-        place,
-    };
-    let mut parts = vec![own, by.clone()];
-    if primes > 1 {
-        let order = torse_numbers::Integer::from(u64::try_from(primes).unwrap_or(u64::MAX));
-        parts.push(Expr {
-            place,
-            ..Expr::number(&torse_numbers::Rational::from_integer(order))
-        });
-    }
-    let derivative = Term::call("D", parts, place, Shape::Number);
-    let is_own = matches!(&argument.node, Node::Name(name) if name == variable);
-    Ok(match is_own {
-        true => derivative,
-        false => Term::call(
-            "at",
-            vec![derivative.expr, by, argument.clone()],
-            place,
-            Shape::Number,
-        ),
-    })
 }

@@ -8,9 +8,8 @@ use super::error::LatexError;
 use super::item::{Nucleus, TexItem, place_of};
 use super::layout::is_letter;
 use super::names::LatexKind;
-use super::reader::{Line, ReadTerm, Reader, Shape, Term};
-use crate::formula::{Expr, Place};
-use torse_numbers::{Integer, Rational};
+use super::reader::{Line, ReadTerm, Reader, Shape, Term, integer_at};
+use crate::formula::Place;
 
 /// The bounds of one index.
 struct Bounds<'i> {
@@ -111,12 +110,8 @@ impl Reader<'_> {
             ));
         }
         let body = if inner.is_empty() {
-            let one = Expr {
-                place,
-                ..Expr::number(&Rational::from_integer(Integer::from(1)))
-            };
             Term {
-                expr: one,
+                expr: integer_at(1, place),
                 shape: Shape::Number,
             }
         } else {
@@ -185,10 +180,7 @@ impl Reader<'_> {
             }
             body
         } else {
-            let at_arguments = line
-                .peek()
-                .is_some_and(|next| matches!(next.nucleus, Nucleus::Fenced('(', ..)));
-            if at_arguments && of.len() == 1 {
+            if line.is_before_bracket() && of.len() == 1 {
                 return Err(LatexError::new(
                     place,
                     "a quotient of differentials before brackets is not understood",
@@ -207,14 +199,7 @@ impl Reader<'_> {
         let shape = body.shape;
         let mut result = body.expr;
         for (variable, order) in variables.into_iter().rev() {
-            let mut arguments = vec![result, named(&variable, place, Shape::Number).expr];
-            if order > 1 {
-                arguments.push(Expr {
-                    place,
-                    ..Expr::number(&Rational::from_integer(Integer::from(order)))
-                });
-            }
-            result = Term::call("D", arguments, place, shape).expr;
+            result = Term::derivative(result, &variable, order, place, shape).expr;
         }
         Ok(Some(Term {
             expr: result,

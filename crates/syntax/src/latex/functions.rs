@@ -8,10 +8,9 @@ use super::arithmetic::{begins_operand, divided, multiplied, negated};
 use super::error::LatexError;
 use super::item::{Nucleus, TexFace, TexItem};
 use super::names::parts;
-use super::reader::{Line, ReadTerm, Reader, Shape, Term};
+use super::reader::{Line, ReadTerm, Reader, Shape, Term, integer_at};
 use crate::formula::{Expr, Node, Operator, Place};
 use std::sync::Arc;
-use torse_numbers::{Integer, Rational};
 
 /// The functions of the language that papers write so.
 const FUNCTIONS: [&str; 10] = [
@@ -284,10 +283,7 @@ fn applied(name: &str, argument: Expr, place: Place) -> Term {
             place,
         )
     };
-    let one = || Expr {
-        place,
-        ..Expr::number(&Rational::from_integer(Integer::from(1)))
-    };
+    let one = || integer_at(1, place);
     match name {
         "cot" => over(call("cos", argument.clone()), call("sin", argument)),
         "sec" => over(one(), call("cos", argument)),

@@ -6,6 +6,7 @@ use super::names::LatexNames;
 use crate::formula::{Expr, Node, Operator, Place};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use torse_numbers::{Integer, Rational};
 
 /// How deep operators without brackets may be nested.
 const MAX_READ_DEPTH: usize = 40;
@@ -55,6 +56,19 @@ impl Term {
         Self::new(Node::Call(Arc::new(head), arguments), place, shape)
     }
 
+    /// The derivative of a formula by a variable.
+    pub fn derivative(body: Expr, variable: &str, order: u64, place: Place, shape: Shape) -> Self {
+        let by = Expr {
+            node: Node::Name(variable.to_owned()),
+            place,
+        };
+        let mut arguments = vec![body, by];
+        if order > 1 {
+            arguments.push(integer_at(order, place));
+        }
+        Self::call("D", arguments, place, shape)
+    }
+
     pub fn binary(operator: Operator, a: Expr, b: Expr, shape: Shape) -> Self {
         let place = a.place.to(b.place);
         Self::new(
@@ -62,6 +76,14 @@ impl Term {
             place,
             shape,
         )
+    }
+}
+
+/// An integer that stands for something at a place.
+pub(super) fn integer_at(value: u64, place: Place) -> Expr {
+    Expr {
+        place,
+        ..Expr::number(&Rational::from_integer(Integer::from(value)))
     }
 }
 
@@ -91,6 +113,12 @@ impl<'i> Line<'i> {
 
     pub fn rest(&self) -> &'i [TexItem] {
         self.items.get(self.next..).unwrap_or(&[])
+    }
+
+    /// Whether a round bracket is next: that of arguments, behind a function.
+    pub fn is_before_bracket(&self) -> bool {
+        self.peek()
+            .is_some_and(|next| matches!(next.nucleus, Nucleus::Fenced('(', ..)))
     }
 
     /// The place of the next item, or of the end.

@@ -2,7 +2,9 @@
 
 use crate::normal::{normal, normal_text};
 use torse_syntax::derivation::{latex_names, question};
-use torse_syntax::latex::{LatexCondition, LatexError, LatexNames, LatexReading, read_latex};
+use torse_syntax::latex::{
+    LatexCondition, LatexError, LatexKind, LatexNames, LatexReading, read_latex,
+};
 
 fn names(setting: &str) -> LatexNames {
     let paper = question(
@@ -168,4 +170,27 @@ fn conditions_are_told_from_what_is_stated() {
     let doubt = read("x = a, b > c", "").unwrap();
     assert_eq!(doubt.others.len(), 1);
     assert!(read("x = a, k = 0, 2, \\ldots, n", "").is_err());
+}
+
+#[test]
+fn a_prime_of_a_function_of_a_basis_is_its_derivative_at_the_argument() {
+    let mut names = names("");
+    let basis = LatexKind::Basis {
+        degree: None,
+        variable: "t".to_owned(),
+    };
+    names.declare("B", basis);
+    for (print, meant) in [
+        ("B_{0,2}(t) = a", "B[0,2](t) == a"),
+        ("B_{0,2}'(t) = a", "D(B[0,2](t), t) == a"),
+        ("B_{0,2}''(t) = a", "D(B[0,2](t), t, 2) == a"),
+        ("B_{0,2}'(0) = a", "at(D(B[0,2](t), t), t, 0) == a"),
+        ("B_{0,2}'(0)^2 = a", "at(D(B[0,2](t), t), t, 0)^2 == a"),
+        ("B_{0,2}'(2t) = a", "at(D(B[0,2](t), t), t, 2*t) == a"),
+    ] {
+        let read = read_latex(print, &names).unwrap();
+        let formula = normal(&read.statement.formula);
+        assert_eq!(formula, normal_text(meant), "{print}");
+    }
+    assert!(read_latex("B_{0,2}' = a", &names).is_err());
 }
