@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::fmt;
+use torse_algebra::Rational;
 use torse_syntax::formula::{Expr, Node};
 
 /// A changed formula with a description of the change.
@@ -19,6 +20,15 @@ pub struct Change {
     /// The words around the formulas: before each one, and after the last.
     words: Vec<Cow<'static, str>>,
     formulas: Vec<Expr>,
+}
+
+impl Edit {
+    /// The edit with its change in words.
+    #[must_use]
+    pub fn described(self) -> (Self, Vec<String>) {
+        let words = vec![self.change.to_string()];
+        (self, words)
+    }
 }
 
 impl Change {
@@ -91,6 +101,19 @@ pub(super) fn parts(expr: &Expr) -> Vec<(Vec<usize>, &Expr)> {
         found.push((path, part));
     }
     found
+}
+
+/// Returns every number of a formula that is written exactly, with the path to it.
+pub(super) fn exact_numbers(expr: &Expr) -> Vec<(Vec<usize>, &Expr, &Rational)> {
+    let all = parts(expr).into_iter();
+    let exact = all.filter_map(|(path, part)| match &part.node {
+        Node::Number {
+            value,
+            decimals: None,
+        } => Some((path, part, value)),
+        _ => None,
+    });
+    exact.collect()
 }
 
 /// Replaces one name by another in all places, with primes kept.

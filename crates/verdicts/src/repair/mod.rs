@@ -110,7 +110,7 @@ fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Opti
     {
         let agreement = target.agreement(&subject.side(&edit.expr));
         if agreement.everywhere || injected(InjectedFault::CorrectionUnproved) {
-            once.push((edit.clone(), vec![edit.change.to_string()]));
+            once.push(edit.clone().described());
         }
         singles.push((agreement.entries, edit));
     }
@@ -130,7 +130,7 @@ fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Opti
             claim,
             statement,
             &subject,
-            agreeing(&subject, &target, edits),
+            agreeing(&subject, &target, MAX_APART, edits),
         )
     };
     if let Some(found) = solved(search, &subject, &target)
@@ -191,10 +191,8 @@ fn beside_roots(
         }
         *ended_early |= edits.len() > points::MAX_CANDIDATES;
         let found = points::agreeing(claim, statement, subject, edits);
-        let told = found
-            .into_iter()
-            .map(|edit| (edit.clone(), vec![edit.change.to_string()]));
-        proved(claim, statement, subject, told.collect())
+        let described = found.into_iter().map(Edit::described).collect();
+        proved(claim, statement, subject, described)
     };
     let alphabet = alphabet::alphabet(claim, &statement.expr, &subject.formula);
     let first = search(subject, edits::single(&subject.formula, &alphabet));
@@ -236,10 +234,8 @@ fn solved(
     let edits = target.apart(MAX_APART, || {
         solved::edits(&subject.formula, subject, target)
     });
-    let told = edits
-        .into_iter()
-        .map(|edit| (edit.clone(), vec![edit.change.to_string()]));
-    proved(claim, statement, subject, told.collect())
+    let described = edits.into_iter().map(Edit::described).collect();
+    proved(claim, statement, subject, described)
 }
 
 /// Whether a declared symbol stands in a formula. What is about numbers alone becomes true by many a number, which says nothing.
@@ -269,7 +265,12 @@ fn inserted(
     target: &Target<'_>,
 ) -> Option<Correction> {
     let edits = insertions::edits(&subject.formula);
-    proved(claim, statement, subject, agreeing(subject, target, edits))
+    proved(
+        claim,
+        statement,
+        subject,
+        agreeing(subject, target, MAX_APART, edits),
+    )
 }
 
 /// An edit of the side that was not taken for the printed one.
@@ -285,20 +286,23 @@ fn across(search: (&Claim, &Written), printed: &Subject) -> Option<Correction> {
         claim,
         statement,
         &subject,
-        agreeing(&subject, &target, edits),
+        agreeing(&subject, &target, MAX_APART, edits),
     )
     .or_else(|| solved(search, &subject, &target))
     .or_else(|| inserted(search, &subject, &target))
 }
 
 /// The edits with which the sides agree at the sample point, with their changes in words.
-fn agreeing(subject: &Subject, target: &Target<'_>, edits: Vec<Edit>) -> Vec<(Edit, Vec<String>)> {
-    target.apart(MAX_APART, || {
+fn agreeing(
+    subject: &Subject,
+    target: &Target<'_>,
+    work: u64,
+    edits: Vec<Edit>,
+) -> Vec<(Edit, Vec<String>)> {
+    target.apart(work, || {
         let agree = |edit: &Edit| target.agrees(&subject.side(&edit.expr));
         let found = edits.into_iter().filter(agree);
-        found
-            .map(|edit| (edit.clone(), vec![edit.change.to_string()]))
-            .collect()
+        found.map(Edit::described).collect()
     })
 }
 
@@ -310,13 +314,6 @@ fn elsewhere(
     target: &Target<'_>,
     alphabet: &Alphabet,
 ) -> Option<Correction> {
-    let agreeing = |subject: &Subject, edits: Vec<Edit>| {
-        let agree = |edit: &Edit| target.agrees(&subject.side(&edit.expr));
-        let found = edits.into_iter().filter(agree);
-        found
-            .map(|edit| (edit.clone(), vec![edit.change.to_string()]))
-            .collect()
-    };
     let spread = |formula: &Expr, alphabet: &Alphabet| {
         let mut edits = repeated::edits(formula, alphabet);
         edits.extend(names::edits(formula, alphabet));
@@ -324,7 +321,7 @@ fn elsewhere(
         edits
     };
     let search = |work: u64, subject: &Subject, edits: Vec<Edit>| {
-        let found = target.apart(work, || agreeing(subject, edits));
+        let found = agreeing(subject, target, work, edits);
         proved(claim, statement, subject, found)
     };
     search(

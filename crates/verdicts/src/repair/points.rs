@@ -2,13 +2,13 @@
 //!
 //! The semantics judges each candidate as a statement at a few points. One that is false at none of them is still to be proved.
 
-use super::edit::{Change, Edit, parts, placed};
+use super::edit::{Change, Edit, exact_numbers, placed};
 use super::subject::Subject;
 use torse_algebra::rational::integer;
 use torse_semantics::tally;
 use torse_semantics::tree::Reading;
 use torse_syntax::derivation::{Claim, Written};
-use torse_syntax::formula::{Expr, Node};
+use torse_syntax::formula::Expr;
 
 /// The most candidates of one search, the points of each, and the work on them in operations on numbers.
 pub(super) const MAX_CANDIDATES: usize = 2_500;
@@ -39,14 +39,7 @@ pub(super) fn agreeing(
 #[must_use]
 pub(super) fn numbers(expr: &Expr) -> Vec<Edit> {
     let mut found = vec![];
-    for (path, part) in parts(expr) {
-        let Node::Number {
-            value,
-            decimals: None,
-        } = &part.node
-        else {
-            continue;
-        };
+    for (path, part, value) in exact_numbers(expr) {
         for other in (1..=MAX_NUMBER).map(integer).filter(|n| n != value) {
             let number = Expr::number(&other);
             found.push(Edit {

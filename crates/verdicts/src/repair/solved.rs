@@ -4,13 +4,13 @@
 //! keeps cross ratios: its values at three numbers and the value that is wanted tell x. What is found at the sample point is
 //! tried like any other edit.
 
-use super::edit::{Change, Edit, parts, placed};
+use super::edit::{Change, Edit, exact_numbers, placed};
 use super::subject::Subject;
 use super::target::Target;
 use num_traits::Zero;
 use torse_algebra::rational::integer;
 use torse_algebra::{Integer, Rational};
-use torse_syntax::formula::{Expr, Node};
+use torse_syntax::formula::Expr;
 
 /// The largest numerator and denominator of a number that a print may have meant.
 const MAX_PART: i64 = 1_000_000;
@@ -20,14 +20,7 @@ const MAX_PART: i64 = 1_000_000;
 #[must_use]
 pub fn edits(formula: &Expr, subject: &Subject, target: &Target<'_>) -> Vec<Edit> {
     let mut found: Vec<(bool, Edit)> = vec![];
-    for (path, part) in parts(formula) {
-        let Node::Number {
-            value,
-            decimals: None,
-        } = &part.node
-        else {
-            continue;
-        };
+    for (path, part, value) in exact_numbers(formula) {
         let side = |x: &Rational| {
             let number = Expr::number(x);
             placed(formula, &path, number)
