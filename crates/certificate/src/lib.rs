@@ -29,7 +29,7 @@
 //! | `both`, `clauses`, `parts`, `instances` | conjunctions, of halves, clauses, parts of the domain, values of integers | [`proof::Proof`] |
 //! | `alternative`, `conclusion` | one part of `or`, perhaps where the others fail; the end of `implies` | [`proof::Proof`] |
 //! | `exists` | `not p` by a point | [`proof::refutation::Refuted`] |
-//! | `nowhere`, `defined` | no point; conditions that only say where terms are defined | [`proof::Proof`] |
+//! | `nowhere`, `defined`, `within` | no point; conditions that only say where terms are defined, or that say where those are that a proof does not need | [`proof::Proof`] |
 //!
 //! A refutation is `at` a point, at an `instance` of integers, or of a `denied` statement that is proved to hold
 //! everywhere.

@@ -23,6 +23,10 @@ use torse_core::{Set, Source};
 use torse_numbers::Integer;
 use torse_syntax::formula::Relation;
 
+/// The highest power of a factor that is compared with a polynomial, and the most terms of such a factor.
+const MAX_EXPONENT: u32 = 4;
+const MAX_TERMS: usize = 4;
+
 impl Domain<'_> {
     /// Checks that the eliminated symbols that were used have their values wherever the conditions do not vanish.
     pub fn justified(&self) -> Result<(), CheckError> {
@@ -296,8 +300,7 @@ impl Domain<'_> {
             if rest.is_number() {
                 break;
             }
-            self.work.spend(factor.len().saturating_mul(rest.len()))?;
-            if factor.quotient(&rest).is_some() {
+            if self.divides_power(&rest, factor)? {
                 self.note(met);
                 return Ok(true);
             }
@@ -311,6 +314,29 @@ impl Domain<'_> {
         Ok(rest.is_number())
     }
 
+    /// Whether a polynomial divides a power of a factor, so that it is nonzero where the factor is: `x^2` where `x*y` is.
+    fn divides_power(
+        &self,
+        polynomial: &Polynomial,
+        factor: &Polynomial,
+    ) -> Result<bool, Unsupported> {
+        self.work
+            .spend(factor.len().saturating_mul(polynomial.len()))?;
+        if factor.quotient(polynomial).is_some() {
+            return Ok(true);
+        }
+        let degrees = polynomial.symbols().map(|s| polynomial.degree_in(s));
+        let exponent = degrees.max().unwrap_or(0).min(MAX_EXPONENT);
+        if exponent < 2 || factor.len() > MAX_TERMS {
+            return Ok(false);
+        }
+        let mut power = factor.clone();
+        for _ in 1..exponent {
+            power = self.work.times(&power, factor)?;
+        }
+        Ok(power.quotient(polynomial).is_some())
+    }
+
     /// Whether a polynomial divides something that a hypothesis alone, as a comparison or by its divisors, says to be nonzero.
     pub(super) fn is_assumed_nonzero(
         &self,
@@ -322,9 +348,7 @@ impl Domain<'_> {
             let (above, below) = (&compared.difference.above, &compared.difference.below);
             let differs = matches!(compared.relation, Different | Less | Greater);
             for nonzero in differs.then_some(above).into_iter().chain(below.keys()) {
-                self.work
-                    .spend(nonzero.len().saturating_mul(polynomial.len()))?;
-                if nonzero.quotient(polynomial).is_some() {
+                if self.divides_power(polynomial, nonzero)? {
                     self.note(&compared.met);
                     return Ok(true);
                 }

@@ -194,6 +194,8 @@ impl Check<'_> {
                 };
                 check.proof(claim, proof, integers)
             }
+            // The conditions say where the statement is defined, which no proof of its truth needs.
+            (_, Proof::Within { proof, .. }) => self.proof(claim, proof, integers),
             // A constant is either zero or nonzero.
             (_, Proof::Split(split)) => {
                 let with = |all: &[Polynomial]| [all, std::slice::from_ref(&split.pivot)].concat();

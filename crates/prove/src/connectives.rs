@@ -98,9 +98,34 @@ impl<'a> DisjunctiveDomain<'a> {
         })
     }
 
+    /// Alternatives, under the conditions that every one of them has a value, whichever is proved: at a point at which one has none
+    /// the whole has none.
+    fn alternative(&self, literals: &[&core::Statement]) -> Result<Decision, Fault> {
+        let proof = match self.one_of(literals)? {
+            Decision::Proven(proof) if literals.len() > 1 => proof,
+            decision => return Ok(decision),
+        };
+        let mut conditions = vec![];
+        for values in literals.iter().filter_map(|literal| literal.has_values()) {
+            match self.decide(&values)? {
+                Decision::Proven(defined) => {
+                    conditions.extend(defined.conditions().into_iter().cloned());
+                }
+                vacuous @ Decision::Vacuous(_) => return Ok(vacuous),
+                Decision::Refuted(_) | Decision::Open { .. } => {
+                    return Ok(Decision::Open {
+                        reason: "it is not known where the alternatives have values".to_owned(),
+                        tried: vec![],
+                    });
+                }
+            }
+        }
+        Ok(Decision::Proven(proof.within(conditions)))
+    }
+
     /// Alternatives: proved if one is, or one is where all others fail. A denial among them is true or false of the whole
     /// domain: a false one is no alternative.
-    fn alternative(&self, literals: &[&core::Statement]) -> Result<Decision, Fault> {
+    fn one_of(&self, literals: &[&core::Statement]) -> Result<Decision, Fault> {
         let (mut left, mut decisions, mut false_denial) = (vec![], vec![], None);
         for (place, literal) in literals.iter().enumerate() {
             match self.decide(literal)? {

@@ -130,7 +130,7 @@ impl<'a> Decider<'a> {
         if assignments.iter().all(Instance::is_empty) {
             return Ok(Decision::Open { reason, tried });
         }
-        let (mut decided, mut divided) = (vec![], None);
+        let (mut decided, mut divided) = (vec![], vec![]);
         let far = instances::far(&assignments, self.elaborator.declarations());
         for (number, assignment) in assignments.iter().chain(&far).enumerate() {
             // Greater integers are for statements that say nothing about small ones.
@@ -142,8 +142,8 @@ impl<'a> Decider<'a> {
                 Ok(decision) => decision,
                 // Some term is defined at no point of the instance, so the statement says nothing there.
                 Err(fault) if undefined(&fault) => {
-                    if divides_by_zero(&fault) {
-                        divided.get_or_insert_with(|| instances::label(assignment));
+                    if self.divides_by_zero(&fault, assignment) {
+                        divided.push(assignment.clone());
                     }
                     Decision::Vacuous(Emptiness::Undefined(fault.problem.to_string()))
                 }
@@ -159,16 +159,8 @@ impl<'a> Decider<'a> {
                 break;
             }
         }
-        Ok(
-            match (instances::combined(decided, complete, &reason), divided) {
-                // That the divisor is not zero there would be a condition, and no instance states it.
-                (Decision::Proven(_), Some(values)) => Decision::Open {
-                    reason: format!("a divisor is zero for {values}"),
-                    tried,
-                },
-                (decision, _) => decision,
-            },
-        )
+        let decision = instances::combined(decided, complete, &reason);
+        Ok(self.where_defined(statement, decision, &divided))
     }
 
     /// A proof by cases over the integers with short ranges of numbers, the others kept symbolic; or a refutation.
@@ -189,14 +181,15 @@ impl<'a> Decider<'a> {
         if chosen.is_empty() || !complete {
             return Ok(None);
         }
-        let mut decided = vec![];
+        let (mut decided, mut divided) = (vec![], vec![]);
         for assignment in assignments {
             match self.symbolic(statement, &assignment) {
                 Ok(Decision::Open { .. }) => return Ok(None),
                 Ok(decision) => decided.push((assignment, decision)),
-                // That the divisor is not zero there would be a condition, and no case states it.
-                Err(fault) if divides_by_zero(&fault) => return Ok(None),
                 Err(fault) if undefined(&fault) => {
+                    if self.divides_by_zero(&fault, &assignment) {
+                        divided.push(assignment.clone());
+                    }
                     let why = Emptiness::Undefined(fault.problem.to_string());
                     decided.push((assignment, Decision::Vacuous(why)));
                 }
@@ -204,7 +197,55 @@ impl<'a> Decider<'a> {
                 Err(fault) => return Err(fault),
             }
         }
-        Ok(Some(instances::combined(decided, true, "")))
+        let decision = instances::combined(decided, true, "");
+        Ok(match self.where_defined(statement, decision, &divided) {
+            Decision::Open { .. } => None,
+            decision => Some(decision),
+        })
+    }
+
+    /// Whether a fault says that a term of the statement, and none of a hypothesis, divides by zero for these values of integers.
+    fn divides_by_zero(&self, fault: &Fault, instance: &Instance) -> bool {
+        matches!(*fault.problem, Problem::ZeroDivisor { .. }) && self.ground(instance).is_ok()
+    }
+
+    /// A proof by values of integers for some of which a divisor of the statement is zero: under the conditions that the divisors of the
+    /// statement as it stands are not, open where these do not exclude each of those values.
+    fn where_defined(
+        &self,
+        statement: &core::Statement,
+        decision: Decision,
+        divided: &[Instance],
+    ) -> Decision {
+        let (Decision::Proven(proof), Some(first)) = (&decision, divided.first()) else {
+            return decision;
+        };
+        let conditions = self.definedness(statement).unwrap_or_default();
+        let is_excluded = |instance: &Instance| {
+            let value = |symbol: &Symbol| match symbol {
+                Symbol::Named(name) => Some(Polynomial::integer(*instance.get(&**name)?)),
+                _ => None,
+            };
+            let mut values = conditions.iter().map(|one| one.substituted(value));
+            values.any(|condition| condition.is_zero())
+        };
+        match divided.iter().all(is_excluded) {
+            true => Decision::Proven(proof.clone().within(conditions)),
+            false => Decision::Open {
+                reason: format!("a divisor is zero for {}", instances::label(first)),
+                tried: vec![],
+            },
+        }
+    }
+
+    /// What the statement divides by, whatever the values of integers are, as far as no hypothesis says that it is not zero; `None` where a
+    /// hypothesis is solved by dividing, or there is no formula for all integers.
+    fn definedness(&self, statement: &core::Statement) -> Option<Vec<Polynomial>> {
+        let ground = self.ground(&Instance::new()).ok()?;
+        let value = ground.branch.evaluator.truth(statement).ok()?;
+        let divisors = unrooted(&divisors(&value), &ground);
+        let is_whole = ground.branch.splits().is_empty();
+        is_whole.then(|| open_conditions(divisors, &ground))
     }
 
     /// An equation as a combination of the given ones, without solving these, if it is one, with the conditions that it
@@ -497,11 +538,6 @@ fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<
         last.map_or(0, |behind| domain.roots.len() - behind)
     });
     (signs, apart)
-}
-
-/// Whether a fault says that a term divides by zero everywhere.
-fn divides_by_zero(fault: &Fault) -> bool {
-    matches!(*fault.problem, Problem::ZeroDivisor { .. })
 }
 
 /// Whether a fault says that a term is defined nowhere.

@@ -39,9 +39,10 @@ pub fn solutions(proof: &Proof<Polynomial>) -> Vec<Solved> {
             let mut found = parts.iter().map(solutions);
             found.find(|found| !found.is_empty()).unwrap_or_default()
         }
-        Proof::Alternative { proof, .. } | Proof::Conclusion(proof) | Proof::Defined(proof) => {
-            solutions(proof)
-        }
+        Proof::Alternative { proof, .. }
+        | Proof::Conclusion(proof)
+        | Proof::Defined(proof)
+        | Proof::Within { proof, .. } => solutions(proof),
         _ => vec![],
     }
 }

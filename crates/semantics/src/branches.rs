@@ -16,6 +16,10 @@ use torse_syntax::formula::{Connective, Expr, Node, Operator, Relation};
 
 /// The largest number of parts of one domain that are visited.
 const MAX_BRANCHES: usize = 12;
+/// Functions of numbers, which bind no name.
+const PLAIN: [&str; 10] = [
+    "sqrt", "abs", "norm", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh",
+];
 /// The largest depth to which definitions of statements are opened.
 const MAX_OPENED: u32 = 16;
 
@@ -60,6 +64,36 @@ pub(crate) fn branches(reading: &Reading<'_>) -> Vec<Branch> {
     }));
     all.truncate(MAX_BRANCHES);
     all
+}
+
+/// For each divisor that the statement shows, outside of what binds a name: the equation that it is zero.
+pub(crate) fn divisors(reading: &Reading<'_>) -> Vec<Expr> {
+    let mut found: Vec<&Expr> = vec![];
+    let mut pending = vec![reading.tree()];
+    while let Some(tree) = pending.pop() {
+        match &tree.node {
+            Node::Join(_, a, b) => pending.extend([&**a, b]),
+            Node::Not(inner) | Node::Negative(inner) => pending.push(inner),
+            Node::Compare(first, rest) => {
+                pending.push(first);
+                pending.extend(rest.iter().map(|(_, side)| side));
+            }
+            Node::Binary(operator, a, b) => {
+                let is_new = |b: &Expr| found.iter().all(|own| own.node != b.node);
+                if *operator == Operator::Divide && !b.names().is_empty() && is_new(b) {
+                    found.push(b);
+                }
+                pending.extend([&**a, b]);
+            }
+            Node::Call(head, arguments) => match &head.node {
+                Node::Name(name) if PLAIN.contains(&name.as_str()) => pending.extend(arguments),
+                _ => {}
+            },
+            _ => {}
+        }
+    }
+    let zero = |divisor: &Expr| equal(divisor.clone(), Expr::number(&integer(0)));
+    found.into_iter().take(MAX_BRANCHES).map(zero).collect()
 }
 
 /// The equations that hold wherever all of these statements are true.

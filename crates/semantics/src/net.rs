@@ -3,11 +3,11 @@
 //! A proof is wrong if the statement is false at a point of the domain. A refutation is wrong if its witness lies
 //! outside of the domain or satisfies the statement. Neither check depends on how the verdict was found.
 
-use crate::branches::branches;
+use crate::branches::{branches, divisors};
 use crate::domain::Domain;
 use crate::domain::point::Point;
 use crate::judgement::Judgement;
-use crate::no_value::Unknown;
+use crate::no_value::{Undefined, Unknown};
 use crate::survey::{Ground, Judged, MAX_COSTLY_POINTS, MAX_POINTS_WITHOUT_VALUE, Seen, Survey};
 use crate::tree::Reading;
 use torse_syntax::derivation::declarations::Declarations;
@@ -32,6 +32,8 @@ pub struct Tally {
     pub failing: Option<Point>,
     /// The number of points at which it is undefined, so that the claim makes no assertion there.
     pub undefined: u64,
+    /// The first of these points at which a divisor is zero, so that the claim lacks a condition.
+    pub divided: Option<Point>,
     /// The number of points at which it was not decided.
     pub open: u64,
     /// The number of these points at which the budget of one point was spent.
@@ -93,6 +95,7 @@ pub fn tally(
     tally.unshown = unshown.cloned().collect();
     if tally.failing.is_none() && tally.holding > 0 && !tally.single && tally.costly == 0 {
         visit(&mut tally, &domain, &judged, seed);
+        divide(&mut tally, &domain, &judged, seed);
     }
     tally
 }
@@ -150,6 +153,27 @@ fn visit(tally: &mut Tally, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str
     }
 }
 
+/// Looks for a point of the domain at which a divisor in the statement is zero, and all conditions are true.
+fn divide(tally: &mut Tally, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str) {
+    let reading = domain.reading;
+    for zero in divisors(reading) {
+        if tally.divided.is_some() || tally.failing.is_some() {
+            return;
+        }
+        let (inside, alone) = (
+            Domain::where_true(reading, &zero),
+            Domain::alone(reading, &zero),
+        );
+        let survey = Survey::new(&inside, seed, POINTS_PER_BRANCH, BRANCH_WORK).beyond(&alone);
+        let mut there = Tally::default();
+        survey.walk(&judged.copied(), &mut |seen| {
+            there.count(seen);
+            there.divided.is_none() && there.found < POINTS_PER_BRANCH
+        });
+        tally.divided = there.divided;
+    }
+}
+
 /// Whether a part of the statement is an equation or a property of values; residues decide nothing about other
 /// statements.
 fn has_equation(declarations: &Declarations, tree: &Expr, depth: u32) -> bool {
@@ -186,6 +210,10 @@ fn walked<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> Tally {
         !(enough || hopeless || unseen || tally.failing.is_some())
     });
     tally.exhausted = survey.work.left() == 0;
+    if matches!(survey.ground, Ground::Residues) {
+        // A residue may be zero although the number is not.
+        tally.divided = None;
+    }
     tally
 }
 
@@ -299,7 +327,13 @@ impl Tally {
                     near,
                 });
             }
-            Judgement::Undefined(_) => self.undefined += 1,
+            Judgement::Undefined(why) => {
+                self.undefined += 1;
+                if why == Undefined::ZeroDivisor && !near {
+                    let values = draft.values();
+                    self.divided.get_or_insert(Point { values, near });
+                }
+            }
             open @ (Judgement::Undecided | Judgement::Unknown(_)) => {
                 self.open += 1;
                 self.costly += u64::from(open == Judgement::Unknown(Unknown::Work));

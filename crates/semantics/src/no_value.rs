@@ -61,6 +61,9 @@ pub enum Undefined {
     /// A derivative that does not exist: of a root at zero, or of a function of integers.
     #[error("a derivative where there is none")]
     NotDifferentiable,
+    /// The terms of a hypothesis, or those of `p implies q` where p is false or undefined: no assertion is made there.
+    #[error("a hypothesis or a premise is not satisfied")]
+    Unasserted,
     /// Coefficients of a form that is not linear in the unknowns.
     #[error("coefficients of a form that is not linear")]
     NotLinear,

@@ -187,9 +187,9 @@ impl<'a> Survey<'a> {
         let draft = Draft::new(self.domain, stream);
         if let Some(first) = self.first {
             let near = completed(first, &draft, work)?;
-            if let Some(why) = undefined_hypothesis(self.domain, &draft, work) {
+            if has_undefined_hypothesis(self.domain, &draft, work) {
                 return Some(each(Seen::Judged {
-                    judgement: Judgement::Undefined(why),
+                    judgement: Judgement::Undefined(Undefined::Unasserted),
                     draft: &draft,
                     near,
                     exactly_first: !near,
@@ -341,8 +341,8 @@ impl<'a> Survey<'a> {
     }
 }
 
-/// Why a hypothesis is undefined at numbers that satisfy all others, except possibly equations that could be solved.
-fn undefined_hypothesis(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Option<Undefined> {
+/// Whether a hypothesis is undefined at numbers that satisfy all others, except possibly equations that could be solved.
+fn has_undefined_hypothesis(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> bool {
     let judge = Judge {
         reading: domain.reading,
         values: &|name| draft.value(name),
@@ -351,19 +351,17 @@ fn undefined_hypothesis(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> 
         work,
     };
     let declarations = domain.reading.declarations();
-    let mut undefined = None;
+    let mut undefined = false;
     let grounds = judge.evaluators();
     let at = grounds.each(&judge);
     for tree in &domain.hypotheses {
         match at.truth(tree) {
             Judgement::True => {}
-            Judgement::Undefined(why) => undefined = Some(why),
+            Judgement::Undefined(_) => undefined = true,
             _ if is_equations(declarations, tree) => {}
-            _ => return None,
+            _ => return false,
         }
     }
-    draft
-        .look(|values| check_sets(declarations, values, false))
-        .ok()?;
-    undefined
+    let sets = draft.look(|values| check_sets(declarations, values, false));
+    undefined && sets.is_ok()
 }

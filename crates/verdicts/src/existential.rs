@@ -122,7 +122,7 @@ fn says_nothing_somewhere<P>(proof: &Proof<P>) -> bool {
             says_nothing_somewhere(proof)
         }
         // Conditions that only make terms defined may come from the witness.
-        Proof::Defined(_) => true,
+        Proof::Defined(_) | Proof::Within { .. } => true,
         _ => false,
     }
 }

@@ -271,6 +271,11 @@ impl<'a> JudgedStatement<'a> {
         if let Some(point) = tally.failing {
             return Err(format!("it is false at {point}").into());
         }
+        if let Some(point) = tally.divided {
+            return Err(Objection::Unseen(format!(
+                "a term of it divides by zero at {point}, which no condition excludes"
+            )));
+        }
         self.is_somewhere(&tally)?;
         self.fails_somewhere(&tally)?;
         self.says_something(&tally, conditions)?;

@@ -67,6 +67,14 @@ pub enum Proof<P> {
     Exists(Box<Refuted<P>>),
     /// A proof whose conditions only say where the terms of the statement are defined.
     Defined(Box<Proof<P>>),
+    /// A proof of a part of the statement that shows the whole, with polynomials that are nonzero where all terms of
+    /// the whole are defined.
+    Within {
+        /// The polynomials.
+        conditions: Vec<P>,
+        /// The proof.
+        proof: Box<Proof<P>>,
+    },
     /// A case split: a proof where a polynomial is nonzero, and one where it is zero.
     Split(Box<Split<P>>),
 }
@@ -120,6 +128,18 @@ pub enum Emptiness<P> {
 }
 
 impl<P> Proof<P> {
+    /// The proof with further conditions, which say where the statement is defined.
+    #[must_use]
+    pub fn within(self, conditions: Vec<P>) -> Self {
+        match conditions.is_empty() {
+            true => self,
+            false => Self::Within {
+                conditions,
+                proof: Box::new(self),
+            },
+        }
+    }
+
     /// Converts every polynomial.
     pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Proof<Q> {
         let one = |proof: &Self| Box::new(proof.map(change));
@@ -158,6 +178,10 @@ impl<P> Proof<P> {
             Self::Nowhere(emptiness) => Proof::Nowhere(emptiness.map(change)),
             Self::Exists(refuted) => Proof::Exists(Box::new(refuted.map(change))),
             Self::Defined(proof) => Proof::Defined(one(proof)),
+            Self::Within { conditions, proof } => Proof::Within {
+                conditions: conditions.iter().map(change).collect(),
+                proof: one(proof),
+            },
             Self::Split(split) => Proof::Split(Box::new(Split {
                 pivot: change(&split.pivot),
                 nonzero: split.nonzero.map(change),
@@ -176,9 +200,10 @@ impl<P> Proof<P> {
             Self::On(ground) => vec![&ground.proof],
             Self::Both(first, second) => vec![first, second],
             Self::Parts(proofs) | Self::Clauses(proofs) => proofs.iter().collect(),
-            Self::Alternative { proof, .. } | Self::Conclusion(proof) | Self::Defined(proof) => {
-                vec![proof]
-            }
+            Self::Alternative { proof, .. }
+            | Self::Conclusion(proof)
+            | Self::Defined(proof)
+            | Self::Within { proof, .. } => vec![proof],
             Self::Instances(instances) => instances.iter().map(|one| &one.proof).collect(),
             Self::Split(split) => match &split.zero {
                 ZeroSide::Proved(zero) => vec![&split.nonzero, zero],
@@ -224,6 +249,9 @@ impl<P> Proof<P> {
             Self::Excluded(proof) => proof.divisors.iter().collect(),
             Self::On(ground) => ground.conditions.iter().collect(),
             Self::Defined(_) => vec![],
+            Self::Within { conditions, proof } => {
+                proof.conditions().into_iter().chain(conditions).collect()
+            }
             Self::Split(split) => match &split.zero {
                 ZeroSide::Proved(zero) => {
                     let nonzero = split.nonzero.conditions().into_iter();

@@ -11,6 +11,9 @@ use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 use torse_syntax::formula::Relation;
 
+/// The most terms of two polynomials whose common factors are looked for.
+const MAX_COMMON_TERMS: usize = 8;
+
 /// A condition `value relation 0` from the assumptions.
 #[derive(Debug, Clone)]
 pub struct Constraint {
@@ -226,11 +229,25 @@ impl Domain<'_> {
             if assumed.exact_quotient(&rest).is_some() {
                 return Polynomial::integer(1);
             }
+            if assumed.as_constant().is_some() {
+                continue;
+            }
             while !rest.is_zero()
-                && assumed.as_constant().is_none()
                 && let Some(quotient) = rest.exact_quotient(assumed)
             {
                 rest = quotient;
+            }
+            // What both have in common is a factor of what is not zero: of `x^2 + x` and `x*y` it is x.
+            if assumed.len().max(rest.len()) <= MAX_COMMON_TERMS {
+                loop {
+                    let common = rest.gcd(assumed);
+                    let divided = match common.as_constant() {
+                        Some(_) => None,
+                        None => rest.exact_quotient(&common),
+                    };
+                    let Some(quotient) = divided else { break };
+                    rest = quotient;
+                }
             }
         }
         rest

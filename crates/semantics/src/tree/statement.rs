@@ -7,7 +7,7 @@ use super::environment::Environment;
 use super::evaluate::{Evaluator, Meaning};
 use crate::arithmetic::{Arithmetic, Comparison};
 use crate::judgement::Judgement;
-use crate::no_value::{NoValue, Unknown};
+use crate::no_value::{NoValue, Undefined, Unknown};
 use crate::value::Value;
 use torse_numbers::rational::integer;
 use torse_numbers::{Integer, Rational};
@@ -37,6 +37,16 @@ fn either(a: Option<bool>, b: Option<bool>) -> Option<bool> {
 
 /// Joins two judgements by a connective.
 pub(crate) fn joined(connective: Connective, a: Judgement, b: Judgement) -> Judgement {
+    let (a, b) = match (connective, a, b) {
+        (Connective::Implies, Judgement::Undefined(_), b) => {
+            (Judgement::Undefined(Undefined::Unasserted), b)
+        }
+        (Connective::Implies, Judgement::False, Judgement::Undefined(_)) => {
+            let unasserted = Judgement::Undefined(Undefined::Unasserted);
+            (Judgement::False, unasserted)
+        }
+        (_, a, b) => (a, b),
+    };
     a.joined(b, |a, b| match connective {
         Connective::And => both(a, b),
         Connective::Or => either(a, b),
