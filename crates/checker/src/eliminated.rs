@@ -337,13 +337,15 @@ impl Domain<'_> {
         Ok(power.quotient(polynomial).is_some())
     }
 
-    /// Whether a polynomial divides something that a hypothesis alone, as a comparison or by its divisors, says to be nonzero.
+    /// Whether a polynomial divides something that a hypothesis alone, as a comparison or by its divisors, says to be nonzero; a root
+    /// is nonzero where its radicand is.
     pub(super) fn is_assumed_nonzero(
         &self,
         polynomial: &Polynomial,
         groups: usize,
     ) -> Result<bool, Unsupported> {
         use Relation::{Different, Greater, Less};
+        let polynomial = &self.unrooted(polynomial, groups)?;
         for compared in &self.hypotheses(groups).all {
             let (above, below) = (&compared.difference.above, &compared.difference.below);
             let differs = matches!(compared.relation, Different | Less | Greater);

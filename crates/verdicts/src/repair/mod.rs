@@ -407,6 +407,7 @@ fn proved(
         }
         let expr = subject.statement(&statement.expr, &edit.expr);
         if is_tautology(claim, &expr, subject)
+            || is_assumed(claim, &expr)
             || operands::one_ceases_to_matter(claim, subject, &edit.expr)
         {
             continue;
@@ -430,6 +431,13 @@ fn proved(
         });
     }
     found
+}
+
+/// Whether a corrected statement is one of the hypotheses: no correction.
+fn is_assumed(claim: &Claim, expr: &Expr) -> bool {
+    let own = canonical::canonical(expr);
+    let mut hypotheses = claim.assumptions.iter().chain(&claim.given);
+    hypotheses.any(|hypothesis| canonical::canonical(&hypothesis.formula.expr) == own)
 }
 
 /// Whether both sides of the comparison at the end of the path are the same: no correction.

@@ -138,3 +138,11 @@ fn what_is_true_of_any_operand_is_no_correction() {
 fn a_side_that_becomes_a_number_by_what_stands_in_it_is_corrected() {
     corrected("cosh(y)^2 + sinh(y)^2 == 1", "cosh(y)^2 - sinh(y)^2 == 1");
 }
+
+#[test]
+fn a_hypothesis_is_no_correction() {
+    let lines = "kind = \"identity\"\nassume = [\"x + y == 1\"]\nstates = \"x + y == 2\"";
+    let outcomes = outcomes("corrections", DECLARATIONS, &[lines]);
+    let found = outcomes.first().unwrap().correction();
+    assert_eq!(found.map(|own| &own.statement.text), None);
+}

@@ -216,3 +216,48 @@ fn a_root_is_positive_before_what_it_occurs_in() {
     let found = expect("conjugate", lines, Holds);
     assert!(found.replay().unwrap().is_whole());
 }
+
+#[test]
+fn every_alternative_has_to_be_defined() {
+    for (states, wanted) in [
+        ("1/b > 0 or 1/b <= 0", "b != 0"),
+        ("1/y == 1/y or a > 2", "y != 0"),
+        ("(b/y == b/y or y > 0) and b == b", "y != 0"),
+        ("a > 2 or a <= 2 or 1/(b - abs(y)) > 1", "abs(y) - b != 0"),
+        ("b <= 0 or 1/b > 0", "b != 0"),
+    ] {
+        let found = expect("alternatives", &format!("states = '{states}'"), Conditional);
+        assert_eq!(conditions(&found), [wanted], "{states}");
+    }
+    // Where a premise is false or undefined nothing is asserted.
+    for states in ["b != 0 implies b/b == 1", "1/b > 0 implies b > 0"] {
+        expect("premise", &format!("states = '{states}'"), Holds);
+    }
+}
+
+#[test]
+fn a_divisor_that_is_zero_for_some_integer_of_a_short_range_is_a_condition() {
+    for (states, wanted) in [
+        ("1/k^2 > 0", &["k != 0"][..]),
+        ("1/(k*(k - 1)) >= 0", &["k != 0", "k - 1 != 0"]),
+        ("D(1/k^2*b, b) > 0", &["k != 0"]),
+    ] {
+        let lines = format!("symbols = {{ k = {{ integer = \"0..3\" }} }}\nstates = '{states}'");
+        let found = expect("short", &lines, Conditional);
+        assert_eq!(conditions(&found), wanted, "{states}");
+    }
+}
+
+#[test]
+fn what_divides_a_power_of_a_hypothesis_is_not_zero() {
+    for (assumed, states) in [
+        ("a*y != 0", "abs(y)/(a^2 + y^2) >= 0"),
+        ("a*y != 0", "1/(abs(y) + abs(a)) > 0"),
+        ("a != 0", "1/(abs(a)^2 + y^2) > 0"),
+        ("(a + y)/a < 1", "1/(abs(a)^2 + (a + y)^2) > 0"),
+    ] {
+        let lines = format!("assume = ['{assumed}']\nstates = '{states}'");
+        let found = expect("power", &lines, Holds);
+        assert!(found.replay().unwrap().is_whole(), "{states}");
+    }
+}
