@@ -354,3 +354,19 @@ fn there_are_claims_for_more_than_thirty_faults_and_no_fault_has_two() {
     assert_eq!(names.len(), CASES.len());
     assert!(names.len() > 30);
 }
+
+#[test]
+fn a_forgotten_condition_that_says_where_terms_are_defined_is_found() {
+    for states in [
+        "b/(b - a) == 1 + a/(b - a)",
+        "a <= 0 or 1/(a - b) > 0 or a > 0",
+    ] {
+        let claim = claim(&format!("states = '{states}'"));
+        let decided = || decide_claim("planted", &claim).unwrap();
+        assert_eq!(decided().verdict(), Conditional, "{states}");
+        let faulty = with(InjectedFault::ConditionDropped, decided);
+        assert_eq!(faulty.verdict(), Undecided, "{states}");
+        let steps = faulty.steps().concat();
+        assert!(steps.contains("divides by zero at a = "), "{steps}");
+    }
+}
