@@ -4,10 +4,13 @@
 //! term with an odd exponent is a product of two of them. Completing squares, one monomial after the other and the number one
 //! last, leaves `d_1 (m_1 + ...)^2 + ... + d_n`, and if no d is negative neither is the polynomial. Of several pairs of
 //! monomials for one term the first is taken: this finds many sums of squares, and not all.
+//!
+//! Sines and cosines count as symbols too, after `sin^2 + cos^2`, which is one, has made all terms of equal degree in those of each
+//! angle: `1 - sin(x - y)^2` is then `(cos(x) cos(y) + sin(x) sin(y))^2`.
 
 use super::certificate::{Certificate, Piece, Reason};
 use crate::decide::domain::Domain;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Polynomial, Rational, Symbol};
 
@@ -45,15 +48,15 @@ pub(super) fn squares(value: &Polynomial, domain: &Domain<'_>) -> Option<Certifi
     for term in value.terms() {
         let mut monomial = Monomial::new();
         for (symbol, exponent) in &term.powers {
-            // Numbers would have to be enclosed, and functions are not independent.
-            if !matches!(symbol, Symbol::Named(_) | Symbol::Indexed(..)) {
+            // Numbers would have to be enclosed, and exponentials are not independent.
+            if matches!(symbol, Symbol::Pi | Symbol::Root(_) | Symbol::Exp(_)) {
                 return None;
             }
             monomial.insert((*symbol).clone(), *exponent);
         }
         terms.insert(monomial, term.coefficient.clone());
     }
-    let (monomials, mut form) = gram(&terms)?;
+    let (monomials, mut form) = gram(&homogeneous(terms)?)?;
     let mut found = vec![];
     // The number one comes last: what is left for it is the least value that is shown.
     for place in 0..monomials.len() {
@@ -96,6 +99,36 @@ pub(super) fn squares(value: &Polynomial, domain: &Domain<'_>) -> Option<Certifi
             reason: Reason::Coefficients,
         }],
     })
+}
+
+/// The terms, those of lower degree in sine and cosine of an angle times powers of the sum of their squares; `None` where the degrees of
+/// two terms differ by an odd number, or there are too many terms.
+fn homogeneous(mut terms: BTreeMap<Monomial, Rational>) -> Option<BTreeMap<Monomial, Rational>> {
+    let symbols = terms.keys().flat_map(Monomial::keys);
+    let sines = symbols.filter_map(|symbol| match symbol {
+        Symbol::Sin(name, angle) | Symbol::Cos(name, angle) => Some((name.clone(), *angle)),
+        _ => None,
+    });
+    let angles: BTreeSet<_> = sines.collect();
+    for (name, angle) in angles {
+        let pair = [Symbol::Sin(name.clone(), angle), Symbol::Cos(name, angle)];
+        let degree = |monomial: &Monomial| -> u16 {
+            pair.iter().filter_map(|symbol| monomial.get(symbol)).sum()
+        };
+        let highest = terms.keys().map(degree).max()?;
+        while let Some(low) = terms.keys().find(|own| degree(own) < highest).cloned() {
+            let value = terms.remove(&low)?;
+            if (highest - degree(&low)) % 2 == 1 || terms.len() > MAX_TERMS {
+                return None;
+            }
+            for symbol in &pair {
+                let raised = product(&low, &Monomial::from([(symbol.clone(), 2)]));
+                *terms.entry(raised).or_insert_with(|| integer(0)) += &value;
+            }
+        }
+        terms.retain(|_, value| *value != integer(0));
+    }
+    Some(terms)
 }
 
 /// The monomials, the number one last, and the symmetric matrix of the form in them.
