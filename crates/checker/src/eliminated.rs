@@ -211,9 +211,12 @@ impl Domain<'_> {
             return Ok(true);
         }
         // A root is a divisor of a term as it is, and nonzero where its radicand is.
+        let norm = self.norm(&unrooted, groups)?;
         let is_product = || -> Result<bool, Unsupported> {
-            Ok(self.divides(&unrooted, known, groups, besides)?
-                || unrooted != *polynomial && self.divides(polynomial, known, groups, besides)?)
+            let divides = |p: &Polynomial| self.divides(p, known, groups, besides);
+            Ok(divides(&unrooted)?
+                || unrooted != *polynomial && divides(polynomial)?
+                || norm.as_ref().map_or(Ok(false), divides)?)
         };
         if is_product()? {
             return Ok(true);

@@ -14,6 +14,9 @@ use torse_certificate::proof::assumptions::{EquationMultiple, Signed};
 use torse_certificate::symbol::Symbol;
 use torse_core::Hypothesis;
 
+/// The most terms of a polynomial whose norm is looked at.
+const MAX_NORMED: usize = 12;
+
 /// A root that has not been replaced by a value in other symbols.
 struct Root {
     symbol: Symbol,
@@ -149,6 +152,35 @@ impl Domain<'_> {
             value = sum;
         }
         Ok(value)
+    }
+
+    /// A polynomial without roots that is zero wherever this one is: `x - y` for `sqrt(x) - sqrt(y)`; `None` for one without roots, or a
+    /// long one.
+    pub(super) fn norm(
+        &self,
+        polynomial: &Polynomial,
+        groups: usize,
+    ) -> Result<Option<Polynomial>, Unsupported> {
+        let roots = self.roots(groups)?;
+        let has = |p: &Polynomial| roots.iter().any(|root| p.degree_in(&root.symbol) > 0);
+        if !has(polynomial) {
+            return Ok(None);
+        }
+        let mut value = self.reduced(polynomial, groups)?.above;
+        for root in roots.iter().rev() {
+            if value.len() > MAX_NORMED {
+                return Ok(None);
+            }
+            if let [even, odd] = value.coefficients_in(&root.symbol).as_slice() {
+                // (even + odd w) (even - odd w), where w^2 is the radicand.
+                let even: Quotient = self.work.times(even, even)?.into();
+                let odd: Quotient = self.work.times(odd, odd)?.into();
+                let squared = odd.times(&root.radicand, self.work)?;
+                let product = even.minus(&squared, self.work)?.above;
+                value = self.reduced(&product, groups)?.above;
+            }
+        }
+        Ok((!has(&value)).then_some(value))
     }
 
     /// Replaces roots that divide a polynomial by their radicands: the result vanishes where the polynomial does.

@@ -625,6 +625,7 @@ fn open_conditions(mut conditions: Vec<Polynomial>, ground: &ProofContext<'_>) -
         pivots.iter().any(|pivot| divides(p, pivot))
             || domain.assumes_nonzero(p)
             || sign::never_zero(&domain.without_assumed(p), domain)
+            || roots::norm(p, &domain.roots).is_some_and(|norm| domain.assumes_nonzero(&norm))
     };
     conditions.retain(|p| !settled(p));
     conditions.extend(ground.branch.splits().iter().cloned());

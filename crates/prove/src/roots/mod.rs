@@ -211,3 +211,31 @@ pub fn unrooted(polynomial: &Polynomial, roots: &[Root]) -> Polynomial {
     }
     rest
 }
+
+/// The most terms of a polynomial whose norm is looked at.
+const MAX_NORMED: usize = 12;
+
+/// A polynomial without roots that is a multiple of this one: `x - y` for `sqrt(x) - sqrt(y)`. Where it is not zero neither is the
+/// polynomial. `None` for one without roots, or a long one.
+#[must_use]
+pub fn norm(polynomial: &Polynomial, roots: &[Root]) -> Option<Polynomial> {
+    let mut value = reduced_polynomial(polynomial, roots)?.numerator().clone();
+    let has = |value: &Polynomial| {
+        let mut symbols = roots.iter().map(|root| &root.symbol);
+        symbols.any(|symbol| value.symbols().contains(symbol))
+    };
+    if !has(&value) && value == *polynomial {
+        return None;
+    }
+    for root in roots.iter().rev() {
+        if value.len() > MAX_NORMED {
+            return None;
+        }
+        if let [even, odd] = value.coefficients_in(&root.symbol).as_slice() {
+            let squared = &odd.power(2) * root.radicand.numerator();
+            value = &(&even.power(2) * &root.radicand.denominator()) - &squared;
+            value = reduced_polynomial(&value, roots)?.numerator().clone();
+        }
+    }
+    (!has(&value)).then_some(value)
+}
