@@ -13,7 +13,7 @@ use super::sign::Signs;
 use super::value::determinant;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use torse_certificate::number::order;
+use torse_certificate::number::{holds, order};
 use torse_certificate::polynomial::Polynomial;
 use torse_certificate::proof::assumptions::{Determining, Signed};
 use torse_certificate::ratio::Constraint;
@@ -21,6 +21,7 @@ use torse_certificate::sign::Sign;
 use torse_certificate::symbol::Symbol;
 use torse_core::{Set, Source};
 use torse_numbers::Integer;
+use torse_numbers::rational::integer;
 use torse_syntax::formula::Relation;
 
 /// The highest power of a factor that is compared with a polynomial, and the most terms of such a factor.
@@ -340,20 +341,39 @@ impl Domain<'_> {
         Ok(power.quotient(polynomial).is_some())
     }
 
-    /// Whether a polynomial divides something that a hypothesis alone, as a comparison or by its divisors, says to be nonzero; a root
-    /// is nonzero where its radicand is.
-    pub(super) fn is_assumed_nonzero(
+    /// Whether a hypothesis alone, as a comparison or by its divisors, says that these polynomials are not all zero: one of them divides
+    /// a power of something nonzero (a root is nonzero where its radicand is), or the hypothesis fails where those that
+    /// are powers of symbols are zero: `y + z >= 1` where y and z are.
+    pub(super) fn excludes_common_zero(
         &self,
-        polynomial: &Polynomial,
+        polynomials: &[&Polynomial],
         groups: usize,
     ) -> Result<bool, Unsupported> {
         use Relation::{Different, Greater, Less};
-        let polynomial = &self.unrooted(polynomial, groups)?;
+        let unrooted = polynomials.iter().map(|p| self.unrooted(p, groups));
+        let unrooted: Vec<Polynomial> = unrooted.collect::<Result<_, _>>()?;
+        let zeros: Vec<&Symbol> = polynomials.iter().filter_map(|p| power_of(p)).collect();
+        let there = |polynomial: &Polynomial| {
+            zeros.iter().fold(polynomial.clone(), |rest, symbol| {
+                let mut powers = rest.coefficients_in(symbol).into_iter();
+                powers.next().unwrap_or_default()
+            })
+        };
         for compared in &self.hypotheses(groups).all {
             let (above, below) = (&compared.difference.above, &compared.difference.below);
+            let number = there(above).as_constant();
+            let fails = number.is_some_and(|n| !holds(n.cmp(&integer(0)), compared.relation));
+            if below.is_empty() && fails {
+                self.note(&compared.met);
+                return Ok(true);
+            }
             let differs = matches!(compared.relation, Different | Less | Greater);
             for nonzero in differs.then_some(above).into_iter().chain(below.keys()) {
-                if self.divides_power(polynomial, nonzero)? {
+                let mut excluded = there(nonzero).is_zero();
+                for polynomial in &unrooted {
+                    excluded = excluded || self.divides_power(polynomial, nonzero)?;
+                }
+                if excluded {
                     self.note(&compared.met);
                     return Ok(true);
                 }
@@ -434,6 +454,18 @@ fn inside(polynomial: &Polynomial, symbol: &Symbol) -> bool {
     polynomial
         .symbols()
         .any(|own| own != symbol && depends(own))
+}
+
+/// The symbol of which a polynomial is a multiple of a power.
+fn power_of(polynomial: &Polynomial) -> Option<&Symbol> {
+    let mut terms = polynomial.terms();
+    match (terms.next(), terms.next()) {
+        (Some((monomial, _)), None) => match monomial.as_slice() {
+            [(symbol @ Symbol::Named(_), _)] => Some(symbol),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 /// The polynomial without its constant term, if it has a nonzero one.

@@ -237,9 +237,12 @@ impl<'a> Signs<'a> {
             if square.multiple < integer(0) {
                 return Err(Wrong::Negative.into());
             }
-            sum_positive |= square.multiple > integer(0)
-                && certificate.strict
-                && self.domain.is_assumed_nonzero(&square.root, self.groups)?;
+        }
+        if certificate.strict {
+            let squared = certificate.squares.iter();
+            let squared = squared.filter(|square| square.multiple > integer(0));
+            let roots: Vec<&Polynomial> = squared.map(|square| &square.root).collect();
+            sum_positive |= self.domain.excludes_common_zero(&roots, self.groups)?;
         }
         for multiple in &certificate.multiples {
             let (_, strict) = self.constraint(multiple.constraint)?;

@@ -295,7 +295,7 @@ fn order(
             negative ^= turned(&sign.polynomial, of)? && exponent % 2 == 1;
             match place {
                 0 => strict = sign.strict,
-                _ if sign.strict => {}
+                _ if sign.strict || domain.nonzero_here(of)? => {}
                 _ => return Err(Wrong::Zero.into()),
             }
         }

@@ -7,7 +7,9 @@ use crate::decide::order::order;
 use crate::decide::root::Root;
 use std::cmp::Ordering;
 use torse_algebra::fault_injection::{InjectedFault, injected};
+use torse_algebra::rational::integer;
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
+use torse_certificate::number::holds;
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 use torse_syntax::formula::Relation;
 
@@ -197,17 +199,41 @@ impl Domain<'_> {
         !polynomial.is_zero() && self.without_assumed(polynomial).as_constant().is_some()
     }
 
-    /// Whether the polynomial divides one quantity that is assumed to be different from zero.
+    /// Whether the assumptions imply that these polynomials are not all zero: one of them consists of factors of a quantity that is
+    /// assumed to be different from zero, or an assumption fails where those that are powers of symbols are zero: `y + z >= 1` where
+    /// y and z are.
     #[must_use]
-    pub fn divides_assumed(&self, polynomial: &Polynomial) -> bool {
+    pub fn excludes_common_zero(&self, polynomials: &[&Polynomial]) -> bool {
+        use Relation::{Different, Greater, Less};
+        let is_power = |p: &Polynomial| match p.symbols() {
+            [symbol] if p.len() == 1 => Some(symbol.clone()),
+            _ => None,
+        };
+        let zeros: Vec<Symbol> = polynomials.iter().filter_map(|p| is_power(p)).collect();
         self.constraints.iter().any(|constraint| {
-            use Relation::{Different, Greater, Less};
-            matches!(constraint.relation, Different | Less | Greater)
-                && constraint
-                    .value
-                    .numerator()
-                    .exact_quotient(polynomial)
-                    .is_some()
+            let quantity = constraint.value.numerator();
+            let zero = |symbol: &Symbol| zeros.contains(symbol).then(Polynomial::zero);
+            let there = quantity.substituted(zero);
+            let is_whole = constraint.value.as_polynomial().is_some();
+            if let (true, Some(number)) = (is_whole, there.as_constant())
+                && !holds(number.cmp(&integer(0)), constraint.relation)
+            {
+                return true;
+            }
+            if !matches!(constraint.relation, Different | Less | Greater) {
+                return false;
+            }
+            let is_made_of = |p: &&Polynomial| {
+                let mut rest = (*p).clone();
+                while rest.as_constant().is_none() {
+                    match rest.exact_quotient(&rest.gcd(quantity)) {
+                        Some(quotient) if quotient != rest => rest = quotient,
+                        _ => return false,
+                    }
+                }
+                !rest.is_zero()
+            };
+            polynomials.iter().any(is_made_of) || there.is_zero()
         })
     }
 

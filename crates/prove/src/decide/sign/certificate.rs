@@ -213,9 +213,12 @@ pub fn check(
         if *multiplier < integer(0) {
             return Err(CertificateError::Part { part });
         }
-        sum_positive |= *multiplier > integer(0) && domain.divides_assumed(root);
         total = &total + &root.power(2).scaled(multiplier);
     }
+    let squared = certificate.squares.iter();
+    let squared = squared.filter(|(multiplier, _)| *multiplier > integer(0));
+    let roots: Vec<&Polynomial> = squared.map(|(_, root)| root).collect();
+    sum_positive |= certificate.strict && domain.excludes_common_zero(&roots);
     let squares = certificate.squares.len();
     for (place, (number, multiplier)) in certificate.multipliers.iter().enumerate() {
         let part = squares + place;

@@ -442,12 +442,11 @@ fn with_denominator(
 ) -> Option<Found> {
     let (mut negative, mut proofs) = (false, vec![first]);
     for (factor, exponent) in value.denominator_factors() {
-        let (sign, proof) = strict(factor, domain, value.conditions())?;
-        match sign {
-            Sign::Positive => {}
-            Sign::Negative => negative ^= exponent % 2 == 1,
-            _ => return None,
-        }
+        // Where there is a fraction its divisors are not zero.
+        let divides = || value.conditions().contains(factor);
+        let (sign, proof) = strict(factor, domain, value.conditions())
+            .or_else(|| divides().then(|| proof(factor, domain)).flatten())?;
+        negative ^= matches!(sign, Sign::Negative | Sign::Nonpositive) && exponent % 2 == 1;
         proofs.push(proof);
     }
     let sign = if negative { above.negated() } else { above };

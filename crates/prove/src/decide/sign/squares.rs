@@ -38,7 +38,7 @@ fn product(a: &Monomial, b: &Monomial) -> Monomial {
 }
 
 /// A certificate that the polynomial is a sum of squares and a number that is not negative. It is positive where the number is, or
-/// where one of the squares is that of something that is assumed to differ from zero.
+/// where an assumption excludes that all that is squared is zero.
 #[must_use]
 pub(super) fn squares(value: &Polynomial, domain: &Domain<'_>) -> Option<Certificate> {
     if value.len() > MAX_TERMS || value.as_constant().is_some() {
@@ -88,8 +88,9 @@ pub(super) fn squares(value: &Polynomial, domain: &Domain<'_>) -> Option<Certifi
         Some((pivot, _)) => pivot,
         None => integer(0),
     };
+    let roots: Vec<&Polynomial> = found.iter().map(|(_, root)| root).collect();
     Some(Certificate {
-        strict: rest > integer(0) || found.iter().any(|(_, root)| domain.divides_assumed(root)),
+        strict: rest > integer(0) || domain.excludes_common_zero(&roots),
         squares: found,
         multipliers: vec![],
         factors: vec![],

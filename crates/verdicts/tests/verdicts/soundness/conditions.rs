@@ -261,3 +261,46 @@ fn what_divides_a_power_of_a_hypothesis_is_not_zero() {
         assert!(found.replay().unwrap().is_whole(), "{states}");
     }
 }
+
+#[test]
+fn squares_are_not_all_zero_where_a_hypothesis_fails() {
+    for assumed in ["a + y != 0", "a + y >= 1", "a - 2*y^3 > 0"] {
+        let lines = format!("assume = ['{assumed}']\nstates = '1/(a^2 + y^4) > 0'");
+        let found = expect("squares", &lines, Holds);
+        assert!(found.replay().unwrap().is_whole(), "{assumed}");
+    }
+    for lines in ["", "assume = ['a + y != 1']\n"] {
+        let lines = format!("{lines}states = '1/(a^2 + y^4) > 0'");
+        let found = expect("squares", &lines, Conditional);
+        assert_eq!(conditions(&found), ["a^2 + y^4 != 0"]);
+    }
+}
+
+#[test]
+fn a_difference_of_roots_is_zero_only_where_its_norm_is() {
+    for (assumed, states) in [
+        (
+            "a != y",
+            "1/(sqrt(a) - sqrt(y)) == (sqrt(a) + sqrt(y))/(a - y)",
+        ),
+        ("a^2 != y^2", "1/(a - abs(y)) == (a + abs(y))/(a^2 - y^2)"),
+        ("a^2 - 1 != 0", "1/(sqrt(a + 1)^2 - 2) == 1/(a - 1)"),
+    ] {
+        let lines = format!("assume = ['{assumed}']\nstates = '{states}'");
+        let found = expect("norm", &lines, Holds);
+        assert!(found.replay().unwrap().is_whole(), "{states}");
+    }
+}
+
+#[test]
+fn an_angle_in_a_square_is_bounded() {
+    let symbols = "symbols = { k = { in = \"(-1, 1)\" } }\n";
+    for states in [
+        "1 - sin(a - b)^2 >= 0",
+        "(1 - k^2*sin(a - b)^2)/(1 - k^2*sin(a - b)^2) == 1",
+        "(sin(a)*c - cos(a))^2 >= 0",
+    ] {
+        let found = expect("angle", &format!("{symbols}states = '{states}'"), Holds);
+        assert!(found.replay().unwrap().is_whole(), "{states}");
+    }
+}
