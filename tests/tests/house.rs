@@ -40,7 +40,7 @@ const ROOMS: [(&str, &[&str]); 21] = [
     ("plot", &["typography"]),
     ("figures", &["syntax", "prove", "plot"]),
     ("designs", &["syntax", "geometry", "exchange", "plot"]),
-    ("report", &["verdicts", "typography", "plot"]),
+    ("report", &["verdicts", "designs", "typography", "plot"]),
     (
         "torse",
         &["manuscript", "report", "figures", "designs", "rocq"],

@@ -8,11 +8,13 @@ use crate::terminal::remark;
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use torse_designs::bench::{PaperSize, bench_sheets, tiled_parts};
 use torse_designs::export::PATTERNS;
 use torse_designs::inspect::{inspect_for, inspect_unrolled, missed_line};
-use torse_designs::unroll::{PartsList, Purpose, Summary, drawing, parts, unroll};
+use torse_designs::unroll::{FlatPiece, Part, PartsList, Purpose, Summary, drawing, parts, unroll};
 use torse_designs::{Design, DesignError};
 use torse_exchange::{Drawing, dxf, svg};
+use torse_report::Manuscript;
 
 /// Unroll a design to what is cut of it, DXF or SVG.
 ///
@@ -24,7 +26,7 @@ use torse_exchange::{Drawing, dxf, svg};
 pub struct Unroll {
     #[command(flatten)]
     file: DesignFile,
-    /// Where the part goes: a file ending in .dxf or .svg; - for standard output, with --as
+    /// Where the part goes: a file ending in .dxf or .svg, for sheets of paper in .pdf; - for standard output, with --as
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
     /// The format, where the name of the file does not end in it: dxf or svg
@@ -32,9 +34,13 @@ pub struct Unroll {
     r#as: Option<String>,
     /// What the file is for: cut (closed contours alone), bend (the bend lines of tools too), sew (the
     /// notches of seams too), fold (one file of all pieces
-    /// with every ruling and its angle, as `torse fold` reads it)
-    #[arg(long = "for", value_name = "PURPOSE", value_parser = purpose, default_value = "cut")]
-    purpose: Purpose,
+    /// with every ruling and its angle, as `torse fold` reads it), bench (a sheet for the fitter with dimensions, tables and a
+    /// view, PDF or SVG), paper (true size on pages, PDF)
+    #[arg(long = "for", value_name = "PURPOSE", value_parser = output, default_value = "cut")]
+    output: Output,
+    /// The paper of `--for bench` and `--for paper`: a4, a3, letter
+    #[arg(long, value_name = "SIZE", value_parser = paper, default_value = "a4")]
+    page: PaperSize,
     /// A table of the parts, as comma-separated values
     #[arg(long, value_name = "FILE")]
     parts: Option<PathBuf>,
@@ -45,9 +51,38 @@ pub struct Unroll {
     format: Format,
 }
 
+/// What is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Output {
+    /// Drawings for a purpose.
+    Drawings(Purpose),
+    /// A sheet for the fitter.
+    Bench,
+    /// True size on pages.
+    Paper,
+}
+
+impl Output {
+    /// The endings of its files.
+    fn endings(self) -> &'static [&'static str] {
+        match self {
+            Self::Drawings(_) => PATTERNS,
+            Self::Bench => &["pdf", "svg"],
+            Self::Paper => &["pdf"],
+        }
+    }
+}
+
 /// A purpose by its name.
-fn purpose(name: &str) -> Result<Purpose, String> {
-    named(&Purpose::ALL, name, "the purposes are")
+fn output(name: &str) -> Result<Output, String> {
+    let drawings = Purpose::ALL.map(|(name, purpose)| (name, Output::Drawings(purpose)));
+    let sheets = [("bench", Output::Bench), ("paper", Output::Paper)];
+    named(&[&drawings[..], &sheets].concat(), name, "the purposes are")
+}
+
+/// A size of paper by its name.
+fn paper(name: &str) -> Result<PaperSize, String> {
+    named(&PaperSize::ALL, name, "the sizes are")
 }
 
 /// The answer for programs: the patterns, and the parts that were made of them.
@@ -95,12 +130,12 @@ fn file_of(to: &Path, part: &str, several: bool) -> PathBuf {
 impl Unroll {
     /// Writes what the purpose asks for and says what it promises.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let ending = format_of(&self.to, self.r#as.as_deref(), PATTERNS)?;
+        let ending = format_of(&self.to, self.r#as.as_deref(), self.output.endings())?;
         let design = self.file.open()?;
         let pieces = unroll(&design, &self.pattern.demand())?;
         let made = parts(&design, &pieces);
         let summary = Summary::new(&design, &pieces);
-        if self.purpose == Purpose::Fold {
+        if self.output == Output::Drawings(Purpose::Fold) {
             // The pattern is the design's, and needs no blank.
             let list = made.map(|parts| PartsList::new(&design, &parts)).ok();
             let text = text_of(&drawing(&design, &pieces)?, ending)?;
@@ -113,22 +148,66 @@ impl Unroll {
         }
         let made = made?;
         let mut list = PartsList::new(&design, &made);
-        self.check_names(&design, &list)?;
-        let mut files = Vec::new();
-        for (part, row) in made.iter().zip(&mut list.parts) {
-            let file = file_of(&self.to, &part.name, made.len() > 1);
-            files.push((file.clone(), text_of(&part.drawing(self.purpose)?, ending)?));
+        if ending != "pdf" {
+            self.check_names(&design, &list)?;
+        }
+        let files = self.files(&design, &pieces, &made, ending)?;
+        for (file, bytes) in &files {
+            write(file, bytes)?;
+        }
+        for row in &mut list.parts {
+            let file = file_of(&self.to, &row.name, made.len() > 1 && ending != "pdf");
             row.file = file
                 .file_name()
                 .map(|name| name.to_string_lossy().into_owned());
-        }
-        for (file, text) in &files {
-            write(file, text.as_bytes())?;
         }
         if let Some(file) = &self.parts {
             write(file, list.csv().as_bytes())?;
         }
         self.end(&design, &summary, &list)
+    }
+
+    /// The files with their bytes.
+    fn files(
+        &self,
+        design: &Design,
+        pieces: &[FlatPiece],
+        made: &[Part],
+        ending: &str,
+    ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+        let file = |part: &str| file_of(&self.to, part, made.len() > 1);
+        let mut files = Vec::new();
+        match self.output {
+            Output::Drawings(purpose) => {
+                for part in made {
+                    let text = text_of(&part.drawing(purpose)?, ending)?;
+                    files.push((file(&part.name), text.into_bytes()));
+                }
+            }
+            Output::Bench => {
+                let sheets = bench_sheets(design, pieces, made, self.page)?;
+                if ending == "pdf" {
+                    let set = Manuscript::bench(&design.name, &sheets)?.typeset()?;
+                    return Ok(vec![(self.to.clone(), set.pdf()?)]);
+                }
+                for sheet in &sheets {
+                    let set = Manuscript::bench(&design.name, std::slice::from_ref(sheet))?;
+                    let set = set.typeset()?;
+                    // What does not fit on the first page of a part goes on in further files.
+                    for page in 0..set.page_count() {
+                        let name = format!("{}", page + 1);
+                        let file = file_of(&file(&sheet.part), &name, page > 0);
+                        files.push((file, set.page_svg(page)?.into_bytes()));
+                    }
+                }
+            }
+            Output::Paper => {
+                let tiled = tiled_parts(design, pieces, made, self.page)?;
+                let set = Manuscript::tiles(&design.name, &tiled)?.typeset()?;
+                files.push((self.to.clone(), set.pdf()?));
+            }
+        }
+        Ok(files)
     }
 
     /// Several parts have several files: no standard output, and no two of one name.
@@ -162,7 +241,7 @@ impl Unroll {
     /// Says what was written, and what the design misses all the same.
     fn end(&self, design: &Design, summary: &Summary, list: &PartsList) -> Result<Exit, Failure> {
         let text = match self.format {
-            Format::Text if self.purpose == Purpose::Fold => summary.text(),
+            Format::Text if self.output == Output::Drawings(Purpose::Fold) => summary.text(),
             Format::Text => list.text() + &summary.text(),
             Format::Json => json(&Answer {
                 summary,
@@ -172,9 +251,9 @@ impl Unroll {
         answer(&self.to, &text)?;
         let demand = self.pattern.demand();
         // A pattern to fold is written where a blank is refused; all other parts were made.
-        let report = match self.purpose {
-            Purpose::Fold => inspect_for(design, &demand)?,
-            Purpose::Cut | Purpose::Bend | Purpose::Sew => inspect_unrolled(design, &demand)?,
+        let report = match self.output {
+            Output::Drawings(Purpose::Fold) => inspect_for(design, &demand)?,
+            _ => inspect_unrolled(design, &demand)?,
         };
         let missed = report.missed;
         for reason in &missed {

@@ -19,6 +19,8 @@ pub struct Design {
     pub unit: DesignUnit,
     /// What it is made of, if that is said.
     pub metal: Option<Material>,
+    /// What the sheet is of, in words, if that is said.
+    pub material: Option<String>,
     /// How blanks are found where it is bent.
     pub bending: Bending,
     /// What is demanded.

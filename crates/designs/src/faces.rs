@@ -37,6 +37,7 @@ pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, Design
         name,
         unit: DesignUnit::Millimetre,
         metal: None,
+        material: None,
         bending: Bending::USUAL,
         tolerances: Tolerances::USUAL,
         view: DesignView {

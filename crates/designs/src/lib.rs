@@ -10,6 +10,7 @@
 //! | what is in a file of another program, and whether its faces are developable | [`listing::list`], [`audit::FaceAudit`] |
 //! | to know whether it can be made | [`inspect::inspect`] |
 //! | its flat pattern | [`unroll::unroll`], [`unroll::drawing`] |
+//! | a sheet for the fitter, or parts in true size on pages | [`bench::bench_sheets`], [`bench::tiled_parts`] |
 //! | a pattern file folded and compared with the design | [`fold::fold_back`] |
 //! | any file | [`export::bytes`] |
 //! | points, normals, curvatures | [`eval::eval`] |
@@ -38,6 +39,7 @@
 #![warn(missing_docs)]
 
 pub mod audit;
+pub mod bench;
 mod bending;
 mod design;
 pub mod draw;

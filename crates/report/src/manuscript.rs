@@ -10,11 +10,16 @@ use crate::world::{MemoryWorld, has_glyph};
 use crate::{FigureImage, ReportError, Typeset, digest, erratum, text};
 use serde::Serialize;
 use serde_json::Value;
+use torse_designs::bench::{BenchSheet, TiledPart};
 
 /// Increase it whenever the same manuscript is set or written in another way, so that every fingerprint changes.
 const VERSION: u32 = 2;
 
-const TEMPLATES: [(&str, &str); 4] = [
+const TEMPLATES: [(&str, &str); 5] = [
+    (
+        "paper-figure.typ",
+        include_str!("../assets/paper-figure.typ"),
+    ),
     ("theme.typ", include_str!("../assets/theme.typ")),
     ("formula.typ", include_str!("../assets/formula.typ")),
     ("claim.typ", include_str!("../assets/claim.typ")),
@@ -23,6 +28,8 @@ const TEMPLATES: [(&str, &str); 4] = [
 const PAPER: &str = include_str!("../assets/paper.typ");
 const ERRATUM: &str = include_str!("../assets/erratum.typ");
 const SUMMARY: &str = include_str!("../assets/summary.typ");
+const BENCH: &str = include_str!("../assets/bench.typ");
+const TILES: &str = include_str!("../assets/tiles.typ");
 
 /// A document that can be set: its contents, its form, its pictures.
 ///
@@ -106,6 +113,38 @@ impl Manuscript {
             [],
             &identifier,
         )
+    }
+
+    /// Makes the sheets of parts for the fitter, a page each.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Json`] when the sheets cannot be written as data.
+    pub fn bench(design: &str, sheets: &[BenchSheet]) -> Result<Self, ReportError> {
+        let views = sheets.iter().enumerate().map(|(position, sheet)| {
+            (
+                format!("view-{position}.svg"),
+                sheet.view.clone().into_bytes(),
+            )
+        });
+        let identifier = format!("{design}-bench");
+        Self::new(
+            "the sheets for the bench",
+            BENCH,
+            &sheets,
+            views,
+            &identifier,
+        )
+    }
+
+    /// Makes parts in true size on pages, after a page of each that shows how these lie.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::Json`] when the pages cannot be written as data.
+    pub fn tiles(design: &str, parts: &[TiledPart]) -> Result<Self, ReportError> {
+        let identifier = format!("{design}-paper");
+        Self::new("the pages in true size", TILES, &parts, [], &identifier)
     }
 
     fn new(

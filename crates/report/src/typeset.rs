@@ -6,6 +6,7 @@ use typst::{foundations::Smart, utils::Scalar};
 use typst_layout::PagedDocument;
 use typst_pdf::{PdfOptions, PdfStandard, PdfStandards, Timestamp};
 use typst_render::RenderOptions;
+use typst_svg::SvgOptions;
 
 /// A document with its pages laid out.
 ///
@@ -53,6 +54,18 @@ impl Typeset {
             ..PdfOptions::default()
         };
         typst_pdf::pdf(&self.document, &options).map_err(|diagnostics| refused(NAME, &diagnostics))
+    }
+
+    /// Draws a page, counted from 0, as SVG in true size, its letters as outlines.
+    ///
+    /// # Errors
+    ///
+    /// [`ReportError::NoSuchPage`].
+    pub fn page_svg(&self, page: usize) -> Result<String, ReportError> {
+        let pages = self.page_count();
+        let laid_out = self.document.pages().get(page);
+        let laid_out = laid_out.ok_or(ReportError::NoSuchPage { page, pages })?;
+        Ok(typst_svg::svg(laid_out, &SvgOptions::default()))
     }
 
     /// Draws a page, counted from 0, as PNG.

@@ -445,7 +445,7 @@ fn the_commands_of_the_tutorial_do_what_it_says() {
             commands += 1;
         }
     }
-    assert_eq!((designs, commands, outputs), (2, 11, 5));
+    assert_eq!((designs, commands, outputs), (2, 13, 5));
     // What it says about G2.
     std::fs::write(
         folder.path().join("hopper.toml"),
@@ -634,4 +634,37 @@ fn what_is_missed_is_said_of_what_is_written() {
     let unit = run(folder.path(), &["inspect", "part.toml"]);
     assert_eq!(unit.code, 4);
     assert!(unit.error.contains("here mm: `1.5`"), "{}", unit.error);
+}
+
+#[test]
+fn sheets_of_paper_are_pdf_or_svg_with_the_same_bytes_on_every_run() {
+    let folder = folder(CONE);
+    for (purpose, file, head) in [
+        ("bench", "sheet.pdf", "%PDF-"),
+        ("bench", "sheet.svg", "<svg"),
+        ("paper", "pages.pdf", "%PDF-"),
+    ] {
+        let arguments = ["unroll", "part.toml", "--for", purpose, "--to", file];
+        let bytes = || {
+            let ran = run(folder.path(), &arguments);
+            assert_eq!(ran.code, 0, "{}", ran.error);
+            std::fs::read(folder.path().join(file)).unwrap()
+        };
+        let first = bytes();
+        assert!(first.starts_with(head.as_bytes()), "{purpose} {file}");
+        assert_eq!(first, bytes(), "{purpose} {file}");
+    }
+    // Pages are no drawing for a cutter, and a cut is no page.
+    for (purpose, file) in [
+        ("paper", "pages.dxf"),
+        ("bench", "sheet.dxf"),
+        ("cut", "part.pdf"),
+    ] {
+        let ran = run(
+            folder.path(),
+            &["unroll", "part.toml", "--for", purpose, "--to", file],
+        );
+        assert_eq!(ran.code, 2, "{}", ran.error);
+        assert!(!folder.path().join(file).exists());
+    }
 }

@@ -15,7 +15,11 @@ use torse_geometry::prelude::Point;
 pub const ENDINGS: &[&str] = &["png", "svg", "html"];
 
 /// The points of a patch on equal steps, ruling by ruling.
-fn samples(patch: &Patch, along: usize, across: usize) -> Result<Vec<Point>, DesignError> {
+pub(crate) fn samples(
+    patch: &Patch,
+    along: usize,
+    across: usize,
+) -> Result<Vec<Point>, DesignError> {
     #[allow(clippy::cast_precision_loss)]
     let share = |k: usize, of: usize| k as f64 / of as f64;
     let mut points = Vec::with_capacity((along + 1) * (across + 1));
@@ -54,6 +58,6 @@ fn grid(
 }
 
 /// How many rulings are drawn on each patch, so that they stay apart.
-fn lines(design: &Design) -> usize {
+pub(crate) fn lines(design: &Design) -> usize {
     (64 / design.patches.len().max(1)).clamp(1, design.view.rulings.saturating_sub(1).clamp(1, 32))
 }

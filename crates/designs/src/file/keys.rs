@@ -22,7 +22,13 @@ pub const TOP: &[&str] = &[
 /// `[design]`.
 pub const DESIGN: &[&str] = &["title", "unit", "about"];
 /// `[sheet]`.
-pub const SHEET: &[&str] = &["thickness", "k-factor", "least-radius", "surface"];
+pub const SHEET: &[&str] = &[
+    "thickness",
+    "material",
+    "k-factor",
+    "least-radius",
+    "surface",
+];
 /// `[tolerances]`.
 pub const TOLERANCES: &[&str] = &[
     "outline",

@@ -332,7 +332,7 @@ fn sections(
             reader.unset = names.collect();
         }
     }
-    let (metal, bending) = settings::metal(reader, take("sheet"));
+    let (metal, material, bending) = settings::metal(reader, take("sheet"));
     let tolerances = settings::tolerances(reader, take("tolerances"));
     let view = settings::view(reader, take("view"));
     let mut parts = Parts::default();
@@ -360,6 +360,7 @@ fn sections(
         title: head.title,
         unit: head.unit,
         metal,
+        material,
         bending,
         tolerances,
         view,

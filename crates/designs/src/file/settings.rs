@@ -47,6 +47,8 @@ pub fn head(reader: &mut Reader, section: Option<Value<'_>>, file: &str) -> Desi
     head
 }
 
+/// The most bytes of the name of a material.
+const MAX_MATERIAL: usize = 80;
 /// The words for a neutral line that follows a standard.
 const STANDARDS: [(&str, &NeutralLine); 1] = [("DIN 6935", &NeutralLine::Din6935)];
 /// The most rows of a table of K-factors.
@@ -83,11 +85,14 @@ fn neutral(reader: &mut Reader, value: Value<'_>) -> Option<NeutralLine> {
 }
 
 /// What it is made of, and how its blanks are found.
-pub fn metal(reader: &mut Reader, section: Option<Value<'_>>) -> (Option<Material>, Bending) {
+pub fn metal(
+    reader: &mut Reader,
+    section: Option<Value<'_>>,
+) -> (Option<Material>, Option<String>, Bending) {
     let mut bending = Bending::USUAL;
     let entries = section.and_then(|value| reader.entries(value, "[sheet]", keys::SHEET));
     let Some(mut entries) = entries else {
-        return (None, bending);
+        return (None, None, bending);
     };
     if let Some(value) = entries.take("k-factor")
         && let Some(neutral) = neutral(reader, value)
@@ -104,7 +109,18 @@ pub fn metal(reader: &mut Reader, section: Option<Value<'_>>) -> (Option<Materia
         NeutralLine::Constant(k) => k,
         _ => 0.5,
     };
-    (material(reader, &mut entries, k_factor), bending)
+    let mut named = None;
+    if let Some(value) = entries.take("material") {
+        let span = value.span();
+        if let Some((text, _)) = reader.text(value, "a material") {
+            if text.chars().any(char::is_control) || text.len() > MAX_MATERIAL {
+                let message = format!("a material is one line of at most {MAX_MATERIAL} bytes");
+                reader.complain(&span, message, "");
+            }
+            named = Some(text);
+        }
+    }
+    (material(reader, &mut entries, k_factor), named, bending)
 }
 
 fn material(reader: &mut Reader, entries: &mut Entries<'_>, k_factor: f64) -> Option<Material> {

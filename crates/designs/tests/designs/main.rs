@@ -7,6 +7,7 @@
     reason = "tests"
 )]
 
+mod bench;
 mod blanks;
 mod connect;
 mod ends;
