@@ -12,7 +12,6 @@ mod parts;
 mod smooth;
 
 use binders::{Local, Scope};
-use built_in::NAMES;
 pub(crate) use denial::{is_about_domain, misplaced};
 use parts::Parts;
 use smooth::At;
@@ -24,6 +23,7 @@ use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Declarations, Definition, SymbolKind};
 use torse_syntax::fault::{Fault, Problem};
+use torse_syntax::formula::functions::{FUNCTIONS, is_function};
 use torse_syntax::formula::{self, Connective, Expr, Place};
 use torse_syntax::greek;
 use torse_syntax::similar::similar;
@@ -496,7 +496,7 @@ impl<'a> Elaborator<'a> {
             return self.member(name, basis, indices, arguments, place, scope);
         }
         if let formula::Node::Name(name) = &head.node
-            && NAMES.contains(&name.as_str())
+            && is_function(name)
             && free(name)
         {
             return self.built_in(name, arguments, place, scope);
@@ -560,7 +560,7 @@ impl<'a> Elaborator<'a> {
             .declarations
             .names()
             .chain(scope.locals.keys().map(String::as_str))
-            .chain(NAMES)
+            .chain(FUNCTIONS)
             .collect();
         // Suggest the spelled name of a Greek letter if that name is declared.
         let sign = name.chars().next().filter(|_| name.chars().count() == 1);

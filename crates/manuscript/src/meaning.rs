@@ -6,6 +6,7 @@
 
 use crate::document::{Manuscript, ManuscriptFormula};
 use std::collections::{BTreeMap, BTreeSet};
+use torse_syntax::formula::functions::is_function;
 use torse_syntax::formula::{Connective, Expr, Node, Place, Relation};
 use torse_syntax::latex::{
     LatexCondition, LatexDoubt, LatexGuess, LatexKind, LatexNames, LatexStatement, read_items,
@@ -297,30 +298,10 @@ fn head_of(left: &Expr) -> Option<(String, String)> {
             Some((name.clone(), name.clone()))
         }
         Node::Call(head, arguments) => match &head.node {
-            Node::Name(name)
-                if !name.contains('\'')
-                    && !matches!(
-                        name.as_str(),
-                        "D" | "norm"
-                            | "abs"
-                            | "det"
-                            | "dot"
-                            | "cross"
-                            | "at"
-                            | "sqrt"
-                            | "sin"
-                            | "cos"
-                            | "tan"
-                            | "exp"
-                            | "binom"
-                            | "factorial"
-                    ) =>
-            {
-                Some((
-                    name.clone(),
-                    format!("{name}({})", letters(arguments)?.join(", ")),
-                ))
-            }
+            Node::Name(name) if !name.contains('\'') && !is_function(name) => Some((
+                name.clone(),
+                format!("{name}({})", letters(arguments)?.join(", ")),
+            )),
             _ => None,
         },
         Node::Index(head, indices) => match &head.node {

@@ -6,6 +6,7 @@
 
 use crate::meaning::{Meaning, Meanings};
 use std::collections::{BTreeMap, BTreeSet};
+use torse_syntax::formula::functions::is_function;
 use torse_syntax::formula::{Expr, Node, Operator};
 use torse_syntax::latex::{LatexCondition, LatexKind};
 use torse_syntax::notation::text;
@@ -20,36 +21,6 @@ pub struct ProposedSymbol {
     /// Where the set is from, or what to ask.
     pub comment: String,
 }
-
-/// The functions of the formula language.
-const BUILT_IN: [&str; 26] = [
-    "sum",
-    "product",
-    "integral",
-    "sqrt",
-    "abs",
-    "norm",
-    "sin",
-    "cos",
-    "tan",
-    "exp",
-    "sinh",
-    "cosh",
-    "tanh",
-    "D",
-    "at",
-    "dot",
-    "cross",
-    "det",
-    "transpose",
-    "inverse",
-    "solve",
-    "identity",
-    "binom",
-    "factorial",
-    "agrees",
-    "coefficients",
-];
 
 /// How the names of formulas occur.
 #[derive(Debug, Default)]
@@ -99,7 +70,7 @@ pub fn symbols(meanings: &Meanings) -> (Vec<ProposedSymbol>, BTreeMap<String, St
         let is_known = defined.contains(&name)
             || meanings.bases.contains_key(&name)
             || name == "pi"
-            || BUILT_IN.contains(&name.as_str());
+            || is_function(&name);
         if is_known || !done.insert(name.clone()) {
             continue;
         }

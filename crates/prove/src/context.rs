@@ -6,20 +6,20 @@
 //! divisor of its value. Since derivatives are taken by variables of their own, putting values in for symbols changes
 //! the meaning of nothing.
 
-use crate::decide::domain::branch::{Branch, Cases, Divisors, Equation, written};
-use crate::decide::domain::{Constraint, Domain};
+mod given;
+mod roots;
+
+pub use given::solve_given;
+
+use crate::decide::domain::Domain;
+use crate::decide::domain::branch::{Branch, Cases, Divisors, Equation};
 use crate::decide::exponential;
-use crate::decide::root::Root;
-use crate::decide::value::plain_symbol;
 use crate::evaluate::Evaluator;
-use crate::evaluate::linear::solve_for;
 use crate::evaluate::value::{Statement, UNPLACED, Value};
-use crate::roots::{self, Resolved};
 use crate::unknown::Unknown;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_algebra::{Fraction, Polynomial, Symbol};
-use torse_certificate::proof::assumptions::{Determining, RootAlong, Signed};
 use torse_core::{self as core, Hypothesis, Source};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::declarations::SymbolKind;
@@ -189,155 +189,6 @@ impl<'a> ProofContext<'a> {
         }
         ground.constrain_roots(&roots)?;
         Ok(ground)
-    }
-
-    /// Takes the roots of which a value is found; those that are left.
-    fn resolve<'h>(
-        &mut self,
-        hypotheses: Vec<&'h Hypothesis>,
-    ) -> Result<Vec<&'h Hypothesis>, Fault> {
-        self.branch.domain.roots.clear();
-        for hypothesis in &hypotheses {
-            let Some((name, radicand)) = hypothesis.root() else {
-                continue;
-            };
-            let symbol = Symbol::named(name);
-            let value = self.branch.evaluator.term(radicand);
-            let (false, Some(radicand)) = (
-                self.branch.is_solved(&symbol),
-                value.ok().as_ref().and_then(plain),
-            ) else {
-                continue;
-            };
-            match roots::resolved(&radicand, &self.branch.domain) {
-                Some(found) => self.take_root(&symbol, &radicand, found)?,
-                None => self.branch.domain.roots.push(Root { symbol, radicand }),
-            }
-        }
-        while let Some((root, found)) = roots::resolved_by_others(&self.branch.domain) {
-            self.take_root(&root.symbol, &root.radicand, found)?;
-        }
-        self.see_positive_roots();
-        // Of one that an equation eliminated the radicand is still to be known.
-        let open = |h: &&Hypothesis| {
-            let root = h.root().map(|(name, _)| Symbol::named(name));
-            root.is_some_and(|root| !self.has_root_value(&root))
-        };
-        Ok(hypotheses.into_iter().filter(open).collect())
-    }
-
-    /// Whether a root was given a value as such.
-    fn has_root_value(&self, root: &Symbol) -> bool {
-        let root = plain_symbol(root);
-        self.branch.eliminated().iter().any(|elimination| {
-            let mut values = elimination.values.iter();
-            let is_root = matches!(
-                elimination.by,
-                Determining::Root(_) | Determining::RootAlong(_)
-            );
-            is_root && values.any(|v| v.symbol == root)
-        })
-    }
-
-    /// A root has this value, where its radicand has one.
-    fn take_root(
-        &mut self,
-        symbol: &Symbol,
-        radicand: &Fraction,
-        found: Resolved,
-    ) -> Result<(), Fault> {
-        let rooted = Signed {
-            sign: found.sign,
-            constraints: written(&self.branch.domain.constraints),
-        };
-        let value = found.value.under(radicand.conditions());
-        let unknown = Unknown::new(symbol.clone()).ok_or_else(no_unknown)?;
-        let by = match found.multiples.is_empty() {
-            true => Equation::Root(Box::new(rooted)),
-            false => Equation::RootAlong(Box::new(RootAlong {
-                root: rooted,
-                multiples: found.multiples,
-            })),
-        };
-        let _ = self.branch.solve(&[(unknown, value)], by)?;
-        Ok(())
-    }
-
-    /// Roots are positive where their radicands do not vanish.
-    fn see_positive_roots(&mut self) {
-        for root in self.branch.domain.roots.clone() {
-            let own = Polynomial::symbol(root.symbol.clone());
-            if !self.branch.domain.assumes_nonzero(&own)
-                && self.branch.never_zero(root.radicand.numerator())
-            {
-                let radicand = root.radicand.numerator().clone();
-                self.branch.domain.positive_radicands.push(radicand);
-                self.branch.domain.constraints.push(Constraint {
-                    value: own.into(),
-                    relation: Relation::Greater,
-                });
-            }
-        }
-    }
-
-    /// The equations of the roots that are left. A root has a value where its radicand has one.
-    fn constrain_roots(&mut self, roots: &[&Hypothesis]) -> Result<(), Fault> {
-        for hypothesis in roots {
-            let within = |f: Fault| f.within(&hypothesis.origin);
-            let Some((name, _)) = hypothesis.root() else {
-                continue;
-            };
-            let statement = self.branch.evaluator.truth(&hypothesis.statement);
-            let mut forms = vec![];
-            statement
-                .and_then(|statement| equations(&statement, &mut forms))
-                .map_err(within)?;
-            for form in forms {
-                let value = self.branch.resolved(&form)?;
-                let symbol = Symbol::named(name);
-                if !self.branch.is_solved(&symbol) {
-                    let own = Fraction::symbol(symbol).under(value.conditions());
-                    self.branch.evaluator.fix(name.to_string(), own);
-                }
-                let relation = Relation::Equal;
-                match self.roots_solved {
-                    RootMode::Symbols => self
-                        .branch
-                        .domain
-                        .constraints
-                        .push(Constraint { value, relation }),
-                    RootMode::Solved => self.vanishes(&value)?,
-                }
-            }
-        }
-        if self.roots_solved == RootMode::Solved {
-            // What they are the roots of is written by them now: they are symbols like all others.
-            self.branch.domain.roots.clear();
-        }
-        Ok(())
-    }
-
-    /// The differences of the sides of the given equations.
-    ///
-    /// # Errors
-    /// [`Fault`], pointing into the equation that caused it.
-    pub fn given(&self, claim: &core::Claim) -> Result<Vec<Fraction>, Fault> {
-        let hypotheses = claim.hypotheses.iter();
-        let mut forms = vec![];
-        for hypothesis in hypotheses.filter(|h| h.source == Source::Given) {
-            let statement = self.branch.evaluator.truth(&hypothesis.statement);
-            let taken = statement.and_then(|statement| equations(&statement, &mut forms));
-            taken.map_err(|f| f.within(&hypothesis.origin))?;
-        }
-        Ok(forms)
-    }
-
-    /// The symbols that the unknowns of the given equations consist of.
-    ///
-    /// # Errors
-    /// [`Fault`] for what is no symbol.
-    pub fn unknowns(&self, claim: &core::Claim) -> Result<Vec<Unknown>, Fault> {
-        unknowns(&self.branch.evaluator, &claim.unknowns)
     }
 
     /// The ranges of integers whose ends name other integers are constraints.
@@ -560,32 +411,6 @@ impl<'a> ProofContext<'a> {
     fn is_integer(&self, symbol: &Symbol) -> bool {
         self.branch.domain.is_integer(symbol)
     }
-
-    /// Solves the given equations for their unknowns; what is left of them is assumed.
-    fn solve(&mut self, forms: &[Fraction], claim: &core::Claim) -> Result<(), Fault> {
-        let mut given = claim.hypotheses.iter();
-        let Some(first) = given.find(|h| h.source == Source::Given) else {
-            return Ok(());
-        };
-        let symbols = self.unknowns(claim)?;
-        let within = |f: Fault| f.within(&first.origin);
-        let solution = solve_for(forms, &symbols, UNPLACED).map_err(within)?;
-        // Where a divisor vanishes, an unknown may be what its value does not say.
-        let divisors = solution.values.values().flat_map(Fraction::conditions);
-        let divisors = self.branch.divisors(&divisors.cloned().collect::<Vec<_>>());
-        let values = solution.values.iter().map(|(symbol, value)| {
-            let unknown = Unknown::new(symbol.clone()).ok_or_else(no_unknown)?;
-            Ok((unknown, value.clone()))
-        });
-        let values = values.collect::<Result<Vec<_>, Fault>>()?;
-        let places = solution.used.clone();
-        let equation = Equation::Given { places, divisors };
-        let _ = self.branch.solve(&values, equation).map_err(within)?;
-        solution
-            .rest
-            .iter()
-            .try_for_each(|form| self.vanishes(form).map_err(within))
-    }
 }
 
 /// A part of a hypothesis that holds where the hypothesis does.
@@ -640,85 +465,6 @@ fn linear_in(value: &Fraction, unknown: &Unknown) -> Option<(Polynomial, Fractio
         .over(&coefficient.clone().into())
         .ok()?;
     (!unknown.occurs_in(&solution)).then(|| (coefficient.clone(), solution))
-}
-
-fn no_unknown() -> Fault {
-    Fault::limit(UNPLACED, "a function of unknowns in the place of one")
-}
-
-/// The unknowns that terms stand for.
-fn unknowns(evaluator: &Evaluator<'_>, written: &[core::Term]) -> Result<Vec<Unknown>, Fault> {
-    let mut symbols = vec![];
-    for unknown in written {
-        for entry in evaluator.term(unknown)?.entries() {
-            let symbol = entry.as_fraction().and_then(Unknown::from_fraction);
-            symbols.push(symbol.ok_or_else(|| {
-                crate::evaluate::wrong_type(unknown.place, "a formula", "an unknown such as Q[1]")
-            })?);
-        }
-    }
-    Ok(symbols)
-}
-
-/// The solution of given equations for their unknowns, for an evaluator without a domain.
-///
-/// # Errors
-/// [`Fault`], pointing into the text that caused it; equations that contradict each other.
-pub fn solve_given(
-    given: &[Written],
-    sought: &[Written],
-    evaluator: &Evaluator<'_>,
-) -> Result<BTreeMap<Symbol, Fraction>, Fault> {
-    let Some(first) = given.first() else {
-        return Ok(BTreeMap::new());
-    };
-    let mut symbols = vec![];
-    for unknown in sought {
-        let within = |f: Fault| f.within(&unknown.origin);
-        let term = evaluator.elaborator().term(&unknown.expr).map_err(within)?;
-        symbols.extend(unknowns(evaluator, &[term]).map_err(within)?);
-    }
-    let mut forms = vec![];
-    for equation in given {
-        let statement = evaluator
-            .statement(&equation.expr)
-            .map_err(|f| f.within(&equation.origin))?;
-        equations(&statement, &mut forms).map_err(|f| f.within(&equation.origin))?;
-    }
-    let solution = solve_for(&forms, &symbols, UNPLACED).map_err(|f| f.within(&first.origin))?;
-    if !solution.rest.is_empty() {
-        let what = "the given equations contradict each other for some values";
-        return Err(Fault::limit(UNPLACED, what).within(&first.origin));
-    }
-    Ok(solution.values)
-}
-
-fn equations(statement: &Statement, forms: &mut Vec<Fraction>) -> Result<(), Fault> {
-    match statement {
-        Statement::Compare {
-            relation: Relation::Equal,
-            left,
-            right,
-            ..
-        } => {
-            for (x, y) in left.entries().into_iter().zip(right.entries()) {
-                let difference = x.minus(y);
-                let form = difference.as_fraction().cloned();
-                forms.push(form.ok_or_else(|| {
-                    Fault::limit(UNPLACED, "a given equation of symbolic degree")
-                })?);
-            }
-            Ok(())
-        }
-        Statement::Join(Connective::And, a, b) => {
-            equations(a, forms)?;
-            equations(b, forms)
-        }
-        _ => Err(Fault::limit(
-            UNPLACED,
-            "a given condition that is no equation",
-        )),
-    }
 }
 
 /// The value of the left side of the first refuted comparison, for the derived form.

@@ -1,32 +1,28 @@
 //! Deciding one comparison, or another statement without structure, on a domain without alternatives: symbolically, or
 //! where a symbolic degree cannot be carried at small values of the integers.
 
-use crate::combination::multipliers;
-use crate::context::{ProofContext, RootMode, SolvePolicy};
+mod definedness;
+mod equations;
+
+use crate::context::{ProofContext, RootMode};
 use crate::decide::contradiction::contradiction;
 use crate::decide::domain::branch::written;
-use crate::decide::domain::{Constraint, Domain};
 use crate::decide::value::Proof;
-use crate::decide::{self, Decision, conditions, equality, exponential, instances, sign, witness};
-use crate::evaluate::Evaluator;
-use crate::evaluate::series::polynomial_of;
-use crate::evaluate::value::{Statement, Value};
-use crate::roots;
+use crate::decide::{self, Decision, equality, exponential, instances, witness};
+use crate::divisors::{Nonzero, divisors, index_ranges, nonzero, open_conditions, unrooted};
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
-use torse_algebra::fault_injection::{InjectedFault, injected};
-use torse_algebra::{Fraction, Polynomial, Symbol, work};
+use torse_algebra::{Polynomial, work};
 use torse_certificate::Refuted;
-use torse_certificate::identity::{Combination, Equations, Vanishing};
 use torse_certificate::proof::Emptiness;
 use torse_certificate::proof::assumptions::Sharpness;
-use torse_certificate::sign::Sign;
 use torse_core::{self as core};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::fault::{Fault, Problem};
-use torse_syntax::formula::{Place, Relation};
+use torse_syntax::formula::Place;
+
 /// The values of some integers.
 pub(crate) type Instance = BTreeMap<String, i64>;
 
@@ -204,136 +200,6 @@ impl<'a> Decider<'a> {
         })
     }
 
-    /// Whether a fault says that a term of the statement, and none of a hypothesis, divides by zero for these values of integers.
-    fn divides_by_zero(&self, fault: &Fault, instance: &Instance) -> bool {
-        matches!(*fault.problem, Problem::ZeroDivisor { .. }) && self.ground(instance).is_ok()
-    }
-
-    /// A proof by values of integers for some of which a divisor of the statement is zero: under the conditions that the divisors of the
-    /// statement as it stands are not, open where these do not exclude each of those values.
-    fn where_defined(
-        &self,
-        statement: &core::Statement,
-        decision: Decision,
-        divided: &[Instance],
-    ) -> Decision {
-        let (Decision::Proven(proof), Some(first)) = (&decision, divided.first()) else {
-            return decision;
-        };
-        let conditions = self.definedness(statement).unwrap_or_default();
-        let is_excluded = |instance: &Instance| {
-            let value = |symbol: &Symbol| match symbol {
-                Symbol::Named(name) => Some(Polynomial::integer(*instance.get(&**name)?)),
-                _ => None,
-            };
-            let mut values = conditions.iter().map(|one| one.substituted(value));
-            values.any(|condition| condition.is_zero())
-        };
-        match divided.iter().all(is_excluded) {
-            true => Decision::Proven(proof.clone().within(conditions)),
-            false => Decision::Open {
-                reason: format!("a divisor is zero for {}", instances::label(first)),
-                tried: vec![],
-            },
-        }
-    }
-
-    /// What the statement divides by, whatever the values of integers are, as far as no hypothesis says that it is not zero; `None` where a
-    /// hypothesis is solved by dividing, or there is no formula for all integers.
-    fn definedness(&self, statement: &core::Statement) -> Option<Vec<Polynomial>> {
-        let ground = self.ground(&Instance::new()).ok()?;
-        let value = ground.branch.evaluator.truth(statement).ok()?;
-        let divisors = unrooted(&divisors(&value), &ground);
-        let is_whole = ground.branch.splits().is_empty();
-        is_whole.then(|| open_conditions(divisors, &ground))
-    }
-
-    /// An equation as a combination of the given ones, without solving these, if it is one, with the conditions that it
-    /// leaves.
-    fn unsolved(
-        &self,
-        statement: &core::Statement,
-        instance: &Instance,
-        by: Vanishing,
-    ) -> Option<(ProofContext<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
-        let core::Statement::Compare {
-            relation: Relation::Equal,
-            left,
-            right,
-        } = statement
-        else {
-            return None;
-        };
-        // Coefficients are those of what the solutions make of a form.
-        let reads_solutions = |term: &core::Term| term.applies(core::BuiltIn::Coefficients);
-        if self.claim.unknowns.is_empty() || reads_solutions(left) || reads_solutions(right) {
-            return None;
-        }
-        let fixed = instances::fixed(instance);
-        let elaborator = Rc::clone(&self.elaborator);
-        let ground =
-            ProofContext::assumed(&self.claim, elaborator, &fixed, SolvePolicy::Always).ok()?;
-        let (forms, unknowns) = (
-            ground.given(&self.claim).ok()?,
-            ground.unknowns(&self.claim).ok()?,
-        );
-        let Ok(Statement::Compare { left, right, .. }) = ground.branch.evaluator.truth(statement)
-        else {
-            return None;
-        };
-        let pairs = left.entries().into_iter().zip(right.entries());
-        let differences: Option<Vec<Fraction>> = pairs
-            .map(|(x, y)| x.minus(y).as_fraction().cloned())
-            .collect();
-        let differences = differences?;
-        let multipliers = multipliers(&differences, &forms, &unknowns)?;
-        let sides = left.entries().into_iter().chain(right.entries());
-        let divisors = sides.flat_map(|side| side.conditions());
-        let of = |all: &[Fraction]| -> Vec<Polynomial> {
-            all.iter().flat_map(|f| f.conditions().to_vec()).collect()
-        };
-        let conditions: Vec<Polynomial> =
-            divisors.chain(of(&differences)).chain(of(&forms)).collect();
-        let open = open_conditions(unrooted(&conditions, &ground), &ground);
-        let combination = Combination {
-            of: Equations::Given,
-            equations: forms.iter().map(|f| f.numerator().clone()).collect(),
-            multipliers,
-            divisors: decide::witness::nonconstant(conditions),
-            by,
-        };
-        Some((ground, combination, open))
-    }
-
-    /// An equation as a combination of the assumed ones as they stand, where solving these would divide by what may vanish,
-    /// if it is one, with the conditions that it leaves.
-    fn uneliminated(
-        &self,
-        statement: &core::Statement,
-        instance: &Instance,
-    ) -> Option<(ProofContext<'_>, Combination<Polynomial>, Vec<Polynomial>)> {
-        if !self.claim.unknowns.is_empty() {
-            return None;
-        }
-        let fixed = instances::fixed(instance);
-        let elaborator = Rc::clone(&self.elaborator);
-        let ground =
-            ProofContext::assumed(&self.claim, elaborator, &fixed, SolvePolicy::Safely).ok()?;
-        let Ok(Statement::Compare {
-            relation: Relation::Equal,
-            left,
-            right,
-        }) = ground.branch.evaluator.truth(statement)
-        else {
-            return None;
-        };
-        let (domain, evaluator) = (&ground.branch.domain, &ground.branch.evaluator);
-        let combination = equality::follows(&left, &right, domain, evaluator)
-            .or_else(|| equality::follows_from_several(&left, &right, domain, evaluator))?;
-        let open = open_conditions(unrooted(&combination.divisors, &ground), &ground);
-        Some((ground, combination, open))
-    }
-
     /// The decision with some integers fixed. Where roots are left that settle nothing as symbols, what they are the roots of
     /// is written by them.
     fn symbolic(
@@ -489,148 +355,10 @@ fn proved(
     )))
 }
 
-/// What never vanishes, by its sign: on the declared sets, whatever else is assumed, so that eliminations may rest on it; or
-/// under all assumptions.
-type Nonzero = (Vec<Sign<Polynomial>>, Vec<Sign<Polynomial>>);
-
-/// Those of the factors of divisors that were met, and are no conditions. A radicand whose factors have no sign of their own has
-/// one as a whole: `y^2` where `y^2 > 1`.
-fn nonzero(mut met: Vec<Polynomial>, conditions: &[Polynomial], domain: &Domain<'_>) -> Nonzero {
-    // Roots were taken for positive where their radicands are.
-    let is_positive = |root: &&decide::root::Root| {
-        domain.assumes_nonzero(&Polynomial::symbol(root.symbol.clone()))
-    };
-    let roots = domain.roots.iter().filter(is_positive);
-    let mut radicands = domain.positive_radicands.clone();
-    radicands.extend(roots.map(|root| root.radicand.numerator().clone()));
-    met.extend(radicands.iter().cloned());
-    let met = conditions::separated(&met);
-    let declared = Domain::new(domain.declarations);
-    let (mut signs, mut apart, mut without_sign) = (vec![], vec![], vec![]);
-    for divisor in met {
-        if conditions.contains(&divisor) {
-            continue;
-        }
-        match sign::positive(&divisor, &declared) {
-            Some(sign) => signs.push(sign),
-            // A hypothesis says it, or no integers make it zero.
-            None if domain.assumes_nonzero(&divisor) => {}
-            None => {
-                let rest = domain.without_assumed(&divisor);
-                let sign = sign::positive(&rest, domain);
-                match sign.or_else(|| sign::positive_square(&rest, domain)) {
-                    Some(sign) => apart.push(sign),
-                    None => without_sign.push(divisor),
-                }
-            }
-        }
-    }
-    let is_whole = |radicand: &&Polynomial| {
-        let mut factors = without_sign.iter();
-        factors.any(|factor| radicand.exact_quotient(factor).is_some())
-    };
-    let whole = radicands.iter().filter(is_whole);
-    apart.extend(whole.filter_map(|radicand| sign::positive(radicand, domain)));
-    // That a root is positive follows from the sign of its radicand, which has to come before what the root occurs in.
-    apart.sort_by_key(|sign| {
-        let mut last_first = domain.roots.iter().rev();
-        let last = last_first.position(|root| sign.polynomial.symbols().contains(&root.symbol));
-        last.map_or(0, |behind| domain.roots.len() - behind)
-    });
-    (signs, apart)
-}
-
 /// Whether a fault says that a term is defined nowhere.
 fn undefined(fault: &Fault) -> bool {
     matches!(
         *fault.problem,
         Problem::IndexOutside { .. } | Problem::ZeroDivisor { .. }
     )
-}
-
-/// Everything that the terms of a statement were divided by.
-fn divisors(statement: &Statement) -> Vec<Polynomial> {
-    let of = |value: &Value| -> Vec<Polynomial> {
-        let entries = value.entries().into_iter();
-        entries.flat_map(|q| q.conditions()).collect()
-    };
-    let mut all = match statement {
-        Statement::Compare { left, right, .. } => [of(left), of(right)].concat(),
-        Statement::Agrees { values, .. } => {
-            let recorded = values.iter().flat_map(Fraction::conditions);
-            recorded.cloned().collect()
-        }
-        Statement::Family { .. } => vec![],
-        Statement::Join(_, a, b) => [divisors(a), divisors(b)].concat(),
-        Statement::Not(inner) => divisors(inner),
-    };
-    all.sort();
-    all.dedup();
-    all
-}
-
-/// That the indices of all members of families in a statement are in their ranges, where these name integers.
-fn index_ranges(
-    statement: &Statement,
-    claim: &core::Claim,
-    evaluator: &Evaluator<'_>,
-) -> Vec<Constraint> {
-    let mut found = vec![];
-    let sides = decide::comparisons(statement).into_iter();
-    for value in sides.flat_map(|(left, right)| [left, right]) {
-        let entries = value.entries().into_iter();
-        let symbols = entries.filter_map(|q| Some(q.as_fraction()?.symbols()));
-        for symbol in symbols.flatten() {
-            let Symbol::Indexed(name, index) = &symbol else {
-                continue;
-            };
-            let Some(SymbolKind::Family { ranges, .. }) = claim.symbols.get(name) else {
-                continue;
-            };
-            for (index, (least, most)) in index.iter().zip(ranges) {
-                for gap in [index.clone() - least.clone(), most.clone() - index.clone()] {
-                    let gap = evaluator.affine_fixed(&gap);
-                    if gap.as_number().is_none_or(|n| n < 0) {
-                        found.push(Constraint {
-                            value: polynomial_of(&gap).into(),
-                            relation: Relation::AtLeast,
-                        });
-                    }
-                }
-            }
-        }
-    }
-    found
-}
-
-/// Whether a condition is a factor of a divisor.
-fn divides(condition: &Polynomial, divisor: &Polynomial) -> bool {
-    condition == divisor
-        || condition.len() < divisor.len() && divisor.exact_quotient(condition).is_some()
-}
-
-/// The divisors, factor by factor, with radicands for roots, which vanish where these do.
-fn unrooted(divisors: &[Polynomial], ground: &ProofContext<'_>) -> Vec<Polynomial> {
-    let roots = &ground.branch.domain.roots;
-    let plain: Vec<Polynomial> = divisors.iter().map(|p| roots::unrooted(p, roots)).collect();
-    conditions::separated(&plain)
-}
-
-/// The conditions, factor by factor, that neither the hypotheses state nor the domain implies: divisors of the statement, and
-/// those of eliminations, of which what they made of the claim says nothing.
-fn open_conditions(mut conditions: Vec<Polynomial>, ground: &ProofContext<'_>) -> Vec<Polynomial> {
-    let domain = &ground.branch.domain;
-    let pivots = domain.pivots();
-    let settled = |p: &Polynomial| {
-        pivots.iter().any(|pivot| divides(p, pivot))
-            || domain.assumes_nonzero(p)
-            || sign::never_zero(&domain.without_assumed(p), domain)
-            || roots::norm(p, &domain.roots).is_some_and(|norm| domain.assumes_nonzero(&norm))
-    };
-    conditions.retain(|p| !settled(p));
-    conditions.extend(ground.branch.splits().iter().cloned());
-    conditions.retain(|_| !injected(InjectedFault::ConditionDropped));
-    conditions.sort();
-    conditions.dedup();
-    conditions
 }

@@ -12,6 +12,7 @@ mod connectives;
 pub mod context;
 pub mod decide;
 mod decider;
+mod divisors;
 pub mod evaluate;
 pub mod evidence;
 pub mod existential;

@@ -12,14 +12,11 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_numbers::rational::integer;
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
+use torse_syntax::formula::functions::ELEMENTARY;
 use torse_syntax::formula::{Connective, Expr, Node, Operator, Relation};
 
 /// The largest number of parts of one domain that are visited.
 const MAX_BRANCHES: usize = 12;
-/// Functions of numbers, which bind no name.
-const PLAIN: [&str; 10] = [
-    "sqrt", "abs", "norm", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh",
-];
 /// The largest depth to which definitions of statements are opened.
 const MAX_OPENED: u32 = 16;
 
@@ -86,7 +83,7 @@ pub(crate) fn divisors(reading: &Reading<'_>) -> Vec<Expr> {
                 pending.extend([&**a, b]);
             }
             Node::Call(head, arguments) => match &head.node {
-                Node::Name(name) if PLAIN.contains(&name.as_str()) => pending.extend(arguments),
+                Node::Name(name) if binds_nothing(name) => pending.extend(arguments),
                 _ => {}
             },
             _ => {}
@@ -94,6 +91,11 @@ pub(crate) fn divisors(reading: &Reading<'_>) -> Vec<Expr> {
     }
     let zero = |divisor: &Expr| equal(divisor.clone(), Expr::number(&integer(0)));
     found.into_iter().take(MAX_BRANCHES).map(zero).collect()
+}
+
+/// Whether a function of the language has a number as its argument, and binds no name in it.
+fn binds_nothing(function: &str) -> bool {
+    ELEMENTARY.contains(&function) || matches!(function, "abs" | "norm")
 }
 
 /// The equations that hold wherever all of these statements are true.

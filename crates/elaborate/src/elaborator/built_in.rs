@@ -13,40 +13,6 @@ use torse_syntax::derivation::declarations::Basis;
 use torse_syntax::fault::{Fault, Problem};
 use torse_syntax::formula::{self, Expr, Operator, Place};
 
-/// The names of the built-in functions, used for suggestions.
-pub(super) const NAMES: [&str; 30] = [
-    "sum",
-    "product",
-    "integral",
-    "D",
-    "at",
-    "binom",
-    "factorial",
-    "sin",
-    "cos",
-    "tan",
-    "exp",
-    "cosh",
-    "sinh",
-    "tanh",
-    "sqrt",
-    "abs",
-    "dot",
-    "cross",
-    "det",
-    "transpose",
-    "inverse",
-    "solve",
-    "norm",
-    "agrees",
-    "fails",
-    "coefficients",
-    "identity",
-    "nonnegative",
-    "independent",
-    "variation_diminishing",
-];
-
 impl Elaborator<'_> {
     /// The family that a property is about. Terms that replace declared symbols in this scope are substituted in its
     /// seeds and its step, and a replaced shape parameter is no longer a parameter.

@@ -7,45 +7,11 @@ use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use torse_syntax::derivation::declarations::{Basis, Declarations, Definition};
+use torse_syntax::formula::functions::FUNCTIONS;
 use torse_syntax::formula::{Expr, Node};
 
 /// How deep definitions may use each other.
 const MAX_DEPTH: usize = 80;
-
-/// The names of the built-in functions, which definitions and bound names hide. The elaborator has a list of its own, of which this writer
-/// sees nothing.
-const BUILT_IN: [&str; 30] = [
-    "sum",
-    "product",
-    "integral",
-    "D",
-    "at",
-    "binom",
-    "factorial",
-    "sin",
-    "cos",
-    "tan",
-    "exp",
-    "cosh",
-    "sinh",
-    "tanh",
-    "sqrt",
-    "abs",
-    "dot",
-    "cross",
-    "det",
-    "transpose",
-    "inverse",
-    "solve",
-    "norm",
-    "agrees",
-    "coefficients",
-    "identity",
-    "nonnegative",
-    "independent",
-    "variation_diminishing",
-    "fails",
-];
 
 /// What a formula depends on.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -111,7 +77,7 @@ impl<'a> Names<'a> {
             return None;
         };
         let hidden = bound.contains(name) || self.declarations.definition(name).is_some();
-        let found = BUILT_IN.iter().find(|own| *own == name);
+        let found = FUNCTIONS.iter().find(|own| *own == name);
         found.copied().filter(|_| !hidden)
     }
 

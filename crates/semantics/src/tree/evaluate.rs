@@ -19,6 +19,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 use torse_numbers::stack;
 use torse_syntax::derivation::declarations::{Declarations, Definition, SymbolKind};
+use torse_syntax::formula::functions::FUNCTIONS;
 use torse_syntax::formula::{Expr, Node, Operator};
 
 /// The largest nesting depth of formulas including definitions, where a chain of one operator counts once: 80 nested
@@ -29,40 +30,6 @@ const MAX_DEPTH: usize = 80 * 300;
 const MAX_EXPONENT: i64 = 2000;
 /// The largest power, in bits.
 const MAX_POWER_BITS: u64 = 20_000;
-
-/// The names of the functions of the language.
-const BUILT_IN: [&str; 30] = [
-    "D",
-    "abs",
-    "agrees",
-    "at",
-    "binom",
-    "coefficients",
-    "cos",
-    "cosh",
-    "cross",
-    "det",
-    "dot",
-    "exp",
-    "factorial",
-    "fails",
-    "identity",
-    "independent",
-    "integral",
-    "inverse",
-    "nonnegative",
-    "norm",
-    "product",
-    "sin",
-    "sinh",
-    "solve",
-    "sqrt",
-    "sum",
-    "tan",
-    "tanh",
-    "transpose",
-    "variation_diminishing",
-];
 
 /// The meaning of a formula.
 pub(super) enum Meaning<N> {
@@ -317,7 +284,7 @@ impl<'a, 'e, A: Arithmetic> Evaluator<'a, 'e, A> {
 
     /// The built-in function of this name, unless the name has another meaning here.
     pub(super) fn built_in(&self, name: &str, place: &Place<'a, A>) -> Option<&'static str> {
-        let own = BUILT_IN.iter().find(|own| **own == name)?;
+        let own = FUNCTIONS.iter().find(|own| **own == name)?;
         let free = place.local(name).is_none() && self.declarations.definition(name).is_none();
         free.then_some(*own)
     }

@@ -11,13 +11,11 @@ use crate::no_value::{NoValue, Undefined, Unknown};
 use crate::value::Value;
 use torse_numbers::rational::integer;
 use torse_numbers::{Integer, Rational};
+use torse_syntax::formula::functions::ELEMENTARY;
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
 
 /// The largest number of digits after the point of a printed number.
 const MAX_DECIMALS: u32 = 1000;
-
-/// Functions whose values are mostly not exact.
-const ELEMENTARY: [&str; 8] = ["sqrt", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"];
 
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 

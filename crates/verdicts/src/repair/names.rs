@@ -4,31 +4,11 @@
 use super::alphabet::Alphabet;
 use super::edit::{Change, Edit, parts, placed, text, with_name};
 use std::collections::BTreeMap;
+use torse_syntax::formula::functions::is_function;
 use torse_syntax::formula::{Expr, Node};
 
 /// Maximum number of names of a formula that are exchanged or replaced.
 const MAX_NAMES: usize = 14;
-/// Names with a meaning of their own.
-const RESERVED: [&str; 18] = [
-    "pi",
-    "sin",
-    "cos",
-    "exp",
-    "sinh",
-    "cosh",
-    "tanh",
-    "sqrt",
-    "sum",
-    "product",
-    "integral",
-    "binom",
-    "D",
-    "at",
-    "det",
-    "dot",
-    "cross",
-    "coefficients",
-];
 /// Stands for the first of two names while they are exchanged; no file can contain it.
 const BETWEEN: &str = " ";
 
@@ -129,7 +109,7 @@ fn counted(expr: &Expr) -> BTreeMap<String, usize> {
     let mut counts = BTreeMap::new();
     for name in expr.names() {
         let name = name.trim_end_matches('\'');
-        if !RESERVED.contains(&name) {
+        if name != "pi" && !is_function(name) {
             *counts.entry(name.to_owned()).or_insert(0) += 1;
         }
     }

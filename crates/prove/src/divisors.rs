@@ -1,0 +1,160 @@
+//! What a decision divides by, and which of it is a condition: what neither the hypotheses state nor the domain implies.
+
+use crate::context::ProofContext;
+use crate::decide::domain::{Constraint, Domain};
+use crate::decide::{self, conditions, sign};
+use crate::evaluate::Evaluator;
+use crate::evaluate::series::polynomial_of;
+use crate::evaluate::value::{Statement, Value};
+use crate::roots;
+use torse_algebra::fault_injection::{InjectedFault, injected};
+use torse_algebra::{Fraction, Polynomial, Symbol};
+use torse_certificate::sign::Sign;
+use torse_core as core;
+use torse_syntax::derivation::declarations::SymbolKind;
+use torse_syntax::formula::Relation;
+
+/// What never vanishes, by its sign: on the declared sets, whatever else is assumed, so that eliminations may rest on it; or
+/// under all assumptions.
+pub(crate) type Nonzero = (Vec<Sign<Polynomial>>, Vec<Sign<Polynomial>>);
+
+/// Those of the factors of divisors that were met, and are no conditions. A radicand whose factors have no sign of their own has
+/// one as a whole: `y^2` where `y^2 > 1`.
+pub(crate) fn nonzero(
+    mut met: Vec<Polynomial>,
+    conditions: &[Polynomial],
+    domain: &Domain<'_>,
+) -> Nonzero {
+    // Roots were taken for positive where their radicands are.
+    let is_positive = |root: &&decide::root::Root| {
+        domain.assumes_nonzero(&Polynomial::symbol(root.symbol.clone()))
+    };
+    let roots = domain.roots.iter().filter(is_positive);
+    let mut radicands = domain.positive_radicands.clone();
+    radicands.extend(roots.map(|root| root.radicand.numerator().clone()));
+    met.extend(radicands.iter().cloned());
+    let met = conditions::separated(&met);
+    let declared = Domain::new(domain.declarations);
+    let (mut signs, mut apart, mut without_sign) = (vec![], vec![], vec![]);
+    for divisor in met {
+        if conditions.contains(&divisor) {
+            continue;
+        }
+        match sign::positive(&divisor, &declared) {
+            Some(sign) => signs.push(sign),
+            // A hypothesis says it, or no integers make it zero.
+            None if domain.assumes_nonzero(&divisor) => {}
+            None => {
+                let rest = domain.without_assumed(&divisor);
+                let sign = sign::positive(&rest, domain);
+                match sign.or_else(|| sign::positive_square(&rest, domain)) {
+                    Some(sign) => apart.push(sign),
+                    None => without_sign.push(divisor),
+                }
+            }
+        }
+    }
+    let is_whole = |radicand: &&Polynomial| {
+        let mut factors = without_sign.iter();
+        factors.any(|factor| radicand.exact_quotient(factor).is_some())
+    };
+    let whole = radicands.iter().filter(is_whole);
+    apart.extend(whole.filter_map(|radicand| sign::positive(radicand, domain)));
+    // That a root is positive follows from the sign of its radicand, which has to come before what the root occurs in.
+    apart.sort_by_key(|sign| {
+        let mut last_first = domain.roots.iter().rev();
+        let last = last_first.position(|root| sign.polynomial.symbols().contains(&root.symbol));
+        last.map_or(0, |behind| domain.roots.len() - behind)
+    });
+    (signs, apart)
+}
+
+/// Everything that the terms of a statement were divided by.
+pub(crate) fn divisors(statement: &Statement) -> Vec<Polynomial> {
+    let of = |value: &Value| -> Vec<Polynomial> {
+        let entries = value.entries().into_iter();
+        entries.flat_map(|q| q.conditions()).collect()
+    };
+    let mut all = match statement {
+        Statement::Compare { left, right, .. } => [of(left), of(right)].concat(),
+        Statement::Agrees { values, .. } => {
+            let recorded = values.iter().flat_map(Fraction::conditions);
+            recorded.cloned().collect()
+        }
+        Statement::Family { .. } => vec![],
+        Statement::Join(_, a, b) => [divisors(a), divisors(b)].concat(),
+        Statement::Not(inner) => divisors(inner),
+    };
+    all.sort();
+    all.dedup();
+    all
+}
+
+/// That the indices of all members of families in a statement are in their ranges, where these name integers.
+pub(crate) fn index_ranges(
+    statement: &Statement,
+    claim: &core::Claim,
+    evaluator: &Evaluator<'_>,
+) -> Vec<Constraint> {
+    let mut found = vec![];
+    let sides = decide::comparisons(statement).into_iter();
+    for value in sides.flat_map(|(left, right)| [left, right]) {
+        let entries = value.entries().into_iter();
+        let symbols = entries.filter_map(|q| Some(q.as_fraction()?.symbols()));
+        for symbol in symbols.flatten() {
+            let Symbol::Indexed(name, index) = &symbol else {
+                continue;
+            };
+            let Some(SymbolKind::Family { ranges, .. }) = claim.symbols.get(name) else {
+                continue;
+            };
+            for (index, (least, most)) in index.iter().zip(ranges) {
+                for gap in [index.clone() - least.clone(), most.clone() - index.clone()] {
+                    let gap = evaluator.affine_fixed(&gap);
+                    if gap.as_number().is_none_or(|n| n < 0) {
+                        found.push(Constraint {
+                            value: polynomial_of(&gap).into(),
+                            relation: Relation::AtLeast,
+                        });
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Whether a condition is a factor of a divisor.
+pub(crate) fn divides(condition: &Polynomial, divisor: &Polynomial) -> bool {
+    condition == divisor
+        || condition.len() < divisor.len() && divisor.exact_quotient(condition).is_some()
+}
+
+/// The divisors, factor by factor, with radicands for roots, which vanish where these do.
+pub(crate) fn unrooted(divisors: &[Polynomial], ground: &ProofContext<'_>) -> Vec<Polynomial> {
+    let roots = &ground.branch.domain.roots;
+    let plain: Vec<Polynomial> = divisors.iter().map(|p| roots::unrooted(p, roots)).collect();
+    conditions::separated(&plain)
+}
+
+/// The conditions, factor by factor, that neither the hypotheses state nor the domain implies: divisors of the statement, and
+/// those of eliminations, of which what they made of the claim says nothing.
+pub(crate) fn open_conditions(
+    mut conditions: Vec<Polynomial>,
+    ground: &ProofContext<'_>,
+) -> Vec<Polynomial> {
+    let domain = &ground.branch.domain;
+    let pivots = domain.pivots();
+    let settled = |p: &Polynomial| {
+        pivots.iter().any(|pivot| divides(p, pivot))
+            || domain.assumes_nonzero(p)
+            || sign::never_zero(&domain.without_assumed(p), domain)
+            || roots::norm(p, &domain.roots).is_some_and(|norm| domain.assumes_nonzero(&norm))
+    };
+    conditions.retain(|p| !settled(p));
+    conditions.extend(ground.branch.splits().iter().cloned());
+    conditions.retain(|_| !injected(InjectedFault::ConditionDropped));
+    conditions.sort();
+    conditions.dedup();
+    conditions
+}
