@@ -80,7 +80,7 @@ impl Signs<'_> {
                 above,
                 below,
             } => {
-                let Constraint { value, relation } = self.known(*constraint)?;
+                let Constraint { value, relation } = self.constraint_of_hypothesis(*constraint)?;
                 written(above, &value.above)?;
                 written(below, &value.below)?;
                 // Where the denominator is zero the constraint might say nothing.

@@ -49,7 +49,10 @@ impl<'a> Signs<'a> {
     }
 
     /// The constraint in this place, which has to be one of the claim.
-    pub(super) fn known(&self, place: usize) -> Result<&Constraint<Polynomial>, CheckError> {
+    pub(super) fn constraint_of_hypothesis(
+        &self,
+        place: usize,
+    ) -> Result<&Constraint<Polynomial>, CheckError> {
         let work = self.domain.work;
         let constraint = self.constraints.get(place).ok_or(Wrong::Kind)?;
         let value = Quotient::from_ratio(&constraint.value, work)?;
@@ -72,7 +75,7 @@ impl<'a> Signs<'a> {
 
     /// The numerator of the equation in this place: it is zero wherever the quotient is defined.
     pub(super) fn equation(&self, place: usize) -> Result<&Polynomial, CheckError> {
-        let constraint = self.known(place)?;
+        let constraint = self.constraint_of_hypothesis(place)?;
         match constraint.relation {
             Relation::Equal => Ok(&constraint.value.above),
             _ => Err(Wrong::Kind.into()),
@@ -83,7 +86,7 @@ impl<'a> Signs<'a> {
     /// and denominator has the sign of the quotient.
     fn constraint(&self, place: usize) -> Result<(Polynomial, bool), CheckError> {
         let work = self.domain.work;
-        let constraint = self.known(place)?;
+        let constraint = self.constraint_of_hypothesis(place)?;
         let Ratio { above, below } = &constraint.value;
         if !below.is_number() && !self.domain.nonzero_at(below, self.groups)? {
             return Err(Unsupported::Divisor(below.to_string()).into());

@@ -70,11 +70,11 @@ pub fn write(
     documents: &[Document],
     progress: &Progress,
 ) -> Result<Vec<String>, Failure> {
-    let mut list = known(folder);
+    let mut list = read_list(folder);
     let written: Vec<Result<Option<Known>, Failure>> = (documents.par_iter())
         .map(|document| {
             progress.doing(&document.name);
-            let known = put(folder, document, list.get(&document.name))?;
+            let known = write_unless_kept(folder, document, list.get(&document.name))?;
             progress.step();
             Ok(known)
         })
@@ -93,13 +93,13 @@ pub fn write(
 }
 
 /// The list of a folder: empty if there is none, or one that cannot be read.
-fn known(folder: &Path) -> List {
+fn read_list(folder: &Path) -> List {
     let list = std::fs::read(folder.join(LIST)).unwrap_or_default();
     serde_json::from_slice(&list).unwrap_or_default()
 }
 
 /// Writes the document unless it is up to date; returns its entry, if it was made from a manuscript.
-fn put(
+fn write_unless_kept(
     folder: &Path,
     document: &Document,
     known: Option<&Known>,
@@ -113,7 +113,8 @@ fn put(
         Made::Manuscript(manuscript) => manuscript,
     };
     let fingerprint = manuscript.fingerprint();
-    let kept = known.filter(|known| known.manuscript == fingerprint && known.file == of(&path));
+    let kept = known
+        .filter(|known| known.manuscript == fingerprint && known.file == digest_of_file(&path));
     if let Some(known) = kept {
         return Ok(Some(known.clone()));
     }
@@ -126,7 +127,7 @@ fn put(
 }
 
 /// The digest of a file; that of no bytes at all where there is none, which no PDF has.
-fn of(path: &Path) -> String {
+fn digest_of_file(path: &Path) -> String {
     let bytes = std::fs::read(path).unwrap_or_default();
     digest::digest([bytes.as_slice()])
 }

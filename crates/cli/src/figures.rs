@@ -26,7 +26,7 @@ pub const FOLDER: &str = "figures";
 const LIST: &str = "fingerprints.json";
 
 /// Reads the fingerprints of a folder of figures; none if it has no list, or one that cannot be read.
-pub fn known(folder: &Path) -> Fingerprints {
+pub fn read_fingerprints(folder: &Path) -> Fingerprints {
     let list = std::fs::read(folder.join(LIST)).unwrap_or_default();
     serde_json::from_slice(&list).unwrap_or_default()
 }

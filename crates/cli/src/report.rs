@@ -119,7 +119,7 @@ impl Report {
         written: &mut Vec<String>,
     ) -> Result<Vec<Vec<FigureImage>>, Failure> {
         let folder = self.out.join(FIGURES);
-        let mut fingerprints = figures::known(&folder);
+        let mut fingerprints = figures::read_fingerprints(&folder);
         let mut all = Vec::new();
         for (figures, _) in wanted {
             let shown = figures::shown(figures, &folder, &fingerprints, progress)?;

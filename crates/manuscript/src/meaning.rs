@@ -80,7 +80,7 @@ pub struct Meanings {
 
 impl Meanings {
     /// Reads all formulas.
-    pub fn of(manuscript: &Manuscript) -> Self {
+    pub fn from_manuscript(manuscript: &Manuscript) -> Self {
         let mut guess = LatexGuess::default();
         for formula in manuscript.formulas.iter().take(MAX_FORMULAS) {
             if let Ok(items) = &formula.items {

@@ -26,7 +26,7 @@ pub struct Proposal {
 /// Proposes derivation files for a manuscript; `slug` is the name of the folder.
 #[must_use]
 pub fn propose(manuscript: &Manuscript, slug: &str) -> Proposal {
-    let meanings = Meanings::of(manuscript);
+    let meanings = Meanings::from_manuscript(manuscript);
     let (declared, unknown) = symbols(&meanings);
     let mut writer = Writer {
         manuscript,

@@ -240,7 +240,7 @@ impl<'a> Context<'a> {
     }
 
     /// Adds a variable to the scope, with the text that stands for it.
-    pub fn put(&mut self, variable: &Variable, local: Local) {
+    pub fn bind_to(&mut self, variable: &Variable, local: Local) {
         self.locals.insert(variable.number(), local);
     }
 

@@ -114,7 +114,7 @@ impl Context<'_> {
                 // The text stands for the variable: there is nothing to bind.
                 let local = self.standing_for(value)?;
                 let code = Code::atom(local.code.argument());
-                self.put(variable, Local { code, ..local });
+                self.bind_to(variable, Local { code, ..local });
                 self.defined(body, premises)
             }
             Node::Derivative {
@@ -179,7 +179,10 @@ impl Context<'_> {
         let zero = Code::atom("0");
         match &*term.node {
             Node::Binary(Operator::Divide, _, divisor) if !is_nonzero(divisor) => {
-                if self.known(divisor).is_some_and(|number| number != 0) {
+                if self
+                    .constant_value(divisor)
+                    .is_some_and(|number| number != 0)
+                {
                     return Ok(());
                 }
                 let divisor = self.number(divisor)?;
@@ -266,7 +269,7 @@ impl Context<'_> {
         for ((low, high), index) in points.ranges.iter().zip(indices) {
             let number = |end: &Affine| end.as_number();
             if let (Some(low), Some(high), Some(index)) =
-                (number(low), number(high), self.known(index))
+                (number(low), number(high), self.constant_value(index))
                 && (low..=high).contains(&index)
             {
                 continue;
@@ -301,7 +304,7 @@ impl Context<'_> {
         let given = family.variables.iter().zip(arguments);
         for ((variable, argument), kind) in given.zip(kinds(family)) {
             let code = Code::atom(self.argument_of(argument, &kind)?.argument());
-            self.put(variable, Local { code, kind });
+            self.bind_to(variable, Local { code, kind });
         }
         for seed in &family.seeds {
             self.defined(seed, premises)?;

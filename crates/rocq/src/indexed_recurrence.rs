@@ -54,7 +54,7 @@ impl Context<'_> {
         highest: &Term,
         premises: &mut Premises,
     ) -> Result<(), Untranslatable> {
-        let highest = literal(highest).or_else(|| self.known(highest));
+        let highest = literal(highest).or_else(|| self.constant_value(highest));
         let highest = highest.ok_or(Untranslatable::Construct(
             "a basis of symbolic degree whose step depends on the index",
         ))?;
@@ -63,9 +63,9 @@ impl Context<'_> {
             kind: Kind::Integer,
         };
         for k in i64::from(family.degree) + 1..=highest {
-            self.put(degree, integer(k));
+            self.bind_to(degree, integer(k));
             for i in 0..=k {
-                self.put(index, integer(i));
+                self.bind_to(index, integer(i));
                 if i < k {
                     self.defined(&family.step.0, premises)?;
                 }
@@ -79,17 +79,17 @@ impl Context<'_> {
 
     /// Returns the integer value of a term whose variables stand for literal integers.
     #[must_use]
-    pub fn known(&self, term: &Term) -> Option<i64> {
+    pub fn constant_value(&self, term: &Term) -> Option<i64> {
         match &*term.node {
             Node::Variable(variable) => {
                 let local = self.local(variable).ok()?;
                 let text = local.code.text().strip_suffix("%Z")?;
                 text.parse().ok().filter(|_| local.kind == Kind::Integer)
             }
-            Node::Negative(inner) => self.known(inner)?.checked_neg(),
-            Node::Opened { body, .. } => self.known(body),
+            Node::Negative(inner) => self.constant_value(inner)?.checked_neg(),
+            Node::Opened { body, .. } => self.constant_value(body),
             Node::Binary(operator, a, b) => {
-                let (a, b) = (self.known(a)?, self.known(b)?);
+                let (a, b) = (self.constant_value(a)?, self.constant_value(b)?);
                 match operator {
                     Operator::Add => a.checked_add(b),
                     Operator::Subtract => a.checked_sub(b),

@@ -80,7 +80,7 @@ impl Context<'_> {
                 _ => None,
             },
             Node::Variable(variable) => {
-                if let Some(number) = self.known(term) {
+                if let Some(number) = self.constant_value(term) {
                     return Some(Code::rational(&rational::integer(number)));
                 }
                 let local = self.local(variable).ok()?;
@@ -96,7 +96,7 @@ impl Context<'_> {
             Node::Opened { body, .. } => self.integer(body),
             Node::Binary(operator, a, b) => {
                 // Variables that stand for literal integers are computed; printed integers are not.
-                if let (Some(number), None) = (self.known(term), literal(term)) {
+                if let (Some(number), None) = (self.constant_value(term), literal(term)) {
                     return Some(Code::rational(&rational::integer(number)));
                 }
                 let (a, b) = (self.integer(a)?, self.integer(b)?);

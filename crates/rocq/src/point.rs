@@ -5,7 +5,7 @@
 
 use crate::binder::Binder;
 use crate::code::Code;
-use crate::solved::{bound, known, value};
+use crate::solved::{bound, solved_unknowns, value};
 use crate::task::Goal;
 use crate::unknowns::FUNCTION;
 use std::collections::BTreeMap;
@@ -103,7 +103,7 @@ pub fn solved_point(goal: &Goal, choice: Choice) -> Option<Vec<String>> {
         let place = names.iter().position(|name| *name == bound)?;
         numbers.get(place).map(|number| format!("({number})"))
     };
-    for known in known(goal)? {
+    for known in solved_unknowns(goal)? {
         let named = |name: &str, indices: &[&str]| number_of(None, name, indices);
         let value_there = value(&goal.solved, &known.name, &named)?;
         // A member is not a bound name itself.

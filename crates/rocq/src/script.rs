@@ -20,7 +20,7 @@
 use crate::manual_proofs;
 use crate::point::{Choice, first_values, point, solved_point, value_at};
 use crate::shared::literals;
-use crate::solved::{Known, bound, known, value};
+use crate::solved::{Known, bound, solved_unknowns, value};
 use crate::task::{Evidence, Goal, Role};
 use torse_core::Set;
 
@@ -148,7 +148,7 @@ const SLOW_TACTICS: [&str; 3] = ["Derive", "inverse ", "solve "];
 /// values, the tactics show that the equations have no other solution; otherwise they solve them. The last tactic
 /// closes the remaining goals.
 fn given(goal: &Goal) -> (String, &'static str) {
-    let Some(known) = known(goal) else {
+    let Some(known) = solved_unknowns(goal) else {
         let unknowns = goal.proposition.unknowns.iter();
         let unknowns = unknowns.map(|unknown| format!("unknown {unknown}; "));
         return (

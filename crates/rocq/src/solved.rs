@@ -103,7 +103,7 @@ pub struct Known {
 
 /// Returns the unknowns of a goal with their values, in the names of its statement; none unless all have values.
 #[must_use]
-pub fn known(goal: &Goal) -> Option<Vec<Known>> {
+pub fn solved_unknowns(goal: &Goal) -> Option<Vec<Known>> {
     let sets = |name: &str| goal.symbols.get(name).cloned();
     let binders = &goal.proposition.binders;
     let named = |name: &str, indices: &[&str]| bound(binders, &sets, name, indices);

@@ -385,7 +385,7 @@ impl Context<'_> {
     ) -> Result<Value, Untranslatable> {
         let local = self.standing_for(value)?;
         if applies(body) || local.code.text().chars().all(|c| c.is_alphanumeric()) {
-            self.put(variable, local);
+            self.bind_to(variable, local);
             return self.value(body);
         }
         let Local { code, kind } = local;

@@ -57,7 +57,7 @@ pub(crate) struct Judged<'a> {
 }
 
 impl<'a> Judged<'a> {
-    fn of(statement: &'a Expr, failing: &BTreeSet<usize>) -> Self {
+    fn new(statement: &'a Expr, failing: &BTreeSet<usize>) -> Self {
         Self {
             statement: Some(statement),
             conditions: vec![],
@@ -296,7 +296,7 @@ impl<'a> Survey<'a> {
         for p in self.denied(statement) {
             let fails = |survey: &Self| {
                 let (mut found, mut judged) = (false, 0);
-                survey.walk(&Judged::of(p, &failing), &mut |seen| {
+                survey.walk(&Judged::new(p, &failing), &mut |seen| {
                     if let Seen::Judged { judgement, .. } = seen {
                         found = judgement == Judgement::False;
                         judged += 1;

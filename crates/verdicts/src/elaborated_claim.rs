@@ -21,7 +21,7 @@ impl<'c> ElaboratedClaim<'c> {
 
     /// Elaborates a statement on the domain of a claim; none if it makes no sense.
     pub fn new(claim: &'c Claim, statement: &'c Written) -> Option<Self> {
-        Self::of(Cow::Borrowed(claim), statement)
+        Self::elaborated(Cow::Borrowed(claim), statement)
     }
 
     /// Elaborates the claim with only the hypotheses that the proof uses; none if it makes no sense without the others.
@@ -31,10 +31,10 @@ impl<'c> ElaboratedClaim<'c> {
             return Some(Cow::Borrowed(self));
         }
         let fewer = provenance::without(&self.claim, &unneeded);
-        Self::of(Cow::Owned(fewer), self.statement).map(Cow::Owned)
+        Self::elaborated(Cow::Owned(fewer), self.statement).map(Cow::Owned)
     }
 
-    fn of(claim: Cow<'c, Claim>, statement: &'c Written) -> Option<Self> {
+    fn elaborated(claim: Cow<'c, Claim>, statement: &'c Written) -> Option<Self> {
         let core = torse_elaborate::elaborate(&claim, statement).ok()?;
         Some(Self {
             claim,

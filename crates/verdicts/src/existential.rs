@@ -32,7 +32,7 @@ pub(crate) fn decided(
     budget: u64,
 ) -> Result<Finding, Box<DerivationError>> {
     let found = work::within(budget / 5, || existential::witnessed(claim, statement));
-    let found = match known(statement, found)? {
+    let found = match unless_limited(statement, found)? {
         Ok(found) => found,
         Err(limit) => return Ok(Finding::undecided(limit)),
     };
@@ -41,7 +41,7 @@ pub(crate) fn decided(
         None => (claim, vec![]),
     };
     let decision = work::within(budget, || decide_statement(own, statement));
-    let decision = match known(statement, decision)? {
+    let decision = match unless_limited(statement, decision)? {
         Ok(decision) => decision,
         Err(limit) => return Ok(Finding::undecided(limit)),
     };
@@ -88,7 +88,7 @@ pub(crate) fn decided(
 }
 
 /// The result, or the limit that ended the work.
-fn known<T>(
+fn unless_limited<T>(
     statement: &Written,
     found: Result<Result<T, Fault>, Spent>,
 ) -> Result<Result<T, String>, Box<DerivationError>> {

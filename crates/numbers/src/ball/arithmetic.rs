@@ -34,7 +34,7 @@ fn difference(a: &Ball, b: &Ball) -> Ball {
 /// The extremes of `x y` over a rectangle, in units of `4^-bits`. They are attained at corners, and the signs of the
 /// factors determine at which ones.
 fn extremes(a: &Ball, b: &Ball) -> (Integer, Integer) {
-    match (Side::of(a), Side::of(b)) {
+    match (Side::from_ball(a), Side::from_ball(b)) {
         (Side::Right, _) => from_the_right(a, b),
         (_, Side::Right) => from_the_right(b, a),
         (Side::Left, _) => from_the_right(&-a, &-b),
@@ -69,7 +69,7 @@ enum Side {
 }
 
 impl Side {
-    fn of(ball: &Ball) -> Self {
+    fn from_ball(ball: &Ball) -> Self {
         if !ball.lo.is_negative() {
             Self::Right
         } else if !ball.hi.is_positive() {
@@ -134,7 +134,7 @@ impl Ball {
     pub(super) fn quotient(&self, divisor: &Self) -> Option<Self> {
         let mut storage = None;
         let (x, y) = aligned(self, divisor, &mut storage);
-        match Side::of(y) {
+        match Side::from_ball(y) {
             _ if y.contains_zero() => None,
             Side::Left => (-x).quotient(&-y),
             _ => Some(Self {

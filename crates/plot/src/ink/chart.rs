@@ -76,7 +76,7 @@ pub(crate) fn draw_axes(
     let mut chart = ChartBuilder::on(&root)
         .x_label_area_size(fine(below))
         .y_label_area_size(fine(left))
-        .build_cartesian_2d(TickAxis::of(x), TickAxis::of(y))
+        .build_cartesian_2d(TickAxis::new(x), TickAxis::new(y))
         .map_err(fail)?;
     let name = |axis: &AxisSpec, v: f64| {
         let at = axis.ticks.at.iter().position(|&t| t == v);
@@ -123,7 +123,7 @@ struct TickAxis {
 }
 
 impl TickAxis {
-    fn of(axis: &AxisSpec) -> TickAxis {
+    fn new(axis: &AxisSpec) -> TickAxis {
         TickAxis {
             low: axis.low,
             high: axis.high,

@@ -17,7 +17,7 @@ use crate::ink::scene::{Glyph, Item, Scene, Turn};
 pub(crate) fn write(scene: &Scene, title: &str) -> Result<String, FigureError> {
     let mut out = String::new();
     let (w, h) = (scene.width, scene.height);
-    put(
+    append(
         &mut out,
         format_args!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" role=\"img\">\n\
@@ -29,7 +29,7 @@ pub(crate) fn write(scene: &Scene, title: &str) -> Result<String, FigureError> {
     out.push_str("<defs>\n");
     for ((style, id), name) in &names {
         if let Some(path) = Fonts::get()?.outline(*style, *id) {
-            put(
+            append(
                 &mut out,
                 format_args!("<path id=\"{name}\" d=\"{}\"/>\n", data(&path, 1.0)),
             );
@@ -70,7 +70,7 @@ fn write_item(
             alpha,
         } => {
             let opacity = attribute("fill-opacity", *alpha);
-            put(
+            append(
                 out,
                 format_args!(
                     "<path fill=\"{}\"{opacity} d=\"{}\"/>\n",
@@ -91,7 +91,7 @@ fn write_item(
             } else {
                 format!(" stroke-dasharray=\"{}\"", dashes.join(" "))
             };
-            put(
+            append(
                 out,
                 format_args!(
                     "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{dashes}{opacity} stroke-linejoin=\"round\" d=\"{}\"/>\n",
@@ -115,10 +115,10 @@ fn write_item(
             } else {
                 String::new()
             };
-            put(out, format_args!("<g fill=\"{}\"{rim}>", hex(*colour)));
+            append(out, format_args!("<g fill=\"{}\"{rim}>", hex(*colour)));
             for glyph in glyphs {
                 if let Some(name) = names.get(&(glyph.style, glyph.id)) {
-                    put(
+                    append(
                         out,
                         format_args!("<use href=\"#{name}\" transform=\"{}\"/>", transform(glyph)),
                     );
@@ -127,7 +127,7 @@ fn write_item(
             out.push_str("</g>\n");
         }
         Item::Image { x, y, pixels, png } => {
-            put(
+            append(
                 out,
                 format_args!(
                     "<image x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" href=\"data:image/png;base64,{}\"/>\n",
@@ -142,7 +142,7 @@ fn write_item(
 }
 
 /// Writing to a `String` cannot fail.
-fn put(out: &mut String, text: std::fmt::Arguments) {
+fn append(out: &mut String, text: std::fmt::Arguments) {
     let _ = out.write_fmt(text);
 }
 
@@ -201,7 +201,7 @@ fn data(path: &Path, grid: f64) -> String {
         for (k, p) in points.iter().enumerate() {
             to = snap(p.x, p.y);
             let separator = if k == 0 { "" } else { " " };
-            put(
+            append(
                 &mut out,
                 format_args!("{separator}{} {}", show(to.0 - pen.0), show(to.1 - pen.1)),
             );

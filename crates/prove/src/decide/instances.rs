@@ -187,7 +187,7 @@ pub fn combined(
                 proofs.push(Instance { integers, proof });
             }
             Decision::Open { reason, .. } => {
-                let mut tried = told(&proofs);
+                let mut tried = attempts(&proofs);
                 tried.push(format!("open for {}: {reason}", label(&integers)));
                 return Decision::Open { reason, tried };
             }
@@ -201,12 +201,12 @@ pub fn combined(
     };
     Decision::Open {
         reason,
-        tried: told(&proofs),
+        tried: attempts(&proofs),
     }
 }
 
 /// What was tried, a line an instance.
-fn told(proofs: &[Instance<Polynomial>]) -> Vec<String> {
+fn attempts(proofs: &[Instance<Polynomial>]) -> Vec<String> {
     steps::steps(&Proof::Instances(proofs.to_vec()).map(&plain))
 }
 

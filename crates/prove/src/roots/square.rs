@@ -37,7 +37,7 @@ fn polynomial_root(square: &Polynomial) -> Option<Polynomial> {
         .filter(|s| matches!(s, Symbol::Cos(..)))
         .collect();
     let angles: Vec<&Symbol> = angles.into_iter().take(MAX_ANGLES).collect();
-    let all = Free::of(square);
+    let all = Free::from_polynomial(square);
     let mut forms = vec![all.clone()];
     for chosen in 1_u32..(1 << angles.len()) {
         let of = |(place, _): &(usize, &&Symbol)| chosen & (1 << place) != 0;
@@ -58,7 +58,7 @@ struct Free {
 }
 
 impl Free {
-    fn of(polynomial: &Polynomial) -> Self {
+    fn from_polynomial(polynomial: &Polynomial) -> Self {
         let mut symbols = polynomial.symbols().to_vec();
         let sines = symbols.iter().filter_map(sine_of);
         let sines: Vec<Symbol> = sines.filter(|s| !symbols.contains(s)).collect();

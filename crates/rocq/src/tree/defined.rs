@@ -136,7 +136,8 @@ impl Writer<'_> {
     ) -> Result<(), Untranslatable> {
         match operator {
             Operator::Divide
-                if !self.is_nonzero(b, scope) && self.known(b, scope).is_none_or(|n| n == 0) =>
+                if !self.is_nonzero(b, scope)
+                    && self.constant_value(b, scope).is_none_or(|n| n == 0) =>
             {
                 let divisor = self.number(b, scope)?;
                 premises.add(nonzero(&divisor));

@@ -16,7 +16,7 @@ impl Writer<'_> {
             Node::Number { value, .. } if value.is_integer() => Some(Code::rational(value)),
             Node::Name(name) => {
                 if let Some(local) = scope.locals.get(name) {
-                    if let Some(number) = self.known(expr, scope) {
+                    if let Some(number) = self.constant_value(expr, scope) {
                         return Some(Code::rational(&rational::integer(number)));
                     }
                     return (local.kind == Kind::Integer).then(|| local.code.clone());
@@ -37,7 +37,9 @@ impl Writer<'_> {
             }
             Node::Binary(operator, a, b) => {
                 // What stands for literal integers is reckoned out, what is printed is not.
-                if let (Some(number), None) = (self.known(expr, scope), self.literal(expr, scope)) {
+                if let (Some(number), None) =
+                    (self.constant_value(expr, scope), self.literal(expr, scope))
+                {
                     return Some(Code::rational(&rational::integer(number)));
                 }
                 let (a, b) = (self.integer(a, scope)?, self.integer(b, scope)?);
@@ -66,7 +68,7 @@ impl Writer<'_> {
     }
 
     /// The number that a formula of integers is worth, through what stands for local names.
-    pub fn known(&self, expr: &Expr, scope: &Scope) -> Option<i64> {
+    pub fn constant_value(&self, expr: &Expr, scope: &Scope) -> Option<i64> {
         self.reckoned(expr, scope, true)
     }
 

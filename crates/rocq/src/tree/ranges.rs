@@ -101,9 +101,11 @@ impl Writer<'_> {
         premises: &mut Premises,
     ) -> Result<(), Untranslatable> {
         for ((low, high), index) in ranges.iter().zip(indices) {
-            if let (Some(low), Some(high), Some(index)) =
-                (low.as_number(), high.as_number(), self.known(index, scope))
-                && (low..=high).contains(&index)
+            if let (Some(low), Some(high), Some(index)) = (
+                low.as_number(),
+                high.as_number(),
+                self.constant_value(index, scope),
+            ) && (low..=high).contains(&index)
             {
                 continue;
             }
@@ -176,7 +178,7 @@ impl Writer<'_> {
         // The factors that count up to the degree that is named.
         let highest = self
             .literal(degree, scope)
-            .or_else(|| self.known(degree, scope));
+            .or_else(|| self.constant_value(degree, scope));
         let highest = highest.ok_or(Untranslatable::Construct(
             "a basis of symbolic degree whose step depends on the index",
         ))?;

@@ -219,8 +219,8 @@ const DENIAL: [&str; 27] = [
 /// Returns relations of the print that are not stated, and stated relations that are not printed.
 pub(super) fn relations(subject: &Subject<'_>) -> Vec<Sign> {
     let statement = subject.claim.statement.iter().map(|w| &w.expr);
-    let stated = Kinds::of(statement);
-    let mut reached = Kinds::of(subject.formulas.reached.iter().copied());
+    let stated = Kinds::of_formulas(statement);
+    let mut reached = Kinds::of_formulas(subject.formulas.reached.iter().copied());
     let ranges = subject
         .formulas
         .names
@@ -295,7 +295,7 @@ struct Kinds {
 }
 
 impl Kinds {
-    fn of<'e>(formulas: impl Iterator<Item = &'e Expr>) -> Self {
+    fn of_formulas<'e>(formulas: impl Iterator<Item = &'e Expr>) -> Self {
         let mut kinds = Self::default();
         for expr in formulas {
             every(expr, &mut |part| kinds.see(part));

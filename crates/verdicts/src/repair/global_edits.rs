@@ -193,7 +193,7 @@ fn one_less(expr: &Expr) -> Expr {
 fn basis_exchanged(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
     let mut result: Vec<Edit> = vec![];
     let mut seen: Vec<String> = vec![];
-    for member in all_parts(expr).into_iter().filter_map(Member::of) {
+    for member in all_parts(expr).into_iter().filter_map(Member::from_expr) {
         let known = alphabet.bases.iter().any(|(name, ..)| name == member.basis);
         let family = member.family();
         if !known || seen.contains(&family) {
@@ -233,7 +233,7 @@ struct Member<'e> {
 }
 
 impl<'e> Member<'e> {
-    fn of(expr: &'e Expr) -> Option<Self> {
+    fn from_expr(expr: &'e Expr) -> Option<Self> {
         let Node::Call(head, arguments) = &expr.node else {
             return None;
         };
@@ -265,7 +265,7 @@ impl<'e> Member<'e> {
 }
 
 fn with_members(expr: &Expr, family: &str, by: &impl Fn(&Expr) -> Expr) -> Expr {
-    if let Some(member) = Member::of(expr)
+    if let Some(member) = Member::from_expr(expr)
         && member.family() == family
     {
         return by(member.index);

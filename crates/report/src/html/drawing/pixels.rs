@@ -114,7 +114,7 @@ impl Pixels {
             .collect();
         (finest.max(1)..=64)
             .step_by(2)
-            .find_map(|step| self.file(&Palette::of(&colours, step)?))
+            .find_map(|step| self.file(&Palette::from_colours(&colours, step)?))
     }
 
     fn file(&self, palette: &Palette) -> Option<Vec<u8>> {
@@ -144,7 +144,7 @@ struct Palette {
 
 impl Palette {
     /// Makes a palette for these colours, in order of first use; none if 256 do not suffice.
-    fn of(colours: &[[u8; 4]], step: u8) -> Option<Self> {
+    fn from_colours(colours: &[[u8; 4]], step: u8) -> Option<Self> {
         let mut numbers: FxHashMap<[u8; 4], u8> = FxHashMap::default();
         let (mut own, mut places) = (vec![], FxHashMap::default());
         for colour in colours {
