@@ -1,7 +1,7 @@
 //! What a verdict prints is read back like any formula of a file, and judged.
 
 use torse_semantics::tree::Reading;
-use torse_semantics::{Tally, tally};
+use torse_semantics::{SampleStatistics, judge_samples};
 use torse_syntax::derivation::Claim;
 use torse_syntax::derivation::declarations::{Bound, SymbolKind};
 use torse_syntax::formula::{Expr, parse};
@@ -67,13 +67,13 @@ pub fn beyond(outcome: &Outcome) -> Vec<Point> {
 }
 
 /// What the semantics finds of a claim on such a wider range; nothing if the name is none of the file, or the end lies inside.
-pub fn on_wider_range(claim: &Claim, name: &str, end: &str) -> Option<Tally> {
+pub fn on_wider_range(claim: &Claim, name: &str, end: &str) -> Option<SampleStatistics> {
     judged(&wider(claim, name, end)?, &format!("wider {name}"), 40)
 }
 
 /// What the semantics finds of a claim where these numbers have these values, whatever the others are; nothing where one of them
 /// is no declared number, as the tangent of an angle is none, or its value is not rational.
-pub fn at_point_beyond(claim: &Claim, point: &[(String, String)]) -> Option<Tally> {
+pub fn at_point_beyond(claim: &Claim, point: &[(String, String)]) -> Option<SampleStatistics> {
     let mut there = claim.clone();
     for (name, value) in point {
         let Some(SymbolKind::Real(interval)) = there.declarations.symbol(name) else {
@@ -92,12 +92,12 @@ pub fn at_point_beyond(claim: &Claim, point: &[(String, String)]) -> Option<Tall
 }
 
 /// What the semantics finds at so many points.
-fn judged(claim: &Claim, seed: &str, points: u64) -> Option<Tally> {
+fn judged(claim: &Claim, seed: &str, points: u64) -> Option<SampleStatistics> {
     let statement = claim.statement.as_ref()?;
     let core = torse_elaborate::elaborate(claim, statement).ok()?;
     let names = core.symbols.keys().map(|name| &**name);
     let reading = Reading::new(claim, &statement.expr, names);
-    Some(tally(&reading, &[], seed, points, 400_000))
+    Some(judge_samples(&reading, &[], seed, points, 400_000))
 }
 
 /// The claim with a range that reaches to this end.

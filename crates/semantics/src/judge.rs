@@ -29,7 +29,7 @@ pub(crate) struct Judge<'j, 'a> {
 }
 
 /// The arithmetics in which a judge evaluates.
-pub(crate) struct Grounds<'j>([Reals<'j>; 2]);
+pub(crate) struct Evaluators<'j>([Reals<'j>; 2]);
 
 /// Residues modulo the prime of the numbers of a point.
 type Modulo<'g> = (&'g Residues<'g>, &'g dyn Fn(&Name) -> Option<Residue>);
@@ -43,13 +43,13 @@ pub(crate) struct Ladder<'g, 'a> {
 
 impl<'j, 'a> Judge<'j, 'a> {
     /// The arithmetics that this judge uses.
-    pub fn evaluators(&self) -> Grounds<'j> {
+    pub fn evaluators(&self) -> Evaluators<'j> {
         let work = self.work;
-        Grounds(PRECISIONS.map(|bits| Reals { bits, work }))
+        Evaluators(PRECISIONS.map(|bits| Reals { bits, work }))
     }
 }
 
-impl<'j> Grounds<'j> {
+impl<'j> Evaluators<'j> {
     /// Evaluators for hypotheses and conditions.
     pub fn each<'g, 'a>(&'g self, judge: &Judge<'g, 'a>) -> Ladder<'g, 'a>
     where

@@ -83,7 +83,7 @@ pub use domain::point::{Outside, Point};
 pub use instance::{Identity, Instance, identity, instances};
 pub use judgement::Judgement;
 pub use name::Name;
-pub use net::{Beyond, Tally, beyond, tally};
+pub use net::{SampleStatistics, ViolationStatistics, judge_samples, judge_violations};
 pub use no_value::{NoValue, Undefined, Unknown, Work};
 pub use polynomial::{Polynomials, Quotient};
 pub use real::{Real, Reals, Turned};

@@ -8,7 +8,9 @@ use crate::domain::Domain;
 use crate::domain::point::Point;
 use crate::judgement::Judgement;
 use crate::no_value::{Undefined, Unknown};
-use crate::survey::{Ground, Judged, MAX_COSTLY_POINTS, MAX_POINTS_WITHOUT_VALUE, Seen, Survey};
+use crate::survey::{
+    Judged, MAX_COSTLY_POINTS, MAX_POINTS_WITHOUT_VALUE, NumberField, Seen, Survey,
+};
 use crate::tree::Reading;
 use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::formula::{Expr, Node, Relation};
@@ -21,7 +23,7 @@ const BRANCH_WORK: u64 = 10_000;
 
 /// Statistics of a statement at points of the domain of its claim.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Tally {
+pub struct SampleStatistics {
     /// The number of points drawn, including those outside of the domain.
     pub attempts: u64,
     /// The number of points of the domain at which the statement was judged.
@@ -55,7 +57,7 @@ pub struct Tally {
     pub unvisited: Vec<Expr>,
 }
 
-impl Tally {
+impl SampleStatistics {
     /// Whether, as far as is known, the statement is defined nowhere: points of the domain were found, and it is
     /// undefined at each of them.
     #[must_use]
@@ -75,13 +77,13 @@ impl Tally {
 ///
 /// The points depend only on the claim and the seed.
 #[must_use]
-pub fn tally(
+pub fn judge_samples(
     reading: &Reading<'_>,
     conditions: &[&Expr],
     seed: &str,
     wanted: u64,
     budget: u64,
-) -> Tally {
+) -> SampleStatistics {
     let domain = Domain::new(reading);
     let survey = Survey::new(&domain, seed, wanted, budget);
     let judged = Judged {
@@ -101,7 +103,7 @@ pub fn tally(
 }
 
 /// Judges the statement at points of the whole domain, modulo a prime first if that may decide something.
-fn generic<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> Tally {
+fn generic<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> SampleStatistics {
     let reading = survey.reading();
     if has_equation(reading.declarations(), reading.tree(), MAX_OPENED) {
         // Exact numbers re-examine what residues find false or cannot decide, unless exact numbers would cost too
@@ -117,7 +119,7 @@ fn generic<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> Tally {
 }
 
 /// Judges the statement on the thin parts of its domain, each until it is decided at one point.
-fn visit(tally: &mut Tally, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str) {
+fn visit(tally: &mut SampleStatistics, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str) {
     let reading = domain.reading;
     for branch in branches(reading) {
         let (inside, alone) = (
@@ -154,7 +156,7 @@ fn visit(tally: &mut Tally, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str
 }
 
 /// Looks for a point of the domain at which a divisor in the statement is zero, and all conditions are true.
-fn divide(tally: &mut Tally, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str) {
+fn divide(tally: &mut SampleStatistics, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str) {
     let reading = domain.reading;
     for zero in divisors(reading) {
         if tally.divided.is_some() || tally.failing.is_some() {
@@ -165,7 +167,7 @@ fn divide(tally: &mut Tally, domain: &Domain<'_>, judged: &Judged<'_>, seed: &st
             Domain::alone(reading, &zero),
         );
         let survey = Survey::new(&inside, seed, POINTS_PER_BRANCH, BRANCH_WORK).beyond(&alone);
-        let mut there = Tally::default();
+        let mut there = SampleStatistics::default();
         survey.walk(&judged.copied(), &mut |seen| {
             there.count(seen);
             there.divided.is_none() && there.found < POINTS_PER_BRANCH
@@ -200,17 +202,17 @@ fn has_equation(declarations: &Declarations, tree: &Expr, depth: u32) -> bool {
 }
 
 /// Draws points until the statement is decided at `wanted` of them, or false at one.
-fn walked<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> Tally {
-    let mut tally = Tally::default();
+fn walked<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> SampleStatistics {
+    let mut tally = SampleStatistics::default();
     tally.attempts = survey.walk(judged, &mut |seen| {
         tally.count(seen);
         let hopeless = tally.holding == 0 && tally.found >= MAX_POINTS_WITHOUT_VALUE;
-        let unseen = matches!(survey.ground, Ground::Residues) && tally.open > tally.costly;
+        let unseen = matches!(survey.numbers, NumberField::Residues) && tally.open > tally.costly;
         let enough = tally.single || tally.decided() >= wanted;
         !(enough || hopeless || unseen || tally.failing.is_some())
     });
     tally.exhausted = survey.work.left() == 0;
-    if matches!(survey.ground, Ground::Residues) {
+    if matches!(survey.numbers, NumberField::Residues) {
         // A residue may be zero although the number is not.
         tally.divided = None;
     }
@@ -222,7 +224,7 @@ fn walked<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> Tally {
 /// A condition is needed if there is a point at which it fails and the statement is false or undefined, or a
 /// hypothesis is undefined: a claim presupposes that its formulas have values.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Beyond {
+pub struct ViolationStatistics {
     /// The number of points drawn.
     pub attempts: u64,
     /// The number of points of the domain at which the condition fails, but the statement is true.
@@ -237,7 +239,7 @@ pub struct Beyond {
     pub needed_at: Option<Point>,
 }
 
-impl Beyond {
+impl ViolationStatistics {
     /// The number of points at which the condition fails and the statement was judged.
     #[must_use]
     pub fn judged(&self) -> u64 {
@@ -250,13 +252,13 @@ impl Beyond {
 ///
 /// Points at which the condition fails only approximately do not count, since they may satisfy it.
 #[must_use]
-pub fn beyond(
+pub fn judge_violations(
     reading: &Reading<'_>,
     condition: &Expr,
     seed: &str,
     wanted: u64,
     budget: u64,
-) -> Option<Beyond> {
+) -> Option<ViolationStatistics> {
     let denial = negation(condition)?;
     let changed = Domain::where_true(reading, &denial);
     // Points at which the condition fails are rare, so its negation is solved before everything else.
@@ -269,7 +271,7 @@ pub fn beyond(
         conditions: vec![],
         failing: Survey::new(&domain, seed, wanted, budget).settled(reading.tree()),
     };
-    let mut beyond = Beyond::default();
+    let mut beyond = ViolationStatistics::default();
     let mut undefined_at = None;
     beyond.attempts = survey.walk(&judged, &mut |seen| {
         let Seen::Judged {
@@ -305,7 +307,7 @@ pub fn beyond(
     Some(beyond)
 }
 
-impl Tally {
+impl SampleStatistics {
     fn count(&mut self, seen: Seen<'_, '_>) {
         let Seen::Judged {
             judgement,

@@ -94,12 +94,12 @@ pub(crate) struct Survey<'a> {
     /// Hypotheses that are satisfied before all others.
     first: Option<&'a Domain<'a>>,
     /// The kind of numbers that points consist of.
-    pub ground: Ground,
+    pub numbers: NumberField,
 }
 
 /// The kind of numbers that points consist of.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Ground {
+pub(crate) enum NumberField {
     /// Exact numbers, enclosed where necessary.
     Reals,
     /// Residues modulo a prime.
@@ -117,7 +117,7 @@ impl<'a> Survey<'a> {
             work: Work::new(budget),
             edges: EDGES,
             first: None,
-            ground: Ground::Reals,
+            numbers: NumberField::Reals,
         }
     }
 
@@ -140,7 +140,7 @@ impl<'a> Survey<'a> {
     pub fn by_residues(&self) -> Self {
         Self {
             work: Work::new(self.work.left()),
-            ground: Ground::Residues,
+            numbers: NumberField::Residues,
             ..*self
         }
     }
@@ -196,9 +196,9 @@ impl<'a> Survey<'a> {
                 }));
             }
         }
-        let (judgement, near) = match self.ground {
-            Ground::Reals => self.exactly(judged, &draft, work)?,
-            Ground::Residues => (self.modulo_prime(judged, &draft, work)?, false),
+        let (judgement, near) = match self.numbers {
+            NumberField::Reals => self.exactly(judged, &draft, work)?,
+            NumberField::Residues => (self.modulo_prime(judged, &draft, work)?, false),
         };
         let Some(judgement) = judgement else {
             return Some(each(Seen::Excepted));

@@ -12,7 +12,7 @@
 //! not become an accusation of the paper either. Such a condition is reported as not seen to be needed
 //! ([`ConditionCheck::seen_needed`]), the steps of the verdict say so, and the verdict is not netted.
 //!
-//! **Thin parts.** The text shows where a statement may fail though it holds elsewhere ([`Tally::branches`]). Where the statement
+//! **Thin parts.** The text shows where a statement may fail though it holds elsewhere ([`SampleStatistics::branches`]). Where the statement
 //! was decided at no point of such a part, and the checker accepts no proof that the part is empty, the net names the part.
 //!
 //! **What is shown.** An accusation is shown only with a point that was put into the text: where its witness cannot be read or
@@ -36,8 +36,8 @@ use torse_core as core;
 use torse_prove::{self as prove, a_point_of};
 use torse_semantics::tree::Reading;
 use torse_semantics::{
-    Identity, Judgement, Outside, Tally, Witness, Work, beyond, check_witness, identity, instances,
-    tally,
+    Identity, Judgement, Outside, SampleStatistics, Witness, Work, check_witness, identity,
+    instances, judge_samples, judge_violations,
 };
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
@@ -63,7 +63,7 @@ pub struct Effort {
 const EMPTINESS_WORK: u64 = 5_000_000;
 
 /// What every verdict has to pass before it is shown.
-pub const ALWAYS: Effort = Effort {
+pub const DEFAULT_EFFORT: Effort = Effort {
     points: 20,
     budget: 800_000,
     beyond: 100_000,
@@ -79,7 +79,7 @@ pub(crate) fn proved(statement: ProvedStatement, elaborated: &ElaboratedClaim<'_
         );
     };
     let verdict = statement.verdict(elaborated.claim.entry.kind);
-    let net = JudgedStatement::new(&own, &ALWAYS)
+    let net = JudgedStatement::new(&own, &DEFAULT_EFFORT)
         .with_points_of(&statement.certificate)
         .proof(&statement.conditions);
     let replay = |statement: &ProvedStatement| replay::proof(statement, &own).map(Some);
@@ -96,7 +96,7 @@ pub(crate) fn refuted(
     budget: u64,
 ) -> Finding {
     let verdict = statement.verdict();
-    let net = JudgedStatement::new(elaborated, &ALWAYS).refutation(&statement);
+    let net = JudgedStatement::new(elaborated, &DEFAULT_EFFORT).refutation(&statement);
     let replay =
         |statement: &RefutedStatement| replay::refutation(statement, elaborated, budget).map(Some);
     finding(verdict, statement, net, replay, |judged| {
@@ -106,7 +106,7 @@ pub(crate) fn refuted(
 
 /// Checks that a domain has no points.
 pub(crate) fn vacuous(statement: EmptyDomain, elaborated: &ElaboratedClaim<'_>) -> Finding {
-    let net = JudgedStatement::new(elaborated, &ALWAYS).no_points();
+    let net = JudgedStatement::new(elaborated, &DEFAULT_EFFORT).no_points();
     finding(
         Verdict::Vacuous,
         statement,
@@ -234,11 +234,11 @@ impl<'a> JudgedStatement<'a> {
     }
 
     /// Evaluates the statement at points of the domain; also returns whether these points say nothing.
-    fn tally(&self, conditions: &[Written]) -> (Tally, Option<String>) {
+    fn judge_samples(&self, conditions: &[Written]) -> (SampleStatistics, Option<String>) {
         let Effort { points, budget, .. } = *self.effort;
         let conditions: Vec<&Expr> = conditions.iter().map(|written| &written.expr).collect();
         let reading = self.reading();
-        let tally = tally(&reading, &conditions, &self.seed, points, budget);
+        let tally = judge_samples(&reading, &conditions, &self.seed, points, budget);
         let blind = "its points would not reveal a slip in it".to_owned();
         (tally, reading.is_blind().then_some(blind))
     }
@@ -267,7 +267,7 @@ impl<'a> JudgedStatement<'a> {
         let Some(read) = read else {
             return Ok(Net::uncovered("a condition that cannot be read back"));
         };
-        let (tally, useless) = self.tally(&read);
+        let (tally, useless) = self.judge_samples(&read);
         if let Some(point) = tally.failing {
             return Err(format!("it is false at {point}").into());
         }
@@ -310,7 +310,7 @@ impl<'a> JudgedStatement<'a> {
 
     /// Fails unless each part p of `fails(p)` was seen to be false at a point of the domain: at one that was drawn, or at one that
     /// the prover knows, put into the text like the witness of an accusation.
-    fn fails_somewhere(&self, tally: &Tally) -> Result<(), Objection> {
+    fn fails_somewhere(&self, tally: &SampleStatistics) -> Result<(), Objection> {
         for denied in &tally.unshown {
             let is_false_at = |known| self.place(known, denied) == Witness::Refutes;
             if !self.denials.iter().any(is_false_at) {
@@ -325,7 +325,11 @@ impl<'a> JudgedStatement<'a> {
 
     /// Fails for an implication whose premise was true at no point at which the conditions of its proof are: it says nothing
     /// there, and the conditions may be the opposite of what it concludes.
-    fn says_something(&self, tally: &Tally, conditions: &[Formula]) -> Result<(), Objection> {
+    fn says_something(
+        &self,
+        tally: &SampleStatistics,
+        conditions: &[Formula],
+    ) -> Result<(), Objection> {
         let Node::Join(Connective::Implies, premise, _) = &self.statement.expr.node else {
             return Ok(());
         };
@@ -348,7 +352,7 @@ impl<'a> JudgedStatement<'a> {
 
     /// What is true on the thin parts of the domain on which no point was decided; those that are proved to be empty are
     /// left out.
-    fn unvisited(&self, tally: &Tally) -> Vec<String> {
+    fn unvisited(&self, tally: &SampleStatistics) -> Vec<String> {
         let parts = tally.unvisited.iter();
         let open = parts.filter(|inside| !self.is_nowhere(inside));
         open.map(notation::text).collect()
@@ -386,7 +390,7 @@ impl<'a> JudgedStatement<'a> {
 
     /// Fails unless the statement has a value somewhere on the domain: if the drawn points leave that open, at the
     /// point that the prover found.
-    fn is_somewhere(&self, tally: &Tally) -> Result<(), Objection> {
+    fn is_somewhere(&self, tally: &SampleStatistics) -> Result<(), Objection> {
         if tally.found > 0 && !tally.is_undefined() {
             return Ok(());
         }
@@ -426,7 +430,7 @@ impl<'a> JudgedStatement<'a> {
             None => self.reading(),
         };
         let budget = self.effort.beyond;
-        let found = beyond(
+        let found = judge_violations(
             &reading,
             &condition.expr,
             &self.seed,
@@ -577,7 +581,7 @@ impl<'a> JudgedStatement<'a> {
     /// Handles a refutation whose witness cannot be inserted, because it does not name every number, or is undecided
     /// there: searches for another point at which the statement is false. Without one, only the prover says that it is.
     fn elsewhere(&self, why: &str) -> Result<Net, Objection> {
-        let (tally, _) = self.tally(&[]);
+        let (tally, _) = self.judge_samples(&[]);
         match tally.failing {
             Some(_) => Ok(Net::refuted(tally.attempts)),
             None => Err(Objection::Unseen(format!(
@@ -589,7 +593,7 @@ impl<'a> JudgedStatement<'a> {
     /// Checks a domain that is claimed to be empty.
     fn no_points(&self) -> Result<Net, Objection> {
         let _ = self.agrees()?;
-        let (tally, _) = self.tally(&[]);
+        let (tally, _) = self.judge_samples(&[]);
         match tally.found {
             0 => Ok(Net {
                 tried: tally.attempts,
@@ -616,7 +620,7 @@ fn reading<'c>(claim: &'c Claim, statement: &'c Written, core: &core::Claim) -> 
 }
 
 /// Why a statement was not decided at more points.
-fn why_few(tally: &Tally) -> String {
+fn why_few(tally: &SampleStatistics) -> String {
     let open = tally.why_open.clone();
     open.unwrap_or_else(|| {
         let why = match (tally.exhausted, tally.found) {

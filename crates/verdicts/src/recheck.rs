@@ -16,7 +16,7 @@ use torse_core::stack;
 use torse_syntax::derivation::Claim;
 
 /// The effort for a verdict here.
-pub const THOROUGH: Effort = Effort {
+pub const THOROUGH_EFFORT: Effort = Effort {
     points: 60,
     budget: 6_000_000,
     beyond: 6_000_000,
@@ -57,7 +57,7 @@ pub fn claim(claim: &Claim, outcome: &Outcome) -> Recheck {
     let witnessed =
         (!claim.existentials.is_empty()).then(|| existential::witnessed(claim, statement, WITNESS));
     let claim = witnessed.as_ref().unwrap_or(claim);
-    match stack::deep(|| net::judged(outcome, claim, statement, &THOROUGH)) {
+    match stack::deep(|| net::judged(outcome, claim, statement, &THOROUGH_EFFORT)) {
         None => Recheck::Nothing,
         Some(Ok(net)) if net.netted => Recheck::Netted(net),
         Some(Ok(net)) => Recheck::Decided(net),

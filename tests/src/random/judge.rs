@@ -8,7 +8,7 @@ use super::claim::{Claim, States, Truth};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use torse_semantics::tree::Reading;
-use torse_semantics::{Tally as Points, tally};
+use torse_semantics::{SampleStatistics, judge_samples};
 use torse_syntax::derivation::{self, LoadError, Paper, Source, paper};
 use torse_syntax::formula::parse;
 use torse_syntax::taxonomy::Verdict;
@@ -78,7 +78,7 @@ const BUDGET: u64 = 200_000;
 ///
 /// # Errors
 /// The message where the claim makes no sense.
-pub fn semantics(claim: &Claim) -> Result<Points, String> {
+pub fn semantics(claim: &Claim) -> Result<SampleStatistics, String> {
     // Numbers that the claim seeks are what the construction knows.
     let claim = &Claim {
         exists: claim.witnesses.clone(),
@@ -92,12 +92,12 @@ pub fn semantics(claim: &Claim) -> Result<Points, String> {
     let seed = format!("second judge {}", claim.id());
     let names = core.symbols.keys().map(|name| &**name);
     let reading = Reading::new(written, &statement.expr, names);
-    Ok(tally(&reading, &[], &seed, POINTS, BUDGET))
+    Ok(judge_samples(&reading, &[], &seed, POINTS, BUDGET))
 }
 
 /// What contradicts the construction of a claim, if anything.
 #[must_use]
-pub fn contradiction(claim: &Claim, points: &Points) -> Option<String> {
+pub fn contradiction(claim: &Claim, points: &SampleStatistics) -> Option<String> {
     match (&claim.truth, &points.failing) {
         (Truth::Vacuous, _) if points.found > 0 => Some("its domain has points".to_owned()),
         (Truth::Holds | Truth::Conditional, Some(point)) => {
@@ -116,7 +116,7 @@ pub fn contradiction(claim: &Claim, points: &Points) -> Option<String> {
 
 /// Whether the semantics alone says what the construction says: false where it is false, true at all points else.
 #[must_use]
-pub fn seconded(claim: &Claim, points: &Points) -> bool {
+pub fn seconded(claim: &Claim, points: &SampleStatistics) -> bool {
     match claim.truth {
         Truth::Fails(_) => points.failing.is_some(),
         Truth::Vacuous => points.found == 0,

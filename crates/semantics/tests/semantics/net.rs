@@ -1,7 +1,7 @@
 //! The net: statements that are true stand, statements that are false are caught.
 
 use crate::support::{claim, is_caught, is_empty, is_never_denied, netted, stands};
-use torse_semantics::{Beyond, Judgement, Outside, Witness};
+use torse_semantics::{Judgement, Outside, ViolationStatistics, Witness};
 
 #[test]
 fn multiples_of_assumptions_below_one() {
@@ -98,8 +98,8 @@ fn replaced_symbols_keep_their_ranges() {
 }
 
 /// The statement where the condition fails.
-fn where_fails(fields: &str, states: &str, condition: &str) -> Beyond {
-    claim(fields, states).beyond(&claim(fields, condition))
+fn where_fails(fields: &str, states: &str, condition: &str) -> ViolationStatistics {
+    claim(fields, states).judge_violations(&claim(fields, condition))
 }
 
 #[test]
@@ -183,7 +183,7 @@ fn some_points_lie_at_the_edges() {
 fn a_condition_excepts_points() {
     let c = claim("", "y > 0");
     let conditions = [c.statement()];
-    let tally = torse_semantics::tally(&c.reading(), &conditions, "t/c", 20, 4_000_000);
+    let tally = torse_semantics::judge_samples(&c.reading(), &conditions, "t/c", 20, 4_000_000);
     assert!(tally.excepted > 0 && tally.holding == 20, "{tally:?}");
 }
 

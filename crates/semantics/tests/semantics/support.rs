@@ -5,7 +5,10 @@ mod claims;
 
 use claims::paper_of;
 use torse_semantics::tree::{Reading, Values};
-use torse_semantics::{Beyond, Judgement, Name, Point, Reals, Tally, Witness, Work, tally};
+use torse_semantics::{
+    Judgement, Name, Point, Reals, SampleStatistics, ViolationStatistics, Witness, Work,
+    judge_samples,
+};
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::derivation::{self, Paper};
 use torse_syntax::formula::Expr;
@@ -111,9 +114,10 @@ impl Claim {
     }
 
     /// The statement where a condition fails.
-    pub fn beyond(&self, condition: &Self) -> Beyond {
+    pub fn judge_violations(&self, condition: &Self) -> ViolationStatistics {
         let (reading, condition) = (self.reading(), condition.statement());
-        torse_semantics::beyond(&reading, condition, "t/c", 10, 4_000_000).expect("a comparison")
+        torse_semantics::judge_violations(&reading, condition, "t/c", 10, 4_000_000)
+            .expect("a comparison")
     }
 }
 
@@ -203,8 +207,8 @@ pub fn is_undefined(states: &str, point: &[(&str, &str)]) {
 }
 
 /// Points of the domain of a claim.
-pub fn netted(claim: &Claim) -> Tally {
-    tally(&claim.reading(), &[], "t/c", 20, 4_000_000)
+pub fn netted(claim: &Claim) -> SampleStatistics {
+    judge_samples(&claim.reading(), &[], "t/c", 20, 4_000_000)
 }
 
 /// A claim that a point of its domain contradicts.

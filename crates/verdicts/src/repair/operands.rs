@@ -14,7 +14,7 @@ use num_traits::Zero as _;
 use std::mem::discriminant;
 use std::sync::Arc;
 use torse_algebra::rational::integer;
-use torse_semantics::tally;
+use torse_semantics::judge_samples;
 use torse_semantics::tree::Reading;
 use torse_syntax::derivation::Claim;
 use torse_syntax::formula::{Expr, Node, Operator, Relation};
@@ -251,7 +251,7 @@ fn differ(claim: &Claim, [left, right]: [Expr; 2]) -> Option<bool> {
         vec![(Relation::Equal, right)],
     ));
     let reading = Reading::new(claim, &equal, []);
-    let found = tally(&reading, &[], "operands", POINTS, WORK);
+    let found = judge_samples(&reading, &[], "operands", POINTS, WORK);
     match found.failing {
         Some(_) => Some(true),
         None => (found.holding > 0).then_some(false),

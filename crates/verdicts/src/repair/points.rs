@@ -5,7 +5,7 @@
 use super::edit::{Change, Edit, exact_numbers, placed};
 use super::subject::Subject;
 use torse_algebra::rational::integer;
-use torse_semantics::tally;
+use torse_semantics::judge_samples;
 use torse_semantics::tree::Reading;
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::Expr;
@@ -28,7 +28,7 @@ pub(super) fn agreeing(
     let agrees = |edit: &Edit| {
         let expr = subject.statement(&statement.expr, &edit.expr);
         let reading = Reading::new(claim, &expr, []);
-        let found = tally(&reading, &[], "correction", POINTS, WORK);
+        let found = judge_samples(&reading, &[], "correction", POINTS, WORK);
         found.failing.is_none() && found.holding > 0
     };
     let few = edits.into_iter().take(MAX_CANDIDATES);
