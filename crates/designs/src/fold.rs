@@ -5,14 +5,14 @@
 //! the design itself, with as many rulings, misses it by as much: what is judged is how far the two folded patterns are
 //! from each other, or, where the file says `fold`, how far the points are from the design.
 
-use crate::design::Design;
+use crate::design::{Design, DesignPiece};
 use crate::error::DesignError;
 use crate::inspect::{number, wrapped};
 use crate::unroll::{Demand, unroll};
 use serde::Serialize;
 use std::path::Path;
 use torse_exchange::{Drawing, Layer, Path as DrawnPath};
-use torse_geometry::pattern::{FlatPattern, PatternError, Segment, deviation, fold};
+use torse_geometry::pattern::{FlatPattern, FlatRuling, PatternError, Segment, deviation, fold};
 
 /// The largest pattern file that is read, in bytes.
 const MAX_BYTES: u64 = 64 << 20;
@@ -126,14 +126,42 @@ pub fn fold_text(design: &Design, shown: &str, text: &str) -> Result<FoldReport,
         missed: Vec::new(),
     };
     for (pattern, piece) in found.iter().zip(&wanted) {
-        // Of a chain neighbours share a ruling.
-        let (count, patches) = (pattern.rulings.len(), piece.patches.len());
-        let each = count.saturating_sub(1) / patches.max(1) + 1;
-        if each < 2 || (each - 1) * patches + 1 != count {
+        let own = own_pattern(design, piece, pattern.rulings.len())?;
+        let Some(own) = own else {
             return Err(wrong(format!(
-                "{count} rulings are no pattern of the {patches} patches of `{}`",
+                "{} rulings are no pattern of the {} patches of `{}`",
+                pattern.rulings.len(),
+                piece.patches.len(),
                 piece.name
             )));
+        };
+        let failed = |source: PatternError| wrong(source.to_string());
+        report
+            .pieces
+            .push(compared(&piece.name, pattern, &own).map_err(failed)?);
+    }
+    report.missed = report
+        .pieces
+        .iter()
+        .flat_map(|piece| objections(design, piece))
+        .collect();
+    Ok(report)
+}
+
+/// The pattern of a piece of which so many rulings are drawn: all but those at which it ends in a tip. `None` where no pattern
+/// has so many.
+fn own_pattern(
+    design: &Design,
+    piece: &DesignPiece,
+    count: usize,
+) -> Result<Option<FlatPattern>, DesignError> {
+    let patches = piece.patches.len().max(1);
+    // A chain has a tip at either end at most.
+    for all in count..=count + 2 {
+        // Of a chain neighbours share a ruling.
+        let each = all.saturating_sub(1) / patches + 1;
+        if each < 2 || (each - 1) * patches + 1 != all {
+            continue;
         }
         let demand = Demand {
             // What was strained to be cut is compared with the strained pattern of the design.
@@ -142,19 +170,14 @@ pub fn fold_text(design: &Design, shown: &str, text: &str) -> Result<FoldReport,
             only: Some(piece.name.clone()),
             ..Demand::default()
         };
-        let own = unroll(design, &demand)?;
-        let Some(own) = own.first() else { continue };
-        let failed = |source: PatternError| wrong(source.to_string());
-        report
-            .pieces
-            .push(compared(&piece.name, pattern, &own.flat).map_err(failed)?);
+        let own = unroll(design, &demand)?.into_iter().next();
+        let own = own.map(|own| own.flat);
+        let drawn = |own: &FlatPattern| own.rulings().iter().filter(|r| !r.is_point()).count();
+        if let Some(own) = own.filter(|own| drawn(own) == count) {
+            return Ok(Some(own));
+        }
     }
-    report.missed = report
-        .pieces
-        .iter()
-        .flat_map(|piece| objections(design, piece))
-        .collect();
-    Ok(report)
+    Ok(None)
 }
 
 /// An outline of a file with the rulings that follow it.
@@ -192,11 +215,15 @@ fn compared(
 ) -> Result<FoldedPiece, PatternError> {
     let folded = fold(&pattern.rulings, &pattern.bends)?;
     let folded: Vec<[f64; 3]> = folded.into_iter().flatten().collect();
-    let wanted: Vec<[f64; 3]> = own.rulings_in_space().into_iter().flatten().collect();
+    let rulings = own.rulings();
+    let drawn: Vec<&FlatRuling> = rulings.iter().filter(|r| !r.is_point()).collect();
+    let in_space = own.rulings_in_space().into_iter().zip(rulings);
+    let in_space = in_space.filter(|(_, ruling)| !ruling.is_point());
+    let wanted: Vec<[f64; 3]> = in_space.flat_map(|(ends, _)| ends).collect();
     let reached = deviation(&folded, &wanted)?;
     let expected = own.fold_deviation()?;
-    let rulings: Vec<[[f64; 2]; 2]> = own.rulings().iter().map(|ruling| ruling.ends).collect();
-    let bends: Vec<f64> = own.rulings().iter().map(|ruling| ruling.bend).collect();
+    let rulings: Vec<[[f64; 2]; 2]> = drawn.iter().map(|ruling| ruling.ends).collect();
+    let bends: Vec<f64> = drawn.iter().map(|ruling| ruling.bend).collect();
     let own_folded: Vec<[f64; 3]> = fold(&rulings, &bends)?.into_iter().flatten().collect();
     let difference = deviation(&folded, &own_folded)?;
     let vertices = pattern.outline.vertices();

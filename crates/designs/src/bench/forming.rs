@@ -218,13 +218,18 @@ fn along(patch: &crate::design::Patch, v: f64) -> Result<String, DesignError> {
     let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
     for k in 0..=RULINGS {
         let u = f64::from(k) / f64::from(RULINGS);
-        let bent = patch.sheet.principal(u, v);
-        let [a, b] = bent
-            .map_err(|reason| DesignError::Patch {
-                patch: patch.name.clone(),
-                reason,
-            })?
-            .map(|principal| principal.curvature.abs());
+        let bent = match patch.sheet.principal(u, v) {
+            Ok(bent) => bent,
+            // At a tip there is no curvature.
+            Err(_) if k == 0 || k == RULINGS => continue,
+            Err(reason) => {
+                return Err(DesignError::Patch {
+                    patch: patch.name.clone(),
+                    reason,
+                });
+            }
+        };
+        let [a, b] = bent.map(|principal| principal.curvature.abs());
         let radius = 1.0 / a.max(b);
         low = low.min(radius);
         high = high.max(radius);

@@ -203,7 +203,7 @@ fn rulings(drawn: &Drawn<'_>) -> Vec<[[f64; 2]; 2]> {
     let bent: Vec<_> = flat
         .rulings()
         .iter()
-        .filter(|r| r.radius.is_finite())
+        .filter(|r| r.radius.is_finite() && !r.is_point())
         .collect();
     let every = bent.len().div_ceil(MAX_RULINGS).max(1);
     let placed = bent

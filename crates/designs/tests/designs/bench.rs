@@ -75,7 +75,11 @@ fn edges_that_meet_in_space_name_each_other_and_are_equally_long() {
 
 #[test]
 fn the_seams_of_a_design_are_the_edges_that_are_said_to_meet() {
-    let design = read("x.toml", include_str!("../files/gored-elbow.toml")).unwrap();
+    let design = read(
+        "x.toml",
+        include_str!("../../../../designs/workshop/gored-elbow.toml"),
+    )
+    .unwrap();
     let (sheets, ..) = made(&design);
     let edges = edges(&sheets);
     for seam in &design.seams {

@@ -1,9 +1,11 @@
 //! Kinds of ends: apexes, tips, rails that stand still; and parts that lie far from the origin.
 
 use torse_designs::eval::{EvalPlaces, eval};
+use torse_designs::fold::fold_text;
 use torse_designs::inspect::{Assurance, inspect};
-use torse_designs::unroll::{Demand, unroll};
+use torse_designs::unroll::{Demand, drawing, unroll};
 use torse_designs::{Design, read};
+use torse_exchange::dxf;
 
 fn design(text: &str) -> Design {
     read("x.toml", text).unwrap_or_else(|e| panic!("{e:?}"))
@@ -135,6 +137,14 @@ direction = [0, 1, 0]
 between = ["l", "r"]
 "#;
     let (found, _) = area(gore, None);
+    // Its file has all rulings but the one that is a point, and folds to the design.
+    let made = design(gore);
+    let pieces = unroll(&made, &Demand::default()).unwrap();
+    let file = dxf(&drawing(&made, &pieces).unwrap()).unwrap();
+    let folded = fold_text(&made, "tip.dxf", &file).unwrap();
+    assert!(folded.missed.is_empty(), "{:?}", folded.missed);
+    let rulings = pieces[0].flat.rulings().len();
+    assert_eq!(folded.pieces[0].rulings, rulings - 1);
     assert!((found - 10_593.0).abs() < 0.5, "{found}");
     let report = inspect(&design(gore)).unwrap();
     let patch = &report.patches[0];

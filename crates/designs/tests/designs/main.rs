@@ -24,3 +24,4 @@ mod schema;
 mod seams;
 mod surfaces;
 mod worked;
+mod workshop;

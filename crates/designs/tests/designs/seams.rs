@@ -156,7 +156,11 @@ fn notches_of_a_seam_are_at_equal_lengths_on_both_parts() {
 
 #[test]
 fn the_gores_of_an_elbow_meet_along_all_their_mitres() {
-    let design = read("x.toml", include_str!("../files/gored-elbow.toml")).unwrap();
+    let design = read(
+        "x.toml",
+        include_str!("../../../../designs/workshop/gored-elbow.toml"),
+    )
+    .unwrap();
     let report = inspect(&design).unwrap();
     assert!(report.missed.is_empty() && report.seams.len() == 4);
     for seam in &report.seams {

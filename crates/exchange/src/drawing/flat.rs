@@ -10,7 +10,7 @@ fn at_most(value: f64) -> String {
 }
 
 impl Drawing {
-    /// The drawing of a flat pattern: the outline with its arcs, every ruling with its bend angle, the edge of
+    /// The drawing of a flat pattern: the outline with its arcs, every ruling that is no point with its bend angle, the edge of
     /// regression where it comes within `reach` (a length) of the sheet. Notes tell how exact the outline is and,
     /// of a patch that is not developable, how much it is strained.
     ///
@@ -45,7 +45,8 @@ impl Drawing {
             .map(|(point, bulge)| Vertex { point, bulge })
             .collect();
         self.path(Layer::Outline, &vertices, true)?;
-        for ruling in flat.rulings() {
+        // At a tip there is nothing to bend.
+        for ruling in flat.rulings().iter().filter(|ruling| !ruling.is_point()) {
             let [from, to] = ruling.ends;
             self.bend(from, to, ruling.bend)?;
         }

@@ -32,6 +32,23 @@ pub struct FlatRuling {
     pub regression: Option<[f64; 2]>,
 }
 
+/// Ends of a ruling nearer to each other than this share of their distance from the origin are one point.
+const ONE_POINT: f64 = 1e-12;
+
+impl FlatRuling {
+    /// Whether it is a point: the tip in which a gore or the head of a sail ends.
+    #[must_use]
+    pub fn is_point(&self) -> bool {
+        let size = self
+            .ends
+            .iter()
+            .flatten()
+            .fold(0.0_f64, |m, c| m.max(c.abs()));
+        let [from, to] = self.ends;
+        libm::hypot(to[0] - from[0], to[1] - from[1]) <= ONE_POINT * size
+    }
+}
+
 /// Bounds for the errors of a flat pattern, against the exact development. Of a patch that is not exactly developable
 /// against the development that it is ([`FlatPattern::flattening`]): how far that may be from others is the `ambiguity`.
 /// They are proved or measured, as [`FlatPattern::evidence`] says.

@@ -1,0 +1,101 @@
+//! Designs of several pieces, as workshops make them: measured, cut, folded back, with their sheets.
+
+use std::path::{Path, PathBuf};
+use torse_designs::bench::{PaperSize, bench_sheets, tiled_parts};
+use torse_designs::fold::fold_text;
+use torse_designs::inspect::inspect;
+use torse_designs::lint::{LintDemand, Rules, lint};
+use torse_designs::load;
+use torse_designs::unroll::{Demand, Purpose, drawing, parts, unroll};
+use torse_exchange::dxf;
+
+fn path(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../designs/workshop");
+    folder.join(name).with_extension("toml")
+}
+
+/// All of it for a design, and how many parts it has.
+fn whole_way(name: &str) -> usize {
+    let design = load(&path(name)).unwrap();
+    let report = inspect(&design).unwrap();
+    assert!(report.missed.is_empty(), "{name}: {:?}", report.missed);
+    let pieces = unroll(&design, &Demand::default()).unwrap();
+    let pattern = dxf(&drawing(&design, &pieces).unwrap()).unwrap();
+    let folded = fold_text(&design, "pattern.dxf", &pattern).unwrap();
+    assert!(folded.missed.is_empty(), "{name}: {:?}", folded.missed);
+    assert_eq!(folded.pieces.len(), pieces.len());
+    let parts = parts(&design, &pieces).unwrap();
+    let thickness = design.metal.map_or(1.0, |metal| metal.sheet.thickness());
+    for part in &parts {
+        let cut = dxf(&part.drawing(Purpose::Cut).unwrap()).unwrap();
+        let rules = Rules::published().unwrap();
+        let demand = LintDemand {
+            thickness: Some(thickness),
+            unit: None,
+        };
+        let judged = lint("part.dxf", cut.as_bytes(), &rules, &demand).unwrap();
+        assert!(judged.passes(), "{name} {}: {}", part.name, judged.text());
+    }
+    let sheets = bench_sheets(&design, &pieces, &parts, PaperSize::A4).unwrap();
+    let tiled = tiled_parts(&design, &pieces, &parts, PaperSize::A4).unwrap();
+    assert_eq!((sheets.len(), tiled.len()), (parts.len(), parts.len()));
+    // Both edges of every seam say so on their sheets.
+    let rows: Vec<&Vec<String>> = sheets
+        .iter()
+        .flat_map(|sheet| &sheet.tables)
+        .filter(|table| table.title.starts_with("Edges"))
+        .flat_map(|table| &table.rows)
+        .collect();
+    for seam in &design.seams {
+        let [one, other] = [0, 1].map(|end| {
+            let name = &seam.edges[end].text;
+            let row = rows.iter().find(|row| row[1] == *name);
+            row.unwrap_or_else(|| panic!("{name}: {rows:?}"))
+        });
+        assert!(
+            one[4].split(", ").any(|label| label == other[0]),
+            "{one:?} {other:?}"
+        );
+        assert!(
+            other[4].split(", ").any(|label| label == one[0]),
+            "{one:?} {other:?}"
+        );
+    }
+    parts.len()
+}
+
+#[test]
+fn an_elbow_of_five_gores_goes_the_whole_way() {
+    assert_eq!(whole_way("gored-elbow"), 5);
+}
+
+#[test]
+fn a_branch_of_three_pipes_goes_the_whole_way() {
+    assert_eq!(whole_way("y-branch"), 3);
+}
+
+#[test]
+fn a_transition_with_flanges_goes_the_whole_way() {
+    assert_eq!(whole_way("flanged-transition"), 5);
+}
+
+#[test]
+fn a_hull_of_three_panels_a_side_goes_the_whole_way() {
+    assert_eq!(whole_way("hull"), 6);
+}
+
+#[test]
+fn a_tent_of_eight_gores_goes_the_whole_way() {
+    assert_eq!(whole_way("tent"), 8);
+}
+
+#[test]
+fn every_design_of_the_workshop_is_tested() {
+    let folder = path("x").parent().unwrap().to_owned();
+    let files = std::fs::read_dir(folder).unwrap();
+    let designs = files.filter(|file| {
+        let path = file.as_ref().unwrap().path();
+        path.extension().is_some_and(|e| e == "toml")
+    });
+    assert_eq!(designs.count(), 5);
+}
