@@ -24,6 +24,7 @@ mod points;
 mod rates;
 pub mod repeated;
 mod residue;
+mod retyped;
 pub mod slips;
 mod solved;
 pub mod subject;
@@ -115,6 +116,10 @@ fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Opti
         singles.push((agreement.entries, edit));
     }
     *ended_early = !target.within_budget();
+    // A factor that is put in says least of what went wrong, and one in the place of another factor nothing that leaving it out does not.
+    let is_idle = |expr: &Expr| !retyped::has_idle_one(printed) && retyped::has_idle_one(expr);
+    once.retain(|(edit, _)| !is_idle(&edit.expr));
+    once.sort_by_key(|(edit, _)| edit.change.is_factor_inserted());
     let says_little = once
         .iter()
         .all(|(edit, _)| edit.change.is_factor_inserted());
@@ -123,6 +128,9 @@ fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Opti
         return found;
     }
     let search = (claim, statement);
+    if let Some(found) = retyped(search, &subject, &target) {
+        return Some(found);
+    }
     // Where names in the place of others used up the work, the edits without them have some of their own.
     let likely = || {
         let edits = cautious(printed);
@@ -258,6 +266,24 @@ fn is_of_numbers(claim: &Claim, expr: &Expr) -> bool {
     !has_symbol(claim, expr) && !expr.names().into_iter().any(has_meaning)
 }
 
+/// An operator for another one, or brackets that were misplaced.
+fn retyped(
+    (claim, statement): (&Claim, &Written),
+    subject: &Subject,
+    target: &Target<'_>,
+) -> Option<Correction> {
+    if is_of_numbers(claim, &statement.expr) {
+        return None;
+    }
+    let edits = retyped::edits(&subject.formula);
+    proved(
+        claim,
+        statement,
+        subject,
+        agreeing(subject, target, MAX_APART, edits),
+    )
+}
+
 /// An exponent or a shift that was left out.
 fn inserted(
     (claim, statement): (&Claim, &Written),
@@ -288,6 +314,7 @@ fn across(search: (&Claim, &Written), printed: &Subject) -> Option<Correction> {
         &subject,
         agreeing(&subject, &target, MAX_APART, edits),
     )
+    .or_else(|| retyped(search, &subject, &target))
     .or_else(|| solved(search, &subject, &target))
     .or_else(|| inserted(search, &subject, &target))
 }

@@ -146,3 +146,66 @@ fn a_hypothesis_is_no_correction() {
     let found = outcomes.first().unwrap().correction();
     assert_eq!(found.map(|own| &own.statement.text), None);
 }
+
+#[test]
+fn an_operator_was_taken_for_another() {
+    for (printed, meant) in [
+        (
+            "(b + c)^2 == b^2 + 2*b + c + c^2",
+            "(b + c)^2 == b^2 + 2*b*c + c^2",
+        ),
+        ("(b + c)*(b*c) == b^2 - c^2", "(b + c)*(b - c) == b^2 - c^2"),
+        ("cosh(x)^2/sinh(x)^2 == 1", "cosh(x)^2 - sinh(x)^2 == 1"),
+        (
+            "D(x*(1 + x), x) == 1/(1 + x)^2",
+            "D(x/(1 + x), x) == 1/(1 + x)^2",
+        ),
+        (
+            "sum(k, 1, n, k) == n*(n + 1)*2",
+            "sum(k, 1, n, k) == n*(n + 1)*(1/2)",
+        ),
+    ] {
+        corrected(printed, meant);
+    }
+}
+
+#[test]
+fn brackets_were_left_out_or_end_elsewhere() {
+    for (printed, meant) in [
+        ("b + c*(b - c) == b^2 - c^2", "(b + c)*(b - c) == b^2 - c^2"),
+        (
+            "x^3 - y^3 == (x - y)*(x^2 + x*y) + y^2",
+            "x^3 - y^3 == (x - y)*(x^2 + x*y + y^2)",
+        ),
+        (
+            "b*(c + d)*(b + c) == b*c + b^2*d + b*c*d",
+            "b*(c + d*(b + c)) == b*c + b^2*d + b*c*d",
+        ),
+        (
+            "sum(k, 1, n, k) == (n*n + 1)/2",
+            "sum(k, 1, n, k) == n*(n + 1)/2",
+        ),
+    ] {
+        corrected(printed, meant);
+    }
+}
+
+#[test]
+fn a_factor_was_written_twice() {
+    for (printed, meant) in [
+        (
+            "(1 - t)^2 + 2*t*(1 - t)*(1 - t) + t^2 == 1",
+            "(1 - t)^2 + 2*t*(1 - t) + t^2 == 1",
+        ),
+        (
+            "(b + c)^2 == b^2 + 2*2*b*c + c^2",
+            "(b + c)^2 == b^2 + 2*b*c + c^2",
+        ),
+        (
+            "1/(x*x*(x + 1)) == 1/x - 1/(x + 1)",
+            "1/(x*(x + 1)) == 1/x - 1/(x + 1)",
+        ),
+    ] {
+        corrected(printed, meant);
+    }
+}
