@@ -106,7 +106,17 @@ impl<'a> DisjunctiveDomain<'a> {
             decision => return Ok(decision),
         };
         let mut conditions = vec![];
-        for values in literals.iter().filter_map(|literal| literal.has_values()) {
+        for literal in literals {
+            let mut parts = self.deciders.iter().map(|part| part.definedness(literal));
+            if !is_implication(literal)
+                && let Some(all) = parts.by_ref().collect::<Option<Vec<_>>>()
+            {
+                conditions.extend(all.concat());
+                continue;
+            }
+            let Some(values) = literal.has_values() else {
+                continue;
+            };
             match self.decide(&values)? {
                 Decision::Proven(defined) => {
                     conditions.extend(defined.conditions().into_iter().cloned());
@@ -222,6 +232,11 @@ fn eliminates_no_more(proof: &Proof, most: usize) -> bool {
     };
     let parts = proof.parts();
     own && parts.into_iter().all(|part| eliminates_no_more(part, most))
+}
+
+/// Whether a statement is an implication, whose terms need values where its premise is true alone.
+fn is_implication(statement: &core::Statement) -> bool {
+    matches!(statement, core::Statement::Join(Connective::Implies, ..))
 }
 
 /// Whether something is denied of the whole domain.

@@ -8,12 +8,12 @@ use crate::context::{ProofContext, RootMode};
 use crate::decide::contradiction::contradiction;
 use crate::decide::domain::branch::written;
 use crate::decide::value::Proof;
-use crate::decide::{self, Decision, equality, exponential, instances, witness};
+use crate::decide::{self, Decision, conditions, equality, exponential, instances, witness};
 use crate::divisors::{Nonzero, divisors, index_ranges, nonzero, open_conditions, unrooted};
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
-use torse_algebra::{Polynomial, work};
+use torse_algebra::{Finest, Polynomial, work};
 use torse_certificate::Refuted;
 use torse_certificate::proof::Emptiness;
 use torse_certificate::proof::assumptions::Sharpness;
@@ -268,7 +268,8 @@ impl<'a> Decider<'a> {
             // A point at which some other part of the claim is undefined refutes nothing.
             match ground.branch.evaluator.truth(&self.claim.statement) {
                 Ok(whole) => {
-                    let divisors = divisors(&whole);
+                    let mut divisors = divisors(&whole);
+                    divisors.extend(self.term_divisors(&self.claim.statement, &ground));
                     let defined = index_ranges(&whole, &self.claim, &ground.branch.evaluator);
                     if !divisors.is_empty() || !defined.is_empty() {
                         ground.branch.domain.divisors = divisors;
@@ -300,7 +301,9 @@ impl<'a> Decider<'a> {
         };
         let met: Vec<Polynomial> = proof.conditions().into_iter().cloned().collect();
         let met = unrooted(&met, &ground);
-        let conditions = open_conditions(met.clone(), &ground);
+        let written = self.term_divisors(statement, &ground);
+        let all = [met.clone(), unrooted(&written, &ground)].concat();
+        let conditions = open_conditions(in_finest_parts(&all), &ground);
         if !conditions.is_empty()
             && let Some((unsolved, combination, weaker)) = self.unsolved(
                 statement,
@@ -333,6 +336,16 @@ impl<'a> Decider<'a> {
         let nonzero = nonzero(met, &conditions, &ground.branch.domain);
         Ok(proved(ground, proof, (conditions, nonzero), ranges))
     }
+}
+
+/// The factors of divisors that were evaluated apart, with one angle in each.
+fn in_finest_parts(divisors: &[Polynomial]) -> Vec<Polynomial> {
+    let symbols = divisors.iter().flat_map(Polynomial::symbols);
+    let finest = Finest::new(symbols);
+    let written = divisors
+        .iter()
+        .map(|p| p.substituted(|symbol| finest.value(symbol)));
+    conditions::separated(&written.collect::<Vec<_>>())
 }
 
 /// A proof on its ground.

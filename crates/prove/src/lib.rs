@@ -23,6 +23,7 @@ pub mod roots;
 mod split;
 pub mod statement;
 pub mod steps;
+mod term_divisors;
 pub mod unknown;
 
 pub use evidence::{Evidence, Witness};

@@ -1,8 +1,10 @@
 //! Where the terms of a statement have values, if it is decided for each value of some integers.
 
 use super::{Decider, Instance};
+use crate::context::ProofContext;
 use crate::decide::{Decision, instances};
 use crate::divisors::{divisors, open_conditions, unrooted};
+use crate::term_divisors::term_divisors;
 use torse_algebra::{Polynomial, Symbol};
 use torse_core as core;
 use torse_syntax::fault::{Fault, Problem};
@@ -42,12 +44,22 @@ impl Decider<'_> {
         }
     }
 
+    /// What the terms of the statement divide by, as they are written.
+    pub(super) fn term_divisors(
+        &self,
+        statement: &core::Statement,
+        ground: &ProofContext<'_>,
+    ) -> Vec<Polynomial> {
+        term_divisors(statement, &self.claim, &ground.branch.evaluator)
+    }
+
     /// What the statement divides by, whatever the values of integers are, as far as no hypothesis says that it is not zero; `None` where a
     /// hypothesis is solved by dividing, or there is no formula for all integers.
-    pub(super) fn definedness(&self, statement: &core::Statement) -> Option<Vec<Polynomial>> {
+    pub(crate) fn definedness(&self, statement: &core::Statement) -> Option<Vec<Polynomial>> {
         let ground = self.ground(&Instance::new()).ok()?;
         let value = ground.branch.evaluator.truth(statement).ok()?;
-        let divisors = unrooted(&divisors(&value), &ground);
+        let written = self.term_divisors(statement, &ground);
+        let divisors = unrooted(&[divisors(&value), written].concat(), &ground);
         let is_whole = ground.branch.splits().is_empty();
         is_whole.then(|| open_conditions(divisors, &ground))
     }

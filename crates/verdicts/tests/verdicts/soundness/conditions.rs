@@ -304,3 +304,27 @@ fn an_angle_in_a_square_is_bounded() {
         assert!(found.replay().unwrap().is_whole(), "{states}");
     }
 }
+
+#[test]
+fn what_an_evaluation_does_not_need_has_to_be_defined_too() {
+    for (states, wanted) in [
+        ("abs(y/(a^2 - 2)) >= 0 or y > 1", "a^2 - 2 != 0"),
+        ("abs(abs(y/(a^2 - 2))) >= 0", "a^2 - 2 != 0"),
+        (
+            "abs(integral(x/(a - 3), x, 0, 1)) >= 0 or y > 0",
+            "a - 3 != 0",
+        ),
+        ("[1/a, 2][2] == 2", "a != 0"),
+        ("at(1, y, 1/a) == 1", "a != 0"),
+        ("transpose([[1/a, 2], [3, 4]])[1,2] == 3", "a != 0"),
+        ("[a, b][y/y] == a", "y != 0"),
+        ("sum(i, y/y, 2, a) == 2*a", "y != 0"),
+        ("sum(i, 1, m, 0/a) == 0", "a != 0"),
+        ("D(a^3, a, y/y) == 3*a^2", "y != 0"),
+        ("agrees(a/a, 1.0)", "a != 0"),
+        ("abs(sqrt(tan(a))) >= 0", "cos(a) != 0"),
+    ] {
+        let found = expect("unneeded", &format!("states = '{states}'"), Conditional);
+        assert_eq!(conditions(&found), [wanted], "{states}");
+    }
+}
