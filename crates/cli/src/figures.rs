@@ -31,13 +31,13 @@ pub fn read_fingerprints(folder: &Path) -> Fingerprints {
     serde_json::from_slice(&list).unwrap_or_default()
 }
 
-/// Writes the list of fingerprints; returns the name of the file.
-pub fn remember(folder: &Path, fingerprints: &Fingerprints) -> Result<&'static str, Failure> {
+/// Writes the list of fingerprints.
+pub fn remember(folder: &Path, fingerprints: &Fingerprints) -> Result<(), Failure> {
     let mut text =
         serde_json::to_string_pretty(fingerprints).map_err(torse_report::ReportError::from)?;
     text.push('\n');
     write_file(&folder.join(LIST), text.as_bytes())?;
-    Ok(LIST)
+    Ok(())
 }
 
 /// A figure of a derivation file with its formulas evaluated.
@@ -145,12 +145,12 @@ fn one(
 }
 
 /// Returns the names of a figure's files in its folder.
-pub fn files(name: &str) -> [String; 2] {
+fn files(name: &str) -> [String; 2] {
     [format!("{name}.png"), format!("{name}.svg")]
 }
 
 /// Returns the name of the CAD file of a figure with a developable surface.
-pub fn cad_file(name: &str) -> String {
+fn cad_file(name: &str) -> String {
     format!("{name}.step")
 }
 

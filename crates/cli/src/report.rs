@@ -6,7 +6,7 @@ use crate::exit::{Exit, Failure};
 use crate::figures::{Evaluated, FOLDER as FIGURES};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
-use crate::terminal::Progress;
+use crate::terminal::{Progress, counted};
 use crate::{documents, erratum, figures, terminal, watchdog};
 use clap::Args;
 use rayon::prelude::*;
@@ -18,17 +18,18 @@ use torse_report::{
     Envelope, FigureImage, Manuscript, Source, gallery, html_page, landing_page, verdict_lines,
     verdicts_json_with_kernel,
 };
+use torse_syntax::derivation::Paper;
 use torse_syntax::derivation::schema::is_plain;
 use torse_verdicts::outcome::PaperOutcome;
 
-/// Decide all claims, draw the figures, and write reports into a folder.
+/// Decide the claims, draw the figures, and write reports into a folder.
 ///
 /// torse writes `verdicts.json`, `verdicts.csv` (a line for each claim) and `summary.pdf` for all papers; `PAPER.pdf`,
 /// `PAPER.html` and a letter of corrections (`PAPER-erratum.tex`, `.pdf`, `.md`) for each paper; `index.html`, which
 /// links to them; the figures as PNG and SVG (developable surfaces also as STEP) in `figures/`, and `gallery.md`, which
-/// shows all of them. If you name papers, only their reports and figures are written, without `index.html` and
-/// `gallery.md`; verdicts and summary are always about all papers. If a derivation file is wrong, nothing is written.
-/// All claims are decided anew; figures and PDFs that did not change are reused. The same input gives the same bytes.
+/// shows all of them. If you name papers, only their claims are decided, and only their reports, letters and figures are
+/// written. If a derivation file is wrong, nothing is written. Claims are decided anew; figures and PDFs that did not
+/// change are reused. The same input gives the same bytes.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Report {
@@ -63,6 +64,9 @@ impl Report {
         for paper in &papers {
             check_slug(&paper.head.id)?;
         }
+        let papers: Vec<Paper> = (papers.into_iter())
+            .filter(|paper| self.wants(&paper.head.id))
+            .collect();
         let mut run = Run::new(&papers, self.budget, &mut mistakes);
         run.restore(&papers, self.budget, &mut mistakes);
         let evaluated = figures::evaluated(&papers, &mut mistakes);
@@ -72,15 +76,13 @@ impl Report {
             return Ok(mistakes.tell(Exit::BadData));
         }
         let wanted: Vec<(&[Evaluated], &PaperOutcome)> = (evaluated.iter().zip(&run.papers))
-            .filter(|(_, outcome)| self.wants(&outcome.slug))
             .map(|(figures, outcome)| (figures.as_slice(), outcome))
             .collect();
         let pictures: usize = wanted.iter().map(|(figures, _)| figures.len()).sum();
         let progress = Progress::new("reporting", pictures + 5 * wanted.len() + 3);
-        let mut written = Vec::new();
         // The statements for the kernel are written one after the other: beside the figures they take no time of their own.
         let (figures, accepted) = rayon::join(
-            || self.figures(&wanted, &progress, &mut written),
+            || self.figures(&wanted, &progress),
             || self.kernel.accepted(&papers, &run),
         );
         let figures = figures?;
@@ -102,8 +104,9 @@ impl Report {
         let documents = self.documents(&run, &reports, &shown, &accepted);
         let names = documents::write(&self.out, &documents, &progress)?;
         progress.finish();
-        written.extend(names.iter().map(|name| self.line(name)));
-        terminal::print(&written.concat())?;
+        let lines: Vec<String> = names.iter().map(|name| self.line(name)).collect();
+        let ending = self.ending(&reports, &figures);
+        terminal::print(&(lines.concat() + &ending))?;
         Ok(Exit::from_outcomes(run.outcomes(), &[]))
     }
 
@@ -116,7 +119,6 @@ impl Report {
         &self,
         wanted: &[(&[Evaluated], &PaperOutcome)],
         progress: &Progress,
-        written: &mut Vec<String>,
     ) -> Result<Vec<Vec<FigureImage>>, Failure> {
         let folder = self.out.join(FIGURES);
         let mut fingerprints = figures::read_fingerprints(&folder);
@@ -125,18 +127,13 @@ impl Report {
             let shown = figures::shown(figures, &folder, &fingerprints, progress)?;
             let mut images = Vec::new();
             for figure in shown {
-                let name = &figure.image.name;
-                let cad = figure.image.step.iter().map(|_| figures::cad_file(name));
-                let files = figures::files(name).into_iter().chain(cad);
-                written.extend(files.map(|file| self.line(format!("{FIGURES}/{file}"))));
-                fingerprints.insert(name.clone(), figure.fingerprint);
+                fingerprints.insert(figure.image.name.clone(), figure.fingerprint);
                 images.push(figure.image);
             }
             all.push(images);
         }
         if all.iter().any(|images| !images.is_empty()) {
-            let list = figures::remember(&folder, &fingerprints)?;
-            written.push(self.line(format!("{FIGURES}/{list}")));
+            figures::remember(&folder, &fingerprints)?;
         }
         Ok(all)
     }
@@ -167,18 +164,18 @@ impl Report {
                 }));
             }
         }
-        documents.push(Document::new("summary.pdf", || {
-            Manuscript::summary(reports).map(Made::Manuscript)
-        }));
-        documents.push(Document::new("verdicts.json", || {
-            let text = verdicts_json_with_kernel(run.outcomes(), accepted)?;
-            Ok(Made::Bytes(text.into_bytes()))
-        }));
-        documents.push(Document::new("verdicts.csv", || {
-            let text = verdict_lines(run.outcomes(), accepted)?;
-            Ok(Made::Bytes(text.into_bytes()))
-        }));
         if self.papers.is_empty() {
+            documents.push(Document::new("summary.pdf", || {
+                Manuscript::summary(reports).map(Made::Manuscript)
+            }));
+            documents.push(Document::new("verdicts.json", || {
+                let text = verdicts_json_with_kernel(run.outcomes(), accepted)?;
+                Ok(Made::Bytes(text.into_bytes()))
+            }));
+            documents.push(Document::new("verdicts.csv", || {
+                let text = verdict_lines(run.outcomes(), accepted)?;
+                Ok(Made::Bytes(text.into_bytes()))
+            }));
             documents.push(Document::new("gallery.md", || {
                 Ok(Made::Bytes(gallery(shown)?.into_bytes()))
             }));
@@ -187,6 +184,30 @@ impl Report {
             }));
         }
         documents
+    }
+
+    /// Counts what was written besides the documents, and says where to begin to read.
+    fn ending(&self, reports: &[Model], figures: &[Vec<FigureImage>]) -> String {
+        let first = match (self.papers.as_slice(), reports) {
+            ([], _) => "index.html".to_owned(),
+            (_, [report, ..]) => format!("{}.html", report.slug),
+            (_, []) => return String::new(),
+        };
+        let figures: usize = figures.iter().map(Vec::len).sum();
+        let drawn = match figures {
+            0 => String::new(),
+            _ => format!(
+                " and {} in {}",
+                counted(figures, "figure"),
+                self.out.join(FIGURES).display()
+            ),
+        };
+        let reports = counted(reports.len(), "report");
+        let first = self.out.join(first);
+        format!(
+            "\n{reports}{drawn}\nNext: open {} in a browser\n",
+            first.display()
+        )
     }
 
     /// Returns the line for a written file.

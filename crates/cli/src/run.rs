@@ -114,6 +114,9 @@ impl Watcher {
             }
             Event::ClaimBegins { id, .. } => {
                 watchdog::begin(id);
+                if let Some(progress) = &watched.progress {
+                    progress.doing(id);
+                }
                 watched.begun.insert(id.to_owned(), Instant::now());
             }
             Event::ClaimEnds { id, .. } => {

@@ -112,6 +112,17 @@ pub fn verdict(of: Verdict) -> String {
     glossary::verdict(of).label.style(style).to_string()
 }
 
+pub fn counted(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        // The first word is the noun: "remarks of ours".
+        _ => match what.split_once(' ') {
+            Some((word, rest)) => format!("{count} {word}s {rest}"),
+            None => format!("{count} {what}s"),
+        },
+    }
+}
+
 /// A heading.
 pub fn heading(text: &str) -> String {
     text.bold().to_string()
@@ -124,7 +135,9 @@ impl Progress {
     /// Starts a bar for `steps` steps.
     pub fn new(what: &'static str, steps: usize) -> Self {
         let bar = ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::hidden());
-        if let Ok(style) = ProgressStyle::with_template("{prefix} {bar:40} {pos}/{len} {msg}") {
+        if let Ok(style) =
+            ProgressStyle::with_template("{prefix} {bar:30} {pos}/{len}  {elapsed}  {msg}")
+        {
             bar.set_style(style);
         }
         bar.set_prefix(what);

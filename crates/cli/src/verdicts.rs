@@ -1,6 +1,6 @@
 //! The verdicts as text: a table for each paper, the findings in full, and a summary.
 
-use crate::terminal;
+use crate::terminal::{self, counted};
 use comfy_table::{CellAlignment, ColumnConstraint, Row};
 use std::collections::BTreeMap;
 use torse_report::{Tally, findings_in_words, glossary, is_worked_example};
@@ -195,16 +195,5 @@ pub fn unexpected<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
             "\n{many} verdicts are not the expected ones\n{}",
             differing.concat()
         ),
-    }
-}
-
-fn counted(count: usize, what: &str) -> String {
-    match count {
-        1 => format!("1 {what}"),
-        // The first word is the noun: "remarks of ours".
-        _ => match what.split_once(' ') {
-            Some((word, rest)) => format!("{count} {word}s {rest}"),
-            None => format!("{count} {what}s"),
-        },
     }
 }

@@ -130,7 +130,12 @@ fn unknown(papers: &[Paper], name: &str) -> Error {
     let suggestion = nearest.filter(|known| is_slip(known, name));
     let help = match suggestion {
         Some(known) => format!("did you mean `{known}`?"),
-        None => format!("the papers are {}", slugs(papers)),
+        None => match name.split_once('/') {
+            Some((slug, _)) if paper(papers, slug).is_ok() => {
+                format!("`torse list {slug}` shows the claims of this paper")
+            }
+            _ => format!("the papers are {}", slugs(papers)),
+        },
     };
     Error::UnknownName {
         name: name.to_owned(),

@@ -104,7 +104,15 @@ fn figures_belong_to_their_papers_and_come_as_pixels_and_as_drawings() {
         );
         assert_eq!(ran.code, Some(0), "{}", ran.err);
         let mut files = files(out.path());
-        assert_eq!(ran.out.lines().count(), files.len());
+        for name in files.keys().filter(|name| !name.starts_with("figures/")) {
+            assert!(ran.out.contains(name), "{name}: {}", ran.out);
+        }
+        let figures = files.keys().filter(|name| name.ends_with(".svg")).count();
+        assert!(
+            figures == 0 || ran.out.contains(&format!(" and {figures} figure")),
+            "{}",
+            ran.out
+        );
         files.retain(|name, _| name.starts_with("figures/") && !name.ends_with(".json"));
         files
     };
@@ -278,6 +286,39 @@ fn a_folder_that_cannot_be_written_to_is_named() {
         ran.err.contains("cannot write") && ran.err.contains("occupied"),
         "{}",
         ran.err
+    );
+}
+
+#[test]
+fn a_report_of_one_paper_decides_that_paper_alone() {
+    let folder = mini(&claim("a", "x == x", "expect = 'false'\n"));
+    add_paper(
+        folder.path(),
+        "other",
+        &claim("a", "x == x", "").replace("mini/", "other/"),
+    );
+    let report = |papers: &[&str]| {
+        let out = TempDir::new().unwrap();
+        let path = out.path().to_str().unwrap();
+        let ran = on(
+            folder.path(),
+            &[&["report", "--out", path], papers].concat(),
+        );
+        (ran.code, files(out.path()).into_keys().collect::<Vec<_>>())
+    };
+    assert_eq!(report(&[]).0, Some(1));
+    let (code, names) = report(&["other"]);
+    assert_eq!(code, Some(0));
+    let letters = ["other-erratum.md", "other-erratum.pdf", "other-erratum.tex"];
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    assert_eq!(
+        names,
+        [
+            &["documents.json"],
+            &letters[..],
+            &["other.html", "other.pdf"]
+        ]
+        .concat()
     );
 }
 
