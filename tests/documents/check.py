@@ -26,7 +26,7 @@ NAMED = "sum, binom, factorial, sqrt, sin and cos"
 FILL = 0.6
 
 # Millimetres of an A4 page: margins at the sides, above and below the text.
-PAGE, SIDE, TOP, BOTTOM = (210, 297), 24, 25, 23
+PAGE, SIDE, TOP, BOTTOM = (210, 297), 20, 19, 17
 
 # Headings of this many points begin a section; claims have smaller ones.
 HEADING = 11

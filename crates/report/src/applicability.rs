@@ -27,6 +27,16 @@ pub enum Answer {
 }
 
 impl Answer {
+    /// All answers, best first.
+    pub const ALL: [Self; 6] = [
+        Self::AsPrinted,
+        Self::UnderCondition,
+        Self::InOneReading,
+        Self::Corrected,
+        Self::Not,
+        Self::Open,
+    ];
+
     /// Returns the answer in words.
     #[must_use]
     pub const fn label(self) -> &'static str {

@@ -125,7 +125,7 @@ pub(crate) fn corrections(
             why: (claim.claim.author_note.is_some() || claim.correction().is_some())
                 .then(|| sentence::failure(claim))
                 .flatten()
-                .map(|text| prose(&text)),
+                .map(|text| prose(&sentence::capital(&text))),
             why_in_full: sentence::failure_in_full(claim).map(|text| prose(&text)),
             garbled: claim.claim.garbled.as_deref().map(prose),
             level: glossary::level(claim, accepted.contains(&claim.claim.id)),

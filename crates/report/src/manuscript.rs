@@ -3,6 +3,7 @@
 //! Setting pages is most of the work of a report. A [`Manuscript`] contains everything that determines them: the
 //! templates, the data and the pictures. Its fingerprint shows whether setting it again would give the same document.
 
+use crate::applicability::Answer;
 use crate::glossary::{self, EVIDENCE, RULES, Rule, Term, VERDICTS};
 use crate::letter::Envelope;
 use crate::model::{Report, figure_file};
@@ -13,7 +14,7 @@ use serde_json::Value;
 use torse_designs::bench::{BenchSheet, TiledPart};
 
 /// Increase it whenever the same manuscript is set or written in another way, so that every fingerprint changes.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 
 const TEMPLATES: [(&str, &str); 5] = [
     (
@@ -222,6 +223,14 @@ struct Glossary {
     evidence: Vec<Term>,
     levels: [Term; 3],
     rules: [Rule; 7],
+    answers: [AnswerView; 6],
+}
+
+/// An answer to whether a construction can be used, and its words.
+#[derive(Serialize)]
+struct AnswerView {
+    key: Answer,
+    label: &'static str,
 }
 
 impl Glossary {
@@ -231,6 +240,10 @@ impl Glossary {
             evidence: EVIDENCE.into_iter().map(glossary::evidence).collect(),
             levels: [glossary::KERNEL, glossary::NETTED, glossary::DECIDED],
             rules: RULES,
+            answers: Answer::ALL.map(|key| AnswerView {
+                key,
+                label: key.label(),
+            }),
         }
     }
 }

@@ -5,6 +5,7 @@
 //! around them are removed from strings; no output reads strings as markup.
 
 mod build;
+mod recurring;
 
 #[cfg(feature = "pdf")]
 pub(crate) use build::figure_file;
@@ -18,6 +19,7 @@ use crate::source::Source;
 use crate::summary_page::Short;
 use crate::tally::Tally;
 pub use crate::view::{CorrectionView, FormulaView};
+pub use recurring::ProofStep;
 use serde::Serialize;
 use torse_typography::Prose;
 
@@ -52,10 +54,27 @@ pub struct Report {
     pub sections: Vec<Section>,
     /// The pictures.
     pub figures: Vec<FigureView>,
+    /// Whether the documents about all papers lie beside this one: the first page, the gallery, the verdicts.
+    pub has_neighbours: bool,
+    /// The figure that stands for the paper where there is room for one.
+    pub picture: Option<Picture>,
     /// Positions of the pictures that illustrate no claim of this paper.
     pub further_figures: Vec<usize>,
     /// Definitions that statements share.
     pub notation: Vec<Prose>,
+    /// The sources of hypotheses, to which claims refer by number.
+    pub sources: Vec<Prose>,
+    /// Steps of proofs that many claims share, to which they refer by number.
+    pub recurring_steps: Vec<Prose>,
+}
+
+/// A figure in a file beside the report.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Picture {
+    /// The path of the file.
+    pub file: String,
+    /// A description in words.
+    pub alt: String,
 }
 
 /// The claims of one section of the paper.
@@ -104,6 +123,8 @@ pub struct ClaimView {
     pub garbled: Option<Prose>,
     /// The dependencies of the statement, in small print.
     pub rests: Vec<RestsView>,
+    /// The numbers of the sources of its hypotheses.
+    pub sources: Vec<usize>,
     /// The readings of a sentence that has more than one.
     pub readings: Vec<ReadingView>,
     /// Extra conditions.
@@ -122,6 +143,8 @@ pub struct ClaimView {
     pub denied: Option<Prose>,
     /// The steps of the decision; equal ones in a row are counted.
     pub steps: Vec<Prose>,
+    /// The same steps, each once: those that recur in the report by number.
+    pub proof: Vec<ProofStep>,
     /// Anything a reader should know.
     pub note: Option<Prose>,
     /// The claims that it uses.
@@ -161,6 +184,8 @@ pub struct ReadingView {
     pub fails_at: Option<Prose>,
     /// The dependencies, in small print.
     pub rests: Vec<RestsView>,
+    /// The numbers of the sources of its hypotheses.
+    pub sources: Vec<usize>,
 }
 
 /// Lines under one label, about the dependencies of a statement.

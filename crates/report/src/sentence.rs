@@ -98,7 +98,7 @@ fn sentence(text: &str) -> String {
 }
 
 /// Adds a capital letter, unless the first word is mathematics.
-fn capital(text: &str) -> String {
+pub(crate) fn capital(text: &str) -> String {
     let mut letters = text.chars();
     match letters.next() {
         Some(first)

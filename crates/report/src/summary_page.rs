@@ -257,9 +257,62 @@ fn counts(claims: &[Outcome]) -> String {
         "were not decided",
     );
     let total = glossary::plural(tally.total, "statement");
-    match parts.pop() {
+    let others = others(&tally);
+    let decided = match parts.pop() {
         None => format!("{total}; nothing was to be decided."),
         Some(only) if parts.is_empty() => format!("Of {total}, {only}."),
         Some(last) => format!("Of {total}, {} and {last}.", parts.join(", ")),
+    };
+    format!("{decided}{others}")
+}
+
+/// Counts the statements with any other verdict, so that the numbers add up.
+fn others(tally: &Tally) -> String {
+    const WORDS: [(Verdict, &str, &str); 6] = [
+        (Verdict::Definition, "definition", "definitions"),
+        (
+            Verdict::Reproduced,
+            "figure that the printed data give",
+            "figures that the printed data give",
+        ),
+        (
+            Verdict::Partial,
+            "figure that needs further data",
+            "figures that need further data",
+        ),
+        (
+            Verdict::Underspecified,
+            "without the data that a decision needs",
+            "without the data that a decision needs",
+        ),
+        (
+            Verdict::Vacuous,
+            "with hypotheses that exclude each other",
+            "with hypotheses that exclude each other",
+        ),
+        (
+            Verdict::OutOfScope,
+            "that no computation can decide",
+            "that no computation can decide",
+        ),
+    ];
+    let mut sum = 0;
+    let mut parts: Vec<String> = Vec::new();
+    for (verdict, one, many) in WORDS {
+        let key = glossary::verdict(verdict).key;
+        let rows = tally.rows.iter().filter(|row| row.verdict.key == key);
+        let count = rows.map(|row| row.count).sum::<usize>();
+        sum += count;
+        match count {
+            0 => {}
+            1 => parts.push(format!("1 {one}")),
+            _ => parts.push(format!("{count} {many}")),
+        }
+    }
+    match (sum, parts.pop()) {
+        (_, None) => String::new(),
+        (1, Some(only)) => format!(" One more: {only}."),
+        (_, Some(only)) if parts.is_empty() => format!(" The others: {only}."),
+        (_, Some(last)) => format!(" The other {sum}: {} and {last}.", parts.join(", ")),
     }
 }

@@ -1,8 +1,9 @@
 //! Builds the document model from outcomes.
 
+use super::recurring::{Entries, proof, shared_steps};
 use super::{
-    ClaimView, ConsequenceView, FigureView, FormulaView, ReadingView, Reference, Report, RestsView,
-    Section, Side, WitnessView,
+    ClaimView, ConsequenceView, FigureView, FormulaView, Picture, ReadingView, Reference, Report,
+    RestsView, Section, Side, WitnessView,
 };
 use crate::dependencies::{concerns, describe_source};
 use crate::glossary;
@@ -18,8 +19,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use torse_prove::Witness;
 use torse_syntax::notation::Formula;
 use torse_syntax::taxonomy::{Kind, Verdict};
-use torse_typography::{PrintedNames, Prose, plain, spans};
-use torse_verdicts::claim_record::Role;
+use torse_typography::{PrintedNames, Prose, Span, plain, spans};
+use torse_verdicts::claim_record::{Assumed, HypothesisSource, Role};
 use torse_verdicts::consequences::consequences;
 use torse_verdicts::dependencies::Defined;
 use torse_verdicts::outcome::ReadingOutcome;
@@ -41,9 +42,19 @@ impl Report {
         accepted: &BTreeSet<String>,
     ) -> Self {
         let builder = Builder::new(paper, figures);
+        let steps: Vec<Vec<String>> = paper.claims.iter().map(Outcome::steps).collect();
+        let shared = shared_steps(steps.iter().map(Vec::as_slice));
+        let (mut sources, mut recurring) = (Entries::default(), Entries::default());
         let mut sections: Vec<Section> = Vec::new();
         for (position, outcome) in paper.claims.iter().enumerate() {
-            let claim = builder.claim(position, outcome, accepted);
+            let mut claim = builder.claim(position, outcome, accepted);
+            claim.sources = numbers(&claim.rests, &mut sources);
+            for reading in &mut claim.readings {
+                reading.sources = numbers(&reading.rests, &mut sources);
+            }
+            let own = steps.get(position).map_or(&[][..], Vec::as_slice);
+            let own = own_steps(own, outcome);
+            claim.proof = proof(&own, &shared, &mut recurring, &printed_names(outcome));
             let title = section_title(&claim.at);
             match sections.iter_mut().find(|section| section.title == title) {
                 Some(section) => section.claims.push(claim),
@@ -77,8 +88,12 @@ impl Report {
                 .count(),
             sections,
             figures: builder.figure_views(),
+            has_neighbours: true,
+            picture: picture(figures),
             further_figures: builder.further_figures(),
             notation: notation(&paper.claims),
+            sources: sources.into_list(),
+            recurring_steps: recurring.into_list(),
         }
     }
 
@@ -119,6 +134,17 @@ fn figure_view(position: usize, image: &FigureImage, number: String) -> FigureVi
         assumes: image.assumes.iter().map(prose).collect(),
         stand_in: image.stand_in.iter().map(prose).collect(),
     }
+}
+
+/// Chooses the figure that stands for a paper: one that unrolls, or one that moves, or the first.
+fn picture(figures: &[FigureImage]) -> Option<Picture> {
+    let unrolls = figures.iter().find(|figure| figure.torse.is_some());
+    let moves = || figures.iter().find(|figure| figure.interactive.is_some());
+    let figure = unrolls.or_else(moves).or_else(|| figures.first())?;
+    Some(Picture {
+        file: format!("figures/{}.{}", figure.name, figure.image.extension()),
+        alt: visible(&figure.alt),
+    })
 }
 
 struct Builder<'a> {
@@ -180,6 +206,7 @@ impl<'a> Builder<'a> {
             finding: option(outcome.claim.author_note.as_deref()),
             garbled: option(outcome.claim.garbled.as_deref()),
             rests: views(outcome, &names),
+            sources: Vec::new(),
             readings: outcome.readings().iter().map(reading).collect(),
             conditions: conditions(outcome.conditions(), &names),
             correction: outcome
@@ -199,6 +226,7 @@ impl<'a> Builder<'a> {
                 .iter()
                 .map(|step| prose(step.strip_suffix('.').unwrap_or(step)))
                 .collect(),
+            proof: Vec::new(),
             note: option(outcome.claim.note.as_deref()),
             uses: outcome
                 .claim
@@ -315,6 +343,28 @@ fn assumed(outcome: &Outcome, names: &PrintedNames) -> Vec<FormulaView> {
     assumed.map(|h| formula(&h.formula, names)).collect()
 }
 
+/// The label of the sources of hypotheses.
+const SOURCE: &str = "source";
+
+/// Returns the numbers of the sources among the dependencies of a statement.
+fn numbers(rests: &[RestsView], entries: &mut Entries) -> Vec<usize> {
+    let sources = rests.iter().filter(|group| group.label == SOURCE);
+    let mut numbers: Vec<usize> = Vec::new();
+    for line in sources.flat_map(|group| &group.lines) {
+        let number = entries.number(line.clone());
+        if !numbers.contains(&number) {
+            numbers.push(number);
+        }
+    }
+    numbers
+}
+
+/// Leaves out the steps that repeat what is shown of each reading.
+fn own_steps<'s>(steps: &'s [String], outcome: &Outcome) -> Vec<&'s String> {
+    let repeats = |step: &&String| !outcome.readings().is_empty() && step.starts_with("read as ");
+    steps.iter().filter(|step| !repeats(step)).collect()
+}
+
 /// Writes the dependencies of a statement, in small print. Definitions that it shares with others are in the notation
 /// of the report.
 fn views(outcome: &Outcome, names: &PrintedNames) -> Vec<RestsView> {
@@ -338,15 +388,25 @@ fn views(outcome: &Outcome, names: &PrintedNames) -> Vec<RestsView> {
         ),
         ("with", own.map(|of| defined(of, names)).collect()),
         (
-            "source",
-            hypotheses
-                .filter_map(|h| Some(prose(&describe_source(h, &|code| format!("`{code}`"))?)))
-                .collect::<Vec<Prose>>(),
+            SOURCE,
+            hypotheses.filter_map(|h| source(h, names)).collect(),
         ),
     ];
     let groups = groups.into_iter();
     let groups = groups.map(|(label, lines)| RestsView { label, lines });
     groups.filter(|group| !group.lines.is_empty()).collect()
+}
+
+/// Writes the source of a hypothesis; the claim that it names is no formula.
+fn source(hypothesis: &Assumed, names: &PrintedNames) -> Option<Prose> {
+    let text = describe_source(hypothesis, &|code| format!("`{code}`"))?;
+    let HypothesisSource::Printed { claim, .. } = &hypothesis.from else {
+        return Some(spans(&visible(&text), names));
+    };
+    let words = text.strip_suffix(&format!("({claim})")).unwrap_or(&text);
+    let mut prose = spans(&visible(words), names);
+    prose.push(Span::Code(visible(name(claim))));
+    Some(prose)
 }
 
 /// Writes a definition as an equation.
@@ -359,12 +419,22 @@ fn defined(of: &Defined, names: &PrintedNames) -> Prose {
 fn notation(claims: &[Outcome]) -> Vec<Prose> {
     let mut seen = BTreeSet::new();
     let mut list = Vec::new();
+    let users = users(claims);
     for outcome in claims {
         let names = printed_names(outcome);
         let table = &outcome.claim.table;
         for of in table.definitions.iter().filter(|of| !of.own) {
             if seen.insert((of.head.text.clone(), of.body.text.clone())) {
-                list.push(defined(of, &names));
+                let mut line = defined(of, &names);
+                let bodies = users.get(of.head.text.as_str());
+                // What is defined in several ways says where.
+                if let Some(bodies) = bodies.filter(|bodies| bodies.len() > 1) {
+                    let using = bodies.get(of.body.text.as_str()).into_iter().flatten();
+                    let using: Vec<&str> = using.copied().collect();
+                    line.push(Span::Words(" in ".to_owned()));
+                    line.push(Span::Code(visible(&using.join(", "))));
+                }
+                list.push(line);
             }
         }
         for family in &table.bases {
@@ -392,6 +462,19 @@ fn notation(claims: &[Outcome]) -> Vec<Prose> {
     list
 }
 
+/// For each defined name, the names of the claims that use it, by its definitions.
+fn users(claims: &[Outcome]) -> BTreeMap<&str, BTreeMap<&str, Vec<&str>>> {
+    let mut users: BTreeMap<&str, BTreeMap<&str, Vec<&str>>> = BTreeMap::new();
+    for outcome in claims {
+        for of in outcome.claim.table.definitions.iter().filter(|of| !of.own) {
+            let bodies = users.entry(&of.head.text).or_default();
+            let using = bodies.entry(&of.body.text).or_default();
+            using.push(name(&outcome.claim.id));
+        }
+    }
+    users
+}
+
 fn reading(reading: &ReadingOutcome) -> ReadingView {
     let of = &reading.outcome;
     let names = printed_names(of);
@@ -405,6 +488,7 @@ fn reading(reading: &ReadingOutcome) -> ReadingView {
         conditions: conditions(of.conditions(), &names),
         fails_at: sentence::failure(of).map(|text| spans(&visible(&text), &names)),
         rests: views(of, &names),
+        sources: Vec::new(),
     }
 }
 

@@ -122,7 +122,7 @@ fn the_first_page_tells_what_most_rests_on_first_and_what_can_be_used() {
     );
     assert_eq!(
         report.short.counts,
-        "Of 14 statements, 3 hold as printed, one holds under a condition that is not printed, one is false and has a small correction that is proved, one is false and 2 were not decided."
+        "Of 14 statements, 3 hold as printed, one holds under a condition that is not printed, one is false and has a small correction that is proved, one is false and 2 were not decided. The other 6: 1 definition, 1 figure that the printed data give, 1 figure that needs further data, 1 without the data that a decision needs, 1 with hypotheses that exclude each other and 1 that no computation can decide."
     );
     let answers: Vec<(&str, Answer)> = (report.constructions.iter())
         .map(|of| (of.name.as_str(), of.answer))
