@@ -46,7 +46,7 @@ addEventListener("load", async () => {
     const opened = shown()[0], details = opened.querySelector("details");
     details.open = true;
     for (let tries = 0; details.dataset.inside && tries < 20; tries += 1) await frame();
-    const within = details.querySelector("dl + dl").innerHTML.replace(/<[^>]*>/g, " ").trim().split(/\s+/).slice(-3).join(" ");
+    const within = details.querySelector("dl").innerHTML.replace(/<[^>]*>/g, " ").trim().split(/\s+/).slice(-3).join(" ");
     const search = document.getElementById("search");
     search.value = opened.querySelector("h3").textContent;
     search.dispatchEvent(new Event("input"));
@@ -69,7 +69,7 @@ addEventListener("load", async () => {
     await frame();
     await frame();
     seen.under = document.getElementById("tools").getBoundingClientRect().bottom - middle.querySelector("h3").getBoundingClientRect().top;
-    seen.opened = last.querySelector("details").open && Boolean(last.querySelector("dl + dl"));
+    seen.opened = last.querySelector("details").open && Boolean(last.querySelector("dl"));
     const cut = (box) => box.scrollWidth - box.clientWidth;
     // A fraction that is wider than the window is scrolled; everything else is broken.
     const piece = (box) => [...box.children].some((part) => part.getBoundingClientRect().width + 26 > box.clientWidth);

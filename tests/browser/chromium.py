@@ -70,6 +70,8 @@ def run(browser, page, width, last, scheme="light", first=FIRST):
     if not has_script(text):
         text = POLICY.sub("", text)
     text = text.replace("<head>", "<head>" + first, 1)
+    # The copy lies elsewhere than the figures.
+    text = text.replace('src="figures/', f'src="{page.parent.resolve().as_uri()}/figures/')
     head, _, tail = text.rpartition("</body>")
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder) / "page.html"

@@ -99,7 +99,11 @@ impl Report {
                 Model::with_kernel(paper, figures, &accepted)
             })
             .zip(sources)
-            .map(|(report, source)| report.from_source(source))
+            .map(|(report, source)| {
+                let mut report = report.from_source(source);
+                report.has_neighbours = self.papers.is_empty();
+                report
+            })
             .collect();
         let documents = self.documents(&run, &reports, &shown, &accepted);
         let names = documents::write(&self.out, &documents, &progress)?;

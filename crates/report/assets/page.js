@@ -47,6 +47,27 @@
   const pressed = () => chips.filter((chip) => chip.getAttribute("aria-pressed") === "true").map((chip) => chip.value);
   const press = (chip, on) => chip.setAttribute("aria-pressed", String(on));
 
+  // Marks the words where they stand, as far as they are shown.
+  function mark(words) {
+    if (!globalThis.Highlight) return;
+    const ranges = [];
+    for (const claim of words.length ? visible() : []) {
+      const walker = document.createTreeWalker(claim, NodeFilter.SHOW_TEXT);
+      while (walker.nextNode()) {
+        const node = walker.currentNode, text = node.data.toLowerCase();
+        for (const word of words) {
+          for (let at = text.indexOf(word); at >= 0 && ranges.length < 2000; at = text.indexOf(word, at + word.length)) {
+            const range = new Range();
+            range.setStart(node, at);
+            range.setEnd(node, at + word.length);
+            ranges.push(range);
+          }
+        }
+      }
+    }
+    CSS.highlights.set("found", new Highlight(...ranges));
+  }
+
   function filter() {
     const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
     if (words.length) gather();
@@ -61,6 +82,7 @@
     const count = visible().length;
     byId("shown").textContent = `${count} of ${claims.length}`;
     byId("nothing").hidden = count > 0;
+    mark(words);
   }
 
   function remember() {

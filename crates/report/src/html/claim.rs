@@ -47,12 +47,20 @@ pub(super) fn write(
             term.key, term.label
         )?;
     }
+    write!(
+        out,
+        "</span><span class=\"statement\">{}</span>",
+        Sentence(&claim.printed)
+    )?;
+    let findings = page.report.findings.iter();
+    if let Some(finding) = { findings }.find(|finding| finding.anchor == claim.anchor) {
+        let text = Sentence(&finding.text);
+        write!(out, "<span class=\"finding\">{text}</span>")?;
+    }
     writeln!(
         out,
-        "</span></summary>\n<a class=\"permalink\" href=\"#{anchor}\" aria-label=\"Link to {}\">link</a>\n<dl>\n\
-         <dt>printed</dt><dd><blockquote class=\"printed\">{}</blockquote></dd>\n</dl></details></article>",
+        "</summary>\n<a class=\"permalink\" href=\"#{anchor}\" aria-label=\"Link to {}\">link</a></details></article>",
         Text(&claim.name),
-        Sentence(&claim.printed)
     )
 }
 

@@ -28,12 +28,17 @@ pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
             Code(&source.command)
         )?;
     }
+    let all = match report.has_neighbours {
+        true => {
+            ", <a href=\"verdicts.json\">verdicts for programs</a>, <a href=\"gallery.md\">all figures</a>"
+        }
+        false => "",
+    };
     writeln!(
         out,
         "<dt>reproduce</dt><dd>{}</dd>\n\
          <dt>beside this page</dt><dd><a href=\"{slug}.pdf\">the report as PDF</a>, the corrections as a letter \
-         (<a href=\"{slug}-erratum.pdf\">PDF</a>, <a href=\"{slug}-erratum.tex\">TeX</a>, <a href=\"{slug}-erratum.md\">Markdown</a>), \
-         <a href=\"verdicts.json\">verdicts for programs</a>, <a href=\"gallery.md\">all figures</a></dd>\n</dl>",
+         (<a href=\"{slug}-erratum.pdf\">PDF</a>, <a href=\"{slug}-erratum.tex\">TeX</a>, <a href=\"{slug}-erratum.md\">Markdown</a>){all}</dd>\n</dl>",
         Code(&format!("torse verify {}", report.slug))
     )
 }

@@ -31,7 +31,7 @@ fn write(out: &mut String, reports: &[Report]) -> fmt::Result {
         out,
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; font-src data:\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; font-src data:; img-src 'self' file:\">\n\
          <title>What holds in these papers</title>\n<style>\n{}</style>\n</head>\n<body>\n\
          <header class=\"masthead\">\n<p class=\"kicker\">Verification reports</p>\n<h1>What holds in these papers</h1>\n\
          <p>The statements of these papers were checked by exact computation. A report says which of them hold, what the others should say, \
@@ -59,11 +59,12 @@ fn card(out: &mut String, report: &Report) -> fmt::Result {
     write!(
         out,
         "<section class=\"card\" id=\"{slug}\"><h2><a href=\"{slug}.html\">{}</a></h2>\n<p class=\"meta\">{} · <em>{}</em>{}</p>\n\
-         <p><strong>{}</strong> {}</p>\n<ol>",
+         {}<p><strong>{}</strong> {}</p>\n<ol>",
         Text(&report.title),
         Text(&report.authors),
         Text(&report.venue),
         doi(report),
+        picture(report),
         usable(report),
         Text(&report.short.counts)
     )?;
@@ -101,6 +102,14 @@ fn card(out: &mut String, report: &Report) -> fmt::Result {
     }
     out.push_str("</section>\n");
     Ok(())
+}
+
+/// Shows a figure of the paper, from the folder of figures beside the page.
+fn picture(report: &Report) -> String {
+    report.picture.as_ref().map_or_else(String::new, |picture| {
+        let (slug, file, alt) = (Text(&report.slug), Text(&picture.file), Text(&picture.alt));
+        format!("<a class=\"picture\" href=\"{slug}.html#moving\"><img src=\"{file}\" alt=\"{alt}\" loading=\"lazy\"></a>\n")
+    })
 }
 
 /// Says whether the paper can be used, in a sentence.

@@ -31,6 +31,21 @@ const STYLE: &str = include_str!("../../assets/page.css");
 /// Letters and signs of New Computer Modern Math, so that brackets grow and primes are placed correctly on every
 /// machine: made with `pyftsubset --layout-features=ssty,dtls` and renamed, as its licence (GUST) asks.
 const FONT: &[u8] = include_bytes!("../../assets/math.woff2");
+/// The letters of the text, of Libertinus Serif, with style and weight.
+const LETTERS: [(&[u8], &str); 3] = [
+    (
+        include_bytes!("../../assets/fonts/text-regular.woff2"),
+        "font-weight: 400",
+    ),
+    (
+        include_bytes!("../../assets/fonts/text-italic.woff2"),
+        "font-style: italic; font-weight: 400",
+    ),
+    (
+        include_bytes!("../../assets/fonts/text-bold.woff2"),
+        "font-weight: 700",
+    ),
+];
 const SCRIPT: &str = include_str!("../../assets/page.js");
 
 /// Writes the report of one paper as one HTML file, with its pictures inside.
@@ -62,11 +77,18 @@ pub fn html_page(report: &Report, figures: &[FigureImage]) -> Result<String, Rep
     Ok(html)
 }
 
-/// Returns the style of a page, with the font of its formulas inside.
+/// Returns the style of a page, with the fonts of its text and its formulas inside.
 fn style() -> String {
-    let font = base64::encode(FONT);
+    let letters = LETTERS.map(|(font, style)| face("torse text", font, style));
+    let formulas = face("torse math", FONT, "font-weight: 400");
+    format!("{}{formulas}{STYLE}", letters.concat())
+}
+
+/// Returns a rule that makes a font known.
+fn face(family: &str, font: &[u8], style: &str) -> String {
+    let font = base64::encode(font);
     format!(
-        "@font-face {{ font-family: \"torse math\"; src: url(data:font/woff2;base64,{font}) format(\"woff2\"); }}\n{STYLE}"
+        "@font-face {{ font-family: \"{family}\"; {style}; src: url(data:font/woff2;base64,{font}) format(\"woff2\"); }}\n"
     )
 }
 
@@ -137,14 +159,16 @@ impl Page<'_> {
              <title>Verification report: {title}</title>\n<style>\n{}</style>\n</head>\n<body>\n\
              <a class=\"skip\" href=\"#claims\">Skip to the claims</a>\n\
              <header class=\"masthead\">\n<p class=\"kicker\">Verification report</p>\n<h1>{title}</h1>\n\
-             <p class=\"meta\">{}</p>\n<p class=\"meta\"><em>{}</em>{}</p>\n</header>\n<main>\n",
+             <p class=\"meta\">{}</p>\n<p class=\"meta\"><em>{}</em>{}</p>\n",
             style(),
             Text(&self.report.authors),
             Text(&self.report.venue),
             text::doi(self.report),
         )?;
+        overview::write_head(out, self.report)?;
+        out.push_str("</header>\n<main>\n");
         out.push_str(&self.letters);
-        overview::write(out, self.report)?;
+        overview::write(out, self.report, &self.moving())?;
         graph::write(out, self.report)?;
         out.push_str("<h2 id=\"every-claim\">Every claim</h2>\n<noscript><p>Without the script, claims show only the printed text. The PDF beside this page has everything: formulas, proofs, figures and consequences.</p></noscript>\n");
         self.tools(out)?;
@@ -171,6 +195,13 @@ impl Page<'_> {
         colophon::write(out, self.report)?;
         out.push_str("</main>\n");
         Ok(())
+    }
+
+    /// The positions of the figures that can be moved.
+    fn moving(&self) -> Vec<usize> {
+        let pictures = self.pictures.iter().enumerate();
+        let moving = pictures.filter(|(_, of)| of.torse.is_some() || of.moving.is_some());
+        moving.map(|(position, _)| position).collect()
     }
 
     /// The meanings of the words of claims and figures, once for the page.

@@ -13,12 +13,41 @@ use crate::model::Report;
 use std::fmt::{self, Write};
 use torse_typography::Prose;
 
-/// Writes the summary, whether the paper can be used, and the corrections.
-pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
+/// Writes the other forms of the report, how many statements have which verdict, and the parts of the page.
+pub(super) fn write_head(out: &mut String, report: &Report) -> fmt::Result {
+    let slug = Text(&report.slug);
+    let all = match report.has_neighbours {
+        true => {
+            " · <a href=\"verdicts.json\">verdicts for programs</a> · <a href=\"index.html\">all papers</a>"
+        }
+        false => "",
+    };
+    writeln!(
+        out,
+        "<p class=\"meta\"><a href=\"{slug}.pdf\">PDF</a> · <a href=\"{slug}-erratum.pdf\">letter of corrections</a> · \
+         <a href=\"#colophon\">sources</a>{all}</p>"
+    )?;
+    bar(out, &report.tally)?;
+    out.push_str("<p class=\"legend\">");
+    for row in &report.tally.rows {
+        write!(out, "<span>{} {}</span> ", badge(row.verdict), row.count)?;
+    }
     out.push_str(
-        "<nav class=\"depths\" aria-label=\"Parts\"><a href=\"#in-short\">In short</a> <a href=\"#corrections\">Corrections</a> \
-         <a href=\"#every-claim\">Every claim</a> <a href=\"#words\">What the words mean</a></nav>\n",
+        "</p>\n<nav class=\"depths\" aria-label=\"Parts\"><a href=\"#in-short\">In short</a> ",
     );
+    if !report.constructions.is_empty() {
+        out.push_str("<a href=\"#usable\">Can I use this paper?</a> ");
+    }
+    out.push_str(
+        "<a href=\"#corrections\">Corrections</a> <a href=\"#every-claim\">Every claim</a> \
+         <a href=\"#words\">What the words mean</a></nav>\n",
+    );
+    Ok(())
+}
+
+/// Writes the summary, whether the paper can be used, and the corrections; `moving` are the positions of the figures
+/// that can be moved.
+pub(super) fn write(out: &mut String, report: &Report, moving: &[usize]) -> fmt::Result {
     if report.unexpected > 0 {
         writeln!(
             out,
@@ -27,6 +56,7 @@ pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
         )?;
     }
     in_short(out, report)?;
+    interactive(out, report, moving)?;
     usable(out, &report.constructions)?;
     corrections(out, &report.corrections)?;
     let others: Vec<&Finding> = (report.findings.iter())
@@ -87,28 +117,42 @@ fn in_short(out: &mut String, report: &Report) -> fmt::Result {
     Ok(())
 }
 
+/// Links to the figures that can be moved, which stand inside of claims.
+fn interactive(out: &mut String, report: &Report, moving: &[usize]) -> fmt::Result {
+    if moving.is_empty() {
+        return Ok(());
+    }
+    out.push_str("<p id=\"moving\"><strong>Interactive figures</strong>, to turn, to change by sliders, and to unroll where the surface is developable: ");
+    let figures = moving
+        .iter()
+        .filter_map(|position| report.figures.get(*position));
+    for (number, figure) in figures.enumerate() {
+        let comma = if number > 0 { ", " } else { "" };
+        write!(
+            out,
+            "{comma}<a href=\"#{}\">{}</a>",
+            figure.anchor,
+            Text(&figure.number)
+        )?;
+    }
+    out.push_str(".</p>\n");
+    Ok(())
+}
+
 fn usable(out: &mut String, constructions: &[Construction]) -> fmt::Result {
-    const ANSWERS: [Answer; 6] = [
-        Answer::AsPrinted,
-        Answer::UnderCondition,
-        Answer::InOneReading,
-        Answer::Corrected,
-        Answer::Not,
-        Answer::Open,
-    ];
     if constructions.is_empty() {
         return Ok(());
     }
     out.push_str("<h2 id=\"usable\">Can I use this paper?</h2>\n<table class=\"usable\"><tbody>\n");
-    for answer in ANSWERS {
+    for answer in Answer::ALL {
         let group: Vec<&Construction> = constructions
             .iter()
             .filter(|of| of.answer == answer)
             .collect();
-        if group.is_empty() {
-            continue;
-        }
         write!(out, "<tr><th scope=\"row\">{}</th><td>", answer.label())?;
+        if group.is_empty() {
+            out.push_str("<span class=\"meta\">none</span>");
+        }
         for (number, of) in group.iter().enumerate() {
             let comma = if number > 0 { ", " } else { "" };
             write!(
@@ -223,7 +267,8 @@ fn findings(out: &mut String, findings: &[&Finding]) -> fmt::Result {
     Ok(())
 }
 
-fn tally(out: &mut String, tally: &Tally) -> fmt::Result {
+/// Writes a bar with a stretch for each verdict.
+fn bar(out: &mut String, tally: &Tally) -> fmt::Result {
     out.push_str("<div class=\"bar\" aria-hidden=\"true\">");
     for row in &tally.rows {
         write!(
@@ -232,7 +277,13 @@ fn tally(out: &mut String, tally: &Tally) -> fmt::Result {
             row.verdict.key, row.count
         )?;
     }
-    out.push_str("</div>\n<div class=\"scroll\" tabindex=\"0\"><table class=\"counts\">\n<thead><tr><th scope=\"col\">verdict</th>");
+    out.push_str("</div>\n");
+    Ok(())
+}
+
+fn tally(out: &mut String, tally: &Tally) -> fmt::Result {
+    bar(out, tally)?;
+    out.push_str("<div class=\"scroll\" tabindex=\"0\"><table class=\"counts\">\n<thead><tr><th scope=\"col\">verdict</th>");
     for term in &tally.evidence {
         write!(
             out,
