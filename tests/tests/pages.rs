@@ -65,22 +65,88 @@ fn links(page: &str) -> Vec<&str> {
         .collect()
 }
 
-#[test]
-fn every_link_of_the_readme_and_of_docs_leads_to_a_file() {
-    assert_eq!(
-        links("[a](b.md#c), ![d](e/f.png), [g](https://h)"),
-        ["b.md", "e/f.png"]
-    );
-    let docs = fs::read_dir(root().join("docs")).unwrap();
-    let docs = docs.map(|entry| entry.unwrap().path());
-    let pages: Vec<PathBuf> = docs.chain([root().join("README.md")]).collect();
-    assert!(pages.len() > 5, "{pages:?}");
-    for page in pages {
-        let text = fs::read_to_string(&page).unwrap();
-        let folder = page.parent().unwrap();
-        for link in links(&text) {
-            assert!(folder.join(link).exists(), "{}: {link}", page.display());
+/// The pages in Markdown: those of the root, of the folders of pages, and of each package.
+fn pages() -> Vec<PathBuf> {
+    let folders = [
+        "",
+        "docs",
+        "derivations",
+        "designs",
+        "proofs",
+        "python",
+        "reports",
+    ];
+    let packages = fs::read_dir(root().join("crates")).unwrap();
+    let packages = packages.map(|entry| entry.unwrap().path());
+    let folders = folders.iter().map(|folder| root().join(folder));
+    let files = folders
+        .chain(packages)
+        .filter_map(|folder| fs::read_dir(folder).ok());
+    let files = files.flatten().map(|entry| entry.unwrap().path());
+    let is_page = |file: &PathBuf| file.extension().is_some_and(|extension| extension == "md");
+    let mut pages: Vec<PathBuf> = files.filter(is_page).collect();
+    pages.sort();
+    pages
+}
+
+/// The page without its blocks of code.
+fn without_code(page: &str) -> String {
+    page.split("```").step_by(2).collect()
+}
+
+/// The fragments that lead to the headings of a page, as code hosts make them.
+fn fragments(page: &str) -> Vec<String> {
+    let page = without_code(page);
+    let headings = page.lines().filter(|line| line.starts_with('#'));
+    let fragment = |heading: &str| -> String {
+        let text = heading.trim_start_matches('#').trim().to_lowercase();
+        let kept = text
+            .chars()
+            .filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+        kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+    };
+    headings.map(fragment).collect()
+}
+
+/// The relative links of a page that lead to no file, or to no heading of it.
+fn dead(page: &Path) -> Vec<String> {
+    let text = fs::read_to_string(page).unwrap();
+    let text: String = without_code(&text).split('`').step_by(2).collect();
+    let targets = text.split("](").skip(1);
+    let targets = targets.filter_map(|rest| rest.split_once(')').map(|(target, _)| target));
+    let relative = targets.filter(|target| !target.contains("://") && !target.contains(' '));
+    let leads = |target: &&str| {
+        let (file, fragment) = target.split_once('#').unwrap_or((target, ""));
+        let file = match file {
+            "" => page.to_owned(),
+            _ => page.parent().unwrap().join(file),
+        };
+        match (file.extension(), fragment) {
+            (_, "") => file.exists(),
+            (Some(extension), _) if extension == "md" => fs::read_to_string(&file)
+                .is_ok_and(|text| fragments(&text).iter().any(|known| known == fragment)),
+            _ => file.exists(),
         }
+    };
+    let dead = relative.filter(|target| !leads(target));
+    dead.map(str::to_owned).collect()
+}
+
+#[test]
+fn every_link_of_every_page_leads_to_a_file_and_to_a_heading_of_it() {
+    assert_eq!(
+        fragments("# A b\n```\n# no\n```\n## C-d: `e`, f!"),
+        ["a-b", "c-d-e-f"]
+    );
+    let folder = tempfile::TempDir::new().unwrap();
+    let page = folder.path().join("page.md");
+    let text = "# A\n[a](#a) [b](#b) [c](page.md#a) [d](none.md) [e](https://e.org/x)";
+    fs::write(&page, text).unwrap();
+    assert_eq!(dead(&page), ["#b", "none.md"]);
+    let pages = pages();
+    assert!(pages.len() > 30, "{pages:?}");
+    for page in pages {
+        assert_eq!(dead(&page), [""; 0], "{}", page.display());
     }
 }
 
@@ -95,20 +161,18 @@ fn ruled_out(glossary: &str) -> Vec<&str> {
 }
 
 #[test]
-fn the_readme_and_docs_use_the_words_of_the_glossary() {
+fn every_page_uses_the_words_of_the_glossary() {
     let glossary = fs::read_to_string(root().join("docs/glossary.md")).unwrap();
     let words = ruled_out(&glossary);
     assert!(words.len() > 3, "{words:?}");
-    let names = [
-        "README.md",
-        "docs/commands.md",
-        "docs/reports.md",
-        "docs/verdicts.md",
-    ];
-    for name in names {
-        let page = fs::read_to_string(root().join(name)).unwrap();
+    let own = ["CHANGELOG.md", "CHANGES.md", "glossary.md"];
+    let is_own = |page: &PathBuf| own.iter().any(|name| page.ends_with(name));
+    for page in pages().into_iter().filter(|page| !is_own(page)) {
+        let text = fs::read_to_string(&page).unwrap();
+        // Paths and names in code have words of their own.
+        let text: String = without_code(&text).split('`').step_by(2).collect();
         for word in &words {
-            assert!(!page.contains(word), "{name}: {word}");
+            assert!(!text.contains(word), "{}: {word}", page.display());
         }
     }
 }

@@ -70,7 +70,7 @@ Examples:
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse erratum gbt-surfaces             the corrections, ready to be sent
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
-  torse recheck                          every verdict again, by the semantics
+  torse recheck                          every verdict tested again, with more work
   torse prove --check                    proofs of the verdicts, checked by the Rocq kernel
   torse audit gbt-developable            signs that a statement is not what is printed
   torse new my-paper                     a folder that verifies, to begin from
@@ -90,7 +90,7 @@ Examples:
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse erratum gbt-surfaces             the corrections, ready to be sent
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
-  torse recheck                          every verdict again, by the semantics
+  torse recheck                          every verdict tested again, with more work
   torse prove --check                    proofs of the verdicts, checked by the Rocq kernel
   torse audit gbt-developable            signs that a statement is not what is printed
   torse new my-paper                     a folder that verifies, to begin from
@@ -99,16 +99,16 @@ Examples:
   torse lint part.dxf --thickness 2      would a cutting bureau take this drawing?
 
 Exit codes (if several apply, the first of this list):
-  6  two checks of a verdict contradict each other (prover, second evaluator, replay, kernel): the claim is
-     `undecided`, with \"internal contradiction\"
+  6  two checks of a verdict contradict each other (prover, second evaluator, replay, kernel): the
+     claim is `undecided`, with \"internal contradiction\"
   2  the command line is wrong: an unknown name, a missing folder
-  4  a derivation or design file is wrong: all mistakes are shown with file, line and column, and the claims
-     without a mistake are decided all the same
+  4  a derivation or design file is wrong: all mistakes are shown with file, line and column, and
+     the claims without a mistake are decided all the same
   5  an output could not be made or written
   8  the time limit (`--time-limit SECONDS`) ended the run, without verdicts
   7  a required program is missing (coqc)
-  1  a verdict differs from its derivation file or from an earlier run; a flag of the audit is open; a design
-     misses a tolerance; a drawing breaks a rule
+  1  a verdict differs from its derivation file or from an earlier run; a flag of the audit is open;
+     a design misses a tolerance; a drawing breaks a rule
   3  a claim named by its full id is undecided
   0  every verdict is as expected, or nothing was expected
 

@@ -88,3 +88,79 @@ fn page_letter_and_landing_page_say_what_they_were_made_from() {
 fn the_page_has_the_same_bytes_on_every_run() {
     assert!(*HTML == page(&paper::sample(), &paper::figures()).unwrap());
 }
+
+/// The words of a page, without its tags, its style, its scripts and its formulas.
+fn words(page: &str) -> String {
+    let mut text = page.to_owned();
+    for hidden in ["style", "script", "math", "code"] {
+        let (open, close) = (format!("<{hidden}"), format!("</{hidden}>"));
+        let parts = text.split(&open).enumerate();
+        let shown = parts.map(|(number, part)| match number {
+            0 => part,
+            _ => part.split_once(&close).map_or("", |(_, after)| after),
+        });
+        text = shown.collect();
+    }
+    let shown = text
+        .split('<')
+        .map(|part| part.split_once('>').map_or(part, |(_, text)| text));
+    shown.collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn pages_and_letters_use_the_words_of_the_glossary() {
+    let glossary = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/glossary.md");
+    let glossary = std::fs::read_to_string(glossary).unwrap();
+    let cells = glossary
+        .lines()
+        .filter_map(|line| line.strip_suffix('|')?.rsplit('|').next());
+    let ruled_out: Vec<&str> = cells
+        .flat_map(|cell| cell.split('`').skip(1).step_by(2))
+        .collect();
+    assert!(ruled_out.len() > 6, "{ruled_out:?}");
+    let report = Report::new(&paper::sample(), &paper::figures());
+    let landing = landing_page(std::slice::from_ref(&report)).unwrap();
+    let letter = torse_report::erratum_markdown(&report, &torse_report::Envelope::default());
+    let scripts = concat!(env!("CARGO_MANIFEST_DIR"), "/assets");
+    let script = |name: &str| std::fs::read_to_string(format!("{scripts}/{name}")).unwrap();
+    let strings = script("moving.js") + &script("torse/torse.js");
+    for page in [words(&HTML), words(&landing), letter, strings] {
+        assert!(page.len() > 500, "{page}");
+        for word in &ruled_out {
+            assert!(!page.contains(word), "{word}");
+        }
+    }
+}
+
+#[test]
+fn the_page_shows_statement_and_finding_of_a_claim_in_the_list_and_leads_to_its_other_forms() {
+    let report = Report::new(&paper::sample(), &paper::figures());
+    let lists = HTML.split("<summary>").skip(1);
+    let lists: Vec<&str> = lists
+        .map(|rest| rest.split("</summary>").next().unwrap())
+        .collect();
+    let stated = lists
+        .iter()
+        .filter(|list| list.contains("class=\"statement\""))
+        .count();
+    assert_eq!(stated, report.claims().count());
+    let found = lists
+        .iter()
+        .filter(|list| list.contains("class=\"finding\""))
+        .count();
+    assert_eq!(found, report.findings.len());
+    let slug = &report.slug;
+    for file in [
+        format!("{slug}.pdf"),
+        format!("{slug}-erratum.pdf"),
+        "index.html".to_owned(),
+    ] {
+        assert!(HTML.contains(&format!("href=\"{file}\"")), "{file}");
+    }
+    let landing = landing_page(std::slice::from_ref(&report)).unwrap();
+    let picture = report.picture.unwrap().file;
+    assert!(
+        landing.contains(&format!("<img src=\"{picture}\"")),
+        "{picture}"
+    );
+}
