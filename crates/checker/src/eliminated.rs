@@ -341,7 +341,7 @@ impl Domain<'_> {
         Ok(power.quotient(polynomial).is_some())
     }
 
-    /// Whether a hypothesis alone, as a comparison or by its divisors, says that these polynomials are not all zero: one of them divides
+    /// Whether a sign, or a hypothesis alone, as a comparison or by its divisors, says that these polynomials are not all zero: one of them divides
     /// a power of something nonzero (a root is nonzero where its radicand is), or the hypothesis fails where those that
     /// are powers of symbols are zero: `y + z >= 1` where y and z are.
     pub(super) fn excludes_common_zero(
@@ -353,6 +353,18 @@ impl Domain<'_> {
         let unrooted = polynomials.iter().map(|p| self.unrooted(p, groups));
         let unrooted: Vec<Polynomial> = unrooted.collect::<Result<_, _>>()?;
         let zeros: Vec<&Symbol> = polynomials.iter().filter_map(|p| power_of(p)).collect();
+        // What is not zero by its sign, the radicand of a root above all.
+        let apart = self.apart.borrow();
+        let is_whole = groups == self.groups.len();
+        let by_sign = apart.factors.iter().filter(|_| is_whole);
+        for nonzero in self.nonzero.iter().chain(by_sign) {
+            for polynomial in &unrooted {
+                if self.divides_power(polynomial, nonzero)? {
+                    return Ok(true);
+                }
+            }
+        }
+        drop(apart);
         let there = |polynomial: &Polynomial| {
             zeros.iter().fold(polynomial.clone(), |rest, symbol| {
                 let mut powers = rest.coefficients_in(symbol).into_iter();

@@ -269,7 +269,12 @@ impl<'a> Decider<'a> {
             match ground.branch.evaluator.truth(&self.claim.statement) {
                 Ok(whole) => {
                     let mut divisors = divisors(&whole);
-                    divisors.extend(self.term_divisors(&self.claim.statement, &ground));
+                    // Nor does one at which a part of a hypothesis is.
+                    let hypotheses = self.claim.hypotheses.iter();
+                    let assumed = hypotheses.map(|hypothesis| &hypothesis.statement);
+                    for statement in assumed.chain([&self.claim.statement]) {
+                        divisors.extend(self.term_divisors(statement, &ground));
+                    }
                     let defined = index_ranges(&whole, &self.claim, &ground.branch.evaluator);
                     if !divisors.is_empty() || !defined.is_empty() {
                         ground.branch.domain.divisors = divisors;

@@ -387,6 +387,9 @@ fn moved(
     let mut found = candidates.into_iter().filter_map(|moved| {
         let equation = Node::Compare(moved.left.into(), vec![(Relation::Equal, moved.right)]);
         let expr = placed(&statement.expr, parent, Expr::made(equation));
+        if is_assumed(claim, &expr) {
+            return None;
+        }
         let conditions = provable(claim, statement, &expr)?;
         Some(Correction {
             statement: notation::formula(&expr),

@@ -322,9 +322,31 @@ fn what_an_evaluation_does_not_need_has_to_be_defined_too() {
         ("sum(i, 1, m, 0/a) == 0", "a != 0"),
         ("D(a^3, a, y/y) == 3*a^2", "y != 0"),
         ("agrees(a/a, 1.0)", "a != 0"),
+        ("sum(i, 0, m, B[i,m](1/y)) == 1", "y != 0"),
         ("abs(sqrt(tan(a))) >= 0", "cos(a) != 0"),
     ] {
         let found = expect("unneeded", &format!("states = '{states}'"), Conditional);
         assert_eq!(conditions(&found), [wanted], "{states}");
     }
+}
+
+#[test]
+fn a_root_that_is_not_zero_has_a_radicand_that_is_not() {
+    for (assumed, states) in [
+        ("sqrt(y) != 0", "y > 0"),
+        ("sqrt(y)*a != 0", "y > 0"),
+        ("1/sqrt(y) > 0", "y > 0"),
+        ("sqrt(y - 1) != 0", "(1/(y - 1))^2 > 0"),
+        ("a == a", "1/(sqrt(y^2 + 1)^2 + a^2) > 0"),
+    ] {
+        let lines = format!("assume = ['{assumed}']\nstates = '{states}'");
+        let found = expect("root", &lines, Holds);
+        assert!(found.replay().unwrap().is_whole(), "{assumed}");
+    }
+    let found = expect(
+        "halves",
+        "states = '1/sqrt(a) > a or 1/sqrt(a) <= a'",
+        Conditional,
+    );
+    assert_eq!(conditions(&found), ["a != 0"]);
 }
