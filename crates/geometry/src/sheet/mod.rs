@@ -13,6 +13,7 @@
 //! | a space curve | [`Rail::bezier`], [`Rail::gbt`], [`Rail::hermite`], [`Rail::weighted`] |
 //! | its box, its point nearest to another, its parts | [`Rail::bounding_box`], [`Rail::nearest`], [`Rail::split`] |
 //! | a developable between two free curves | [`Sheet::between`]; with fans from end to end [`Sheet::panels`] |
+//! | developable strips that cover a surface | [`StripCover`] |
 //! | the envelope of planes | [`Planes`], [`Sheet::envelope`], [`Sheet::tangent`] |
 //! | a Hermite patch between two planes | [`Sheet::cone`] |
 //! | the next piece of a chain | [`Joint`], [`Planes::next`], [`Rail::next`] |
@@ -99,6 +100,7 @@ mod panel;
 mod piecewise;
 mod planes;
 mod rail;
+mod strips;
 mod surface;
 mod swept;
 
@@ -113,6 +115,7 @@ pub use panel::{MAX_PANEL_SQUARES, Panel, PanelKind, PanelPiece, Panels};
 pub use piecewise::PiecewiseRail;
 pub use planes::{Joint, Planes};
 pub use rail::{Rail, RailCurve};
+pub use strips::{MAX_STRIPS, StripCover, StripDirection, StripError, SurfaceStrip};
 pub use surface::{Connected, Construction, Cut, MeasureBudget, Sheet};
 pub use swept::{ConePatch, CylinderPatch, SweptEdge};
 

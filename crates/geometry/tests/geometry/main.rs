@@ -9,6 +9,7 @@ mod agreement;
 mod batches;
 mod certified;
 mod connections;
+mod covers;
 mod constructions;
 mod developables;
 mod enclosures;

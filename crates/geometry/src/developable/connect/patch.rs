@@ -144,16 +144,31 @@ fn turns<S: Coordinate>(u: &S) -> GeometryError {
     }
 }
 
-impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Rails<f64> for ConnectingPatch<P, Q> {
-    fn rail_jets(&self, x: &f64, order: usize) -> Result<[[Jet<f64>; 3]; 2]> {
+impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> ConnectingPatch<P, Q> {
+    /// `u` and `w` at the parameter of the patch.
+    fn solved(&self, x: f64) -> (f64, Option<f64>) {
         let [from, to] = self.span();
         let u = from + (to - from) * x;
         let [[u0, w0], [u1, w1]] = self.around(u);
         let guess = w0 + (w1 - w0) * (u - u0) / (u1 - u0);
         let rails = (&self.first, &self.second);
-        let w =
-            solution_on_link(rails, u, guess, 2.0 * (u1 - u0) + 1e-6).ok_or_else(|| turns(&u))?;
-        self.series(&u, w, order)
+        (
+            u,
+            solution_on_link(rails, u, guess, 2.0 * (u1 - u0) + 1e-6),
+        )
+    }
+
+    /// The parameters of both curves for a ruling.
+    pub(crate) fn parameters_at(&self, x: f64) -> Option<[f64; 2]> {
+        let (u, w) = self.solved(x);
+        w.map(|w| [0.5 * (u - w), 0.5 * (u + w)])
+    }
+}
+
+impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Rails<f64> for ConnectingPatch<P, Q> {
+    fn rail_jets(&self, x: &f64, order: usize) -> Result<[[Jet<f64>; 3]; 2]> {
+        let (u, w) = self.solved(*x);
+        self.series(&u, w.ok_or_else(|| turns(&u))?, order)
     }
 
     /// The equation of the branch says just that.
@@ -312,6 +327,14 @@ impl<P: SpaceCurve<ChebyshevModel>, Q: SpaceCurve<ChebyshevModel>> ConnectingPat
             tube = 4.0 * off.max(tube);
         }
         None
+    }
+
+    /// The parameters of both curves for rulings of an interval.
+    pub(crate) fn parameters(&self, x: &ChebyshevModel) -> Option<[ChebyshevModel; 2]> {
+        let [from, to] = self.span().map(ChebyshevModel::exact);
+        let u = from + (to - from) * *x;
+        let w = self.modelled(&u)?;
+        Some([u - w, u + w].map(|sum| sum.times_two_to(-1)))
     }
 
     /// Whether the points of this antidiagonal within `tube` of `w` lie in the box of the link there.

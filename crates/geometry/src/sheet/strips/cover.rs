@@ -1,0 +1,221 @@
+//! Covers: how many strips, and where their edges are.
+
+use super::distance::StripDistance;
+use super::folds;
+use super::spacing::StripSpacing;
+use super::strip::{StripDirection, StripError, SurfaceStrip, Tensor};
+use crate::basis::Basis;
+use crate::error::GeometryError;
+use crate::sheet::{Panel, Panels, Rail, Sheet};
+use crate::surface::TensorSurface;
+use crate::vector::blended;
+
+/// The most strips of a cover.
+pub const MAX_STRIPS: usize = 256;
+/// How many numbers of strips are tried.
+const MAX_TRIALS: usize = 12;
+/// How often the curves are moved for one number of strips.
+const ROUNDS: usize = 3;
+/// Bounds count as equal if the largest is at most this multiple of their root mean square.
+const EQUAL: f64 = 1.05;
+
+/// Strips in a row that cover a surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StripCover {
+    /// The strips, by rising parameters. Neighbours share an edge.
+    pub strips: Vec<SurfaceStrip>,
+}
+
+impl StripCover {
+    /// The fewest strips of this family that are found to come within a distance: whole panels between curves of one
+    /// constant parameter, placed so that their bounds are about equal. With one strip less the bound was not met; that no other curves
+    /// or panels would do is not claimed.
+    ///
+    /// # Errors
+    /// [`StripError::Asymptotic`] where the curves have no rulings across, the other [`StripError`]s where panels or their
+    /// bounds are not found, [`GeometryError::OutOfRange`] for a distance that is not positive.
+    ///
+    /// ```
+    /// use torse_geometry::prelude::*;
+    /// use torse_geometry::{TensorSurface, basis::BasisShape};
+    /// // A dome over a square of 2 m.
+    /// let height = |k: usize| [0.0, 400.0, 0.0][k];
+    /// let net = (0..3).map(|k| (0..3).map(|l| {
+    ///     [1000.0 * k as f64, 1000.0 * l as f64, height(k) + height(l)]
+    /// }).collect()).collect();
+    /// let dome = TensorSurface::new(BasisShape::Bernstein, BasisShape::Bernstein, net)?;
+    /// let cover = StripCover::new(&dome, StripDirection::U, 15.0)?;
+    /// assert_eq!(cover.strips.len(), 3);
+    /// assert!(cover.strips.iter().all(|strip| strip.distance <= 15.0 && !strip.panel.pieces.is_empty()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(
+        surface: &Tensor,
+        along: StripDirection,
+        within: f64,
+    ) -> Result<Self, StripError> {
+        if !(within > 0.0 && within.is_finite()) {
+            return Err(GeometryError::OutOfRange {
+                name: "distance of strips",
+                value: within,
+                range: "(0, infinity)",
+            }
+            .into());
+        }
+        let turned = match along {
+            StripDirection::U => surface.clone(),
+            StripDirection::V => transposed(surface)?,
+        };
+        let cover = fewest(&turned, within);
+        cover.map_err(|error| match (along, error) {
+            (StripDirection::V, StripError::Asymptotic { at: [u, v], point }) => {
+                StripError::Asymptotic { at: [v, u], point }
+            }
+            (_, error) => error,
+        })
+    }
+
+    /// The largest bound.
+    #[must_use]
+    pub fn distance(&self) -> f64 {
+        let bounds = self.strips.iter().map(|strip| strip.distance);
+        bounds.fold(0.0, f64::max)
+    }
+
+    /// The least and the greatest angle, in radians, between the tangent planes of neighbours along the edge that they
+    /// share: of each pair in order, as samples show.
+    ///
+    /// # Errors
+    /// What the pieces refuse.
+    pub fn fold_angles(&self) -> Result<Vec<[f64; 2]>, GeometryError> {
+        let pairs = self.strips.windows(2);
+        let angles = pairs.map(|pair| folds::between(&pair[0], &pair[1]));
+        angles.collect()
+    }
+}
+
+/// The surface with its parameters exchanged.
+fn transposed(surface: &Tensor) -> Result<Tensor, GeometryError> {
+    let (u, v) = surface.bases();
+    let (_, n) = surface.degrees();
+    let column = |l: usize| surface.rows().filter_map(|row| row.get(l).copied()).collect();
+    TensorSurface::new(*v, *u, (0..=n).map(column).collect())
+}
+
+/// The curve of this `v`.
+fn curve(surface: &Tensor, v: f64) -> Result<Rail, GeometryError> {
+    let (shape, across) = surface.bases();
+    let (_, n) = surface.degrees();
+    let row = across.row(n, &v)?;
+    let points = surface.rows().map(|points| blended(&row, points));
+    Rail::new(*shape, &points.collect::<Result<Vec<_>, _>>()?)
+}
+
+/// The strips between the curves at these places.
+fn strips(surface: &Tensor, places: &[f64]) -> Result<Vec<SurfaceStrip>, StripError> {
+    let curves = places.iter().map(|v| curve(surface, *v));
+    let curves = curves.collect::<Result<Vec<_>, _>>()?;
+    let bounded = StripDistance::new(surface)?;
+    let pairs = curves.windows(2).zip(places.windows(2));
+    let strip = |(rails, range): (&[Rail], &[f64])| {
+        let range = [range[0], range[1]];
+        let found = Sheet::panels(&rails[0].clone().into(), &rails[1].clone().into())?;
+        let usable = |panel: &Panel| !panel.turned && !panel.closed && panel.folds == 0;
+        let panel = match found {
+            Panels::Found(panels) => panels.into_iter().find(usable),
+            Panels::None { .. } => return Err(StripError::NoPanel { range, proved: true }),
+            Panels::Undecided { .. } => None,
+        };
+        let missing = StripError::NoPanel { range, proved: false };
+        let panel = panel.ok_or(missing)?;
+        let distance = bounded.bound(range, &panel)?;
+        let distance = distance.ok_or(StripError::Unbounded { range })?;
+        Ok(SurfaceStrip {
+            range,
+            panel,
+            distance,
+        })
+    };
+    pairs.map(strip).collect()
+}
+
+/// The best of some placements of so many strips, and how many strips of equal bounds would do.
+fn placed(
+    surface: &Tensor,
+    spacing: &mut StripSpacing,
+    count: usize,
+    within: f64,
+) -> Result<(StripCover, f64), StripError> {
+    let mut best: Option<(StripCover, f64)> = None;
+    for _ in 0..ROUNDS {
+        let cover = StripCover {
+            strips: strips(surface, &spacing.places(count))?,
+        };
+        // Bounds grow with the square of the width.
+        let roots = cover.strips.iter().map(|s| (s.distance / within).sqrt());
+        let wanted: f64 = roots.sum();
+        #[allow(clippy::cast_precision_loss)]
+        let mean = wanted / count as f64;
+        let even = cover.distance() <= EQUAL * mean * mean * within;
+        spacing.correct(&cover.strips);
+        let better = |(known, _): &(StripCover, f64)| cover.distance() < known.distance();
+        if best.as_ref().is_none_or(better) {
+            best = Some((cover, wanted));
+        }
+        if even {
+            break;
+        }
+    }
+    best.ok_or(StripError::TooFar {
+        count,
+        distance: f64::INFINITY,
+        within,
+    })
+}
+
+/// The smallest number of strips that come within a distance, with one less that does not.
+fn fewest(surface: &Tensor, within: f64) -> Result<StripCover, StripError> {
+    let mut spacing = StripSpacing::new(surface)?;
+    let mut count = spacing.count(within).clamp(1, MAX_STRIPS);
+    // All numbers up to this one fail.
+    let mut failing = 0;
+    let mut found: Option<StripCover> = None;
+    let mut last = StripError::TooFar {
+        count,
+        distance: f64::INFINITY,
+        within,
+    };
+    for _ in 0..MAX_TRIALS {
+        let most = found.as_ref().map_or(MAX_STRIPS, |c| c.strips.len() - 1);
+        if failing >= most {
+            break;
+        }
+        count = count.clamp(failing + 1, most);
+        match placed(surface, &mut spacing, count, within) {
+            Ok((cover, _)) if cover.distance() <= within => {
+                found = Some(cover);
+                count -= 1;
+            }
+            Ok((cover, wanted)) => {
+                failing = count;
+                let distance = cover.distance();
+                last = StripError::TooFar {
+                    count,
+                    distance,
+                    within,
+                };
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+                let next = wanted.min(1e6).ceil() as usize;
+                count = next.max(count + 1);
+            }
+            // Narrower strips may have panels.
+            Err(error @ (StripError::NoPanel { .. } | StripError::Unbounded { .. })) => {
+                failing = count;
+                last = error;
+                count += count / 2 + 1;
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    found.ok_or(last)
+}
