@@ -2,6 +2,7 @@
 
 use crate::DesignUnit;
 use crate::bending::Bending;
+use crate::covers::SurfaceCover;
 use crate::seams::{PatchEdge, Seam};
 use torse_geometry::basis::BasisShape;
 use torse_geometry::pattern::BendingSheet as Metal;
@@ -37,6 +38,8 @@ pub struct Design {
     pub notes: Vec<String>,
     /// Surfaces that are not unrolled, in the order of the file.
     pub surfaces: Vec<FreeSurface>,
+    /// The surfaces that strips cover, in the order of the file.
+    pub covers: Vec<SurfaceCover>,
 }
 
 /// Sheet metal, or what else is bent.

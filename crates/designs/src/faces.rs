@@ -51,6 +51,7 @@ pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, Design
             imported.kind, imported.unit
         )],
         surfaces: Vec::new(),
+        covers: Vec::new(),
         seams: Vec::new(),
     };
     let mut left_out = Vec::new();

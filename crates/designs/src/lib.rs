@@ -41,6 +41,7 @@
 pub mod audit;
 pub mod bench;
 mod bending;
+mod covers;
 mod design;
 pub mod draw;
 mod error;
@@ -60,6 +61,7 @@ mod unit;
 pub mod unroll;
 
 pub use bending::{Bending, DesignedSurface, NeutralLine};
+pub use covers::{CoveringStrip, SurfaceCover};
 pub use design::{
     Chain, ChainLayout, Design, DesignPiece, DesignView, Mark, Material, Patch, PatchEnds,
     Smoothness, Tolerances,

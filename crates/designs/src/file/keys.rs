@@ -104,6 +104,7 @@ pub const PATCH: &[&str] = &[
     "cone",
     "hermite",
     "continues",
+    "strips",
     "between",
     "range",
     "direction",
@@ -134,6 +135,8 @@ pub const HERMITE: &[&str] = &[
     "tension",
     "as-printed",
 ];
+/// Strips that cover a surface.
+pub const STRIPS: &[&str] = &["surface", "along", "within"];
 /// A mark.
 pub const MARK: &[&str] = &["line", "hole", "text", "at", "radius", "height", "angle"];
 /// `[chains.NAME]`.
@@ -162,6 +165,7 @@ pub const ALL: &[KeySection] = &[
     ("family", FAMILY),
     ("patch", PATCH),
     ("hermite", HERMITE),
+    ("strips", STRIPS),
     ("mark", MARK),
     ("chain", CHAIN),
     ("surface", SURFACE),

@@ -1,7 +1,7 @@
 //! Reading design files.
 //!
 //! The format is described in `designs/README.md` and `designs/schema.json`. Sections are read in the order points,
-//! planes, curves, families, patches, chains, seams, surfaces, entries in the order of the file; an entry refers to what stands above it.
+//! planes, curves, families, surfaces, patches, chains, seams, entries in the order of the file; an entry refers to what stands above it.
 //! What is wrong is kept with its place, and what leans on it is passed over in silence, so that one run shows all
 //! mistakes of a file, each once.
 
@@ -24,9 +24,10 @@ mod shapes;
 mod splines;
 mod surfaces;
 
-use crate::design::Design;
+use crate::design::{Design, FreeSurface};
 use crate::error::DesignError;
 use imports::{Files, Imports};
+use patches::ReadPatches;
 use reader::{Named, Reader, Value, ordered};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -57,6 +58,7 @@ struct Parts {
     planes: Named<[f64; 4]>,
     curves: Named<PiecewiseRail>,
     families: Named<Planes>,
+    surfaces: Named<FreeSurface>,
 }
 
 /// Reads a design file, or the faces of a file of another program, of which each with rulings between two edges is a patch.
@@ -342,10 +344,15 @@ fn sections(
     let section = take("curves");
     parts.curves = curves::curves(reader, section, &parts.points, &parts.planes, &mut imports);
     parts.families = planes::families(reader, take("families"), &parts.planes);
-    let (patches, groups) = patches::patches(reader, take("patches"), &parts);
+    parts.surfaces = surfaces::surfaces(reader, take("surfaces"), &parts);
+    let ReadPatches {
+        patches,
+        groups,
+        covers,
+    } = patches::patches(reader, take("patches"), &parts);
     let chains = chains::chains(reader, take("chains"), &patches, &groups);
     let seams = seams::seams(reader, take("seams"), &patches, &groups);
-    let surfaces = surfaces::surfaces(reader, take("surfaces"), &parts);
+    let surfaces = parts.surfaces;
     if patches.is_empty() && surfaces.is_empty() {
         let end = reader.source().text.len();
         let help = "a patch stands under `[patches.NAME]`, a surface under `[surfaces.NAME]`";
@@ -369,6 +376,7 @@ fn sections(
         seams,
         notes: imports.notes,
         surfaces: surfaces.into_iter().filter_map(|(_, one)| one).collect(),
+        covers,
     })
 }
 

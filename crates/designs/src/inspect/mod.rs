@@ -22,6 +22,7 @@ pub(crate) use text::columns;
 pub(crate) use text::wrapped;
 pub use text::{missed_line, overview, table};
 
+use crate::covers::SurfaceCover;
 use crate::design::{Chain, Design, Patch};
 use crate::error::DesignError;
 use crate::unroll::Demand;
@@ -57,6 +58,9 @@ pub struct DesignReport {
     pub missed: Vec<String>,
     /// The surfaces in the order of the file.
     pub surfaces: Vec<SurfaceReport>,
+    /// The surfaces that strips cover, in the order of the file; not in JSON where there is none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub covers: Vec<SurfaceCover>,
     /// The files that curves were taken from, with their units, in words.
     pub notes: Vec<String>,
 }
@@ -311,6 +315,7 @@ fn inspected(
     let surfaces = surfaces.collect::<Result<Vec<_>, _>>()?;
     Ok(DesignReport {
         surfaces,
+        covers: design.covers.clone(),
         design: design.name.clone(),
         title: design.title.clone(),
         unit: "mm",

@@ -4,6 +4,7 @@ use super::numbers::{at_most, number};
 use super::{
     Assurance, DesignReport, JointReport, PatchReport, SeamReport, SurfaceReport, ValueBounds,
 };
+use crate::covers::{CoveringStrip, SurfaceCover};
 
 /// The widest line.
 const WIDTH: usize = 100;
@@ -64,6 +65,10 @@ pub fn table(report: &DesignReport) -> String {
         ];
         let rows = report.surfaces.iter().map(surface);
         text.push_str(&columns(&heads, &rows.collect::<Vec<_>>()));
+    }
+    for cover in &report.covers {
+        text.push('\n');
+        text.push_str(&strips(cover));
     }
     let noted = report.patches.iter().filter(|p| !p.notes.is_empty());
     for patch in noted {
@@ -176,6 +181,39 @@ fn surface(surface: &SurfaceReport) -> Vec<String> {
         surface.radius.map_or("-".to_owned(), number),
         number(surface.area),
     ]
+}
+
+/// The strips of a cover.
+fn strips(cover: &SurfaceCover) -> String {
+    let across = if cover.along == "u" { "v" } else { "u" };
+    let row = |strip: &CoveringStrip| {
+        vec![
+            shortened(&strip.name),
+            format!("{} to {}", number(strip.range[0]), number(strip.range[1])),
+            format!("at most {}", at_most(strip.distance)),
+            strip.fold.map_or("-".to_owned(), |[least, most]| {
+                format!("{}° to {}°", number(least), number(most))
+            }),
+        ]
+    };
+    let edges = format!("{across} of edges");
+    let heads = ["strip", edges.as_str(), "from surface", "fold to next"];
+    let rows = cover.strips.iter().map(row);
+    let mut text = columns(&heads, &rows.collect::<Vec<_>>());
+    let fewer = if cover.fewest {
+        "with one less along these curves no cover was found"
+    } else {
+        "whether fewer would do was not tried"
+    };
+    let note = format!(
+        "{} strips along {} cover `{}` within {} mm, proved both ways; {fewer}. Fold angles are measured",
+        cover.strips.len(),
+        cover.along,
+        cover.surface,
+        number(cover.within)
+    );
+    text.push_str(&wrapped(&format!("{}: ", cover.name), &note));
+    text
 }
 
 fn joint(joint: &JointReport) -> Vec<String> {

@@ -10,6 +10,7 @@
 mod bench;
 mod blanks;
 mod connect;
+mod covers;
 mod ends;
 mod faces;
 mod hostile;

@@ -38,17 +38,41 @@ fn dome() -> Free {
 /// Half of a hull: stations along x, from the keel up to the sheer, fuller amidships.
 fn hull() -> Free {
     net(&[
-        &[[0., 0., 60.], [0., 220., 120.], [-40., 420., 420.], [-80., 520., 760.]],
-        &[[1300., 0., -40.], [1300., 560., -20.], [1300., 820., 340.], [1300., 900., 700.]],
-        &[[2700., 0., -60.], [2700., 540., -30.], [2700., 860., 330.], [2700., 940., 690.]],
-        &[[4000., 0., 80.], [4000., 160., 170.], [4060., 330., 450.], [4120., 400., 780.]],
+        &[
+            [0., 0., 60.],
+            [0., 220., 120.],
+            [-40., 420., 420.],
+            [-80., 520., 760.],
+        ],
+        &[
+            [1300., 0., -40.],
+            [1300., 560., -20.],
+            [1300., 820., 340.],
+            [1300., 900., 700.],
+        ],
+        &[
+            [2700., 0., -60.],
+            [2700., 540., -30.],
+            [2700., 860., 330.],
+            [2700., 940., 690.],
+        ],
+        &[
+            [4000., 0., 80.],
+            [4000., 160., 170.],
+            [4060., 330., 450.],
+            [4120., 400., 780.],
+        ],
     ])
 }
 
 /// The distance of a point from a surface: Newton's method for the foot from the nearest place of a grid, kept in the square.
 fn distance(surface: &Free, point: &Point, grid: &[([f64; 2], Point)]) -> f64 {
     let far = |p: &Point| norm(&sub(p, point));
-    let mut best = grid.iter().min_by(|a, b| far(&a.1).total_cmp(&far(&b.1))).unwrap().0;
+    let mut best = grid
+        .iter()
+        .min_by(|a, b| far(&a.1).total_cmp(&far(&b.1)))
+        .unwrap()
+        .0;
     let mut least = far(&surface.point(&best[0], &best[1]).unwrap());
     for _ in 0..12 {
         let p = surface.partials(&best[0], &best[1], 1).unwrap();
@@ -92,18 +116,137 @@ fn sampled(surface: &Free, strip: &SurfaceStrip) -> f64 {
     worst
 }
 
+/// The distance of a point from a strip: from the nearest ruling, which is searched for along each piece.
+fn from_strip(strip: &SurfaceStrip, point: &Point) -> f64 {
+    let mut least = f64::INFINITY;
+    for piece in &strip.panel.pieces {
+        let far = |x: f64| {
+            let [p, q] = piece.sheet.ruling(x.clamp(0.0, 1.0)).unwrap();
+            let (ruling, away) = (sub(&q, &p), sub(point, &p));
+            let share = (dot(&away, &ruling) / dot(&ruling, &ruling)).clamp(0.0, 1.0);
+            let foot: Point = std::array::from_fn(|k| p[k] + share * ruling[k]);
+            norm(&sub(point, &foot))
+        };
+        let start = (0..=24).map(|k| f64::from(k) / 24.0);
+        let mut best = start.min_by(|a, b| far(*a).total_cmp(&far(*b))).unwrap();
+        let mut step = 1.0 / 24.0;
+        while step > 1e-6 {
+            let beside = [best - step, best, best + step].map(|x| x.clamp(0.0, 1.0));
+            let next = beside
+                .into_iter()
+                .min_by(|a, b| far(*a).total_cmp(&far(*b)));
+            let next = next.unwrap();
+            if next == best {
+                step *= 0.5;
+            }
+            best = next;
+        }
+        least = least.min(far(best));
+    }
+    least
+}
+
 #[test]
-fn the_bounds_of_strips_hold_and_are_near_what_samples_show() {
-    for (name, surface, within) in [("dome", dome(), 10.0), ("hull", hull(), 5.0)] {
-        let start = std::time::Instant::now();
+fn the_bounds_of_strips_hold_both_ways_and_are_near_what_samples_show() {
+    let cases = [("dome", dome(), 10.0), ("hull", hull(), 6.0)];
+    for (name, surface, within) in cases {
         let cover = StripCover::new(&surface, StripDirection::U, within).unwrap();
-        eprintln!("{name}: {} strips, {:?}", cover.strips.len(), start.elapsed());
+        eprintln!("{name} {}", cover.strips.len());
+        let mut largest = 0.0_f64;
         for strip in &cover.strips {
-            let kinds: Vec<_> = strip.panel.pieces.iter().map(|p| p.kind).collect();
             let measured = sampled(&surface, strip);
-            eprintln!("{:?} {} {measured} {kinds:?}", strip.range, strip.distance);
+            let back = grid(&surface, strip.range);
+            let back = back
+                .iter()
+                .step_by(7)
+                .map(|(_, point)| from_strip(strip, point));
+            let back = back.fold(0.0, f64::max);
+            eprintln!(
+                "{name} {:?} {} {measured} {back}",
+                strip.range, strip.distance
+            );
+            assert!(measured <= strip.distance && back <= strip.distance * (1.0 + 1e-9));
+            assert!(strip.distance <= 2.0 * measured, "{name}");
+            largest = largest.max(strip.distance);
         }
         eprintln!("{:?}", cover.fold_angles().unwrap());
+        assert!(largest <= within && largest == cover.distance());
+        let least = cover
+            .strips
+            .iter()
+            .map(|s| s.distance)
+            .fold(f64::INFINITY, f64::min);
+        assert!(least > 0.7 * largest, "bounds are about equal");
+        // One strip less would be too far: distances grow with the square of the width.
+        let count = f64::from(u32::try_from(cover.strips.len()).unwrap());
+        assert!(
+            largest * (count / (count - 1.0)).powi(2) > 0.9 * within,
+            "{name}"
+        );
     }
-    panic!();
+}
+
+#[test]
+fn there_are_no_strips_along_asymptotic_curves_and_the_place_is_told() {
+    // z = x y/1000: both families of parameter lines are straight.
+    let at = |k: usize| [0.0, 500.0, 1000.0][k];
+    let row = |k: usize| {
+        [0, 1, 2]
+            .map(|l| [at(k), at(l), at(k) * at(l) / 1000.0])
+            .to_vec()
+    };
+    let rows: Vec<Vec<Point>> = (0..3).map(row).collect();
+    let saddle = net(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>());
+    for along in [StripDirection::U, StripDirection::V] {
+        let refused = StripCover::new(&saddle, along, 5.0).unwrap_err();
+        assert!(
+            matches!(refused, StripError::Asymptotic { .. }),
+            "{refused}"
+        );
+    }
+    // A cubic wave: its curves along u bend the other way beyond the middle.
+    let wave = heights(
+        900.0,
+        [
+            [0.0; 4],
+            [200.0, 260.0, 260.0, 200.0],
+            [-200.0, -140.0, -140.0, -200.0],
+            [0.0; 4],
+        ],
+    );
+    let refused = StripCover::new(&wave, StripDirection::U, 5.0).unwrap_err();
+    let StripError::Asymptotic { at: [u, v], point } = refused else {
+        panic!("{refused}");
+    };
+    let forms = wave.forms(&u, &v).unwrap();
+    let scale = norm(&forms.normal);
+    assert!(forms.second[0].abs() < 1e-6 * scale && (0.2..0.8).contains(&u));
+    assert_eq!(point, wave.point(&u, &v).unwrap());
+}
+
+#[test]
+fn a_saddle_is_covered_along_its_lines_of_curvature() {
+    // z = (x^2 - y^2)/4000 over a square of 2 m.
+    let bow = |k: usize| [250.0, -250.0, 250.0][k];
+    let at = |k: usize| [-1000.0, 0.0, 1000.0][k];
+    let row = |k: usize| [0, 1, 2].map(|l| [at(k), at(l), bow(k) - bow(l)]).to_vec();
+    let rows: Vec<Vec<Point>> = (0..3).map(row).collect();
+    let saddle = net(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>());
+    let cover = StripCover::new(&saddle, StripDirection::U, 20.0).unwrap();
+    // All curves are the same parabola, moved: each strip is a cylinder between them, and the distance that of a parabola from its
+    // chord, upright (2000/N)^2/2000/8 and less across.
+    assert_eq!(cover.strips.len(), 4);
+    for strip in &cover.strips {
+        let exact = (500.0_f64).powi(2) / 2000.0 / 8.0;
+        eprintln!("{} {exact}", strip.distance);
+        assert!(strip.distance >= 0.9 * exact && strip.distance <= 1.01 * exact);
+        assert!(sampled(&saddle, strip) <= strip.distance * (1.0 + 1e-9));
+    }
+    for [least, greatest] in cover.fold_angles().unwrap() {
+        // Steepest where the curves are level: chords turn by 500/2000.
+        assert!(
+            least > 0.1 && greatest < 0.25 && greatest > 0.2,
+            "{least} {greatest}"
+        );
+    }
 }

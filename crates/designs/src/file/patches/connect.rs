@@ -95,6 +95,7 @@ pub(super) fn assembled(
         closed: several && panel.closed,
         continuity: (panel.folds == 0).then_some(Smoothness::G1),
         cut: None,
+        cover: None,
     })
 }
 
@@ -121,7 +122,7 @@ fn summary(panel: &Panel, number: usize, count: usize) -> String {
 }
 
 /// What part of the curves a piece of a panel takes.
-fn extent(piece: &PanelPiece) -> String {
+pub(super) fn extent(piece: &PanelPiece) -> String {
     let [[s0, s1], [t0, t1]] = piece.ranges;
     match piece.kind {
         PanelKind::Arc => {

@@ -5,12 +5,14 @@ mod family;
 mod hermite;
 mod marks;
 mod raw;
+mod strips;
 mod sweep;
 
 use super::edges;
 use super::pieces::{Cells, distributed};
 use super::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
 use super::{Parts, keys, named};
+use crate::covers::SurfaceCover;
 use crate::design::{Patch, Smoothness};
 use connect::{assembled, connected, is_whole, paneled};
 use family::{continuation, cutting, developable};
@@ -18,11 +20,12 @@ use hermite::hermite;
 use marks::marks;
 use raw::{MadePatches, Raw, trimmed};
 use std::ops::Range;
+use strips::covered;
 use sweep::{CONE, CYLINDER, swept};
 use torse_geometry::prelude::{PiecewiseRail, Sheet};
 
 /// The ways to make a patch.
-const KINDS: [&str; 8] = [
+const KINDS: [&str; 9] = [
     "ruled",
     "connect",
     "envelope",
@@ -31,6 +34,7 @@ const KINDS: [&str; 8] = [
     "cone",
     "hermite",
     "continues",
+    "strips",
 ];
 
 /// The patches that an entry with curves of several pieces became.
@@ -45,12 +49,17 @@ pub struct Group {
     pub continuity: Option<Smoothness>,
 }
 
-/// The patches, and which of them belong together.
-pub fn patches(
-    reader: &mut Reader,
-    section: Option<Value<'_>>,
-    parts: &Parts,
-) -> (Named<Patch>, Vec<Group>) {
+/// The patches of a file.
+pub struct ReadPatches {
+    /// The patches, those of an entry in a row.
+    pub patches: Named<Patch>,
+    /// Which of them belong together.
+    pub groups: Vec<Group>,
+    /// The surfaces that some of them cover.
+    pub covers: Vec<SurfaceCover>,
+}
+
+pub fn patches(reader: &mut Reader, section: Option<Value<'_>>, parts: &Parts) -> ReadPatches {
     let made = named(
         reader,
         section,
@@ -71,7 +80,7 @@ pub fn patches(
             Some(made)
         },
     );
-    let (mut patches, mut groups) = (Named::new(), Vec::new());
+    let (mut patches, mut groups, mut covers) = (Named::new(), Vec::new(), Vec::new());
     for (name, made) in made {
         let Some(made) = made else {
             patches.push((name, None));
@@ -83,7 +92,24 @@ pub fn patches(
                 .into_iter()
                 .map(|patch| (patch.name.clone(), Some(patch))),
         );
-        if patches.len() > first + 1 {
+        if let Some(mut cover) = made.cover {
+            let mut from = first;
+            for strip in &mut cover.strips {
+                // So far they are counted within the entry.
+                let to = from + strip.patches.len();
+                strip.patches = (from..to).collect();
+                if to > from + 1 {
+                    groups.push(Group {
+                        name: strip.name.clone(),
+                        patches: strip.patches.clone(),
+                        closed: false,
+                        continuity: Some(Smoothness::G1),
+                    });
+                }
+                from = to;
+            }
+            covers.push(cover);
+        } else if patches.len() > first + 1 {
             groups.push(Group {
                 name,
                 patches: (first..patches.len()).collect(),
@@ -92,7 +118,11 @@ pub fn patches(
             });
         }
     }
-    (patches, groups)
+    ReadPatches {
+        patches,
+        groups,
+        covers,
+    }
 }
 
 fn patch(
@@ -123,7 +153,7 @@ fn patch(
     let mut given = KINDS.iter().filter(|kind| entries.has(kind));
     let (Some(kind), None) = (given.next().copied(), given.next()) else {
         let help = format!("one of `{}`", KINDS.join("`, `"));
-        reader.complain(&span, format!("{what} is made in one of eight ways"), &help);
+        reader.complain(&span, format!("{what} is made in one of nine ways"), &help);
         return None;
     };
     let value = entries.take(kind)?;
@@ -192,6 +222,16 @@ fn patch(
             }
             raws
         }
+        "strips" => {
+            if part != [0.0, 1.0] || !marks?.is_empty() {
+                let message = "strips have neither a `part` nor `marks`";
+                reader.complain(&place, message, "");
+                return None;
+            }
+            let made = covered(reader, name, value, &parts.surfaces);
+            complain_of_rest(reader, entries, kind);
+            return made;
+        }
         "hermite" => {
             let mut data = reader.entries(value, "a Hermite cone", keys::HERMITE)?;
             vec![hermite(reader, entries, &mut data, parts)?]
@@ -203,12 +243,7 @@ fn patch(
             vec![developable(reader, &span, planes?, cut?)?]
         }
     };
-    for key in keys::PATCH {
-        if let Some(value) = entries.take(key) {
-            let message = format!("`{key}` means nothing for a patch made by `{kind}`");
-            reader.complain(&value.span(), message, "");
-        }
-    }
+    complain_of_rest(reader, entries, kind);
     // The curves of several pieces are cut already, and with them the part.
     let part = if cells.trimmed { [0.0, 1.0] } else { part };
     let cut = raws.first().and_then(|raw| raw.cut);
@@ -228,7 +263,18 @@ fn patch(
         closed: several && cells.closed,
         continuity: None,
         cut,
+        cover: None,
     })
+}
+
+/// Entries that were not taken have no meaning.
+fn complain_of_rest(reader: &mut Reader, entries: &mut Entries<'_>, kind: &str) {
+    for key in keys::PATCH {
+        if let Some(value) = entries.take(key) {
+            let message = format!("`{key}` means nothing for a patch made by `{kind}`");
+            reader.complain(&value.span(), message, "");
+        }
+    }
 }
 
 /// The number of a developable or a panel, and where it is asked for.

@@ -1,5 +1,6 @@
 //! Surfaces before they are trimmed, and what becomes of them.
 
+use crate::covers::SurfaceCover;
 use crate::design::{Mark, Patch, PatchEnds, Smoothness};
 use crate::file::reader::{Reader, accepted};
 use std::ops::Range;
@@ -13,6 +14,8 @@ pub(super) struct MadePatches {
     /// What is demanded where they meet.
     pub continuity: Option<Smoothness>,
     pub cut: Option<Cutting>,
+    /// The strips that they are, if they cover a surface; each is pieces of its own.
+    pub cover: Option<SurfaceCover>,
 }
 
 /// What part of the rulings of a family a patch takes.

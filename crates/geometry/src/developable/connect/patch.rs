@@ -152,10 +152,7 @@ impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> ConnectingPatch<P, Q> {
         let [[u0, w0], [u1, w1]] = self.around(u);
         let guess = w0 + (w1 - w0) * (u - u0) / (u1 - u0);
         let rails = (&self.first, &self.second);
-        (
-            u,
-            solution_on_link(rails, u, guess, 2.0 * (u1 - u0) + 1e-6),
-        )
+        (u, solution_on_link(rails, u, guess, 2.0 * (u1 - u0) + 1e-6))
     }
 
     /// The parameters of both curves for a ruling.

@@ -5,15 +5,15 @@ use super::folds;
 use super::spacing::StripSpacing;
 use super::strip::{StripDirection, StripError, SurfaceStrip, Tensor};
 use crate::basis::Basis;
-use crate::error::GeometryError;
+use crate::error::{self, GeometryError};
 use crate::sheet::{Panel, Panels, Rail, Sheet};
 use crate::surface::TensorSurface;
 use crate::vector::blended;
 
 /// The most strips of a cover.
-pub const MAX_STRIPS: usize = 256;
-/// How many numbers of strips are tried.
-const MAX_TRIALS: usize = 12;
+pub const MAX_STRIPS: usize = 128;
+/// So many strips are made to find a cover, those that are given up included.
+const MAX_MADE: usize = 768;
 /// How often the curves are moved for one number of strips.
 const ROUNDS: usize = 3;
 /// Bounds count as equal if the largest is at most this multiple of their root mean square.
@@ -24,12 +24,13 @@ const EQUAL: f64 = 1.05;
 pub struct StripCover {
     /// The strips, by rising parameters. Neighbours share an edge.
     pub strips: Vec<SurfaceStrip>,
+    /// Whether one strip less was tried, and did not come as near as demanded.
+    pub fewest: bool,
 }
 
 impl StripCover {
     /// The fewest strips of this family that are found to come within a distance: whole panels between curves of one
-    /// constant parameter, placed so that their bounds are about equal. With one strip less the bound was not met; that no other curves
-    /// or panels would do is not claimed.
+    /// constant parameter, placed so that their bounds are about equal. That no other curves or panels would do with fewer is not claimed.
     ///
     /// # Errors
     /// [`StripError::Asymptotic`] where the curves have no rulings across, the other [`StripError`]s where panels or their
@@ -49,11 +50,7 @@ impl StripCover {
     /// assert!(cover.strips.iter().all(|strip| strip.distance <= 15.0 && !strip.panel.pieces.is_empty()));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn new(
-        surface: &Tensor,
-        along: StripDirection,
-        within: f64,
-    ) -> Result<Self, StripError> {
+    pub fn new(surface: &Tensor, along: StripDirection, within: f64) -> Result<Self, StripError> {
         if !(within > 0.0 && within.is_finite()) {
             return Err(GeometryError::OutOfRange {
                 name: "distance of strips",
@@ -66,7 +63,15 @@ impl StripCover {
             StripDirection::U => surface.clone(),
             StripDirection::V => transposed(surface)?,
         };
-        let cover = fewest(&turned, within);
+        let cover = StripSpacing::new(&turned).and_then(|spacing| {
+            CoverSearch {
+                surface: &turned,
+                within,
+                spacing,
+                made: 0,
+            }
+            .fewest()
+        });
         cover.map_err(|error| match (along, error) {
             (StripDirection::V, StripError::Asymptotic { at: [u, v], point }) => {
                 StripError::Asymptotic { at: [v, u], point }
@@ -78,8 +83,7 @@ impl StripCover {
     /// The largest bound.
     #[must_use]
     pub fn distance(&self) -> f64 {
-        let bounds = self.strips.iter().map(|strip| strip.distance);
-        bounds.fold(0.0, f64::max)
+        farthest(&self.strips)
     }
 
     /// The least and the greatest angle, in radians, between the tangent planes of neighbours along the edge that they
@@ -98,7 +102,12 @@ impl StripCover {
 fn transposed(surface: &Tensor) -> Result<Tensor, GeometryError> {
     let (u, v) = surface.bases();
     let (_, n) = surface.degrees();
-    let column = |l: usize| surface.rows().filter_map(|row| row.get(l).copied()).collect();
+    let column = |l: usize| {
+        surface
+            .rows()
+            .filter_map(|row| row.get(l).copied())
+            .collect()
+    };
     TensorSurface::new(*v, *u, (0..=n).map(column).collect())
 }
 
@@ -123,10 +132,18 @@ fn strips(surface: &Tensor, places: &[f64]) -> Result<Vec<SurfaceStrip>, StripEr
         let usable = |panel: &Panel| !panel.turned && !panel.closed && panel.folds == 0;
         let panel = match found {
             Panels::Found(panels) => panels.into_iter().find(usable),
-            Panels::None { .. } => return Err(StripError::NoPanel { range, proved: true }),
+            Panels::None { .. } => {
+                return Err(StripError::NoPanel {
+                    range,
+                    proved: true,
+                });
+            }
             Panels::Undecided { .. } => None,
         };
-        let missing = StripError::NoPanel { range, proved: false };
+        let missing = StripError::NoPanel {
+            range,
+            proved: false,
+        };
         let panel = panel.ok_or(missing)?;
         let distance = bounded.bound(range, &panel)?;
         let distance = distance.ok_or(StripError::Unbounded { range })?;
@@ -139,83 +156,96 @@ fn strips(surface: &Tensor, places: &[f64]) -> Result<Vec<SurfaceStrip>, StripEr
     pairs.map(strip).collect()
 }
 
-/// The best of some placements of so many strips, and how many strips of equal bounds would do.
-fn placed(
-    surface: &Tensor,
-    spacing: &mut StripSpacing,
-    count: usize,
+/// What is looked for, and how much was done for it.
+struct CoverSearch<'a> {
+    surface: &'a Tensor,
     within: f64,
-) -> Result<(StripCover, f64), StripError> {
-    let mut best: Option<(StripCover, f64)> = None;
-    for _ in 0..ROUNDS {
-        let cover = StripCover {
-            strips: strips(surface, &spacing.places(count))?,
-        };
-        // Bounds grow with the square of the width.
-        let roots = cover.strips.iter().map(|s| (s.distance / within).sqrt());
-        let wanted: f64 = roots.sum();
-        #[allow(clippy::cast_precision_loss)]
-        let mean = wanted / count as f64;
-        let even = cover.distance() <= EQUAL * mean * mean * within;
-        spacing.correct(&cover.strips);
-        let better = |(known, _): &(StripCover, f64)| cover.distance() < known.distance();
-        if best.as_ref().is_none_or(better) {
-            best = Some((cover, wanted));
-        }
-        if even {
-            break;
-        }
-    }
-    best.ok_or(StripError::TooFar {
-        count,
-        distance: f64::INFINITY,
-        within,
-    })
+    spacing: StripSpacing,
+    /// How many strips were made.
+    made: usize,
 }
 
-/// The smallest number of strips that come within a distance, with one less that does not.
-fn fewest(surface: &Tensor, within: f64) -> Result<StripCover, StripError> {
-    let mut spacing = StripSpacing::new(surface)?;
-    let mut count = spacing.count(within).clamp(1, MAX_STRIPS);
-    // All numbers up to this one fail.
-    let mut failing = 0;
-    let mut found: Option<StripCover> = None;
-    let mut last = StripError::TooFar {
-        count,
-        distance: f64::INFINITY,
-        within,
-    };
-    for _ in 0..MAX_TRIALS {
-        let most = found.as_ref().map_or(MAX_STRIPS, |c| c.strips.len() - 1);
-        if failing >= most {
-            break;
+impl CoverSearch<'_> {
+    /// The best of some placements of so many strips, and how many strips of equal bounds would do.
+    fn placed(&mut self, count: usize) -> Result<(Vec<SurfaceStrip>, f64), StripError> {
+        let mut best: Option<(Vec<SurfaceStrip>, f64)> = None;
+        for _ in 0..ROUNDS {
+            self.made += count;
+            let made = strips(self.surface, &self.spacing.places(count))?;
+            // Bounds grow with the square of the width.
+            let roots = made.iter().map(|s| (s.distance / self.within).sqrt());
+            let wanted: f64 = roots.sum();
+            let mean = wanted / error::count(count);
+            let even = farthest(&made) <= EQUAL * mean * mean * self.within;
+            self.spacing.correct(&made);
+            let better = |(known, _): &(Vec<SurfaceStrip>, f64)| farthest(&made) < farthest(known);
+            if best.as_ref().is_none_or(better) {
+                best = Some((made, wanted));
+            }
+            // Beyond that no placement helps.
+            if even || mean > 1.0 || self.made >= MAX_MADE {
+                break;
+            }
         }
-        count = count.clamp(failing + 1, most);
-        match placed(surface, &mut spacing, count, within) {
-            Ok((cover, _)) if cover.distance() <= within => {
-                found = Some(cover);
-                count -= 1;
-            }
-            Ok((cover, wanted)) => {
-                failing = count;
-                let distance = cover.distance();
-                last = StripError::TooFar {
-                    count,
-                    distance,
-                    within,
-                };
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-                let next = wanted.min(1e6).ceil() as usize;
-                count = next.max(count + 1);
-            }
-            // Narrower strips may have panels.
-            Err(error @ (StripError::NoPanel { .. } | StripError::Unbounded { .. })) => {
-                failing = count;
-                last = error;
-                count += count / 2 + 1;
-            }
-            Err(error) => return Err(error),
-        }
+        best.ok_or(StripError::TooFar {
+            count,
+            distance: f64::INFINITY,
+            within: self.within,
+        })
     }
-    found.ok_or(last)
+
+    /// The smallest number of strips that come within the distance, with one less that does not.
+    fn fewest(&mut self) -> Result<StripCover, StripError> {
+        let mut count = self.spacing.count(self.within).clamp(1, MAX_STRIPS);
+        // The largest number that failed.
+        let mut failing = 0;
+        let mut found: Option<Vec<SurfaceStrip>> = None;
+        let mut last = StripError::TooFar {
+            count,
+            distance: f64::INFINITY,
+            within: self.within,
+        };
+        while self.made < MAX_MADE {
+            let most = found.as_ref().map_or(MAX_STRIPS, |strips| strips.len() - 1);
+            if failing >= most {
+                break;
+            }
+            count = count.clamp(failing + 1, most);
+            match self.placed(count) {
+                Ok((made, _)) if farthest(&made) <= self.within => {
+                    found = Some(made);
+                    count -= 1;
+                }
+                Ok((made, wanted)) => {
+                    failing = count;
+                    last = StripError::TooFar {
+                        count,
+                        distance: farthest(&made),
+                        within: self.within,
+                    };
+                    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+                    let next = wanted.min(1e6).ceil() as usize;
+                    count = next.max(count + 1);
+                }
+                // Narrower strips may have panels.
+                Err(error @ (StripError::NoPanel { .. } | StripError::Unbounded { .. })) => {
+                    failing = count;
+                    last = error;
+                    count += count / 2 + 1;
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        let strips = found.ok_or(last)?;
+        Ok(StripCover {
+            fewest: failing + 1 == strips.len(),
+            strips,
+        })
+    }
+}
+
+/// The largest bound.
+fn farthest(strips: &[SurfaceStrip]) -> f64 {
+    let bounds = strips.iter().map(|strip| strip.distance);
+    bounds.fold(0.0, f64::max)
 }

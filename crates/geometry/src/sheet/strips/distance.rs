@@ -1,26 +1,29 @@
 //! How far a strip is from the surface, both ways: proved.
 //!
-//! A ruling of the strip joins the points of the edges at `(s, v0)` and `(t, v1)`. The surface over the segment `g(w)` between these two
-//! places is compared with the ruling: `E(w) = S(g(w)) - P - (w + c w (1 - w)) (Q - P)`, with any `c` in [-1, 1] for each ruling. At the
-//! ends `E` is what the edges miss the surface by, which is rounding, and `E'' = d^2 S(g)/dw^2 + 2 c (Q - P)`. So
+//! A ruling of the strip joins the points `P`, `Q` of the edges at `(s, v0)` and `(t, v1)`. The surface over a path `g(w)` between these two
+//! places (file `slide`) is compared with the ruling: `E(w) = S(g(w)) - P - (w + c w (1 - w)) (Q - P)`, with any `c` in [-1, 1] for
+//! each ruling. At the ends `E` is what the edges miss the surface by, which is rounding, and
+//! `E'' = d^2 S(g)/dw^2 + 2 c (Q - P)`. So
 //!
-//! `|E| <= max |E(0)|, |E(1)| + 1/8 max |E''|`
+//! `|E| <= max(|E(0)|, |E(1)|) + 1/8 max |E''|`
 //!
-//! for all rulings and `w`. With `c = 0` this is an eighth of the second derivative; `c` takes out what only moves points along the
-//! ruling. Each `w + c w (1 - w)` takes [0, 1] onto itself, so all points of the strip are met; the segments go from that
-//! at `(0, 0)` to that at `(1, 1)` without a gap, so all places of the surface between the edges are met. Hence the bound
+//! for all rulings and `w`. With `c = 0` and straight paths this is an eighth of the second derivative of the surface; `c` and the paths
+//! take out what only moves points along the surface. Each `w + c w (1 - w)` takes [0, 1] onto itself, so all points of the
+//! strip are met; the paths cover all places of the surface between the edges. Hence the bound
 //! holds in both directions. Where pieces of a panel meet up to rounding only, the gap counts.
 //!
 //! `E''` is bounded on cells of rulings by [`ChebyshevModel`]s in the parameter of the ruling; over `w` by its values in the middle of
-//! intervals and the third derivative on them.
+//! intervals and its derivative on them.
 
+use super::rulings::modelled;
+use super::slide::{STEPS, slides};
 use super::strip::Tensor;
 use crate::basis::BasisShape;
 use crate::coordinate::Coordinate;
 use crate::error::Result;
 use crate::model::ChebyshevModel;
 use crate::over::Over;
-use crate::sheet::{Construction, Panel, PanelKind, PanelPiece, Sheet};
+use crate::sheet::{Panel, PanelPiece, Sheet};
 use crate::surface::{Partials, Rails, Surface, TensorSurface};
 use crate::vector::{add, dot, scale, sub};
 
@@ -38,8 +41,9 @@ const CLOSE: f64 = 1.1;
 /// What f64 sums and roots of bounds may lose.
 const ROUNDED: f64 = 1.0 + 1e-12;
 
-/// A surface over models.
-pub(super) struct StripDistance {
+/// A surface on f64 and over models.
+pub(super) struct StripDistance<'a> {
+    near: &'a Tensor,
     surface: TensorSurface<BasisShape<Model>, BasisShape<Model>, Model>,
 }
 
@@ -52,16 +56,23 @@ struct Cell {
     attained: f64,
 }
 
-/// An upper bound of the length of a vector.
+/// An upper bound of the length of a vector; infinite where it has none.
 fn largest(vector: &Vector) -> f64 {
-    let square = dot(vector, vector).sharply_largest();
-    square.max(0.0).sqrt() * ROUNDED
+    let square = dot(vector, vector);
+    if !square.is_finite() {
+        return f64::INFINITY;
+    }
+    square.sharply_largest().max(0.0).sqrt() * ROUNDED
 }
 
 /// The largest length at the nodes of the polynomials.
 fn at_nodes(vector: &Vector) -> f64 {
     let [x, y, z] = vector.each_ref().map(ChebyshevModel::at_nodes);
-    let squares = x.iter().zip(&y).zip(&z).map(|((x, y), z)| x * x + y * y + z * z);
+    let squares = x
+        .iter()
+        .zip(&y)
+        .zip(&z)
+        .map(|((x, y), z)| x * x + y * y + z * z);
     squares.fold(0.0_f64, f64::max).sqrt()
 }
 
@@ -80,26 +91,10 @@ fn along(partials: &Partials<Model>, order: usize, [du, dv]: &[Model; 2]) -> Opt
     Some(sum)
 }
 
-/// The parameters on both edges of the rulings of a piece.
-fn parameters(sheet: &Sheet<Model>, piece: &PanelPiece, x: &Model) -> Option<[Model; 2]> {
-    match (piece.kind, sheet.construction()) {
-        (PanelKind::Fan(_), _) => Some(piece.ranges.map(|[from, to]| {
-            let [from, to] = [from, to].map(Model::exact);
-            from + (to - from) * *x
-        })),
-        (PanelKind::Arc, Construction::Connecting(patch)) => patch.parameters(x),
-        (PanelKind::Arc, Construction::Part(part)) => {
-            let [from, to] = part.range();
-            parameters(part.whole(), piece, &(*from + (*to - *from) * *x))
-        }
-        _ => None,
-    }
-}
-
-impl StripDistance {
-    pub fn new(surface: &Tensor) -> Result<Self> {
-        let surface = surface.over(&|x: &f64| Model::exact(*x))?;
-        Ok(Self { surface })
+impl<'a> StripDistance<'a> {
+    pub fn new(near: &'a Tensor) -> Result<Self> {
+        let surface = near.over(&|x: &f64| Model::exact(*x))?;
+        Ok(Self { near, surface })
     }
 
     /// A bound of the distance between a panel and the part of the surface between its edges, both ways; `None` where none
@@ -109,10 +104,16 @@ impl StripDistance {
         // Where the pieces begin and end, with their uncertainty.
         let mut gap = 0.0_f64;
         let mut reached = [[0.0; 2]; 2];
-        for piece in &panel.pieces {
+        let slides = slides(self.near, range, panel);
+        for (piece, slide) in panel.pieces.iter().zip(&slides) {
             let sheet = piece.sheet.over(&|x: &f64| Model::exact(*x))?;
-            let (Some(distance), Some([start, end])) =
-                (self.piece(range, piece, &sheet), ends(piece, &sheet))
+            let own = Sliding {
+                range,
+                piece,
+                sheet: &sheet,
+                slide,
+            };
+            let (Some(distance), Some([start, end])) = (self.piece(&own), ends(piece, &sheet))
             else {
                 return Ok(None);
             };
@@ -131,21 +132,27 @@ impl StripDistance {
     /// The largest derivative along the edges between them.
     fn speed(&self, [from, to]: [f64; 2]) -> Option<f64> {
         let v = Model::exact(0.5 * (from + to)).widened(0.5 * (to - from) * ROUNDED + f64::EPSILON);
-        let all = self.surface.partials(&Model::identity(0.0, 1.0), &v, 1).ok()?;
+        let all = self
+            .surface
+            .partials(&Model::identity(0.0, 1.0), &v, 1)
+            .ok()?;
         Some(largest(all.get(1, 0)?))
     }
 
     /// A bound for one piece: the cell with the largest is halved until the bound is close.
-    fn piece(&self, range: [f64; 2], piece: &PanelPiece, sheet: &Sheet<Model>) -> Option<f64> {
+    fn piece(&self, own: &Sliding<'_>) -> Option<f64> {
         let cell = |x: [f64; 2]| {
             let unknown = Cell {
                 range: x,
                 bound: f64::INFINITY,
                 attained: 0.0,
             };
-            self.cell(range, piece, sheet, x).unwrap_or(unknown)
+            self.cell(own, x).unwrap_or(unknown)
         };
-        let mut cells = vec![cell([0.0, 0.5]), cell([0.5, 1.0])];
+        // On each of them the paths change linearly.
+        #[allow(clippy::cast_precision_loss)]
+        let first = (0..STEPS).map(|k| [k, k + 1].map(|k| k as f64 / STEPS as f64));
+        let mut cells: Vec<Cell> = first.map(cell).collect();
         loop {
             let order = |a: &(usize, &Cell), b: &(usize, &Cell)| a.1.bound.total_cmp(&b.1.bound);
             let (index, worst) = cells.iter().enumerate().max_by(order)?;
@@ -161,22 +168,11 @@ impl StripDistance {
         }
     }
 
-    fn cell(
-        &self,
-        range: [f64; 2],
-        piece: &PanelPiece,
-        sheet: &Sheet<Model>,
-        x: [f64; 2],
-    ) -> Option<Cell> {
+    fn cell(&self, own: &Sliding<'_>, x: [f64; 2]) -> Option<Cell> {
         let place = Model::identity(x[0], x[1]);
-        let [s, t] = parameters(sheet, piece, &place)?;
-        let [p, q] = sheet.ruling_ends(&place).ok()?;
-        let [low, high] = range.map(Model::exact);
-        let step = [t - s, high - low];
-        let at = |w: f64| {
-            let w = Model::exact(w);
-            [s + w * step[0], low + w * step[1]]
-        };
+        let [s, t] = modelled(own.sheet, own.piece, &place)?;
+        let [p, q] = own.sheet.ruling_ends(&place).ok()?;
+        let [low, high] = own.range.map(Model::exact);
         let missed = [(s, low, p), (t, high, q)].map(|(u, v, end)| {
             let point = self.surface.point(&u, &v).ok()?;
             Some(largest(&sub(&end, &point)))
@@ -184,19 +180,20 @@ impl StripDistance {
         let [Some(first), Some(second)] = missed else {
             return None;
         };
-        let bent = |[u, v]: &[Model; 2], order: usize| {
-            along(&self.surface.partials(u, v, order).ok()?, order, &step)
-        };
         let ruling = sub(&q, &p);
-        let slide = shift(&bent(&at(0.5), 2)?, &ruling);
+        let paths = Paths {
+            start: [s, low],
+            step: [t - s, high - low],
+            slide: own.slide_on(x, &place)?,
+        };
+        let bent = |w: f64| self.second(&paths.at(w), &paths.speed(w), &paths.slide);
+        let shift = shift(&bent(0.5)?, &ruling);
         let half = 0.5 / f64::from(INTERVALS);
         let (mut bound, mut attained) = (0.0_f64, 0.0_f64);
         for k in 0..INTERVALS {
-            let middle = at(half * f64::from(2 * k + 1));
-            let second = add(&bent(&middle, 2)?, &scale(&slide, &ruling));
-            let reach = [0, 1].map(|i| half * step[i].largest() * ROUNDED);
-            let about = [0, 1].map(|i| middle[i].widened(reach[i]));
-            let third = bent(&about, 3)?;
+            let w = half * f64::from(2 * k + 1);
+            let second = add(&bent(w)?, &scale(&shift, &ruling));
+            let third = self.third(&paths, w, half)?;
             bound = bound.max(largest(&second) + half * largest(&third));
             attained = attained.max(at_nodes(&second));
         }
@@ -206,6 +203,80 @@ impl StripDistance {
             bound,
             attained: attained / 8.0,
         })
+    }
+
+    /// `d^2 S(g)/dw^2` at places with the speed of their paths.
+    fn second(&self, [u, v]: &[Model; 2], speed: &[Model; 2], slide: &Model) -> Option<Vector> {
+        let partials = self.surface.partials(u, v, 2).ok()?;
+        // The second derivative of the path.
+        let turn = Model::exact(-2.0) * *slide;
+        let turned = scale(&turn, partials.get(1, 0)?);
+        Some(add(&along(&partials, 2, speed)?, &turned))
+    }
+
+    /// The third derivative on all of an interval about `w`.
+    fn third(&self, paths: &Paths, w: f64, half: f64) -> Option<Vector> {
+        let speed = paths.speed(w);
+        // The paths turn evenly.
+        let turned = 2.0 * half * paths.slide.largest() * ROUNDED;
+        let speed = [speed[0].widened(turned), speed[1]];
+        let at = paths.at(w);
+        let [u, v] = [0, 1].map(|i| at[i].widened(half * speed[i].largest() * ROUNDED));
+        let partials = self.surface.partials(&u, &v, 3).ok()?;
+        let mixed = add(
+            &scale(&speed[0], partials.get(2, 0)?),
+            &scale(&speed[1], partials.get(1, 1)?),
+        );
+        let turn = Model::exact(-6.0) * paths.slide;
+        Some(add(&along(&partials, 3, &speed)?, &scale(&turn, &mixed)))
+    }
+}
+
+/// A piece of a panel with its paths.
+struct Sliding<'a> {
+    range: [f64; 2],
+    piece: &'a PanelPiece,
+    sheet: &'a Sheet<Model>,
+    slide: &'a [f64; STEPS + 1],
+}
+
+impl Sliding<'_> {
+    /// `e` on a cell within one of its steps.
+    fn slide_on(&self, [from, to]: [f64; 2], place: &Model) -> Option<Model> {
+        #[allow(clippy::cast_precision_loss)]
+        let steps = STEPS as f64;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let step = (0.5 * (from + to) * steps).floor() as usize;
+        let [before, after] = [step, step + 1].map(|k| self.slide.get(k));
+        let [before, after] = [Model::exact(*before?), Model::exact(*after?)];
+        #[allow(clippy::cast_precision_loss)]
+        let share = Model::exact(steps) * *place - Model::exact(step as f64);
+        Some(before + (after - before) * share)
+    }
+}
+
+/// Paths on the surface from edge to edge, one for each ruling of a cell.
+struct Paths {
+    start: [Model; 2],
+    step: [Model; 2],
+    /// `e`.
+    slide: Model,
+}
+
+impl Paths {
+    fn at(&self, w: f64) -> [Model; 2] {
+        let share = Model::exact(w);
+        // Exact for the places that are asked for.
+        let bow = self.slide * Model::exact(w * (1.0 - w));
+        [
+            self.start[0] + share * self.step[0] + bow,
+            self.start[1] + share * self.step[1],
+        ]
+    }
+
+    fn speed(&self, w: f64) -> [Model; 2] {
+        let turned = self.slide * Model::exact(1.0 - 2.0 * w);
+        [self.step[0] + turned, self.step[1]]
     }
 }
 
@@ -222,7 +293,10 @@ fn shift(second: &Vector, ruling: &Vector) -> Model {
 /// Where a piece begins and ends: bounds of both parameters.
 fn ends(piece: &PanelPiece, sheet: &Sheet<Model>) -> Option<[[[f64; 2]; 2]; 2]> {
     let end = |inner: [f64; 2], t: f64| {
-        let found = parameters(sheet, piece, &Model::identity(inner[0], inner[1]))?;
+        let found = modelled(sheet, piece, &Model::identity(inner[0], inner[1]))?;
+        if !found.iter().all(Coordinate::is_finite) {
+            return None;
+        }
         Some(found.map(|model| {
             let (value, off) = (model.at(t), model.radius() + 64.0 * f64::EPSILON);
             [value - off, value + off]

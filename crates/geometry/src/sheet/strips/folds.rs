@@ -1,8 +1,9 @@
 //! The angle between neighbouring strips along the edge that they share, by samples.
 
+use super::rulings::parameters;
 use super::strip::SurfaceStrip;
 use crate::error::Result;
-use crate::sheet::{Construction, PanelKind, PanelPiece, Point, Sheet};
+use crate::sheet::{PanelKind, Point};
 use crate::surface::Rails;
 use crate::vector::{cross, dot, norm, sub, unit};
 
@@ -42,36 +43,26 @@ fn normals(strip: &SurfaceStrip, edge: usize) -> Result<Vec<(f64, Point)>> {
             let rails: [[Point; 2]; 2] = piece.sheet.ends_and_slopes(&x)?;
             let [[p, _], [q, _]] = rails;
             let normal = unit(&cross(&rails[edge][1], &sub(&q, &p)));
-            if let (Some(at), Some(normal)) = (parameter(&piece.sheet, piece, x, edge), normal) {
-                list.push((at, normal));
+            if let (Some(both), Some(normal)) = (parameters(piece, x), normal) {
+                list.push((both[edge], normal));
             }
         }
     }
     Ok(list)
 }
 
-/// The parameter on an edge of a ruling.
-fn parameter(sheet: &Sheet, piece: &PanelPiece, x: f64, edge: usize) -> Option<f64> {
-    match (piece.kind, sheet.construction()) {
-        (PanelKind::Fan(_), _) => {
-            let [from, to] = piece.ranges[edge];
-            Some(from + (to - from) * x)
-        }
-        (PanelKind::Arc, Construction::Connecting(patch)) => {
-            patch.parameters_at(x).map(|both| both[edge])
-        }
-        (PanelKind::Arc, Construction::Part(part)) => {
-            let [from, to] = part.range();
-            parameter(part.whole(), piece, from + (to - from) * x, edge)
-        }
-        _ => None,
-    }
-}
-
 /// Between two neighbours in a list.
 fn normal_at(list: &[(f64, Point)], at: f64) -> Option<Point> {
-    let pair = list.windows(2).find(|pair| pair[0].0 <= at && at <= pair[1].0)?;
+    let pair = list
+        .windows(2)
+        .find(|pair| pair[0].0 <= at && at <= pair[1].0)?;
     let [(from, one), (to, other)] = [pair[0], pair[1]];
-    let share = if to > from { (at - from) / (to - from) } else { 0.5 };
-    unit(&std::array::from_fn(|k| one[k] + share * (other[k] - one[k])))
+    let share = if to > from {
+        (at - from) / (to - from)
+    } else {
+        0.5
+    };
+    unit(&std::array::from_fn(|k| {
+        one[k] + share * (other[k] - one[k])
+    }))
 }

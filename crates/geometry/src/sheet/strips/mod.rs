@@ -10,6 +10,8 @@
 mod cover;
 mod distance;
 mod folds;
+mod rulings;
+mod slide;
 mod spacing;
 mod strip;
 

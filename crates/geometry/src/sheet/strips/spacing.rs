@@ -98,7 +98,9 @@ impl StripSpacing {
                 }
             }
         }
-        Ok(Self { roots: bounded_below(roots) })
+        Ok(Self {
+            roots: bounded_below(roots),
+        })
     }
 
     /// How many strips would come within a distance, if all were narrow.
@@ -135,7 +137,12 @@ impl StripSpacing {
         };
         let mut corrected = vec![0.0_f64; self.roots.len()];
         for strip in strips {
-            let parts = || self.roots.iter().enumerate().map(|(k, root)| (k, *root, overlap(k, strip)));
+            let parts = || {
+                self.roots
+                    .iter()
+                    .enumerate()
+                    .map(|(k, root)| (k, *root, overlap(k, strip)))
+            };
             let expected: f64 = parts().map(|(_, root, width)| root * width).sum();
             let factor = strip.distance.sqrt() / expected;
             for (k, root, width) in parts() {
