@@ -1,5 +1,6 @@
 //! Strips that cover a surface: their distances, their pieces, their patterns, and what is refused.
 
+use miette::Diagnostic;
 use torse_designs::inspect::{inspect, table};
 use torse_designs::unroll::{Demand, unroll};
 use torse_designs::{Design, DesignError, read};
