@@ -11,7 +11,9 @@ use std::path::{Path, PathBuf};
 use torse_designs::bench::{PaperSize, bench_sheets, tiled_parts};
 use torse_designs::export::PATTERNS;
 use torse_designs::inspect::{inspect_for, inspect_unrolled, missed_line};
-use torse_designs::unroll::{FlatPiece, Part, PartsList, Purpose, Summary, drawing, parts, unroll};
+use torse_designs::unroll::{
+    FlatPiece, Grain, Making, Part, PartsList, Purpose, Summary, drawing, parts_made, unroll,
+};
 use torse_designs::{Design, DesignError};
 use torse_exchange::{Drawing, dxf, svg};
 use torse_report::Manuscript;
@@ -44,6 +46,13 @@ pub struct Unroll {
     /// A table of the parts, as comma-separated values
     #[arg(long, value_name = "FILE")]
     parts: Option<PathBuf>,
+    /// The width of the cut in millimetres: outlines are moved outwards by half of it, openings inwards
+    #[arg(long, value_name = "MM", default_value_t = 0.0)]
+    kerf: f64,
+    /// How parts lie: along (from the first ruling to the last along the drawing) or across; turned to their smallest boxes where
+    /// nothing is said
+    #[arg(long, value_name = "WAY", value_parser = grain)]
+    grain: Option<Grain>,
     #[command(flatten)]
     pattern: Pattern,
     /// How the answer is shown
@@ -78,6 +87,11 @@ fn output(name: &str) -> Result<Output, String> {
     let drawings = Purpose::ALL.map(|(name, purpose)| (name, Output::Drawings(purpose)));
     let sheets = [("bench", Output::Bench), ("paper", Output::Paper)];
     named(&[&drawings[..], &sheets].concat(), name, "the purposes are")
+}
+
+/// A way to lie by its name.
+fn grain(name: &str) -> Result<Grain, String> {
+    named(&Grain::ALL, name, "the ways are")
 }
 
 /// A size of paper by its name.
@@ -133,7 +147,11 @@ impl Unroll {
         let ending = format_of(&self.to, self.r#as.as_deref(), self.output.endings())?;
         let design = self.file.open()?;
         let pieces = unroll(&design, &self.pattern.demand())?;
-        let made = parts(&design, &pieces);
+        let making = Making {
+            kerf: self.kerf,
+            grain: self.grain,
+        };
+        let made = parts_made(&design, &pieces, making);
         let summary = Summary::new(&design, &pieces);
         if self.output == Output::Drawings(Purpose::Fold) {
             // The pattern is the design's, and needs no blank.

@@ -32,6 +32,8 @@ pub struct Design {
     pub patches: Vec<Patch>,
     /// The chains in the order of the file.
     pub chains: Vec<Chain>,
+    /// What is cut beyond every edge that has no allowance of its own, in millimetres.
+    pub allowance: f64,
     /// The edges that meet.
     pub seams: Vec<Seam>,
     /// What is worth knowing of the files that it takes curves from.
@@ -118,6 +120,8 @@ pub struct Patch {
     pub bend: bool,
     /// Its own names of its edges.
     pub edges: Vec<(String, PatchEdge)>,
+    /// What is cut beyond those of its edges that have an allowance of their own, in millimetres.
+    pub allowances: Vec<(PatchEdge, f64)>,
     /// What else is worth knowing: which developable was chosen, how much of the curves it uses.
     pub notes: Vec<String>,
 }

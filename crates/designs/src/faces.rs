@@ -53,6 +53,7 @@ pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, Design
         surfaces: Vec::new(),
         covers: Vec::new(),
         seams: Vec::new(),
+        allowance: 0.0,
     };
     let mut left_out = Vec::new();
     for face in &imported.faces {
@@ -115,6 +116,7 @@ fn add(design: &mut Design, face: &ImportedFace, found: FaceSheets) {
             marks: Vec::new(),
             bend: false,
             edges: Vec::new(),
+            allowances: Vec::new(),
             notes: note.iter().filter(|_| index == 0).cloned().collect(),
         });
     }

@@ -10,6 +10,8 @@ use torse_geometry::pattern::Segment;
 pub enum PaperStyle {
     /// What is cut.
     Outline,
+    /// Where it is sewn, welded or glued, inside of what is cut.
+    Seam,
     /// A bend line, up.
     BendUp,
     /// A bend line, down.

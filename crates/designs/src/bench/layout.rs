@@ -164,6 +164,9 @@ pub(super) fn part_lines(figure: &mut PaperFigure, drawn: &Drawn<'_>, to: ToPape
         figure.line(PaperStyle::Ruling, line, to);
     }
     figure.chain(PaperStyle::Outline, &part.outline, true, to);
+    if let Some(seam_line) = &part.seam_line {
+        figure.chain(PaperStyle::Seam, seam_line, true, to);
+    }
     for ([x, y], radius) in &part.openings {
         let half = |from: f64, end: f64| Segment {
             from: [x + from * radius, *y],
@@ -231,8 +234,13 @@ pub(super) fn labels(figure: &mut PaperFigure, drawn: &Drawn<'_>, to: ToPaper) {
     for side in drawn.sides {
         if let Some((middle, [x, y])) = side.middle() {
             let at = to.point(middle);
-            // The part is on the left, the label on the right.
-            let at = [at[0] + 3.0 * y, at[1] + 3.0 * x];
+            // The part is on the left, the label on the right, of a part with an allowance inside of the seam.
+            let off = if drawn.part.seam_line.is_some() {
+                -3.0
+            } else {
+                3.0
+            };
+            let at = [at[0] + off * y, at[1] + off * x];
             figure.bold(at, [x, y], SIZE + 0.3, &side.mark());
         }
     }

@@ -217,7 +217,12 @@ fn sheet(
     let proved = piece.flat.evidence() == PatternEvidence::Proved;
     let mut notes = forming.notes;
     notes.push(format!(
-        "No cut line is farther than {} mm from the exact part ({}); {} mm were allowed.",
+        "{} is farther than {} mm from the exact part ({}); {} mm were allowed.",
+        if part.seam_line.is_some() {
+            "No point of the seam line"
+        } else {
+            "No cut line"
+        },
         at_most(part.error.max(LEAST)),
         if proved {
             "proved"
@@ -294,6 +299,7 @@ fn facts(part: &Part) -> Vec<[String; 2]> {
 fn legend(figure: &PaperFigure) -> Vec<BenchLegend> {
     let all = [
         (PaperStyle::Outline, "cut"),
+        (PaperStyle::Seam, "seam, inside of the allowance"),
         (PaperStyle::BendUp, "bend up, towards the reader"),
         (PaperStyle::BendDown, "bend down, away from the reader"),
         (

@@ -20,7 +20,7 @@ pub const TOP: &[&str] = &[
     "surfaces",
 ];
 /// `[design]`.
-pub const DESIGN: &[&str] = &["title", "unit", "about"];
+pub const DESIGN: &[&str] = &["title", "unit", "about", "allowance"];
 /// `[sheet]`.
 pub const SHEET: &[&str] = &[
     "thickness",
@@ -120,6 +120,7 @@ pub const PATCH: &[&str] = &[
     "marks",
     "bend",
     "edges",
+    "allowance",
 ];
 /// A Hermite cone.
 pub const HERMITE: &[&str] = &[

@@ -373,6 +373,7 @@ fn sections(
         view,
         patches: patches.into_iter().filter_map(|(_, patch)| patch).collect(),
         chains,
+        allowance: head.allowance,
         seams,
         notes: imports.notes,
         surfaces: surfaces.into_iter().filter_map(|(_, one)| one).collect(),

@@ -1,7 +1,7 @@
 //! What a design is called, made of and judged by.
 
-use super::keys;
 use super::reader::{Entries, NumberKind, Reader, Value};
+use super::{edges, keys};
 use crate::DesignUnit;
 use crate::bending::{Bending, DesignedSurface, NeutralLine};
 use crate::design::{DesignView, Material, Tolerances, USUAL_RULINGS};
@@ -15,12 +15,14 @@ pub const MAX_RULINGS: f64 = 4097.0;
 pub struct DesignHead {
     pub title: String,
     pub unit: DesignUnit,
+    pub allowance: f64,
 }
 
 pub fn head(reader: &mut Reader, section: Option<Value<'_>>, file: &str) -> DesignHead {
     let mut head = DesignHead {
         title: file.strip_suffix(".toml").unwrap_or(file).to_owned(),
         unit: DesignUnit::Millimetre,
+        allowance: 0.0,
     };
     let entries = section.and_then(|value| reader.entries(value, "[design]", keys::DESIGN));
     let Some(mut entries) = entries else {
@@ -43,6 +45,11 @@ pub fn head(reader: &mut Reader, section: Option<Value<'_>>, file: &str) -> Desi
     {
         head.unit = unit;
         reader.unit = unit.millimetres();
+    }
+    if let Some(value) = entries.take("allowance")
+        && let Some(allowance) = edges::allowance(reader, value)
+    {
+        head.allowance = allowance;
     }
     head
 }

@@ -461,7 +461,7 @@ fn measured(
     };
     if let Space::Undecided { ranges: [a, b] } = &space {
         notes.push(format!(
-            "it is not decided whether rulings from u = {} to {} meet those from {} to {} in space",
+            "it is not decided whether rulings from u = {:.6} to {:.6} meet those from {:.6} to {:.6} in space",
             a[0], a[1], b[0], b[1]
         ));
     }

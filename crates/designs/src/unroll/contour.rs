@@ -139,6 +139,13 @@ pub(super) fn to_smallest_box(contour: &[Segment]) -> Placement {
     best.then(&Placement::shifted(low.map(|c| -c)))
 }
 
+/// The motion that turns a direction, in radians, to the first axis, and the lower left corner to the origin.
+pub(super) fn turned_to(contour: &[Segment], direction: f64) -> Placement {
+    let turn = Placement::turned(-direction);
+    let [low, _] = bounds(contour, &turn);
+    turn.then(&Placement::shifted(low.map(|c| -c)))
+}
+
 /// The box around a contour that is moved.
 pub(super) fn bounds(contour: &[Segment], placement: &Placement) -> [[f64; 2]; 2] {
     let start = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];

@@ -25,7 +25,9 @@ pub struct PartRow {
     pub segments: usize,
     /// How many openings there are.
     pub openings: usize,
-    /// No point of the outline is farther from that of the exact part.
+    /// Whether it has allowances, which the outline has and the seam line has not.
+    pub allowance: bool,
+    /// No point of the outline, without allowances, is farther from that of the exact part.
     pub error: f64,
     /// The bends over tools.
     pub bends: Vec<ToolBendRow>,
@@ -153,7 +155,7 @@ impl PartRow {
     fn text(&self) -> String {
         let [width, height] = self.size.map(|length| format!("{length:.3}"));
         let mut words = format!(
-            "{width} x {height} mm, area {} mm2, cut {} mm of {} lines and arcs{}, nowhere farther than {} mm from the exact part",
+            "{width} x {height} mm, area {} mm2, cut {} mm of {} lines and arcs{}, {} farther than {} mm from the exact part",
             number(self.area),
             number(self.cut_length),
             self.segments,
@@ -161,6 +163,11 @@ impl PartRow {
                 0 => String::new(),
                 1 => " and 1 opening".to_owned(),
                 count => format!(" and {count} openings"),
+            },
+            if self.allowance {
+                "with allowances, the seam line nowhere"
+            } else {
+                "nowhere"
             },
             at_most(self.error)
         );
@@ -223,6 +230,7 @@ fn row(part: &Part) -> PartRow {
         cut_length: part.cut_length(),
         segments: part.outline.len(),
         openings: part.openings.len(),
+        allowance: part.seam_line.is_some(),
         error: part.error,
         bends: part
             .bends

@@ -1,18 +1,20 @@
 //! Flat patterns of designs: every piece that is cut, with what is marked on it.
 
+mod allowance;
 mod blank;
 mod contour;
 mod drawing;
 mod lettering;
 mod listing;
 mod notches;
+mod offset;
 mod part;
 mod summary;
 
 pub use blank::{Blank, Rolled, SharpFold, ToolBend, blank};
 pub use drawing::{development_note, drawing};
 pub use listing::{PartRow, PartsList, RolledRow, SharpRow, ToolBendRow};
-pub use part::{Part, Purpose, parts};
+pub use part::{Grain, Making, Part, Purpose, parts, parts_made};
 pub use summary::{BendRow, PieceSummary, Summary};
 pub use torse_geometry::pattern::Flattening;
 

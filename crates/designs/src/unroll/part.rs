@@ -1,8 +1,10 @@
 //! Parts: what is cut of each piece, and the files of a purpose.
 
-use super::blank::{Rolled, SharpFold, ToolBend, blank};
-use super::contour::{bounds, simplified, to_smallest_box};
+use super::allowance::allowances;
+use super::blank::{Blank, Rolled, SharpFold, ToolBend, blank};
+use super::contour::{bounds, simplified, to_smallest_box, turned_to};
 use super::notches::notches;
+use super::offset::moved_outwards;
 use super::{FlatPiece, drawing, position};
 use crate::design::{Design, Mark};
 use crate::error::DesignError;
@@ -34,6 +36,31 @@ impl Purpose {
     ];
 }
 
+/// How parts lie on the sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Grain {
+    /// The line from the middle of the first ruling to that of the last runs along the drawing, and with it the grain.
+    Along,
+    /// It runs across the drawing.
+    Across,
+}
+
+impl Grain {
+    /// Both with their names on the command line.
+    pub const ALL: [(&'static str, Self); 2] = [("along", Self::Along), ("across", Self::Across)];
+}
+
+/// How parts are cut.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Making {
+    /// The width of the cut in millimetres: outlines are moved outwards by half of it, openings inwards.
+    pub kerf: f64,
+    /// How parts lie; turned to their smallest boxes where nothing is said.
+    pub grain: Option<Grain>,
+}
+
+/// The widest cut, in millimetres.
+const MAX_KERF: f64 = 20.0;
 /// The strokes of a cut in drawings for the eye's programs, in millimetres: bureaus take at most this for a cut.
 const HAIRLINE: f64 = 0.01;
 /// Coordinates of parts are whole multiples of a millimetre over this: files have no digits that mean nothing.
@@ -46,8 +73,10 @@ const ROUNDING: f64 = 1e-12;
 pub struct Part {
     /// The chain or the patch.
     pub name: String,
-    /// The closed outline, counterclockwise, in its smallest box from the origin.
+    /// The closed outline, counterclockwise, in its smallest box from the origin; with its allowances.
     pub outline: Vec<Segment>,
+    /// The outline without allowances, along which it is sewn, welded or glued, where it has some.
+    pub seam_line: Option<Vec<Segment>>,
     /// The round openings: centre and radius.
     pub openings: Vec<([f64; 2], f64)>,
     /// The bends that tools make.
@@ -60,7 +89,7 @@ pub struct Part {
     pub notches: Vec<[[f64; 2]; 2]>,
     /// Width and height of the box.
     pub size: [f64; 2],
-    /// No point of the outline is farther from that of the exact part.
+    /// No point of the outline, without allowances, is farther from that of the exact part.
     pub error: f64,
     /// What whoever opens the file should know: what it is, of which sheet, and how exact.
     pub notes: Vec<String>,
@@ -93,15 +122,7 @@ impl Part {
         for note in &self.notes {
             drawing.note(note)?;
         }
-        let vertices: Vec<Vertex> = self
-            .outline
-            .iter()
-            .map(|segment| Vertex {
-                point: segment.from,
-                bulge: segment.bulge,
-            })
-            .collect();
-        drawing.path(Layer::Outline, &vertices, true)?;
+        drawing.path(Layer::Outline, &vertices_of(&self.outline), true)?;
         for (centre, radius) in &self.openings {
             drawing.circle(Layer::Outline, *centre, *radius)?;
         }
@@ -120,6 +141,9 @@ impl Part {
             }
         }
         if purpose == Purpose::Sew {
+            if let Some(seam_line) = &self.seam_line {
+                drawing.path(Layer::Marks, &vertices_of(seam_line), true)?;
+            }
             for [from, to] in &self.notches {
                 drawing.line(Layer::Marks, *from, *to)?;
             }
@@ -159,22 +183,118 @@ impl Part {
 /// # Ok::<(), torse_designs::DesignError>(())
 /// ```
 pub fn parts(design: &Design, pieces: &[FlatPiece]) -> Result<Vec<Part>, DesignError> {
-    pieces.iter().map(|piece| part(design, piece)).collect()
+    parts_made(design, pieces, Making::default())
 }
 
-fn part(design: &Design, piece: &FlatPiece) -> Result<Part, DesignError> {
+/// The parts of these pieces, cut and laid in this way.
+///
+/// # Errors
+/// As [`parts`], [`DesignError::OutOfRange`] for a kerf that makes no sense, and [`DesignError::Blank`] where an allowance, or a
+/// kerf, does not fit.
+pub fn parts_made(
+    design: &Design,
+    pieces: &[FlatPiece],
+    making: Making,
+) -> Result<Vec<Part>, DesignError> {
+    if !(0.0..=MAX_KERF).contains(&making.kerf) {
+        return Err(DesignError::OutOfRange {
+            name: "kerf",
+            value: making.kerf,
+            range: "[0, 20]",
+        });
+    }
+    let all = pieces.iter();
+    all.map(|piece| part(design, piece, making)).collect()
+}
+
+fn vertices_of(outline: &[Segment]) -> Vec<Vertex> {
+    let vertex = |segment: &Segment| Vertex {
+        point: segment.from,
+        bulge: segment.bulge,
+    };
+    outline.iter().map(vertex).collect()
+}
+
+/// What is cut: the outline of a blank with its allowances and half of the kerf, and, of a part with allowances, how wide they are
+/// on each segment of the blank.
+type CutOutline = (Vec<Segment>, Option<Vec<f64>>);
+
+fn cut_outline(
+    design: &Design,
+    piece: &FlatPiece,
+    blank: &Blank,
+    making: Making,
+) -> Result<CutOutline, DesignError> {
+    let allowances = allowances(design, piece, blank);
+    if allowances.is_none() && making.kerf == 0.0 {
+        return Ok((blank.outline.clone(), None));
+    }
+    let half = 0.5 * making.kerf;
+    let distances: Vec<f64> = match &allowances {
+        Some(all) => all.iter().map(|by| by + half).collect(),
+        None => vec![half; blank.outline.len()],
+    };
+    let snap = 0.5 * design.tolerances.outline;
+    let moved = moved_outwards(&blank.outline, &distances, snap);
+    let moved = moved.map_err(|reason| DesignError::Blank {
+        piece: piece.piece.name.clone(),
+        reason: format!("its allowance does not fit: {reason}"),
+    })?;
+    Ok((moved, allowances))
+}
+
+/// The notch of a seam, outwards into the allowance where there is one.
+fn into_allowance(
+    [from, to]: [[f64; 2]; 2],
+    outline: &[Segment],
+    allowances: &[f64],
+) -> [[f64; 2]; 2] {
+    let near = outline
+        .iter()
+        .zip(allowances)
+        .min_by(|(a, _), (b, _)| a.distance(from).total_cmp(&b.distance(from)));
+    let by = near.map_or(0.0, |(_, by)| *by);
+    if by == 0.0 {
+        return [from, to];
+    }
+    let length = libm::hypot(to[0] - from[0], to[1] - from[1]);
+    let share = (by / length).min(1.0);
+    [from, [0, 1].map(|i| from[i] - share * (to[i] - from[i]))]
+}
+
+fn part(design: &Design, piece: &FlatPiece, making: Making) -> Result<Part, DesignError> {
     // Marks that leave the sheet or overlap are refused as in every drawing.
     drawing(design, std::slice::from_ref(piece))?;
     let blank = blank(design, piece)?;
     let size = blank.outline.iter().map(Segment::length).sum::<f64>();
     // What the tolerance leaves, where the pattern is better than that; rounding in any case.
     let room = (0.5 * (design.tolerances.outline - blank.error)).max(ROUNDING * size);
-    let (outline, off) = simplified(&blank.outline, room);
-    let placement = to_smallest_box(&outline);
+    let (cut, allowances) = cut_outline(design, piece, &blank, making)?;
+    let (outline, mut off) = simplified(&cut, room);
+    let seam_line = allowances.is_some().then(|| {
+        let (seam_line, more) = simplified(&blank.outline, room);
+        off = off.max(more);
+        seam_line
+    });
+    let placement = match making.grain {
+        None => to_smallest_box(&outline),
+        Some(grain) => turned_to(&outline, direction(piece, &blank, grain)),
+    };
     let openings = openings(design, piece, |patch, centre, radius| {
         blank.place(patch, centre, radius)
     })?;
-    let notches = notches(design, piece, &blank)?;
+    let half_kerf = 0.5 * making.kerf;
+    if let Some((_, radius)) = openings.iter().find(|(_, radius)| *radius <= half_kerf) {
+        return Err(DesignError::Blank {
+            piece: piece.piece.name.clone(),
+            reason: format!("an opening of radius {radius} mm is narrower than the kerf"),
+        });
+    }
+    let notches = notches(design, piece, &blank)?.into_iter();
+    let notches = notches.map(|notch| match &allowances {
+        Some(allowances) => into_allowance(notch, &blank.outline, allowances),
+        None => notch,
+    });
     let point = |at: [f64; 2]| placement.point(at).map(on_grid);
     let place = |ends: [[f64; 2]; 2]| ends.map(point);
     let [low, high] = bounds(&outline, &placement);
@@ -185,32 +305,41 @@ fn part(design: &Design, piece: &FlatPiece) -> Result<Part, DesignError> {
         notes.push(format!("a sheet {} mm thick", metal.sheet.thickness()));
     }
     notes.push(format!(
-        "part {}, outline within {} mm of the exact part",
+        "part {}, outline{} within {} mm of the exact part",
         piece.piece.name,
+        if allowances.is_some() {
+            " without its allowances"
+        } else {
+            ""
+        },
         at_most(error)
     ));
+    if making.kerf > 0.0 {
+        notes.push(format!("moved by half of a kerf of {} mm", making.kerf));
+    }
     if piece.flat.is_strained() {
         notes.push(format!(
             "not developable: lines are strained by up to {} of their length",
             at_most(piece.flat.strain())
         ));
     }
+    let placed = |contour: &[Segment]| -> Vec<Segment> {
+        let moved = contour.iter().map(|segment| placement.segment(segment));
+        moved
+            .map(|placed| Segment {
+                from: placed.from.map(on_grid),
+                to: placed.to.map(on_grid),
+                ..placed
+            })
+            .collect()
+    };
     Ok(Part {
         name: piece.piece.name.clone(),
-        outline: outline
-            .iter()
-            .map(|segment| {
-                let placed = placement.segment(segment);
-                Segment {
-                    from: placed.from.map(on_grid),
-                    to: placed.to.map(on_grid),
-                    ..placed
-                }
-            })
-            .collect(),
+        outline: placed(&outline),
+        seam_line: seam_line.map(|seam_line| placed(&seam_line)),
         openings: openings
             .into_iter()
-            .map(|(centre, radius)| (point(centre), radius))
+            .map(|(centre, radius)| (point(centre), radius - half_kerf))
             .collect(),
         bends: blank
             .bends
@@ -229,12 +358,29 @@ fn part(design: &Design, piece: &FlatPiece) -> Result<Part, DesignError> {
             })
             .collect(),
         rolled: blank.rolled,
-        notches: notches.into_iter().map(place).collect(),
+        notches: notches.map(place).collect(),
         size: [high[0] - low[0], high[1] - low[1]].map(on_grid),
         error,
         notes,
         placement,
     })
+}
+
+/// The direction of the first axis of a drawing on the blank, in radians, for this grain.
+fn direction(piece: &FlatPiece, blank: &Blank, grain: Grain) -> f64 {
+    let flat = &piece.flat;
+    let last = flat.pieces().saturating_sub(1);
+    let middle = |place: usize, end: usize| {
+        let ruling = flat.end_rulings(place).unwrap_or_default()[end];
+        let [p, q] = ruling.map(|p| blank.place(place, p, 0.0).unwrap_or(p));
+        [0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])]
+    };
+    let (from, to) = (middle(0, 0), middle(last, 1));
+    let along = libm::atan2(to[1] - from[1], to[0] - from[0]);
+    match grain {
+        Grain::Along => along,
+        Grain::Across => along - 0.5 * PI,
+    }
 }
 
 /// How far the points of a segment move at most whose ends are moved to the grid: its ends by half a diagonal of a cell,

@@ -79,7 +79,7 @@ fn a_plate_goes_on_with_fans_where_that_is_asked() {
         report.patches[0]
             .notes
             .iter()
-            .any(|note| note.contains("from 0 to 0.16153591508932")),
+            .any(|note| note.contains("from 0 to 0.161535915")),
         "{:?}",
         report.patches[0].notes
     );

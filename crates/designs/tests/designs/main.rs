@@ -7,6 +7,7 @@
     reason = "tests"
 )]
 
+mod allowances;
 mod bench;
 mod blanks;
 mod connect;

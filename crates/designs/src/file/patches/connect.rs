@@ -121,9 +121,15 @@ fn summary(panel: &Panel, number: usize, count: usize) -> String {
     text
 }
 
+/// A parameter with nine decimals at most: typed back, it is less than a micrometre off on a curve of a kilometre.
+fn parameter(value: f64) -> String {
+    let text = format!("{value:.9}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
 /// What part of the curves a piece of a panel takes.
 pub(super) fn extent(piece: &PanelPiece) -> String {
-    let [[s0, s1], [t0, t1]] = piece.ranges;
+    let [[s0, s1], [t0, t1]] = piece.ranges.map(|range| range.map(parameter));
     match piece.kind {
         PanelKind::Arc => {
             format!("touches curve 1 from {s0} to {s1} and curve 2 from {t0} to {t1}")
@@ -199,8 +205,8 @@ pub(super) fn connected(
         notes.push(format!(
             "curve {} from {} to {} is left over: there the best ruling twists by up to {:.3} degrees",
             gap.curve + 1,
-            gap.range[0],
-            gap.range[1],
+            parameter(gap.range[0]),
+            parameter(gap.range[1]),
             gap.worst.twist.to_degrees()
         ));
     }
@@ -226,7 +232,7 @@ fn reason(found: &Connected) -> String {
 /// All developables, where there are several, so that each can be asked for.
 fn others(found: &Connected) -> Option<String> {
     let part = |(number, branch): (usize, &Branch)| {
-        let [[s0, s1], [t0, t1]] = branch.ranges();
+        let [[s0, s1], [t0, t1]] = branch.ranges().map(|range| range.map(parameter));
         format!("{number}: curve 1 from {s0} to {s1}, curve 2 from {t0} to {t1}")
     };
     let list: Vec<String> = (1..).zip(&found.branches).map(part).collect();

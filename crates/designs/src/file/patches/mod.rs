@@ -71,11 +71,17 @@ pub fn patches(reader: &mut Reader, section: Option<Value<'_>>, parts: &Parts) -
             let bend = bend.map_or(Some(false), |value| reader.truth(value));
             let edges = entries.take("edges");
             let edges = edges.map_or(Some(Vec::new()), |value| edges::names(reader, value));
+            let allowances = entries.take("allowance");
             let mut made = patch(reader, name, &mut entries, parts, known)?;
             let (bend, edges) = (bend?, edges?);
+            let allowances = allowances.map_or(Some(Vec::new()), |value| {
+                edges::allowances(reader, value, &edges)
+            });
+            let allowances = allowances?;
             for patch in &mut made.patches {
                 patch.bend = bend;
                 patch.edges.clone_from(&edges);
+                patch.allowances.clone_from(&allowances);
             }
             Some(made)
         },

@@ -106,6 +106,7 @@ pub(super) fn trimmed(
         marks,
         bend: false,
         edges: Vec::new(),
+        allowances: Vec::new(),
         notes: raw.notes,
     })
 }
