@@ -46,7 +46,7 @@ impl StripCover {
     /// }).collect()).collect();
     /// let dome = TensorSurface::new(BasisShape::Bernstein, BasisShape::Bernstein, net)?;
     /// let cover = StripCover::new(&dome, StripDirection::U, 15.0)?;
-    /// assert_eq!(cover.strips.len(), 3);
+    /// assert!(cover.fewest && cover.distance() <= 15.0);
     /// assert!(cover.strips.iter().all(|strip| strip.distance <= 15.0 && !strip.panel.pieces.is_empty()));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
