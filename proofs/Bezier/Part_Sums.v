@@ -28,11 +28,11 @@ End sum_powers_slip.
 Module sum_powers_slip_corrected.
 (* bezier/sum.powers.slip (corrected), Sums
    printed: A common slip: Σ j² = m (m + 1)(2 m + 1)/3, j from 1 to m
-   stated: sum(j, 1, m, j^2) == 1/2*(m*(m + 1)*(2*m + 1)/3) *)
+   stated: sum(j, 1, m, j^2) == m*(m + 1)*(2*m + 1)/6 *)
 Definition statement : Prop :=
 forall (m : Z),
   (3 <= m)%Z ->
-  sum 1%Z m (fun j => IZR j ^ 2) = 1 / 2 * (IZR m * (IZR m + 1) * (2 * IZR m + 1) / 3).
+  sum 1%Z m (fun j => IZR j ^ 2) = IZR m * (IZR m + 1) * (2 * IZR m + 1) / 6.
 Definition instance : Prop :=
 exists (m : Z),
   (3 <= m)%Z.

@@ -145,11 +145,11 @@ End half_d1_slip.
 Module half_d1_slip_corrected.
 (* trigonometric/half.d1.slip (corrected), Half angles, curves
    printed: A common slip: E'(t) = 2 sin t (cos²(t/2) (P_1 - P_0) + sin²(t/2) (P_2 - P_1))
-   stated: E'(t) == 1/2*(2*sin(t)*(cos(t/2)^2*(P[1] - P[0]) + sin(t/2)^2*(P[2] - P[1]))) *)
+   stated: E'(t) == sin(t)*(cos(t/2)^2*(P[1] - P[0]) + sin(t/2)^2*(P[2] - P[1])) *)
 Definition statement : Prop :=
 forall (P : Z -> R) (t : R),
   0 <= t <= 1 * PI ->
-  Derive_n (fun t => E_ P t) 1 t = 1 / 2 * (2 * sin t * (cos (t / 2) ^ 2 * (P 1%Z - P 0%Z) + sin (t / 2) ^ 2 * (P 2%Z - P 1%Z))).
+  Derive_n (fun t => E_ P t) 1 t = sin t * (cos (t / 2) ^ 2 * (P 1%Z - P 0%Z) + sin (t / 2) ^ 2 * (P 2%Z - P 1%Z)).
 Definition instance : Prop :=
 exists (P : Z -> R) (t : R),
   0 <= t <= 1 * PI.
