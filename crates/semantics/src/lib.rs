@@ -19,7 +19,7 @@
 //! use std::sync::Arc;
 //! use torse_syntax::derivation::{paper, Source};
 //! use torse_semantics::tree::Reading;
-//! use torse_semantics::{Witness, check_witness, tally};
+//! use torse_semantics::{Witness, check_witness, judge_samples};
 //!
 //! let files = |name: &str| Ok(Arc::new(Source::new(name, match name {
 //!     "paper.toml" => r#"
@@ -46,7 +46,7 @@
 //! let statement = &claim.statement.as_ref().unwrap().expr;
 //!
 //! let reading = Reading::new(claim, statement, ["x"]);
-//! let found = tally(&reading, &[], "p/square", 20, 1_000_000);
+//! let found = judge_samples(&reading, &[], "p/square", 20, 1_000_000);
 //! let point = found.failing.expect("it is false at the ends");
 //! assert!(["x = 0", "x = 1"].contains(&point.to_string().as_str()));
 //! let witness = check_witness(claim, statement, [("x", "2")]);
