@@ -7,9 +7,9 @@
 //! - [`tree`]: the value of a tree, with one rule for each construct, over any [`Arithmetic`]: [`Reals`] (exact where
 //!   possible, otherwise enclosed), residues modulo a prime, [`Polynomials`] (for identities). Derivatives are
 //!   computed with truncated power series ([`Series`]).
-//! - [`tally`]: judges a statement at random points of its domain; this cross-checks proofs.
+//! - [`judge_samples`]: judges a statement at random points of its domain; this cross-checks proofs.
 //! - [`check_witness`]: checks whether a printed counterexample is one; this cross-checks refutations.
-//! - [`beyond`]: judges a statement at points of its domain where a condition fails; this cross-checks conditions.
+//! - [`judge_violations`]: judges a statement at points of its domain where a condition fails; this cross-checks conditions.
 //! - [`identity`] at [`instances`]: equations at fixed small integers, decided exactly.
 //! - [`tree::Compared`]: evaluates trees at random residues, for comparison with what an elaborator makes of them.
 //!
