@@ -28,6 +28,16 @@ pub(crate) struct Branch {
     pub inside: Expr,
 }
 
+impl Branch {
+    /// The part on which this is true.
+    fn new(inside: Expr) -> Self {
+        Self {
+            first: inside.clone(),
+            inside,
+        }
+    }
+}
+
 /// The thin parts of a domain, in the order of visits.
 pub(crate) fn branches(reading: &Reading<'_>) -> Vec<Branch> {
     let declarations = reading.declarations();
@@ -39,10 +49,7 @@ pub(crate) fn branches(reading: &Reading<'_>) -> Vec<Branch> {
         if equations.is_empty() {
             continue;
         }
-        all.push(Branch {
-            first: Expr::clone(premise),
-            inside: Expr::clone(premise),
-        });
+        all.push(Branch::new(Expr::clone(premise)));
         for first in stationary(declarations, &equations) {
             let both = (Arc::new(first.clone()), Arc::new(Expr::clone(premise)));
             all.push(Branch {
@@ -55,16 +62,13 @@ pub(crate) fn branches(reading: &Reading<'_>) -> Vec<Branch> {
     let rates = stationary(declarations, &equations(declarations, &assumed));
     let sides = found.sides.iter();
     let sides = sides.map(|(left, right)| equal((*left).clone(), (*right).clone()));
-    all.extend(rates.into_iter().chain(sides).map(|inside| Branch {
-        first: inside.clone(),
-        inside,
-    }));
+    all.extend(rates.into_iter().chain(sides).map(Branch::new));
     all.truncate(MAX_BRANCHES);
     all
 }
 
-/// For each divisor that the statement shows, outside of what binds a name: the equation that it is zero.
-pub(crate) fn divisors(reading: &Reading<'_>) -> Vec<Expr> {
+/// For each divisor that the statement shows, outside of what binds a name: the part on which it is zero.
+pub(crate) fn divisors(reading: &Reading<'_>) -> Vec<Branch> {
     let mut found: Vec<&Expr> = vec![];
     let mut pending = vec![reading.tree()];
     while let Some(tree) = pending.pop() {
@@ -89,7 +93,7 @@ pub(crate) fn divisors(reading: &Reading<'_>) -> Vec<Expr> {
             _ => {}
         }
     }
-    let zero = |divisor: &Expr| equal(divisor.clone(), Expr::number(&integer(0)));
+    let zero = |divisor: &Expr| Branch::new(equal(divisor.clone(), Expr::number(&integer(0))));
     found.into_iter().take(MAX_BRANCHES).map(zero).collect()
 }
 

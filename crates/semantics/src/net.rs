@@ -3,7 +3,7 @@
 //! A proof is wrong if the statement is false at a point of the domain. A refutation is wrong if its witness lies
 //! outside of the domain or satisfies the statement. Neither check depends on how the verdict was found.
 
-use crate::branches::{branches, divisors};
+use crate::branches::{Branch, branches, divisors};
 use crate::domain::Domain;
 use crate::domain::point::Point;
 use crate::judgement::Judgement;
@@ -122,13 +122,8 @@ fn generic<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> SampleS
 fn visit(tally: &mut SampleStatistics, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str) {
     let reading = domain.reading;
     for branch in branches(reading) {
-        let (inside, alone) = (
-            Domain::where_true(reading, &branch.inside),
-            Domain::alone(reading, &branch.first),
-        );
-        let survey = Survey::new(&inside, seed, POINTS_PER_BRANCH, BRANCH_WORK).beyond(&alone);
         let (mut seen, mut decided) = (0, None);
-        survey.walk(&judged.copied(), &mut |found| {
+        walk_part(reading, &branch, judged, seed, &mut |found| {
             seen += 1;
             if let Seen::Judged {
                 judgement,
@@ -155,6 +150,22 @@ fn visit(tally: &mut SampleStatistics, domain: &Domain<'_>, judged: &Judged<'_>,
     }
 }
 
+/// Visits points of a thin part of a domain.
+fn walk_part(
+    reading: &Reading<'_>,
+    part: &Branch,
+    judged: &Judged<'_>,
+    seed: &str,
+    each: &mut dyn FnMut(Seen<'_, '_>) -> bool,
+) {
+    let (inside, alone) = (
+        Domain::where_true(reading, &part.inside),
+        Domain::alone(reading, &part.first),
+    );
+    let survey = Survey::new(&inside, seed, POINTS_PER_BRANCH, BRANCH_WORK).beyond(&alone);
+    survey.walk(&judged.copied(), each);
+}
+
 /// Looks for a point of the domain at which a divisor in the statement is zero, and all conditions are true.
 fn divide(tally: &mut SampleStatistics, domain: &Domain<'_>, judged: &Judged<'_>, seed: &str) {
     let reading = domain.reading;
@@ -162,13 +173,8 @@ fn divide(tally: &mut SampleStatistics, domain: &Domain<'_>, judged: &Judged<'_>
         if tally.divided.is_some() || tally.failing.is_some() {
             return;
         }
-        let (inside, alone) = (
-            Domain::where_true(reading, &zero),
-            Domain::alone(reading, &zero),
-        );
-        let survey = Survey::new(&inside, seed, POINTS_PER_BRANCH, BRANCH_WORK).beyond(&alone);
         let mut there = SampleStatistics::default();
-        survey.walk(&judged.copied(), &mut |seen| {
+        walk_part(reading, &zero, judged, seed, &mut |seen| {
             there.count(seen);
             there.divided.is_none() && there.found < POINTS_PER_BRANCH
         });

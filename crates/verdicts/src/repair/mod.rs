@@ -132,15 +132,7 @@ fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Opti
         return Some(found);
     }
     // Where names in the place of others used up the work, the edits without them have some of their own.
-    let likely = || {
-        let edits = cautious(printed);
-        proved(
-            claim,
-            statement,
-            &subject,
-            agreeing(&subject, &target, MAX_APART, edits),
-        )
-    };
+    let likely = || apart(search, &subject, &target, cautious(printed));
     if let Some(found) = solved(search, &subject, &target)
         .or(found)
         .or_else(|| ended_early.then(likely).flatten())
@@ -276,27 +268,17 @@ fn retyped(
         return None;
     }
     let edits = retyped::edits(&subject.formula);
-    proved(
-        claim,
-        statement,
-        subject,
-        agreeing(subject, target, MAX_APART, edits),
-    )
+    apart((claim, statement), subject, target, edits)
 }
 
 /// An exponent or a shift that was left out.
 fn inserted(
-    (claim, statement): (&Claim, &Written),
+    search: (&Claim, &Written),
     subject: &Subject,
     target: &Target<'_>,
 ) -> Option<Correction> {
     let edits = insertions::edits(&subject.formula);
-    proved(
-        claim,
-        statement,
-        subject,
-        agreeing(subject, target, MAX_APART, edits),
-    )
+    apart(search, subject, target, edits)
 }
 
 /// An edit of the side that was not taken for the printed one.
@@ -308,15 +290,21 @@ fn across(search: (&Claim, &Written), printed: &Subject) -> Option<Correction> {
     }
     let target = Target::new(claim, statement, &subject)?;
     let edits = cautious(&subject.formula);
-    proved(
-        claim,
-        statement,
-        &subject,
-        agreeing(&subject, &target, MAX_APART, edits),
-    )
-    .or_else(|| retyped(search, &subject, &target))
-    .or_else(|| solved(search, &subject, &target))
-    .or_else(|| inserted(search, &subject, &target))
+    apart(search, &subject, &target, edits)
+        .or_else(|| retyped(search, &subject, &target))
+        .or_else(|| solved(search, &subject, &target))
+        .or_else(|| inserted(search, &subject, &target))
+}
+
+/// The correction among some edits, found with work of its own.
+fn apart(
+    (claim, statement): (&Claim, &Written),
+    subject: &Subject,
+    target: &Target<'_>,
+    edits: Vec<Edit>,
+) -> Option<Correction> {
+    let found = agreeing(subject, target, MAX_APART, edits);
+    proved(claim, statement, subject, found)
 }
 
 /// The edits with which the sides agree at the sample point, with their changes in words.
