@@ -162,7 +162,7 @@ pub fn head(section: &str, theorems: &[&Theorem]) -> String {
     )
 }
 
-/// Writes the module of a theorem with the proved statement as a premise.
+/// Writes the module of a theorem with the proved statement as a premise, where its proof uses that one.
 #[must_use]
 pub fn alone(theorem: &Theorem) -> String {
     let core = proved(&theorem.section).unwrap_or(&theorem.section);
@@ -186,12 +186,49 @@ pub fn alone(theorem: &Theorem) -> String {
             None => ("", says),
         };
         let premise = format!("{core}{}.{module}.{name}", proofs());
+        // A proved statement without premises has no instance; the printed one has, since functions are smooth.
+        let (implied_by, introduced) = match tactics.contains(&premise) {
+            true => (
+                format!("{negation}{core}.{module}.{what} -> "),
+                format!("intro {PROVED_THERE}; "),
+            ),
+            false => Default::default(),
+        };
         let tactics = tactics.replace(&premise, PROVED_THERE);
         text.push_str(&format!(
-            "Theorem {name} : {negation}{core}.{module}.{what} -> {negation}{printed}.{module}.{what}.\n\
-             Proof. intro {PROVED_THERE}; {tactics}\n"
+            "Theorem {name} : {implied_by}{negation}{printed}.{module}.{what}.\nProof. {introduced}{tactics}\n"
         ));
     }
     text.push_str(&format!("End {module}.\n"));
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::task::Evidence;
+
+    #[test]
+    fn alone_a_theorem_has_the_proved_statement_as_a_premise_only_where_its_proof_uses_it() {
+        let theorem = Theorem {
+            section: "P/S_printed".to_owned(),
+            module: "a".to_owned(),
+            id: "p/a".to_owned(),
+            role: Role::Holds,
+            evidence: Evidence::Identity,
+            says: String::new(),
+            proof:
+                "Module a.\nTheorem proved : statement.\nProof. follows P.S_proofs.a.proved. Qed.\n\
+                    Theorem met : instance.\nProof. hnf; exists 0. Qed.\nEnd a.\n"
+                    .to_owned(),
+            rests_on: Some(String::new()),
+        };
+        assert_eq!(
+            alone(&theorem),
+            "\nModule a.\n\
+             Theorem proved : P.S.a.statement -> P.S_printed.a.statement.\n\
+             Proof. intro proved_there; follows proved_there. Qed.\n\
+             Theorem met : P.S_printed.a.instance.\nProof. hnf; exists 0. Qed.\nEnd a.\n"
+        );
+    }
 }
