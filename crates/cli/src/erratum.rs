@@ -29,7 +29,7 @@ pub struct Erratum {
     /// Write to this folder; it is created if necessary
     #[arg(long, value_name = "DIR", default_value = "reports")]
     out: PathBuf,
-    /// Decide all statements again with all corrections of the letter in force, and say what holds then
+    /// Decide the statements that the corrections concern again, with all of these in force, and say what holds then
     #[arg(long)]
     verify: bool,
     /// Sign the letter with this name; without it every page says that it is a draft
@@ -101,6 +101,10 @@ impl Erratum {
         let mut written = String::new();
         for paper in &run.papers {
             let report = Report::with_kernel(paper, &[], &accepted);
+            if report.letter.scope.decided == 0 {
+                let paper = paper.slug.clone();
+                return Err(Failure::NothingDecided { paper });
+            }
             for (ending, letter) in LETTERS {
                 let file = self.out.join(file(&paper.slug, ending));
                 write_file(&file, &letter(&report, &envelope)?.bytes()?)?;

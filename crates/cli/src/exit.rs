@@ -211,6 +211,15 @@ pub enum Failure {
         /// The id.
         slug: String,
     },
+    /// A letter about a paper of which nothing is decided.
+    #[error("no statement of `{paper}` is decided, so that a letter would say nothing")]
+    #[diagnostic(help(
+        "write `states = '...'` under its claims; `torse verify {paper}` says what is still to be stated"
+    ))]
+    NothingDecided {
+        /// The paper.
+        paper: String,
+    },
     /// A report could not be made or written.
     #[error("the report cannot be made")]
     Report(#[from] ReportError),
@@ -311,6 +320,7 @@ impl Failure {
             Failure::Load(_)
             | Failure::Derivation(_)
             | Failure::Slug { .. }
+            | Failure::NothingDecided { .. }
             | Failure::Manuscript { .. } => Exit::BadData,
             Failure::MissingCoqc => Exit::Missing,
             Failure::ReadProofs { .. }

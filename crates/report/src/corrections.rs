@@ -1,7 +1,7 @@
 //! Errors and their corrections, most consequential first.
 
 use crate::findings::{self, Finding};
-use crate::glossary::{self, Term};
+use crate::glossary;
 use crate::names::printed_names;
 use crate::sentence;
 use crate::text::visible;
@@ -30,8 +30,8 @@ pub struct Corrected {
     pub why_in_full: Option<Prose>,
     /// What in it may be an artefact of our copy of the paper.
     pub garbled: Option<Prose>,
-    /// How the verdict was checked.
-    pub level: Option<Term>,
+    /// What checked it beside the prover, for a sentence; none if nothing did.
+    pub checked_by: Option<&'static str>,
     /// How many statements depend on it.
     pub resting: usize,
     /// How many of them fail too.
@@ -128,7 +128,8 @@ pub(crate) fn corrections(
                 .map(|text| prose(&sentence::capital(&text))),
             why_in_full: sentence::failure_in_full(claim).map(|text| prose(&text)),
             garbled: claim.claim.garbled.as_deref().map(prose),
-            level: glossary::level(claim, accepted.contains(&claim.claim.id)),
+            checked_by: glossary::level(claim, accepted.contains(&claim.claim.id))
+                .and_then(glossary::checked_by),
             resting,
             falling,
         })

@@ -27,13 +27,17 @@ fn is_draft(report: &Report, envelope: &Envelope) -> bool {
 
 /// Writes the verification as an entry of a bibliography.
 fn bibliography(report: &Report) -> String {
+    let from = [&report.authors, &report.venue].map(|text| line(text.trim()));
+    let from: Vec<String> = from.into_iter().filter(|text| !text.is_empty()).collect();
+    let scope = report.letter.scope;
     format!(
-        "@misc{{torse-{slug},\n  author = {{{{torse {version}}}}},\n  title = {{Verification of ``{title}''}},\n  note = {{{authors}, {venue}: every statement decided by exact computation}},\n}}\n",
+        "@misc{{torse-{slug},\n  author = {{{{torse {version}}}}},\n  title = {{Verification of ``{title}''}},\n  note = {{{from}: {decided} of {total} statements, formulas and figures decided by exact computation}},\n}}\n",
         slug = report.slug,
         version = env!("CARGO_PKG_VERSION"),
         title = line(&report.title),
-        authors = line(&report.authors),
-        venue = line(&report.venue),
+        from = from.join(", "),
+        decided = scope.decided,
+        total = scope.total,
     )
 }
 
@@ -69,12 +73,10 @@ fn markdown(out: &mut String, report: &Report, envelope: &Envelope) -> fmt::Resu
         write!(out, "**{DRAFT}.**\n\n")?;
     }
     if report.letter.salutation.is_some() {
-        write!(
-            out,
-            "To: {}\n\nPaper: *{}*\n\n",
-            escaped(&report.authors),
-            escaped(&report.venue)
-        )?;
+        write!(out, "To: {}\n\n", escaped(&report.authors))?;
+        if !report.venue.trim().is_empty() {
+            write!(out, "Paper: *{}*\n\n", escaped(&report.venue))?;
+        }
     }
     if let Some(sender) = &envelope.sender {
         write!(out, "From: {}\n\n", escaped(sender))?;
@@ -202,12 +204,10 @@ fn latex(out: &mut String, report: &Report, envelope: &Envelope) -> fmt::Result 
         latex_words(&report.title),
     )?;
     if report.letter.salutation.is_some() {
-        write!(
-            out,
-            "To: {}\n\nPaper: \\textit{{{}}}\n\n",
-            latex_words(&report.authors),
-            latex_words(&report.venue),
-        )?;
+        write!(out, "To: {}\n\n", latex_words(&report.authors))?;
+        if !report.venue.trim().is_empty() {
+            write!(out, "Paper: \\textit{{{}}}\n\n", latex_words(&report.venue))?;
+        }
     }
     if let Some(sender) = &envelope.sender {
         write!(out, "From: {}\n\n", latex_words(sender))?;

@@ -364,6 +364,16 @@ pub fn level(outcome: &Outcome, accepted: bool) -> Option<Term> {
     }
 }
 
+/// Says in a sentence what checked a verdict of a level beside the prover; none if nothing did.
+#[must_use]
+pub fn checked_by(level: Term) -> Option<&'static str> {
+    match level {
+        KERNEL => Some("by the kernel of Rocq"),
+        NETTED => Some("by a second evaluator"),
+        _ => None,
+    }
+}
+
 /// Decided only.
 pub const DECIDED: Term = Term {
     key: "decided",
@@ -382,7 +392,7 @@ pub const KERNEL: Term = Term {
 pub const NETTED: Term = Term {
     key: "netted",
     label: "netted",
-    meaning: "An evaluator that shares nothing with the prover confirmed it at every exact point that was tried.",
+    meaning: "A second evaluator, which shares only the parser and the numbers with the prover, confirmed it at every exact point that was tried.",
 };
 
 /// Returns the words for a kind of statement.

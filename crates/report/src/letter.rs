@@ -43,6 +43,8 @@ impl Envelope {
 pub struct Letter {
     /// How the authors are addressed; none of a worked example, which has no authors to write to.
     pub salutation: Option<String>,
+    /// How much of the paper was decided.
+    pub scope: Scope,
     /// What the letter is about, and how the statements were decided.
     pub opening: String,
     /// What is false and how it is to be corrected, the most consequential first.
@@ -53,6 +55,55 @@ pub struct Letter {
     pub questions: Vec<Item>,
     /// What is true with all corrections in force, and how all of it was checked.
     pub closing: Vec<String>,
+}
+
+/// How many statements, formulas and figures of a paper were decided, of how many that it has. Remarks of ours are not counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Scope {
+    /// Those that were written as formulas and decided.
+    pub decided: usize,
+    /// All of them.
+    pub total: usize,
+}
+
+impl Scope {
+    fn new(claims: &[Outcome]) -> Self {
+        let own = claims.iter().filter(|of| of.claim.kind != Kind::Remark);
+        let is_decided = |outcome: &&Outcome| match outcome.verdict() {
+            Verdict::Holds
+            | Verdict::Conditional
+            | Verdict::Misprint
+            | Verdict::False
+            | Verdict::Vacuous
+            | Verdict::Depends => true,
+            // Printed data are compared with those of other statements, or stand for themselves.
+            Verdict::Definition => outcome.evidence().is_some(),
+            Verdict::Undecided
+            | Verdict::Underspecified
+            | Verdict::OutOfScope
+            | Verdict::Reproduced
+            | Verdict::Partial => false,
+        };
+        Self {
+            decided: own.clone().filter(is_decided).count(),
+            total: own.count(),
+        }
+    }
+
+    /// Says how much was decided, without the full stop.
+    fn sentence(self) -> String {
+        let Self { decided, total } = self;
+        let how = "written as a formula and decided by exact computation, with the program torse";
+        match (decided, total) {
+            (0, _) => "No statement of your paper has been decided yet, so that nothing is said about it here".to_owned(),
+            (1, 1) => format!("The statement of your paper was {how}"),
+            (_, _) if decided == total => format!("Each of the {total} statements of your paper was {how}"),
+            _ => format!(
+                "Of the {total} statements, formulas and figures of your paper, {decided} {} {how}",
+                if decided == 1 { "was" } else { "were each" }
+            ),
+        }
+    }
 }
 
 /// A fault.
@@ -147,11 +198,17 @@ pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Lette
         outcome.verdict() == Verdict::Undecided && outcome.claim.kind != Kind::Remark
     };
     let open: Vec<&Outcome> = claims.iter().filter(is_open).collect();
+    let scope = Scope::new(claims);
     Letter {
+        scope,
         salutation: (!is_example(&paper.authors)).then(|| salutation(&visible(&paper.authors))),
         opening: match is_example(&paper.authors) {
             true => example(corrections.len()),
-            false => opening(corrections.len(), conditions.len(), questions.len(), &open),
+            false => opening(
+                scope,
+                [corrections.len(), conditions.len(), questions.len()],
+                &open,
+            ),
         },
         closing: closing(paper, corrections.len(), accepted),
         corrections,
@@ -324,7 +381,7 @@ fn item_without_fault(outcome: &Outcome) -> Item {
         &outcome.claim.note,
     ) {
         (Some(finding), ..) => Some(sentence::finished(finding)),
-        (None, Some(repair), _) => Some(sentence::finished(&repair.edits.join("; "))),
+        (None, Some(repair), _) => Some(with_changes(&repair.edits)),
         (None, None, Some(note)) => Some(note.clone()),
         (None, None, None) => None,
     };
@@ -347,6 +404,15 @@ fn item_without_fault(outcome: &Outcome) -> Item {
         why,
         also: vec![],
     }
+}
+
+/// Says by which edits a statement becomes true.
+fn with_changes(edits: &[String]) -> String {
+    let count = match edits.len() {
+        1 => "one change",
+        _ => "these changes",
+    };
+    sentence::finished(&format!("It holds with {count}: {}", edits.join("; ")))
 }
 
 fn place(outcome: &Outcome) -> Prose {
@@ -407,26 +473,31 @@ pub(crate) fn is_example(authors: &str) -> bool {
 
 fn example(corrections: usize) -> String {
     format!(
-        "This is no paper but a worked example: {} in it {} wrong on purpose, and here is what torse found of {}. What changes is framed; changed words are bold.",
+        "This is no paper but a worked example: {} in it {} wrong on purpose, and here is what torse found of {}. Changes are framed; changed words are bold.",
         plural(corrections, "statement"),
         if corrections == 1 { "is" } else { "are" },
         if corrections == 1 { "it" } else { "them" },
     )
 }
 
-fn opening(corrections: usize, conditions: usize, questions: usize, open: &[&Outcome]) -> String {
-    let mut text = "Every statement of your paper that can be written as a formula was written as one and decided by exact computation, with the program torse".to_owned();
+fn opening(
+    scope: Scope,
+    [corrections, conditions, questions]: [usize; 3],
+    open: &[&Outcome],
+) -> String {
+    let mut text = scope.sentence();
     let named: Vec<String> = open.iter().map(|outcome| named(outcome)).collect();
     text.push_str(&match named.as_slice() {
-        [] => ". ".to_owned(),
-        [one] => format!("; one is open, {one}. "),
-        several => format!("; {} are open: {}. ", several.len(), several.join("; ")),
+        [] => ".".to_owned(),
+        [one] => format!("; one is open, {one}."),
+        several => format!("; {} are open: {}.", several.len(), several.join("; ")),
     });
     text.push_str(&match corrections {
-        0 => "None was found to be false.".to_owned(),
-        1 => "One correction follows. What changes is framed; changed words are bold.".to_owned(),
+        0 if scope.decided == 0 => String::new(),
+        0 => " None was found to be false.".to_owned(),
+        1 => " One correction follows. Changes are framed; changed words are bold.".to_owned(),
         _ => format!(
-            "{corrections} corrections follow, the most consequential first. What changes is framed; changed words are bold."
+            " {corrections} corrections follow, the most consequential first. Changes are framed; changed words are bold."
         ),
     });
     if conditions > 0 {
@@ -482,7 +553,7 @@ fn closing(paper: &PaperOutcome, corrections: usize, accepted: &BTreeSet<String>
             "The command “torse report {}” writes a page with every statement, its verdict and its proof.",
             visible(&paper.slug)
         ),
-        false => "A report with every statement of the paper, its verdict and its proof is sent on request.".to_owned(),
+        false => "A report with every statement of the paper, its verdict and its proof will be sent on request.".to_owned(),
     });
     list
 }
@@ -546,6 +617,22 @@ fn restored(paper: &PaperOutcome) -> Option<String> {
     }
     text.push_str(&parts.join(", "));
     text.push('.');
+    let is_restored = |outcome: &Outcome| {
+        let mut restored = paper.restored.iter();
+        restored.any(|of| of.claim == outcome.claim.id)
+    };
+    let uncorrected = paper.claims.iter();
+    let uncorrected: Vec<String> = uncorrected
+        .filter(|outcome| is_refuted(outcome) && !is_restored(outcome))
+        .map(|outcome| visible(&plain(&outcome.claim.at)))
+        .collect();
+    if !uncorrected.is_empty() {
+        text.push_str(&format!(
+            " No correction is offered for {} ({}).",
+            plural(uncorrected.len(), "false statement"),
+            uncorrected.join("; ")
+        ));
+    }
     Some(text)
 }
 

@@ -138,7 +138,9 @@ impl Cut {
         note.gap();
         note.list(resting.label, resting.rows.into_iter());
         note.gap();
-        note.add("paper", &format!("{}, {}", paper.title, paper.venue));
+        let title = [paper.title.trim(), paper.venue.trim()];
+        let title: Vec<&str> = title.into_iter().filter(|part| !part.is_empty()).collect();
+        note.add("paper", &title.join(", "));
         note.add("where", &outcome.claim.at);
         note.option("our reading", outcome.claim.reading.as_deref());
         let assumed = outcome.claim.assumed.iter();

@@ -14,7 +14,7 @@ pub struct Judged<T> {
     pub replay: Option<Replay>,
 }
 
-/// The result of the semantics, an evaluator that shares nothing with the prover, for a verdict.
+/// The result of the semantics, an evaluator that shares only parser and numbers with the prover, for a verdict.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Net {
     /// Whether the verdict is netted: a proof was confirmed at as many points as required, each of its conditions is

@@ -235,8 +235,8 @@ fn corrections(out: &mut String, list: &[Corrected]) -> fmt::Result {
             }
         };
         let level = one
-            .level
-            .map_or(String::new(), |level| format!(" Checked: {}.", level.label));
+            .checked_by
+            .map_or(String::new(), |by| format!(" Checked {by}."));
         writeln!(out, "</p><p class=\"meta\">{resting}{level}</p></li>")?;
     }
     out.push_str("</ol></section>\n");
