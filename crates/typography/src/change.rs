@@ -5,7 +5,7 @@
 //! marked whole: a formula with every second letter marked is not read.
 
 use crate::difference::common;
-use crate::layout::{ADDED, REMOVED, layout};
+use crate::layout::{ADDED, REMOVED, SIGN_ADDED, SIGN_REMOVED, layout};
 use crate::tidy::{factors, sum, terms, tidy};
 use crate::{MathBox as Shown, PrintedNames, expression};
 use torse_syntax::formula::{Connective, Expr, Node, Operator};
@@ -81,6 +81,18 @@ fn parts(old: &Expr, new: &Expr) -> Option<Pair> {
         new: Expr::made(new),
         marked,
     };
+    // Only the sign differs.
+    match (&old.node, &new.node) {
+        (Node::Negative(term), _) if **term == *new => {
+            let old = Node::Negative(mark(SIGN_REMOVED, term).into());
+            return Some(made(old, mark(SIGN_ADDED, new).node, 1));
+        }
+        (_, Node::Negative(term)) if **term == *old => {
+            let new = Node::Negative(mark(SIGN_ADDED, term).into());
+            return Some(made(mark(SIGN_REMOVED, old).node, new, 1));
+        }
+        _ => {}
+    }
     let is_sum = |e: &Expr| matches!(e.node, Node::Binary(Operator::Add | Operator::Subtract, ..));
     let is_product = |e: &Expr| matches!(e.node, Node::Binary(Operator::Multiply, ..));
     if is_sum(old) || is_sum(new) {
@@ -279,13 +291,14 @@ mod tests {
     }
 
     #[test]
-    fn a_changed_sign_is_marked_with_its_term() {
+    fn of_a_changed_sign_the_term_has_no_mark() {
         assert_eq!(
             shown("x == a - b + c", "x == a + b + c"),
-            [
-                "x = a removedsign(−) removed(b) + c",
-                "x = a addedsign(+) added(b) + c"
-            ]
+            ["x = a removedsign(−) b + c", "x = a addedsign(+) b + c"]
+        );
+        assert_eq!(
+            shown("x == 3*(a - b)", "x == -3*(a - b)"),
+            ["x = 3 (a − b)", "x = addedsign(−) 3 (a − b)"]
         );
     }
 

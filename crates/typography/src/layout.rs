@@ -13,6 +13,9 @@ use torse_syntax::notation::text;
 /// Marks of changes: functions whose names no file can write.
 pub(crate) const ADDED: &str = "+added";
 pub(crate) const REMOVED: &str = "-removed";
+/// Marks of the sign before a term, where the term stays; where no sign is drawn, nothing is marked.
+pub(crate) const SIGN_ADDED: &str = "+sign added";
+pub(crate) const SIGN_REMOVED: &str = "-sign removed";
 
 /// How tightly a box holds together, loosest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -117,14 +120,12 @@ impl Writer<'_> {
     }
 
     fn negative(&self, inner: &Expr) -> Piece {
+        let sign = marked_sign(inner, Shown::Sign('−'));
         let piece = self.write(inner);
         let level = piece.level.min(Level::Negative);
         match piece.level < Level::Term || piece.level == Level::Negative {
-            true => Piece::new(
-                Level::Negative,
-                Shown::row([Shown::Sign('−'), piece.node.round()]),
-            ),
-            false => Piece::new(level, Shown::row([Shown::Sign('−'), piece.node])),
+            true => Piece::new(Level::Negative, Shown::row([sign, piece.node.round()])),
+            false => Piece::new(level, Shown::row([sign, piece.node])),
         }
     }
 
@@ -133,8 +134,8 @@ impl Writer<'_> {
         for (operator, term) in terms(expr) {
             let minus = operator == Operator::Subtract;
             let mark = mark_of(&term);
-            let term = mark.map_or(&term, |(_, inner)| inner);
-            let piece = self.write(term);
+            let inner = mark.map_or(&term, |(_, inner)| inner);
+            let piece = self.write(inner);
             let loose = piece.level < Level::Term || piece.level == Level::Negative;
             let term = match loose {
                 true => piece.node.round(),
@@ -145,6 +146,7 @@ impl Writer<'_> {
                 (_, true) => Some(Shown::Sign('−')),
                 (false, false) => Some(Shown::Sign('+')),
             };
+            let sign = sign.map(|sign| marked_sign(inner, sign));
             match mark {
                 // A sign belongs to its term.
                 Some((mark, _)) => {
@@ -295,6 +297,7 @@ impl Writer<'_> {
         Some(match (name, arguments) {
             (ADDED, [x]) => self.marked(MathChange::Added, x),
             (REMOVED, [x]) => self.marked(MathChange::Removed, x),
+            (SIGN_ADDED | SIGN_REMOVED, [x]) => self.write(x),
             ("sqrt", [x]) => atom(Shown::Root(boxed(x))),
             ("binom", [n, k]) => atom(Shown::Binomial(boxed(n), boxed(k))),
             ("norm", [v]) => atom(Shown::Fenced(Fence::Length, boxed(v))),
@@ -510,6 +513,19 @@ fn only(expr: &Expr) -> &Expr {
         },
         _ => expr,
     }
+}
+
+/// Marks the sign before a term, if it changed and the term did not.
+fn marked_sign(term: &Expr, sign: Shown) -> Shown {
+    let mark = match &term.node {
+        Node::Call(head, _) => match &head.node {
+            Node::Name(name) if name == SIGN_ADDED => MathChange::Added,
+            Node::Name(name) if name == SIGN_REMOVED => MathChange::Removed,
+            _ => return sign,
+        },
+        _ => return sign,
+    };
+    Shown::Marked(mark, Box::new(sign))
 }
 
 fn mark_of(expr: &Expr) -> Option<(MathChange, &Expr)> {
