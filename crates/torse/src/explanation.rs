@@ -323,17 +323,23 @@ fn true_forms(paper: &PaperOutcome, outcome: &Outcome) -> Vec<String> {
 /// Describes the result of the checker of proofs.
 fn replayed(outcome: &Outcome) -> Option<String> {
     let replay = outcome.replay()?;
-    let sentence = |subject: &str, why: Option<&String>| match why {
-        None => format!("the checker accepts {subject}"),
-        Some(why) => format!("the checker cannot follow {subject}: {why}"),
-    };
-    let proof = sentence("the proof", replay.why.as_ref());
     let correction = replay.correction.as_ref();
-    let correction =
-        correction.map(|own| sentence("the proof of the correction", own.why.as_ref()));
-    let whole = if replay.is_whole() { "yes" } else { "no" };
-    let sentences: Vec<String> = std::iter::once(proof).chain(correction).collect();
-    Some(format!("{whole}: {}", sentences.join("; ")))
+    let failing = [
+        ("the proof", replay.why.as_ref()),
+        (
+            "the proof of the correction",
+            correction.and_then(|own| own.why.as_ref()),
+        ),
+    ];
+    let failing: Vec<String> = failing
+        .into_iter()
+        .filter_map(|(subject, why)| Some(format!("the checker cannot follow {subject}: {}", why?)))
+        .collect();
+    Some(match (replay.is_whole(), correction) {
+        (true, None) => "yes".to_owned(),
+        (true, Some(_)) => "yes, and so is the proof of the correction".to_owned(),
+        (false, _) => format!("no: {}", failing.join("; ")),
+    })
 }
 
 fn verdict(outcome: &Outcome) -> String {
@@ -372,8 +378,8 @@ fn add_witness(note: &mut Note, outcome: &Outcome) {
         note.option("namely", torse_report::failure_in_full(outcome));
         return;
     }
-    note.add("left there", &side(&witness.left, &witness.left_decimal));
-    note.add("right there", &side(&witness.right, &witness.right_decimal));
+    note.add("left side", &side(&witness.left, &witness.left_decimal));
+    note.add("right side", &side(&witness.right, &witness.right_decimal));
 }
 
 /// Describes which part the derived formulas of a refutation cover: one entry, or one instance of small degrees.

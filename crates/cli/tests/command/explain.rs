@@ -19,8 +19,8 @@ fn a_refuted_claim_is_explained_with_both_sides_at_a_point() {
         "verdict",
         "evidence",
         "fails at",
-        "left there",
-        "right there",
+        "left side",
+        "right side",
         "left - right",
         "uses",
     ] {
