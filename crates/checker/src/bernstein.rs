@@ -1,6 +1,6 @@
 //! Bernstein forms on pieces of a box, and whether pieces fill the box.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use torse_certificate::polynomial::{Monomial, Polynomial};
 use torse_certificate::sign::Piece;
 use torse_certificate::symbol::Symbol;
@@ -12,10 +12,8 @@ use torse_numbers::rational::integer;
 pub struct Sides {
     /// The bounded ones, and which of their ends belong to the domain.
     pub sides: Vec<(Symbol, bool, bool)>,
-    /// The unbounded coordinates, which are nonnegative.
-    pub rays: BTreeSet<Symbol>,
-    /// Whether no unbounded coordinate is ever zero.
-    pub open: bool,
+    /// The unbounded coordinates, which are nonnegative, and whether each is never zero.
+    pub rays: BTreeMap<Symbol, bool>,
 }
 
 /// Whether each face of the piece that belongs to the domain has a positive coefficient. Ends of a piece inside of

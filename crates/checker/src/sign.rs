@@ -321,8 +321,7 @@ impl<'a> Signs<'a> {
         let work = self.domain.work;
         let mut bounds = Sides {
             sides: vec![],
-            rays: BTreeSet::new(),
-            open: true,
+            rays: BTreeMap::new(),
         };
         let mut placed = BTreeSet::new();
         for polynomial in &mut *polynomials {
@@ -429,15 +428,13 @@ impl<'a> Signs<'a> {
                     };
                     let value = Quotient::from_ratio(&end.value, work)?.plus(&t, work)?;
                     substitute(polynomials, &|s| (s == symbol).then(|| value.clone()))?;
-                    bounds.rays.insert(symbol.clone());
-                    bounds.open &= !end.closed;
+                    bounds.rays.insert(symbol.clone(), !end.closed);
                 }
                 Coordinate::Squared { symbol } => {
                     for polynomial in &mut *polynomials {
                         **polynomial = halved(polynomial, symbol).ok_or(Wrong::Negative)?;
                     }
-                    bounds.rays.insert(symbol.clone());
-                    bounds.open = false;
+                    bounds.rays.insert(symbol.clone(), false);
                 }
             }
         }
@@ -476,13 +473,15 @@ impl<'a> Signs<'a> {
             let mut excludes_zero = false;
             // The coefficients of products of unbounded coordinates, which are nonnegative.
             for (ray, number) in by_rays(coefficient) {
-                if let Some((symbol, _)) = ray.iter().find(|(s, _)| !bounds.rays.contains(s)) {
-                    return Err(Wrong::Coordinate(symbol.to_string()).into());
+                let mut never_zero = true;
+                for (symbol, _) in &ray {
+                    let open = bounds.rays.get(symbol);
+                    never_zero &= *open.ok_or_else(|| Wrong::Coordinate(symbol.to_string()))?;
                 }
                 match order(&number).ok_or(Unsupported::Near)? {
                     Ordering::Less => return Ok(None),
                     Ordering::Equal => {}
-                    Ordering::Greater => excludes_zero |= ray.is_empty() || bounds.open,
+                    Ordering::Greater => excludes_zero |= never_zero,
                 }
             }
             if excludes_zero {

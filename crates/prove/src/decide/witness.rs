@@ -22,8 +22,8 @@ use torse_syntax::formula::Relation;
 
 /// The most values tried in one search.
 const MAX_TRIES: usize = 6_000;
-/// The values of each symbol that are tried once more where that was not enough.
-const FEW: usize = 4;
+/// The values of each symbol that are tried once more where that was not enough: of a real number without bounds one of each sign.
+const FEW: usize = 5;
 
 /// A point: exact values of symbols, in order.
 pub type Point = BTreeMap<Symbol, Fraction>;
@@ -257,13 +257,35 @@ impl Search<'_> {
             let Some(moved) = moved else {
                 continue;
             };
+            let admitted = !moved.iter().any(fails);
             self.point.insert(symbol.clone(), at.clone());
             if self.run(next, &moved, rest) {
                 return true;
             }
             self.point.remove(symbol);
+            // Another value would change nothing.
+            if admitted && !self.matters(symbol, &value, constraints) {
+                return false;
+            }
         }
         false
+    }
+
+    /// Whether more than its own range hangs on the value of a symbol.
+    fn matters(
+        &self,
+        symbol: &Symbol,
+        value: &Fraction,
+        constraints: &[(Fraction, Relation)],
+    ) -> bool {
+        let ties = |(c, _): &(Fraction, Relation)| {
+            let own = free_symbols(&[c]);
+            own.len() > 1 && own.contains(symbol)
+        };
+        self.domain.is_integer(symbol)
+            || self.domain.roots.iter().any(|root| root.symbol == *symbol)
+            || free_symbols(&[value]).contains(symbol)
+            || constraints.iter().any(ties)
     }
 
     /// Whether a point with values for all symbols is one of those that are sought.

@@ -66,6 +66,36 @@ fn products_of_distances_of_ordered_knots_have_a_sign() {
 }
 
 #[test]
+fn a_term_of_positive_symbols_makes_a_sum_positive_wherever_the_others_vanish() {
+    let signs = |free: &str, zero: &str, states: &str, wanted: Verdict| {
+        let positive = "a = { in = '(0, inf)' }, b = { in = '(0, inf)' }, t = { in = '[0, 1]' }";
+        verdict(
+            &format!(
+                "symbols = {{ {positive}, y = {{}}, c = {free}, d = {zero} }}\nstates = '{states}'"
+            ),
+            wanted,
+        );
+    };
+    let (any, above) = ("{}", "{ in = '[0, inf)' }");
+    signs(any, above, "a*b + b*y^2 > 0", Holds);
+    signs(any, above, "a*d + b*y^2 > 0", False);
+    signs(any, above, "a*(1 - t) + b*t + d*t*(1 - t) > 0", Holds);
+    signs(any, above, "a*(1 - t) + d*t > 0", False);
+    // The denominator of a rational curve of degree two.
+    signs(any, above, "a*(1 - t)^2 + 2*d*t*(1 - t) + b*t^2 > 0", Holds);
+    signs(any, above, "d*(1 - t)^2 + 2*b*t*(1 - t) + a*t^2 > 0", False);
+}
+
+#[test]
+fn a_point_is_found_though_symbols_without_meaning_there_come_first() {
+    let weights = "symbols = { t = { in = '[0, 1]' }, w0 = { in = '(0, inf)' }, w1 = {}, w2 = { in = '(0, inf)' } }";
+    verdict(
+        &format!("{weights}\nstates = 'w0*(1 - t)^2 + 2*w1*t*(1 - t) + w2*t^2 > 0'"),
+        False,
+    );
+}
+
+#[test]
 fn combinations_on_the_simplex_are_decided_coefficient_by_coefficient() {
     let simplex = "symbols = { E = { in = '[0, inf)' }, F = { in = '[0, inf)' }, G = { in = '[0, inf)' }, \
                    u = { in = '[0, 1]' }, v = { in = '[0, 1]' } }\nassume = ['u + v <= 1']\n";

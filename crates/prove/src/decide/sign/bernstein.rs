@@ -143,15 +143,11 @@ impl Spread {
         let count = self.degrees.iter().map(|d| d + 1).product();
         let (mut positive, mut nothing) = (Vec::with_capacity(count), false);
         for place in 0..count {
-            match self.sign_at(place) {
+            match self.sign_at(place, coordinates) {
                 Some(sign) if sign.constant_negative && self.is_corner(place) => {
                     return Shown::NegativeCorner;
                 }
-                Some(sign) if sign.nonnegative => positive.push(if coordinates.rays_open {
-                    sign.somewhere
-                } else {
-                    sign.constant
-                }),
+                Some(sign) if sign.nonnegative => positive.push(sign.positive),
                 _ => nothing = true,
             }
         }
@@ -188,21 +184,21 @@ impl Spread {
     }
 
     /// The sign of the coefficient at this place, a polynomial in the unbounded coordinates.
-    fn sign_at(&self, place: usize) -> Option<RaySign> {
+    fn sign_at(&self, place: usize, coordinates: &Coordinates) -> Option<RaySign> {
         let mut sign = RaySign {
             nonnegative: true,
-            constant: false,
+            positive: false,
             constant_negative: false,
-            somewhere: false,
         };
         // The parts of one ray stand together.
         for parts in self.parts.chunk_by(|a, b| a.ray == b.ray) {
             let order = number_sign(parts, place)?;
-            let constant = parts.first().is_some_and(|part| part.ray.is_one());
+            let Some(Part { ray, .. }) = parts.first() else {
+                continue;
+            };
             sign.nonnegative &= order.is_ge();
-            sign.somewhere |= order.is_gt();
-            sign.constant |= constant && order.is_gt();
-            sign.constant_negative |= constant && order.is_lt();
+            sign.positive |= order.is_gt() && coordinates.excludes_zero(ray);
+            sign.constant_negative |= order.is_lt() && ray.is_one();
         }
         Some(sign)
     }
@@ -258,10 +254,8 @@ fn every_face_positive(positive: &[bool], faces: &[Vec<Face>]) -> bool {
 struct RaySign {
     /// Every coefficient is nonnegative.
     nonnegative: bool,
-    /// The constant one is positive.
-    constant: bool,
+    /// One of a product that is never zero is positive: then, if none is negative, the polynomial is positive.
+    positive: bool,
     /// The constant one is negative.
     constant_negative: bool,
-    /// Some coefficient is positive.
-    somewhere: bool,
 }

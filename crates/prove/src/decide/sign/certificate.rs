@@ -375,7 +375,7 @@ fn coefficients(
             if truth(&number, Relation::AtLeast) != Some(true) {
                 return None;
             }
-            excludes_zero |= !number.is_zero() && (ray.is_one() || coordinates.rays_open);
+            excludes_zero |= !number.is_zero() && coordinates.excludes_zero(&ray);
         }
         if excludes_zero {
             positive.push(index.clone());

@@ -31,8 +31,8 @@ pub struct Side {
 pub struct Coordinates {
     /// The bounded ones.
     pub sides: Vec<Side>,
-    /// Whether every unbounded one has an open end, so that it is never zero.
-    pub rays_open: bool,
+    /// The unbounded ones with an open end, which are never zero.
+    pub open_rays: Vec<Symbol>,
     /// The symbols that stand for tangents, each with the variable and the angle.
     pub tangents: Vec<(Symbol, Arc<str>, Angle)>,
     /// What each symbol is, as part of a proof, in the order in which they are put in.
@@ -94,7 +94,7 @@ impl Coordinates {
         }
         let mut coordinates = Self {
             sides: vec![],
-            rays_open: true,
+            open_rays: vec![],
             tangents,
             written,
         };
@@ -104,7 +104,6 @@ impl Coordinates {
                 for polynomial in &mut moved {
                     *polynomial = in_squares(polynomial, &symbol)?;
                 }
-                coordinates.rays_open = false;
                 let symbol = plain_symbol(&symbol);
                 coordinates.written.push(Coordinate::Squared { symbol });
                 continue;
@@ -129,7 +128,9 @@ impl Coordinates {
             closed: bound.closed,
         };
         let mut ray = |bound: &Bound, up: bool| {
-            self.rays_open &= !bound.closed;
+            if !bound.closed {
+                self.open_rays.push(symbol.clone());
+            }
             let end = end(bound);
             let symbol = own.clone();
             self.written.push(Coordinate::Ray { symbol, end, up });
@@ -164,6 +165,13 @@ impl Coordinates {
     #[must_use]
     pub fn whole(&self) -> Region {
         vec![(integer(0), integer(1)); self.sides.len()]
+    }
+
+    /// Whether a product of unbounded coordinates is positive everywhere: none of them is ever zero.
+    #[must_use]
+    pub fn excludes_zero(&self, ray: &Polynomial) -> bool {
+        let mut symbols = ray.symbols().iter();
+        symbols.all(|symbol| self.open_rays.contains(symbol))
     }
 
     /// Which ends of a region belong to the domain, side by side; those inside the box do.
