@@ -236,9 +236,13 @@ fn cut_outline(
     };
     let snap = 0.5 * design.tolerances.outline;
     let moved = moved_outwards(&blank.outline, &distances, snap);
+    let what = match &allowances {
+        Some(_) => "allowance",
+        None => "kerf",
+    };
     let moved = moved.map_err(|reason| DesignError::Blank {
         piece: piece.piece.name.clone(),
-        reason: format!("its allowance does not fit: {reason}"),
+        reason: format!("its {what} does not fit: {reason}"),
     })?;
     Ok((moved, allowances))
 }
@@ -266,6 +270,14 @@ fn part(design: &Design, piece: &FlatPiece, making: Making) -> Result<Part, Desi
     // Marks that leave the sheet or overlap are refused as in every drawing.
     drawing(design, std::slice::from_ref(piece))?;
     let blank = blank(design, piece)?;
+    if is_closed_ring(design, piece, &blank) {
+        return Err(DesignError::Blank {
+            piece: piece.piece.name.clone(),
+            reason: "its first ruling and its last lie on one another in the plane: it is a closed flat ring, and its outline \
+                     would be cut through there; make it of two parts, each half of the way around"
+                .to_owned(),
+        });
+    }
     let size = blank.outline.iter().map(Segment::length).sum::<f64>();
     // What the tolerance leaves, where the pattern is better than that; rounding in any case.
     let room = (0.5 * (design.tolerances.outline - blank.error)).max(ROUNDING * size);
@@ -364,6 +376,23 @@ fn part(design: &Design, piece: &FlatPiece, making: Making) -> Result<Part, Desi
         notes,
         placement,
     })
+}
+
+/// Whether the pattern comes back to where it began, so that its outline has a slit along the first ruling.
+fn is_closed_ring(design: &Design, piece: &FlatPiece, blank: &Blank) -> bool {
+    let flat = &piece.flat;
+    let last = flat.pieces().saturating_sub(1);
+    let ruling = |place: usize, end: usize| {
+        let ruling = flat.end_rulings(place)?[end];
+        let ends = ruling.map(|point| blank.place(place, point, 0.0));
+        Some([ends[0]?, ends[1]?])
+    };
+    let (Some(first), Some(end)) = (ruling(0, 0), ruling(last, 1)) else {
+        return false;
+    };
+    let apart = |[x, y]: [f64; 2], [z, w]: [f64; 2]| libm::hypot(z - x, w - y);
+    let within = design.tolerances.outline;
+    apart(first[0], first[1]) > within && (0..2).all(|i| apart(first[i], end[i]) <= within)
 }
 
 /// The direction of the first axis of a drawing on the blank, in radians, for this grain.

@@ -69,7 +69,7 @@ pub enum PatternError {
         depth: f64,
     },
     /// The outline of the flat pattern meets itself: the part cannot be cut from one sheet.
-    #[error("the outline crosses itself near ({}, {})", at[0], at[1])]
+    #[error("the outline crosses itself near ({:.3}, {:.3})", at[0], at[1])]
     CrossesItself {
         /// A point near the crossing.
         at: [f64; 2],
