@@ -182,6 +182,25 @@ impl Unroll {
         if let Some(file) = &self.parts {
             write(file, list.csv().as_bytes())?;
         }
+        if let Output::Drawings(purpose) = self.output {
+            for part in &made {
+                let where_else = match (part.marks_left_out(purpose), purpose) {
+                    (0, _) => continue,
+                    (_, Purpose::Cut) => {
+                        "`--for bend` and `--for sew` draw lines and circles, `--for bench` and `--for paper` all"
+                    }
+                    _ => "`--for bench` and `--for paper` have letters",
+                };
+                let count = match part.marks_left_out(purpose) {
+                    1 => "1 mark is".to_owned(),
+                    count => format!("{count} marks are"),
+                };
+                remark(&format!(
+                    "{}: {count} not in this file; {where_else}\n",
+                    part.name
+                ));
+            }
+        }
         self.end(&design, &summary, &list)
     }
 

@@ -3,7 +3,7 @@
 use super::figure::{PaperFigure, PaperStyle, ToPaper};
 use super::sides::Side;
 use super::words::{degrees, length};
-use crate::unroll::{Blank, FlatPiece, Part};
+use crate::unroll::{Blank, FlatPiece, Part, PartMark};
 use serde::Serialize;
 use std::f64::consts::FRAC_1_SQRT_2;
 use torse_geometry::pattern::Segment;
@@ -194,6 +194,34 @@ pub(super) fn part_lines(figure: &mut PaperFigure, drawn: &Drawn<'_>, to: ToPape
     }
     for notch in &part.notches {
         figure.line(PaperStyle::Mark, *notch, to);
+    }
+    for mark in &part.marks {
+        match mark {
+            PartMark::Line(points) => {
+                for pair in points.windows(2) {
+                    figure.line(PaperStyle::Mark, [pair[0], pair[1]], to);
+                }
+            }
+            PartMark::Circle([x, y], radius) => {
+                let half = |from: f64, end: f64| Segment {
+                    from: [x + from * radius, *y],
+                    to: [x + end * radius, *y],
+                    bulge: 1.0,
+                };
+                let circle = [half(1.0, -1.0), half(-1.0, 1.0)];
+                figure.chain(PaperStyle::Mark, &circle, true, to);
+            }
+            PartMark::Text(at, height, angle, content) => {
+                // A line on paper is as high as it says, and its middle is where it stands.
+                let (x, y) = (libm::cos(*angle), libm::sin(*angle));
+                let half = 0.3 * height * content.chars().map(|_| 1.0).sum::<f64>();
+                let middle = [
+                    at[0] + half * x - 0.5 * height * y,
+                    at[1] + half * y + 0.5 * height * x,
+                ];
+                figure.text(to.point(middle), [x, -y], height * to.scale, content);
+            }
+        }
     }
 }
 

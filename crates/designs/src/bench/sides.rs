@@ -97,11 +97,19 @@ pub(super) fn sides(
         let shares = |rail: usize| if rail == 0 { 0.0 } else { 1.0 };
         for (side, chain) in chains.iter().enumerate() {
             let rail = if side == 0 { left } else { 1 - left };
-            let points = chain.iter().flat_map(points_of);
+            let points: Vec<[f64; 2]> = chain.iter().flat_map(points_of).collect();
+            let on_blank: Vec<[f64; 2]> = points
+                .iter()
+                .filter_map(|point| on_part(*place, *point))
+                .collect();
+            // What arcs are longer than their chords is the same on the blank.
+            let arcs: f64 = chain.iter().map(Segment::length).sum();
+            let length = polygon_length(&on_blank) + arcs - polygon_length(&points);
             let steps = (0..=POINTS).map(|k| space(f64::from(k) / f64::from(POINTS), shares(rail)));
             rails[side].push(Run {
                 member: (*index, [PatchEdge::First, PatchEdge::Second][rail]),
-                points: points.filter_map(|p| on_part(*place, p)).collect(),
+                points: on_blank,
+                length,
                 space: steps.collect::<Result<_, _>>()?,
             });
         }
@@ -113,9 +121,14 @@ pub(super) fn sides(
                 PatchEdge::Start
             };
             let u = if end == 0 { 0.0 } else { 1.0 };
+            let points: Vec<[f64; 2]> = ruling
+                .iter()
+                .filter_map(|point| on_part(*place, *point))
+                .collect();
             both.push(Run {
                 member: (*index, edge),
-                points: ruling.iter().filter_map(|p| on_part(*place, *p)).collect(),
+                length: polygon_length(&points),
+                points,
                 space: vec![space(u, shares(left))?, space(u, shares(1 - left))?],
             });
         }
@@ -140,10 +153,7 @@ pub(super) fn sides(
     for group in groups {
         let members: Vec<(usize, PatchEdge)> = group.iter().map(|run| run.member).collect();
         let points: Vec<[f64; 2]> = group.iter().flat_map(|run| run.points.clone()).collect();
-        let length = points
-            .windows(2)
-            .map(|pair| libm::hypot(pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]))
-            .sum::<f64>();
+        let length = group.iter().map(|run| run.length).sum::<f64>();
         if length <= 1e-9 * size {
             continue;
         }
@@ -165,7 +175,14 @@ pub(super) fn sides(
 struct Run {
     member: (usize, PatchEdge),
     points: Vec<[f64; 2]>,
+    length: f64,
     space: Vec<Point>,
+}
+
+fn polygon_length(points: &[[f64; 2]]) -> f64 {
+    let pairs = points.windows(2);
+    let lengths = pairs.map(|pair| libm::hypot(pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]));
+    lengths.sum()
 }
 
 impl Run {
@@ -173,6 +190,7 @@ impl Run {
         Self {
             member: self.member,
             points: self.points.iter().rev().copied().collect(),
+            length: self.length,
             space: self.space.iter().rev().copied().collect(),
         }
     }

@@ -1,12 +1,12 @@
 //! The drawing of the pieces: patterns, marks, lettering, notes.
 
+use super::FlatPiece;
 use super::lettering::{self, Drawn, Line};
-use super::{FlatPiece, position};
+use super::marks::{FlatMark, flat_marks};
 use crate::design::{Design, Mark, Patch};
 use crate::error::DesignError;
-use crate::polygon::is_within;
 use torse_exchange::{Drawing, Layer, Text};
-use torse_geometry::pattern::{FlatPattern, PatternError, PatternPlace};
+use torse_geometry::pattern::FlatPattern;
 
 /// The height of the letters of a name, as a share of the size of its piece.
 const LETTERS: f64 = 0.025;
@@ -93,6 +93,7 @@ fn name(
     Ok(())
 }
 
+/// Draws the marks of a patch; `holes` are those that were drawn before it.
 fn marks(
     drawing: &mut Drawing,
     design: &Design,
@@ -100,109 +101,35 @@ fn marks(
     flat: &FlatPattern,
     holes: &mut Vec<([f64; 2], f64)>,
 ) -> Result<(), DesignError> {
-    if patch.marks.is_empty() {
-        return Ok(());
-    }
-    let failed = |reason: String| DesignError::Mark {
-        patch: patch.name.clone(),
-        reason,
-    };
-    let unrolled = |source: PatternError| failed(source.to_string());
-    let piece = position(flat, patch).ok_or_else(|| failed("it has no pattern".to_owned()))?;
-    let flatten = |[x, v]: [f64; 2]| {
-        let point = flat.flatten(PatternPlace { piece, x, v });
-        point.ok_or_else(|| failed(format!("[{x}, {v}] is outside the patch")))
-    };
-    // Beyond an edge of the sheet, which may be the edge of regression, there is no surface to carry a circle back to.
-    let centre = |what: &str, place: [f64; 2], radius: f64| {
-        let centre = flatten(place)?;
-        let room = flat.outline().distance(centre);
-        if room > radius {
-            return Ok(centre);
-        }
-        let [u, v] = place;
-        Err(failed(format!(
-            "the {what} of radius {radius} mm at [{u}, {v}] leaves the sheet, which ends {room:.4} mm from there"
-        )))
-    };
-    for mark in &patch.marks {
+    for (own, mark) in patch.marks.iter().zip(flat_marks(design, patch, flat)?) {
         match mark {
-            Mark::Line(places) => {
-                let mut points: Vec<[f64; 2]> = Vec::new();
-                for pair in places.windows(2) {
-                    let [a, b] = [pair[0], pair[1]];
-                    let line = |t: f64| [0, 1].map(|i| a[i] + t * (b[i] - a[i]));
-                    let part = flat.carry(piece, line, design.tolerances.outline);
-                    let part = part.map_err(unrolled)?;
-                    points.extend(part.iter().skip(usize::from(!points.is_empty())));
-                }
-                drawing.polyline(Layer::Marks, &points)?;
-            }
-            Mark::Hole(place, radius) => {
-                let at = centre("hole", *place, *radius)?;
+            FlatMark::Line(points) => drawing.polyline(Layer::Marks, &points)?,
+            FlatMark::Hole(at, radius) => {
                 let apart = |(other, own): &([f64; 2], f64)| {
                     libm::hypot(other[0] - at[0], other[1] - at[1]) - own - radius
                 };
                 let nearest = holes.iter().map(apart).fold(f64::INFINITY, f64::min);
-                if nearest <= 0.0 {
-                    let [u, v] = place;
-                    return Err(failed(format!(
-                        "the hole of radius {radius} mm at [{u}, {v}] overlaps another by {:.4} mm",
-                        -nearest
-                    )));
+                if let (true, Mark::Hole([u, v], _)) = (nearest <= 0.0, own) {
+                    return Err(DesignError::Mark {
+                        patch: patch.name.clone(),
+                        reason: format!(
+                            "the hole of radius {radius} mm at [{u}, {v}] overlaps another by {:.4} mm",
+                            -nearest
+                        ),
+                    });
                 }
-                holes.push((at, *radius));
-                drawing.circle(Layer::Outline, at, *radius)?;
+                holes.push((at, radius));
+                drawing.circle(Layer::Outline, at, radius)?;
             }
-            Mark::Circle(place, radius) => {
-                drawing.circle(Layer::Marks, centre("circle", *place, *radius)?, *radius)?;
-            }
-            Mark::Text(place, content, height, angle) => {
-                let (from, to) = (flatten([place[0], 0.0])?, flatten([place[0], 1.0])?);
-                let line = Line {
-                    at: flatten(*place)?,
-                    height: *height,
-                    angle: libm::atan2(to[1] - from[1], to[0] - from[0]) + angle,
-                };
-                let frame = lettering::frame(&line, content.chars().count());
-                let beside = beside(flat, &frame);
-                if beside > design.tolerances.outline {
-                    let [u, v] = place;
-                    return Err(failed(format!(
-                        "the text {content:?} at [{u}, {v}] leaves the sheet by {beside:.4} mm"
-                    )));
-                }
-                drawing.text(Text {
-                    layer: Layer::Marks,
-                    at: line.at,
-                    height: line.height,
-                    angle: line.angle,
-                    content: content.clone(),
-                })?;
-            }
+            FlatMark::Circle(at, radius) => drawing.circle(Layer::Marks, at, radius)?,
+            FlatMark::Text(line, content) => drawing.text(Text {
+                layer: Layer::Marks,
+                at: line.at,
+                height: line.height,
+                angle: line.angle,
+                content,
+            })?,
         }
     }
     Ok(())
-}
-
-/// Points on each side of a frame, and of each segment of an outline, that are looked at.
-const FRAME_POINTS: u32 = 16;
-
-/// How far a closed frame reaches beyond the outline of a pattern, as its points show.
-fn beside(flat: &FlatPattern, frame: &[[f64; 2]]) -> f64 {
-    let share = |k: u32| f64::from(k) / f64::from(FRAME_POINTS);
-    let outline: Vec<[f64; 2]> = flat
-        .outline()
-        .segments()
-        .iter()
-        .flat_map(|segment| (0..FRAME_POINTS).map(|k| segment.point(share(k))))
-        .collect();
-    let sides = frame.windows(2).flat_map(|side| {
-        let (a, b) = (side[0], side[1]);
-        (0..FRAME_POINTS).map(move |k| [0, 1].map(|i| a[i] + share(k) * (b[i] - a[i])))
-    });
-    sides
-        .filter(|point| !is_within(&outline, *point))
-        .map(|point| flat.outline().distance(point))
-        .fold(0.0, f64::max)
 }

@@ -25,6 +25,8 @@ pub struct PartRow {
     pub segments: usize,
     /// How many openings there are.
     pub openings: usize,
+    /// How many marks the file gives it: lines and circles are drawn for `bend` and `sew`, lettering on paper alone.
+    pub marks: usize,
     /// Whether it has allowances, which the outline has and the seam line has not.
     pub allowance: bool,
     /// No point of the outline, without allowances, is farther from that of the exact part.
@@ -207,16 +209,20 @@ impl PartRow {
     }
 }
 
+/// A sheet of a larger radius, in millimetres, is flat.
+const MAX_ROLLED_RADIUS: f64 = 1e6;
+
 /// The radii of patches in words; `None` where there are none.
 fn radii_of(rows: &[&RolledRow]) -> Option<String> {
     let from = rows.iter().map(|row| row.from).min_by(f64::total_cmp)?;
     let to: Option<Vec<f64>> = rows.iter().map(|row| row.to).collect();
     let to = to.map(|all| all.into_iter().fold(0.0, f64::max));
+    let to = to.filter(|radius| *radius < MAX_ROLLED_RADIUS);
     let (from, to) = (number(from), to.map(number));
     Some(match to {
         Some(to) if to == from => format!("radius {from} mm"),
         Some(to) => format!("radii from {from} to {to} mm"),
-        None => format!("radii from {from} mm"),
+        None => format!("radii from {from} mm to flat"),
     })
 }
 
@@ -230,6 +236,7 @@ fn row(part: &Part) -> PartRow {
         cut_length: part.cut_length(),
         segments: part.outline.len(),
         openings: part.openings.len(),
+        marks: part.marks.len(),
         allowance: part.seam_line.is_some(),
         error: part.error,
         bends: part

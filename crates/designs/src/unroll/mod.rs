@@ -6,6 +6,7 @@ mod contour;
 mod drawing;
 mod lettering;
 mod listing;
+mod marks;
 mod notches;
 mod offset;
 mod part;
@@ -14,7 +15,7 @@ mod summary;
 pub use blank::{Blank, Rolled, SharpFold, ToolBend, blank};
 pub use drawing::{development_note, drawing};
 pub use listing::{PartRow, PartsList, RolledRow, SharpRow, ToolBendRow};
-pub use part::{Grain, Making, Part, Purpose, parts, parts_made};
+pub use part::{Grain, Making, Part, PartMark, Purpose, parts, parts_made};
 pub use summary::{BendRow, PieceSummary, Summary};
 pub use torse_geometry::pattern::Flattening;
 

@@ -3,6 +3,7 @@
 use super::allowance::allowances;
 use super::blank::{Blank, Rolled, SharpFold, ToolBend, blank};
 use super::contour::{bounds, simplified, to_smallest_box, turned_to};
+use super::marks::{FlatMark, flat_marks};
 use super::notches::notches;
 use super::offset::moved_outwards;
 use super::{FlatPiece, drawing, position};
@@ -68,6 +69,17 @@ const STEPS: f64 = 1e9;
 /// What counts as nothing beside the size of a part when vertices are left out.
 const ROUNDING: f64 = 1e-12;
 
+/// What is drawn on a part and not cut.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PartMark {
+    /// A polygon.
+    Line(Vec<[f64; 2]>),
+    /// A circle: its centre and radius.
+    Circle([f64; 2], f64),
+    /// Lettering: the start of its base line, its height, its direction in radians, what it says.
+    Text([f64; 2], f64, f64, String),
+}
+
 /// A part to be cut.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Part {
@@ -79,6 +91,8 @@ pub struct Part {
     pub seam_line: Option<Vec<Segment>>,
     /// The round openings: centre and radius.
     pub openings: Vec<([f64; 2], f64)>,
+    /// What the file marks on it.
+    pub marks: Vec<PartMark>,
     /// The bends that tools make.
     pub bends: Vec<ToolBend>,
     /// The edges without a bend radius.
@@ -112,7 +126,19 @@ impl Part {
         self.outline.iter().map(Segment::length).sum::<f64>() + around.sum::<f64>()
     }
 
-    /// The drawing of the part: contours alone, and for [`Purpose::Bend`] the bend lines.
+    /// How many marks of the part its drawing for a purpose does not have: a cut has none, and no drawing of one part has letters.
+    #[must_use]
+    pub fn marks_left_out(&self, purpose: Purpose) -> usize {
+        let is_left_out = |mark: &&PartMark| match purpose {
+            Purpose::Cut => true,
+            Purpose::Bend | Purpose::Sew => matches!(mark, PartMark::Text(..)),
+            Purpose::Fold => false,
+        };
+        self.marks.iter().filter(is_left_out).count()
+    }
+
+    /// The drawing of the part: contours alone, for [`Purpose::Bend`] the bend lines too, for [`Purpose::Sew`] the notches, and
+    /// for both the marks that are lines and circles.
     ///
     /// # Errors
     /// [`DesignError::Exchange`].
@@ -125,6 +151,18 @@ impl Part {
         drawing.path(Layer::Outline, &vertices_of(&self.outline), true)?;
         for (centre, radius) in &self.openings {
             drawing.circle(Layer::Outline, *centre, *radius)?;
+        }
+        if matches!(purpose, Purpose::Bend | Purpose::Sew) {
+            for mark in &self.marks {
+                match mark {
+                    PartMark::Line(points) => drawing.polyline(Layer::Marks, points)?,
+                    PartMark::Circle(centre, radius) => {
+                        drawing.circle(Layer::Marks, *centre, *radius)?;
+                    }
+                    // Letters are for paper: programs that cut and bend take none.
+                    PartMark::Text(..) => {}
+                }
+            }
         }
         if purpose == Purpose::Bend {
             for bend in &self.bends {
@@ -295,6 +333,7 @@ fn part(design: &Design, piece: &FlatPiece, making: Making) -> Result<Part, Desi
     let openings = openings(design, piece, |patch, centre, radius| {
         blank.place(patch, centre, radius)
     })?;
+    let marks = part_marks(design, piece, &blank, &placement)?;
     let half_kerf = 0.5 * making.kerf;
     if let Some((_, radius)) = openings.iter().find(|(_, radius)| *radius <= half_kerf) {
         return Err(DesignError::Blank {
@@ -353,6 +392,7 @@ fn part(design: &Design, piece: &FlatPiece, making: Making) -> Result<Part, Desi
             .into_iter()
             .map(|(centre, radius)| (point(centre), radius - half_kerf))
             .collect(),
+        marks,
         bends: blank
             .bends
             .into_iter()
@@ -429,6 +469,57 @@ fn moved_on_grid(segment: &Segment) -> f64 {
 fn on_grid(length: f64) -> f64 {
     // Divided: the nearest double to the decimal, whose shortest form is short.
     (length * STEPS).round() / STEPS
+}
+
+/// The marks of a piece, where they lie on the part.
+fn part_marks(
+    design: &Design,
+    FlatPiece { piece, flat }: &FlatPiece,
+    blank: &Blank,
+    placement: &Placement,
+) -> Result<Vec<PartMark>, DesignError> {
+    let turn = {
+        let [from, to] = [[0.0, 0.0], [1.0, 0.0]].map(|p| placement.point(p));
+        libm::atan2(to[1] - from[1], to[0] - from[0])
+    };
+    let mut found = Vec::new();
+    let patches = piece.patches.iter();
+    for patch in patches.filter_map(|index| design.patches.get(*index)) {
+        let Some(place) = position(flat, patch) else {
+            continue;
+        };
+        let on_part = |point: [f64; 2], room: f64| {
+            let on_blank = blank.place(place, point, room);
+            let on_blank = on_blank.ok_or_else(|| DesignError::Mark {
+                patch: patch.name.clone(),
+                reason: "a mark lies where a bend takes up the sheet".to_owned(),
+            });
+            Ok::<_, DesignError>(on_grid_point(placement.point(on_blank?)))
+        };
+        for mark in flat_marks(design, patch, flat)? {
+            found.push(match mark {
+                FlatMark::Hole(..) => continue,
+                FlatMark::Line(points) => {
+                    let points = points.into_iter().map(|point| on_part(point, 0.0));
+                    PartMark::Line(points.collect::<Result<_, _>>()?)
+                }
+                FlatMark::Circle(centre, radius) => {
+                    PartMark::Circle(on_part(centre, radius)?, radius)
+                }
+                FlatMark::Text(line, content) => PartMark::Text(
+                    on_part(line.at, 0.0)?,
+                    line.height,
+                    line.angle + turn,
+                    content,
+                ),
+            });
+        }
+    }
+    Ok(found)
+}
+
+fn on_grid_point(point: [f64; 2]) -> [f64; 2] {
+    point.map(on_grid)
 }
 
 /// The openings of a piece, on its blank.

@@ -1,12 +1,14 @@
 //! Sheets for the fitter, and parts in true size on pages.
 
+use std::f64::consts::PI;
 use std::path::Path;
 use torse_designs::bench::{
     BenchSheet, BenchTable, PaperFigure, PaperSize, PaperStyle, TiledPart, bench_sheets,
     tiled_parts,
 };
-use torse_designs::unroll::{Demand, Part, parts, unroll};
+use torse_designs::unroll::{Demand, Part, PartMark, Purpose, parts, unroll};
 use torse_designs::{Design, load, read};
+use torse_exchange::Layer;
 
 fn worked(name: &str) -> Design {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../designs");
@@ -259,4 +261,88 @@ fn a_part_that_takes_too_many_pages_is_refused_with_their_number() {
     let parts = parts(&design, &pieces).unwrap();
     let error = tiled_parts(&design, &pieces, &parts, PaperSize::Letter).unwrap_err();
     assert!(error.to_string().contains("pages of Letter"), "{error}");
+}
+
+#[test]
+fn curved_edges_are_as_long_as_their_arcs() {
+    // Half of a cone: rims of radius 150 and 75 in space.
+    let design = read(
+        "frustum.toml",
+        r"
+        [curves]
+        wide = { arc = { centre = [0, 0, 0], from = [150, 0, 0], axis = [0, 0, 1], angle = 180 } }
+        narrow = { arc = { centre = [0, 0, 80], from = [75, 0, 80], axis = [0, 0, 1], angle = 180 } }
+        [patches]
+        frustum = { ruled = ['wide', 'narrow'] }
+        ",
+    )
+    .unwrap();
+    let (sheets, ..) = made(&design);
+    let length = |name: &str| edges(&sheets).into_iter().find(|e| e.1 == name).unwrap().2;
+    assert!((length("frustum.first") - 150.0 * PI).abs() < 0.005);
+    assert!((length("frustum.second") - 75.0 * PI).abs() < 0.005);
+}
+
+#[test]
+fn marks_are_drawn_for_bending_and_sewing_and_on_paper_and_a_cut_says_that_it_has_none() {
+    let design = read(
+        "plate.toml",
+        r"
+        [curves]
+        a = { bezier = [[0, 0, 0], [100, 0, 0]] }
+        b = { bezier = [[0, 60, 0], [100, 60, 0]] }
+        [patches.plate]
+        ruled = ['a', 'b']
+        marks = [
+            { line = [[0.2, 0.2], [0.8, 0.8]] },
+            { at = [0.5, 0.5], radius = 5, hole = false },
+            { at = [0.1, 0.1], text = 'TOP', height = 8 },
+            { at = [0.1, 0.8], radius = 3 },
+        ]
+        ",
+    )
+    .unwrap();
+    let (sheets, _, parts) = made(&design);
+    let part = &parts[0];
+    let left_out = |purpose| part.marks_left_out(purpose);
+    assert_eq!(
+        [Purpose::Cut, Purpose::Bend, Purpose::Sew].map(left_out),
+        [3, 1, 1]
+    );
+    let on_marks = |purpose| {
+        let drawing = part.drawing(purpose).unwrap();
+        let paths = drawing.paths().iter();
+        paths.filter(|path| path.layer() == Layer::Marks).count()
+    };
+    assert_eq!(
+        [Purpose::Cut, Purpose::Bend, Purpose::Sew].map(on_marks),
+        [0, 2, 2]
+    );
+    // The line is as long as in the design, wherever the part was turned.
+    let PartMark::Line(line) = &part.marks[0] else {
+        panic!("{:?}", part.marks);
+    };
+    let [from, to] = [line[0], line[line.len() - 1]];
+    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+    assert!((length - 60.0_f64.hypot(36.0)).abs() < 1e-8, "{length}");
+    let texts = &sheets[0].figure.texts;
+    assert!(texts.iter().any(|text| text.text == "TOP"), "{texts:?}");
+}
+
+#[test]
+fn a_closed_flat_ring_is_no_part_with_a_slit() {
+    let design = read(
+        "ring.toml",
+        r"
+        [curves]
+        inner = { arc = { centre = [0, 0, 0], from = [75, 0, 0], axis = [0, 0, 1], angle = 360 } }
+        outer = { arc = { centre = [0, 0, 0], from = [105, 0, 0], axis = [0, 0, 1], angle = 360 } }
+        [patches]
+        ring = { ruled = ['inner', 'outer'] }
+        ",
+    )
+    .unwrap();
+    let pieces = unroll(&design, &Demand::default()).unwrap();
+    let refused = parts(&design, &pieces).unwrap_err().to_string();
+    assert!(refused.contains("closed flat ring"), "{refused}");
 }
