@@ -99,7 +99,7 @@ pub struct Part {
     pub sharp: Vec<SharpFold>,
     /// The patches that are rolled.
     pub rolled: Vec<Rolled>,
-    /// The notches of its seams: lines from the edge inwards.
+    /// The notches of its seams: lines from the edge that is cut inwards.
     pub notches: Vec<[[f64; 2]; 2]>,
     /// Width and height of the box.
     pub size: [f64; 2],
@@ -285,7 +285,7 @@ fn cut_outline(
     Ok((moved, allowances))
 }
 
-/// The notch of a seam, outwards into the allowance where there is one.
+/// The notch of a seam: where there is an allowance, from the edge that is cut inwards, and no farther than the seam line.
 fn into_allowance(
     [from, to]: [[f64; 2]; 2],
     outline: &[Segment],
@@ -300,8 +300,8 @@ fn into_allowance(
         return [from, to];
     }
     let length = libm::hypot(to[0] - from[0], to[1] - from[1]);
-    let share = (by / length).min(1.0);
-    [from, [0, 1].map(|i| from[i] - share * (to[i] - from[i]))]
+    let outwards = |by: f64| [0, 1].map(|i| from[i] - by / length * (to[i] - from[i]));
+    [outwards(by), outwards((by - length).max(0.0))]
 }
 
 fn part(design: &Design, piece: &FlatPiece, making: Making) -> Result<Part, DesignError> {

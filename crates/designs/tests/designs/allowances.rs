@@ -140,7 +140,7 @@ fn the_grain_says_how_a_part_lies() {
 }
 
 #[test]
-fn the_cut_is_the_outside_and_the_seam_is_marked_with_its_notches_outwards() {
+fn the_cut_is_the_outside_and_its_notches_go_from_it_to_the_marked_seam() {
     let text = "seams = [[\"front.second\", \"back.first\"]]\n".to_owned()
         + &panel("allowance = 8", "")
         + "[patches.back]\nruled = [\"b\", \"c\"]\n";
@@ -186,9 +186,10 @@ fn the_cut_is_the_outside_and_the_seam_is_marked_with_its_notches_outwards() {
                     .map(|s| s.distance(p))
                     .fold(f64::INFINITY, f64::min)
             };
-            assert!(off(*from, net) < 1e-8);
-            // Three of the eight millimetres outwards.
-            assert!((off(*to, &part.outline) - 5.0).abs() < 1e-8 && off(*to, net) > 2.9);
+            // Three of the eight millimetres inwards.
+            assert!(off(*from, &part.outline) < 1e-8);
+            assert!((off(*to, &part.outline) - 3.0).abs() < 1e-8);
+            assert!((off(*to, net) - 5.0).abs() < 1e-8);
         }
     }
 }

@@ -323,8 +323,8 @@ fn marks_are_drawn_for_bending_and_sewing_and_on_paper_and_a_cut_says_that_it_ha
         panic!("{:?}", part.marks);
     };
     let [from, to] = [line[0], line[line.len() - 1]];
-    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
-    assert!((length - 60.0_f64.hypot(36.0)).abs() < 1e-8, "{length}");
+    let length = libm::hypot(to[0] - from[0], to[1] - from[1]);
+    assert!((length - libm::hypot(60.0, 36.0)).abs() < 1e-8, "{length}");
     let texts = &sheets[0].figure.texts;
     assert!(texts.iter().any(|text| text.text == "TOP"), "{texts:?}");
 }
