@@ -239,3 +239,56 @@ duct = { connect = ["rect", "pipe"] }
         Err(other) => panic!("{other:?}"),
     }
 }
+
+/// The joints of a design that are folds, and how many patches it has.
+fn folded(text: &str) -> (usize, usize) {
+    let report = inspect(&design(text)).unwrap();
+    let folds = report.joints.iter().filter(|joint| joint.kink > 1e-6);
+    (folds.count(), report.patches.len())
+}
+
+#[test]
+fn a_square_to_a_circle_is_four_triangles_and_four_cones_without_a_fold() {
+    let hopper = r#"
+[curves]
+inlet = { polyline = [[200, 0, 350], [200, 200, 350], [-200, 200, 350], [-200, -200, 350], [200, -200, 350], [200, 0, 350]] }
+outlet = { arc = { centre = [0, 0, 0], from = [75, 0, 0], axis = [0, 0, 1], angle = 360 } }
+[patches.hopper]
+connect = ["inlet", "outlet"]
+"#;
+    // The triangle beside the start of the inlet is in two parts.
+    assert_eq!(folded(hopper), (0, 9));
+    let report = inspect(&design(hopper)).unwrap();
+    let triangle = 0.5 * 400.0 * libm::hypot(125.0, 350.0);
+    let triangles: Vec<f64> = report
+        .patches
+        .iter()
+        .filter_map(|p| p.area)
+        .filter(|a| (a - triangle).abs() < 1e-6)
+        .collect();
+    assert_eq!(triangles.len(), 3);
+    // The area of a cone over a quarter of the circle, integrated with 30 digits.
+    assert!(
+        (area(&report) - 4.0 * triangle - 4.0 * 23_211.238_221).abs() < 0.05,
+        "{}",
+        area(&report)
+    );
+}
+
+#[test]
+fn polygons_connect_to_circles_out_of_their_middle_and_the_other_way_around() {
+    let between = |inlet: &str, outlet: &str| {
+        folded(&format!(
+            "[curves]\ninlet = {{ polyline = {inlet} }}\noutlet = {{ arc = {outlet} }}\n[patches.p]\nconnect = ['inlet', 'outlet']\n"
+        ))
+    };
+    let rectangle =
+        "[[250, 150, 300], [-250, 150, 300], [-250, -150, 300], [250, -150, 300], [250, 150, 300]]";
+    let aside = "{ centre = [50, 20, 0], from = [150, 20, 0], axis = [0, 0, 1], angle = 360 }";
+    assert_eq!(between(rectangle, aside), (0, 8));
+    let against = "{ centre = [0, 0, 0], from = [-60, 80, 0], axis = [0, 0, -1], angle = 360 }";
+    assert_eq!(between(rectangle, against).0, 0);
+    let hexagon = "[[200, 0, 300], [100, 173.2, 300], [-100, 173.2, 300], [-200, 0, 300], [-100, -173.2, 300], [100, -173.2, 300], [200, 0, 300]]";
+    let round = "{ centre = [0, 0, 0], from = [80, 0, 0], axis = [0, 0, 1], angle = 360 }";
+    assert_eq!(between(hexagon, round).0, 0);
+}

@@ -98,6 +98,7 @@ mod inspect;
 mod nearest;
 mod panel;
 mod piecewise;
+mod plane_triangles;
 mod planes;
 mod rail;
 mod strips;

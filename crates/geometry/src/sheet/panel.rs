@@ -1,5 +1,6 @@
 //! Whole panels between two rails: developable pieces from the start of both to the end of both.
 
+use super::plane_triangles::plane_triangles;
 use super::{PiecewiseRail, Point, Rail, Sheet, SweptEdge};
 use crate::developable::{
     Connections, Landscape, NODE_RADIUS, Node, ParameterBox, Step, StepKind, Way, all_branches,
@@ -69,6 +70,8 @@ pub enum PanelKind {
 const MAX_FANS: f64 = 0.3;
 /// Two neighbouring pieces of a rail make a corner if their tangents differ by more, in radians.
 const SMOOTH: f64 = 1e-6;
+/// Tangents of a straight piece differ by less, in radians.
+const STRAIGHT: f64 = 1e-14;
 /// Two points that count as one, as a share of the size of the rails.
 const SAME_POINT: f64 = 1e-12;
 /// How often rulings are looked for across from those that are known.
@@ -79,7 +82,7 @@ const MAX_SINGLES: usize = 128;
 const FAN_SAMPLES: u32 = 32;
 
 /// The pieces of a rail.
-struct Pieces {
+pub(super) struct Pieces {
     rails: Vec<Rail>,
     breaks: Vec<f64>,
     closed: bool,
@@ -138,6 +141,24 @@ impl Pieces {
         self.rails.len()
     }
 
+    /// Whether a piece is a straight line, as its derivatives at samples show.
+    pub(super) fn is_straight(&self, piece: usize) -> bool {
+        const SAMPLES: u32 = 8;
+        let Some(rail) = self.rails.get(piece) else {
+            return false;
+        };
+        let Ok(first) = rail.derivative(0.0) else {
+            return false;
+        };
+        (1..=SAMPLES).all(|k| {
+            let slope = rail.derivative(f64::from(k) / f64::from(SAMPLES));
+            slope.is_ok_and(|slope| {
+                let size = norm(&first) * norm(&slope);
+                size > 0.0 && norm(&cross(&first, &slope)) <= STRAIGHT * size
+            })
+        })
+    }
+
     /// The piece over an interval of parameters that count pieces, and its own parameters.
     fn on(&self, [from, to]: [f64; 2]) -> Option<(&Rail, [f64; 2])> {
         #[allow(clippy::cast_precision_loss)]
@@ -189,13 +210,15 @@ struct PanelRails {
     squares: Vec<([usize; 2], Connections<Rail, Rail>)>,
     /// The regular branches: square and number.
     regular: Vec<(usize, usize)>,
-    /// Their nodes, and behind them single rulings in which two fans meet.
+    /// Their nodes, behind them single rulings in which two fans meet, and behind these the ends of plane triangles.
     arcs: Vec<Vec<Node>>,
+    /// The rails that stand still in the plane triangles.
+    triangles: Vec<usize>,
 }
 
 /// Where a cell or branch of a square lies.
 #[allow(clippy::cast_precision_loss)]
-fn corner(square: [usize; 2]) -> Node {
+pub(super) fn corner(square: [usize; 2]) -> Node {
     square.map(|k| k as f64)
 }
 
@@ -290,11 +313,15 @@ impl PanelRails {
         }
         let singles = single_rulings(&rails, &squares, &arcs);
         arcs.extend(singles.into_iter().map(|place| vec![place]));
+        let triangles = plane_triangles(&rails, &squares);
+        arcs.extend(triangles.iter().map(|(_, ends)| ends.to_vec()));
+        let triangles = triangles.into_iter().map(|(still, _)| still).collect();
         Ok(Self {
             rails,
             squares,
             regular,
             arcs,
+            triangles,
         })
     }
 
@@ -471,7 +498,17 @@ impl Landscape for PanelRails {
         &self.arcs
     }
 
+    fn still(&self, arc: usize) -> Option<usize> {
+        let first = self.arcs.len() - self.triangles.len();
+        self.triangles.get(arc.checked_sub(first)?).copied()
+    }
+
     fn on_arc(&self, arc: usize, rail: usize, value: f64) -> Option<Node> {
+        if let Some(still) = self.still(arc) {
+            let mut place = *self.arcs.get(arc)?.first()?;
+            place[rail] = value;
+            return (rail != still).then_some(place);
+        }
         let (square, branch) = *self.regular.get(arc)?;
         let (at, found) = self.squares.get(square)?;
         let offset = corner(*at);

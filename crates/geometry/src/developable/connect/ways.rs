@@ -6,6 +6,8 @@
 //! - **arcs**: parts of [branches](super::Branch), on which one plane touches both rails,
 //! - **fans**: segments on which one parameter stands still: cones from a point of the one rail over a part of the other.
 //!
+//!   Over a straight piece of a rail a fan in which `F` vanishes is a plane triangle: it is passed like an arc.
+//!
 //! Two of these meet smoothly where `F(s, t) = 0`, so a fan may leave an arc anywhere and end on another anywhere, while the
 //! first and the last ruling are free. Fans are taken where one of the two arcs ends: at a turn, at a corner and at an end of a
 //! rail. The ways in that graph are compared by their folds (corners of a rail inside of a fan), by the share of the rails in
@@ -106,6 +108,9 @@ pub(crate) trait Landscape {
     /// The regular arcs: nodes that rise.
     fn arcs(&self) -> &[Vec<Node>];
 
+    /// The rail that stands still on an arc that is a plane triangle; `None` of all others.
+    fn still(&self, arc: usize) -> Option<usize>;
+
     /// The place on an arc where the parameter of this rail has this value between those of its ends.
     fn on_arc(&self, arc: usize, rail: usize, value: f64) -> Option<Node>;
 
@@ -166,6 +171,13 @@ impl<'a, L: Landscape> Graph<'a, L> {
         for one in 0..graph.arcs.len() {
             for other in (0..graph.arcs.len()).filter(|other| *other != one) {
                 for rail in 0..2 {
+                    // A fan that goes on over the corner of a triangle is folded there.
+                    if [one, other]
+                        .iter()
+                        .any(|arc| graph.still(*arc) == Some(rail))
+                    {
+                        continue;
+                    }
                     let values = [graph.ends(one)[1][rail], graph.ends(other)[0][rail]];
                     for value in values {
                         let (Some(from), Some(to)) =
@@ -208,6 +220,12 @@ impl<'a, L: Landscape> Graph<'a, L> {
             }
         }
         graph
+    }
+
+    /// The rail that stands still on an arc that is a plane triangle.
+    fn still(&self, arc: usize) -> Option<usize> {
+        let (number, _) = self.arcs.get(arc)?;
+        self.landscape.still(*number)
     }
 
     /// The ends of an arc.
@@ -269,8 +287,12 @@ impl<'a, L: Landscape> Graph<'a, L> {
             if let (Some(next), Some(Some(rest))) =
                 (self.stops[arc].get(k + 1), found[arc].get(k + 1))
             {
+                let kind = match self.still(arc) {
+                    Some(rail) => StepKind::Fan(rail),
+                    None => StepKind::Arc(arc),
+                };
                 let step = Step {
-                    kind: StepKind::Arc(arc),
+                    kind,
                     from: stop.at,
                     to: next.at,
                 };
