@@ -563,15 +563,19 @@ fn rows(old: &[MathBox], new: &[MathBox]) -> Pair {
     }
 }
 
-/// The terms of a sum, each with its sign; a sign of equality is a term of its own.
+/// The terms of a sum, each with its sign; a sign of equality is a term of its own, and so is what follows a comma before
+/// another equation.
 fn terms(nodes: &[MathBox]) -> Vec<MathBox> {
     let (mut terms, mut term): (Vec<MathBox>, Vec<MathBox>) = (vec![], vec![]);
-    for node in nodes {
+    let is_equality = |node: &MathBox| matches!(node, MathBox::Sign('='));
+    let last_equality = nodes.iter().rposition(is_equality);
+    for (place, node) in nodes.iter().enumerate() {
         let begins = match (term.last(), node) {
             (None, _) => false,
             (Some(MathBox::Sign('=')), _) => true,
             (Some(MathBox::Sign(_)), MathBox::Sign('+' | '−')) => false,
             (_, MathBox::Sign('+' | '−' | '=')) => true,
+            (_, MathBox::Sign(',')) => last_equality.is_some_and(|last| place < last),
             _ => false,
         };
         if begins {
@@ -598,6 +602,21 @@ fn sums(old: &[MathBox], new: &[MathBox]) -> Pair {
             }
             return;
         }
+        // Long terms that have more in common than not are compared, wherever the others end.
+        const LONG: usize = 24;
+        let mut paired = 0;
+        for (a, b) in a.iter().zip(b) {
+            let pair = compare(a, b);
+            let all = size(a) + size(b);
+            if all < LONG || 2 * pair.marked > all {
+                break;
+            }
+            marked += pair.marked;
+            shown_old.push(pair.old);
+            shown_new.push(pair.new);
+            paired += 1;
+        }
+        let (a, b) = (slice(a, paired, a.len()), slice(b, paired, b.len()));
         for (list, shown, mark) in [
             (a, &mut shown_old, MathChange::Removed),
             (b, &mut shown_new, MathChange::Added),
@@ -729,6 +748,18 @@ mod tests {
         assert!(old.contains("\\boxed{2176 k^5}"), "{old}");
         assert!(new.contains("\\boxed{16 k^4}"), "{new}");
         assert!(new.starts_with("\\det"), "{new}");
+    }
+
+    #[test]
+    fn in_a_long_bracket_the_changes_are_marked_though_another_term_follows() {
+        let [old, new] = shown(
+            "Q = P + 1/b [c (P − 3 R) + d (P − 2 R + S) − (1 − μ_1) e (R − S)]",
+            "Q = P + 1/b [c (P − 3 R) + d (P − 2 R + S) − (1 − μ) e (R − S)], f = 6 (m − 2)",
+        );
+        assert!(old.contains("\\boxed{\\mu_1}"), "{old}");
+        assert_eq!(old.matches("boxed").count(), 1, "{old}");
+        assert!(new.contains("\\boxed{\\mu}"), "{new}");
+        assert!(new.contains("\\boxed{6 (m - 2)}"), "{new}");
     }
 
     #[test]
