@@ -11,7 +11,7 @@ use torse_typography::{Mathematics, Prose, Span, latex_words};
 pub(crate) const DRAFT: &str = "Draft: no sender is named";
 
 /// Stands before the other places of a fault.
-pub(crate) const ALSO: &str = "The same fault also in";
+pub(crate) const ALSO: &str = "This also concerns";
 
 /// The headings of the three parts of a letter.
 pub(crate) const PARTS: [&str; 3] = [
