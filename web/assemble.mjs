@@ -1,5 +1,6 @@
 // Puts the page together: target/web/torse.html, one file with the modules within, which works from a folder without a
-// network; and target/web/site/, the same with the modules beside it, loaded when they are asked for.
+// network; and target/web/site/, the same with the modules beside it, loaded when they are asked for: index.html for a host of
+// static files, studio.html for `torse studio`.
 
 import { createHash } from "node:crypto";
 import { mkdirSync, readFileSync, readdirSync, writeFileSync, copyFileSync } from "node:fs";
@@ -36,8 +37,8 @@ const script = bundle("main.ts", {
 const style = readFileSync(join(here, "page/style.css"), "utf8").trim();
 const template = readFileSync(join(here, "page/page.html"), "utf8");
 
-/** The page; `connect` is what it may load. */
-function page(modules, connect) {
+/** The page; `connect` is what it may load, `studio` what tells it that the command serves it. */
+function page(modules, connect, studio = "") {
   const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
   const policy = [
     "default-src 'none'",
@@ -49,7 +50,7 @@ function page(modules, connect) {
     "base-uri 'none'",
     "form-action 'none'",
   ].join("; ");
-  const parts = { policy, style, modules, script };
+  const parts = { policy, style, modules, script, studio };
   return template.replace(/@@(\w+)@@/g, (_, name) => parts[name]);
 }
 
@@ -62,6 +63,7 @@ const single = page(within, "'none'");
 writeFileSync(join(out, "torse.html"), single);
 mkdirSync(join(out, "site"), { recursive: true });
 writeFileSync(join(out, "site/index.html"), page("", "'self'"));
+writeFileSync(join(out, "site/studio.html"), page("", "'self'", '<meta name="torse-studio">\n'));
 for (const name of MODULES) copyFileSync(join(out, `${name}.wasm`), join(out, `site/${name}.wasm`));
 console.log(`torse.html: ${(single.length / 1e6).toFixed(2)} MB; script ${(script.length / 1e3).toFixed(0)} kB`);
 for (const name of MODULES) {

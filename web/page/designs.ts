@@ -5,11 +5,13 @@ import { byId, make, say, settled } from "./dom.ts";
 import { Editor } from "./editor.ts";
 import { listDownloads } from "./downloads.ts";
 import { acceptFiles, type Contents } from "./files.ts";
+import { FolderDesigns } from "./folder-designs.ts";
 import { Steps } from "./history.ts";
 import { Asker, GivenUp, type Message, Refusal, Trapped, unplaced } from "./modules.ts";
 import { type DrawnPattern, drawPattern } from "./pattern.ts";
 import { bodyOf, changeName, sameSource, sourceOf, type DesignState } from "./state.ts";
 import { Sliders } from "./sliders.ts";
+import type { ServedFolder } from "./studio.ts";
 import { numberAt, numbersOf, withNumber } from "./numbers.ts";
 import { type Group, Viewer } from "./viewer.ts";
 
@@ -37,8 +39,8 @@ interface Measured {
 const MAX_ADDRESS = 60_000;
 const FIRST = "lampshade";
 
-/** Starts the view. */
-export function startDesigns(): { open(entries: URLSearchParams): Promise<void>; redraw(): void } {
+/** Starts the view, with the designs of a folder where one is served. */
+export function startDesigns(served: ServedFolder | undefined): { open(entries: URLSearchParams): Promise<void>; redraw(): void } {
   const drawer = new Asker("designs", lost);
   const judge = new Asker("designs", lost);
   const editor = new Editor(byId<HTMLTextAreaElement>("text"), byId("editor"), byId("messages"));
@@ -56,6 +58,12 @@ export function startDesigns(): { open(entries: URLSearchParams): Promise<void>;
   const sliders = new Sliders(byId("sliders"), (place, value, kind) => {
     const text = withNumber(steps.now.text, place, value);
     change({ ...steps.now, text }, kind);
+  });
+
+  const folder = served && new FolderDesigns(served, {
+    now: () => steps.now,
+    take: (state) => change(state, ""),
+    saved: () => keep.later(),
   });
 
   // What changes shows at once; it is measured as well, and proved when it rests.
@@ -77,6 +85,7 @@ export function startDesigns(): { open(entries: URLSearchParams): Promise<void>;
     byId("design-name").textContent = faces ? `${name}: its faces are the design` : name;
     byId<HTMLButtonElement>("undo").disabled = !steps.canUndo;
     byId<HTMLButtonElement>("redo").disabled = !steps.canRedo;
+    folder?.follow();
     showSliders();
     keep.later();
     prove.never();
@@ -185,6 +194,10 @@ export function startDesigns(): { open(entries: URLSearchParams): Promise<void>;
     const { name, text, files } = steps.now;
     const start = STARTS.find((start) => `${start.name}.toml` === name && start.text === text);
     const bent = bend.value === "1" ? "" : bend.value;
+    if (folder?.path) {
+      writeAddress("designs", { file: folder.path, bend: bent });
+      return;
+    }
     if (start && Object.keys(files).length === 0) {
       writeAddress("designs", { start: start.name, bend: bent });
       return;
@@ -208,14 +221,19 @@ export function startDesigns(): { open(entries: URLSearchParams): Promise<void>;
         say("The address holds no design that can be read; it may have been cut.");
       }
     }
+    const file = entries.get("file");
+    if (folder && file) return folder.open(file);
     if (steps.now.text !== "" && !entries.has("start")) {
       follow();
       return;
     }
+    const [first] = entries.has("start") ? [] : (folder?.paths ?? []);
+    if (first) return folder?.open(first);
     begins(entries.get("start") ?? FIRST);
   }
 
   function begins(name: string): void {
+    folder?.letGo();
     const start = STARTS.find((start) => start.name === name) ?? STARTS[0];
     if (start) change({ name: `${start.name}.toml`, text: start.text, files: {} }, "");
   }
@@ -230,6 +248,7 @@ export function startDesigns(): { open(entries: URLSearchParams): Promise<void>;
     try {
       const { state, words } = await acceptFiles(steps.now, files, listing);
       bend.value = "1";
+      if (state.name !== steps.now.name) folder?.letGo();
       change(state, "");
       say(words);
     } catch (error) {

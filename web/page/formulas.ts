@@ -5,7 +5,8 @@ import { showAnswer, type Described } from "./answer.ts";
 import { byId, make, say, settled } from "./dom.ts";
 import { mathematics, type SetFormula } from "./mathematics.ts";
 import { Asker, GivenUp, Refusal, Trapped, unplaced, type Message } from "./modules.ts";
-import { paperFiles, verifyPaper } from "./paper.ts";
+import { type PaperFiles, paperFiles, verifyPaper, watchPapers } from "./paper.ts";
+import type { ServedFolder } from "./studio.ts";
 
 /** Statements to begin with: those of the README and of the library. */
 const EXAMPLES: { title: string; is: string; where?: string }[] = [
@@ -34,7 +35,7 @@ interface ReadStatement {
 }
 
 /** Starts the view. */
-export function startFormulas(): { open(entries: URLSearchParams): void } {
+export function startFormulas(served: ServedFolder | undefined): { open(entries: URLSearchParams): void } {
   const statement = byId<HTMLTextAreaElement>("statement");
   const setting = byId<HTMLTextAreaElement>("setting");
   const stop = byId<HTMLButtonElement>("stop");
@@ -152,9 +153,7 @@ export function startFormulas(): { open(entries: URLSearchParams): void } {
     }
   });
   stop.addEventListener("click", () => prover.stop());
-  async function verify(given: Iterable<File>): Promise<void> {
-    const files = await paperFiles(given);
-    if (!files) return say("There is no paper.toml in what was opened.");
+  async function verify(files: PaperFiles): Promise<void> {
     prover.stop();
     asked = "a paper";
     stop.hidden = false;
@@ -174,8 +173,9 @@ export function startFormulas(): { open(entries: URLSearchParams): void } {
     const field = target as HTMLInputElement;
     const given = [...(field.files ?? [])];
     field.value = "";
-    void verify(given);
+    void paperFiles(given).then((files) => (files ? verify(files) : say("There is no paper.toml in what was opened.")));
   });
+  if (served) watchPapers(served, (files) => void verify(files));
   byId("share-formula").addEventListener("click", async () => {
     address();
     await navigator.clipboard?.writeText(location.href).catch(() => {});

@@ -4,6 +4,7 @@ import { readAddress } from "./address.ts";
 import { startDesigns } from "./designs.ts";
 import { byId } from "./dom.ts";
 import { startFormulas } from "./formulas.ts";
+import { isServed, ServedFolder } from "./studio.ts";
 
 declare const VERSION: string;
 
@@ -34,8 +35,9 @@ function startColours(redraw: () => void): void {
   follow();
 }
 
-const designs = startDesigns();
-const formulas = startFormulas();
+const folder = isServed() ? new ServedFolder((lost) => (byId("lost").hidden = !lost)) : undefined;
+const designs = startDesigns(folder);
+const formulas = startFormulas(folder);
 startColours(() => designs.redraw());
 byId("version").textContent = `torse ${VERSION}`;
 
@@ -54,4 +56,5 @@ function follow(): void {
 }
 
 window.addEventListener("hashchange", follow);
-follow();
+for (const part of document.querySelectorAll<HTMLElement>(".studio")) part.hidden = folder === undefined;
+void Promise.resolve(folder?.start()).then(follow);

@@ -1,9 +1,10 @@
 // A paper's folder that is dropped: its claims are decided one by one, and shown as they are.
 
 import { VERDICTS } from "./answer.ts";
-import { download, make } from "./dom.ts";
+import { byId, download, make, say } from "./dom.ts";
 import { Asker, GivenUp } from "./modules.ts";
 import { bodyOf } from "./state.ts";
+import type { ServedFolder } from "./studio.ts";
 
 interface ReadPaper {
   id: string;
@@ -20,15 +21,16 @@ interface DecidedClaim {
   corrected: string | null;
 }
 
-type Files = Record<string, Uint8Array<ArrayBuffer>>;
+/** The texts of a paper, by their names in its folder. */
+export type PaperFiles = Record<string, Uint8Array<ArrayBuffer>>;
 
 /** The text files of a folder, named as its paper names them: from the folder with `paper.toml`. */
-export async function paperFiles(given: Iterable<File>): Promise<Files | undefined> {
+export async function paperFiles(given: Iterable<File>): Promise<PaperFiles | undefined> {
   const all = [...given].map((file) => ({ path: file.webkitRelativePath || file.name, file }));
   const head = all.find(({ path }) => /(^|\/)paper\.toml$/.test(path));
   if (!head) return undefined;
   const folder = head.path.slice(0, -"paper.toml".length);
-  const files: Files = {};
+  const files: PaperFiles = {};
   for (const { path, file } of all) {
     if (!path.startsWith(folder) || !path.endsWith(".toml")) continue;
     files[path.slice(folder.length)] = new Uint8Array(await file.arrayBuffer());
@@ -37,7 +39,7 @@ export async function paperFiles(given: Iterable<File>): Promise<Files | undefin
 }
 
 /** Decides the claims of a paper and shows them in their order. Ends when `asker` is stopped. */
-export async function verifyPaper(place: HTMLElement, asker: Asker, files: Files): Promise<void> {
+export async function verifyPaper(place: HTMLElement, asker: Asker, files: PaperFiles): Promise<void> {
   const listed = Object.entries(files).map(([name, bytes]) => [name, bytes.length]);
   const { value: paper } = await asker.ask<ReadPaper>("paper", { do: "paper", files: listed }, bodyOf({ name: "", text: "", files }));
   const progress = make("progress", { max: String(paper.claims.length), value: "0", "aria-label": "Claims decided" });
@@ -76,4 +78,28 @@ function row(claim: DecidedClaim): HTMLElement {
   const verdict = make("td", { class: `word word-${claim.verdict}` }, `${VERDICTS[claim.verdict]?.sign ?? "·"} ${claim.label}`);
   const name = claim.id.replace(/^[^/]*\//, "");
   return make("tr", {}, make("td", {}, claim.at), make("td", {}, make("code", {}, name)), verdict, make("td", {}, ...(claim.corrected ? [make("code", {}, claim.corrected)] : [])));
+}
+
+/** Lists the papers of a served folder, and calls with the files of the chosen one: when it is chosen, and when one of them changes. */
+export function watchPapers(folder: ServedFolder, verify: (files: PaperFiles) => void): void {
+  const select = byId<HTMLSelectElement>("folder-paper");
+  const read = async () => {
+    if (select.value === "") return;
+    // The folder itself has no path; `./` stands for it.
+    const path = select.value === "./" ? "" : select.value;
+    try {
+      verify(await folder.paper(path));
+    } catch (error) {
+      say(error instanceof Error ? error.message : String(error));
+    }
+  };
+  select.addEventListener("change", () => void read());
+  folder.watch((changed) => {
+    const chosen = select.value;
+    const papers = folder.papers.map((path) => make("option", { value: path || "./" }, path || folder.name));
+    select.replaceChildren(make("option", { value: "" }, "choose…"), ...papers);
+    select.value = chosen;
+    const before = chosen === "./" ? "" : `${chosen}/`;
+    if (chosen !== "" && [...changed].some((path) => path.startsWith(before) && path.endsWith(".toml"))) void read();
+  });
 }

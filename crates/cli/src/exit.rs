@@ -110,6 +110,29 @@ pub enum Failure {
         /// The path as given.
         path: PathBuf,
     },
+    /// What a studio serves is no folder.
+    #[error("{} is not a folder", path.display())]
+    #[diagnostic(help("`torse studio` takes a folder of designs and papers"))]
+    NoFolder {
+        /// The path as given.
+        path: PathBuf,
+    },
+    /// There is no page to serve.
+    #[error("the page is not in {}", looked.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(" or "))]
+    #[diagnostic(help("`web/build` makes it; `--page FOLDER` says where it is"))]
+    NoPage {
+        /// Where it was looked for.
+        looked: Vec<PathBuf>,
+    },
+    /// A studio cannot serve.
+    #[error("port {port} of 127.0.0.1 cannot be listened on: {reason}")]
+    #[diagnostic(help("`--port 0` takes a port that is free"))]
+    Listen {
+        /// The port as given.
+        port: u16,
+        /// Why.
+        reason: String,
+    },
     /// A file or folder already has the name of a new folder.
     #[error("{} exists", path.display())]
     #[diagnostic(help("nothing is overwritten: take another name"))]
@@ -302,6 +325,8 @@ impl Failure {
         match self {
             Failure::NoDerivations
             | Failure::NotAFolder { .. }
+            | Failure::NoFolder { .. }
+            | Failure::NoPage { .. }
             | Failure::Exists { .. }
             | Failure::Against { .. }
             | Failure::List { .. }
@@ -331,6 +356,7 @@ impl Failure {
             | Failure::Report(_)
             | Failure::Figure { .. }
             | Failure::Step { .. }
+            | Failure::Listen { .. }
             | Failure::Print(_)
             | Failure::Input(_) => Exit::Output,
         }

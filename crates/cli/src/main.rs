@@ -30,6 +30,7 @@ mod recheck;
 mod report;
 mod run;
 mod shard;
+mod studio;
 mod terminal;
 mod unroll;
 mod verdicts;
@@ -77,6 +78,7 @@ Examples:
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
   torse unroll DESIGN.toml --to part.dxf what is cut of it, a file a part
   torse lint part.dxf --thickness 2      would a cutting bureau take this drawing?
+  torse studio designs                   the designs of a folder in a browser, on this machine
 
 `torse help COMMAND` says more, `torse --help` lists the exit codes.";
 
@@ -97,6 +99,7 @@ Examples:
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
   torse unroll DESIGN.toml --to part.dxf what is cut of it, a file a part
   torse lint part.dxf --thickness 2      would a cutting bureau take this drawing?
+  torse studio designs                   the designs of a folder in a browser, on this machine
 
 Exit codes (if several apply, the first of this list):
   6  two checks of a verdict contradict each other (prover, second evaluator, replay, kernel): the
@@ -135,6 +138,7 @@ enum Command {
     Export(design::Export),
     Eval(design::Eval),
     Draw(design::Draw),
+    Studio(studio::Studio),
     Completions(completions::Completions),
 }
 
@@ -160,6 +164,7 @@ impl Command {
             Command::Export(command) => command.run(),
             Command::Eval(command) => command.run(),
             Command::Draw(command) => command.run(),
+            Command::Studio(command) => command.run(),
             Command::Completions(command) => command.run(Arguments::command()),
         }
     }

@@ -21,6 +21,7 @@ mod new;
 mod prove;
 mod readme;
 mod report;
+mod studio;
 mod support;
 mod verify;
 mod watch;
