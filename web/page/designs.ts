@@ -1,19 +1,21 @@
 // The view of designs: a text that is shown in space and flat, bent, judged and written to files.
 
 import { pack, unpack, toLetters, fromLetters, writeAddress } from "./address.ts";
-import { byId, make, say, settled } from "./dom.ts";
+import { byId, download, make, say, settled } from "./dom.ts";
 import { Editor } from "./editor.ts";
 import { listDownloads } from "./downloads.ts";
 import { acceptFiles, type Contents } from "./files.ts";
 import { FolderDesigns } from "./folder-designs.ts";
+import { Handles } from "./handles.ts";
 import { Steps } from "./history.ts";
 import { Asker, GivenUp, type Message, Refusal, Trapped, unplaced } from "./modules.ts";
 import { type DrawnPattern, drawPattern } from "./pattern.ts";
+import { type DraggablePoint, PointTable } from "./points.ts";
 import { bodyOf, changeName, sameSource, sourceOf, type DesignState } from "./state.ts";
 import { Sliders } from "./sliders.ts";
 import type { ServedFolder } from "./studio.ts";
 import { numberAt, numbersOf, withNumber } from "./numbers.ts";
-import { type Group, Viewer } from "./viewer.ts";
+import { type Group, type Shade, Viewer } from "./viewer.ts";
 
 /** The worked designs: name and text, put here when the page is built. */
 declare const STARTS: { name: string; title: string; text: string }[];
@@ -23,6 +25,9 @@ interface Scene {
   names: string[];
   view: [number, number] | null;
   radius: number | null;
+  unit: number;
+  thickness: number | null;
+  points: DraggablePoint[];
   triangles: Group[];
   lines: Group[];
   pattern: DrawnPattern | null;
@@ -43,6 +48,8 @@ const FIRST = "lampshade";
 export function startDesigns(served: ServedFolder | undefined): { open(entries: URLSearchParams): Promise<void>; redraw(): void } {
   const drawer = new Asker("designs", lost);
   const judge = new Asker("designs", lost);
+  // Pictures take seconds: nothing waits for them.
+  const painter = new Asker("designs", lost);
   const editor = new Editor(byId<HTMLTextAreaElement>("text"), byId("editor"), byId("messages"));
   const bend = byId<HTMLInputElement>("bend");
   const viewer = startViewer();
@@ -50,6 +57,10 @@ export function startDesigns(served: ServedFolder | undefined): { open(entries: 
   const steps = new Steps<DesignState>(begin, sameSource);
   let framed = "";
   let proving = false;
+  /** The number of the newest question that was answered: while a point is dragged, older states are judged too. */
+  let asked = 0;
+  let judgedFor = 0;
+  let thickness: number | null = null;
 
   function lost(reason: string): void {
     say(`A worker was ended (${reason}). Nothing that you typed is lost; another one has been started.`);
@@ -64,6 +75,17 @@ export function startDesigns(served: ServedFolder | undefined): { open(entries: 
     now: () => steps.now,
     take: (state) => change(state, ""),
     saved: () => keep.later(),
+  });
+
+  const table = new PointTable(
+    (text, kind) => change({ ...steps.now, text }, kind),
+    (name) => handles?.look(name),
+  );
+  const handles = viewer && new Handles(byId<SVGSVGElement>("handles"), viewer, {
+    snap: () => table.snap,
+    fits: ({ text }) => text === steps.now.text,
+    change: (text, kind) => change({ ...steps.now, text }, kind),
+    done: () => prove.later(),
   });
 
   // What changes shows at once; it is measured as well, and proved when it rests.
@@ -114,6 +136,12 @@ export function startDesigns(served: ServedFolder | undefined): { open(entries: 
       document.title = `${value.title} · torse`;
       byId("title").textContent = value.title;
       bendSays(share, value.radius);
+      thickness = value.thickness;
+      showLegend();
+      const points = { text: state.text, points: value.points, unit: value.unit };
+      if (state === steps.now) table.show(points, state.name, viewer?.size ?? 100);
+      handles?.show(points);
+      byId("handles").toggleAttribute("hidden", share !== 1 || !byId<HTMLInputElement>("show-points").checked);
       if (!pattern) return;
       editor.show([]);
       showPattern(value);
@@ -137,7 +165,7 @@ export function startDesigns(served: ServedFolder | undefined): { open(entries: 
     place.toggleAttribute("hidden", scene.pattern === null);
     none.hidden = scene.pattern !== null;
     bend.disabled = scene.pattern === null;
-    byId<HTMLButtonElement>("play").disabled = scene.pattern === null;
+    for (const id of ["play", "gif"]) byId<HTMLButtonElement>(id).disabled = scene.pattern === null;
     byId("promise").textContent = scene.pattern?.summary ?? "";
     if (scene.pattern) drawPattern(place, scene.pattern);
     const reasons = scene.refused?.messages.map((m) => (m.hint ? `${m.text} (${m.hint})` : m.text));
@@ -159,6 +187,7 @@ export function startDesigns(served: ServedFolder | undefined): { open(entries: 
 
   async function measure(quick: boolean): Promise<void> {
     const state = steps.now;
+    const number = ++asked;
     // A proof that is under way is of an older state.
     if (!quick || proving) judge.stop();
     proving = !quick;
@@ -166,7 +195,10 @@ export function startDesigns(served: ServedFolder | undefined): { open(entries: 
     try {
       const question = { do: "measure", source: sourceOf(state), quick };
       const { value } = await judge.ask<Measured>("measure", question, bodyOf(state));
-      if (state !== steps.now) return;
+      // While a point is dragged the newest answer is shown, though the point has gone on.
+      const isNow = state === steps.now;
+      if (!isNow && !(handles?.dragging && state.name === steps.now.name && number > judgedFor)) return;
+      judgedFor = number;
       const words = quick ? "Measured" : "Measured, with bounds and proofs";
       const met = value.missed.length === 0;
       judged(met ? "met" : "missed", met ? `Yes: everything that the design demands is met. ${words}.` : `Not as the design demands. ${words}.`, value.missed);
@@ -298,10 +330,41 @@ export function startDesigns(served: ServedFolder | undefined): { open(entries: 
       if (event === "drop" && !byId("designs").hidden) void dropped(happened.dataTransfer?.files ?? []);
     });
   }
-  byId("curvature").addEventListener("change", ({ target }) => {
+  const shade = byId<HTMLSelectElement>("shade");
+  /** What the colours stand for: of strain that of the outer fibre, half of the thickness times the curvature. */
+  function showLegend(): void {
+    const strain = byId<HTMLOptionElement>("shade-strain");
+    strain.disabled = thickness === null;
+    if (thickness === null && shade.value === "strain") shade.value = "curvature";
     if (!viewer) return;
-    viewer.shade = (target as HTMLInputElement).checked ? "curvature" : "pieces";
+    viewer.shade = shade.value as Shade;
+    const most = viewer.mostCurvature;
+    byId("legend").hidden = shade.value === "pieces";
+    const digits = (value: number) => String(Number(value.toPrecision(3)));
+    const isStrain = shade.value === "strain" && thickness !== null;
+    byId("legend-title").textContent = isStrain ? "strain of the outer fibre" : "radius of bending";
+    byId("legend-low").textContent = isStrain ? "0 %" : "flat";
+    byId("legend-high").textContent = isStrain ? `${digits(50 * (thickness ?? 0) * most)} %` : most > 0 ? `${digits(1 / most)} mm` : "";
     viewer.redraw();
+  }
+  shade.addEventListener("change", showLegend);
+  byId("show-points").addEventListener("change", ({ target }) => {
+    byId("handles").toggleAttribute("hidden", !(target as HTMLInputElement).checked || bend.value !== "1");
+  });
+  byId("gif").addEventListener("click", async () => {
+    const state = steps.now;
+    const button = byId<HTMLButtonElement>("gif");
+    button.disabled = true;
+    say("The moving picture is drawn…");
+    try {
+      const { body } = await painter.ask("gif", { do: "bending", source: sourceOf(state) }, bodyOf(state));
+      download(`${changeName(state.name)}.gif`, body);
+      say(`${changeName(state.name)}.gif: ${Math.round(body.length / 1000)} kB.`);
+    } catch (error) {
+      if (!(error instanceof GivenUp)) say(error instanceof Error ? error.message : String(error));
+    }
+    button.disabled = byId<HTMLButtonElement>("play").disabled;
+    painter.stop();
   });
   byId("play").addEventListener("click", () => play(bend, () => void show(false)));
   listDownloads(byId("downloads"), drawer, () => ({ state: steps.now, name: changeName(steps.now.name) }));

@@ -26,10 +26,10 @@ export class Steps<T> {
     return this.future.length > 0;
   }
 
-  /** Goes on to a state. A change of the same kind within a second replaces the last one. */
+  /** Goes on to a state. A change of the same kind within a second replaces the last one, and so does one of the same drag. */
   go(state: T, kind: string, time: number): void {
     if (this.same(state, this.present)) return;
-    const goesOn = kind !== "" && kind === this.lastKind && time - this.lastTime < 1000;
+    const goesOn = kind !== "" && kind === this.lastKind && (kind.startsWith("drag ") || time - this.lastTime < 1000);
     if (!goesOn) this.past.push(this.present);
     if (this.past.length > MAX_STEPS) this.past.shift();
     this.present = state;

@@ -15,7 +15,7 @@ export interface Scene {
 }
 
 /** How facets are coloured. */
-export type Shade = "pieces" | "curvature";
+export type Shade = "pieces" | "curvature" | "strain";
 
 /** Floats of a vertex of a triangle: place, normal, curvature. */
 const FLOATS = 7;
@@ -94,6 +94,8 @@ export class Viewer {
   private most = 0;
   private angles: [number, number] | null = null;
   private waiting = false;
+  /** Called when the view was drawn. */
+  onDraw: () => void = () => {};
   /** Pieces that miss what is demanded of them. */
   private missed = new Set<string>();
 
@@ -135,6 +137,30 @@ export class Viewer {
       this.home();
     }
     this.redraw();
+  }
+
+  /** Where a point is seen, in CSS pixels from the upper left corner. */
+  project(point: Vector): [number, number] {
+    const [width, height] = [this.canvas.clientWidth || 1, this.canvas.clientHeight || 1];
+    const m = this.camera.matrix(this.centre, this.radius, width, height);
+    const [x, y] = [0, 1].map((row) => (m[row] ?? 0) * point[0] + (m[4 + row] ?? 0) * point[1] + (m[8 + row] ?? 0) * point[2] + (m[12 + row] ?? 0));
+    return [(((x ?? 0) + 1) / 2) * width, ((1 - (y ?? 0)) / 2) * height];
+  }
+
+  /** How many millimetres a pixel is. */
+  perPixel(): number {
+    const side = Math.min(this.canvas.clientWidth || 1, this.canvas.clientHeight || 1);
+    return (2 * this.radius) / (this.camera.zoom * side);
+  }
+
+  /** Half of the diagonal of what was framed, in millimetres. */
+  get size(): number {
+    return this.radius;
+  }
+
+  /** The curvature that has the last colour, in one over millimetres. */
+  get mostCurvature(): number {
+    return this.most;
   }
 
   /** The names of what is shown. */
@@ -186,6 +212,7 @@ export class Viewer {
     const view = this.camera.matrix(this.centre, this.radius, width, height);
     this.drawFacets(view);
     this.drawLines(view, width, height, ratio);
+    this.onDraw();
   }
 
   private drawFacets(view: Float32Array): void {
@@ -194,7 +221,7 @@ export class Viewer {
     const at = (name: string) => gl.getUniformLocation(facets, name);
     gl.uniformMatrix4fv(at("view"), false, view);
     this.camera.axes().forEach((axis, k) => gl.uniform3fv(at(["right", "up", "towards"][k] ?? ""), axis));
-    gl.uniform1f(at("most"), this.shade === "curvature" ? this.most : 0);
+    gl.uniform1f(at("most"), this.shade === "pieces" ? 0 : this.most);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.triangleBuffer);
     attribute(gl, facets, "place", 3, 4 * FLOATS, 0);
     attribute(gl, facets, "normal", 3, 4 * FLOATS, 12);

@@ -215,6 +215,117 @@ test("curves of a file that is dropped become a design, and the design unrolls a
   await context.close();
 });
 
+/** Takes the handle of a point and moves it by so many pixels, and holds it there. */
+async function drag(page, name, dx, dy) {
+  const box = await page.locator(`.handle[data-point="${name}"]`).boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let k = 1; k <= 8; k++) {
+    await page.mouse.move(x + (dx * k) / 8, y + (dy * k) / 8);
+    await page.waitForTimeout(30);
+  }
+}
+
+test("a point is dragged on a grid, in one step back, and the file is that of the command", async () => {
+  const { page, wrong, context } = await open("#designs?start=lampshade");
+  await judged(page, true);
+  const [text, before] = [await page.inputValue("#text"), await pattern(page)];
+  await page.fill("#snap", "5");
+  await drag(page, "apex", 30, -14);
+  await page.mouse.up();
+  await page.waitForFunction((before) => document.querySelector("#flat .layer-outline path").getAttribute("d") !== before, before);
+  const moved = await page.inputValue("#text");
+  const apex = /^apex = \[(.*), (.*), (.*)\]$/m.exec(moved).slice(1).map(Number);
+  assert.notDeepEqual(apex, [10, 0, 330]);
+  // Of the three coordinates two have moved, and stand on the grid.
+  assert.equal(apex.filter((value, k) => value === [10, 0, 330][k]).length, 1, `${apex}`);
+  for (const value of apex) assert.equal(value % 5, 0, `${apex}`);
+  // Nothing else of the text has changed.
+  assert.equal(moved.replace(/^apex = .*$/m, ""), text.replace(/^apex = .*$/m, ""));
+  assert.equal(await page.inputValue('[aria-label="apex, x"]'), String(apex[0]));
+  const [file] = await Promise.all([page.waitForEvent("download"), page.click('[data-file="whole.dxf"]')]);
+  await file.saveAs(join(temporary, "page.dxf"));
+  writeFileSync(join(temporary, "lampshade.toml"), moved);
+  spawnSync(torse, ["export", "lampshade.toml", "--to", "command.dxf"], { cwd: temporary });
+  assert.ok(readFileSync(join(temporary, "page.dxf")).equals(readFileSync(join(temporary, "command.dxf"))));
+  await page.click("#undo");
+  assert.equal(await page.inputValue("#text"), text);
+  await page.waitForFunction((before) => document.querySelector("#flat .layer-outline path").getAttribute("d") === before, before);
+  await page.click("#redo");
+  assert.equal(await page.inputValue("#text"), moved);
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+test("what is missed is red while a point is in the hand, and a formula does not move", async () => {
+  const { page, wrong, context } = await open("#designs?start=lampshade");
+  await judged(page, true);
+  const text = await page.inputValue("#text");
+  // The start of a quarter of the rim: the one before ends elsewhere then.
+  await drag(page, "third 1", 0, -40);
+  await page.waitForFunction(() => /missed/.test(document.getElementById("judged").className) && document.querySelectorAll("#missed li").length > 0, undefined, { timeout: 20_000 });
+  await page.mouse.up();
+  const moved = await page.inputValue("#text");
+  assert.notEqual(moved, text);
+  assert.match(moved, /third = .*from = \["-a", /);
+  assert.ok(await page.isDisabled('[aria-label="third 1, x"]'));
+  await page.keyboard.press("Control+z");
+  await page.click("#undo").catch(() => {});
+  assert.equal(await page.inputValue("#text"), text);
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+test("keys move a point: typed, and by steps", async () => {
+  const { page, wrong, context } = await open("#designs?start=lampshade");
+  await judged(page);
+  await page.fill("#snap", "2");
+  const field = page.locator('[aria-label="apex, z"]');
+  await field.focus();
+  for (const key of ["ArrowUp", "ArrowUp", "Shift+ArrowUp", "ArrowDown"]) await page.keyboard.press(key);
+  assert.match(await page.inputValue("#text"), /^apex = \[10, 0, 352\]$/m);
+  assert.equal(await page.locator('.handle.looked[data-point="apex"]').count(), 1);
+  await field.fill("341.5");
+  await page.keyboard.press("Enter");
+  assert.match(await page.inputValue("#text"), /^apex = \[10, 0, 341.5\]$/m);
+  await judged(page);
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+test("colours stand for curvature and strain, and the legend says how far they go", async () => {
+  const { page, wrong, context } = await open("#designs?start=lampshade");
+  await judged(page);
+  const plain = await shot(page);
+  await page.selectOption("#shade", "curvature");
+  await changed(page, plain);
+  assert.match(await page.textContent("#legend-high"), /^[\d.]+ mm$/);
+  const radius = Number.parseFloat(await page.textContent("#legend-high"));
+  await page.selectOption("#shade", "strain");
+  // Of the outer fibre of a sheet of 0.4 mm.
+  const strain = Number.parseFloat(await page.textContent("#legend-high"));
+  assert.ok(Math.abs(strain - (100 * 0.2) / radius) < 0.01 * strain, `${strain} % at ${radius} mm`);
+  // A design without a sheet has no strain.
+  await page.selectOption("#start", "gbt-spine");
+  await page.waitForFunction(() => /spine|Spine/.test(document.getElementById("text").value));
+  await judged(page);
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+test("the bending sheet is kept as a GIF with the bytes of the command", async () => {
+  const { page, wrong, context } = await open("#designs?start=lampshade");
+  await judged(page);
+  const [file] = await Promise.all([page.waitForEvent("download", { timeout: 120_000 }), page.click("#gif")]);
+  assert.equal(file.suggestedFilename(), "lampshade.gif");
+  await file.saveAs(join(temporary, "page.gif"));
+  spawnSync(torse, ["draw", "lampshade.toml", "--to", join(temporary, "command.gif")], { cwd: designs });
+  assert.ok(readFileSync(join(temporary, "page.gif")).equals(readFileSync(join(temporary, "command.gif"))));
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
 test("two hundred steps of a slider leave the heap as it was", async () => {
   const { page, context } = await open("#designs?start=cone-elbow");
   await judged(page);
@@ -265,6 +376,7 @@ for (const [width, scheme] of [[360, "light"], [360, "dark"], [1440, "light"], [
       const { page, context } = await open(hash, { viewport: { width, height: 900 }, colorScheme: scheme, reducedMotion: "reduce", bypassCSP: true });
       if (hash.startsWith("#designs")) await judged(page);
       else await page.waitForSelector(".verdict", { timeout: 60_000 });
+      if (hash.startsWith("#designs")) await page.selectOption("#shade", "strain");
       const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
       assert.ok(wide <= 0, `${hash} is ${wide} pixels too wide`);
       await page.evaluate(axe);
@@ -279,7 +391,7 @@ test("keys reach everything: tabs, sliders, the view in space", async () => {
   const { page, wrong, context } = await open("#designs?start=lampshade");
   await judged(page);
   const reached = new Set();
-  for (let k = 0; k < 60; k++) {
+  for (let k = 0; k < 100; k++) {
     await page.keyboard.press("Tab");
     reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.getAttribute("aria-label") || document.activeElement.tagName));
   }

@@ -172,12 +172,14 @@ enum Table {
     Json,
 }
 
-/// Draw a design and its pattern: PNG, SVG, or an interactive page; the file extension chooses.
+/// Draw a design and its pattern: PNG, SVG, an interactive page, or a GIF; the file extension chooses.
+///
+/// The GIF shows how the sheet bends from its flat pattern to its shape and back.
 #[derive(Args)]
 pub struct Draw {
     #[command(flatten)]
     file: DesignFile,
-    /// Write the picture to this .png, .svg or .html file
+    /// Write the picture to this .png, .svg, .html or .gif file
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
     #[command(flatten)]
@@ -401,6 +403,7 @@ impl Draw {
         let bytes = match ending {
             "html" => draw::page(&design, &demand)?.into_bytes(),
             "svg" => draw::picture(&design, &demand)?.svg.into_bytes(),
+            "gif" => draw::bending(&design, &demand)?,
             _ => {
                 let picture = draw::picture(&design, &demand)?;
                 picture.png().map_err(DesignError::from)?

@@ -4,6 +4,7 @@ use crate::DesignUnit;
 use crate::bending::Bending;
 use crate::covers::SurfaceCover;
 use crate::seams::{PatchEdge, Seam};
+use std::ops::Range;
 use torse_geometry::basis::BasisShape;
 use torse_geometry::pattern::BendingSheet as Metal;
 use torse_geometry::prelude::{Planes, Rail, Sheet};
@@ -42,6 +43,23 @@ pub struct Design {
     pub surfaces: Vec<FreeSurface>,
     /// The surfaces that strips cover, in the order of the file.
     pub covers: Vec<SurfaceCover>,
+    /// The points whose coordinates stand in the text, in the order in which they are read.
+    pub points: Vec<DesignPoint>,
+}
+
+/// A point whose coordinates stand in the text of a design: what an editor lets its user drag.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DesignPoint {
+    /// What it belongs to: its own name, or that of the curve or the patch.
+    pub name: String,
+    /// Its number there, from 1; 0 for a point with a name of its own.
+    pub number: usize,
+    /// Where it is, in millimetres.
+    pub at: [f64; 3],
+    /// Where its coordinates stand in the text, in bytes: numbers, or formulas in quotes.
+    pub places: [Range<usize>; 3],
+    /// Whether each is a number; formulas hang on other numbers.
+    pub plain: [bool; 3],
 }
 
 /// Sheet metal, or what else is bent.

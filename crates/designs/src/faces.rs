@@ -52,6 +52,7 @@ pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, Design
         )],
         surfaces: Vec::new(),
         covers: Vec::new(),
+        points: Vec::new(),
         seams: Vec::new(),
         allowance: 0.0,
     };

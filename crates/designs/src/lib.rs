@@ -63,8 +63,8 @@ pub mod unroll;
 pub use bending::{Bending, DesignedSurface, NeutralLine};
 pub use covers::{CoveringStrip, SurfaceCover};
 pub use design::{
-    Chain, ChainLayout, Design, DesignPiece, DesignView, Mark, Material, Patch, PatchEnds,
-    Smoothness, Tolerances,
+    Chain, ChainLayout, Design, DesignPiece, DesignPoint, DesignView, Mark, Material, Patch,
+    PatchEnds, Smoothness, Tolerances,
 };
 pub use error::{DesignError, Ending};
 pub use file::{

@@ -87,6 +87,9 @@ pub enum FigureError {
     /// The PNG encoder refused.
     #[error("png: {0}")]
     Png(String),
+    /// The GIF encoder refused.
+    #[error("gif: {0}")]
+    Gif(String),
 }
 
 /// A fault inside a label.

@@ -8,6 +8,7 @@
 //! |---|---|
 //! | curves, control polygons, points on axes | [`Plot`] |
 //! | surfaces, nets, space curves, tangent planes | [`View`] |
+//! | views that follow each other, as a GIF | [`Animation`] |
 //! | panels (a), (b), ... with captions | [`Figure`] |
 //! | panels that are compared | [`same_scales`] |
 //! | data for a viewer with sliders | [`Interactive`] |
@@ -52,7 +53,7 @@ pub use interactive::{
 pub use legend::{Legend, Marker};
 pub use picture::{Content, Figure, Panel, Picture, Size};
 pub use space::{
-    Border, Bounds, Camera, Grid, Paint, Scale, Solid, Stage, Surface, SurfaceLines, View,
-    WORK_LIMIT,
+    Animation, Border, Bounds, Camera, Grid, Paint, Scale, Solid, Stage, Surface, SurfaceLines,
+    View, WORK_LIMIT,
 };
 pub use torse::{MAX_MONOMIALS, Monomial, Quotient, Rulings, Torse, TorsePiece};

@@ -1,8 +1,10 @@
-//! Pictures: the patches in space and, beside them, their pattern.
+//! Pictures: the patches in space and, beside them, their pattern; the sheet as it bends.
 
+mod bending;
 mod page;
 mod picture;
 
+pub use bending::{MAX_GIF_BYTES, bending};
 pub use page::page;
 pub use picture::picture;
 
@@ -12,7 +14,7 @@ use torse_geometry::batch::GridEvaluator;
 use torse_geometry::prelude::Point;
 
 /// The endings of pictures.
-pub const ENDINGS: &[&str] = &["png", "svg", "html"];
+pub const ENDINGS: &[&str] = &["png", "svg", "html", "gif"];
 
 /// The points of a patch on equal steps, ruling by ruling.
 pub(crate) fn samples(

@@ -2,7 +2,7 @@
 
 use super::imports::Imports;
 use super::joints::joint;
-use super::points::{list, point};
+use super::points::{list, point, vector, vectors};
 use super::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
 use super::shapes::shape;
 use super::{MAX_CONTROLS, keys, named, placement, splines};
@@ -108,7 +108,7 @@ fn curve(
                 Some(weights) => Rail::weighted(shape, &control, &weights),
             }
         }
-        "hermite" => Rail::hermite(&list(reader, value, points, [4, 6])?),
+        "hermite" => Rail::hermite(&vectors(reader, value, points, [4, 6])?),
         "arc" => arc(reader, value, points)?,
         "continues" => {
             let first = single(reader, value, known)?;
@@ -148,7 +148,7 @@ fn arc(
         one(reader, "centre"),
         one(reader, "from"),
         one(reader, "to"),
-        one(reader, "axis"),
+        arc.take("axis").map(|value| vector(reader, value, points)),
     );
     let mut number = |reader: &mut Reader, key: &str, dimension| {
         arc.take(key).map(|value| reader.number(value, dimension))

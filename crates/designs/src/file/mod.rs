@@ -378,6 +378,7 @@ fn sections(
         notes: imports.notes,
         surfaces: surfaces.into_iter().filter_map(|(_, one)| one).collect(),
         covers,
+        points: std::mem::take(&mut reader.placed),
     })
 }
 
@@ -407,6 +408,7 @@ fn named<'s, T>(
             reader.complain(&span, "a name has letters", "");
             continue;
         }
+        reader.begin(&name);
         let thing = read(reader, &name, value, &things);
         things.push((name, thing));
     }

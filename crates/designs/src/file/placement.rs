@@ -3,7 +3,7 @@
 
 use super::keys;
 use super::planes::plane;
-use super::points::point;
+use super::points::{point, vector};
 use super::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
 use toml::de::DeValue;
 use torse_geometry::AffineMap;
@@ -184,7 +184,7 @@ fn shift(
     points: &Named<Point>,
     _: &Named<[f64; 4]>,
 ) -> Option<AffineMap<f64>> {
-    let shift = point(reader, value, points)?;
+    let shift = vector(reader, value, points)?;
     Some(AffineMap {
         linear: IDENTITY,
         shift,

@@ -2,24 +2,68 @@
 
 use super::named;
 use super::reader::{Named, NumberKind, Reader, Value};
+use std::ops::Range;
+use toml::Spanned;
 use toml::de::DeValue;
 use torse_geometry::prelude::Point;
 
 pub fn points(reader: &mut Reader, section: Option<Value<'_>>) -> Named<Point> {
-    named(reader, section, "[points]", |reader, _, value, known| {
+    let known = named(reader, section, "[points]", |reader, _, value, known| {
         point(reader, value, known)
-    })
+    });
+    // Each has a name of its own.
+    for point in &mut reader.placed {
+        point.number = 0;
+    }
+    known
 }
 
-/// A point.
+/// A point; the place of one that stands here with its coordinates is kept.
 pub fn point(reader: &mut Reader, value: Value<'_>, known: &Named<Point>) -> Option<Point> {
+    let places = places(&value);
+    let at = vector(reader, value, known)?;
+    if let Some((places, plain)) = places {
+        reader.place_point(at, places, plain);
+    }
+    Some(at)
+}
+
+/// A vector, three lengths; or the name of a point.
+pub fn vector(reader: &mut Reader, value: Value<'_>, known: &Named<Point>) -> Option<Point> {
     if let DeValue::String(_) = value.get_ref() {
         return reader.named(value, "point", known).copied();
     }
     reader.numbers(value, [NumberKind::Length; 3])
 }
 
-/// A list of points, or of vectors that are as long.
+/// Where the coordinates of a point stand in the text, and which of them are numbers; nothing for a name.
+pub fn places(value: &Value<'_>) -> Option<([Range<usize>; 3], [bool; 3])> {
+    let DeValue::Array(items) = value.get_ref() else {
+        return None;
+    };
+    let places: Vec<Range<usize>> = items.iter().map(Spanned::span).collect();
+    let is_number =
+        |item: &Value<'_>| matches!(item.get_ref(), DeValue::Integer(_) | DeValue::Float(_));
+    let plain: Vec<bool> = items.iter().map(is_number).collect();
+    Some((places.try_into().ok()?, plain.try_into().ok()?))
+}
+
+/// A list of vectors, or of points among them.
+pub fn vectors(
+    reader: &mut Reader,
+    value: Value<'_>,
+    known: &Named<Point>,
+    [least, most]: [usize; 2],
+) -> Option<Vec<Point>> {
+    let items = reader.list(value, "points", [least, most])?;
+    let all: Vec<Option<Point>> = items
+        .into_iter()
+        .map(|item| vector(reader, item, known))
+        .collect();
+    all.into_iter().collect()
+}
+
+/// A list of points.
 pub fn list(
     reader: &mut Reader,
     value: Value<'_>,

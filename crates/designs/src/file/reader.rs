@@ -2,6 +2,7 @@
 
 use super::formula::{FormulaValue as Number, evaluate};
 use crate::DesignUnit;
+use crate::design::DesignPoint;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -58,6 +59,10 @@ pub struct Reader {
     pub settings: Vec<(String, String)>,
     /// The names among them that `[let]` does not have.
     pub unset: Vec<String>,
+    /// The points whose coordinates stand in the text.
+    pub placed: Vec<DesignPoint>,
+    /// The thing that is being read, and how many points of it were read.
+    within: (String, usize),
 }
 
 /// A table whose entries are taken one by one.
@@ -98,7 +103,27 @@ impl Reader {
             unit: Rational::from_integer(1.into()),
             settings: Vec::new(),
             unset: Vec::new(),
+            placed: Vec::new(),
+            within: (String::new(), 0),
         }
+    }
+
+    /// A thing with this name is read from now on.
+    pub fn begin(&mut self, name: &str) {
+        self.within = (name.to_owned(), 0);
+    }
+
+    /// Keeps the place of a point of the thing that is read.
+    pub fn place_point(&mut self, at: [f64; 3], places: [Range<usize>; 3], plain: [bool; 3]) {
+        let (name, count) = &mut self.within;
+        *count += 1;
+        self.placed.push(DesignPoint {
+            name: name.clone(),
+            number: *count,
+            at,
+            places,
+            plain,
+        });
     }
 
     /// The text.

@@ -1,10 +1,11 @@
 //! Splines, by their control points or through points, and polygons with corners.
 
 use super::keys;
-use super::points::point;
+use super::points::{places, point, vector};
 use super::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
 use std::ops::Range;
 use toml::de::DeValue;
+use torse_geometry::Coordinate;
 use torse_geometry::curve::{
     EndCondition, Interpolation, MAX_SPLINE_POINTS, Spacing, Spline, interpolate,
     interpolate_closed,
@@ -25,13 +26,19 @@ fn exact_points(
         .map(|item| match item.get_ref() {
             DeValue::String(_) => point(reader, item, known).map(|p| p.map(torse_geometry::exact)),
             _ => {
+                let places = places(&item);
                 let coordinates = reader.list(item, "numbers", [3, 3])?;
                 let all: Vec<_> = coordinates
                     .into_iter()
                     .map(|c| reader.rational(c, NumberKind::Length))
                     .collect();
                 let all: Vec<Rational> = all.into_iter().collect::<Option<_>>()?;
-                all.try_into().ok()
+                let exact: [Rational; 3] = all.try_into().ok()?;
+                let at = exact.each_ref().map(Coordinate::approximate);
+                if let Some((places, plain)) = places {
+                    reader.place_point(at, places, plain);
+                }
+                Some(exact)
             }
         })
         .collect();
@@ -177,7 +184,7 @@ impl How {
                 let mut ends = reader.entries(value, "`ends`", keys::ENDS)?;
                 let both = ["start", "end"].map(|key| match ends.take(key) {
                     None => Some(EndCondition::Natural),
-                    Some(value) => point(reader, value, points).map(EndCondition::Tangent),
+                    Some(value) => vector(reader, value, points).map(EndCondition::Tangent),
                 });
                 match both {
                     [Some(start), Some(end)] => Some(Some([start, end])),

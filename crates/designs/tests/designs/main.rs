@@ -20,6 +20,7 @@ mod kinds;
 mod lint;
 mod mistakes;
 mod patterns;
+mod points;
 mod rails;
 mod random;
 mod schema;

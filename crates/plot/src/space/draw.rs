@@ -172,7 +172,7 @@ impl View {
     }
 
     /// Values at the ends of the colour map; a constant quantity gets an interval around it.
-    fn value_range(&self) -> Result<[f64; 2], FigureError> {
+    pub(crate) fn value_range(&self) -> Result<[f64; 2], FigureError> {
         if let Some(range) = self.scale.range {
             return Ok(range);
         }

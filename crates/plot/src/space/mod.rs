@@ -1,5 +1,6 @@
 //! Pictures of space: surfaces, control nets, space curves, tangent planes.
 
+mod animation;
 mod axes;
 mod camera;
 mod clip;
@@ -14,6 +15,7 @@ mod shade;
 pub(crate) mod vector;
 mod view;
 
+pub use animation::Animation;
 pub use camera::Camera;
 pub use grid::Grid;
 pub use raster::WORK_LIMIT;

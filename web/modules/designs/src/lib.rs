@@ -5,11 +5,13 @@
 
 mod contents;
 mod pattern;
+mod points;
 mod scene;
 mod source;
 
 use serde::{Deserialize, Serialize};
 use source::Source;
+use torse::designs::draw::bending;
 use torse::designs::export::ENDINGS;
 use torse::designs::unroll::{Demand, Purpose};
 use torse::{Error, report_text};
@@ -35,6 +37,8 @@ enum Question {
         ending: String,
         purpose: String,
     },
+    /// The moving picture of the bending sheet, the bytes of `torse draw --to FILE.gif`.
+    Bending { source: Source },
     /// What a file of another program holds, and a design that begins with its curves.
     Contents { files: Vec<(String, usize)> },
 }
@@ -99,6 +103,10 @@ fn answered(question: Question, body: &[u8]) -> Result<Answer, Failure> {
                 Ok(Answer::with_body(&held.design.name(), bytes))
             })
         }
+        Question::Bending { source } => source.held(body, |held| {
+            let bytes = bending(held.design.parts(), &Demand::default())?;
+            Ok(Answer::with_body(&held.design.name(), bytes))
+        }),
         Question::Parts {
             source,
             ending,

@@ -1,10 +1,12 @@
 //! The design in space as a page draws it: facets and lines, of the sheet as it is bent.
 
 use crate::pattern::{CHORD, DrawnPattern, drawn};
+use crate::points::{DraggablePoint, draggable};
 use crate::source::Held;
 use serde::Serialize;
 use torse::designs::unroll::FlatPiece;
 use torse::exchange::{Drawing, Layer, Mesh};
+use torse::geometry::Coordinate;
 use torse::geometry::pattern::{BentSheet, FlatRuling, PatternError};
 use torse::geometry::vector::{cross, norm, sub};
 use torse::{Design, Error, Pattern};
@@ -25,6 +27,12 @@ struct Scene {
     radius: Option<f64>,
     triangles: Vec<Group>,
     lines: Vec<Group>,
+    /// Millimetres of the unit of the text.
+    unit: f64,
+    /// The thickness of the sheet in millimetres, if it has one.
+    thickness: Option<f64>,
+    /// What can be dragged.
+    points: Vec<DraggablePoint>,
     /// The pattern, if it was asked for and there is one.
     pattern: Option<DrawnPattern>,
     /// Why there is no pattern.
@@ -79,6 +87,7 @@ pub fn show(held: &mut Held, share: f64, with_pattern: bool) -> Answer {
     }
     surfaces(&mut vertices, &held.design);
     let design = &held.design;
+    let parts = design.parts();
     let scene = Scene {
         title: design.title().to_owned(),
         names: design.names(),
@@ -86,6 +95,9 @@ pub fn show(held: &mut Held, share: f64, with_pattern: bool) -> Answer {
         radius,
         triangles: vertices.triangle_groups,
         lines: vertices.line_groups,
+        unit: parts.unit.millimetres().approximate(),
+        thickness: parts.metal.map(|metal| metal.sheet.thickness()),
+        points: draggable(design, held.text()),
         pattern: drawn_pattern,
         refused,
     };

@@ -35,6 +35,11 @@ thread_local! {
 const MIN_RULINGS: usize = 64;
 
 impl Held {
+    /// The text.
+    pub fn text(&self) -> &str {
+        &self.source.text
+    }
+
     /// How many steps between rulings of the pattern are taken from one that is shown to the next: all are bent, and few are drawn.
     pub fn every(&self) -> usize {
         let shown = self.design.parts().view.rulings.saturating_sub(1).max(1);

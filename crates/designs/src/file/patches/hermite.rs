@@ -3,7 +3,7 @@
 use super::raw::Raw;
 use crate::file::Parts;
 use crate::file::planes::plane;
-use crate::file::points::{list, point};
+use crate::file::points::{point, vector, vectors};
 use crate::file::reader::{Entries, NumberKind, Reader, Value, accepted};
 use torse_geometry::developable::{
     HermiteCone, QuarticData, QuinticData, oblique_image_as_printed,
@@ -36,9 +36,9 @@ pub(super) fn hermite(
         value
     };
     let ratio = missing(reader, "ratio").and_then(|value| reader.number(value, NumberKind::None));
-    let one = |reader: &mut Reader, value: Option<Value<'_>>| point(reader, value?, &parts.points);
+    let one = |reader: &mut Reader, value: Option<Value<'_>>| vector(reader, value?, &parts.points);
     let two = |reader: &mut Reader, value: Option<Value<'_>>| -> Option<[Point; 2]> {
-        let points = list(reader, value?, &parts.points, [2, 2])?;
+        let points = vectors(reader, value?, &parts.points, [2, 2])?;
         points.try_into().ok()
     };
     let tension = match tension {
@@ -51,9 +51,8 @@ pub(super) fn hermite(
         [first.map(|c| k1 * c), last.map(|c| k2 * c)]
     };
     let cone = if degree == 3.0 {
-        let value = missing(reader, "summit");
-        let summit = one(reader, value);
-        let q = missing(reader, "q").and_then(|v| list(reader, v, &parts.points, [4, 4]));
+        let summit = missing(reader, "summit").and_then(|v| point(reader, v, &parts.points));
+        let q = missing(reader, "q").and_then(|v| vectors(reader, v, &parts.points, [4, 4]));
         let [from, to, first, last]: [Point; 4] = q?.try_into().ok()?;
         let [first, last] = tensed([first, last]);
         HermiteCone::cubic(summit?, ratio?, [from, to, first, last])

@@ -2,7 +2,7 @@
 
 use crate::file::Parts;
 use crate::file::planes::pair;
-use crate::file::points::point;
+use crate::file::points::{point, vector};
 use crate::file::reader::{Entries, NumberKind, Reader};
 use torse_geometry::prelude::{GeometryError, Point, Rail, Sheet, SweptEdge};
 
@@ -54,7 +54,10 @@ pub(super) fn swept(
         reader.complain(&span, lacking, help);
         return None;
     };
-    let lines = point(reader, lines, &parts.points);
+    let lines = match key {
+        "apex" => point(reader, lines, &parts.points),
+        _ => vector(reader, lines, &parts.points),
+    };
     let edges = stretch(reader, entries, parts, sweep.whole);
     Some(Swept {
         lines: lines?,
