@@ -9,11 +9,12 @@
 //!
 //! # The written form
 //!
-//! `torse verify --proofs DIR` writes `DIR/PAPER.json`, the same bytes on every run: `{"paper", "claims"}`, each claim with `id`,
-//! `reading`, `states`, `verdict`, `replayed` and `rests_on`, which is `{"proof": {"conditions", "of"}}` or
-//! `{"refutation": ...}`. A node of a proof is an object whose only key is its kind; its fields are those of the type here.
-//! Symbols, polynomials and numbers are texts in the notation of derivation files: `P[0,1]`, `2*x^2*sin(pi/2*x) - 1/3`,
-//! `-7/3`; a quotient is `{"above", "below"}`, and a constraint `{"value", "relation"}` compares with zero.
+//! `torse verify --proofs DIR` writes `DIR/PAPER.json`, the same bytes on every run: `{"paper", "claims"}`, each claim
+//! with `id`, `reading`, `states`, `verdict`, `replayed` and `rests_on`, which is `{"proof": {"conditions", "of"}}` or
+//! `{"refutation": ...}`. A node of a proof is an object whose only key is its kind; its fields are those of the type
+//! here. Symbols, polynomials and numbers are texts in the notation of derivation files: `P[0,1]`,
+//! `2*x^2*sin(pi/2*x) - 1/3`, `-7/3`; a quotient is `{"above", "below"}`, and a constraint `{"value", "relation"}`
+//! compares with zero.
 //!
 //! | kind | what it says | type |
 //! |---|---|---|

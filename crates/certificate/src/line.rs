@@ -1,13 +1,13 @@
 //! The sign of a polynomial of one variable on a part of the line.
 //!
-//! The line is cut at rational numbers. On each open piece between two cuts every factor has one root at most, and no two of
-//! them have one: so the signs of the factors are known at every cut, and on every piece left of the root, at it, and right
-//! of it. These are the [`cells`](Line::cells) of the line, finitely many, and each polynomial that is a product of the factors has one sign
-//! on each of them.
+//! The line is cut at rational numbers. On each open piece between two cuts every factor has one root at most, and no
+//! two of them have one: so the signs of the factors are known at every cut, and on every piece left of the root, at
+//! it, and right of it. These are the [`cells`](Line::cells) of the line, finitely many, and each polynomial that is a
+//! product of the factors has one sign on each of them.
 //!
-//! **Theorem** (Descartes, Jacobi). Let p have degree n. If the coefficients of `(1 + t)^n p((a + b t)/(1 + t))` change their sign
-//! v times, zeros left out, p has at most v roots between a and b, counted with multiplicity, and v less an even number.
-//! So for v = 0 there is none, and for v = 1 one, where p changes its sign. For the pieces without an end,
+//! **Theorem** (Descartes, Jacobi). Let p have degree n. If the coefficients of `(1 + t)^n p((a + b t)/(1 + t))` change
+//! their sign v times, zeros left out, p has at most v roots between a and b, counted with multiplicity, and v less an
+//! even number. So for v = 0 there is none, and for v = 1 one, where p changes its sign. For the pieces without an end,
 //! `p(c + t)` and `p(c - t)` say the same.
 
 use crate::number::order;
@@ -136,8 +136,8 @@ impl Span {
         all.chain([Self::Above(last.clone())]).collect()
     }
 
-    /// What the coefficients of a polynomial say on this piece; `None` for the zero polynomial, and where the sign of a number is
-    /// not told. The coefficients, which are numbers, ascend.
+    /// What the coefficients of a polynomial say on this piece; `None` for the zero polynomial, and where the sign of a
+    /// number is not told. The coefficients, which are numbers, ascend.
     #[must_use]
     pub fn changes(&self, coefficients: &[Polynomial]) -> Option<Changes> {
         let mut own = coefficients.to_vec();

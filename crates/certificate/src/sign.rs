@@ -101,8 +101,9 @@ pub struct GapTerm<P> {
     pub coefficient: Sign<P>,
 }
 
-/// A polynomial `p + q b^2`, where b lies between `-c` and c. **Theorem.** It is `(1 - s) p + s (p + q c^2)` with `s = b^2/c^2`
-/// between 0 and 1; so it is not negative if neither of both is, and positive if p is and `b^2 < c^2`, or the other is as well.
+/// A polynomial `p + q b^2`, where b lies between `-c` and c. **Theorem.** It is `(1 - s) p + s (p + q c^2)` with
+/// `s = b^2/c^2` between 0 and 1; so it is not negative if neither of both is, and positive if p is and `b^2 < c^2`, or
+/// the other is as well.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Even<P> {
     /// The symbol b.

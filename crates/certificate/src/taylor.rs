@@ -1,14 +1,15 @@
 //! Signs of polynomials in a variable and its sine and cosine, by partial sums of their series.
 //!
-//! **Theorem.** For u > 0 the sine of u is less than `u - u^3/3! + ... + u^n/n!` and more than `u - u^3/3! + ... - u^n/n!`, whichever of
-//! both a partial sum is; for u other than 0 the cosine is more than `1 - u^2/2! + ... - u^n/n!`, and less than
-//! `1 - u^2/2! + ... + u^n/n!` for n > 0, and at most 1. At u = 0 they are equal.
+//! **Theorem.** For u > 0 the sine of u is less than `u - u^3/3! + ... + u^n/n!` and more than
+//! `u - u^3/3! + ... - u^n/n!`, whichever of both a partial sum is; for u other than 0 the cosine is more than
+//! `1 - u^2/2! + ... - u^n/n!`, and less than `1 - u^2/2! + ... + u^n/n!` for n > 0, and at most 1. At u = 0 they are
+//! equal.
 //!
-//! *Proof.* The cosine is at most 1, and less but at single points. Integrated from 0 to u this says that the sine is less than u;
-//! integrated again, that `1 - cos(u)` is less than `u^2/2`; and so on. The cosine is even.
+//! *Proof.* The cosine is at most 1, and less but at single points. Integrated from 0 to u this says that the sine is
+//! less than u; integrated again, that `1 - cos(u)` is less than `u^2/2`; and so on. The cosine is even.
 //!
-//! So the sine is such a sum and a *gap* that is not negative, added or subtracted. If the coefficients of a polynomial in the gaps are not negative,
-//! it is not negative itself.
+//! So the sine is such a sum and a *gap* that is not negative, added or subtracted. If the coefficients of a polynomial
+//! in the gaps are not negative, it is not negative itself.
 
 use crate::polynomial::Polynomial;
 use crate::symbol::{Angle, Symbol, Unit};

@@ -189,9 +189,9 @@ impl Term {
         false
     }
 
-    /// Whether the term has a value whatever numbers its symbols are, as long as indices are in their ranges: nothing in it divides,
-    /// has an exponent that is a formula, is a root, an integral, or a function with arguments for which it is not defined.
-    /// Shared parts are visited once.
+    /// Whether the term has a value whatever numbers its symbols are, as long as indices are in their ranges: nothing
+    /// in it divides, has an exponent that is a formula, is a root, an integral, or a function with arguments for which
+    /// it is not defined. Shared parts are visited once.
     #[must_use]
     pub fn is_total(&self) -> bool {
         let mut seen = Visited::default();
@@ -461,8 +461,9 @@ impl Statement {
         }
     }
 
-    /// That the terms of the statement have values: each is equal to itself where it has one. `None` if all always do. Of an implication
-    /// it is the conclusion's terms where the premise is true, since the premise counts as a hypothesis.
+    /// That the terms of the statement have values: each is equal to itself where it has one. `None` if all always do.
+    /// Of an implication it is the conclusion's terms where the premise is true, since the premise counts as a
+    /// hypothesis.
     #[must_use]
     pub fn has_values(&self) -> Option<Self> {
         let both = |a: Option<Self>, b: Option<Self>| match (a, b) {

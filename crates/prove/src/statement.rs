@@ -107,8 +107,8 @@ pub struct Prepared<'a> {
 }
 
 impl Prepared<'_> {
-    /// Decides it. What is found of the statements that a written conjunction joins is told in their order, as far as they are
-    /// looked at: the first that is refuted ends it.
+    /// Decides the statement. Calls `tell` with the decision on each conjunct, in the order of the text, up to the first that
+    /// is refuted.
     ///
     /// # Errors
     /// [`Fault`] when a formula makes no sense.
@@ -156,7 +156,8 @@ impl Prepared<'_> {
         Ok(decision)
     }
 
-    /// The hypotheses may have points where symbols stand for roots, and the statement no value at any of them.
+    /// Turns "no points" into open where symbols stand for roots: the hypotheses may then have points, with the statement
+    /// undefined at all of them.
     fn seen(&self, decision: Decision) -> Decision {
         match decision {
             Decision::Vacuous(emptiness) if self.has_roots => Decision::Open {

@@ -164,7 +164,8 @@ const TRIED: i64 = 7;
 /// Values of integers by name.
 type Integers = BTreeMap<Arc<str>, i64>;
 
-/// Returns the first values of the integers that are in their sets together; integers for which the few tried values fail get none.
+/// Returns the first values of the integers that are in their sets together; integers for which the few tried values
+/// fail get none.
 fn integers(goal: &Goal) -> Integers {
     let mut values = Integers::new();
     for binder in &goal.proposition.binders {

@@ -1,8 +1,8 @@
 //! Core terms as values of Rocq: real numbers, lists of them, lists of lists.
 //!
-//! These are the values of the lemmas that scripts prove; those that are read are written from trees, a second time and on
-//! purpose: `crate::tree`. The order of the print is kept, and nothing is simplified. Rocq's operations are total; where a term is undefined is
-//! said apart, see [`crate::defined`].
+//! These are the values of the lemmas that scripts prove; those that are read are written from trees, a second time and
+//! on purpose: `crate::tree`. The order of the print is kept, and nothing is simplified. Rocq's operations are total;
+//! where a term is undefined is said apart, see [`crate::defined`].
 
 use crate::code::{Code, Level, integer_scope};
 use crate::context::{Context, Kind, Local, Used, Value};
@@ -189,7 +189,8 @@ impl Context<'_> {
         Ok(Value::number(Code::apply(&name, &all)))
     }
 
-    /// The definition of a family, and its first arguments: function i of degree k at the arguments is `name ... x mu nu i k`.
+    /// The definition of a family, and its first arguments: function i of degree k at the arguments is
+    /// `name ... x mu nu i k`.
     ///
     /// # Errors
     /// As [`Context::value`].

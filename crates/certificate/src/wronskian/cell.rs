@@ -14,13 +14,14 @@
 //! abs(f) on the circle, and w is positive on the cell (except at x = 0) if all Bernstein coefficients of p exceed
 //! this error.
 //!
-//! **The bound M.** Take the largest Bernstein coefficient in size as norm of a polynomial in the parameters, and for a function at
-//! z the sum of the norms of its Taylor coefficients there, the e-th divided by `2^e`; both are at most multiplied in products.
-//! With X the largest `abs(z)`, the norm of z is at most `X + 1/2`, and those of sine and cosine are at most
-//! `abs(sin) cosh(pi/4) + abs(cos) sinh(pi/4)` and the like, at most `t = cosh(pi/2 R) exp(pi/4)`, for both are at most
-//! `cosh(pi/2 abs(Im z))` in size. Multiplying row m of the determinant by `2^-m` and column j by `2^j` leaves it as it is, and it is
-//! at most the product of its row sums; so `M = (1 + 2 w_1 |c_1| + ... + 2^d w_d |c_d|)^r` with the weights w of column r, divided by
-//! the least `abs(z)^o`, which on the first cell is R minus the middle.
+//! **The bound M.** Take the largest Bernstein coefficient in size as norm of a polynomial in the parameters, and for a
+//! function at z the sum of the norms of its Taylor coefficients there, the e-th divided by `2^e`; both are at most
+//! multiplied in products. With X the largest `abs(z)`, the norm of z is at most `X + 1/2`, and those of sine and
+//! cosine are at most `abs(sin) cosh(pi/4) + abs(cos) sinh(pi/4)` and the like, at most `t = cosh(pi/2 R) exp(pi/4)`,
+//! for both are at most `cosh(pi/2 abs(Im z))` in size. Multiplying row m of the determinant by `2^-m` and column j by
+//! `2^j` leaves it as it is, and it is at most the product of its row sums; so
+//! `M = (1 + 2 w_1 |c_1| + ... + 2^d w_d |c_d|)^r` with the weights w of column r, divided by the least `abs(z)^o`,
+//! which on the first cell is R minus the middle.
 
 use super::certificate::{Cell, Half};
 use super::node::{BITS, Grid, Places};

@@ -6,10 +6,11 @@
 //! w, and conversely. [`Claim::rooted`] makes the second claim. `norm(v)` is the root of `dot(v, v)`. Roots of the
 //! same radicand become the same symbol.
 //!
-//! **Under a derivative** the radicand changes with the variable. By Taylor's theorem a derivative of order n at u depends on
-//! the root through its first n derivatives there, so the root becomes the polynomial `c_0 + c_1 (x - u) + ... + c_n (x - u)^n` with
-//! `c_0 = w = sqrt(r(u))` and, since its square is r up to order n, `c_k = (r_k - sum of c_j c_(k-j) for 0 < j < k)/(2 c_0)`, where
-//! `r_k` is the k-th derivative of r at u over k!. So the derivative is defined where r(u) > 0.
+//! **Under a derivative** the radicand changes with the variable. By Taylor's theorem a derivative of order n at u
+//! depends on the root through its first n derivatives there, so the root becomes the polynomial
+//! `c_0 + c_1 (x - u) + ... + c_n (x - u)^n` with `c_0 = w = sqrt(r(u))` and, since its square is r up to order n,
+//! `c_k = (r_k - sum of c_j c_(k-j) for 0 < j < k)/(2 c_0)`, where `r_k` is the k-th derivative of r at u over k!. So
+//! the derivative is defined where r(u) > 0.
 //!
 //! A root whose radicand contains no symbol is a number and is not replaced.
 

@@ -51,8 +51,8 @@ pub trait ExactForm {
     /// another one.
     ///
     /// # Errors
-    /// [`ExchangeError::NotRational`] when the basis is trigonometric, the degree is above 25, when the patch reaches (or almost
-    /// reaches) infinity, or has no edge of regression that it should be measured from.
+    /// [`ExchangeError::NotRational`] when the basis is trigonometric, the degree is above 25, when the patch reaches
+    /// (or almost reaches) infinity, or has no edge of regression that it should be measured from.
     fn exact_form(&self) -> Result<Converted>;
 }
 

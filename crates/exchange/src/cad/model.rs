@@ -120,8 +120,9 @@ impl CadModel {
         Ok(())
     }
 
-    /// Cuts an opening into the face that was added last: a closed curve through these points at equal steps of its parameter,
-    /// eight at least, run so that the face is on its left. It is as smooth as cubics with the tangents of five points are.
+    /// Cuts an opening into the face that was added last: a closed curve through these points at equal steps of its
+    /// parameter, eight at least, run so that the face is on its left. It is as smooth as cubics with the tangents of
+    /// five points are.
     ///
     /// # Errors
     /// [`ExchangeError::Empty`] without a face or with too few points.

@@ -10,9 +10,9 @@ fn at_most(value: f64) -> String {
 }
 
 impl Drawing {
-    /// The drawing of a flat pattern: the outline with its arcs, every ruling that is no point with its bend angle, the edge of
-    /// regression where it comes within `reach` (a length) of the sheet. Notes tell how exact the outline is and,
-    /// of a patch that is not developable, how much it is strained.
+    /// The drawing of a flat pattern: the outline with its arcs, every ruling that is no point with its bend angle, the
+    /// edge of regression where it comes within `reach` (a length) of the sheet. Notes tell how exact the outline is
+    /// and, of a patch that is not developable, how much it is strained.
     ///
     /// # Errors
     /// As [`Drawing::path`].

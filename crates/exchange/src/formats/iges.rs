@@ -6,9 +6,9 @@ use crate::error::{ExchangeError, Result};
 use std::fmt::Write;
 
 /// The model as IGES in millimetres. A patch of degree one in `v` is a ruled surface, entity 118 in form 1 (rulings
-/// join equal parameters), with the flag DEVFLG set when the patch is declared developable; a patch with an apex for
-/// a rail, and any other, is a B-spline surface, entity 128; with openings it is trimmed, entity 144. IGES as written here has no topology: neighbours touch,
-/// but share no edges.
+/// join equal parameters), with the flag DEVFLG set when the patch is declared developable; a patch with an apex for a
+/// rail, and any other, is a B-spline surface, entity 128; with openings it is trimmed, entity 144. IGES as written
+/// here has no topology: neighbours touch, but share no edges.
 ///
 /// # Errors
 /// [`ExchangeError::Empty`] for a model without patches, [`ExchangeError::TooMany`] for more than ten million

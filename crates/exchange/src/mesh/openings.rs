@@ -1,8 +1,8 @@
 //! Meshes of ruled patches with openings.
 //!
-//! An opening is met by each ruling in one interval, so between two neighbouring rulings the patch is a row of bands: from
-//! the first rail to the lowest opening, from one opening to the next, from the last to the second rail. Each band is a row of
-//! triangles between its vertices on both rulings.
+//! An opening is met by each ruling in one interval, so between two neighbouring rulings the patch is a row of bands:
+//! from the first rail to the lowest opening, from one opening to the next, from the last to the second rail. Each band
+//! is a row of triangles between its vertices on both rulings.
 
 use super::grid::ruling_parameters;
 use super::{Mesh, check_count, number};

@@ -63,7 +63,7 @@ impl ProofContext<'_> {
         })
     }
 
-    /// A root has this value, where its radicand has one.
+    /// Gives a root this value where its radicand has a value.
     pub(super) fn take_root(
         &mut self,
         symbol: &Symbol,

@@ -99,9 +99,7 @@ impl Domain<'_> {
         }
         found
     }
-}
 
-impl Domain<'_> {
     /// Whether a number is a value of the symbol, as far as its interval tells.
     #[must_use]
     pub(crate) fn admits(&self, symbol: &RealSymbol, value: &Fraction) -> bool {

@@ -74,12 +74,12 @@ pub struct Domain<'a> {
     pub constraints: Vec<Constraint>,
     /// The eliminated symbols with their values.
     solved: Vec<(Symbol, Fraction)>,
-    /// The factors of divisors of eliminations that may vanish, with the values of what was eliminated since: they are not zero
-    /// at the points that are looked at here ([`branch::Branch::splits`]).
+    /// Factors by which an elimination divided and that may vanish, with all later values substituted. None is zero at the
+    /// points of this domain ([`branch::Branch::splits`]).
     pivots: Vec<Polynomial>,
     /// Divisors of the statement: it says nothing where one vanishes, so no point there refutes it.
     pub divisors: Vec<Polynomial>,
-    /// Where the terms of the statement have values, as far as no divisor says it: their indices are in their ranges.
+    /// Conditions, besides nonzero divisors, under which the terms of the statement are defined: indices within their ranges.
     pub defined: Vec<Constraint>,
     /// The roots that have no value in other symbols, those first of which others are made.
     pub roots: Vec<Root>,

@@ -26,7 +26,6 @@ const MAX_CARRIED: usize = 1_024;
 /// The integers in an order in which a symbol whose bound names another one comes after it.
 #[must_use]
 pub fn ordered(integers: Vec<String>, declarations: &Declarations) -> Vec<String> {
-    // A symbol whose bound names another one comes after it.
     let mut ordered: Vec<String> = vec![];
     let mut rest = integers;
     while !rest.is_empty() {

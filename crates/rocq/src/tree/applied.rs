@@ -1,5 +1,5 @@
-//! Where functions at arguments have values, and derivatives: below a derivative a formula has a value near the point, and has derivatives
-//! itself where that is not plain.
+//! Where functions at arguments have values, and derivatives: below a derivative a formula has a value near the point,
+//! and has derivatives itself where that is not plain.
 
 use super::function::{Binding, derivative, is_name};
 use super::kinds::Kind;

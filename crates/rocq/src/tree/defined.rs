@@ -1,9 +1,9 @@
 //! Where a formula has a value: the premises that a statement of Rocq, whose operations are total, needs beside it.
 //!
-//! The table of `derivations/SEMANTICS.md`, line by line, in the order of the text. Definitions are looked into, with the texts of
-//! their arguments in the places of their parameters. A premise that is true whatever the values are is left out: divisors that are
-//! literal numbers, indices and degrees that are literal numbers in their range, and the differentiability of what is made of
-//! sums, products, quotients, sines, cosines and exponentials.
+//! The table of `derivations/SEMANTICS.md`, line by line, in the order of the text. Definitions are looked into, with
+//! the texts of their arguments in the places of their parameters. A premise that is true whatever the values are is
+//! left out: divisors that are literal numbers, indices and degrees that are literal numbers in their range, and the
+//! differentiability of what is made of sums, products, quotients, sines, cosines and exponentials.
 
 use super::applied::near;
 use super::kinds::Kind;

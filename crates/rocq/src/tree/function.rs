@@ -1,5 +1,5 @@
-//! Functions, as they are applied: definitions with parameters, declared functions, derivatives of functions, and functions in
-//! which a declared symbol has another value.
+//! Functions, as they are applied: definitions with parameters, declared functions, derivatives of functions, and
+//! functions in which a declared symbol has another value.
 
 use super::kinds::Kind;
 use super::reach::Reach;

@@ -1,5 +1,6 @@
-//! Which parameters of definitions and bases are integers: those that stand in an index, a degree, a bound of a sum, an order, an
-//! exponent, or at such a place of another definition. All others are values of the shape that they are called with.
+//! Which parameters of definitions and bases are integers: those that stand in an index, a degree, a bound of a sum, an
+//! order, an exponent, or at such a place of another definition. All others are values of the shape that they are
+//! called with.
 
 use super::reach::{Bound, Names, with};
 use crate::shape::Shape;

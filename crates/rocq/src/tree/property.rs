@@ -1,5 +1,5 @@
-//! Properties of bases: at every degree from that of the seeds on and for all values of the family's variable in its declared set,
-//! for the values of the shape parameters outside.
+//! Properties of bases: at every degree from that of the seeds on and for all values of the family's variable in its
+//! declared set, for the values of the shape parameters outside.
 
 use super::kinds::Kind;
 use super::premises::Premises;
@@ -125,8 +125,8 @@ impl<'a> Writer<'a> {
         Ok(Code::new(text, Level::Open))
     }
 
-    /// A basis at the values of its shape parameters outside, and names for what is quantified: its variable over its declared set,
-    /// and indices and degree.
+    /// A basis at the values of its shape parameters outside, and names for what is quantified: its variable over its
+    /// declared set, and indices and degree.
     fn property(&mut self, name: &str, scope: &Scope) -> Result<Property, Untranslatable> {
         let basis = self.names.declarations.basis(name);
         let basis = basis.ok_or_else(|| Untranslatable::Unread(format!("`{name}` is no basis")))?;

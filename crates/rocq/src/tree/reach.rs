@@ -1,7 +1,7 @@
 //! Which declared symbols, definitions and bases a formula depends on.
 //!
-//! A definition is written as a function of the symbols that it reaches, so that `D` and `at` by such a symbol reach into it.
-//! What a binder binds is not reached: `at(e, x, t)` reaches what t reaches, and of e all but x.
+//! A definition is written as a function of the symbols that it reaches, so that `D` and `at` by such a symbol reach
+//! into it. What a binder binds is not reached: `at(e, x, t)` reaches what t reaches, and of e all but x.
 
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};

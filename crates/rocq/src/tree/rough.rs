@@ -7,8 +7,8 @@ use crate::gap::Untranslatable;
 use torse_syntax::formula::{Expr, Node, Operator};
 
 impl Writer<'_> {
-    /// Whether something occurs that is not smooth wherever it has a value: roots, and powers with symbols in the exponent, of
-    /// what depends on this name.
+    /// Whether something occurs that is not smooth wherever it has a value: roots, and powers with symbols in the
+    /// exponent, of what depends on this name.
     ///
     /// # Errors
     /// [`Untranslatable`], as for the values.

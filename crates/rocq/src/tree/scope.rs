@@ -1,8 +1,8 @@
 //! What stands for a name where a formula is written.
 //!
-//! A name is bound in one of two ways. *Local* are the index of a sum and the parameters of functions and bases: the bodies of
-//! definitions do not see them. *Moved* is a declared symbol under `D`, `at` or `integral`: the bodies of definitions take what
-//! stands for it as an argument.
+//! A name is bound in one of two ways. *Local* are the index of a sum and the parameters of functions and bases: the
+//! bodies of definitions do not see them. *Moved* is a declared symbol under `D`, `at` or `integral`: the bodies of
+//! definitions take what stands for it as an argument.
 
 use super::kinds::Kind;
 use super::reach::Bound;

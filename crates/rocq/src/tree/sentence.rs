@@ -1,5 +1,5 @@
-//! A claim as a proposition: all symbols bound, then smoothness, the declared sets, the hypotheses, the definedness of all terms
-//! and the conditions of the verdict as premises, then what is said.
+//! A claim as a proposition: all symbols bound, then smoothness, the declared sets, the hypotheses, the definedness of
+//! all terms and the conditions of the verdict as premises, then what is said.
 
 use super::premises::Premises;
 use super::reach::{Bound, Names, Reach};

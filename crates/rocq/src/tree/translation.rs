@@ -17,8 +17,8 @@ pub(super) struct Domain<'c> {
 }
 
 impl Writer<'_> {
-    /// What a statement says; `domain` is what `fails` is about, where it may stand: as the statement, or joined to the rest of it
-    /// by `and`.
+    /// What a statement says; `domain` is what `fails` is about, where it may stand: as the statement, or joined to the
+    /// rest of it by `and`.
     ///
     /// # Errors
     /// [`Untranslatable`] for what has no translation.

@@ -1,6 +1,7 @@
 //! Formulas as values of Rocq: real numbers, lists of them, lists of lists, in the order of the text.
 //!
-//! The values of core terms are written a second time, on purpose, by the file of this name above this folder. Rocq's operations are total; where a formula has no value is said apart, see [`super::defined`].
+//! The values of core terms are written a second time, on purpose, by the file of this name above this folder. Rocq's
+//! operations are total; where a formula has no value is said apart, see [`super::defined`].
 
 use super::function::{derivative, put_in};
 use super::kinds::Kind;

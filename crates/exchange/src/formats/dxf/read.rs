@@ -8,9 +8,9 @@ use crate::read::dxf::unit_of;
 use torse_geometry::Coordinate;
 
 impl Drawing {
-    /// The drawing in a DXF file, in the unit of its `$INSUNITS`, in millimetres where it states none: light-weight polylines, lines and texts on the layers of [`Layer`] with the
-    /// bend angles that [`dxf`](crate::dxf) writes, and the comments as notes. Entities on other layers and
-    /// of other kinds are passed over.
+    /// The drawing in a DXF file, in the unit of its `$INSUNITS`, in millimetres where it states none: light-weight
+    /// polylines, lines and texts on the layers of [`Layer`] with the bend angles that [`dxf`](crate::dxf) writes, and
+    /// the comments as notes. Entities on other layers and of other kinds are passed over.
     ///
     /// # Errors
     /// [`ExchangeError::Unreadable`] with the line for text that is not pairs of group code and value or a

@@ -8,9 +8,10 @@ use crate::error::{ExchangeError, Result};
 use commands::commands;
 use std::fmt::Write;
 
-/// The drawing as SVG in true size: one unit is one millimetre, each layer a group with its name (a layer for
-/// Inkscape too), arcs as arcs, notes as the description. The bend angle of a line is its attribute `data-bend`,
-/// in radians, its inside radius `data-inside-radius`; `data-order` is its place among all paths of the drawing. Numbers are in the shortest form that reads back to the same f64.
+/// The drawing as SVG in true size: one unit is one millimetre, each layer a group with its name (a layer for Inkscape
+/// too), arcs as arcs, notes as the description. The bend angle of a line is its attribute `data-bend`, in radians, its
+/// inside radius `data-inside-radius`; `data-order` is its place among all paths of the drawing. Numbers are in the
+/// shortest form that reads back to the same f64.
 ///
 /// # Errors
 /// [`ExchangeError::Empty`] for a drawing without paths.

@@ -182,9 +182,8 @@ impl Tableau {
         Some(found)
     }
 
-    /// Exchanges unknowns until no exchange makes the objective larger, or its negative, which is the last entry of `cost`, is as `enough`
-    /// wants it. Returns the unknown that can grow without end, if that is how it ends; `None` for the whole if the exchanges are
-    /// spent.
+    /// Exchanges unknowns until the objective is maximal, or `enough` accepts its negative, the last entry of `cost`. Returns the unknown along which the objective is unbounded, if there is one; `None` for the whole when the
+    /// exchanges are used up.
     fn maximise(
         &mut self,
         cost: &mut Vec<Rational>,
