@@ -91,7 +91,7 @@ fn no_flag_of_the_audit_is_open_and_every_answer_answers_one() {
             audited
                 .open
                 .iter()
-                .map(|sign| format!("{id}: {}", sign.seen)),
+                .map(|raised| format!("{id}: {}", raised.evidence)),
         );
         let stale = audited.stale.iter();
         found.extend(stale.map(|answer| format!("{id}: an answer to no {:?}", answer.flag)));

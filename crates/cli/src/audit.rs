@@ -1,8 +1,8 @@
 //! `torse audit`: signs that a statement is not what the paper prints.
 
-use crate::derivations::{Derivations, Found};
+use crate::derivations::{Derivations, LoadedDerivations};
 use crate::exit::{Exit, Failure};
-use crate::format::Format;
+use crate::format::{Format, pretty_json};
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
 use crate::{terminal, watchdog};
@@ -45,7 +45,7 @@ Examples:
 impl Audit {
     /// Decides, audits, and prints the open flags and the answers.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let Found {
+        let LoadedDerivations {
             papers,
             left_out,
             mut mistakes,
@@ -116,10 +116,10 @@ type Classes<'a> = BTreeMap<(Flag, &'a str, &'a str), Vec<&'a str>>;
 fn classes<'a>(found: &'a [Audited<'a>]) -> Classes<'a> {
     let mut classes = Classes::new();
     for audited in found {
-        for (sign, answer) in &audited.answered {
+        for (raised, answer) in &audited.answered {
             let says = answer.says.as_deref().unwrap_or_default();
             let class = classes
-                .entry((sign.flag, answer.quote.words.as_str(), says))
+                .entry((raised.flag, answer.quote.words.as_str(), says))
                 .or_default();
             let id = audited.claim.entry.id.get_ref().as_str();
             if !class.contains(&id) {
@@ -136,9 +136,9 @@ fn text(found: &[Audited<'_>]) -> String {
     table.set_header(["claim", "flag", "sign"]);
     let mut open = 0;
     for audited in found {
-        for sign in &audited.open {
+        for raised in &audited.open {
             let id = audited.claim.entry.id.get_ref().as_str();
-            table.add_row([id, glossary::flag(sign.flag), sign.seen.as_str()]);
+            table.add_row([id, glossary::flag(raised.flag), raised.evidence.as_str()]);
             open += 1;
         }
     }
@@ -212,10 +212,10 @@ fn json(found: &[Audited<'_>]) -> Result<String, Failure> {
     };
     for audited in found {
         let id = audited.claim.entry.id.get_ref().as_str();
-        listing.open.extend(audited.open.iter().map(|sign| Open {
+        listing.open.extend(audited.open.iter().map(|raised| Open {
             id,
-            flag: glossary::flag(sign.flag),
-            seen: &sign.seen,
+            flag: glossary::flag(raised.flag),
+            seen: &raised.evidence,
         }));
         listing
             .stale
@@ -233,8 +233,5 @@ fn json(found: &[Audited<'_>]) -> Result<String, Failure> {
             claims,
         })
         .collect();
-    let mut text =
-        serde_json::to_string_pretty(&listing).map_err(torse_report::ReportError::from)?;
-    text.push('\n');
-    Ok(text)
+    Ok(pretty_json(&listing)?)
 }

@@ -12,7 +12,7 @@ use torse_syntax::derivation::Paper;
 use torse_syntax::derivation::schema::PaperHead;
 
 /// The contents of a folder of derivations.
-pub struct Found {
+pub struct LoadedDerivations {
     /// The papers.
     pub papers: Vec<Paper>,
     /// The ids of claims and figures that are wrong, or use something wrong.
@@ -31,7 +31,7 @@ pub struct Derivations {
 
 impl Derivations {
     /// Reads the papers of the folder, in the order of their names, with everything in them that is well formed.
-    pub fn load(&self) -> Result<Found, Failure> {
+    pub fn load(&self) -> Result<LoadedDerivations, Failure> {
         let loaded = derivation::load_all(&self.find()?)?;
         let mut mistakes = Diagnostics::default();
         loaded
@@ -42,7 +42,7 @@ impl Derivations {
         for name in papers.flat_map(Paper::look_alikes) {
             terminal::remark(&terminal::shown(&name));
         }
-        Ok(Found {
+        Ok(LoadedDerivations {
             papers: loaded.papers,
             left_out: loaded.left_out,
             mistakes,

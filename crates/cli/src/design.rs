@@ -1,6 +1,7 @@
 //! `inspect`, `fold`, `export`, `eval`, `draw`: design files in, answers and files out.
 
 use crate::exit::{Exit, Failure};
+use crate::format::{Format, pretty_json};
 use crate::terminal::{print, remark};
 use clap::{Args, ValueEnum};
 use std::io::{Read, Write};
@@ -13,15 +14,6 @@ use torse_designs::listing::{FileListing, list};
 use torse_designs::unroll::{Demand, Flattening, development_note};
 use torse_designs::{Design, DesignError, draw, load, load_with_settings};
 use torse_exchange::{FileKind, LengthUnit, MAX_FILE_BYTES, write_file};
-
-/// The format of the answer.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Format {
-    /// Text
-    Text,
-    /// JSON, identical bytes on every run
-    Json,
-}
 
 /// Measure a design: can it be made? Or list the contents of a file of another program.
 ///
@@ -274,12 +266,6 @@ pub(crate) fn met(missed: &[String]) -> Exit {
     }
 }
 
-pub(crate) fn json(answer: &impl serde::Serialize) -> Result<String, Failure> {
-    let text = serde_json::to_string_pretty(answer);
-    let text = text.map_err(|error| Failure::Print(error.into()))?;
-    Ok(text + "\n")
-}
-
 impl Inspect {
     /// Measures the design, or each of several.
     pub fn run(&self) -> Result<Exit, Failure> {
@@ -287,14 +273,14 @@ impl Inspect {
             if let Some(listing) = self.listing(path)? {
                 print(&match self.format {
                     Format::Text => listing.text(),
-                    Format::Json => json(&listing)?,
+                    Format::Json => pretty_json(&listing)?,
                 })?;
                 return Ok(Exit::AsExpected);
             }
             let report = self.report(path)?;
             print(&match self.format {
                 Format::Text => table(&report),
-                Format::Json => json(&report)?,
+                Format::Json => pretty_json(&report)?,
             })?;
             return Ok(met(&report.missed));
         }
@@ -360,7 +346,7 @@ impl Fold {
         let report = fold_back(&self.file.open()?, &self.pattern)?;
         print(&match self.format {
             Format::Text => report.text(),
-            Format::Json => json(&report)?,
+            Format::Json => pretty_json(&report)?,
         })?;
         Ok(met(&report.missed))
     }
@@ -389,7 +375,7 @@ impl Eval {
         let rows = eval(&self.file.open()?, self.patch.as_deref(), &at)?;
         print(&match self.format {
             Table::Csv => csv(&rows),
-            Table::Json => json(&rows)?,
+            Table::Json => pretty_json(&rows)?,
         })?;
         Ok(Exit::AsExpected)
     }

@@ -5,6 +5,7 @@
 //! another digest.
 
 use crate::exit::Failure;
+use crate::format::pretty_json;
 use crate::terminal::Progress;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -85,9 +86,7 @@ pub fn write(
             list.insert(document.name.clone(), known);
         }
     }
-    let mut text = serde_json::to_string_pretty(&list).map_err(ReportError::from)?;
-    text.push('\n');
-    write_file(&folder.join(LIST), text.as_bytes())?;
+    write_file(&folder.join(LIST), pretty_json(&list)?.as_bytes())?;
     let names = documents.iter().map(|document| document.name.clone());
     Ok(names.chain([LIST.to_owned()]).collect())
 }

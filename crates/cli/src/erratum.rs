@@ -1,6 +1,6 @@
 //! `torse erratum`: the corrections of a paper, ready to be sent.
 
-use crate::derivations::{Derivations, Found};
+use crate::derivations::{Derivations, LoadedDerivations};
 use crate::documents::Made;
 use crate::exit::{Exit, Failure};
 use crate::kernel::Kernel;
@@ -76,7 +76,7 @@ pub fn file(slug: &str, ending: &str) -> String {
 impl Erratum {
     /// Decides the paper, writes the letter, and says what was written.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let Found {
+        let LoadedDerivations {
             papers,
             mut mistakes,
             ..

@@ -21,7 +21,8 @@ pub enum Exit {
     AsExpected,
     /// 3: a claim that was named by its full id is undecided.
     Undecided,
-    /// 1: a verdict differs from what its derivation file expects or from an earlier run, a design misses a tolerance of its file, a drawing breaks a rule.
+    /// 1: a verdict differs from what its derivation file expects or from an earlier run, a design misses a tolerance
+    /// of its file, a drawing breaks a rule.
     Differs,
     /// 7: a program that was asked for is missing.
     Missing,

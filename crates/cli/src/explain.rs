@@ -1,6 +1,6 @@
 //! `torse explain`: one claim, as in a referee's report.
 
-use crate::derivations::{Derivations, Found};
+use crate::derivations::{Derivations, LoadedDerivations};
 use crate::exit::{Exit, Failure};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
@@ -40,7 +40,7 @@ Examples:
 impl Explain {
     /// Decides the claim and prints the note.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let Found {
+        let LoadedDerivations {
             papers,
             left_out,
             mut mistakes,

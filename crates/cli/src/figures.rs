@@ -5,6 +5,7 @@
 
 use crate::diagnostics::Diagnostics;
 use crate::exit::Failure;
+use crate::format::pretty_json;
 use crate::terminal::Progress;
 use crate::watchdog;
 use rayon::prelude::*;
@@ -33,10 +34,7 @@ pub fn read_fingerprints(folder: &Path) -> Fingerprints {
 
 /// Writes the list of fingerprints.
 pub fn remember(folder: &Path, fingerprints: &Fingerprints) -> Result<(), Failure> {
-    let mut text =
-        serde_json::to_string_pretty(fingerprints).map_err(torse_report::ReportError::from)?;
-    text.push('\n');
-    write_file(&folder.join(LIST), text.as_bytes())?;
+    write_file(&folder.join(LIST), pretty_json(fingerprints)?.as_bytes())?;
     Ok(())
 }
 
@@ -51,7 +49,7 @@ pub struct Evaluated<'a> {
 pub fn evaluated<'a>(papers: &'a [Paper], mistakes: &mut Diagnostics) -> Vec<Vec<Evaluated<'a>>> {
     let of_papers: Vec<Vec<&Figure>> = papers.iter().map(|p| p.figures().collect()).collect();
     let evaluate = |entry: &&'a Figure| {
-        let plate = watchdog::named(&entry.id, || Plate::new(entry))?;
+        let plate = watchdog::guarded(&entry.id, || Plate::new(entry))?;
         Ok(Evaluated { entry, plate })
     };
     let evaluated: Vec<Vec<Result<_, Box<DerivationError>>>> = of_papers

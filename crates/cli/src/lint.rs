@@ -1,33 +1,35 @@
-//! `lint`: a drawing against the rules of bureaus that cut sheet.
+//! `lint`: a drawing against the rules of services that cut sheet.
 
-use crate::design::{Format, json, unit};
+use crate::design::unit;
 use crate::exit::{Exit, Failure};
+use crate::format::{Format, pretty_json};
 use crate::terminal::print;
 use clap::Args;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use torse_designs::DesignError;
-use torse_designs::lint::{LintDemand, Rules, lint};
+use torse_designs::lint::{LintDemand, LintRules, lint};
 use torse_exchange::{LengthUnit, MAX_FILE_BYTES};
 
-/// Check a drawing, by whomever, against what cutting bureaus publish of the files they take.
+/// Check a drawing against the rules that cutting services publish.
 ///
-/// Closed contours, nothing twice, no text, a unit, one part, holes and webs that the thickness admits. Ends with 1 when a
-/// rule is broken, and says where and why.
+/// torse checks that contours are closed, that no line lies twice, that there is no text, that the file states its unit
+/// and has one part, and that holes and webs suit the thickness. The exit code is 1 if a rule is broken; the answer says
+/// where and why.
 #[derive(Args)]
 pub struct Lint {
-    /// The drawing: a DXF or SVG file; - for standard input
+    /// Check this DXF or SVG file; - for standard input
     file: PathBuf,
-    /// The thickness of the sheet in millimetres, on which some rules depend
+    /// Set the thickness of the sheet in millimetres, on which some rules depend
     #[arg(long, value_name = "MM", value_parser = positive)]
     thickness: Option<f64>,
-    /// Rules to check against instead of those that torse has, a TOML file
+    /// Check against the rules of this TOML file instead of those that torse has
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
-    /// The unit of a file that states none: mm, cm, m, in, ft, ..
+    /// Set the unit of a file that states none: mm, cm, m, in, ft, ...
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     unit: Option<LengthUnit>,
-    /// How the answer is shown
+    /// Set the format of the answer
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 }
@@ -69,11 +71,11 @@ impl Lint {
             reason,
         };
         let rules = match &self.rules {
-            None => Rules::published().map_err(|reason| wrong(Path::new("rules"), reason))?,
+            None => LintRules::published().map_err(|reason| wrong(Path::new("rules"), reason))?,
             Some(path) => {
                 let text =
                     String::from_utf8(bytes_of(path)?).map_err(|e| wrong(path, e.to_string()))?;
-                Rules::parse(&text).map_err(|reason| wrong(path, reason))?
+                LintRules::parse(&text).map_err(|reason| wrong(path, reason))?
             }
         };
         let demand = LintDemand {
@@ -88,7 +90,7 @@ impl Lint {
         let report = lint(&name, &bytes_of(&self.file)?, &rules, &demand)?;
         print(&match self.format {
             Format::Text => report.text(),
-            Format::Json => json(&report)?,
+            Format::Json => pretty_json(&report)?,
         })?;
         Ok(if report.passes() {
             Exit::AsExpected

@@ -1,7 +1,8 @@
 //! The `torse` command: arguments in, verdicts, explanations and reports out.
 //!
-//! Each subcommand has a file; what several of them share has one of its own. There is no mathematics here. Derivation files come from [`derivations`], the claims that
-//! the user names from [`torse::selection`], outcomes from [`mod@run`]; [`exit`] says which exit code means what.
+//! Each subcommand has a file; what several of them share has one of its own. There is no mathematics here. Derivation
+//! files come from [`derivations`], the claims that the user names from [`torse::selection`], outcomes from
+//! [`mod@run`]; [`exit`] says which exit code means what.
 
 mod audit;
 mod baseline;
@@ -77,7 +78,7 @@ Examples:
   torse new my-paper                     a folder that verifies, to begin from
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
   torse unroll DESIGN.toml --to part.dxf what is cut of it, a file a part
-  torse lint part.dxf --thickness 2      would a cutting bureau take this drawing?
+  torse lint part.dxf --thickness 2      would a cutting service accept this drawing?
   torse studio designs                   the designs of a folder in a browser, on this machine
 
 `torse help COMMAND` says more, `torse --help` lists the exit codes.";
@@ -98,7 +99,7 @@ Examples:
   torse new my-paper                     a folder that verifies, to begin from
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
   torse unroll DESIGN.toml --to part.dxf what is cut of it, a file a part
-  torse lint part.dxf --thickness 2      would a cutting bureau take this drawing?
+  torse lint part.dxf --thickness 2      would a cutting service accept this drawing?
   torse studio designs                   the designs of a folder in a browser, on this machine
 
 Exit codes (if several apply, the first of this list):
@@ -127,7 +128,7 @@ enum Command {
     Report(report::Report),
     Erratum(erratum::Erratum),
     Derive(derive::Derive),
-    Recheck(recheck::Replay),
+    Recheck(recheck::RecheckCommand),
     Prove(prove::Prove),
     Audit(audit::Audit),
     New(new::New),

@@ -88,7 +88,7 @@ impl Merge {
     }
 }
 
-/// A closed pipe is no failure of the data.
+/// Treats a closed pipe as success.
 fn printing(error: ReportError) -> ReportError {
     match error {
         ReportError::Stream(error) if error.kind() == io::ErrorKind::BrokenPipe => {

@@ -16,13 +16,12 @@ const FILES: [(&str, &str); 2] = [
 
 /// Write a folder of derivation files to start from.
 ///
-/// `--from` reads a manuscript in LaTeX: each numbered equation and each theorem becomes a claim with its words and its place, and
-/// with a statement where the print has one meaning. What has two readings stands there twice, in comments; what is not understood is
-/// listed with its line and column. The text is one file: what it includes is listed, and not read.
+/// With `--from`, torse reads one LaTeX file. Each numbered equation and each theorem becomes a claim with its words and
+/// its place; if the print has one meaning, the claim has a statement, and if it has two, both stand in comments. torse
+/// lists what it does not understand, with line and column, and the files that the text includes, which it does not read.
 ///
-/// Without `--from`:
-/// It contains a basis with a shape parameter, two curves, four claims about them and a figure, with comments that say
-/// what to change. Existing files are never overwritten.
+/// Without `--from`, the folder contains a basis with a shape parameter, two curves, four claims about them and a figure;
+/// comments say what to change. torse never overwrites an existing file.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct New {

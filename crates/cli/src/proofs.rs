@@ -1,11 +1,12 @@
 //! `torse verify --proofs DIR`: the proofs of verdicts, written for other programs.
 //!
-//! One file a paper, `DIR/PAPER.json`: an object whose `claims` are those with a proof or a refutation, in file order. A claim
-//! has its `id`, the `reading` of the sentence that it is about (or null), what it `states`, the `verdict`, whether the proof
-//! is `replayed`, and `rests_on`: `{"proof": {"conditions": [...], "of": ...}}` or `{"refutation": ...}`, in the form that the
-//! crate `torse-certificate` documents.
+//! One file a paper, `DIR/PAPER.json`: an object whose `claims` are those with a proof or a refutation, in file order.
+//! A claim has its `id`, the `reading` of the sentence that it is about (or null), what it `states`, the `verdict`,
+//! whether the proof is `replayed`, and `rests_on`: `{"proof": {"conditions": [...], "of": ...}}` or
+//! `{"refutation": ...}`, in the form that the crate `torse-certificate` documents.
 
 use crate::exit::Failure;
+use crate::format::pretty_json;
 use serde::Serialize;
 use std::path::Path;
 use torse_certificate::Polynomial;
@@ -43,16 +44,13 @@ pub fn write(folder: &Path, papers: &[PaperOutcome]) -> Result<(), Failure> {
                 ));
             }
         }
-        let mut text = serde_json::to_string_pretty(&Paper {
+        let text = pretty_json(&Paper {
             paper: &paper.slug,
             claims,
         })?;
-        text.push('\n');
         Ok((folder.join(format!("{}.json", paper.slug)), text))
     });
-    let made: Vec<_> = made
-        .collect::<Result<_, serde_json::Error>>()
-        .map_err(ReportError::from)?;
+    let made: Vec<_> = made.collect::<Result<_, ReportError>>()?;
     for (path, text) in made {
         write_file(&path, text.as_bytes())?;
     }

@@ -2,6 +2,7 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
+use crate::format::pretty_json;
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
 use crate::{terminal, watchdog};
@@ -28,9 +29,9 @@ use torse_verdicts::outcome::Outcome;
 /// Why theorems have no proof, by name.
 type Unproved = BTreeMap<String, String>;
 /// The script that proves a theorem, if it is not the first.
-type Chosen = BTreeMap<String, usize>;
+type ScriptNumbers = BTreeMap<String, usize>;
 /// Stores which theorems of a section were tried, and the failures.
-type Keep<'a> = &'a (dyn Fn(&[String], &Unproved) -> Result<(), Failure> + Sync);
+type StoreResults<'a> = &'a (dyn Fn(&[String], &Unproved) -> Result<(), Failure> + Sync);
 
 /// Write statements and proofs of verdicts for the Rocq kernel, and have them checked.
 ///
@@ -99,7 +100,7 @@ impl Prove {
         let mut unproved = folder::unproved(&self.out).map_err(unread)?;
         let mut chosen = folder::chosen(&self.out);
         if let (Some(_), Some(coqc)) = (self.attempt, &coqc) {
-            (unproved, chosen) = self.tried(coqc, &findings, unproved, chosen)?;
+            (unproved, chosen) = self.search_scripts(coqc, &findings, unproved, chosen)?;
         }
         let folder = Folder::with_scripts(&findings, &unproved, &chosen, self.layout());
         let old = merge::ours(&|path| std::fs::read_to_string(self.out.join(path)).ok());
@@ -114,11 +115,11 @@ impl Prove {
             self.remove(path)?;
         }
         let mut exit = Exit::AsExpected;
-        let mut text = written(&folder);
+        let mut text = describe_files(&folder);
         if let (true, Some(coqc)) = (self.check, &coqc) {
             let (summary, found) = match self.changed {
-                true => self.checked_anew(coqc, &folder)?,
-                false => self.checked(coqc, &folder)?,
+                true => self.check_changed(coqc, &folder)?,
+                false => self.check_all(coqc, &folder)?,
             };
             text.push_str(&summary);
             exit = found;
@@ -155,8 +156,7 @@ impl Prove {
         std::fs::remove_file(&path).map_err(|source| ReportError::Write { path, source }.into())
     }
 
-    /// A folder for whole papers has the definitions of a section once; one for some of their claims has no others to
-    /// share with.
+    /// Returns the layout: sections share their definitions for whole papers, and do not for selected claims.
     fn layout(&self) -> Layout {
         match self.names.iter().any(|name| name.contains('/')) {
             false => Layout::Together,
@@ -166,13 +166,13 @@ impl Prove {
 
     /// Finds the theorems that no script proves, and the scripts of the others if they are not the first, for the
     /// theorems of this run. Results are written section by section.
-    fn tried(
+    fn search_scripts(
         &self,
         coqc: &Coqc,
         findings: &[(String, Vec<Finding<'_>>)],
         mut unproved: Unproved,
-        mut chosen: Chosen,
-    ) -> Result<(Unproved, Chosen), Failure> {
+        mut chosen: ScriptNumbers,
+    ) -> Result<(Unproved, ScriptNumbers), Failure> {
         let all = Folder::with_scripts(findings, &BTreeMap::new(), &BTreeMap::new(), self.layout());
         let own: BTreeSet<String> = all.theorems.iter().map(Theorem::name).collect();
         // Without names this run has all theorems.
@@ -183,7 +183,7 @@ impl Prove {
             return Ok((unproved, chosen));
         }
         let mut left = own;
-        let scratch = self.library(coqc)?;
+        let scratch = self.compile_library(coqc)?;
         for which in 0..=script::OTHERS.len() {
             if left.is_empty() {
                 break;
@@ -195,7 +195,7 @@ impl Prove {
             let scripts = left.iter().map(|name| (name.clone(), which)).collect();
             let folder = Folder::with_scripts(findings, &known, &scripts, self.layout());
             let found = Mutex::new((unproved, chosen, left));
-            self.failing(coqc, &folder, scratch.path(), &|names, failing| {
+            self.try_scripts(coqc, &folder, scratch.path(), &|names, failing| {
                 let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
                 let (unproved, chosen, left) = &mut *found;
                 for name in names {
@@ -215,8 +215,8 @@ impl Prove {
                         }
                     }
                 }
-                let kept = self.write(UNPROVED, &json(&*unproved));
-                kept.and_then(|()| self.write(SCRIPTS, &json(&*chosen)))
+                self.write(UNPROVED, &pretty_json(&*unproved)?)?;
+                self.write(SCRIPTS, &pretty_json(&*chosen)?)
             })?;
             (unproved, chosen, left) = found.into_inner().unwrap_or_else(PoisonError::into_inner);
         }
@@ -224,7 +224,7 @@ impl Prove {
     }
 
     /// A scratch folder with the compiled library.
-    fn library(&self, coqc: &Coqc) -> Result<TempDir, Failure> {
+    fn compile_library(&self, coqc: &Coqc) -> Result<TempDir, Failure> {
         let scratch = scratch()?;
         let progress = Progress::new("compiling the library", LIBRARY.len());
         coqc.library(scratch.path(), self.limits(), &|| progress.step())?;
@@ -233,12 +233,12 @@ impl Prove {
     }
 
     /// Tries the scripts of a folder, and passes the results of each section to `keep`.
-    fn failing(
+    fn try_scripts(
         &self,
         coqc: &Coqc,
         folder: &Folder,
         scratch: &Path,
-        keep: Keep<'_>,
+        keep: StoreResults<'_>,
     ) -> Result<(), Failure> {
         let progress = Progress::new("trying", folder.sections().len());
         let seconds = self.attempt.unwrap_or(20);
@@ -246,19 +246,19 @@ impl Prove {
             progress.step();
             keep(names, failing)
         };
-        self.failing_within(coqc, folder, scratch, seconds, &found)?;
+        self.try_scripts_within(coqc, folder, scratch, seconds, &found)?;
         progress.finish();
         Ok(())
     }
 
     /// Returns the theorems of a folder that find no proof within so many seconds each.
-    fn failing_within(
+    fn try_scripts_within(
         &self,
         coqc: &Coqc,
         folder: &Folder,
         scratch: &Path,
         seconds: u64,
-        keep: Keep<'_>,
+        keep: StoreResults<'_>,
     ) -> Result<Unproved, Failure> {
         let unkept = Mutex::new(None);
         let found = |names: &[String], failing: &Unproved| {
@@ -276,7 +276,7 @@ impl Prove {
     /// Asks the kernel about theorems that it did not accept yet with this library, statement and proof. A printed
     /// statement that follows from an accepted one is checked with that one as a premise; all others are checked with
     /// their section.
-    fn checked_anew(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
+    fn check_changed(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
         let prints = Fingerprints::of_version(&coqc.version);
         let old = Accepted::read(&self.out).filter(|old| old.coq == coqc.version);
         let known = |theorem: &Theorem| {
@@ -306,7 +306,7 @@ impl Prove {
         let mut exit = Exit::AsExpected;
         if let (false, Some(mut accepted)) = (alone.theorems.is_empty(), old) {
             accepted.coqchk = None;
-            let scratch = self.library(coqc)?;
+            let scratch = self.compile_library(coqc)?;
             let progress = Progress::new("checking what is printed", alone.sections().len());
             let accepted = Mutex::new(accepted);
             // Answers are stored section by section.
@@ -319,10 +319,10 @@ impl Prove {
                         accepted.theorems.insert(name, prints.fingerprint(theorem));
                     }
                 }
-                self.write(ACCEPTED, &json(&*accepted))
+                self.write(ACCEPTED, &pretty_json(&*accepted)?)
             };
             let failing =
-                self.failing_within(coqc, &alone, scratch.path(), self.file_limit, &keep)?;
+                self.try_scripts_within(coqc, &alone, scratch.path(), self.file_limit, &keep)?;
             progress.finish();
             for theorem in &alone.theorems {
                 let name = theorem.name();
@@ -343,7 +343,7 @@ impl Prove {
             }
             return Ok((text, exit));
         }
-        let (summary, found) = self.checked(coqc, &folder.of_sections(&sections))?;
+        let (summary, found) = self.check_all(coqc, &folder.of_sections(&sections))?;
         text.push_str(&summary);
         Ok((
             text,
@@ -355,8 +355,8 @@ impl Prove {
     }
 
     /// Asks the kernel, stores the accepted theorems, and describes the result.
-    fn checked(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
-        let scratch = self.library(coqc)?;
+    fn check_all(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
+        let scratch = self.compile_library(coqc)?;
         let progress = Progress::new("checking", folder.sections().len() + 1);
         let checked = coqc.check(folder, scratch.path(), self.limits(), &|| progress.step());
         progress.finish();
@@ -430,7 +430,7 @@ impl Prove {
             coqchk: rechecked,
             theorems: accepted,
         };
-        let mut fresh = self.with_others(fresh, folder);
+        let mut fresh = self.merge_earlier(fresh, folder);
         // The answer of the separate checker is valid while the theorems are the same.
         if fresh.coqchk.is_none()
             && let Some(old) = Accepted::read(&self.out)
@@ -438,8 +438,8 @@ impl Prove {
         {
             fresh.coqchk = old.coqchk;
         }
-        text.push_str(self.compared(&fresh));
-        self.write(ACCEPTED, &json(&fresh))?;
+        text.push_str(self.describe_merge(&fresh));
+        self.write(ACCEPTED, &pretty_json(&fresh)?)?;
         let exit = match bad + open + foreign.len() + usize::from(doubted) {
             0 => Exit::AsExpected,
             _ => Exit::Contradiction,
@@ -448,7 +448,7 @@ impl Prove {
     }
 
     /// Returns the theorems accepted before, of claims that are not part of this run.
-    fn with_others(&self, mut fresh: Accepted, folder: &Folder) -> Accepted {
+    fn merge_earlier(&self, mut fresh: Accepted, folder: &Folder) -> Accepted {
         let old = match self.names.is_empty() && !self.changed {
             true => None,
             false => Accepted::read(&self.out).filter(|old| old.coq == fresh.coq),
@@ -467,7 +467,7 @@ impl Prove {
     }
 
     /// How stored answers are combined with fresh ones.
-    fn compared(&self, fresh: &Accepted) -> &'static str {
+    fn describe_merge(&self, fresh: &Accepted) -> &'static str {
         let path = self.out.join(ACCEPTED);
         let Ok(text) = std::fs::read_to_string(path) else {
             return "accepted.json is new\n";
@@ -487,10 +487,6 @@ fn scratch() -> Result<TempDir, Failure> {
         let path = std::env::temp_dir();
         ReportError::Write { path, source }.into()
     })
-}
-
-fn json(value: &impl serde::Serialize) -> String {
-    serde_json::to_string_pretty(value).map_or_else(|_| String::new(), |text| text + "\n")
 }
 
 /// Returns the findings of all claims and readings that have outcomes, paper by paper.
@@ -540,12 +536,15 @@ fn finding<'c>(id: String, claim: &'c Claim, outcome: &Outcome) -> Finding<'c> {
         witness: outcome
             .witness()
             .map_or_else(Vec::new, |witness| witness.at.clone()),
-        solved: outcome.finding.certificate().map_or_else(Vec::new, solved),
+        solved: outcome
+            .finding
+            .certificate()
+            .map_or_else(Vec::new, given_values),
     }
 }
 
 /// Returns the values that the proof of a verdict obtains from `given` equations.
-fn solved(certificate: &DecisionCertificate) -> Vec<Solved> {
+fn given_values(certificate: &DecisionCertificate) -> Vec<Solved> {
     match certificate.plain() {
         DecisionCertificate::Proof { of, .. } => solutions(&of),
         DecisionCertificate::Refutation(_) => vec![],
@@ -553,7 +552,7 @@ fn solved(certificate: &DecisionCertificate) -> Vec<Solved> {
 }
 
 /// Describes what was written, by evidence, and why the rest was not.
-fn written(folder: &Folder) -> String {
+fn describe_files(folder: &Folder) -> String {
     let mut rows: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
     for theorem in folder.theorems.iter().filter(|t| t.rests_on.is_none()) {
         rows.entry(theorem.evidence.word()).or_default()[0] += 1;

@@ -23,7 +23,7 @@ use torse_verdicts::recheck::{self, Recheck};
 /// counterexample. `verify` does the same with less work. The exit code is 6 if a verdict is contradicted.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Replay {
+pub struct RecheckCommand {
     /// Papers, claims, or prefixes of ids
     #[arg(value_name = "PAPER|ID")]
     names: Vec<String>,
@@ -41,12 +41,12 @@ Examples:
   torse recheck
   torse recheck gbt-surfaces/thm-2 --verbose";
 
-impl Replay {
+impl RecheckCommand {
     /// Decides, checks again, and prints the counts and every contradiction.
     pub fn run(&self) -> Result<Exit, Failure> {
         let (papers, mut mistakes) = self.derivations.select(&self.names)?;
         let run = Run::new(&papers, self.budget, &mut mistakes);
-        let judged = again(&papers, &run.papers);
+        let judged = recheck_claims(&papers, &run.papers);
         watchdog::finished();
         let mut counts = [0_usize; 4];
         let mut rows = terminal::table();
@@ -88,7 +88,7 @@ impl Replay {
 }
 
 /// The checked claims with their ids, in file order.
-fn again(papers: &[Paper], decided: &[PaperOutcome]) -> Vec<(String, Recheck)> {
+fn recheck_claims(papers: &[Paper], decided: &[PaperOutcome]) -> Vec<(String, Recheck)> {
     let claims = papers.iter().flat_map(|paper| &paper.claims);
     let outcomes = decided.iter().flat_map(|paper| &paper.claims);
     let outcomes: BTreeMap<&str, &Outcome> = outcomes.map(|o| (o.claim.id.as_str(), o)).collect();
@@ -97,7 +97,7 @@ fn again(papers: &[Paper], decided: &[PaperOutcome]) -> Vec<(String, Recheck)> {
         .collect();
     let progress = Progress::new("judging again", pairs.len());
     let judged = pairs.par_iter().map(|(claim, outcome)| {
-        let result = watchdog::named(&outcome.claim.id, || recheck::claim(claim, outcome));
+        let result = watchdog::guarded(&outcome.claim.id, || recheck::claim(claim, outcome));
         progress.step();
         (outcome.claim.id.clone(), result)
     });

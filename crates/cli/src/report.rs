@@ -1,6 +1,6 @@
 //! `torse report`: verdicts, typeset reports and figures into a folder.
 
-use crate::derivations::{Derivations, Found};
+use crate::derivations::{Derivations, LoadedDerivations};
 use crate::documents::{Document, Made};
 use crate::exit::{Exit, Failure};
 use crate::figures::{Evaluated, FOLDER as FIGURES};
@@ -55,7 +55,7 @@ Examples:
 impl Report {
     /// Decides, draws, typesets, writes, and says what was written.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let Found {
+        let LoadedDerivations {
             papers,
             mut mistakes,
             ..

@@ -40,8 +40,8 @@ pub struct Run {
 }
 
 impl Run {
-    /// Decides all claims of `papers`, of all papers at once, and then searches corrections of those that are refuted. Claims
-    /// whose formulas make no sense are mistakes of theirs, and have no outcome.
+    /// Decides all claims of `papers`, of all papers at once, and then searches corrections of those that are refuted.
+    /// Claims whose formulas make no sense are mistakes of theirs, and have no outcome.
     pub fn new(papers: &[Paper], budget: Budget, mistakes: &mut Diagnostics) -> Self {
         let watcher = Watcher::default();
         let watch = |event: Event<'_>| {

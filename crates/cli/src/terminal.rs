@@ -99,9 +99,9 @@ pub fn paragraph(indent: u16, text: &str) -> String {
 }
 
 /// Returns the label of a verdict in its colour.
-pub fn verdict(of: Verdict) -> String {
+pub fn verdict(verdict: Verdict) -> String {
     let style = Style::new();
-    let style = match of {
+    let style = match verdict {
         Verdict::Holds | Verdict::Reproduced => style.green(),
         Verdict::Conditional | Verdict::Partial => style.cyan(),
         Verdict::Misprint => style.yellow().bold(),
@@ -109,7 +109,7 @@ pub fn verdict(of: Verdict) -> String {
         Verdict::Undecided | Verdict::Vacuous | Verdict::Depends => style.magenta().bold(),
         Verdict::Definition | Verdict::Underspecified | Verdict::OutOfScope => style.dimmed(),
     };
-    glossary::verdict(of).label.style(style).to_string()
+    glossary::verdict(verdict).label.style(style).to_string()
 }
 
 pub fn counted(count: usize, what: &str) -> String {

@@ -1,9 +1,8 @@
 //! `unroll`: from a design to what is cut and bent.
 
-use crate::design::{
-    DesignFile, Format, Pattern, answer, format_of, is_standard, json, met, named, write,
-};
+use crate::design::{DesignFile, Pattern, answer, format_of, is_standard, met, named, write};
 use crate::exit::{Exit, Failure};
+use crate::format::{Format, pretty_json};
 use crate::terminal::remark;
 use clap::Args;
 use serde::Serialize;
@@ -12,50 +11,50 @@ use torse_designs::bench::{PaperSize, bench_sheets, tiled_parts};
 use torse_designs::export::PATTERNS;
 use torse_designs::inspect::{inspect_for, inspect_unrolled, missed_line};
 use torse_designs::unroll::{
-    FlatPiece, Grain, Making, Part, PartsList, Purpose, Summary, drawing, parts_made, unroll,
+    CutOptions, FlatPiece, Grain, Part, PartsList, PatternSummary, Purpose, drawing, parts_with,
+    unroll,
 };
 use torse_designs::{Design, DesignError};
 use torse_exchange::{Drawing, dxf, svg};
 use torse_report::Manuscript;
 
-/// Unroll a design to what is cut of it, DXF or SVG.
+/// Unroll a design into cut files, DXF or SVG.
 ///
-/// Each part is turned to its smallest box and has a file of its own: of several, the name of each is added to that of the
-/// file. Refuses, with exit code 1 and without a file, what is not developable within tolerance, has its edge of regression
-/// inside, an outline that crosses itself, or a bend that has no blank. A design that misses another tolerance of its file
-/// is written, what it misses is said on standard error, and the exit code is 1.
+/// Each part is turned to its smallest box and gets its own file; if there are several, the name of the part is added to
+/// the name of the file. torse writes nothing, and ends with exit code 1, if a patch is not developable within its
+/// tolerance, if the edge of regression lies in a patch, if an outline crosses itself, or if a bend has no blank. If the
+/// design misses another tolerance of its file, torse writes the parts, says on standard error what is missed, and ends
+/// with exit code 1.
 #[derive(Args)]
 pub struct Unroll {
     #[command(flatten)]
     file: DesignFile,
-    /// Where the part goes: a file ending in .dxf or .svg, for sheets of paper in .pdf; - for standard output, with --as
+    /// Write to this file: .dxf or .svg, for sheets of paper .pdf; - for standard output (with --as)
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
-    /// The format, where the name of the file does not end in it: dxf or svg
-    #[arg(long, value_name = "ENDING")]
+    /// Set the format if the file name has no known extension: dxf or svg
+    #[arg(long, value_name = "EXTENSION")]
     r#as: Option<String>,
-    /// What the file is for: cut (closed contours alone), bend (the bend lines of tools too), sew (the
-    /// notches of seams too), fold (one file of all pieces
-    /// with every ruling and its angle, as `torse fold` reads it), bench (a sheet for the fitter with dimensions, tables and a
-    /// view, PDF or SVG), paper (true size on pages, PDF)
+    /// Set what the file is for: cut (closed contours alone), bend (the bend lines of tools too), sew (the notches of seams
+    /// too), fold (one file of all pieces with every ruling and its angle, as `torse fold` reads it), bench (a sheet for the
+    /// fitter with dimensions, tables and a view, PDF or SVG), paper (true size on pages, PDF)
     #[arg(long = "for", value_name = "PURPOSE", value_parser = output, default_value = "cut")]
     output: Output,
-    /// The paper of `--for bench` and `--for paper`: a4, a3, letter
+    /// Set the paper of `--for bench` and `--for paper`: a4, a3, letter
     #[arg(long, value_name = "SIZE", value_parser = paper, default_value = "a4")]
     page: PaperSize,
-    /// A table of the parts, as comma-separated values
+    /// Write a table of the parts to this file, as comma-separated values
     #[arg(long, value_name = "FILE")]
     parts: Option<PathBuf>,
-    /// The width of the cut in millimetres: outlines are moved outwards by half of it, openings inwards
+    /// Set the width of the cut in millimetres: outlines are moved outwards by half of it, openings inwards
     #[arg(long, value_name = "MM", default_value_t = 0.0)]
     kerf: f64,
-    /// How parts lie: along (from the first ruling to the last along the drawing) or across; turned to their smallest boxes where
-    /// nothing is said
+    /// Lay parts along (first ruling to last along the drawing) or across; without this, each is turned to its smallest box
     #[arg(long, value_name = "WAY", value_parser = grain)]
     grain: Option<Grain>,
     #[command(flatten)]
     pattern: Pattern,
-    /// How the answer is shown
+    /// Set the format of the answer
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 }
@@ -103,7 +102,7 @@ fn paper(name: &str) -> Result<PaperSize, String> {
 #[derive(Serialize)]
 struct Answer<'a> {
     #[serde(flatten)]
-    summary: &'a Summary,
+    summary: &'a PatternSummary,
     parts: &'a PartsList,
 }
 
@@ -147,12 +146,12 @@ impl Unroll {
         let ending = format_of(&self.to, self.r#as.as_deref(), self.output.endings())?;
         let design = self.file.open()?;
         let pieces = unroll(&design, &self.pattern.demand())?;
-        let making = Making {
+        let making = CutOptions {
             kerf: self.kerf,
             grain: self.grain,
         };
-        let made = parts_made(&design, &pieces, making);
-        let summary = Summary::new(&design, &pieces);
+        let made = parts_with(&design, &pieces, making);
+        let summary = PatternSummary::new(&design, &pieces);
         if self.output == Output::Drawings(Purpose::Fold) {
             // The pattern is the design's, and needs no blank.
             let list = made.map(|parts| PartsList::new(&design, &parts)).ok();
@@ -276,11 +275,16 @@ impl Unroll {
     }
 
     /// Says what was written, and what the design misses all the same.
-    fn end(&self, design: &Design, summary: &Summary, list: &PartsList) -> Result<Exit, Failure> {
+    fn end(
+        &self,
+        design: &Design,
+        summary: &PatternSummary,
+        list: &PartsList,
+    ) -> Result<Exit, Failure> {
         let text = match self.format {
             Format::Text if self.output == Output::Drawings(Purpose::Fold) => summary.text(),
             Format::Text => list.text() + &summary.text(),
-            Format::Json => json(&Answer {
+            Format::Json => pretty_json(&Answer {
                 summary,
                 parts: list,
             })?,

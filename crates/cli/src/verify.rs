@@ -61,7 +61,7 @@ pub struct Verify {
     derivations: Derivations,
 }
 
-/// In what form verdicts are told.
+/// The format of verdicts.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum VerifyFormat {
     Text,
@@ -71,8 +71,8 @@ enum VerifyFormat {
 }
 
 impl VerifyFormat {
-    /// Whether only what deserves a look is told.
-    fn is_annotations(self) -> bool {
+    /// Returns whether only contradictions, unexpected and refuted claims are written.
+    fn writes_annotations(self) -> bool {
         matches!(self, Self::Sarif | Self::Github)
     }
 }
@@ -122,8 +122,8 @@ impl Verify {
             (VerifyFormat::Json, _) | (_, Some(_)) => self.json(&papers, &run)?,
             _ => String::new(),
         };
-        if self.format.is_annotations() {
-            terminal::print(&self.annotated(&papers, &run, &mistakes)?)?;
+        if self.format.writes_annotations() {
+            terminal::print(&self.annotations(&papers, &run, &mistakes)?)?;
         } else if mistakes.is_empty() || run.outcomes().next().is_some() {
             // Where nothing is right there is nothing to show.
             match self.format {
@@ -156,7 +156,7 @@ impl Verify {
     }
 
     /// What deserves a look.
-    fn annotated(
+    fn annotations(
         &self,
         papers: &[Paper],
         run: &Run,

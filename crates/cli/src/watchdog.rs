@@ -57,7 +57,7 @@ pub fn end(id: &str) {
 }
 
 /// Does something for a claim or a figure under the eyes of the guard.
-pub fn named<T>(id: &str, job: impl FnOnce() -> T) -> T {
+pub fn guarded<T>(id: &str, job: impl FnOnce() -> T) -> T {
     begin(id);
     let done = job();
     end(id);

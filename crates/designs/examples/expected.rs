@@ -12,7 +12,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use torse_designs::export::{mesh, model};
 use torse_designs::inspect::inspect;
-use torse_designs::unroll::{Demand, Summary, unroll};
+use torse_designs::unroll::{Demand, PatternSummary, unroll};
 use torse_designs::{Design, load};
 use torse_exchange::write_file;
 use torse_geometry::Surface;
@@ -114,7 +114,7 @@ fn triangles(design: &Design) -> Outcome<Value> {
 /// The outlines with points of the exact development.
 fn cuts(design: &Design) -> Outcome<Value> {
     let pieces = unroll(design, &Demand::default())?;
-    let summary = Summary::new(design, &pieces);
+    let summary = PatternSummary::new(design, &pieces);
     let mut list = Vec::new();
     for (piece, numbers) in pieces.iter().zip(&summary.pieces) {
         let mut points = Vec::new();

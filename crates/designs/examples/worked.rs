@@ -10,7 +10,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use torse_designs::export::bytes;
 use torse_designs::inspect::{inspect, table};
-use torse_designs::unroll::{Demand, PartsList, Summary, parts, unroll};
+use torse_designs::unroll::{Demand, PartsList, PatternSummary, parts, unroll};
 use torse_designs::{DesignError, draw, load};
 use torse_exchange::write_file;
 
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mut text = table(&inspect(&design)?);
         text.push('\n');
         let pieces = unroll(&design, &demand)?;
-        text.push_str(&Summary::new(&design, &pieces).text());
+        text.push_str(&PatternSummary::new(&design, &pieces).text());
         text.push_str(&PartsList::new(&design, &parts(&design, &pieces)?).text());
         write_file(&path.with_extension("txt"), text.as_bytes())?;
         write_file(

@@ -105,7 +105,7 @@ enum CurvatureKnown {
     Measured,
 }
 
-/// A surface with this Gaussian curvature at a point.
+/// Returns a surface with this Gaussian curvature at a point.
 fn curved(point: Point, gaussian: f64, known: CurvatureKnown) -> FaceAudit {
     let [x, y, z] = point.map(number);
     let words = match known {
@@ -199,7 +199,7 @@ fn ruled(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<FaceAudit, Geo
     })
 }
 
-/// A B-spline surface, by the Bezier patches that it consists of.
+/// Returns a B-spline surface, by the Bezier patches that it consists of.
 fn tensor(surface: &SplineSurface) -> Result<FaceAudit, GeometryError> {
     let patches = surface.patches()?;
     let (mut budget, mut open) = (EVALUATIONS, false);
@@ -258,7 +258,7 @@ fn tensor(surface: &SplineSurface) -> Result<FaceAudit, GeometryError> {
     })
 }
 
-/// A curve turned about an axis: measured along the curve.
+/// Returns a curve turned about an axis: measured along the curve.
 fn revolved(curve: &CurveShape, frame: &SurfaceFrame) -> Result<FaceAudit, GeometryError> {
     let mut worst: Option<(Point, f64)> = None;
     let mut size = 0.0_f64;

@@ -14,8 +14,9 @@ pub enum NeutralLine {
 }
 
 impl NeutralLine {
-    /// The K-factor of a bend with this inside radius over the thickness; `None` where a table or the standard says
-    /// nothing: beside the table, and for radii so small that the neutral line of the standard would leave the sheet.
+    /// Returns the K-factor of a bend with this inside radius over the thickness; `None` where a table or the standard
+    /// says nothing: beside the table, and for radii so small that the neutral line of the standard would leave the
+    /// sheet.
     ///
     /// ```
     /// use torse_designs::NeutralLine;
@@ -73,7 +74,7 @@ impl DesignedSurface {
         }
     }
 
-    /// How far the surface is from the inside face of a bend, as a share of the thickness.
+    /// Returns how far the surface is from the inside face of a bend, as a share of the thickness.
     #[must_use]
     pub fn share(self) -> f64 {
         match self {

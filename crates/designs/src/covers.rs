@@ -28,8 +28,8 @@ pub struct CoveringStrip {
     pub patches: Vec<usize>,
     /// The constant parameters of its edges on the surface.
     pub range: [f64; 2],
-    /// A proved bound, in millimetres, of the distance of each point of the strip from the surface between its edges, and of each point
-    /// of that from the strip.
+    /// A proved bound, in millimetres, of the distance of each point of the strip from the surface between its edges,
+    /// and of each point of that from the strip.
     pub distance: f64,
     /// The least and the greatest angle to the next strip, in degrees, measured; `None` for the last.
     pub fold: Option<[f64; 2]>,

@@ -223,7 +223,7 @@ impl Smoothness {
         ("C3", Self::C(3)),
     ];
 
-    /// The name.
+    /// Returns the name.
     #[must_use]
     pub fn name(self) -> &'static str {
         let found = Self::ALL.iter().find(|(_, known)| *known == self);
@@ -250,8 +250,8 @@ pub struct DesignPiece {
 }
 
 impl DesignPiece {
-    /// Whether tools bend it: a patch is said to be a bend, or edges have a radius. Then its blank differs from its
-    /// development.
+    /// Returns whether tools bend it: a patch is said to be a bend, or edges have a radius. Then its blank differs from
+    /// its development.
     #[must_use]
     pub fn has_tool_bends(&self, design: &Design) -> bool {
         let mut patches = self.patches.iter();
@@ -270,7 +270,7 @@ impl Patch {
 }
 
 impl Design {
-    /// The pieces that are cut: chains whose patches stay attached, and single patches.
+    /// Returns the pieces that are cut: chains whose patches stay attached, and single patches.
     #[must_use]
     pub fn pieces(&self) -> Vec<DesignPiece> {
         let mut pieces: Vec<DesignPiece> = Vec::new();
@@ -295,13 +295,13 @@ impl Design {
         pieces
     }
 
-    /// Whether tools bend one of its pieces.
+    /// Returns whether tools bend one of its pieces.
     #[must_use]
     pub fn has_tool_bends(&self) -> bool {
         self.pieces().iter().any(|piece| piece.has_tool_bends(self))
     }
 
-    /// The names of all patches and surfaces.
+    /// Returns the names of all patches and surfaces.
     #[must_use]
     pub fn names(&self) -> Vec<String> {
         let patches = self.patches.iter().map(|patch| patch.name.clone());
@@ -310,7 +310,7 @@ impl Design {
             .collect()
     }
 
-    /// The patch of this name.
+    /// Returns the patch of this name.
     #[must_use]
     pub fn patch(&self, name: &str) -> Option<&Patch> {
         self.patches.iter().find(|patch| patch.name == name)

@@ -158,7 +158,7 @@ pub enum Ending {
 }
 
 impl DesignError {
-    /// How the command ends.
+    /// Returns how the command ends.
     #[must_use]
     pub fn ending(&self) -> Ending {
         match self {
@@ -181,7 +181,7 @@ impl DesignError {
         }
     }
 
-    /// What would help.
+    /// Returns what would help.
     #[must_use]
     pub fn help(&self) -> Option<String> {
         match self {

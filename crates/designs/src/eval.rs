@@ -44,8 +44,8 @@ pub struct EvalRow {
 /// Evaluates a patch, or all of them.
 ///
 /// # Errors
-/// [`DesignError::NoSuch`] for a patch that is not there, [`DesignError::OutOfRange`] for places outside of [0, 1] and for
-/// more than [`MAX_POINTS`] points, [`DesignError::Patch`] where a patch has no point.
+/// [`DesignError::NoSuch`] for a patch that is not there, [`DesignError::OutOfRange`] for places outside of [0, 1] and
+/// for more than [`MAX_POINTS`] points, [`DesignError::Patch`] where a patch has no point.
 ///
 /// ```
 /// use torse_designs::eval::{EvalPlaces, eval};
@@ -165,7 +165,7 @@ fn places(at: &EvalPlaces, patches: usize) -> Result<Vec<[f64; 2]>, DesignError>
     Ok(places)
 }
 
-/// The rows as comma-separated values with a head; empty where there is no value.
+/// Returns the rows as comma-separated values with a head; empty where there is no value.
 #[must_use]
 pub fn csv(rows: &[EvalRow]) -> String {
     let mut text = String::from("patch,u,v,x,y,z,nx,ny,nz,k1,k2,flat_x,flat_y\n");

@@ -3,7 +3,7 @@
 use crate::design::{Design, DesignPiece, Tensor};
 use crate::error::DesignError;
 use crate::holes::{SpaceHole, holes};
-use crate::inspect::joint_of;
+use crate::inspect::side_changes_at_joint;
 use crate::unroll::{Demand, drawing, unroll};
 use std::path::Path;
 use torse_exchange::{
@@ -21,7 +21,7 @@ pub const ENDINGS: &[&str] = &[
 /// The endings of patterns.
 pub const PATTERNS: &[&str] = &["dxf", "svg"];
 
-/// The ending of a file, in small letters, if it is one of these.
+/// Returns the ending of a file, in small letters, if it is one of these.
 ///
 /// # Errors
 /// [`DesignError::Format`].
@@ -37,8 +37,9 @@ pub fn ending(path: &Path, known: &'static [&'static str]) -> Result<&'static st
     })
 }
 
-/// The bytes of a file with this ending, one of [`ENDINGS`]. Patterns are made as `demand` says; meshes are solids where
-/// the design has a thickness; CAD patches are exact where they can be, else within the tolerance `surface`.
+/// Returns the bytes of a file with this ending, one of [`ENDINGS`]. Patterns are made as `demand` says; meshes are
+/// solids where the design has a thickness; CAD patches are exact where they can be, else within the tolerance
+/// `surface`.
 ///
 /// # Errors
 /// As [`unroll`] for patterns, [`DesignError::Exchange`] for what a format cannot hold.
@@ -86,7 +87,7 @@ pub fn bytes(design: &Design, ending: &str, demand: &Demand) -> Result<Vec<u8>, 
     })
 }
 
-/// The patches as CAD patches with shared edges.
+/// Returns the patches as CAD patches with shared edges.
 ///
 /// # Errors
 /// [`DesignError::Exchange`].
@@ -124,8 +125,8 @@ pub fn model(design: &Design) -> Result<CadModel, DesignError> {
     Ok(model)
 }
 
-/// The design as one mesh: the patches of a piece welded and seen from the same side, thickened where a thickness is
-/// known.
+/// Returns the design as one mesh: the patches of a piece welded and seen from the same side, thickened where a
+/// thickness is known.
 ///
 /// # Errors
 /// [`DesignError::Exchange`].
@@ -208,9 +209,11 @@ fn surface(design: &Design, piece: &DesignPiece, holes: &[SpaceHole]) -> Result<
     for (patch, index) in patches.iter().zip(&piece.patches) {
         if let Some(before) = before {
             let turned =
-                joint_of(before, patch).map_err(|reason: GeometryError| DesignError::Patch {
-                    patch: patch.name.clone(),
-                    reason,
+                side_changes_at_joint(before, patch).map_err(|reason: GeometryError| {
+                    DesignError::Patch {
+                        patch: patch.name.clone(),
+                        reason,
+                    }
                 })?;
             over = over != turned;
         }
@@ -240,7 +243,7 @@ fn surface(design: &Design, piece: &DesignPiece, holes: &[SpaceHole]) -> Result<
     Ok(surface.welded(design.tolerances.gap)?)
 }
 
-/// The mesh seen from its other side.
+/// Returns the mesh seen from its other side.
 fn flipped(mesh: &Mesh) -> Result<Mesh, DesignError> {
     let normals = mesh.normals().iter().map(|n| n.map(|c| -c)).collect();
     let triangles = mesh

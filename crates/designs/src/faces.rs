@@ -25,7 +25,7 @@ enum Border {
     Apex(PiecewiseRail, Point),
 }
 
-/// The design of the faces of a file.
+/// Returns the design of the faces of a file.
 ///
 /// # Errors
 /// [`DesignError::NoFace`] where no face has rulings between its edges, with the reason for each.
@@ -133,7 +133,7 @@ fn add(design: &mut Design, face: &ImportedFace, found: FaceSheets) {
     }
 }
 
-/// The sheets of a face, or why it has none.
+/// Returns the sheets of a face, or why it has none.
 fn sheets(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String> {
     let words = |error: GeometryError| error.to_string();
     let border = border(face, imported)?;
@@ -143,7 +143,7 @@ fn sheets(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String
             let edges = [SweptEdge::Share(1.0), SweptEdge::Share(0.0)];
             let mut cones = Vec::new();
             for piece in rail.rails().map_err(words)? {
-                cones.push(Sheet::swept_cone(&piece, apex, edges).map_err(words)?);
+                cones.push(Sheet::cone(&piece, apex, edges).map_err(words)?);
             }
             on_surface(face, &cones, tolerance)?;
             Ok(FaceSheets {
@@ -190,9 +190,9 @@ fn sheets(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String
     }
 }
 
-/// Of a cone or cylinder between two edges that are images of one another along its rulings: the cones or cylinders over the
-/// first edge, which are exact whatever the rounding of the numbers in the file, and how far the second edge is from theirs,
-/// as samples show. `None` of any other face.
+/// Of a cone or cylinder between two edges that are images of one another along its rulings: the cones or cylinders
+/// over the first edge, which are exact whatever the rounding of the numbers in the file, and how far the second edge
+/// is from theirs, as samples show. `None` of any other face.
 fn swept(
     surface: &SurfaceShape,
     pairs: &[[Rail; 2]],
@@ -215,7 +215,7 @@ fn swept(
             let edges = [SweptEdge::Share(1.0), SweptEdge::Share(share)];
             (
                 Box::new(move |p| along(&apex, &sub(p, &apex), share)),
-                Box::new(move |rail| Sheet::swept_cone(rail, apex, edges)),
+                Box::new(move |rail| Sheet::cone(rail, apex, edges)),
             )
         }
         SurfaceShape::Cylinder(frame, _) => {
@@ -244,7 +244,7 @@ fn swept(
     Ok(Some((sheets, farthest)))
 }
 
-/// The distance within which points are one.
+/// Returns the distance within which points are one.
 fn tolerance(
     imported: &Imported,
     first: &PiecewiseRail,
@@ -267,7 +267,7 @@ fn is_closed(rail: &PiecewiseRail, tolerance: f64) -> Result<bool, GeometryError
     Ok(norm(&sub(&rail.point(0.0)?, &rail.point(1.0)?)) <= tolerance)
 }
 
-/// Two edges between which rulings may run, passed side by side.
+/// Returns two edges between which rulings may run, passed side by side.
 fn border(face: &ImportedFace, imported: &Imported) -> Result<Border, String> {
     let words = |error: GeometryError| error.to_string();
     let shape = |index: usize| imported.curves.get(index).map(|curve| &curve.shape);
@@ -338,7 +338,7 @@ fn border(face: &ImportedFace, imported: &Imported) -> Result<Border, String> {
     }
 }
 
-/// The curves between which a surface says that its rulings run.
+/// Returns the curves between which a surface says that its rulings run.
 fn own_rails(surface: &SurfaceShape) -> Result<Option<[PiecewiseRail; 2]>, GeometryError> {
     match surface {
         SurfaceShape::Ruled(pair) => {
@@ -356,7 +356,7 @@ fn own_rails(surface: &SurfaceShape) -> Result<Option<[PiecewiseRail; 2]>, Geome
     }
 }
 
-/// The curves of the surface, if the edges are these curves: else the face is trimmed.
+/// Returns the curves of the surface, if the edges are these curves: else the face is trimmed.
 fn untrimmed(
     edges: [PiecewiseRail; 2],
     own: [PiecewiseRail; 2],
@@ -389,7 +389,7 @@ fn untrimmed(
     Err("its edges are not the curves between which its rulings run: it is trimmed".to_owned())
 }
 
-/// Whether rulings of these sheets lie on the surface of a face, as far as samples show.
+/// Returns whether rulings of these sheets lie on the surface of a face, as far as samples show.
 fn on_surface(face: &ImportedFace, sheets: &[Sheet], tolerance: f64) -> Result<(), String> {
     let words = |error: GeometryError| error.to_string();
     for sheet in sheets {
@@ -434,7 +434,7 @@ fn on_surface(face: &ImportedFace, sheets: &[Sheet], tolerance: f64) -> Result<(
     Ok(())
 }
 
-/// The way along an axis and the distance from it.
+/// Returns the way along an axis and the distance from it.
 fn polar(point: &Point, origin: &Point, axis: &Point) -> [f64; 2] {
     let arm = sub(point, origin);
     [dot(&arm, axis), norm(&cross(&arm, axis))]

@@ -1,9 +1,9 @@
 //! Folding a pattern file back into space and comparing it with the design.
 //!
-//! Folding uses the pattern file alone: outline, rulings, bend angles. The sheet between two rulings
-//! is taken as flat, so the points miss the design by what falls with the square of the number of rulings. The pattern of
-//! the design itself, with as many rulings, misses it by as much: what is judged is how far the two folded patterns are
-//! from each other, or, where the file says `fold`, how far the points are from the design.
+//! Folding uses the pattern file alone: outline, rulings, bend angles. The sheet between two rulings is taken as flat,
+//! so the points miss the design by what falls with the square of the number of rulings. The pattern of the design
+//! itself, with as many rulings, misses it by as much: what is judged is how far the two folded patterns are from each
+//! other, or, where the file says `fold`, how far the points are from the design.
 
 use crate::design::{Design, DesignPiece};
 use crate::error::DesignError;
@@ -48,7 +48,7 @@ pub struct FoldedPiece {
 }
 
 impl FoldReport {
-    /// The report for people.
+    /// Returns the report for people.
     #[must_use]
     pub fn text(&self) -> String {
         let mut text = String::new();
@@ -148,8 +148,8 @@ pub fn fold_text(design: &Design, shown: &str, text: &str) -> Result<FoldReport,
     Ok(report)
 }
 
-/// The pattern of a piece of which so many rulings are drawn: all but those at which it ends in a tip. `None` where no pattern
-/// has so many.
+/// Returns the pattern of a piece of which so many rulings are drawn: all but those at which it ends in a tip. `None`
+/// where no pattern has so many.
 fn own_pattern(
     design: &Design,
     piece: &DesignPiece,
@@ -187,7 +187,7 @@ struct Pattern<'d> {
     bends: Vec<f64>,
 }
 
-/// The patterns of a drawing: a closed outline, then its rulings; outlines without rulings are holes.
+/// Returns the patterns of a drawing: a closed outline, then its rulings; outlines without rulings are holes.
 fn patterns(drawing: &Drawing) -> Vec<Pattern<'_>> {
     let mut patterns: Vec<Pattern<'_>> = Vec::new();
     for path in drawing.paths() {

@@ -28,7 +28,8 @@ const STEPS: u32 = 1024;
 /// Points of the curve around a hole.
 const AROUND: u32 = 64;
 
-/// The holes of all patches: those that are marked on them, and what of the holes of a neighbour reaches onto them.
+/// Returns the holes of all patches: those that are marked on them, and what of the holes of a neighbour reaches onto
+/// them.
 ///
 /// # Errors
 /// As [`unroll`] and [`drawing`]: holes that leave the sheet, or overlap, are refused.
@@ -98,7 +99,7 @@ pub fn holes(design: &Design) -> Result<Vec<SpaceHole>, DesignError> {
 }
 
 impl SpaceHole {
-    /// The flat ruling: its start, its direction and its length.
+    /// Returns the flat ruling: its start, its direction and its length.
     fn ruling(&self, x: f64) -> ([f64; 2], [f64; 2], f64) {
         let end = |v: f64| {
             let piece = self.piece;
@@ -119,7 +120,7 @@ impl SpaceHole {
         (along[0] * arm[1] - along[1] * arm[0]).abs() - self.radius
     }
 
-    /// The same hole with the rulings that meet it, of which one is known.
+    /// Returns the same hole with the rulings that meet it, of which one is known.
     fn reaching(mut self, start: f64) -> Self {
         for (end, border) in [0.0, 1.0].into_iter().enumerate() {
             let step = (border - start) / f64::from(STEPS);
@@ -149,12 +150,12 @@ impl SpaceHole {
         self
     }
 
-    /// Whether it goes on beyond the patch.
+    /// Returns whether it goes on beyond the patch.
     pub fn is_clipped(&self) -> bool {
         self.clipped != [false; 2]
     }
 
-    /// The shares of a ruling between which it is open.
+    /// Returns the shares of a ruling between which it is open.
     pub fn across(&self, x: f64) -> [f64; 2] {
         let (from, along, length) = self.ruling(x);
         let arm = sub(&self.centre, &from);
@@ -184,8 +185,8 @@ impl SpaceHole {
             .collect()
     }
 
-    /// Points in space at equal steps around it, so that the patch is on the left as seen from the side to which the parameters
-    /// turn against the clock.
+    /// Returns points in space at equal steps around it, so that the patch is on the left as seen from the side to
+    /// which the parameters turn against the clock.
     ///
     /// # Errors
     /// [`DesignError::Mark`] where a point of the circle is not found on the patch.

@@ -57,6 +57,7 @@ pub mod listing;
 pub mod movable;
 mod polygon;
 mod seams;
+mod segment_crossings;
 mod unit;
 pub mod unroll;
 

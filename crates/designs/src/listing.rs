@@ -190,7 +190,7 @@ fn place(place: &FilePlace) -> String {
 const MAX_ROWS: usize = 200;
 
 impl FileListing {
-    /// The listing for people.
+    /// Returns the listing for people.
     #[must_use]
     pub fn text(&self) -> String {
         let mut text = format!("{}: {}, lengths in {}\n", self.file, self.kind, self.unit);

@@ -16,7 +16,7 @@ const TOLERANCE: f64 = 1e-3;
 /// Edges of neighbours at most so far from each other are one.
 const SEWING: f64 = 1e-2;
 
-/// The developable as the page shows it first, as a STEP file; its rulings are whole where a page cuts them.
+/// Returns the developable as the page shows it first, as a STEP file; its rulings are whole where a page cuts them.
 ///
 /// # Errors
 /// [`ExchangeError`]: a formula that has no value somewhere, rails of which no spline comes near enough, a name that a
@@ -55,7 +55,7 @@ struct Term<S> {
 }
 
 impl MovableSheet<f64> {
-    /// The piece at these values of the sliders.
+    /// Returns the piece at these values of the sliders.
     #[must_use]
     pub fn new(piece: &TorsePiece, values: &[f64]) -> Self {
         let sum = |terms: &[Monomial]| -> Vec<Term<f64>> {
@@ -207,7 +207,7 @@ impl<S: Coordinate> Products<S> {
         })
     }
 
-    /// One atom more at a time: every product on the way serves others.
+    /// Multiplies by one atom at a time: every product on the way serves others.
     fn product(&mut self, powers: [u32; 5]) -> Jet<S> {
         if let Some(known) = self.known.get(&powers) {
             return known.clone();
@@ -228,7 +228,7 @@ impl<S: Coordinate> Products<S> {
     }
 }
 
-/// The running variable with its sines and cosines.
+/// Returns the running variable with its sines and cosines.
 fn atoms<S: Coordinate>(x: &Jet<S>) -> Result<[Jet<S>; 5]> {
     let (sine, cosine) = x.quarter_turn()?;
     // A quarter turn of 2x/pi is x.
@@ -247,7 +247,8 @@ fn slope_of<S: Scalar, const N: usize>(curve: &[Jet<S>; N]) -> Option<[Jet<S>; N
     slopes?.try_into().ok()
 }
 
-/// The series in a variable that runs through the unit interval while the old one runs through one of this width.
+/// Returns the series in a variable that runs through the unit interval while the old one runs through one of this
+/// width.
 fn stretched<S: Coordinate>(series: &Jet<S>, width: &S, order: usize) -> Jet<S> {
     let mut factor = width.one_like();
     let rest = series.coefficients().iter().skip(1).take(order).map(|c| {
@@ -291,8 +292,8 @@ mod tests {
         }
     }
 
-    /// The quadratic planes of the papers' basis with both parameters equal to the slider: (1 - s)(1 - m s), the rest,
-    /// (1 - c)(1 - m c).
+    /// Returns the quadratic planes of the papers' basis with both parameters equal to the slider: (1 - s)(1 - m s),
+    /// the rest, (1 - c)(1 - m c).
     fn planes(control: [[f64; 4]; 3]) -> Vec<Quotient> {
         let first = |w: f64| {
             vec![

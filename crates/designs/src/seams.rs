@@ -22,7 +22,7 @@ impl PatchEdge {
         ("second", Self::Second),
     ];
 
-    /// The name.
+    /// Returns the name.
     #[must_use]
     pub fn name(self) -> &'static str {
         let found = Self::ALL.iter().find(|(_, edge)| *edge == self);

@@ -27,7 +27,7 @@ impl DesignUnit {
         ("ft", Self::Foot),
     ];
 
-    /// The unit of this name.
+    /// Returns the unit of this name.
     ///
     /// ```
     /// use torse_designs::DesignUnit;
@@ -40,14 +40,14 @@ impl DesignUnit {
         found.map(|(_, unit)| *unit)
     }
 
-    /// The name.
+    /// Returns the name.
     #[must_use]
     pub fn name(self) -> &'static str {
         let found = Self::ALL.iter().find(|(_, unit)| *unit == self);
         found.map_or("mm", |(name, _)| name)
     }
 
-    /// How many millimetres it is, exactly.
+    /// Returns how many millimetres it is, exactly.
     #[must_use]
     pub fn millimetres(self) -> Rational {
         let (n, d) = match self {

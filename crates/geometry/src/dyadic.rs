@@ -35,6 +35,11 @@ pub fn exact(value: f64) -> Rational {
     }
 }
 
+/// Returns the middle of two rational numbers.
+pub(crate) fn middle_of(from: &Rational, to: &Rational) -> Rational {
+    (from.clone() + to.clone()) * Rational::new(1.into(), 2.into())
+}
+
 /// The ball of this precision around a finite f64, exact when `bits` is large enough (1074 always is).
 #[must_use]
 pub fn exact_ball(value: f64, bits: usize) -> Ball {

@@ -27,7 +27,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// A count as a number of an error.
+/// Returns a count as `f64`; exact up to 2^53.
 #[allow(clippy::cast_precision_loss, reason = "nobody counts beyond 2^53")]
 pub(crate) fn count(n: usize) -> f64 {
     n as f64

@@ -125,10 +125,10 @@
 //!
 //! # Limits
 //!
-//! * Bounds and estimates: [`developable::enclose`] bounds what [`developable::certify`] estimates; values on
-//!   balls are enclosures; [`curve::arc_length`] estimates its error from two step sizes. [`pattern::unroll`] of a
-//!   patch whose rails can be had as models ([`ChebyshevModel`]) bounds the cut by polynomials that are proved over whole intervals;
-//!   of any other it measures.
+//! * Bounds and estimates: [`developable::enclose`] bounds what [`developable::certify`] estimates; values on balls are
+//!   enclosures; [`curve::arc_length`] estimates its error from two step sizes. [`pattern::unroll`] of a patch whose
+//!   rails can be had as models ([`ChebyshevModel`]) bounds the cut by polynomials that are proved over whole
+//!   intervals; of any other it measures.
 //! * A determinant that vanishes, but not by construction, is enclosed within a gap that falls with the
 //!   budget; that it is zero is proved for polynomial rails over the rationals and for formal functions
 //!   (with few symbols: the determinant is expanded).

@@ -3,8 +3,8 @@
 /// Rounds of rotations; convergence is quadratic, and six are enough for matrices of four rows.
 const MAX_SWEEPS: usize = 32;
 
-/// The eigenvalues of a symmetric matrix, each with its unit eigenvector, in no order: Jacobi's rotations (Golub, Van Loan:
-/// *Matrix Computations*, 8.5). What is below the diagonal is not read.
+/// The eigenvalues of a symmetric matrix, each with its unit eigenvector, in no order: Jacobi's rotations (Golub, Van
+/// Loan: *Matrix Computations*, 8.5). What is below the diagonal is not read.
 pub(crate) fn eigen<const N: usize>(mut matrix: [[f64; N]; N]) -> [(f64, [f64; N]); N] {
     // The rows are the eigenvectors.
     let mut vectors: [[f64; N]; N] =

@@ -11,7 +11,7 @@ use torse_verdicts::outcome::Outcome;
 /// Whether a construction can be used, best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Answer {
+pub enum Usability {
     /// All its statements hold.
     AsPrinted,
     /// They hold under conditions that the paper does not print.
@@ -26,7 +26,7 @@ pub enum Answer {
     Open,
 }
 
-impl Answer {
+impl Usability {
     /// All answers, best first.
     pub const ALL: [Self; 6] = [
         Self::AsPrinted,
@@ -41,23 +41,23 @@ impl Answer {
     #[must_use]
     pub const fn label(self) -> &'static str {
         match self {
-            Answer::AsPrinted => "as printed",
-            Answer::UnderCondition => "under a condition that is not printed",
-            Answer::InOneReading => "in one reading of the print",
-            Answer::Corrected => "with a correction",
-            Answer::Not => "not as printed",
-            Answer::Open => "not decided",
+            Usability::AsPrinted => "as printed",
+            Usability::UnderCondition => "under a condition that is not printed",
+            Usability::InOneReading => "in one reading of the print",
+            Usability::Corrected => "with a correction",
+            Usability::Not => "not as printed",
+            Usability::Open => "not decided",
         }
     }
 }
 
 /// Something that the paper builds or states by name.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Construction {
+pub struct NamedResult {
     /// Its name.
     pub name: String,
     /// Whether it can be used.
-    pub answer: Answer,
+    pub answer: Usability,
     /// The answer in words.
     pub label: &'static str,
     /// The identifier for links of the first of its claims.
@@ -76,7 +76,7 @@ pub struct Reason {
 }
 
 /// Returns the constructions of `claims` in the order of the paper; `anchors` holds their identifiers for links.
-pub(crate) fn constructions(claims: &[Outcome], anchors: &[String]) -> Vec<Construction> {
+pub(crate) fn constructions(claims: &[Outcome], anchors: &[String]) -> Vec<NamedResult> {
     let mut groups: Vec<(String, Vec<(&Outcome, &String)>)> = Vec::new();
     for (claim, anchor) in claims.iter().zip(anchors) {
         let Some(title) = title(claim) else { continue };
@@ -139,7 +139,7 @@ pub(crate) fn title(outcome: &Outcome) -> Option<String> {
     })
 }
 
-fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<Construction> {
+fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<NamedResult> {
     let statements = || {
         let ours = |(claim, _): &&(&Outcome, &String)| claim.claim.kind != Kind::Remark;
         group.iter().filter(ours)
@@ -157,15 +157,15 @@ fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<Construc
             })
     };
     let answer_of = |claim: &Outcome| match claim.verdict() {
-        Verdict::Holds | Verdict::Definition | Verdict::Reproduced => Some(Answer::AsPrinted),
-        Verdict::Conditional => Some(Answer::UnderCondition),
-        Verdict::Depends => Some(Answer::InOneReading),
-        Verdict::Misprint | Verdict::False if true_form(claim) => Some(Answer::Corrected),
-        Verdict::Misprint | Verdict::False | Verdict::Vacuous => Some(Answer::Not),
-        Verdict::Undecided => Some(Answer::Open),
+        Verdict::Holds | Verdict::Definition | Verdict::Reproduced => Some(Usability::AsPrinted),
+        Verdict::Conditional => Some(Usability::UnderCondition),
+        Verdict::Depends => Some(Usability::InOneReading),
+        Verdict::Misprint | Verdict::False if true_form(claim) => Some(Usability::Corrected),
+        Verdict::Misprint | Verdict::False | Verdict::Vacuous => Some(Usability::Not),
+        Verdict::Undecided => Some(Usability::Open),
         _ => None,
     };
-    let answers: Vec<(Answer, &Outcome, &String)> = statements()
+    let answers: Vec<(Usability, &Outcome, &String)> = statements()
         .filter_map(|(claim, anchor)| Some((answer_of(claim)?, *claim, *anchor)))
         .collect();
     // Definitions that are only well formed are not constructions.
@@ -178,8 +178,8 @@ fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<Construc
     let answer = answers.iter().map(|(answer, ..)| *answer).max()?;
     let because = answers
         .iter()
-        .filter(|(of, ..)| *of == answer && answer != Answer::AsPrinted);
-    Some(Construction {
+        .filter(|(of, ..)| *of == answer && answer != Usability::AsPrinted);
+    Some(NamedResult {
         name: title,
         answer,
         label: answer.label(),

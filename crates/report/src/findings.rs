@@ -14,7 +14,7 @@ use torse_verdicts::outcome::Outcome;
 const MAX_QUOTATION_LENGTH: usize = 300;
 
 /// The verdicts that a reader must know of, the gravest first.
-const TOLD: [Verdict; 5] = [
+const REPORTED_VERDICTS: [Verdict; 5] = [
     Verdict::False,
     Verdict::Misprint,
     Verdict::Conditional,
@@ -46,7 +46,7 @@ pub struct Finding {
 /// `anchors` holds the claims' identifiers for links, by position.
 pub(crate) fn collect_findings(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
     let mut findings = Vec::new();
-    for verdict in TOLD {
+    for verdict in REPORTED_VERDICTS {
         for (claim, anchor) in claims.iter().zip(anchors) {
             if claim.verdict() == verdict {
                 findings.push(about(claim, anchor));
@@ -61,7 +61,7 @@ pub(crate) fn collect_findings(claims: &[Outcome], anchors: &[String]) -> Vec<Fi
 pub fn findings_in_words(claims: &[Outcome]) -> BTreeMap<String, String> {
     let chosen = claims
         .iter()
-        .filter(|claim| TOLD.contains(&claim.verdict()));
+        .filter(|claim| REPORTED_VERDICTS.contains(&claim.verdict()));
     let found = chosen.map(|outcome| {
         let sentence = in_full(outcome, &printed_names(outcome));
         (visible(&outcome.claim.id), in_words(&sentence))

@@ -17,20 +17,21 @@ use torse_verdicts::outcome::Outcome;
 /// Writes the verdicts of `outcomes` as pretty-printed JSON, ending in a newline.
 ///
 /// The fields of a claim are `id`, `kind`, `verdict`, `evidence`, `printed`, `parsed`, `corrected`,
-/// `corrected_condition` and `condition` (several are joined by ` and `), `witness` (`at`, an object from names to exact values,
-/// `left`, `right`, `left_decimal`, `right_decimal`), `note`, `net`, `replay` and `contradiction`; then what the statement rests on:
-/// `hypotheses` (`role`, `formula`, `from` with the `quote` and the `claim` in whose print it stands or the `reason`, and for
-/// those of ours whether they are `needed`), `symbols` with their sets, `definitions`, `bases` and `unknowns`, each in the
-/// order of use. `readings` has a `name`, what it `says` and the fields of a claim for each reading of the sentence.
-/// `part_of`, `reading` and `garbled` are those of the file; `finding` is the sentence of the file with its numbers computed,
-/// its mathematics between dollar signs.
+/// `corrected_condition` and `condition` (several are joined by ` and `), `witness` (`at`, an object from names to
+/// exact values, `left`, `right`, `left_decimal`, `right_decimal`), `note`, `net`, `replay` and `contradiction`; then
+/// what the statement rests on: `hypotheses` (`role`, `formula`, `from` with the `quote` and the `claim` in whose print
+/// it stands or the `reason`, and for those of ours whether they are `needed`), `symbols` with their sets,
+/// `definitions`, `bases` and `unknowns`, each in the order of use. `readings` has a `name`, what it `says` and the
+/// fields of a claim for each reading of the sentence. `part_of`, `reading` and `garbled` are those of the file;
+/// `finding` is the sentence of the file with its numbers computed, its mathematics between dollar signs.
 ///
 /// `totals` counts: the `claims`, remarks of ours left out, by their `verdicts`; and the `remarks` (`total`, `proved`).
 ///
 /// `net` says what was tried: whether the verdict is `netted`, the points that were `tried` and those at which it was
-/// `decided`, what is true on the thin parts of its domain that are `unvisited`, the `instances` that are identities, `why` it is not netted, and for each of the `conditions` what the
-/// statement is where it fails: the points `tried`, how many are `holding`, `failing` and `undefined`, and a point at
-/// which the condition is needed, `needed_at`. The net of a `correction` has the same fields.
+/// `decided`, what is true on the thin parts of its domain that are `unvisited`, the `instances` that are identities,
+/// `why` it is not netted, and for each of the `conditions` what the statement is where it fails: the points `tried`,
+/// how many are `holding`, `failing` and `undefined`, and a point at which the condition is needed, `needed_at`. The
+/// net of a `correction` has the same fields.
 ///
 /// `replay` says whether the checker of proofs accepted the proof, `replayed`, and `why` it could not follow it; that of a
 /// `correction` has the same fields.

@@ -22,7 +22,7 @@ mod base64;
 pub mod corrections;
 mod dependencies;
 #[cfg(all(test, feature = "pdf"))]
-mod derived;
+mod derivation_tests;
 pub mod digest;
 mod erratum;
 mod error;

@@ -3,7 +3,7 @@
 //! Setting pages is most of the work of a report. A [`Manuscript`] contains everything that determines them: the
 //! templates, the data and the pictures. Its fingerprint shows whether setting it again would give the same document.
 
-use crate::applicability::Answer;
+use crate::applicability::Usability;
 use crate::glossary::{self, EVIDENCE, RULES, Rule, Term, VERDICTS};
 use crate::letter::Envelope;
 use crate::model::{Report, figure_file};
@@ -229,7 +229,7 @@ struct Glossary {
 /// An answer to whether a construction can be used, and its words.
 #[derive(Serialize)]
 struct AnswerView {
-    key: Answer,
+    key: Usability,
     label: &'static str,
 }
 
@@ -240,7 +240,7 @@ impl Glossary {
             evidence: EVIDENCE.into_iter().map(glossary::evidence).collect(),
             levels: [glossary::KERNEL, glossary::NETTED, glossary::DECIDED],
             rules: RULES,
-            answers: Answer::ALL.map(|key| AnswerView {
+            answers: Usability::ALL.map(|key| AnswerView {
                 key,
                 label: key.label(),
             }),

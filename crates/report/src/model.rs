@@ -10,13 +10,13 @@ mod recurring;
 #[cfg(feature = "pdf")]
 pub(crate) use build::figure_file;
 
-use crate::applicability::Construction;
+use crate::applicability::NamedResult;
 use crate::corrections::Corrected;
 use crate::findings::Finding;
 use crate::glossary::Term;
 use crate::letter::Letter;
 use crate::source::Source;
-use crate::summary_page::Short;
+use crate::summary_page::SummaryPage;
 use crate::tally::Tally;
 pub use crate::view::{CorrectionView, FormulaView};
 pub use recurring::ProofStep;
@@ -39,9 +39,9 @@ pub struct Report {
     /// How many claims have which verdict and evidence.
     pub tally: Tally,
     /// The summary, to be read in a minute.
-    pub short: Short,
+    pub short: SummaryPage,
     /// What the paper builds and names, and whether it can be used.
-    pub constructions: Vec<Construction>,
+    pub constructions: Vec<NamedResult>,
     /// The letter to its authors.
     pub letter: Letter,
     /// Errors and corrections, most consequential first.

@@ -20,18 +20,18 @@ const MAX_ROWS: usize = 5;
 
 /// The summary.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Short {
+pub struct SummaryPage {
     /// How many statements have which verdict, in a sentence.
     pub counts: String,
     /// The most important findings, those with most dependents first.
-    pub points: Vec<Point>,
+    pub points: Vec<SummaryFinding>,
     /// How many more statements are false as printed, in words.
     pub rest: Option<String>,
 }
 
 /// One of the most important findings.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Point {
+pub struct SummaryFinding {
     /// The finding.
     pub finding: Finding,
     /// A theorem that depends on it and is false too, with its finding.
@@ -45,7 +45,7 @@ pub struct Point {
 }
 
 /// Summarises `claims`; `anchors` holds their identifiers for links, by position.
-pub(crate) fn summarize(claims: &[Outcome], anchors: &[String]) -> Short {
+pub(crate) fn summarize(claims: &[Outcome], anchors: &[String]) -> SummaryPage {
     let uses = claims
         .iter()
         .map(|of| (of.claim.id.as_str(), of.claim.uses.as_slice()));
@@ -98,7 +98,7 @@ pub(crate) fn summarize(claims: &[Outcome], anchors: &[String]) -> Short {
         }
     }
     let left = refuted.len() - points.len();
-    Short {
+    SummaryPage {
         counts: counts(claims),
         rest: match left {
             0 => None,
@@ -159,7 +159,7 @@ fn point(
     anchor: &str,
     weight: (usize, usize, usize),
     claims: &[Outcome],
-) -> Point {
+) -> SummaryFinding {
     let (resting, falling, more) = weight;
     let names = printed_names(outcome);
     let (label, formula) = match (outcome.correction(), outcome.parsed()) {
@@ -204,7 +204,7 @@ fn point(
         )),
     };
     let consequence: Vec<String> = (consequence.into_iter().chain(others)).collect();
-    Point {
+    SummaryFinding {
         finding: findings::about(outcome, anchor),
         resting: theorem_on(outcome, claims),
         label,

@@ -30,21 +30,21 @@ pub struct CorrectionView {
 }
 
 /// A formula on lines of its own.
-pub(crate) fn formula(of: &Formula, names: &PrintedNames) -> FormulaView {
+pub(crate) fn formula(formula: &Formula, names: &PrintedNames) -> FormulaView {
     FormulaView {
-        math: read(&of.text, names).map(|node| Mathematics::display(&node)),
-        text: visible(&of.text),
+        math: read(&formula.text, names).map(|node| Mathematics::display(&node)),
+        text: visible(&formula.text),
     }
 }
 
 /// A formula that the engine derived; a long one is replaced by its number of terms.
-pub(crate) fn derived(of: &Formula, names: &PrintedNames) -> FormulaView {
-    match glossary::long(&of.text) {
+pub(crate) fn derived(formula: &Formula, names: &PrintedNames) -> FormulaView {
+    match glossary::long(&formula.text) {
         Some(words) => FormulaView {
             math: Some(Mathematics::inline(&MathBox::word(&words.replace('`', "")))),
             text: words,
         },
-        None => formula(of, names),
+        None => self::formula(formula, names),
     }
 }
 

@@ -8,10 +8,12 @@ use torse_designs::export::PATTERNS;
 use torse_designs::fold::{FoldReport, fold_text};
 use torse_designs::inspect::{DesignReport, inspect, inspect_quickly, inspect_within, table};
 use torse_designs::listing::{FileListing, list};
-use torse_designs::unroll::{Demand, FlatPiece, Part, Purpose, Summary, drawing, parts, unroll};
+use torse_designs::unroll::{
+    Demand, FlatPiece, Part, PatternSummary, Purpose, drawing, parts, unroll,
+};
 use torse_exchange::{Drawing, LengthUnit, dxf, svg};
 use torse_geometry::batch::par_ruled_grid_into;
-use torse_geometry::prelude::{Connected, MeasureBudget, Rail, Sheet};
+use torse_geometry::prelude::{ConnectedSheets, MeasureBudget, Rail, Sheet};
 use torse_plot::Picture;
 
 /// Finds the developable surface between two curves: with tangent planes that touch both.
@@ -28,7 +30,7 @@ use torse_plot::Picture;
 /// assert!(flat.errors().outline <= 1e-6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn connect(first: &Rail, second: &Rail) -> Result<Connected, Error> {
+pub fn connect(first: &Rail, second: &Rail) -> Result<ConnectedSheets, Error> {
     Ok(Sheet::between(first, second)?)
 }
 
@@ -85,7 +87,7 @@ pub struct Design {
 pub struct Pattern {
     pieces: Vec<FlatPiece>,
     drawing: Drawing,
-    summary: Summary,
+    summary: PatternSummary,
 }
 
 impl Design {
@@ -130,8 +132,8 @@ impl Design {
         })
     }
 
-    /// Reads the bytes of a file with this name: a design, or a file of another program, of which each face with rulings between
-    /// two edges is a patch. Neither may name other files.
+    /// Reads the bytes of a file with this name: a design, or a file of another program, of which each face with
+    /// rulings between two edges is a patch. Neither may name other files.
     ///
     /// # Errors
     /// As [`Design::open`].
@@ -208,7 +210,7 @@ impl Design {
         let pieces = unroll(&self.read, demand)?;
         Ok(Pattern {
             drawing: drawing(&self.read, &pieces)?,
-            summary: Summary::new(&self.read, &pieces),
+            summary: PatternSummary::new(&self.read, &pieces),
             pieces,
         })
     }
@@ -233,8 +235,8 @@ impl Design {
     /// fastest. A million take milliseconds.
     ///
     /// # Errors
-    /// [`Error::Design`] for a patch that is not there, no steps or more than 2^24 points, [`Error::Geometry`] where the patch
-    /// has no point.
+    /// [`Error::Design`] for a patch that is not there, no steps or more than 2^24 points, [`Error::Geometry`] where
+    /// the patch has no point.
     ///
     /// ```
     /// use torse::designs::eval::EvalPlaces;
@@ -285,7 +287,8 @@ impl Design {
         Ok(rooms::export::bytes(&self.read, ending, demand)?)
     }
 
-    /// The files that are cut, bent or sewn: the name of each part, and its text as DXF or SVG, as `torse unroll` writes them.
+    /// The files that are cut, bent or sewn: the name of each part, and its text as DXF or SVG, as `torse unroll`
+    /// writes them.
     ///
     /// # Errors
     /// [`Error::Design`] for what has no pattern or no blank, and for an ending that is no pattern's.
@@ -354,7 +357,7 @@ impl Pattern {
 
     /// What the pattern promises.
     #[must_use]
-    pub fn summary(&self) -> &Summary {
+    pub fn summary(&self) -> &PatternSummary {
         &self.summary
     }
 

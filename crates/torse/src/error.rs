@@ -128,8 +128,8 @@ impl Error {
         own.or_else(first)
     }
 
-    /// Says everything in plain text, for where its place cannot be shown beside it: what is wrong and why, with file, line and
-    /// column, and what would help; the mistakes of a design each on a line of its own.
+    /// Says everything in plain text, for where its place cannot be shown beside it: what is wrong and why, with file,
+    /// line and column, and what would help; the mistakes of a design each on a line of its own.
     ///
     /// ```
     /// let error = torse::Design::read("cone.toml", "[points]\nA = [0, 0]\nB = [1]\n").unwrap_err();

@@ -229,7 +229,8 @@ impl Cut {
     }
 }
 
-/// The explanation of a claim that has nothing printed: what is true of it, where it fails, what would be right, and what that rests on.
+/// The explanation of a claim that has nothing printed: what is true of it, where it fails, what would be right, and
+/// what that rests on.
 pub fn short(outcome: &Outcome) -> Explanation {
     let mut note = Note::default();
     note.add("verdict", glossary::verdict(outcome.verdict()).label);
@@ -280,7 +281,8 @@ fn add_statement(
     }
 }
 
-/// The one sentence that matters: the fault of which the authors are told, what the file found, or where the statement fails.
+/// The one sentence that matters: the fault of which the authors are told, what the file found, or where the statement
+/// fails.
 fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
     let note = outcome
         .claim

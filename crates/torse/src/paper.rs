@@ -106,8 +106,8 @@ impl Paper {
         verifier.verify(std::slice::from_ref(&self.read))
     }
 
-    /// Explains one claim of the paper, by its id or the beginning of one: what is printed, what is true, why, and what rests
-    /// on it.
+    /// Explains one claim of the paper, by its id or the beginning of one: what is printed, what is true, why, and what
+    /// rests on it.
     ///
     /// # Errors
     /// [`Error::UnknownName`], [`Error::Ambiguous`], [`Error::Formula`] where it makes no sense.

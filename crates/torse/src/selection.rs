@@ -143,7 +143,8 @@ fn unknown(papers: &[Paper], name: &str) -> Error {
     }
 }
 
-/// Whether a name may be a mistyped id: at most half of the letters differ, not counting the paper if both have the same one.
+/// Whether a name may be a mistyped id: at most half of the letters differ, not counting the paper if both have the
+/// same one.
 fn is_slip(known: &str, name: &str) -> bool {
     let (known, name) = match (known.split_once('/'), name.split_once('/')) {
         (Some((paper, known)), Some((same, name))) if paper == same => (known, name),

@@ -35,10 +35,10 @@ use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{self, Expr};
 
 /// How many assignments are tried, and at how many of them a claim is compared.
-const ATTEMPTS: u64 = 10;
+const MAX_ATTEMPTS: u64 = 10;
 const COMPARED: u64 = 2;
 /// Maximum number of operations for one assignment.
-const WORK: u64 = 1_500_000;
+const MAX_WORK: u64 = 1_500_000;
 
 /// The result of a comparison.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -76,7 +76,7 @@ pub fn agreement(claim: &Claim, statement: &Written, core: &core::Claim) -> Agre
         return Agreement::Differs(found);
     }
     let (mut compared, mut missing) = (0, vec![]);
-    for attempt in 0..ATTEMPTS {
+    for attempt in 0..MAX_ATTEMPTS {
         match case.at(attempt) {
             Ok(None) => compared += 1,
             Ok(Some(found)) => missing.push(found),
@@ -131,7 +131,7 @@ impl Case<'_> {
     /// Compares at one assignment: returns `None` if everything was compared, else what was not; fails where values
     /// differ.
     fn at(&self, attempt: u64) -> Result<Option<Missing>, String> {
-        let work = Work::new(WORK);
+        let work = Work::new(MAX_WORK);
         let arithmetic = Scrambled { work: &work };
         let assignment = Assignment::new(&self.claim.declarations, attempt);
         let number = |name: &Name| assignment.number(name);

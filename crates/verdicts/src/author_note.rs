@@ -146,9 +146,13 @@ fn angle(rows: &[Vec<Quantity>]) -> Option<String> {
 }
 
 /// Rounds an enclosure to significant digits.
-fn rounded(value: &Fraction, digits: usize, of: &dyn Fn(Ball) -> Option<Ball>) -> Option<String> {
+fn rounded(
+    value: &Fraction,
+    digits: usize,
+    enclose: &dyn Fn(Ball) -> Option<Ball>,
+) -> Option<String> {
     BITS.into_iter().find_map(|bits| {
-        let ball = of(enclosure(value, bits)?)?;
+        let ball = enclose(enclosure(value, bits)?)?;
         let (lower, upper) = (ball.lower(), ball.upper());
         let text = significant(&lower, digits)?;
         (significant(&upper, digits).as_ref() == Some(&text)).then_some(text)

@@ -143,25 +143,25 @@ fn search(
     correcting: &mut Correcting,
 ) -> Result<(), work::Spent> {
     // The result of a search that ran out of work is discarded.
-    fn found<T>(found: T) -> Result<T, work::Spent> {
-        work::check().map(|()| found)
+    fn unless_spent<T>(result: T) -> Result<T, work::Spent> {
+        work::check().map(|()| result)
     }
     let kind = claim.entry.kind;
     if repair::is_sought(kind) {
         correcting.ended_early = true;
-        let search = found(repair::search(claim, statement))?;
+        let search = unless_spent(repair::search(claim, statement))?;
         correcting.ended_early = search.ended_early;
         if let Some(slip) = search.correction {
             correcting.repair = Some(Repair::Misprint(slip));
             return Ok(());
         }
         // A side that is derived anew is not a slip of printing: the statement is false.
-        let derived = found(repair::ansatz::search(claim, statement))?;
+        let derived = unless_spent(repair::ansatz::search(claim, statement))?;
         correcting.repair = derived.map(Repair::Derived);
-        correcting.data = found(repair::entries::search(claim, statement))?;
+        correcting.data = unless_spent(repair::entries::search(claim, statement))?;
     }
     if kind == Kind::Value && correcting.repair.is_none() && correcting.data.is_none() {
-        correcting.data = found(repair::data::search(claim, statement))?;
+        correcting.data = unless_spent(repair::data::search(claim, statement))?;
     }
     Ok(())
 }

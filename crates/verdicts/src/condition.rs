@@ -8,12 +8,21 @@ use torse_syntax::derivation::{Origin, Source, Written};
 use torse_syntax::formula::{Expr, Node, Relation, parse};
 use torse_syntax::notation::{self, Formula};
 
-/// `p != 0`.
+/// Writes `p != 0`.
 pub fn nonzero(polynomial: &Polynomial) -> Formula {
-    let left = formula::expression(&polynomial.clone().into());
+    notation::formula(&nonzero_expression(polynomial))
+}
+
+/// Returns the formula `p != 0`.
+pub fn nonzero_expression(polynomial: &Polynomial) -> Expr {
+    different_from_zero(formula::expression_of(polynomial))
+}
+
+/// Returns the comparison of a formula with zero, `formula != 0`.
+pub fn different_from_zero(formula: Expr) -> Expr {
     let zero = Expr::number(&integer(0));
     let different = vec![(Relation::Different, zero)];
-    notation::formula(&Expr::made(Node::Compare(Arc::new(left), different)))
+    Expr::made(Node::Compare(Arc::new(formula), different))
 }
 
 /// Reads back a formula of an outcome; `name` stands for the file in messages.

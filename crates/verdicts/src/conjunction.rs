@@ -9,10 +9,11 @@ use torse_syntax::formula::{Connective, Expr, Node};
 use torse_syntax::notation;
 
 /// Up to so many parts may each take the full work; more of them share it.
-const WITH_ALL_WORK: u64 = 50;
+const MAX_PARTS_WITH_FULL_WORK: u64 = 50;
 
 /// Returns what is true of each part, a line each; nothing if the statement is no conjunction. The results of the first
-/// parts are given; each further part may take this work, and all together fifty times as much.
+/// parts are given; each further part may take this work, and all together `MAX_PARTS_WITH_FULL_WORK` times as
+/// much.
 #[must_use]
 pub fn part_by_part(
     claim: &Claim,
@@ -26,7 +27,7 @@ pub fn part_by_part(
     }
     let undecided = || "is not decided".to_owned();
     if known.len() < parts.len() {
-        let mut allowance = Allowance::new(budget, budget.saturating_mul(WITH_ALL_WORK));
+        let mut allowance = Allowance::new(budget, budget.saturating_mul(MAX_PARTS_WITH_FULL_WORK));
         // A formula that makes no sense was refused with the verdict.
         let _ = with_prepared(claim, statement, |prepared| {
             for number in known.len()..parts.len() {

@@ -15,7 +15,7 @@ pub(crate) struct ElaboratedClaim<'c> {
 
 impl<'c> ElaboratedClaim<'c> {
     /// Elaborates a claim with its own statement; none if it has no statement or makes no sense.
-    pub fn own(claim: &'c Claim) -> Option<Self> {
+    pub fn with_own_statement(claim: &'c Claim) -> Option<Self> {
         Self::new(claim, claim.statement.as_ref()?)
     }
 

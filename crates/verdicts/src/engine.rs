@@ -8,6 +8,7 @@ use torse_syntax::derivation::{Claim, DerivationError, Paper};
 
 /// Default work for a claim: many times what the hardest claims of the papers take.
 pub const STANDARD_WORK: u64 = 500_000_000;
+
 /// Decides all claims of a paper, in parallel; the outcomes have the order of the file. Calls `done` once for each
 /// claim, from any thread.
 ///

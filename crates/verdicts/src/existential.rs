@@ -100,7 +100,7 @@ fn unless_limited<T>(
     }
 }
 
-/// Returns the claim with witnesses for all existential numbers, as its verdict was found with; the claim itself if it
+/// Returns the claim with the same witnesses for its existential numbers as its verdict used; the claim itself if it
 /// provides them all.
 pub(crate) fn witnessed(claim: &Claim, statement: &Written, budget: u64) -> Claim {
     let found = work::within(budget, || existential::witnessed(claim, statement));

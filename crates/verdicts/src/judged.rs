@@ -14,7 +14,8 @@ pub struct Judged<T> {
     pub replay: Option<Replay>,
 }
 
-/// The result of the semantics, an evaluator that shares only parser and numbers with the prover, for a verdict.
+/// The result of the second evaluator for a verdict. That evaluator shares only the parser, the declarations and the
+/// numbers with the prover.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Net {
     /// Whether the verdict is netted: a proof was confirmed at as many points as required, each of its conditions is
@@ -39,7 +40,7 @@ pub struct Net {
 impl Net {
     /// Nothing was tried.
     #[must_use]
-    pub fn uncovered(why: &str) -> Self {
+    pub fn without_points(why: &str) -> Self {
         Self {
             netted: false,
             tried: 0,
@@ -54,7 +55,7 @@ impl Net {
 
     /// The same, but not netted for this reason: core terms could not be compared with the text.
     #[must_use]
-    pub fn unless(self, uncompared: Option<String>) -> Self {
+    pub fn not_netted_because(self, uncompared: Option<String>) -> Self {
         let Some(why) = uncompared else {
             return self;
         };
@@ -93,7 +94,7 @@ impl Net {
 
     /// A point at which the statement is false, after so many points.
     #[must_use]
-    pub fn refuted(tried: u64) -> Self {
+    pub fn with_refuting_point(tried: u64) -> Self {
         Self {
             netted: true,
             tried,
@@ -121,7 +122,7 @@ pub struct Replay {
 impl Replay {
     /// Accepted.
     #[must_use]
-    pub fn done() -> Self {
+    pub fn accepted() -> Self {
         Self {
             replayed: true,
             why: None,
@@ -131,7 +132,7 @@ impl Replay {
 
     /// Outside the checker's reach.
     #[must_use]
-    pub fn beyond(why: &str) -> Self {
+    pub fn out_of_reach(why: &str) -> Self {
         Self {
             replayed: false,
             why: Some(why.to_owned()),

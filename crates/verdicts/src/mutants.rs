@@ -81,8 +81,8 @@ pub fn survivors(claim: &Claim, most: usize) -> (Vec<Survivor>, usize) {
     (survivors, decided)
 }
 
-/// Whether one of at most `most` changed statements of a claim, spread evenly over all of them, is refuted, and how many were
-/// decided until then: the rest is not looked at.
+/// Whether one of at most `most` changed statements of a claim, spread evenly over all of them, is refuted, and how
+/// many were decided until then: the rest is not looked at.
 #[must_use]
 pub fn one_is_refuted(claim: &Claim, most: usize) -> (bool, usize) {
     let Some(statement) = &claim.statement else {

@@ -12,12 +12,13 @@
 //! not become an accusation of the paper either. Such a condition is reported as not seen to be needed
 //! ([`ConditionCheck::seen_needed`]), the steps of the verdict say so, and the verdict is not netted.
 //!
-//! **Thin parts.** The text shows where a statement may fail though it holds elsewhere ([`SampleStatistics::branches`]). Where the statement
-//! was decided at no point of such a part, and the checker accepts no proof that the part is empty, the net names the part.
+//! **Thin parts.** The text shows where a statement may fail though it holds elsewhere
+//! ([`SampleStatistics::branches`]). Where the statement was decided at no point of such a part, and the checker
+//! accepts no proof that the part is empty, the net names the part.
 //!
-//! **What is shown.** An accusation is shown only with a point that was put into the text: where its witness cannot be read or
-//! judged, and no other point is found, the claim is undecided. So is one of which no point is found at which all of its
-//! terms have values, for a proof says nothing then.
+//! **What is shown.** A refutation is shown only with a point that was inserted into the text. If its witness cannot be read
+//! or judged, and no other point is found, the claim is undecided. A claim is undecided too if no point is found at which
+//! all its terms have values: a proof says nothing about it.
 //!
 //! **Corrections** are proofs with conditions of their own, and are checked like proofs.
 
@@ -52,9 +53,9 @@ pub struct Effort {
     /// Maximum number of operations on numbers for one statement.
     pub budget: u64,
     /// Maximum number of operations for the points at which one condition fails.
-    pub beyond: u64,
+    pub condition_budget: u64,
     /// Maximum number of operations on polynomials for all small instances of one statement; 0 tries none.
-    pub polynomials: u64,
+    pub instance_budget: u64,
     /// Seed of the stream of points, besides the id of the claim.
     pub seed: &'static str,
 }
@@ -66,8 +67,8 @@ const EMPTINESS_WORK: u64 = 5_000_000;
 pub const DEFAULT_EFFORT: Effort = Effort {
     points: 20,
     budget: 800_000,
-    beyond: 100_000,
-    polynomials: 0,
+    condition_budget: 100_000,
+    instance_budget: 0,
     seed: "",
 };
 
@@ -127,7 +128,7 @@ fn finding<T>(
     let contradicted = |found| Finding::Contradicted(Contradiction { claimed, found });
     match net {
         Err(Objection::Contradiction(found)) => contradicted(found),
-        Err(Objection::Unseen(why)) => Finding::undecided(why),
+        Err(Objection::Unconfirmed(why)) => Finding::undecided(why),
         Ok(net) => match replay(&statement) {
             Err(found) => contradicted(found),
             Ok(replay) => wrap(Judged {
@@ -145,7 +146,7 @@ pub enum Objection {
     /// The semantics finds the opposite of the prover's answer.
     Contradiction(String),
     /// Nothing contradicts it, but nothing outside the prover confirms it, which is required.
-    Unseen(String),
+    Unconfirmed(String),
 }
 
 impl Objection {
@@ -153,7 +154,7 @@ impl Objection {
     fn about(self, part: &str) -> Self {
         match self {
             Self::Contradiction(found) => Self::Contradiction(format!("{part}: {found}")),
-            Self::Unseen(why) => Self::Unseen(format!("{part}: {why}")),
+            Self::Unconfirmed(why) => Self::Unconfirmed(format!("{part}: {why}")),
         }
     }
 }
@@ -225,7 +226,7 @@ impl<'a> JudgedStatement<'a> {
     }
 
     /// Fails if the core terms differ from the text; returns why they cannot be compared, if so.
-    fn agrees(&self) -> Result<Option<String>, Objection> {
+    fn compare_core_terms(&self) -> Result<Option<String>, Objection> {
         match agreement(self.claim, self.statement, self.core) {
             Agreement::Differs(found) => Err(found.into()),
             Agreement::Same => Ok(None),
@@ -257,28 +258,30 @@ impl<'a> JudgedStatement<'a> {
 
     /// Checks a proof under conditions, at points of the domain.
     fn proof(&self, conditions: &[Formula]) -> Result<Net, Objection> {
-        let uncompared = self.agrees()?;
-        Ok(self.proof_at_points(conditions)?.unless(uncompared))
+        let uncompared = self.compare_core_terms()?;
+        Ok(self
+            .proof_at_points(conditions)?
+            .not_netted_because(uncompared))
     }
 
     /// The same, where the core terms were compared with the text before.
     fn proof_at_points(&self, conditions: &[Formula]) -> Result<Net, Objection> {
         let read: Option<Vec<Written>> = conditions.iter().map(|c| self.read(c)).collect();
         let Some(read) = read else {
-            return Ok(Net::uncovered("a condition that cannot be read back"));
+            return Ok(Net::without_points("a condition that cannot be read back"));
         };
         let (tally, useless) = self.judge_samples(&read);
         if let Some(point) = tally.failing {
             return Err(format!("it is false at {point}").into());
         }
         if let Some(point) = tally.divided {
-            return Err(Objection::Unseen(format!(
+            return Err(Objection::Unconfirmed(format!(
                 "a term of it divides by zero at {point}, which no condition excludes"
             )));
         }
-        self.is_somewhere(&tally)?;
+        self.require_defined_point(&tally)?;
         self.fails_somewhere(&tally)?;
-        self.says_something(&tally, conditions)?;
+        self.require_reached_premise(&tally, conditions)?;
         let instances = self.instances(&read)?;
         let conditions: Vec<ConditionCheck> = conditions
             .iter()
@@ -308,13 +311,13 @@ impl<'a> JudgedStatement<'a> {
         })
     }
 
-    /// Fails unless each part p of `fails(p)` was seen to be false at a point of the domain: at one that was drawn, or at one that
-    /// the prover knows, put into the text like the witness of an accusation.
+    /// Fails unless each part p of `fails(p)` was seen to be false at a point of the domain: at one that was drawn, or
+    /// at one that the prover knows, put into the text like the witness of an accusation.
     fn fails_somewhere(&self, tally: &SampleStatistics) -> Result<(), Objection> {
         for denied in &tally.unshown {
             let is_false_at = |known| self.place(known, denied) == Witness::Refutes;
             if !self.denials.iter().any(is_false_at) {
-                return Err(Objection::Unseen(format!(
+                return Err(Objection::Unconfirmed(format!(
                     "no point was seen at which {} is false",
                     notation::text(denied)
                 )));
@@ -325,7 +328,7 @@ impl<'a> JudgedStatement<'a> {
 
     /// Fails for an implication whose premise was true at no point at which the conditions of its proof are: it says nothing
     /// there, and the conditions may be the opposite of what it concludes.
-    fn says_something(
+    fn require_reached_premise(
         &self,
         tally: &SampleStatistics,
         conditions: &[Formula],
@@ -344,7 +347,7 @@ impl<'a> JudgedStatement<'a> {
             return Ok(());
         }
         let conditions: Vec<&str> = conditions.iter().map(|own| own.text.as_str()).collect();
-        Err(Objection::Unseen(format!(
+        Err(Objection::Unconfirmed(format!(
             "it is proved under the condition {}, and no point was seen at which that and its premise are true",
             conditions.join(" and ")
         )))
@@ -354,13 +357,13 @@ impl<'a> JudgedStatement<'a> {
     /// left out.
     fn unvisited(&self, tally: &SampleStatistics) -> Vec<String> {
         let parts = tally.unvisited.iter();
-        let open = parts.filter(|inside| !self.is_nowhere(inside));
+        let open = parts.filter(|inside| !self.is_proved_nowhere_true(inside));
         open.map(notation::text).collect()
     }
 
     /// Whether the checker accepts a proof that a statement is true at no point of the domain: of its denial, of an order
     /// where it is an equation, or of a contradiction under it.
-    fn is_nowhere(&self, inside: &Expr) -> bool {
+    fn is_proved_nowhere_true(&self, inside: &Expr) -> bool {
         let (zero, one) = (Expr::number(&integer(0)), Expr::number(&integer(1)));
         let absurd = Expr::made(Node::Compare(Arc::new(zero), vec![(Relation::Equal, one)]));
         let (premise, absurd) = (Arc::new(inside.clone()), Arc::new(absurd));
@@ -390,14 +393,14 @@ impl<'a> JudgedStatement<'a> {
 
     /// Fails unless the statement has a value somewhere on the domain: if the drawn points leave that open, at the
     /// point that the prover found.
-    fn is_somewhere(&self, tally: &SampleStatistics) -> Result<(), Objection> {
+    fn require_defined_point(&self, tally: &SampleStatistics) -> Result<(), Objection> {
         if tally.found > 0 && !tally.is_undefined() {
             return Ok(());
         }
         let without_values = || {
             let what =
                 "no point was found at which all of its terms have values, so it may say nothing";
-            Objection::Unseen(what.to_owned())
+            Objection::Unconfirmed(what.to_owned())
         };
         let known = work::within(self.effort.budget.saturating_mul(10), || {
             a_point_of(self.claim, self.statement)
@@ -429,7 +432,7 @@ impl<'a> JudgedStatement<'a> {
             Some((claim, core)) => reading(claim, self.statement, core),
             None => self.reading(),
         };
-        let budget = self.effort.beyond;
+        let budget = self.effort.condition_budget;
         let found = judge_violations(
             &reading,
             &condition.expr,
@@ -463,7 +466,7 @@ impl<'a> JudgedStatement<'a> {
 
     /// Counts the small instances that are identities.
     fn instances(&self, conditions: &[Written]) -> Result<u64, String> {
-        let work = Work::new(self.effort.polynomials);
+        let work = Work::new(self.effort.instance_budget);
         let mut confirmed = 0;
         if work.left() == 0 {
             return Ok(confirmed);
@@ -490,8 +493,8 @@ impl<'a> JudgedStatement<'a> {
 
     /// Checks a refutation at its witness, and its correction at points of the domain.
     fn refutation(&self, refuted: &RefutedStatement) -> Result<Net, Objection> {
-        let uncompared = self.agrees()?;
-        let mut net = self.witness(refuted)?.unless(uncompared);
+        let uncompared = self.compare_core_terms()?;
+        let mut net = self.witness(refuted)?.not_netted_because(uncompared);
         let Some(correction) = refuted.correction() else {
             return Ok(net);
         };
@@ -534,7 +537,7 @@ impl<'a> JudgedStatement<'a> {
             return self.elsewhere("it names no point");
         };
         match self.place(witness, &self.statement.expr) {
-            Witness::Refutes => Ok(Net::refuted(1)),
+            Witness::Refutes => Ok(Net::with_refuting_point(1)),
             Witness::Outside(Outside::Hypothesis {
                 judgement: judgement @ (Judgement::Undecided | Judgement::Unknown(_)),
                 ..
@@ -555,12 +558,12 @@ impl<'a> JudgedStatement<'a> {
         let mut core = self.core.clone();
         core.statement = denied.clone();
         let Node::Call(_, inner) = &self.statement.expr.node else {
-            return Ok(Net::uncovered(
+            return Ok(Net::without_points(
                 "the negated statement stands in a definition",
             ));
         };
         let Some(inner) = inner.first() else {
-            return Ok(Net::uncovered("no statement is negated"));
+            return Ok(Net::without_points("no statement is negated"));
         };
         let statement = Written {
             expr: inner.clone(),
@@ -583,8 +586,8 @@ impl<'a> JudgedStatement<'a> {
     fn elsewhere(&self, why: &str) -> Result<Net, Objection> {
         let (tally, _) = self.judge_samples(&[]);
         match tally.failing {
-            Some(_) => Ok(Net::refuted(tally.attempts)),
-            None => Err(Objection::Unseen(format!(
+            Some(_) => Ok(Net::with_refuting_point(tally.attempts)),
+            None => Err(Objection::Unconfirmed(format!(
                 "a point at which it fails was found, but could not be inserted into the text: {why}"
             ))),
         }
@@ -592,12 +595,12 @@ impl<'a> JudgedStatement<'a> {
 
     /// Checks a domain that is claimed to be empty.
     fn no_points(&self) -> Result<Net, Objection> {
-        let _ = self.agrees()?;
+        let _ = self.compare_core_terms()?;
         let (tally, _) = self.judge_samples(&[]);
         match tally.found {
             0 => Ok(Net {
                 tried: tally.attempts,
-                ..Net::uncovered(
+                ..Net::without_points(
                     "no point of the domain was drawn, which does not prove that there is none",
                 )
             }),

@@ -58,7 +58,7 @@ impl<'c> PendingClaim<'c> {
         claim: &'c Claim,
     ) -> Result<Self, Box<DerivationError>> {
         stack::deep(|| {
-            let elaborated = ElaboratedClaim::own(claim);
+            let elaborated = ElaboratedClaim::with_own_statement(claim);
             let table = elaborated
                 .as_ref()
                 .map(|elaborated| {

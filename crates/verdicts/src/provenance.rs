@@ -155,10 +155,10 @@ pub struct MinimizedProof {
 }
 
 /// Up to so many hypotheses of ours may each take the full work; more of them share it.
-const WITH_ALL_WORK: u64 = 5;
+const MAX_HYPOTHESES_WITH_FULL_WORK: u64 = 5;
 
-/// Tries to drop each hypothesis of ours, with this work for each, and five times as much for all. A hypothesis that
-/// cannot be tried within it counts as needed.
+/// Tries to drop each hypothesis of ours, with this work for each, and `MAX_HYPOTHESES_WITH_FULL_WORK` times as much
+/// for all. A hypothesis that cannot be tried within it counts as needed.
 #[must_use]
 pub fn minimize_hypotheses(
     claim: &Claim,
@@ -173,7 +173,8 @@ pub fn minimize_hypotheses(
     if !minimized.decision.is_proven() {
         return minimized;
     }
-    let mut allowance = Allowance::new(budget, budget.saturating_mul(WITH_ALL_WORK));
+    let mut allowance =
+        Allowance::new(budget, budget.saturating_mul(MAX_HYPOTHESES_WITH_FULL_WORK));
     let mut dropped = vec![];
     for slot in slots(claim) {
         if !can_be_dropped(claim, &slot) {

@@ -19,13 +19,13 @@ use torse_syntax::derivation::Claim;
 pub const THOROUGH_EFFORT: Effort = Effort {
     points: 60,
     budget: 6_000_000,
-    beyond: 6_000_000,
-    polynomials: 1_000_000,
+    condition_budget: 6_000_000,
+    instance_budget: 1_000_000,
     seed: "again ",
 };
 
 /// Maximum work to find a witness again.
-const WITNESS: u64 = 100_000_000;
+const MAX_WITNESS_WORK: u64 = 100_000_000;
 
 /// The result of checking a verdict again.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -54,14 +54,14 @@ pub fn claim(claim: &Claim, outcome: &Outcome) -> Recheck {
     let Some(statement) = &claim.statement else {
         return Recheck::Nothing;
     };
-    let witnessed =
-        (!claim.existentials.is_empty()).then(|| existential::witnessed(claim, statement, WITNESS));
+    let witnessed = (!claim.existentials.is_empty())
+        .then(|| existential::witnessed(claim, statement, MAX_WITNESS_WORK));
     let claim = witnessed.as_ref().unwrap_or(claim);
     match stack::deep(|| net::judged(outcome, claim, statement, &THOROUGH_EFFORT)) {
         None => Recheck::Nothing,
         Some(Ok(net)) if net.netted => Recheck::Netted(net),
         Some(Ok(net)) => Recheck::Decided(net),
         Some(Err(Objection::Contradiction(found))) => Recheck::Contradicted { found },
-        Some(Err(Objection::Unseen(why))) => Recheck::Decided(Net::uncovered(&why)),
+        Some(Err(Objection::Unconfirmed(why))) => Recheck::Decided(Net::without_points(&why)),
     }
 }

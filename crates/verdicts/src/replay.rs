@@ -41,13 +41,13 @@ pub(crate) fn refutation(
     budget: u64,
 ) -> Result<Replay, String> {
     let Some(certificate) = &refuted.certificate else {
-        return Ok(Replay::beyond("the proof that no other number works"));
+        return Ok(Replay::out_of_reach("the proof that no other number works"));
     };
     let mut replay = check(&elaborated.core, &elaborated.statement.origin, certificate)?;
     if let Some(correction) = refuted.correction() {
         let own = match decided(&elaborated.claim, &correction.statement, budget) {
             Some((_, answer)) => answer,
-            None => Ok(Replay::beyond("the correction was not proved again")),
+            None => Ok(Replay::out_of_reach("the correction was not proved again")),
         };
         let own = own.map_err(|wrong| format!("the correction: {wrong}"))?;
         replay.correction = Some(Box::new(own));
@@ -55,8 +55,8 @@ pub(crate) fn refutation(
     Ok(replay)
 }
 
-/// Decides a statement about the domain of a claim with so much work, and returns the certificate with what the checker says of
-/// it; nothing where the statement is not decided.
+/// Decides a statement about the domain of a claim with so much work, and returns the certificate with what the checker
+/// says of it; nothing where the statement is not decided.
 pub(crate) fn decided(
     claim: &Claim,
     statement: &Formula,
@@ -89,8 +89,8 @@ fn check(
         }
     };
     match found {
-        Ok(()) => Ok(Replay::done()),
-        Err(CheckError::Unsupported(why)) => Ok(Replay::beyond(&why.to_string())),
+        Ok(()) => Ok(Replay::accepted()),
+        Err(CheckError::Unsupported(why)) => Ok(Replay::out_of_reach(&why.to_string())),
         Err(wrong @ CheckError::Wrong(_)) => Err(wrong.to_string()),
     }
 }

@@ -54,7 +54,7 @@ pub fn restore(
     corrected.par_iter().map(decide).collect()
 }
 
-/// Returns the claim with its correction, under the conditions of that.
+/// Returns the claim with its corrected statement, and the conditions of the correction as assumptions.
 fn repaired(claim: &Claim, outcome: &Outcome) -> Claim {
     let mut repaired = claim.clone();
     repaired.author_note = None;

@@ -479,7 +479,7 @@ k-factor = 0.42
 "#;
 
 #[test]
-fn each_part_has_a_file_of_its_own_that_a_bureau_takes() {
+fn each_part_has_a_file_of_its_own_that_a_cutting_service_takes() {
     let folder = folder(ANGLE);
     let list = [
         "unroll",

@@ -135,8 +135,8 @@ impl PaperFigure {
         });
     }
 
-    /// Adds a line of letters about a point of the paper; `way` is its direction on the part, turned so that it is not upside
-    /// down.
+    /// Adds a line of letters about a point of the paper; `way` is its direction on the part, turned so that it is not
+    /// upside down.
     pub(super) fn text(&mut self, at: [f64; 2], way: [f64; 2], size: f64, text: &str) {
         self.texts.push(PaperText {
             at,
@@ -183,7 +183,7 @@ impl PaperFigure {
     }
 }
 
-/// The direction of letters in degrees against the clock, more than -90 and at most 90.
+/// Returns the direction of letters in degrees against the clock, more than -90 and at most 90.
 fn upright([x, y]: [f64; 2]) -> f64 {
     let angle = libm::atan2(y, x).to_degrees();
     if angle > 90.0 + 1e-9 {
@@ -195,8 +195,8 @@ fn upright([x, y]: [f64; 2]) -> f64 {
     }
 }
 
-/// The control points and the end of the cubic curve that has the ends, tangents and middle of an arc; it is nearer to an
-/// arc of 45 degrees than a millionth of its radius.
+/// Returns the control points and the end of the cubic curve that has the ends, tangents and middle of an arc; it is
+/// nearer to an arc of 45 degrees than a millionth of its radius.
 fn cubic(arc: &Segment) -> [[f64; 2]; 3] {
     let angle = arc.angle();
     let way = [arc.to[0] - arc.from[0], arc.to[1] - arc.from[1]];

@@ -6,6 +6,7 @@ use super::{BenchTable, strings};
 use crate::design::Design;
 use crate::error::DesignError;
 use crate::inspect::number;
+use crate::inspect::numbers::without_trailing_zeros;
 use crate::seams::PatchEdge;
 use crate::unroll::{FlatPiece, Part, position};
 
@@ -16,12 +17,12 @@ const SAME: f64 = 5e-3;
 
 /// The way in which the sheet is formed, seen on its drawing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Way {
+enum BendDirection {
     Up,
     Down,
 }
 
-impl Way {
+impl BendDirection {
     fn by_sign(angle: f64) -> Self {
         if angle > 0.0 { Self::Up } else { Self::Down }
     }
@@ -40,15 +41,23 @@ pub(super) struct Forming {
     pub notes: Vec<String>,
 }
 
-/// How a part is formed.
+/// Returns how a part is formed.
 pub(super) fn forming(
     design: &Design,
     piece: &FlatPiece,
     part: &Part,
     sides: &[Side],
 ) -> Result<Forming, DesignError> {
-    let mut ways: Vec<Way> = part.bends.iter().map(|b| Way::by_sign(b.angle)).collect();
-    ways.extend(part.sharp.iter().map(|fold| Way::by_sign(fold.angle)));
+    let mut ways: Vec<BendDirection> = part
+        .bends
+        .iter()
+        .map(|b| BendDirection::by_sign(b.angle))
+        .collect();
+    ways.extend(
+        part.sharp
+            .iter()
+            .map(|fold| BendDirection::by_sign(fold.angle)),
+    );
     let mut tables = Vec::new();
     let mut notes = Vec::new();
     if !part.bends.is_empty() {
@@ -59,7 +68,7 @@ pub(super) fn forming(
             vec![
                 format!("S{}", k + 1),
                 degrees(fold.angle.abs().to_degrees()),
-                Way::by_sign(fold.angle).word().to_owned(),
+                BendDirection::by_sign(fold.angle).word().to_owned(),
                 place_of(fold.line),
             ]
         });
@@ -88,15 +97,15 @@ pub(super) fn forming(
     Ok(Forming { tables, notes })
 }
 
-/// Which face the drawing shows.
-fn face(ways: &[Way]) -> &'static str {
-    let is = |way: Way| ways.iter().all(|other| *other == way);
+/// Returns which face the drawing shows.
+fn face(ways: &[BendDirection]) -> &'static str {
+    let is = |way: BendDirection| ways.iter().all(|other| *other == way);
     match ways {
         [] => "The part stays flat; the drawing shows the face that is blue in the view.",
-        _ if is(Way::Up) => {
+        _ if is(BendDirection::Up) => {
             "The drawing shows the INSIDE: all forming goes up, towards the reader."
         }
-        _ if is(Way::Down) => {
+        _ if is(BendDirection::Down) => {
             "The drawing shows the OUTSIDE: all forming goes down, away from the reader."
         }
         _ => "The drawing shows the face that is blue in the view; up is towards the reader.",
@@ -108,12 +117,12 @@ fn bends(part: &Part) -> BenchTable {
         vec![
             format!("B{}", k + 1),
             degrees(bend.angle.abs().to_degrees()),
-            Way::by_sign(bend.angle).word().to_owned(),
+            BendDirection::by_sign(bend.angle).word().to_owned(),
             length(bend.inside_radius),
             place_of(bend.line),
             length(bend.allowance),
             length(bend.deduction),
-            super::words::trimmed(&format!("{:.3}", bend.k_factor)),
+            without_trailing_zeros(&format!("{:.3}", bend.k_factor)),
         ]
     });
     BenchTable {
@@ -132,7 +141,7 @@ fn bends(part: &Part) -> BenchTable {
     }
 }
 
-/// Where a line is: its distance from a side of the box if it runs along one, else its ends.
+/// Returns where a line is: its distance from a side of the box if it runs along one, else its ends.
 fn place_of([[x, y], [s, t]]: [[f64; 2]; 2]) -> String {
     const ALONG: f64 = 5e-3;
     if (x - s).abs() < ALONG {
@@ -150,13 +159,13 @@ fn place_of([[x, y], [s, t]]: [[f64; 2]; 2]) -> String {
     }
 }
 
-/// The rows of what is rolled, patches that are rolled alike in one, and the ways.
+/// Returns the rows of what is rolled, patches that are rolled alike in one, and the ways.
 fn rolls(
     design: &Design,
     piece: &FlatPiece,
     part: &Part,
     sides: &[Side],
-) -> Result<(Vec<Vec<String>>, Vec<Way>), DesignError> {
+) -> Result<(Vec<Vec<String>>, Vec<BendDirection>), DesignError> {
     let mut rows: Vec<(Vec<String>, [String; 2])> = Vec::new();
     let mut ways = Vec::new();
     for rolled in &part.rolled {
@@ -168,7 +177,7 @@ fn rolls(
             continue;
         };
         let own = piece.flat.rulings().iter().filter(|r| r.piece == place);
-        let way = Way::by_sign(own.map(|ruling| ruling.bend).sum());
+        let way = BendDirection::by_sign(own.map(|ruling| ruling.bend).sum());
         ways.push(way);
         let mut radii = Vec::new();
         for (v, edge) in [(0.0, PatchEdge::First), (1.0, PatchEdge::Second)] {
@@ -209,7 +218,7 @@ fn rolls(
     Ok((rows.collect(), ways))
 }
 
-/// The radii along a rail of a patch in words.
+/// Returns the radii along a rail of a patch in words.
 fn along(patch: &crate::design::Patch, v: f64) -> Result<String, DesignError> {
     let apex = patch.apexes()[usize::from(v > 0.5)];
     if apex {

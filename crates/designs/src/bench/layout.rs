@@ -35,7 +35,7 @@ impl PaperSize {
         }
     }
 
-    /// The name as it is printed.
+    /// Returns the name as it is printed.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -62,9 +62,9 @@ const ROOM: [f64; 4] = [16.0, 7.0, 8.0, 21.0];
 /// The most rulings that are drawn of a part.
 const MAX_RULINGS: usize = 14;
 /// The largest scale bar on paper, in millimetres.
-const LONGEST_BAR: f64 = 60.0;
+const MAX_BAR: f64 = 60.0;
 
-/// The largest scale at which something so large fits.
+/// Returns the largest scale at which something so large fits.
 fn scale(size: [f64; 2], room: [f64; 2]) -> PaperScale {
     let fits = |factor: f64| size[0] * factor <= room[0] && size[1] * factor <= room[1];
     // Enlarged up to fifty times, reduced as much as it takes.
@@ -110,7 +110,7 @@ impl BenchLayout {
     const ALL: [(Self, [f64; 2]); 2] = [(Self::Beside, [0.69, 0.68]), (Self::Above, [1.0, 0.58])];
 }
 
-/// The layout in which a part is drawn largest on so much paper, and the size of its drawing.
+/// Returns the layout in which a part is drawn largest on so much paper, and the size of its drawing.
 pub(super) fn layout(size: [f64; 2], room: [f64; 2]) -> (BenchLayout, [f64; 2]) {
     let boxes = BenchLayout::ALL.map(|(layout, shares)| {
         let drawn = [0, 1].map(|i| (room[i] * shares[i]).floor());
@@ -130,7 +130,7 @@ pub(super) struct Drawn<'a> {
     pub sides: &'a [Side],
 }
 
-/// The drawing of a part in a box on paper, at the largest scale at which it fits.
+/// Returns the drawing of a part in a box on paper, at the largest scale at which it fits.
 pub(super) fn drawing(drawn: &Drawn<'_>, [width, height]: [f64; 2]) -> (PaperFigure, PaperScale) {
     let [left, top, right, bottom] = ROOM;
     let room = [width - left - right, height - top - bottom];
@@ -225,7 +225,7 @@ pub(super) fn part_lines(figure: &mut PaperFigure, drawn: &Drawn<'_>, to: ToPape
     }
 }
 
-/// Some of the rulings along which a rolled part stays straight.
+/// Returns some of the rulings along which a rolled part stays straight.
 fn rulings(drawn: &Drawn<'_>) -> Vec<[[f64; 2]; 2]> {
     if drawn.part.rolled.is_empty() {
         return Vec::new();
@@ -307,7 +307,7 @@ pub(super) fn labels(figure: &mut PaperFigure, drawn: &Drawn<'_>, to: ToPaper) {
     }
 }
 
-/// An angle with the way that it is bent.
+/// Returns an angle with the way that it is bent.
 fn turned(angle: f64) -> String {
     let way = if angle > 0.0 { "up" } else { "down" };
     format!("{} {way}", degrees(angle.abs().to_degrees()))
@@ -347,7 +347,7 @@ fn overall(figure: &mut PaperFigure, [width, height]: [f64; 2], to: ToPaper) {
 
 /// A bar with the lengths of the part, in the lower left corner.
 fn bar(figure: &mut PaperFigure, scale: &PaperScale, [x, y]: [f64; 2]) {
-    let most = LONGEST_BAR / scale.factor;
+    let most = MAX_BAR / scale.factor;
     let power = libm::exp10(libm::floor(libm::log10(most)));
     let step = [5.0, 2.0, 1.0].map(|step| step * power);
     let Some(whole) = step.into_iter().find(|step| *step <= most) else {

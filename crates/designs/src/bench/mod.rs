@@ -122,7 +122,7 @@ fn prepared(
     Ok(Prepared { blanks, sides: all })
 }
 
-/// The sheets of these parts for the fitter, a page each; `parts` are those of `pieces`.
+/// Returns the sheets of these parts for the fitter, a page each; `parts` are those of `pieces`.
 ///
 /// # Errors
 /// As [`blank`], [`DesignError::Patch`] and [`DesignError::Figure`].
@@ -295,7 +295,7 @@ fn facts(part: &Part) -> Vec<[String; 2]> {
     facts.map(|(name, value)| [name.to_owned(), value]).to_vec()
 }
 
-/// What the lines that occur in a drawing mean.
+/// Returns what the lines that occur in a drawing mean.
 fn legend(figure: &PaperFigure) -> Vec<BenchLegend> {
     let all = [
         (PaperStyle::Outline, "cut"),

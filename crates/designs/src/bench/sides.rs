@@ -3,6 +3,7 @@
 use super::words::length;
 use crate::design::Design;
 use crate::error::DesignError;
+use crate::polygon::chord_points;
 use crate::seams::{EdgeName, PatchEdge};
 use crate::unroll::{Blank, FlatPiece, Part, position};
 use torse_geometry::pattern::Segment;
@@ -35,7 +36,7 @@ pub(super) struct Side {
     pub meets: Vec<String>,
 }
 
-/// The letter of a part by its number, from 0: `A` to `Z`, then `AA`.
+/// Returns the letter of a part by its number, from 0: `A` to `Z`, then `AA`.
 pub(super) fn letter(mut number: usize) -> String {
     let mut letters = Vec::new();
     loop {
@@ -49,7 +50,8 @@ pub(super) fn letter(mut number: usize) -> String {
     letters.iter().rev().collect()
 }
 
-/// The sides of a part, against the clock from the right of one who follows the chain; what is a point is no side.
+/// Returns the sides of a part, against the clock from the right of one who follows the chain; what is a point is no
+/// side.
 pub(super) fn sides(
     design: &Design,
     piece: &FlatPiece,
@@ -68,8 +70,8 @@ pub(super) fn sides(
         Some(part.placement.point(point))
     };
     // The two rails of each patch: to the left of one who follows the chain, and to the right.
-    let mut rails: [Vec<Run>; 2] = [Vec::new(), Vec::new()];
-    let mut ends: Vec<[Run; 2]> = Vec::new();
+    let mut rails: [Vec<DirectedEdge>; 2] = [Vec::new(), Vec::new()];
+    let mut ends: Vec<[DirectedEdge; 2]> = Vec::new();
     for (place, index) in &order {
         let (Some(chains), Some(backward), Some(patch), Some(rulings)) = (
             flat.sides(*place),
@@ -97,7 +99,10 @@ pub(super) fn sides(
         let shares = |rail: usize| if rail == 0 { 0.0 } else { 1.0 };
         for (side, chain) in chains.iter().enumerate() {
             let rail = if side == 0 { left } else { 1 - left };
-            let points: Vec<[f64; 2]> = chain.iter().flat_map(points_of).collect();
+            let points: Vec<[f64; 2]> = chain
+                .iter()
+                .flat_map(|segment| chord_points(segment, ARC_POINTS).chain([segment.to]))
+                .collect();
             let on_blank: Vec<[f64; 2]> = points
                 .iter()
                 .filter_map(|point| on_part(*place, *point))
@@ -106,7 +111,7 @@ pub(super) fn sides(
             let arcs: f64 = chain.iter().map(Segment::length).sum();
             let length = polygon_length(&on_blank) + arcs - polygon_length(&points);
             let steps = (0..=POINTS).map(|k| space(f64::from(k) / f64::from(POINTS), shares(rail)));
-            rails[side].push(Run {
+            rails[side].push(DirectedEdge {
                 member: (*index, [PatchEdge::First, PatchEdge::Second][rail]),
                 points: on_blank,
                 length,
@@ -125,14 +130,14 @@ pub(super) fn sides(
                 .iter()
                 .filter_map(|point| on_part(*place, *point))
                 .collect();
-            both.push(Run {
+            both.push(DirectedEdge {
                 member: (*index, edge),
                 length: polygon_length(&points),
                 points,
                 space: vec![space(u, shares(left))?, space(u, shares(1 - left))?],
             });
         }
-        if let Ok(both) = <[Run; 2]>::try_from(both) {
+        if let Ok(both) = <[DirectedEdge; 2]>::try_from(both) {
             ends.push(both);
         }
     }
@@ -145,7 +150,7 @@ pub(super) fn sides(
     };
     let mut groups = grouped(design, right);
     groups.push(vec![end.turned()]);
-    let back = left.iter().rev().map(Run::turned).collect();
+    let back = left.iter().rev().map(DirectedEdge::turned).collect();
     groups.extend(grouped(design, back));
     groups.push(vec![start]);
     let size: f64 = part.outline.iter().map(Segment::length).sum();
@@ -172,7 +177,7 @@ pub(super) fn sides(
 
 /// An edge of a patch, passed with the part on the left.
 #[derive(Debug, Clone)]
-struct Run {
+struct DirectedEdge {
     member: (usize, PatchEdge),
     points: Vec<[f64; 2]>,
     length: f64,
@@ -185,7 +190,7 @@ fn polygon_length(points: &[[f64; 2]]) -> f64 {
     lengths.sum()
 }
 
-impl Run {
+impl DirectedEdge {
     fn turned(&self) -> Self {
         Self {
             member: self.member,
@@ -196,19 +201,11 @@ impl Run {
     }
 }
 
-/// The points of a segment, its end included.
-fn points_of(segment: &Segment) -> Vec<[f64; 2]> {
-    let steps = if segment.is_line() { 1 } else { ARC_POINTS };
-    (0..=steps)
-        .map(|k| segment.point(f64::from(k) / f64::from(steps)))
-        .collect()
-}
-
-/// The runs of a side of a chain, cut where an edge of a seam starts or ends.
-fn grouped(design: &Design, runs: Vec<Run>) -> Vec<Vec<Run>> {
+/// Returns the runs of a side of a chain, cut where an edge of a seam starts or ends.
+fn grouped(design: &Design, runs: Vec<DirectedEdge>) -> Vec<Vec<DirectedEdge>> {
     let edges = || design.seams.iter().flat_map(|seam| &seam.edges);
-    let on = |edge: &EdgeName, run: &Run| is_of(edge, run.member);
-    let mut groups: Vec<Vec<Run>> = Vec::new();
+    let on = |edge: &EdgeName, run: &DirectedEdge| is_of(edge, run.member);
+    let mut groups: Vec<Vec<DirectedEdge>> = Vec::new();
     for run in runs {
         match groups.last_mut() {
             Some(group)
@@ -224,12 +221,12 @@ fn grouped(design: &Design, runs: Vec<Run>) -> Vec<Vec<Run>> {
     groups
 }
 
-/// Whether an edge of a patch is one of those that a seam names.
+/// Returns whether an edge of a patch is one of those that a seam names.
 fn is_of(edge: &EdgeName, (patch, own): (usize, PatchEdge)) -> bool {
     edge.edge == own && edge.patches.contains(&patch)
 }
 
-/// What the design calls a side.
+/// Returns what the design calls a side.
 fn name(design: &Design, piece: &FlatPiece, members: &[(usize, PatchEdge)]) -> String {
     let mut edges = design.seams.iter().flat_map(|seam| &seam.edges);
     let whole = |edge: &&EdgeName| {
@@ -294,7 +291,7 @@ pub(super) fn pair(design: &Design, parts: &mut [Vec<Side>]) {
     }
 }
 
-/// Whether two sides are one line in space.
+/// Returns whether two sides are one line in space.
 fn is_on(one: &Side, other: &Side) -> bool {
     let within = MEETING * one.length.min(other.length);
     let lengths = (one.length - other.length).abs() <= MEETING * one.length.max(other.length);
@@ -312,7 +309,7 @@ fn is_on(one: &Side, other: &Side) -> bool {
         points.iter().all(|point| {
             let sides = line.windows(2);
             sides
-                .map(|pair| off(point, &pair[0], &pair[1]))
+                .map(|pair| distance_to_segment(point, &pair[0], &pair[1]))
                 .fold(f64::INFINITY, f64::min)
                 <= within
         })
@@ -324,8 +321,8 @@ fn is_on(one: &Side, other: &Side) -> bool {
         && lies(&other.space, &one.space)
 }
 
-/// The distance of a point from a segment.
-fn off(point: &Point, from: &Point, to: &Point) -> f64 {
+/// Returns the distance of a point from a segment.
+fn distance_to_segment(point: &Point, from: &Point, to: &Point) -> f64 {
     let (way, arm) = (sub(to, from), sub(point, from));
     let square: f64 = way.iter().map(|c| c * c).sum();
     let along: f64 = way.iter().zip(&arm).map(|(a, b)| a * b).sum();
@@ -339,7 +336,7 @@ fn off(point: &Point, from: &Point, to: &Point) -> f64 {
 }
 
 impl Side {
-    /// The label with those of the sides that it meets: `A1 to B3`.
+    /// Returns the label with those of the sides that it meets: `A1 to B3`.
     pub(super) fn mark(&self) -> String {
         if self.meets.is_empty() {
             return self.label.clone();
@@ -363,7 +360,7 @@ impl Side {
         ]
     }
 
-    /// The point at half of its length and the direction there.
+    /// Returns the point at half of its length and the direction there.
     pub(super) fn middle(&self) -> Option<([f64; 2], [f64; 2])> {
         let mut left = 0.5 * self.length;
         for pair in self.points.windows(2) {

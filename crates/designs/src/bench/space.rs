@@ -25,7 +25,7 @@ const UNSEEN: Colour = Colour::rgb(0xe6, 0xbd, 0x7a);
 /// The other parts.
 const OTHERS: Colour = Colour::rgb(0xd4, 0xd4, 0xd4);
 
-/// The view of a design with one of its parts in colour: blue is the face that the drawing shows.
+/// Returns the view of a design with one of its parts in colour: blue is the face that the drawing shows.
 pub(super) fn view(
     design: &Design,
     piece: &FlatPiece,
@@ -66,7 +66,7 @@ pub(super) fn view(
     Ok(view.draw(&format!("{} in space", part.name), SIZE)?)
 }
 
-/// Whether the drawing of a patch shows the side to which its normal `r_u x r_v` points.
+/// Returns whether the drawing of a patch shows the side to which its normal `r_u x r_v` points.
 fn shows_front(piece: &FlatPiece, part: &Part, place: usize) -> bool {
     let at = |x: f64, v: f64| {
         let place = PatternPlace { piece: place, x, v };
@@ -77,7 +77,7 @@ fn shows_front(piece: &FlatPiece, part: &Part, place: usize) -> bool {
     (u[0] - o[0]) * (v[1] - o[1]) - (u[1] - o[1]) * (v[0] - o[0]) > 0.0
 }
 
-/// The point at half of the length of a polygon.
+/// Returns the point at half of the length of a polygon.
 fn middle(points: &[Point]) -> Option<Point> {
     let step = |pair: &[Point]| norm(&sub(&pair[1], &pair[0]));
     let whole: f64 = points.windows(2).map(step).sum();

@@ -92,14 +92,14 @@ impl Raster {
         self.count[0].saturating_mul(self.count[1])
     }
 
-    /// The width and height of all pages laid together.
+    /// Returns the width and height of all pages laid together.
     fn whole(&self) -> [f64; 2] {
         #[allow(clippy::cast_precision_loss)]
         [0, 1].map(|i| self.count[i] as f64 * self.step[i] + OVERLAP)
     }
 }
 
-/// The pages of a part.
+/// Returns the pages of a part.
 pub(super) fn tiled(
     drawn: &Drawn<'_>,
     [design, title, letter]: [&str; 3],
@@ -203,7 +203,7 @@ fn joins(figure: &mut PaperFigure, raster: &Raster) {
     }
 }
 
-/// The pages on which something of the part is.
+/// Returns the pages on which something of the part is.
 fn tiles(outline: &[Segment], to: ToPaper, raster: &Raster) -> Vec<PaperTile> {
     const POINTS: u32 = 64;
     let points: Vec<[f64; 2]> = outline
@@ -255,7 +255,7 @@ fn tiles(outline: &[Segment], to: ToPaper, raster: &Raster) -> Vec<PaperTile> {
     tiles.collect()
 }
 
-/// The part with the pages laid on it, small.
+/// Returns the part with the pages laid on it, small.
 fn map(drawn: &Drawn<'_>, raster: &Raster, tiles: &[PaperTile], to: ToPaper) -> PaperFigure {
     let whole = raster.whole();
     let scale = (MAP[0] / whole[0]).min(MAP[1] / whole[1]);

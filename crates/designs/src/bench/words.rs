@@ -1,27 +1,15 @@
 //! Numbers as they are read at a bench.
 
-/// A length with two decimals at most: nobody measures more.
+use crate::inspect::numbers::without_trailing_zeros;
+
+/// Returns a length with two decimals at most: nobody measures more.
 pub(super) fn length(value: f64) -> String {
-    trimmed(&format!("{value:.2}"))
+    without_trailing_zeros(&format!("{value:.2}"))
 }
 
-/// An angle in degrees with one decimal at most.
+/// Returns an angle in degrees with one decimal at most.
 pub(super) fn degrees(value: f64) -> String {
-    format!("{}°", trimmed(&format!("{value:.1}")))
-}
-
-/// A number without zeros at the end of its decimals, and without the sign of a zero.
-pub(super) fn trimmed(text: &str) -> String {
-    let short = if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        text
-    };
-    if short == "-0" {
-        "0".to_owned()
-    } else {
-        short.to_owned()
-    }
+    format!("{}°", without_trailing_zeros(&format!("{value:.1}")))
 }
 
 #[cfg(test)]

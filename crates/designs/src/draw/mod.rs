@@ -16,7 +16,7 @@ use torse_geometry::prelude::Point;
 /// The endings of pictures.
 pub const ENDINGS: &[&str] = &["png", "svg", "html", "gif"];
 
-/// The points of a patch on equal steps, ruling by ruling.
+/// Returns the points of a patch on equal steps, ruling by ruling.
 pub(crate) fn samples(
     patch: &Patch,
     along: usize,
@@ -38,7 +38,7 @@ pub(crate) fn samples(
     Ok(points)
 }
 
-/// The points of a surface on equal steps.
+/// Returns the points of a surface on equal steps.
 fn grid(
     surface: &FreeSurface,
     part: &Tensor,
@@ -59,7 +59,7 @@ fn grid(
     Ok(points)
 }
 
-/// How many rulings are drawn on each patch, so that they stay apart.
+/// Returns how many rulings are drawn on each patch, so that they stay apart.
 pub(crate) fn lines(design: &Design) -> usize {
     (64 / design.patches.len().max(1)).clamp(1, design.view.rulings.saturating_sub(1).clamp(1, 32))
 }

@@ -4,7 +4,7 @@ use super::{lines, samples};
 use crate::design::Design;
 use crate::error::DesignError;
 use crate::inspect::{inspect, table};
-use crate::unroll::{Demand, Summary, drawing, unroll};
+use crate::unroll::{Demand, PatternSummary, drawing, unroll};
 use serde::Serialize;
 use torse_exchange::svg;
 
@@ -26,7 +26,7 @@ struct PageShape<'d> {
     points: Vec<[f64; 3]>,
 }
 
-/// The page: what `inspect` found, the patches, the pattern with what it promises.
+/// Returns the page: what `inspect` found, the patches, the pattern with what it promises.
 ///
 /// # Errors
 /// As [`inspect`], [`DesignError::Patch`].
@@ -77,7 +77,7 @@ pub fn page(design: &Design, demand: &Demand) -> Result<String, DesignError> {
     let (pattern, promise) = match unroll(design, demand) {
         Ok(pieces) => {
             let text = svg(&drawing(design, &pieces)?)?;
-            (text, Summary::new(design, &pieces).text())
+            (text, PatternSummary::new(design, &pieces).text())
         }
         Err(error) => (String::new(), format!("No pattern: {error}\n")),
     };

@@ -1,6 +1,6 @@
 //! Chains of patches.
 
-use super::patches::Group;
+use super::patches::PatchGroup;
 use super::reader::{Named, NumberKind, Reader, Value};
 use super::{MAX_THINGS, keys, named};
 use crate::design::{Chain, ChainLayout, Patch, Smoothness};
@@ -15,7 +15,7 @@ pub fn chains(
     reader: &mut Reader,
     section: Option<Value<'_>>,
     patches: &Named<Patch>,
-    groups: &[Group],
+    groups: &[PatchGroup],
 ) -> Vec<Chain> {
     let chains = named(
         reader,
@@ -124,7 +124,7 @@ pub fn chains(
     chains
 }
 
-/// The inside radii of the joints: one for all, or one for each.
+/// Returns the inside radii of the joints: one for all, or one for each.
 fn radii(reader: &mut Reader, value: Option<Value<'_>>, joints: usize) -> Option<Vec<Option<f64>>> {
     let Some(value) = value else {
         return Some(vec![None; joints]);

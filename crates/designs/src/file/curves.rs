@@ -134,7 +134,7 @@ fn curve(
     accepted(reader, &place, made).map(PiecewiseRail::from)
 }
 
-/// A quarter of an ellipse, a part of one, or an arc about an axis that may climb.
+/// Returns a quarter of an ellipse, a part of one, or an arc about an axis that may climb.
 fn arc(
     reader: &mut Reader,
     value: Value<'_>,
@@ -246,14 +246,14 @@ fn row(
     accepted(reader, &place, PiecewiseRail::joined(&parts))
 }
 
-/// A curve of one piece.
+/// Returns a curve of one piece.
 pub fn single(reader: &mut Reader, value: Value<'_>, known: &Named<PiecewiseRail>) -> Option<Rail> {
     let place = value.span();
     let curve = reader.named(value, "curve", known)?;
     one_piece(reader, &place, curve)
 }
 
-/// The only piece of a curve; a mistake where there are several.
+/// Returns the only piece of a curve; a mistake where there are several.
 pub fn one_piece(reader: &mut Reader, place: &Range<usize>, curve: &PiecewiseRail) -> Option<Rail> {
     let rail = accepted(reader, place, curve.single())?;
     if rail.is_none() {

@@ -4,7 +4,7 @@ use super::reader::{NumberKind, Reader, Value};
 use crate::seams::PatchEdge;
 use toml::de::DeValue;
 
-/// The names that a patch gives its edges.
+/// Returns the names that a patch gives its edges.
 pub fn names(reader: &mut Reader, value: Value<'_>) -> Option<Vec<(String, PatchEdge)>> {
     let entries = reader.table(value, "edges")?;
     let mut names = Vec::new();
@@ -18,12 +18,12 @@ pub fn names(reader: &mut Reader, value: Value<'_>) -> Option<Vec<(String, Patch
     Some(names)
 }
 
-/// An allowance, a length that is not negative.
+/// Returns an allowance, a length that is not negative.
 pub fn allowance(reader: &mut Reader, value: Value<'_>) -> Option<f64> {
     reader.number_in(value, NumberKind::Length, "[0, infinity)", |by| by >= 0.0)
 }
 
-/// The allowances of a patch: one for all edges, or a table by their names; `own` are names of its own.
+/// Returns the allowances of a patch: one for all edges, or a table by their names; `own` are names of its own.
 pub fn allowances(
     reader: &mut Reader,
     value: Value<'_>,

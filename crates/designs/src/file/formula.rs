@@ -15,7 +15,7 @@ const BITS: usize = 320;
 /// What is smaller than this and not rational is zero up to rounding: `cos(pi/2)`.
 const NOTHING: f64 = 1e-80;
 /// The greatest exponent of a number that is not rational.
-const HIGHEST_POWER: u32 = 1024;
+const MAX_POWER: u32 = 1024;
 /// The functions of the language that take a number to a number.
 const FUNCTIONS: [&str; 3] = ["sqrt", "sin", "cos"];
 
@@ -36,7 +36,7 @@ impl FormulaValue {
         }
     }
 
-    /// The value times a rational number.
+    /// Returns the value times a rational number.
     pub fn times(&self, factor: &Rational) -> Self {
         match self {
             Self::Exact(value) => Self::Exact(value.clone() * factor.clone()),
@@ -44,7 +44,7 @@ impl FormulaValue {
         }
     }
 
-    /// The nearest double, up to the last place; `None` when it is not finite or not known so well.
+    /// Returns the nearest double, up to the last place; `None` when it is not finite or not known so well.
     pub fn to_f64(&self) -> Option<f64> {
         let value = match self {
             Self::Exact(value) => to_f64(value),
@@ -67,7 +67,7 @@ impl FormulaValue {
 /// The value of a name at a place: `None` for one that has none, and the error for one whose own formula is wrong.
 pub type Lookup<'l> = dyn FnMut(&str, Place) -> Result<Option<FormulaValue>, Fault> + 'l;
 
-/// The value of a formula, with the values of names from `lookup`.
+/// Returns the value of a formula, with the values of names from `lookup`.
 pub fn evaluate(
     formula: &Expr,
     lookup: &mut Lookup<'_>,
@@ -200,7 +200,7 @@ fn power(base: FormulaValue, exponent: i32) -> Result<FormulaValue, ExactError> 
         FormulaValue::Near(ball) => ball,
     };
     let size = exponent.unsigned_abs();
-    if size > HIGHEST_POWER {
+    if size > MAX_POWER {
         let bits = BITS.saturating_mul(usize::try_from(size).unwrap_or(usize::MAX));
         let limit = BITS * 1024;
         return Err(ExactError::TooLarge { bits, limit });

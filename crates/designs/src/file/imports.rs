@@ -1,7 +1,7 @@
 //! Curves from files of other programs: `import = "FILE#name"`.
 
 use super::reader::{Entries, Named, Reader, Value, accepted};
-use super::splines::How;
+use super::splines::InterpolationConditions;
 use crate::DesignUnit;
 use std::collections::BTreeMap;
 use torse_exchange::{CurveShape, Imported, LengthUnit, UnitSource};
@@ -29,8 +29,8 @@ impl<'f> Imports<'f> {
         }
     }
 
-    /// The curve that `import = "FILE#name"` names, with the entries `unit`, and `ends` and `spacing` where the file has
-    /// points.
+    /// Returns the curve that `import = "FILE#name"` names, with the entries `unit`, and `ends` and `spacing` where the
+    /// file has points.
     pub fn curve(
         &mut self,
         reader: &mut Reader,
@@ -45,7 +45,7 @@ impl<'f> Imports<'f> {
             None => (text.as_str(), None),
         };
         let shaped = entries.has("ends") || entries.has("spacing");
-        let how = How::read(reader, entries, points);
+        let how = InterpolationConditions::read(reader, entries, points);
         let unit = match entries.take("unit") {
             None => None,
             Some(value) => Some(reader.word(value, "unit", &DesignUnit::ALL)?),
@@ -111,7 +111,7 @@ impl<'f> Imports<'f> {
         }
     }
 
-    /// A file; its unit is the one that it states, that of the entry, or that of the design.
+    /// Returns a file; its unit is the one that it states, that of the entry, or that of the design.
     fn file(
         &mut self,
         path: &str,

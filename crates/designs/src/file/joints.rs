@@ -19,7 +19,7 @@ const JOINS: [(&str, Join); 6] = [
     ("G2-beta", Join::Beta(2)),
 ];
 
-/// The entries `join`, `beta` and `scale`.
+/// Returns the entries `join`, `beta` and `scale`.
 pub fn joint(reader: &mut Reader, entries: &mut Entries<'_>) -> Option<Joint> {
     let span = entries.span.clone();
     let join = match entries.take("join") {

@@ -1,9 +1,9 @@
 //! Reading design files.
 //!
 //! The format is described in `designs/README.md` and `designs/schema.json`. Sections are read in the order points,
-//! planes, curves, families, surfaces, patches, chains, seams, entries in the order of the file; an entry refers to what stands above it.
-//! What is wrong is kept with its place, and what leans on it is passed over in silence, so that one run shows all
-//! mistakes of a file, each once.
+//! planes, curves, families, surfaces, patches, chains, seams, entries in the order of the file; an entry refers to
+//! what stands above it. What is wrong is kept with its place, and what leans on it is passed over in silence, so that
+//! one run shows all mistakes of a file, each once.
 
 mod chains;
 mod curves;
@@ -61,11 +61,13 @@ struct Parts {
     surfaces: Named<FreeSurface>,
 }
 
-/// Reads a design file, or the faces of a file of another program, of which each with rulings between two edges is a patch.
+/// Reads a design file, or the faces of a file of another program, of which each with rulings between two edges is a
+/// patch.
 ///
 /// # Errors
-/// [`DesignError::Unreadable`] for a file that is not there, too large or no text, [`DesignError::OtherKind`] for a file
-/// of another program without faces, [`DesignError::NoFace`] where none of them has rulings between its edges, [`DesignError::Wrong`] with everything that is wrong in it.
+/// [`DesignError::Unreadable`] for a file that is not there, too large or no text, [`DesignError::OtherKind`] for a
+/// file of another program without faces, [`DesignError::NoFace`] where none of them has rulings between its edges,
+/// [`DesignError::Wrong`] with everything that is wrong in it.
 pub fn load(path: &Path) -> Result<Design, DesignError> {
     let unreadable = |reason: String| DesignError::Unreadable {
         path: path.display().to_string(),
@@ -128,7 +130,7 @@ pub fn load_with_settings(
     read_with_settings(&name, &text, &mut |file| beside(folder, file), settings)
 }
 
-/// The design of the faces of a file of another program; nothing for one without faces, and for a design.
+/// Returns the design of the faces of a file of another program; nothing for one without faces, and for a design.
 fn of_faces(path: &str, bytes: &[u8]) -> Result<Option<Design>, DesignError> {
     if !FileKind::detect(bytes).is_read() {
         return Ok(None);
@@ -142,7 +144,7 @@ fn of_faces(path: &str, bytes: &[u8]) -> Result<Option<Design>, DesignError> {
     }
 }
 
-/// A file that a design in a folder names.
+/// Returns a file that a design in a folder names.
 fn beside(folder: &Path, file: &str) -> Result<Vec<u8>, String> {
     let path = folder.join(file);
     let most = u64::try_from(torse_exchange::MAX_FILE_BYTES).unwrap_or(u64::MAX);
@@ -165,7 +167,7 @@ fn other_kind(path: &str, bytes: &[u8]) -> Result<(), DesignError> {
     }
 }
 
-/// The line of a text in which a byte is.
+/// Returns the line of a text in which a byte is.
 fn line_at(text: &str, byte: usize) -> &str {
     let starts = |line: &str| line.as_ptr().addr() - text.as_ptr().addr();
     let line = text.lines().take_while(|line| starts(line) <= byte).last();
@@ -175,8 +177,8 @@ fn line_at(text: &str, byte: usize) -> &str {
 /// Reads the text of a design file with this name.
 ///
 /// # Errors
-/// [`DesignError::OtherKind`] for a file of another program, [`DesignError::Wrong`] with everything that is wrong, in the
-/// order of the file; [`DesignError::Unreadable`] for lines longer than [`MAX_LINE`].
+/// [`DesignError::OtherKind`] for a file of another program, [`DesignError::Wrong`] with everything that is wrong, in
+/// the order of the file; [`DesignError::Unreadable`] for lines longer than [`MAX_LINE`].
 ///
 /// ```
 /// use torse_designs::{DesignError, read};
@@ -382,7 +384,7 @@ fn sections(
     })
 }
 
-/// The entries of a section of named things, each read by `read`; too many are a mistake.
+/// Returns the entries of a section of named things, each read by `read`; too many are a mistake.
 fn named<'s, T>(
     reader: &mut Reader,
     section: Option<Value<'s>>,

@@ -8,7 +8,7 @@ use torse_geometry::vector::{norm, sub};
 type Result<T> = std::result::Result<T, GeometryError>;
 
 /// The intervals of the parameter of an entry that are patches of their own.
-pub struct Cells {
+pub struct PatchIntervals {
     /// Where they meet, first and last included.
     breaks: Vec<f64>,
     /// Whether the last ends where the first begins.
@@ -20,7 +20,7 @@ pub struct Cells {
 /// Two points that count as one, as a share of their size.
 const SAME: f64 = 1e-12;
 
-impl Cells {
+impl PatchIntervals {
     /// The only one.
     pub const ONE: Self = Self {
         breaks: Vec::new(),
@@ -28,7 +28,7 @@ impl Cells {
         trimmed: false,
     };
 
-    /// The pieces of a panel: the parameter of the whole goes with the sum of those of both curves.
+    /// Returns the pieces of a panel: the parameter of the whole goes with the sum of those of both curves.
     pub fn of_panel(panel: &Panel) -> Self {
         let length = |piece: &torse_geometry::prelude::PanelPiece| -> f64 {
             piece
@@ -54,7 +54,7 @@ impl Cells {
         }
     }
 
-    /// The pieces of a curve, cut to a part where there are several.
+    /// Returns the pieces of a curve, cut to a part where there are several.
     pub fn cut(curve: &PiecewiseRail, part: [f64; 2]) -> Result<(Self, Vec<Rail>)> {
         let trimmed = curve.count() > 1;
         let curve = within(curve, part)?;
@@ -66,7 +66,7 @@ impl Cells {
         Ok((cells, curve.rails()?))
     }
 
-    /// The pieces of two curves where both are cut at the breaks of either.
+    /// Returns the pieces of two curves where both are cut at the breaks of either.
     pub fn between(
         [first, second]: &[PiecewiseRail; 2],
         part: [f64; 2],
@@ -87,7 +87,7 @@ impl Cells {
     }
 }
 
-/// The part of a curve of several pieces.
+/// Returns the part of a curve of several pieces.
 fn within(curve: &PiecewiseRail, [from, to]: [f64; 2]) -> Result<PiecewiseRail> {
     if curve.count() == 1 || [from, to] == [0.0, 1.0] {
         return Ok(curve.clone());
@@ -101,8 +101,8 @@ pub fn is_closed(curve: &PiecewiseRail) -> Result<bool> {
     Ok(norm(&sub(&end, &start)) <= SAME * size)
 }
 
-/// The marks of each patch, on its own parameters; a line that runs over several is cut where they meet.
-pub fn distributed(marks: Vec<Mark>, cells: &Cells) -> Vec<Vec<Mark>> {
+/// Returns the marks of each patch, on its own parameters; a line that runs over several is cut where they meet.
+pub fn distributed(marks: Vec<Mark>, cells: &PatchIntervals) -> Vec<Vec<Mark>> {
     if cells.breaks.len() <= 2 {
         return vec![marks];
     }
@@ -137,7 +137,7 @@ pub fn distributed(marks: Vec<Mark>, cells: &Cells) -> Vec<Vec<Mark>> {
     all
 }
 
-/// The runs of a polygon within an interval of the first parameter, with a parameter of their own.
+/// Returns the runs of a polygon within an interval of the first parameter, with a parameter of their own.
 fn runs(places: &[[f64; 2]], [from, to]: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     let local = |[u, v]: [f64; 2]| [((u - from) / (to - from)).clamp(0.0, 1.0), v];
     let mut runs: Vec<Vec<[f64; 2]>> = Vec::new();
@@ -181,8 +181,8 @@ fn runs(places: &[[f64; 2]], [from, to]: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
 mod tests {
     use super::*;
 
-    fn thirds() -> Cells {
-        Cells {
+    fn thirds() -> PatchIntervals {
+        PatchIntervals {
             breaks: vec![0.0, 0.25, 0.5, 1.0],
             closed: false,
             trimmed: false,

@@ -1,5 +1,5 @@
-//! Curves that are cut, turned round and moved: the entries `section`, `reversed`, `scale`, `mirror`, `rotate`, `move`, in
-//! this order.
+//! Curves that are cut, turned round and moved: the entries `section`, `reversed`, `scale`, `mirror`, `rotate`, `move`,
+//! in this order.
 
 use super::keys;
 use super::planes::plane;
@@ -12,7 +12,7 @@ use torse_geometry::vector::{cross, dot, scale, sub, unit};
 
 const IDENTITY: [Point; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// The curve as these entries place it.
+/// Returns the curve as these entries place it.
 pub fn placed(
     reader: &mut Reader,
     entries: &mut Entries<'_>,
@@ -64,7 +64,7 @@ const MAPS: [(&str, Read); 4] = [
     ("move", shift),
 ];
 
-/// The map with this linear part that leaves a point where it is.
+/// Returns the map with this linear part that leaves a point where it is.
 fn about(fixed: &Point, linear: [Point; 3]) -> AffineMap<f64> {
     let image = linear.map(|row| dot(&row, fixed));
     AffineMap {
@@ -110,7 +110,7 @@ fn factor(reader: &mut Reader, value: Value<'_>) -> Option<f64> {
     )
 }
 
-/// The mirror image in a plane.
+/// Returns the mirror image in a plane.
 fn mirror(
     reader: &mut Reader,
     value: Value<'_>,
@@ -132,7 +132,7 @@ fn mirror(
     })
 }
 
-/// The turn about an axis by an angle in degrees; quarter turns about the axes of the space are exact.
+/// Returns the turn about an axis by an angle in degrees; quarter turns about the axes of the space are exact.
 fn rotation(
     reader: &mut Reader,
     value: Value<'_>,

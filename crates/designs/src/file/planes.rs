@@ -34,7 +34,7 @@ pub fn planes(
     )
 }
 
-/// A plane: four numbers or a name.
+/// Returns a plane: four numbers or a name.
 pub fn plane(reader: &mut Reader, value: Value<'_>, known: &Named<[f64; 4]>) -> Option<[f64; 4]> {
     if let DeValue::String(_) = value.get_ref() {
         return reader.named(value, "plane", known).copied();
@@ -42,7 +42,7 @@ pub fn plane(reader: &mut Reader, value: Value<'_>, known: &Named<[f64; 4]>) -> 
     reader.numbers(value, PLANE)
 }
 
-/// A plane through three points, or through one with a normal.
+/// Returns a plane through three points, or through one with a normal.
 fn constructed(reader: &mut Reader, value: Value<'_>, points: &Named<Point>) -> Option<[f64; 4]> {
     let mut entries = reader.entries(value, "a plane", keys::PLANE)?;
     let span = entries.span.clone();
@@ -75,7 +75,7 @@ fn constructed(reader: &mut Reader, value: Value<'_>, points: &Named<Point>) -> 
     Some([p, q, r, dot(&normal, &at)])
 }
 
-/// Two planes that cut rulings.
+/// Returns two planes that cut rulings.
 pub fn pair(
     reader: &mut Reader,
     value: Value<'_>,
@@ -92,7 +92,7 @@ pub fn pair(
     }
 }
 
-/// A list of control planes.
+/// Returns a list of control planes.
 pub fn list(
     reader: &mut Reader,
     value: Value<'_>,
@@ -166,7 +166,7 @@ fn family(
     accepted(reader, &span, made)
 }
 
-/// The family that continues another as the entries `join`, `beta`, `scale` and `free` say.
+/// Returns the family that continues another as the entries `join`, `beta`, `scale` and `free` say.
 pub fn continued(
     reader: &mut Reader,
     entries: &mut Entries<'_>,

@@ -16,7 +16,7 @@ use torse_syntax::formula::ast::Place;
 use torse_syntax::formula::parse;
 use torse_syntax::similar::similar;
 
-/// What the geometry made, or its objection at this place.
+/// Returns what the geometry made, or its objection at this place.
 pub fn accepted<T>(
     reader: &mut Reader,
     span: &Range<usize>,
@@ -75,25 +75,25 @@ pub struct Entries<'s> {
 }
 
 impl<'s> Entries<'s> {
-    /// The value of a key, if it is there.
+    /// Returns the value of a key, if it is there.
     pub fn take(&mut self, key: &str) -> Option<Value<'s>> {
         let index = self.left.iter().position(|(name, _, _)| name == key)?;
         Some(self.left.remove(index).2)
     }
 
-    /// Whether a key is there.
+    /// Returns whether a key is there.
     pub fn has(&self, key: &str) -> bool {
         self.left.iter().any(|(name, _, _)| name == key)
     }
 
-    /// All that is left, in the order of the file.
+    /// Returns all that is left, in the order of the file.
     pub fn rest(self) -> Vec<(String, Range<usize>, Value<'s>)> {
         self.left
     }
 }
 
 impl Reader {
-    /// A reader of this text.
+    /// Returns a reader of this text.
     pub fn new(source: Arc<Source>) -> Self {
         Self {
             source,
@@ -148,7 +148,7 @@ impl Reader {
         self.mistakes.push((start, error));
     }
 
-    /// The entries of a table; keys that are not among the known ones are mistakes.
+    /// Returns the entries of a table; keys that are not among the known ones are mistakes.
     pub fn entries<'s>(
         &mut self,
         value: Value<'s>,
@@ -173,7 +173,7 @@ impl Reader {
         Some(Entries { left, ..entries })
     }
 
-    /// The entries of a table with names of the author.
+    /// Returns the entries of a table with names of the author.
     pub fn table<'s>(&mut self, value: Value<'s>, what: &str) -> Option<Entries<'s>> {
         let span = value.span();
         match value.into_inner() {
@@ -190,7 +190,7 @@ impl Reader {
         }
     }
 
-    /// The items of a list of at least `least` and at most `most` items.
+    /// Returns the items of a list of at least `least` and at most `most` items.
     pub fn list<'s>(
         &mut self,
         value: Value<'s>,
@@ -223,7 +223,7 @@ impl Reader {
         None
     }
 
-    /// A string.
+    /// Returns a string.
     pub fn text(&mut self, value: Value<'_>, what: &str) -> Option<(String, Range<usize>)> {
         let span = value.span();
         match value.into_inner() {
@@ -257,7 +257,7 @@ impl Reader {
         }
     }
 
-    /// One of a few words.
+    /// Returns one of a few words.
     pub fn word<T: Copy>(
         &mut self,
         value: Value<'_>,
@@ -274,7 +274,7 @@ impl Reader {
         found.map(|(_, meaning)| *meaning)
     }
 
-    /// A number, or a formula for one.
+    /// Returns a number, or a formula for one.
     pub fn number(&mut self, value: Value<'_>, dimension: NumberKind) -> Option<f64> {
         let span = value.span();
         let number = self.exact(value)?;
@@ -290,7 +290,7 @@ impl Reader {
         double
     }
 
-    /// A number exactly as it stands in the file; one that is only enclosed is rounded to f64 first.
+    /// Returns a number exactly as it stands in the file; one that is only enclosed is rounded to f64 first.
     pub fn rational(&mut self, value: Value<'_>, dimension: NumberKind) -> Option<Rational> {
         let span = value.span();
         let number = self.exact(value)?;
@@ -309,7 +309,7 @@ impl Reader {
         }
     }
 
-    /// A number in a range, which is told when it is missed.
+    /// Returns a number in a range, which is told when it is missed.
     pub fn number_in(
         &mut self,
         value: Value<'_>,
@@ -377,7 +377,7 @@ impl Reader {
             .ok()
     }
 
-    /// What is said of a formula that is a number and a unit of length: `2 mm`.
+    /// Returns what is said of a formula that is a number and a unit of length: `2 mm`.
     fn unit_help(&self, text: &str) -> Option<String> {
         let text = text.trim();
         let value = text.trim_end_matches(char::is_alphabetic);
@@ -399,7 +399,7 @@ impl Reader {
         ))
     }
 
-    /// The value of a formula; `Err(None)` when it leans on a constant that was complained about.
+    /// Returns the value of a formula; `Err(None)` when it leans on a constant that was complained about.
     fn value_of(
         &mut self,
         origin: &Origin,
@@ -431,7 +431,7 @@ impl Reader {
         result.map_err(|fault| Some(Box::new(explained(fault, origin))))
     }
 
-    /// The value of a constant: `None` when there is none of this name, `Some(None)` when it is wrong.
+    /// Returns the value of a constant: `None` when there is none of this name, `Some(None)` when it is wrong.
     fn constant(&mut self, name: &str, depth: usize) -> Option<Option<Number>> {
         if let Some(known) = self.values.get(name) {
             return Some(known.clone());
@@ -451,7 +451,7 @@ impl Reader {
         Some(known.clone())
     }
 
-    /// The names under `[let]`.
+    /// Returns the names under `[let]`.
     pub fn names(&self) -> Vec<String> {
         self.constants.keys().cloned().collect()
     }
@@ -506,7 +506,7 @@ impl Reader {
         }
     }
 
-    /// A thing of this name among those read so far; `None` also for one that was complained about.
+    /// Returns a thing of this name among those read so far; `None` also for one that was complained about.
     pub fn named<'t, T>(
         &mut self,
         value: Value<'_>,
@@ -574,7 +574,7 @@ fn explained(fault: Fault, origin: &Origin) -> DerivationError {
     }
 }
 
-/// The entries of a table in the order of the file.
+/// Returns the entries of a table in the order of the file.
 pub fn ordered(table: DeTable<'_>) -> Vec<(String, Range<usize>, Value<'_>)> {
     let mut list: Vec<_> = table
         .into_iter()
@@ -587,7 +587,7 @@ pub fn ordered(table: DeTable<'_>) -> Vec<(String, Range<usize>, Value<'_>)> {
     list
 }
 
-/// What a value is, with the value itself where it is short.
+/// Returns what a value is, with the value itself where it is short.
 fn kind(value: &DeValue<'_>) -> String {
     let short = |text: &str| {
         let end = text.char_indices().nth(40).map_or(text.len(), |(i, _)| i);
@@ -604,7 +604,7 @@ fn kind(value: &DeValue<'_>) -> String {
     }
 }
 
-/// The number that a TOML number says: digits, point, exponent.
+/// Returns the number that a TOML number says: digits, point, exponent.
 fn decimal(text: &str) -> Option<Rational> {
     let (negative, text) = match text.strip_prefix('-') {
         Some(rest) => (true, rest),

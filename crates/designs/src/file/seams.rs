@@ -1,7 +1,7 @@
 //! Which edges meet.
 
 use super::MAX_THINGS;
-use super::patches::Group;
+use super::patches::PatchGroup;
 use super::reader::{Named, NumberKind, Reader, Value};
 use crate::design::Patch;
 use crate::seams::{EdgeName, PatchEdge, Seam};
@@ -10,7 +10,7 @@ pub fn seams(
     reader: &mut Reader,
     section: Option<Value<'_>>,
     patches: &Named<Patch>,
-    groups: &[Group],
+    groups: &[PatchGroup],
 ) -> Vec<Seam> {
     let items = section.and_then(|value| reader.list(value, "seams", [0, MAX_THINGS]));
     let mut seams = Vec::new();
@@ -34,12 +34,12 @@ pub fn seams(
     seams
 }
 
-/// An edge by its name: `patch.first`.
+/// Returns an edge by its name: `patch.first`.
 fn edge(
     reader: &mut Reader,
     value: Value<'_>,
     patches: &Named<Patch>,
-    groups: &[Group],
+    groups: &[PatchGroup],
 ) -> Option<EdgeName> {
     let (text, span) = reader.text(value, "the name of an edge")?;
     let Some((owner, edge)) = text.rsplit_once('.') else {

@@ -61,7 +61,7 @@ const STANDARDS: [(&str, &NeutralLine); 1] = [("DIN 6935", &NeutralLine::Din6935
 /// The most rows of a table of K-factors.
 const MAX_K_ROWS: usize = 64;
 
-/// The neutral line: a K-factor, a standard, or a table of inside radius over thickness and K-factor.
+/// Returns the neutral line: a K-factor, a standard, or a table of inside radius over thickness and K-factor.
 fn neutral(reader: &mut Reader, value: Value<'_>) -> Option<NeutralLine> {
     let share = |k: f64| (0.0..=1.0).contains(&k);
     let span = value.span();
@@ -91,7 +91,7 @@ fn neutral(reader: &mut Reader, value: Value<'_>) -> Option<NeutralLine> {
     }
 }
 
-/// What it is made of, and how its blanks are found.
+/// Returns what it is made of, and how its blanks are found.
 pub fn metal(
     reader: &mut Reader,
     section: Option<Value<'_>>,

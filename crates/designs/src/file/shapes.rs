@@ -4,7 +4,7 @@ use super::reader::{Entries, NumberKind, Reader, Value, accepted};
 use toml::de::DeValue;
 use torse_geometry::basis::BasisShape;
 
-/// The shape parameters, if any; `None` when they are wrong.
+/// Returns the shape parameters, if any; `None` when they are wrong.
 #[allow(clippy::option_option, reason = "wrong is not missing")]
 pub fn shape(reader: &mut Reader, entries: &mut Entries<'_>) -> Option<Option<BasisShape<f64>>> {
     match entries.take("shape") {

@@ -13,7 +13,7 @@ use torse_geometry::curve::{
 use torse_geometry::prelude::{PiecewiseRail, Point};
 use torse_numbers::rational::{Rational, integer};
 
-/// Points with exact coordinates, in millimetres.
+/// Returns points with exact coordinates, in millimetres.
 fn exact_points(
     reader: &mut Reader,
     value: Value<'_>,
@@ -148,12 +148,12 @@ pub fn through(
 ) -> Option<PiecewiseRail> {
     let place = value.span();
     let through = plain_points(reader, value, points, 2);
-    let how = How::read(reader, entries, points);
+    let how = InterpolationConditions::read(reader, entries, points);
     how?.interpolated(reader, &place, &through?)
 }
 
 /// How a spline goes through its points.
-pub struct How {
+pub struct InterpolationConditions {
     spacing: Spacing,
     /// None of a closed spline.
     ends: Option<[EndCondition; 2]>,
@@ -166,8 +166,8 @@ enum EndWord {
     Closed,
 }
 
-impl How {
-    /// The entries `ends` and `spacing`.
+impl InterpolationConditions {
+    /// Returns the entries `ends` and `spacing`.
     pub fn read(
         reader: &mut Reader,
         entries: &mut Entries<'_>,
@@ -205,7 +205,7 @@ impl How {
         })
     }
 
-    /// The spline.
+    /// Returns the spline.
     pub fn interpolated(
         &self,
         reader: &mut Reader,

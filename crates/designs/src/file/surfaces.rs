@@ -123,7 +123,7 @@ fn surface(
     })
 }
 
-/// The degrees of a net in both directions.
+/// Returns the degrees of a net in both directions.
 fn degrees(reader: &mut Reader, value: Value<'_>) -> Option<(usize, usize)> {
     let place = value.span();
     let both = reader.numbers(value, [NumberKind::None; 2])?;
@@ -169,7 +169,7 @@ fn curves(
     }
 }
 
-/// A curve without weights: tensor products have none.
+/// Returns a curve without weights: tensor products have none.
 fn plain(rail: &Rail) -> Result<&SpaceCurve, GeometryError> {
     match rail.curve() {
         RailCurve::Plain(curve) => Ok(curve),
@@ -184,12 +184,12 @@ fn plain(rail: &Rail) -> Result<&SpaceCurve, GeometryError> {
     }
 }
 
-/// Two coordinates of a curve.
+/// Returns two coordinates of a curve.
 fn flat(rail: &Rail, [i, j]: [usize; 2]) -> Result<PlaneCurve, GeometryError> {
     Ok(plain(rail)?.mapped(|p| [p[i], p[j]]))
 }
 
-/// A profile `[x, z]` that swings along a trajectory `[x, y]`.
+/// Returns a profile `[x, z]` that swings along a trajectory `[x, y]`.
 fn swung(profile: &Rail, trajectory: &Rail, factor: f64) -> Result<Tensor, GeometryError> {
     TensorSurface::swung(&flat(profile, [0, 2])?, &flat(trajectory, [0, 1])?, &factor)
 }
@@ -206,7 +206,7 @@ fn swept_by(
     TensorSurface::swept_by(plain(section)?, plain(trajectory)?, matrices)
 }
 
-/// A profile `[x, z]` turned about the z axis: a tensor product for each quarter.
+/// Returns a profile `[x, z]` turned about the z axis: a tensor product for each quarter.
 fn turned(profile: &Rail) -> Result<Vec<Tensor>, GeometryError> {
     let quarters = TensorSurface::quarter_turns(&flat(profile, [0, 2])?)?;
     let plain = quarters.iter().map(|quarter| {

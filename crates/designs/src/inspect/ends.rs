@@ -24,14 +24,15 @@ pub(super) struct Judged {
 pub(super) enum EndsJudged {
     /// None was.
     All,
-    /// They are regular but for the special rulings, and tangent planes turn along a ruling by this angle at most, in radians.
+    /// They are regular but for the special rulings, and tangent planes turn along a ruling by this angle at most, in
+    /// radians.
     Proved(f64),
     /// Nothing.
     Open,
 }
 
-/// The sheet whose regularity is that of a patch without its apex and without the rulings at its ends that have no normal
-/// by their kind; these ends are proved apart, where there is a budget for proofs.
+/// Returns the sheet whose regularity is that of a patch without its apex and without the rulings at its ends that have
+/// no normal by their kind; these ends are proved apart, where there is a budget for proofs.
 pub(super) fn judged(sheet: &Sheet, proofs: bool) -> Result<Judged, GeometryError> {
     let mut notes = Vec::new();
     let whole = sheet.away_from_apex().unwrap_or_else(|| sheet.clone());
@@ -78,8 +79,8 @@ pub(super) fn judged(sheet: &Sheet, proofs: bool) -> Result<Judged, GeometryErro
     Ok(Judged { sheet, notes, ends })
 }
 
-/// Of a developable between two curves the edge, 1 or 2, that has no speed at its first or last ruling: that of a curve that
-/// begins without curvature.
+/// Of a developable between two curves the edge, 1 or 2, that has no speed at its first or last ruling: that of a curve
+/// that begins without curvature.
 fn pivot(sheet: &Sheet, u: f64) -> Result<Option<usize>, GeometryError> {
     let whole = match sheet.construction() {
         Construction::Part(part) => part.whole(),

@@ -1,7 +1,7 @@
 //! Joints: how the end of a patch meets the next one.
 //!
-//! Two things are told apart. The *seam* is what lies there: how far apart the ends of the rulings are, by which angle the
-//! sheet is folded. The *contact* is that of what the patches are made from: of families of planes the order to
+//! Two things are told apart. The *seam* is what lies there: how far apart the ends of the rulings are, by which angle
+//! the sheet is folded. The *contact* is that of what the patches are made from: of families of planes the order to
 //! which they agree up to a change of parameter (with its beta values) and a factor, of rails the same. Families that
 //! agree to any order touch along the common ruling, but say nothing about the side on which each sheet grows away from
 //! it: a sheet that folds back on the other has a fold of 180 degrees, and no contact above position.
@@ -52,7 +52,7 @@ pub fn joints(design: &Design, missed: &mut Vec<String>) -> Result<Vec<JointRepo
     let mut reports = Vec::new();
     for chain in &design.chains {
         for [first, second] in pairs(design, chain) {
-            let seam = seam(first, second).map_err(|reason| DesignError::Patch {
+            let seam = nearest_ends(first, second).map_err(|reason| DesignError::Patch {
                 patch: second.name.clone(),
                 reason,
             })?;
@@ -82,7 +82,7 @@ fn pairs<'d>(design: &'d Design, chain: &Chain) -> Vec<[&'d Patch; 2]> {
 
 /// The end of a patch: which, and what is there.
 #[derive(Debug, Clone, Copy)]
-struct End {
+struct PatchEnd {
     /// Whether it is the last ruling.
     last: bool,
     /// Its ends.
@@ -93,23 +93,23 @@ struct End {
 
 /// Where two patches meet.
 #[derive(Debug, Clone, Copy)]
-struct Seam {
+struct FacingEnds {
     /// The end of the first and of the second.
-    ends: [End; 2],
+    ends: [PatchEnd; 2],
     /// Whether the first rail of the one meets the second of the other.
     crossed: bool,
     /// The larger distance of ends of rulings.
     gap: f64,
 }
 
-impl End {
+impl PatchEnd {
     fn new(sheet: &Sheet, last: bool) -> Result<Self, GeometryError> {
         let x = if last { 1.0 } else { 0.0 };
         let rails = sheet.ends_and_slopes(&x)?;
         let points = rails.map(|[point, _]| point);
         let ruling = sub(&points[1], &points[0]);
         let speeds = rails.map(|[_, slope]| norm(&slope));
-        // What an edge that stands still does is rounding.
+        // The slope of an edge that stands still is rounding error.
         let normal = |[_, slope]: [Point; 2]| {
             let moves = norm(&slope) > super::ends::STILL * speeds[0].max(speeds[1]);
             moves.then(|| torse_geometry::vector::unit(&cross(&slope, &ruling)))?
@@ -121,8 +121,8 @@ impl End {
         })
     }
 
-    /// At both ends the cross product of the direction in which one who walks `into` the patch (or out of it) leaves the
-    /// ruling, with the ruling from the first end to the second; an apex takes that of the other end.
+    /// Returns, at both ends of the ruling `r`, the normal `d x r`, where `d` points into the patch (if `into`) or out
+    /// of it. An apex takes the normal of the other end.
     fn growth(&self, into: bool) -> [Option<Point>; 2] {
         let forward = into != self.last;
         let [p, q] = self
@@ -132,27 +132,27 @@ impl End {
     }
 }
 
-/// The nearest ends of two patches: the end of the first and the start of the second before all others.
-fn seam(first: &Patch, second: &Patch) -> Result<Seam, GeometryError> {
-    let ends = |patch: &Patch| -> Result<[End; 2], GeometryError> {
+/// Returns the nearest ends of two patches: the end of the first and the start of the second before all others.
+fn nearest_ends(first: &Patch, second: &Patch) -> Result<FacingEnds, GeometryError> {
+    let ends = |patch: &Patch| -> Result<[PatchEnd; 2], GeometryError> {
         Ok([
-            End::new(&patch.sheet, true)?,
-            End::new(&patch.sheet, false)?,
+            PatchEnd::new(&patch.sheet, true)?,
+            PatchEnd::new(&patch.sheet, false)?,
         ])
     };
     let [one, other] = ends(first)?;
     let [far, near] = ends(second)?;
-    let mut best: Option<Seam> = None;
+    let mut best: Option<FacingEnds> = None;
     for (a, b) in [(one, near), (other, near), (one, far), (other, far)] {
         for crossed in [false, true] {
             let [p, q] = b.points;
-            let there = if crossed { [q, p] } else { [p, q] };
-            let away = |i: usize| norm(&sub(&a.points[i], &there[i]));
+            let facing_points = if crossed { [q, p] } else { [p, q] };
+            let away = |i: usize| norm(&sub(&a.points[i], &facing_points[i]));
             let gap = away(0).max(away(1));
             // What is as near up to rounding is no better.
             if best.is_none_or(|best| gap < 0.999 * best.gap - 1e-12) {
                 let ends = [a, b];
-                best = Some(Seam { ends, crossed, gap });
+                best = Some(FacingEnds { ends, crossed, gap });
             }
         }
     }
@@ -162,10 +162,10 @@ fn seam(first: &Patch, second: &Patch) -> Result<Seam, GeometryError> {
     })
 }
 
-/// Whether the side from which a patch is seen changes at the joint with the next: when the same ends meet, or the first
-/// rail of the one meets the second of the other, but not both.
-pub(crate) fn joint_of(first: &Patch, second: &Patch) -> Result<bool, GeometryError> {
-    let seam = seam(first, second)?;
+/// Returns whether the side from which a patch is seen changes at the joint with the next: when the same ends meet, or
+/// the first rail of the one meets the second of the other, but not both.
+pub(crate) fn side_changes_at_joint(first: &Patch, second: &Patch) -> Result<bool, GeometryError> {
+    let seam = nearest_ends(first, second)?;
     let [a, b] = seam.ends;
     Ok((a.last == b.last) != seam.crossed)
 }
@@ -174,7 +174,7 @@ fn report(
     design: &Design,
     chain: &Chain,
     [first, second]: [&Patch; 2],
-    seam: &Seam,
+    seam: &FacingEnds,
 ) -> JointReport {
     let [a, b] = seam.ends;
     let (own, mut other) = (a.growth(false), b.growth(true));
@@ -243,10 +243,10 @@ impl Contact {
     }
 }
 
-fn contact(first: &Patch, second: &Patch, seam: &Seam, tolerance: f64) -> Contact {
+fn contact(first: &Patch, second: &Patch, seam: &FacingEnds, tolerance: f64) -> Contact {
     let [a, b] = seam.ends;
     // A trimmed end is not the end of what the patch is made from.
-    let untrimmed = |patch: &Patch, end: End| {
+    let untrimmed = |patch: &Patch, end: PatchEnd| {
         let [from, to] = patch.ends.part;
         if end.last { to == 1.0 } else { from == 0.0 }
     };
@@ -318,12 +318,12 @@ fn contact(first: &Patch, second: &Patch, seam: &Seam, tolerance: f64) -> Contac
     }
 }
 
-/// The largest difference of curvatures across the ruling, as a share; `None` where there are none.
-fn curvatures(patches: [&Patch; 2], seam: &Seam) -> Option<f64> {
+/// Returns the largest difference of curvatures across the ruling, as a share; `None` where there are none.
+fn curvatures(patches: [&Patch; 2], seam: &FacingEnds) -> Option<f64> {
     let mut worst = 0.0_f64;
     for v in [0.25, 0.5, 0.75] {
         let at = |k: usize| {
-            let (patch, end): (&Patch, End) = (patches[k], seam.ends[k]);
+            let (patch, end): (&Patch, PatchEnd) = (patches[k], seam.ends[k]);
             let v = if k == 1 && seam.crossed { 1.0 - v } else { v };
             let principal = patch
                 .sheet
@@ -346,7 +346,7 @@ fn curvatures(patches: [&Patch; 2], seam: &Seam) -> Option<f64> {
     Some(worst)
 }
 
-/// What of the demands on a joint is missed.
+/// Returns what of the demands on a joint is missed.
 fn objection(design: &Design, chain: &Chain, report: &JointReport) -> Option<String> {
     let limits = &design.tolerances;
     let [first, second] = &report.patches;
@@ -381,7 +381,7 @@ fn objection(design: &Design, chain: &Chain, report: &JointReport) -> Option<Str
 }
 
 impl JointReport {
-    /// The continuity in a word or two: `G2, C1`.
+    /// Returns the continuity in a word or two: `G2, C1`.
     #[must_use]
     pub fn smoothness(&self) -> String {
         match (self.geometric, self.parametric) {

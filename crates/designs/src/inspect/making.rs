@@ -6,7 +6,7 @@ use crate::error::{DesignError, Ending};
 use crate::unroll::{Demand, parts, unroll};
 use torse_geometry::pattern::PatternError;
 
-/// Whether two patches do not meet: that is said of their joint.
+/// Returns whether two patches do not meet: that is said of their joint.
 fn is_joint(error: &DesignError) -> bool {
     let DesignError::Unroll { reason, .. } = error else {
         return false;
@@ -14,8 +14,8 @@ fn is_joint(error: &DesignError) -> bool {
     matches!(reason, PatternError::NoCommonRuling { .. })
 }
 
-/// What is said of pieces that cannot be cut: what `unroll` refuses them with. Of a piece with a patch that is found not
-/// to be developable, or to be singular, that is said already.
+/// Returns what is said of pieces that cannot be cut: what `unroll` refuses them with. Of a piece with a patch that is
+/// found not to be developable, or to be singular, that is said already.
 pub(super) fn unmade(design: &Design, patches: &[PatchReport], demand: &Demand) -> Vec<String> {
     let sound = |index: &usize| {
         let report = patches.get(*index);

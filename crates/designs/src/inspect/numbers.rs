@@ -1,6 +1,7 @@
-//! Numbers as people write them.
+//! Numbers in tables and messages.
 
-/// A number with four digits, as people write it.
+/// Writes a number briefly: with at most three decimals, from 1000 on as an integer, below 0.001 and from a million on
+/// with an exponent; sizes below 1e-12 as 0.
 pub fn number(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || size < 1e-12 {
@@ -19,14 +20,10 @@ pub fn number(value: f64) -> String {
     } else {
         3
     };
-    let text = format!("{value:.decimals$}");
-    if text.contains('.') {
-        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
-    }
-    text
+    without_trailing_zeros(&format!("{value:.decimals$}"))
 }
 
-/// A number with three digits that is not below the value.
+/// Returns a number with three digits that is not below the value.
 pub fn at_most(value: f64) -> String {
     if value <= 0.0 || !value.is_finite() {
         return number(value);
@@ -38,12 +35,19 @@ pub fn at_most(value: f64) -> String {
         let digits = (2.0 - exponent).clamp(0.0, 6.0);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let text = format!("{rounded:.*}", digits as usize);
-        if text.contains('.') {
-            return text.trim_end_matches('0').trim_end_matches('.').to_owned();
-        }
-        return text;
+        return without_trailing_zeros(&text);
     }
     format!("{rounded:.2e}")
+}
+
+/// Returns a number without zeros at the end of its decimals, and without the sign of a zero.
+pub(crate) fn without_trailing_zeros(text: &str) -> String {
+    let short = match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.'),
+        false => text,
+    };
+    let zero = short == "-0";
+    if zero { "0" } else { short }.to_owned()
 }
 
 #[cfg(test)]

@@ -24,8 +24,8 @@ pub struct SeamReport {
     pub difference: f64,
     /// By how much the lengths may be off, as a finer measurement shows.
     pub length_error: f64,
-    /// The largest distance in space of points at equal shares of both lengths, the second edge passed as fits better, and
-    /// the share at which it is.
+    /// The largest distance in space of points at equal shares of both lengths, the second edge passed as fits better,
+    /// and the share at which it is.
     pub apart: [f64; 2],
     /// Whether the second edge was passed backwards for that.
     pub backwards: bool,
@@ -73,8 +73,8 @@ struct Passed {
 fn measured(design: &Design, Seam { edges, ease }: &Seam) -> Result<SeamReport, GeometryError> {
     let [one, other] = [passed(design, &edges[0])?, passed(design, &edges[1])?];
     let distance = |share: f64, back: bool| {
-        let there = if back { 1.0 - share } else { share };
-        norm(&sub(&one.at(share), &other.at(there)))
+        let other_share = if back { 1.0 - share } else { share };
+        norm(&sub(&one.at(share), &other.at(other_share)))
     };
     let shares = || (0..=PLACES).map(|k| f64::from(k) / f64::from(PLACES));
     let farthest = |back: bool| {
@@ -98,7 +98,7 @@ fn measured(design: &Design, Seam { edges, ease }: &Seam) -> Result<SeamReport, 
     })
 }
 
-/// Whether the second edge of a seam runs against the first, as its places in space show.
+/// Returns whether the second edge of a seam runs against the first, as its places in space show.
 pub fn is_passed_backwards(design: &Design, seam: &Seam) -> Result<bool, GeometryError> {
     measured(design, seam).map(|report| report.backwards)
 }
@@ -153,7 +153,7 @@ fn passed(design: &Design, edge: &EdgeName) -> Result<Passed, GeometryError> {
 }
 
 impl Passed {
-    /// The point at a share of the length.
+    /// Returns the point at a share of the length.
     fn at(&self, share: f64) -> Point {
         let whole = self.lengths.last().copied().unwrap_or(0.0);
         let wanted = share * whole;

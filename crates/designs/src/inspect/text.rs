@@ -9,9 +9,9 @@ use crate::covers::{CoveringStrip, SurfaceCover};
 /// The widest line.
 const WIDTH: usize = 100;
 /// The longest name that is shown whole.
-const LONGEST_NAME: usize = 22;
+const MAX_NAME_CHARS: usize = 22;
 
-/// The report for people.
+/// Returns the report for people.
 #[must_use]
 pub fn table(report: &DesignReport) -> String {
     let mut text = format!(
@@ -183,7 +183,7 @@ fn surface(surface: &SurfaceReport) -> Vec<String> {
     ]
 }
 
-/// The strips of a cover.
+/// Returns the strips of a cover.
 fn strips(cover: &SurfaceCover) -> String {
     let across = if cover.along == "u" { "v" } else { "u" };
     let row = |strip: &CoveringStrip| {
@@ -240,10 +240,10 @@ fn joint(joint: &JointReport) -> Vec<String> {
 
 fn shortened(name: &str) -> String {
     let count = name.chars().count();
-    if count <= LONGEST_NAME {
+    if count <= MAX_NAME_CHARS {
         return name.to_owned();
     }
-    let kept: String = name.chars().take(LONGEST_NAME - 1).collect();
+    let kept: String = name.chars().take(MAX_NAME_CHARS - 1).collect();
     kept + "…"
 }
 
@@ -281,13 +281,13 @@ pub fn columns(heads: &[&str], rows: &[Vec<String>]) -> String {
     text
 }
 
-/// What is said of a tolerance that is missed, in lines of at most 100 columns.
+/// Returns what is said of a tolerance that is missed, in lines of at most 100 columns.
 #[must_use]
 pub fn missed_line(reason: &str) -> String {
     wrapped("missed: ", reason)
 }
 
-/// A paragraph in lines of at most [`WIDTH`], after a label, indented under it.
+/// Returns a paragraph in lines of at most [`WIDTH`], after a label, indented under it.
 pub fn wrapped(label: &str, text: &str) -> String {
     let indent = label.chars().count().min(WIDTH / 2);
     let mut lines = String::from(label);

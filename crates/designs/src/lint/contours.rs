@@ -1,7 +1,7 @@
 //! From lines to contours: what is joined end to end, and what stays open.
 
 use super::trace::Traced;
-use crate::polygon::{hull, is_within};
+use crate::polygon::{chord_points, distance, hull, is_within};
 use std::collections::BTreeMap;
 use torse_geometry::pattern::Segment;
 
@@ -35,7 +35,7 @@ pub(super) struct LooseEnd {
 const SAME_CIRCLE: f64 = 1e-9;
 
 impl Contour {
-    /// The diameter of a contour that is a circle.
+    /// Returns the diameter of a contour that is a circle.
     pub(super) fn diameter(&self) -> Option<f64> {
         let mut circles = self.segments.iter().map(Segment::circle);
         let (centre, radius) = circles.next()??;
@@ -48,18 +48,15 @@ impl Contour {
         circles.all(same).then_some(2.0 * radius)
     }
 
-    /// The contour as a polygon.
+    /// Returns the contour as a polygon.
     pub(super) fn polygon(&self) -> Vec<[f64; 2]> {
         let each = self.segments.iter();
-        let points = each.flat_map(|segment| {
-            let steps = if segment.is_line() { 1 } else { ARC_POINTS };
-            (0..steps).map(move |k| segment.point(f64::from(k) / f64::from(steps)))
-        });
-        points.collect()
+        each.flat_map(|segment| chord_points(segment, ARC_POINTS))
+            .collect()
     }
 }
 
-/// The contours of the curves that are cut, and the ends that are left over.
+/// Returns the contours of the curves that are cut, and the ends that are left over.
 pub(super) fn contours(curves: &[Traced], within: f64) -> (Vec<Contour>, Vec<LooseEnd>) {
     let mut found = Vec::new();
     // Ends of open curves: the curve, and whether it is its last end.
@@ -152,7 +149,7 @@ pub(super) fn contours(curves: &[Traced], within: f64) -> (Vec<Contour>, Vec<Loo
     (found, loose)
 }
 
-/// The contour of curves one after the other, each entered at an end.
+/// Returns the contour of curves one after the other, each entered at an end.
 fn joined(curves: &[Traced], ends: &[([f64; 2], usize, bool)], chain: &[usize]) -> Contour {
     let mut contour = Contour {
         curves: Vec::new(),
@@ -180,11 +177,7 @@ fn joined(curves: &[Traced], ends: &[([f64; 2], usize, bool)], chain: &[usize]) 
     contour
 }
 
-pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    libm::hypot(a[0] - b[0], a[1] - b[1])
-}
-
-/// Points by the groups of those that are no farther from one another than this, and how many groups there are.
+/// Returns points by the groups of those that are no farther from one another than this, and how many groups there are.
 fn grouped(points: &[[f64; 2]], within: f64) -> (Vec<usize>, usize) {
     #[allow(clippy::cast_possible_truncation)]
     let cell = |c: f64| (c / within).floor().clamp(-9e15, 9e15) as i64;
@@ -210,7 +203,7 @@ fn grouped(points: &[[f64; 2]], within: f64) -> (Vec<usize>, usize) {
     (groups, count)
 }
 
-/// The smallest distance between two parallel lines with a polygon between them.
+/// Returns the smallest distance between two parallel lines with a polygon between them.
 pub(super) fn least_width(polygon: &[[f64; 2]]) -> f64 {
     let hull = hull(polygon.to_vec());
     let sides = hull.iter().zip(hull.iter().cycle().skip(1));

@@ -1,11 +1,12 @@
 //! Rule by rule: what is found, and where.
 
-use super::contours::{Contour, LooseEnd, contours, distance, least_width};
+use super::contours::{Contour, LooseEnd, contours, least_width};
 use super::pairs::{Chord, chords, for_pairs, meetings, shared};
-use super::rules::{Check, Rule, Rules};
+use super::rules::{Check, LintRule, LintRules};
 use super::trace::{Traced, traced};
-use super::{Fault, Outcome, RuleRow};
+use super::{RuleFault, RuleOutcome, RuleRow};
 use crate::inspect::number;
+use crate::polygon::distance;
 use torse_exchange::{Imported, UnitSource};
 use torse_geometry::GeometryError;
 use torse_geometry::pattern::Segment;
@@ -29,7 +30,7 @@ const MAX_MEETINGS: usize = 1000;
 /// A drawing that is judged.
 pub(super) struct Judge<'d> {
     found: &'d Imported,
-    rules: &'d Rules,
+    rules: &'d LintRules,
     thickness: Option<f64>,
     curves: Vec<Traced>,
     pub contours: Vec<Contour>,
@@ -59,7 +60,7 @@ impl Finding {
 impl<'d> Judge<'d> {
     pub(super) fn new(
         found: &'d Imported,
-        rules: &'d Rules,
+        rules: &'d LintRules,
         thickness: Option<f64>,
     ) -> Result<Self, GeometryError> {
         let curves = traced(found, rules)?;
@@ -96,8 +97,8 @@ impl<'d> Judge<'d> {
         Some([high[0] - low[0], high[1] - low[1]])
     }
 
-    /// The rules with their outcomes, and all faults.
-    pub(super) fn rules(&self) -> (Vec<RuleRow>, Vec<Fault>) {
+    /// Returns the rules with their outcomes, and all faults.
+    pub(super) fn rules(&self) -> (Vec<RuleRow>, Vec<RuleFault>) {
         let (mut rows, mut faults) = (Vec::new(), Vec::new());
         for rule in &self.rules.rules {
             let findings = self.findings(rule);
@@ -105,9 +106,9 @@ impl<'d> Judge<'d> {
             rows.push(RuleRow {
                 check: rule.check,
                 outcome: match &findings {
-                    None => Outcome::NotJudged,
-                    Some(list) if list.is_empty() => Outcome::Kept,
-                    Some(_) => Outcome::Broken,
+                    None => RuleOutcome::NotJudged,
+                    Some(list) if list.is_empty() => RuleOutcome::Kept,
+                    Some(_) => RuleOutcome::Broken,
                 },
                 faults: count,
                 source: rule.source.clone(),
@@ -117,7 +118,7 @@ impl<'d> Judge<'d> {
                 findings
                     .unwrap_or_default()
                     .into_iter()
-                    .map(|finding| Fault {
+                    .map(|finding| RuleFault {
                         check: rule.check,
                         at: finding.at,
                         place: finding.place,
@@ -131,8 +132,8 @@ impl<'d> Judge<'d> {
         (rows, faults)
     }
 
-    /// What breaks a rule; nothing where it cannot be judged.
-    fn findings(&self, rule: &Rule) -> Option<Vec<Finding>> {
+    /// Returns what breaks a rule; nothing where it cannot be judged.
+    fn findings(&self, rule: &LintRule) -> Option<Vec<Finding>> {
         let least = rule.least(self.thickness);
         if rule.per_thickness.is_some() && least.is_none() {
             return None;
@@ -238,7 +239,7 @@ impl<'d> Judge<'d> {
         found
     }
 
-    /// Lines that lie on lines that are cut, whatever their layer.
+    /// Returns lines that lie on lines that are cut, whatever their layer.
     fn doubled(&self) -> Option<Vec<Finding>> {
         let within = self.rules.joined_within;
         let curves = self.curves.iter().map(|curve| curve.segments.as_slice());
@@ -421,7 +422,7 @@ impl<'d> Judge<'d> {
         found
     }
 
-    fn nodes(&self, rule: &Rule) -> Vec<Finding> {
+    fn nodes(&self, rule: &LintRule) -> Vec<Finding> {
         let most = rule.at_most.unwrap_or(f64::INFINITY);
         let mut found = Vec::new();
         for (index, contour) in self.contours.iter().enumerate() {
@@ -472,7 +473,7 @@ impl<'d> Judge<'d> {
         found
     }
 
-    fn sizes(&self, rule: &Rule) -> Vec<Finding> {
+    fn sizes(&self, rule: &LintRule) -> Vec<Finding> {
         let Some(size) = self.size() else {
             return Vec::new();
         };
@@ -505,8 +506,8 @@ impl<'d> Judge<'d> {
 /// A line or an arc of a curve: the number of the curve, its own there, and itself.
 type Numbered<'s> = (usize, usize, &'s Segment);
 
-/// Calls for each pair of lines and arcs whose boxes are no farther apart than `reach`; false where there were too many to look
-/// at all of them.
+/// Calls for each pair of lines and arcs whose boxes are no farther apart than `reach`; false where there were too many
+/// to look at all of them.
 fn segment_pairs<'s>(
     curves: impl Iterator<Item = &'s [Segment]>,
     reach: f64,
@@ -525,7 +526,7 @@ fn segment_pairs<'s>(
     })
 }
 
-/// The boxes around lines and arcs, as the diagonals that stand for them in the search of pairs.
+/// Returns the boxes around lines and arcs, as the diagonals that stand for them in the search of pairs.
 fn boxes<'s>(segments: impl Iterator<Item = &'s Segment>) -> Vec<Chord> {
     let each = segments.enumerate().map(|(number, segment)| {
         let [from, to] = segment.bounds();
@@ -540,7 +541,7 @@ fn boxes<'s>(segments: impl Iterator<Item = &'s Segment>) -> Vec<Chord> {
     each.collect()
 }
 
-/// The middle of the box around a polygon.
+/// Returns the middle of the box around a polygon.
 fn centre(polygon: &[[f64; 2]]) -> [f64; 2] {
     [0, 1].map(|i| {
         let each = || polygon.iter().map(|point| point[i]);

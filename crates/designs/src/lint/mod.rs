@@ -9,7 +9,7 @@ mod pairs;
 mod rules;
 mod trace;
 
-pub use rules::{Check, Rule, Rules};
+pub use rules::{Check, LintRule, LintRules};
 
 use crate::error::DesignError;
 use crate::inspect::{columns, number, wrapped};
@@ -28,7 +28,7 @@ pub struct LintDemand {
 
 /// A place where a file breaks a rule.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Fault {
+pub struct RuleFault {
     /// The check.
     pub check: Check,
     /// The point in millimetres, where there is one.
@@ -48,7 +48,7 @@ pub struct Fault {
 /// How a rule came out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Outcome {
+pub enum RuleOutcome {
     /// The file keeps it.
     Kept,
     /// The file breaks it.
@@ -63,7 +63,7 @@ pub struct RuleRow {
     /// The check.
     pub check: Check,
     /// How it came out.
-    pub outcome: Outcome,
+    pub outcome: RuleOutcome,
     /// At how many places the file breaks it.
     pub faults: usize,
     /// Who publishes the rule, and where.
@@ -86,22 +86,22 @@ pub struct LintReport {
     /// The rules in the order of their file.
     pub rules: Vec<RuleRow>,
     /// What is wrong, rule by rule.
-    pub faults: Vec<Fault>,
+    pub faults: Vec<RuleFault>,
 }
 
 /// The most faults of one rule that are shown in words.
 const MAX_SHOWN: usize = 10;
 
 impl LintReport {
-    /// Whether no rule is broken.
+    /// Returns whether no rule is broken.
     #[must_use]
     pub fn passes(&self) -> bool {
         self.rules
             .iter()
-            .all(|rule| rule.outcome != Outcome::Broken)
+            .all(|rule| rule.outcome != RuleOutcome::Broken)
     }
 
-    /// The report for people, in lines of at most 100 columns.
+    /// Returns the report for people, in lines of at most 100 columns.
     #[must_use]
     pub fn text(&self) -> String {
         let size = match self.size {
@@ -121,9 +121,9 @@ impl LintReport {
             .iter()
             .map(|rule| {
                 let outcome = match rule.outcome {
-                    Outcome::Kept => "kept".to_owned(),
-                    Outcome::Broken => format!("BROKEN {}", rule.faults),
-                    Outcome::NotJudged => "not judged".to_owned(),
+                    RuleOutcome::Kept => "kept".to_owned(),
+                    RuleOutcome::Broken => format!("BROKEN {}", rule.faults),
+                    RuleOutcome::NotJudged => "not judged".to_owned(),
                 };
                 vec![rule.check.name().to_owned(), outcome, rule.source.clone()]
             })
@@ -183,7 +183,7 @@ impl LintReport {
 pub fn lint(
     name: &str,
     bytes: &[u8],
-    rules: &Rules,
+    rules: &LintRules,
     demand: &LintDemand,
 ) -> Result<LintReport, DesignError> {
     let failed = |reason| DesignError::Listing {

@@ -1,5 +1,7 @@
 //! What two lines of a drawing do to each other: lie on each other, meet, come close.
 
+use crate::polygon::distance;
+use crate::segment_crossings::carrier_crossings;
 use torse_geometry::pattern::Segment;
 
 /// The most pairs that are looked at.
@@ -49,7 +51,7 @@ impl Chord {
         self.from[axis].max(self.to[axis])
     }
 
-    /// The distance from another that it does not cross, and the point where it is.
+    /// Returns the distance from another that it does not cross, and the point where it is.
     pub(super) fn gap(&self, other: &Self) -> (f64, [f64; 2]) {
         let (own, others) = (self.line(), other.line());
         let ends = [
@@ -68,8 +70,8 @@ impl Chord {
     }
 }
 
-/// Calls for each pair of chords whose boxes are no farther apart than `reach`; false where there were too many to look at
-/// all of them.
+/// Calls for each pair of chords whose boxes are no farther apart than `reach`; false where there were too many to look
+/// at all of them.
 pub(super) fn for_pairs(
     chords: &[Chord],
     reach: f64,
@@ -106,7 +108,8 @@ pub(super) fn for_pairs(
 /// Points of an arc that are looked at.
 const SAMPLES: u32 = 64;
 
-/// How long two lines or arcs lie on each other within a distance, and a point of it; nothing where they only touch.
+/// Returns how long two lines or arcs lie on each other within a distance, and a point of it; nothing where they only
+/// touch.
 pub(super) fn shared(a: &Segment, b: &Segment, within: f64) -> Option<(f64, [f64; 2])> {
     // What one shares with the other is seen from the shorter.
     let (short, long) = if a.length() <= b.length() {
@@ -125,25 +128,16 @@ pub(super) fn shared(a: &Segment, b: &Segment, within: f64) -> Option<(f64, [f64
         let point = short.point(share);
         [long.from, long.to]
             .iter()
-            .any(|end| near(*end, point, within))
+            .any(|end| distance(*end, point) <= within)
     };
     let tip = (from <= 0.0 && meets(0.0)) || (to >= 1.0 && meets(1.0));
     let enough = !tip || to - from >= 0.5;
     (enough && length > 4.0 * within).then(|| (length, short.point(0.5 * (from + to))))
 }
 
-fn near(a: [f64; 2], b: [f64; 2], within: f64) -> bool {
-    libm::hypot(a[0] - b[0], a[1] - b[1]) <= within
-}
-
-/// The points, two at most, in which lines and arcs meet that do not lie on each other.
+/// Returns the points, two at most, in which lines and arcs meet that do not lie on each other.
 pub(super) fn meetings(a: &Segment, b: &Segment) -> Vec<[f64; 2]> {
-    let candidates = match (a.circle(), b.circle()) {
-        (None, None) => lines(a, b),
-        (None, Some(circle)) => line_and_circle(a, circle),
-        (Some(circle), None) => line_and_circle(b, circle),
-        (Some(one), Some(other)) => circles(one, other),
-    };
+    let candidates = carrier_crossings(a, b, 0.0, f64::INFINITY);
     let size = a.length().max(b.length()) + libm::hypot(a.from[0], a.from[1]);
     let rounding = 1e-11 * size;
     let on_both =
@@ -151,44 +145,7 @@ pub(super) fn meetings(a: &Segment, b: &Segment) -> Vec<[f64; 2]> {
     candidates.into_iter().filter(on_both).collect()
 }
 
-type Circle = ([f64; 2], f64);
-
-fn lines(a: &Segment, b: &Segment) -> Vec<[f64; 2]> {
-    let way = |s: &Segment| [s.to[0] - s.from[0], s.to[1] - s.from[1]];
-    let ([ax, ay], [bx, by]) = (way(a), way(b));
-    let [cx, cy] = [b.from[0] - a.from[0], b.from[1] - a.from[1]];
-    let share = (cx * by - cy * bx) / (ax * by - ay * bx);
-    if !share.is_finite() {
-        return Vec::new();
-    }
-    vec![[a.from[0] + share * ax, a.from[1] + share * ay]]
-}
-
-fn line_and_circle(line: &Segment, (centre, radius): Circle) -> Vec<[f64; 2]> {
-    let [x, y] = [line.to[0] - line.from[0], line.to[1] - line.from[1]];
-    let length = libm::hypot(x, y);
-    let [ux, uy] = [x / length, y / length];
-    let [dx, dy] = [centre[0] - line.from[0], centre[1] - line.from[1]];
-    let (along, off) = (dx * ux + dy * uy, dx * uy - dy * ux);
-    let half = ((radius - off) * (radius + off)).max(0.0).sqrt();
-    let place = |t: f64| [line.from[0] + t * ux, line.from[1] + t * uy];
-    vec![place(along - half), place(along + half)]
-}
-
-fn circles((a, r): Circle, (b, s): Circle) -> Vec<[f64; 2]> {
-    let [x, y] = [b[0] - a[0], b[1] - a[1]];
-    let apart = libm::hypot(x, y);
-    if apart == 0.0 {
-        return Vec::new();
-    }
-    let along = 0.5 * (apart + (r - s) * (r + s) / apart);
-    let half = ((r - along) * (r + along)).max(0.0).sqrt();
-    let [ux, uy] = [x / apart, y / apart];
-    let place = |h: f64| [a[0] + along * ux - h * uy, a[1] + along * uy + h * ux];
-    vec![place(half), place(-half)]
-}
-
-/// The shares of a line between which it runs along a longer one.
+/// Returns the shares of a line between which it runs along a longer one.
 fn along_line(short: &Segment, long: &Segment, within: f64) -> Option<(f64, f64)> {
     let [x, y] = [0, 1].map(|i| long.to[i] - long.from[i]);
     let length = libm::hypot(x, y);
@@ -210,7 +167,7 @@ fn along_line(short: &Segment, long: &Segment, within: f64) -> Option<(f64, f64)
     (off(from) <= within && off(to) <= within).then_some((from, to))
 }
 
-/// The longest run of equally spaced shares at which something holds.
+/// Returns the longest run of equally spaced shares at which something holds.
 fn longest_run(holds: impl Fn(f64) -> bool) -> Option<(f64, f64)> {
     let mut best: Option<(f64, f64)> = None;
     let mut run: Option<(f64, f64)> = None;

@@ -1,4 +1,4 @@
-//! The rules of bureaus, as data.
+//! The rules of cutting services, as data.
 
 use serde::{Deserialize, Serialize};
 
@@ -35,7 +35,7 @@ pub enum Check {
 }
 
 impl Check {
-    /// The name in rule files.
+    /// Returns the name in rule files.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -59,7 +59,7 @@ impl Check {
 /// A rule and who publishes it.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct Rule {
+pub struct LintRule {
     /// What it looks at.
     pub check: Check,
     /// The least that passes, in millimetres, or a count.
@@ -78,8 +78,9 @@ pub struct Rule {
     pub url: Option<String>,
 }
 
-impl Rule {
-    /// The least that passes for a sheet of this thickness; none where the rule depends on a thickness that is not known.
+impl LintRule {
+    /// Returns the least that passes for a sheet of this thickness; none where the rule depends on a thickness that is
+    /// not known.
     #[must_use]
     pub fn least(&self, thickness: Option<f64>) -> Option<f64> {
         match self.per_thickness {
@@ -92,18 +93,18 @@ impl Rule {
 /// The rules that a file is checked against.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct Rules {
+pub struct LintRules {
     /// Layers that are not cut, in small letters; a star stands for any letters.
     #[serde(default)]
     pub not_cut: Vec<String>,
     /// Ends that are no farther apart are one point, in millimetres.
     pub joined_within: f64,
     /// The rules.
-    pub rules: Vec<Rule>,
+    pub rules: Vec<LintRule>,
 }
 
-impl Rules {
-    /// The rules of a file.
+impl LintRules {
+    /// Returns the rules of a file.
     ///
     /// # Errors
     /// What is wrong with it, in words.
@@ -147,15 +148,15 @@ impl Rules {
         Ok(rules)
     }
 
-    /// The published rules that every worked design keeps.
+    /// Returns the published rules that every worked design keeps.
     ///
     /// # Errors
-    /// As [`Rules::parse`]; a test says that there are none.
+    /// As [`LintRules::parse`]; a test says that there are none.
     pub fn published() -> Result<Self, String> {
         Self::parse(include_str!("rules.toml"))
     }
 
-    /// Whether a layer of this name is cut.
+    /// Returns whether a layer of this name is cut.
     #[must_use]
     pub fn is_cut(&self, layer: &str) -> bool {
         let layer = layer.to_lowercase();

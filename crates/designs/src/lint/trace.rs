@@ -1,6 +1,6 @@
 //! The curves of a drawing as lines and arcs.
 
-use super::rules::Rules;
+use super::rules::LintRules;
 use torse_exchange::{CurveShape, Imported};
 use torse_geometry::Coordinate;
 use torse_geometry::GeometryError;
@@ -33,8 +33,8 @@ impl Traced {
     }
 }
 
-/// The curves of a file that are drawn, not only edges of faces.
-pub(super) fn traced(found: &Imported, rules: &Rules) -> Result<Vec<Traced>, GeometryError> {
+/// Returns the curves of a file that are drawn, not only edges of faces.
+pub(super) fn traced(found: &Imported, rules: &LintRules) -> Result<Vec<Traced>, GeometryError> {
     let mut all = Vec::new();
     for curve in &found.curves {
         let mut traced = Traced {
@@ -86,7 +86,7 @@ fn trace(shape: &CurveShape, traced: &mut Traced) -> Result<(), GeometryError> {
     Ok(())
 }
 
-/// Lines between points of a curve.
+/// Returns lines between points of a curve.
 fn sampled(shape: &CurveShape, traced: &mut Traced) -> Result<(), GeometryError> {
     let rail = shape.rail()?;
     let pieces = u32::try_from(rail.count()).unwrap_or(u32::MAX);
@@ -104,7 +104,7 @@ fn sampled(shape: &CurveShape, traced: &mut Traced) -> Result<(), GeometryError>
     Ok(())
 }
 
-/// The arcs, of half a circle at most, of an arc of a circle in the plane of the drawing.
+/// Returns the arcs, of half a circle at most, of an arc of a circle in the plane of the drawing.
 fn circular(arc: &torse_geometry::curve::EllipticHelix) -> Option<Vec<Segment>> {
     let [cosine, sine] = arc.axes();
     let lengths = [cosine, sine].map(torse_geometry::vector::norm);

@@ -4,14 +4,15 @@ use super::FlatPiece;
 use super::blank::Blank;
 use super::position;
 use crate::design::Design;
+use crate::polygon::chord_points;
 use crate::seams::PatchEdge;
 use torse_geometry::pattern::Segment;
 
 /// Points of an edge that stand for an arc of it.
 const ARC_POINTS: u32 = 8;
 
-/// The allowance of each segment of the outline of a blank: that of the edge on which its middle lies. `None` where no edge has
-/// one.
+/// Returns the allowance of each segment of the outline of a blank: that of the edge on which its middle lies. `None`
+/// where no edge has one.
 pub(super) fn allowances(design: &Design, piece: &FlatPiece, blank: &Blank) -> Option<Vec<f64>> {
     let edges = edges(design, piece, blank);
     if edges.iter().all(|(_, by)| *by == 0.0) {
@@ -27,7 +28,7 @@ pub(super) fn allowances(design: &Design, piece: &FlatPiece, blank: &Blank) -> O
     Some(blank.outline.iter().map(of).collect())
 }
 
-/// The edges of the patches of a piece on its blank as polygons, with their allowances.
+/// Returns the edges of the patches of a piece on its blank as polygons, with their allowances.
 fn edges(
     design: &Design,
     FlatPiece { piece, flat }: &FlatPiece,
@@ -54,10 +55,9 @@ fn edges(
             .enumerate()
         {
             let rail = flat.rail(place, side).unwrap_or_default();
-            let points = rail.iter().flat_map(|segment| {
-                let share = |k: u32| f64::from(k) / f64::from(ARC_POINTS);
-                (0..=ARC_POINTS).map(move |k| segment.point(share(k)))
-            });
+            let points = rail
+                .iter()
+                .flat_map(|segment| chord_points(segment, ARC_POINTS).chain([segment.to]));
             edges.push((on(points.collect()), allowance(edge)));
         }
         let backward = flat.is_backward(place).unwrap_or_default();
@@ -78,7 +78,7 @@ fn edges(
     edges
 }
 
-/// The distance of a point from a polygon; infinite from none.
+/// Returns the distance of a point from a polygon; infinite from none.
 fn distance(polygon: &[[f64; 2]], point: [f64; 2]) -> f64 {
     let sides = polygon
         .windows(2)

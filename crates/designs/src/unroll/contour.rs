@@ -1,14 +1,14 @@
-//! Contours as a cutter wants them: no vertex between two lines in one direction, one arc where several follow one circle,
-//! and the part turned to its smallest box.
+//! Contours as a cutter wants them: no vertex between two lines in one direction, one arc where several follow one
+//! circle, and the part turned to its smallest box.
 
-use crate::polygon::hull;
+use crate::polygon::{chord_points, distance, hull};
 use std::f64::consts::PI;
 use torse_geometry::pattern::{Placement, Segment};
 
 /// The most segments that become one.
 const MAX_RUN: usize = 4096;
 /// Arcs of more than a half circle stay divided: their bulges grow without bound.
-const WIDEST: f64 = PI * (1.0 + 1e-9);
+const MAX_ARC_ANGLE: f64 = PI * (1.0 + 1e-9);
 /// A box must be smaller by this share to be preferred to an earlier one.
 const SMALLER: f64 = 1e-9;
 /// The most directions of the sides of boxes that are looked at.
@@ -16,8 +16,8 @@ const MAX_DIRECTIONS: usize = 1024;
 /// Points that stand for an arc when the directions of the sides of boxes are chosen.
 const ARC_POINTS: u32 = 16;
 
-/// A closed contour with as few segments as lie within a distance of it, and how far they are from it at most: a bound,
-/// not a sample.
+/// Returns a closed contour with as few segments as lie within a distance of it, and how far they are from it at most:
+/// a bound, not a sample.
 pub(super) fn simplified(contour: &[Segment], within: f64) -> (Vec<Segment>, f64) {
     let count = contour.len();
     // A start that is a corner, so that no run is cut there.
@@ -58,7 +58,7 @@ pub(super) fn simplified(contour: &[Segment], within: f64) -> (Vec<Segment>, f64
     (kept, off)
 }
 
-/// One segment for a run of them, and a bound of its distance from them.
+/// Returns one segment for a run of them, and a bound of its distance from them.
 fn joined(run: &[Segment], within: f64) -> Option<(Segment, f64)> {
     let (first, last) = (run.first()?, run.last()?);
     if run.iter().all(Segment::is_line) {
@@ -69,7 +69,7 @@ fn joined(run: &[Segment], within: f64) -> Option<(Segment, f64)> {
     }
     let angle: f64 = run.iter().map(Segment::angle).sum();
     let same_way = run.iter().all(|segment| segment.bulge * first.bulge > 0.0);
-    if !same_way || angle.abs() > WIDEST {
+    if !same_way || angle.abs() > MAX_ARC_ANGLE {
         return None;
     }
     let arc = Segment {
@@ -87,7 +87,7 @@ fn joined(run: &[Segment], within: f64) -> Option<(Segment, f64)> {
     (off <= within).then_some((arc, off))
 }
 
-/// The line for a run of lines that goes forward along it.
+/// Returns the line for a run of lines that goes forward along it.
 fn line(run: &[Segment], whole: Segment, within: f64) -> Option<(Segment, f64)> {
     let [x, y] = [0, 1].map(|i| whole.to[i] - whole.from[i]);
     let length = libm::hypot(x, y);
@@ -104,17 +104,12 @@ fn line(run: &[Segment], whole: Segment, within: f64) -> Option<(Segment, f64)> 
     (off <= within).then_some((whole, off))
 }
 
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    libm::hypot(a[0] - b[0], a[1] - b[1])
-}
-
-/// The motion that turns a contour to its smallest box, the longer side along the first axis and the lower left corner at
-/// the origin; no turn where no box is smaller than the present one.
+/// Returns the motion that turns a contour to its smallest box, the longer side along the first axis and the lower left
+/// corner at the origin; no turn where no box is smaller than the present one.
 pub(super) fn to_smallest_box(contour: &[Segment]) -> Placement {
-    let points = contour.iter().flat_map(|segment| {
-        let steps = if segment.is_line() { 1 } else { ARC_POINTS };
-        (0..steps).map(move |k| segment.point(f64::from(k) / f64::from(steps)))
-    });
+    let points = contour
+        .iter()
+        .flat_map(|segment| chord_points(segment, ARC_POINTS));
     let hull = hull(points.collect());
     let sides = hull.iter().zip(hull.iter().cycle().skip(1));
     // Of a smooth outline every point is a corner: some directions are as good as all.
@@ -139,14 +134,14 @@ pub(super) fn to_smallest_box(contour: &[Segment]) -> Placement {
     best.then(&Placement::shifted(low.map(|c| -c)))
 }
 
-/// The motion that turns a direction, in radians, to the first axis, and the lower left corner to the origin.
+/// Returns the motion that turns a direction, in radians, to the first axis, and the lower left corner to the origin.
 pub(super) fn turned_to(contour: &[Segment], direction: f64) -> Placement {
     let turn = Placement::turned(-direction);
     let [low, _] = bounds(contour, &turn);
     turn.then(&Placement::shifted(low.map(|c| -c)))
 }
 
-/// The box around a contour that is moved.
+/// Returns the box around a contour that is moved.
 pub(super) fn bounds(contour: &[Segment], placement: &Placement) -> [[f64; 2]; 2] {
     let start = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
     contour.iter().fold(start, |[low, high], segment| {

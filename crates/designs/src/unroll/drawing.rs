@@ -1,7 +1,7 @@
 //! The drawing of the pieces: patterns, marks, lettering, notes.
 
 use super::FlatPiece;
-use super::lettering::{self, Drawn, Line};
+use super::lettering::{self, Drawn, LetteringPlace};
 use super::marks::{FlatMark, flat_marks};
 use crate::design::{Design, Mark, Patch};
 use crate::error::DesignError;
@@ -13,8 +13,8 @@ const LETTERS: f64 = 0.025;
 /// How far from the sheet the edge of regression is still shown, as a share of its size.
 const REACH: f64 = 0.25;
 
-/// What whoever takes the pattern of a design that tools bend should know: it is not what is cut. `None` where no bend has
-/// an allowance, so that patterns are blanks.
+/// Returns the note that a pattern is not the blank, for a design with bends over tools; `None` if there are none, so
+/// that each pattern is its blank.
 #[must_use]
 pub fn development_note(design: &Design) -> Option<String> {
     design.has_tool_bends().then(|| {
@@ -56,7 +56,8 @@ pub fn drawing(design: &Design, pieces: &[FlatPiece]) -> Result<Drawing, DesignE
     Ok(drawing)
 }
 
-/// The name of a piece, clear of the rulings and of the paths and texts since these; a strained pattern says so beside it.
+/// Returns the name of a piece, clear of the rulings and of the paths and texts since these; a strained pattern says so
+/// beside it.
 fn name(
     drawing: &mut Drawing,
     (paths, texts): (usize, usize),
@@ -75,7 +76,10 @@ fn name(
         .map(|path| path.polygon(0.02))
         .chain(texts.map(|text| {
             let (at, height, angle) = (text.at, text.height, text.angle);
-            lettering::frame(&Line { at, height, angle }, text.content.chars().count())
+            lettering::frame(
+                &LetteringPlace { at, height, angle },
+                text.content.chars().count(),
+            )
         }))
         .collect();
     let rulings: Vec<_> = flat.rulings().iter().map(|ruling| ruling.ends).collect();

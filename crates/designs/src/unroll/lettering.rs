@@ -15,7 +15,7 @@ const STEPS: u32 = 12;
 
 /// A place for a line of letters: the start of its base line, its height, and the direction in radians.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line {
+pub struct LetteringPlace {
     pub at: [f64; 2],
     pub height: f64,
     pub angle: f64,
@@ -27,8 +27,8 @@ pub type LineEnds = [[f64; 2]; 2];
 /// A drawing that is to be kept clear: a polygon, closed or not.
 pub type Drawn = Vec<[f64; 2]>;
 
-/// The box of a line of letters as a polygon, to keep other lines clear of it.
-pub fn frame(line: &Line, letters: usize) -> Drawn {
+/// Returns the box of a line of letters as a polygon, to keep other lines clear of it.
+pub fn frame(line: &LetteringPlace, letters: usize) -> Drawn {
     let (sine, cosine) = libm::sincos(line.angle);
     let (width, height) = (width(letters, line.height), line.height);
     let corner = |x: f64, y: f64| {
@@ -46,9 +46,14 @@ pub fn frame(line: &Line, letters: usize) -> Drawn {
     ]
 }
 
-/// The place for so many letters between two rulings: as large as wished if there is room, and near the middle of the
-/// sheet; where there is no room at all, on the ruling behind the middle. `None` without rulings.
-pub fn place(rulings: &[LineEnds], letters: usize, wished: f64, drawn: &[Drawn]) -> Option<Line> {
+/// Returns the place for so many letters between two rulings: as large as wished if there is room, and near the middle
+/// of the sheet; where there is no room at all, on the ruling behind the middle. `None` without rulings.
+pub fn place(
+    rulings: &[LineEnds],
+    letters: usize,
+    wished: f64,
+    drawn: &[Drawn],
+) -> Option<LetteringPlace> {
     let count = rulings.len();
     let from_middle = |gap: usize| (2 * gap + 2).abs_diff(count);
     let mut gaps: Vec<usize> = (0..count.checked_sub(1)?).collect();
@@ -64,7 +69,7 @@ pub fn place(rulings: &[LineEnds], letters: usize, wished: f64, drawn: &[Drawn])
     }
     let [from, to] = upright(*rulings.get(5 * count / 8)?);
     let length = libm::hypot(to[0] - from[0], to[1] - from[1]);
-    Some(Line {
+    Some(LetteringPlace {
         at: along(&[from, to], 0.1),
         height: wished.min(0.8 * length / width(letters, 1.0)),
         angle: libm::atan2(to[1] - from[1], to[0] - from[0]),
@@ -79,7 +84,7 @@ fn along([from, to]: &LineEnds, share: f64) -> [f64; 2] {
     [0, 1].map(|i| from[i] + share * (to[i] - from[i]))
 }
 
-/// The line in the direction in which letters are not upside down.
+/// Returns the line in the direction in which letters are not upside down.
 fn upright([from, to]: LineEnds) -> LineEnds {
     if to[0] < from[0] {
         [to, from]
@@ -88,14 +93,14 @@ fn upright([from, to]: LineEnds) -> LineEnds {
     }
 }
 
-/// The place of a line of this height on the middle line of two rulings, nearest to the middle of it.
+/// Returns the place of a line of this height on the middle line of two rulings, nearest to the middle of it.
 fn between(
     a: &LineEnds,
     b: &LineEnds,
     letters: usize,
     height: f64,
     drawn: &[Drawn],
-) -> Option<Line> {
+) -> Option<LetteringPlace> {
     let middle = [0, 1].map(|end| along(&[a[end], b[end]], 0.5));
     let middle = upright(middle);
     let way = [0, 1].map(|i| middle[1][i] - middle[0][i]);
@@ -135,7 +140,7 @@ fn between(
         if drawn.iter().any(hit) {
             continue;
         }
-        return Some(Line {
+        return Some(LetteringPlace {
             at: [x + 0.5 * height * unit[1], y - 0.5 * height * unit[0]],
             height,
             angle: libm::atan2(way[1], way[0]),
@@ -144,13 +149,13 @@ fn between(
     None
 }
 
-/// The distance of a point from the line through two others.
+/// Returns the distance of a point from the line through two others.
 fn distance([p, q]: &LineEnds, point: [f64; 2]) -> f64 {
     let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
     ((point[0] - p[0]) * dy - (point[1] - p[1]) * dx).abs() / libm::hypot(dx, dy)
 }
 
-/// Whether a segment meets a box (Liang and Barsky).
+/// Returns whether a segment meets a box (Liang and Barsky).
 fn meets(p: [f64; 2], q: [f64; 2], low: [f64; 2], high: [f64; 2]) -> bool {
     let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
     for i in 0..2 {
@@ -176,8 +181,8 @@ mod tests {
         [[low, y], [high, y]]
     }
 
-    /// The distance of the box of a line from a horizontal ruling.
-    fn clear_of(line: &Line, y: f64) -> f64 {
+    /// Returns the distance of the box of a line from a horizontal ruling.
+    fn clear_of(line: &LetteringPlace, y: f64) -> f64 {
         let frame = frame(line, 5);
         let each = frame.iter().map(|corner| corner[1] - y);
         if each.clone().all(|d| d > 0.0) || each.clone().all(|d| d < 0.0) {

@@ -101,7 +101,7 @@ fn direction(angle: f64) -> &'static str {
 }
 
 impl PartsList {
-    /// The list of these parts, none written yet.
+    /// Returns the list of these parts, none written yet.
     #[must_use]
     pub fn new(design: &Design, parts: &[Part]) -> Self {
         Self {
@@ -111,7 +111,7 @@ impl PartsList {
         }
     }
 
-    /// The list as comma-separated values with a head.
+    /// Returns the list as comma-separated values with a head.
     #[must_use]
     pub fn csv(&self) -> String {
         let mut text = String::from(
@@ -138,14 +138,14 @@ impl PartsList {
         text
     }
 
-    /// The list for people, in lines of at most 100 columns.
+    /// Returns the list for people, in lines of at most 100 columns.
     #[must_use]
     pub fn text(&self) -> String {
         self.parts.iter().map(|part| part.text()).collect()
     }
 }
 
-/// A field of a table, in quotes where it needs them.
+/// Returns a field of a table, in quotes where it needs them.
 fn field(text: &str) -> String {
     if text.contains([',', '"', '\n']) {
         return format!("\"{}\"", text.replace('"', "\"\""));
@@ -212,7 +212,7 @@ impl PartRow {
 /// A sheet of a larger radius, in millimetres, is flat.
 const MAX_ROLLED_RADIUS: f64 = 1e6;
 
-/// The radii of patches in words; `None` where there are none.
+/// Returns the radii of patches in words; `None` where there are none.
 fn radii_of(rows: &[&RolledRow]) -> Option<String> {
     let from = rows.iter().map(|row| row.from).min_by(f64::total_cmp)?;
     let to: Option<Vec<f64>> = rows.iter().map(|row| row.to).collect();

@@ -1,6 +1,6 @@
 //! Where the marks of a patch lie on its pattern.
 
-use super::lettering::{self, Line};
+use super::lettering::{self, LetteringPlace};
 use super::position;
 use crate::design::{Design, Mark, Patch};
 use crate::error::DesignError;
@@ -17,7 +17,7 @@ pub(super) enum FlatMark {
     /// A circle, drawn and not cut: its centre and radius.
     Circle([f64; 2], f64),
     /// Lettering.
-    Text(Line, String),
+    Text(LetteringPlace, String),
 }
 
 /// Lays the marks of a patch on its pattern, in the order of the file.
@@ -74,7 +74,7 @@ pub(super) fn flat_marks(
             }
             Mark::Text(place, content, height, angle) => {
                 let (from, to) = (flatten([place[0], 0.0])?, flatten([place[0], 1.0])?);
-                let line = Line {
+                let line = LetteringPlace {
                     at: flatten(*place)?,
                     height: *height,
                     angle: libm::atan2(to[1] - from[1], to[0] - from[0]) + angle,
@@ -97,7 +97,7 @@ pub(super) fn flat_marks(
 /// Points on each side of a frame, and of each segment of an outline, that are looked at.
 const FRAME_POINTS: u32 = 16;
 
-/// How far a closed frame reaches beyond the outline of a pattern, as its points show.
+/// Returns how far a closed frame reaches beyond the outline of a pattern, as its points show.
 fn beside(flat: &FlatPattern, frame: &[[f64; 2]]) -> f64 {
     let share = |k: u32| f64::from(k) / f64::from(FRAME_POINTS);
     let outline: Vec<[f64; 2]> = flat

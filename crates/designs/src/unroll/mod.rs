@@ -15,8 +15,8 @@ mod summary;
 pub use blank::{Blank, Rolled, SharpFold, ToolBend, blank};
 pub use drawing::{development_note, drawing};
 pub use listing::{PartRow, PartsList, RolledRow, SharpRow, ToolBendRow};
-pub use part::{Grain, Making, Part, PartMark, Purpose, parts, parts_made};
-pub use summary::{BendRow, PieceSummary, Summary};
+pub use part::{CutOptions, Grain, Part, PartMark, Purpose, parts, parts_with};
+pub use summary::{BendRow, PatternSummary, PieceSummary};
 pub use torse_geometry::pattern::Flattening;
 
 use crate::design::{Design, DesignPiece, Patch};
@@ -51,8 +51,8 @@ pub struct FlatPiece {
 /// Unrolls the pieces of a design and lays them out side by side.
 ///
 /// # Errors
-/// [`DesignError::NoSuch`] for a piece that is not there, [`DesignError::OutOfRange`] for a strain or a number of rulings
-/// that makes no sense, [`DesignError::Unroll`] for a piece that has no pattern.
+/// [`DesignError::NoSuch`] for a piece that is not there, [`DesignError::OutOfRange`] for a strain or a number of
+/// rulings that makes no sense, [`DesignError::Unroll`] for a piece that has no pattern.
 ///
 /// ```
 /// use torse_designs::unroll::{Demand, unroll};
@@ -137,7 +137,8 @@ pub fn unroll(design: &Design, demand: &Demand) -> Result<Vec<FlatPiece>, Design
         .collect())
 }
 
-/// The largest strain of the patches of these pieces, as far as they can be flattened at all: what has to be allowed.
+/// Returns the largest strain of the patches of these pieces, as far as they can be flattened at all: what has to be
+/// allowed.
 fn largest_strain(design: &Design, pieces: &[DesignPiece], demand: &Demand) -> f64 {
     let asked = Unrolling::within(design.tolerances.outline)
         .developable_within(design.tolerances.strain)
@@ -146,12 +147,12 @@ fn largest_strain(design: &Design, pieces: &[DesignPiece], demand: &Demand) -> f
     let patches = pieces.iter().flat_map(|piece| &piece.patches);
     patches
         .filter_map(|index| design.patches.get(*index))
-        .filter_map(|patch| patch.sheet.unrolled(&asked).ok())
+        .filter_map(|patch| patch.sheet.unroll_with(&asked).ok())
         .map(|flat| flat.strain())
         .fold(0.0, f64::max)
 }
 
-/// The pattern of a piece, its patches attached.
+/// Returns the pattern of a piece, its patches attached.
 fn flattened(
     design: &Design,
     piece: &DesignPiece,
@@ -167,7 +168,7 @@ fn flattened(
     let unrolling = asked.within_tolerance(limits.outline / count);
     let mut chain: Option<FlatPattern> = None;
     for patch in patches {
-        let next = patch.sheet.unrolled(&unrolling)?;
+        let next = patch.sheet.unroll_with(&unrolling)?;
         chain = Some(match chain {
             None => next,
             Some(chain) => chain.append(&next, limits.gap)?,
@@ -180,7 +181,7 @@ fn flattened(
     })
 }
 
-/// The index of a patch in the chain of its pattern, which may be passed the other way round.
+/// Returns the index of a patch in the chain of its pattern, which may be passed the other way round.
 pub fn position(flat: &FlatPattern, patch: &Patch) -> Option<usize> {
     let distance = |index: usize| {
         [[0.0, 0.0], [0.5, 1.0], [1.0, 0.0], [1.0, 1.0]]

@@ -6,7 +6,7 @@ use super::{FlatPiece, position};
 use crate::design::Design;
 use crate::error::DesignError;
 use crate::inspect::is_passed_backwards;
-use crate::polygon::is_within;
+use crate::polygon::{chord_points, is_within};
 use crate::seams::{EdgeName, PatchEdge};
 use torse_geometry::pattern::{PatternPlace, Segment};
 
@@ -19,7 +19,7 @@ const NOTCHES: [(f64, u32); 2] = [(1.0 / 3.0, 1), (2.0 / 3.0, 2)];
 /// Chords that stand for an arc where it is asked which side of an edge is inside.
 const ARC_POINTS: u32 = 16;
 
-/// The notches of a piece on its blank, each a line from the edge inwards.
+/// Returns the notches of a piece on its blank, each a line from the edge inwards.
 ///
 /// # Errors
 /// [`DesignError::Patch`] for an edge that the geometry refuses.
@@ -31,9 +31,7 @@ pub(super) fn notches(
     let outline: Vec<[f64; 2]> = blank
         .outline
         .iter()
-        .flat_map(|segment| {
-            (0..ARC_POINTS).map(|k| segment.point(f64::from(k) / f64::from(ARC_POINTS)))
-        })
+        .flat_map(|segment| chord_points(segment, ARC_POINTS))
         .collect();
     let mut found = Vec::new();
     for seam in &design.seams {
@@ -59,8 +57,8 @@ pub(super) fn notches(
     Ok(found)
 }
 
-/// The segments of an edge on the pattern with their patches, from the point with the smaller parameter; nothing where it
-/// is not all on this piece.
+/// Returns the segments of an edge on the pattern with their patches, from the point with the smaller parameter;
+/// nothing where it is not all on this piece.
 fn edge_on_pattern(
     design: &Design,
     FlatPiece { piece, flat }: &FlatPiece,
@@ -87,7 +85,7 @@ fn edge_on_pattern(
     Some(segments)
 }
 
-/// The notch at a length along an edge.
+/// Returns the notch at a length along an edge.
 fn notch(
     segments: &[(usize, Segment)],
     at: f64,

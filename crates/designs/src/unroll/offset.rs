@@ -1,17 +1,21 @@
 //! A closed outline moved outwards, each of its segments by a distance of its own, with mitred corners.
 
+use crate::polygon::{chord_points, distance};
+use crate::segment_crossings::carrier_crossings;
 use std::f64::consts::PI;
 use torse_geometry::pattern::Segment;
 
 /// A mitre reaches no farther than this times the larger distance from its corner: beyond, the corner is cut off.
 const MITRE: f64 = 4.0;
+/// Lines whose directions differ by an angle of a smaller sine have no corner.
+const PARALLEL: f64 = 1e-9;
 /// Chords that stand for an arc where it is looked for crossings.
 const ARC_POINTS: u32 = 8;
 /// The most chords of an outline that is looked at.
 const MAX_CHORDS: usize = 20_000;
 
-/// The outline, counterclockwise, moved outwards; `distances` are those of its segments, and neighbours whose ends are apart by
-/// no more than `snap` are joined as they are.
+/// Returns the outline, counterclockwise, moved outwards; `distances` are those of its segments, and neighbours whose
+/// ends are apart by no more than `snap` are joined as they are.
 ///
 /// # Errors
 /// In words, where an inward curve is narrower than its distance, a segment would vanish, or the result crosses itself.
@@ -43,7 +47,7 @@ pub(super) fn moved_outwards(
         }
         let widest = distances.iter().skip(k).take(1).chain(distances.get(next));
         let reach = MITRE * widest.fold(0.0_f64, |m, d| m.max(d.abs()));
-        let met = crossings(&a, &b)
+        let met = carrier_crossings(&a, &b, PARALLEL, 0.0)
             .into_iter()
             .min_by(|p, q| distance(*p, corner).total_cmp(&distance(*q, corner)));
         match met.filter(|point| distance(*point, corner) <= reach) {
@@ -79,11 +83,7 @@ fn vanishes([x, y]: [f64; 2]) -> String {
     format!("a stretch of the outline near ({x:.2}, {y:.2}) is too short")
 }
 
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    libm::hypot(a[0] - b[0], a[1] - b[1])
-}
-
-/// A segment moved to its right.
+/// Returns a segment moved to its right.
 fn shifted(segment: &Segment, by: f64) -> Result<Segment, String> {
     let Some((centre, radius)) = segment.circle() else {
         let way = [0, 1].map(|i| segment.to[i] - segment.from[i]);
@@ -110,66 +110,7 @@ fn shifted(segment: &Segment, by: f64) -> Result<Segment, String> {
     })
 }
 
-/// Where the lines or circles of two segments meet.
-fn crossings(a: &Segment, b: &Segment) -> Vec<[f64; 2]> {
-    match (a.circle(), b.circle()) {
-        (None, None) => line_line(a, b).into_iter().collect(),
-        (None, Some(circle)) => line_circle(a, circle),
-        (Some(circle), None) => line_circle(b, circle),
-        (Some(one), Some(other)) => circle_circle(one, other),
-    }
-}
-
-fn line_line(a: &Segment, b: &Segment) -> Option<[f64; 2]> {
-    let [u, v] = [a, b].map(|s| [s.to[0] - s.from[0], s.to[1] - s.from[1]]);
-    let turn = u[0] * v[1] - u[1] * v[0];
-    if turn.abs() <= 1e-9 * a.chord_length() * b.chord_length() {
-        return None;
-    }
-    let arm = [b.from[0] - a.from[0], b.from[1] - a.from[1]];
-    let share = (arm[0] * v[1] - arm[1] * v[0]) / turn;
-    Some([0, 1].map(|i| a.from[i] + share * u[i]))
-}
-
-fn line_circle(line: &Segment, (centre, radius): ([f64; 2], f64)) -> Vec<[f64; 2]> {
-    let length = line.chord_length();
-    let unit = [0, 1].map(|i| (line.to[i] - line.from[i]) / length);
-    let arm = [0, 1].map(|i| centre[i] - line.from[i]);
-    let along = arm[0] * unit[0] + arm[1] * unit[1];
-    let off = arm[1] * unit[0] - arm[0] * unit[1];
-    let square = (radius - off) * (radius + off);
-    if square.is_nan() || square < 0.0 {
-        return Vec::new();
-    }
-    let half = square.sqrt();
-    [along - half, along + half]
-        .map(|t| [0, 1].map(|i| line.from[i] + t * unit[i]))
-        .to_vec()
-}
-
-fn circle_circle((one, r): ([f64; 2], f64), (other, s): ([f64; 2], f64)) -> Vec<[f64; 2]> {
-    let apart = distance(one, other);
-    if apart == 0.0 {
-        return Vec::new();
-    }
-    let along = 0.5 * (apart + (r - s) * (r + s) / apart);
-    let square = (r - along) * (r + along);
-    if square.is_nan() || square < 0.0 {
-        return Vec::new();
-    }
-    let half = square.sqrt();
-    let unit = [0, 1].map(|i| (other[i] - one[i]) / apart);
-    [half, -half]
-        .map(|h| {
-            [
-                one[0] + along * unit[0] - h * unit[1],
-                one[1] + along * unit[1] + h * unit[0],
-            ]
-        })
-        .to_vec()
-}
-
-/// The segment up to a point of its line or circle; `None` if it would turn round.
+/// Returns the segment up to a point of its line or circle; `None` if it would turn round.
 fn ending_at(segment: &Segment, point: [f64; 2]) -> Option<Segment> {
     let Some((centre, _)) = segment.circle() else {
         let way = [0, 1].map(|i| segment.to[i] - segment.from[i]);
@@ -188,12 +129,12 @@ fn ending_at(segment: &Segment, point: [f64; 2]) -> Option<Segment> {
     })
 }
 
-/// The segment from a point of its line or circle on.
+/// Returns the segment from a point of its line or circle on.
 fn starting_at(segment: &Segment, point: [f64; 2]) -> Option<Segment> {
     ending_at(&segment.reversed(), point).map(|back| back.reversed())
 }
 
-/// A place at which a closed outline crosses itself, as chords of its arcs show.
+/// Returns a place at which a closed outline crosses itself, as chords of its arcs show.
 fn crossing(outline: &[Segment]) -> Option<[f64; 2]> {
     let steps = if outline.len() * 8 > MAX_CHORDS {
         1
@@ -202,9 +143,8 @@ fn crossing(outline: &[Segment]) -> Option<[f64; 2]> {
     };
     let mut chords: Vec<[[f64; 2]; 2]> = Vec::new();
     for segment in outline {
-        let steps = if segment.is_line() { 1 } else { steps };
-        let point = |k: u32| segment.point(f64::from(k) / f64::from(steps));
-        chords.extend((0..steps).map(|k| [point(k), point(k + 1)]));
+        let ends = chord_points(segment, steps).skip(1).chain([segment.to]);
+        chords.extend(chord_points(segment, steps).zip(ends).map(<[_; 2]>::from));
     }
     // Left to right: only chords that lie above one another are compared.
     let low = |chord: &[[f64; 2]; 2]| chord[0][0].min(chord[1][0]);
@@ -222,7 +162,7 @@ fn crossing(outline: &[Segment]) -> Option<[f64; 2]> {
     None
 }
 
-/// Whether two chords cross inside of both.
+/// Returns whether two chords cross inside of both.
 fn crosses(one: &[[f64; 2]; 2], other: &[[f64; 2]; 2]) -> bool {
     let side = |line: &[[f64; 2]; 2], p: [f64; 2]| {
         (line[1][0] - line[0][0]) * (p[1] - line[0][1])

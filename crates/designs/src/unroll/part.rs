@@ -53,7 +53,7 @@ impl Grain {
 
 /// How parts are cut.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Making {
+pub struct CutOptions {
     /// The width of the cut in millimetres: outlines are moved outwards by half of it, openings inwards.
     pub kerf: f64,
     /// How parts lie; turned to their smallest boxes where nothing is said.
@@ -62,7 +62,7 @@ pub struct Making {
 
 /// The widest cut, in millimetres.
 const MAX_KERF: f64 = 20.0;
-/// The strokes of a cut in drawings for the eye's programs, in millimetres: bureaus take at most this for a cut.
+/// Stroke width of cut lines in SVG, in millimetres: the widest that cutting services accept for a cut.
 const HAIRLINE: f64 = 0.01;
 /// Coordinates of parts are whole multiples of a millimetre over this: files have no digits that mean nothing.
 const STEPS: f64 = 1e9;
@@ -112,21 +112,22 @@ pub struct Part {
 }
 
 impl Part {
-    /// The area, without the openings.
+    /// Returns the area, without the openings.
     #[must_use]
     pub fn area(&self) -> f64 {
         let open = self.openings.iter().map(|(_, radius)| PI * radius * radius);
         self.outline.iter().map(Segment::area).sum::<f64>() - open.sum::<f64>()
     }
 
-    /// The length of the cut, around the openings too.
+    /// Returns the length of the cut, around the openings too.
     #[must_use]
     pub fn cut_length(&self) -> f64 {
         let around = self.openings.iter().map(|(_, radius)| 2.0 * PI * radius);
         self.outline.iter().map(Segment::length).sum::<f64>() + around.sum::<f64>()
     }
 
-    /// How many marks of the part its drawing for a purpose does not have: a cut has none, and no drawing of one part has letters.
+    /// Returns how many marks of the part its drawing for a purpose does not have: a cut has none, and no drawing of
+    /// one part has letters.
     #[must_use]
     pub fn marks_left_out(&self, purpose: Purpose) -> usize {
         let is_left_out = |mark: &&PartMark| match purpose {
@@ -137,8 +138,8 @@ impl Part {
         self.marks.iter().filter(is_left_out).count()
     }
 
-    /// The drawing of the part: contours alone, for [`Purpose::Bend`] the bend lines too, for [`Purpose::Sew`] the notches, and
-    /// for both the marks that are lines and circles.
+    /// Returns the drawing of the part: contours alone, for [`Purpose::Bend`] the bend lines too, for [`Purpose::Sew`]
+    /// the notches, and for both the marks that are lines and circles.
     ///
     /// # Errors
     /// [`DesignError::Exchange`].
@@ -190,7 +191,7 @@ impl Part {
     }
 }
 
-/// The parts of these pieces, each in its smallest box.
+/// Returns the parts of these pieces, each in its smallest box.
 ///
 /// # Errors
 /// As [`drawing`] and [`blank`].
@@ -221,18 +222,18 @@ impl Part {
 /// # Ok::<(), torse_designs::DesignError>(())
 /// ```
 pub fn parts(design: &Design, pieces: &[FlatPiece]) -> Result<Vec<Part>, DesignError> {
-    parts_made(design, pieces, Making::default())
+    parts_with(design, pieces, CutOptions::default())
 }
 
-/// The parts of these pieces, cut and laid in this way.
+/// Returns the parts of these pieces, cut and laid in this way.
 ///
 /// # Errors
-/// As [`parts`], [`DesignError::OutOfRange`] for a kerf that makes no sense, and [`DesignError::Blank`] where an allowance, or a
-/// kerf, does not fit.
-pub fn parts_made(
+/// As [`parts`], [`DesignError::OutOfRange`] for a kerf that makes no sense, and [`DesignError::Blank`] where an
+/// allowance, or a kerf, does not fit.
+pub fn parts_with(
     design: &Design,
     pieces: &[FlatPiece],
-    making: Making,
+    making: CutOptions,
 ) -> Result<Vec<Part>, DesignError> {
     if !(0.0..=MAX_KERF).contains(&making.kerf) {
         return Err(DesignError::OutOfRange {
@@ -253,15 +254,15 @@ fn vertices_of(outline: &[Segment]) -> Vec<Vertex> {
     outline.iter().map(vertex).collect()
 }
 
-/// What is cut: the outline of a blank with its allowances and half of the kerf, and, of a part with allowances, how wide they are
-/// on each segment of the blank.
+/// What is cut: the outline of a blank with its allowances and half of the kerf, and, of a part with allowances, how
+/// wide they are on each segment of the blank.
 type CutOutline = (Vec<Segment>, Option<Vec<f64>>);
 
 fn cut_outline(
     design: &Design,
     piece: &FlatPiece,
     blank: &Blank,
-    making: Making,
+    making: CutOptions,
 ) -> Result<CutOutline, DesignError> {
     let allowances = allowances(design, piece, blank);
     if allowances.is_none() && making.kerf == 0.0 {
@@ -285,7 +286,8 @@ fn cut_outline(
     Ok((moved, allowances))
 }
 
-/// The notch of a seam: where there is an allowance, from the edge that is cut inwards, and no farther than the seam line.
+/// Returns the notch of a seam: where there is an allowance, from the edge that is cut inwards, and no farther than the
+/// seam line.
 fn into_allowance(
     [from, to]: [[f64; 2]; 2],
     outline: &[Segment],
@@ -304,7 +306,7 @@ fn into_allowance(
     [outwards(by), outwards((by - length).max(0.0))]
 }
 
-fn part(design: &Design, piece: &FlatPiece, making: Making) -> Result<Part, DesignError> {
+fn part(design: &Design, piece: &FlatPiece, making: CutOptions) -> Result<Part, DesignError> {
     // Marks that leave the sheet or overlap are refused as in every drawing.
     drawing(design, std::slice::from_ref(piece))?;
     let blank = blank(design, piece)?;
@@ -418,7 +420,7 @@ fn part(design: &Design, piece: &FlatPiece, making: Making) -> Result<Part, Desi
     })
 }
 
-/// Whether the pattern comes back to where it began, so that its outline has a slit along the first ruling.
+/// Returns whether the pattern comes back to where it began, so that its outline has a slit along the first ruling.
 fn is_closed_ring(design: &Design, piece: &FlatPiece, blank: &Blank) -> bool {
     let flat = &piece.flat;
     let last = flat.pieces().saturating_sub(1);
@@ -435,7 +437,7 @@ fn is_closed_ring(design: &Design, piece: &FlatPiece, blank: &Blank) -> bool {
     apart(first[0], first[1]) > within && (0..2).all(|i| apart(first[i], end[i]) <= within)
 }
 
-/// The direction of the first axis of a drawing on the blank, in radians, for this grain.
+/// Returns the direction of the first axis of a drawing on the blank, in radians, for this grain.
 fn direction(piece: &FlatPiece, blank: &Blank, grain: Grain) -> f64 {
     let flat = &piece.flat;
     let last = flat.pieces().saturating_sub(1);
@@ -452,9 +454,9 @@ fn direction(piece: &FlatPiece, blank: &Blank, grain: Grain) -> f64 {
     }
 }
 
-/// How far the points of a segment move at most whose ends are moved to the grid: its ends by half a diagonal of a cell,
-/// and a point at `w` between them, the start being 0 and the end 1 of the complex plane, by `|1 - w| + |w|` times as
-/// much: by at most two diameters for each chord.
+/// Returns how far the points of a segment move at most whose ends are moved to the grid: its ends by half a diagonal
+/// of a cell, and a point at `w` between them, the start being 0 and the end 1 of the complex plane, by `|1 - w| + |w|`
+/// times as much: by at most two diameters for each chord.
 fn moved_on_grid(segment: &Segment) -> f64 {
     let bulge = segment.bulge.abs();
     let factor = if bulge <= 1.0 {
@@ -465,13 +467,13 @@ fn moved_on_grid(segment: &Segment) -> f64 {
     FRAC_1_SQRT_2 / STEPS * factor
 }
 
-/// The nearest point of the grid of [`STEPS`].
+/// Returns the nearest point of the grid of [`STEPS`].
 fn on_grid(length: f64) -> f64 {
     // Divided: the nearest double to the decimal, whose shortest form is short.
     (length * STEPS).round() / STEPS
 }
 
-/// The marks of a piece, where they lie on the part.
+/// Returns the marks of a piece, where they lie on the part.
 fn part_marks(
     design: &Design,
     FlatPiece { piece, flat }: &FlatPiece,
@@ -522,7 +524,7 @@ fn on_grid_point(point: [f64; 2]) -> [f64; 2] {
     point.map(on_grid)
 }
 
-/// The openings of a piece, on its blank.
+/// Returns the openings of a piece, on its blank.
 fn openings(
     design: &Design,
     FlatPiece { piece, flat }: &FlatPiece,

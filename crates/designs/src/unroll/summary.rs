@@ -9,7 +9,7 @@ use torse_geometry::pattern::{Flattening, PatternEvidence, bends};
 
 /// The patterns of a design in numbers; lengths in millimetres, angles in degrees.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Summary {
+pub struct PatternSummary {
     /// The name of the design.
     pub design: String,
     /// The pieces.
@@ -60,8 +60,8 @@ pub struct PieceSummary {
     pub radius: Option<f64>,
     /// The bends; with allowances where the thickness is known.
     pub bends: Vec<BendRow>,
-    /// By how much the neutral axis is longer than the pattern, summed up over all bends, where a thickness is known and
-    /// no edge lacks a radius. What tools bend is in the list of parts.
+    /// By how much the neutral axis is longer than the pattern, summed up over all bends, where a thickness is known
+    /// and no edge lacks a radius. What tools bend is in the list of parts.
     pub growth: Option<f64>,
 }
 
@@ -78,8 +78,8 @@ pub struct BendRow {
     pub allowance: Option<f64>,
 }
 
-impl Summary {
-    /// The numbers of these patterns.
+impl PatternSummary {
+    /// Returns the numbers of these patterns.
     #[must_use]
     pub fn new(design: &Design, pieces: &[FlatPiece]) -> Self {
         Self {
@@ -88,7 +88,7 @@ impl Summary {
         }
     }
 
-    /// The numbers for people, in lines of at most 100 columns.
+    /// Returns the numbers for people, in lines of at most 100 columns.
     #[must_use]
     pub fn text(&self) -> String {
         let mut text = String::new();
@@ -139,7 +139,7 @@ impl Summary {
 }
 
 impl PieceSummary {
-    /// What the outline is compared with.
+    /// Returns what the outline is compared with.
     fn exact_outline(&self) -> String {
         let of = match self.development {
             None => "the exact outline".to_owned(),

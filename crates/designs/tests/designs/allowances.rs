@@ -1,15 +1,15 @@
 //! What is cut beyond the edges, the width of the cut, and how parts lie.
 
-use torse_designs::lint::{LintDemand, Rules, lint};
-use torse_designs::unroll::{Demand, Grain, Making, Part, Purpose, parts, parts_made, unroll};
+use torse_designs::lint::{LintDemand, LintRules, lint};
+use torse_designs::unroll::{CutOptions, Demand, Grain, Part, Purpose, parts, parts_with, unroll};
 use torse_designs::{Design, DesignError, read};
 use torse_exchange::{Layer, dxf};
 use torse_geometry::pattern::Segment;
 
-fn made(text: &str, making: Making) -> Result<Vec<Part>, DesignError> {
+fn made(text: &str, making: CutOptions) -> Result<Vec<Part>, DesignError> {
     let design = read("x.toml", text).unwrap_or_else(|e| panic!("{e:?}"));
     let pieces = unroll(&design, &Demand::default())?;
-    parts_made(&design, &pieces, making)
+    parts_with(&design, &pieces, making)
 }
 
 fn area(outline: &[Segment]) -> f64 {
@@ -52,7 +52,7 @@ fn an_allowance_is_cut_beyond_all_edges_or_beyond_each_its_own() {
             [1020.0, 510.0],
         ),
     ] {
-        let part = made(&panel(design, patch), Making::default())
+        let part = made(&panel(design, patch), CutOptions::default())
             .unwrap()
             .remove(0);
         for (got, wanted) in part.size.iter().zip(size) {
@@ -82,7 +82,7 @@ apex = [0, 0, 40]
 range = [1, 0.5]
 allowance = 4
 "#;
-    let part = made(text, Making::default()).unwrap().remove(0);
+    let part = made(text, CutOptions::default()).unwrap().remove(0);
     // Beyond either straight side the strip of 4 mm spans asin(4/rho) on the circle of radius rho.
     let (low, high, steps) = (21.0, 54.0, 100_000);
     let step = (high - low) / f64::from(steps);
@@ -106,7 +106,7 @@ allowance = 4
 
 #[test]
 fn a_kerf_widens_outlines_and_narrows_openings() {
-    let kerf = |kerf: f64| made(&panel("", ""), Making { kerf, grain: None });
+    let kerf = |kerf: f64| made(&panel("", ""), CutOptions { kerf, grain: None });
     let part = kerf(0.4).unwrap().remove(0);
     assert!((part.size[0] - 100.4).abs() < 1e-9 && (part.size[1] - 50.4).abs() < 1e-9);
     assert!((part.openings[0].1 - 5.8).abs() < 1e-12);
@@ -125,7 +125,7 @@ fn the_grain_says_how_a_part_lies() {
     // Its rulings run along x and follow one another along y.
     let text = "[curves]\na = { bezier = [[0, 0, 0], [0, 100, 0]] }\nb = { bezier = [[20, 0, 0], [20, 100, 0]] }\n\
                 [patches]\nstrip = { ruled = [\"a\", \"b\"] }\n";
-    let size = |grain| made(text, Making { kerf: 0.0, grain }).unwrap()[0].size;
+    let size = |grain| made(text, CutOptions { kerf: 0.0, grain }).unwrap()[0].size;
     for (grain, wanted) in [
         (None, [100.0, 20.0]),
         (Some(Grain::Along), [100.0, 20.0]),
@@ -148,7 +148,7 @@ fn the_cut_is_the_outside_and_its_notches_go_from_it_to_the_marked_seam() {
         "[patches.front]",
         "c = { bezier = [[0, 90, 20], [100, 90, 20]] }\n[patches.front]",
     );
-    let all = made(&text, Making::default()).unwrap();
+    let all = made(&text, CutOptions::default()).unwrap();
     assert_eq!(all.len(), 2);
     for part in &all {
         let cut = part.drawing(Purpose::Cut).unwrap();
@@ -165,7 +165,7 @@ fn the_cut_is_the_outside_and_its_notches_go_from_it_to_the_marked_seam() {
         let judged = lint(
             "x.dxf",
             file.as_bytes(),
-            &Rules::published().unwrap(),
+            &LintRules::published().unwrap(),
             &demand,
         )
         .unwrap();
@@ -206,7 +206,7 @@ apex = [0, 0, 40]
 range = [1, 0.5]
 allowance = 26
 "#;
-    let error = made(text, Making::default()).unwrap_err();
+    let error = made(text, CutOptions::default()).unwrap_err();
     assert!(
         error
             .to_string()
@@ -235,7 +235,7 @@ fn parts_without_allowances_are_as_they_were() {
     let usual = parts(&design, &pieces).unwrap();
     assert_eq!(
         usual,
-        parts_made(&design, &pieces, Making::default()).unwrap()
+        parts_with(&design, &pieces, CutOptions::default()).unwrap()
     );
     assert!(usual[0].seam_line.is_none());
 }

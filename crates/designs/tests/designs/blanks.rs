@@ -319,7 +319,7 @@ fn coordinates_of_a_part_have_nine_decimals_at_most() {
 
 #[test]
 fn the_development_of_what_tools_bend_is_told_not_to_be_the_blank() {
-    use torse_designs::unroll::{Summary, development_note, drawing};
+    use torse_designs::unroll::{PatternSummary, development_note, drawing};
     let text =
         channel("radius = 3", [90.0, 60.0]).replace("k-factor", "surface = \"outside\"\nk-factor");
     let bent = read("x.toml", &text).unwrap();
@@ -330,7 +330,7 @@ fn the_development_of_what_tools_bend_is_told_not_to_be_the_blank() {
             && !notes.contains("K-factor"),
         "{notes}"
     );
-    let summary = Summary::new(&bent, &pieces);
+    let summary = PatternSummary::new(&bent, &pieces);
     assert!(!summary.pieces[0].is_blank);
     assert!(
         summary
@@ -342,7 +342,7 @@ fn the_development_of_what_tools_bend_is_told_not_to_be_the_blank() {
     let scored = read("x.toml", &channel("", [90.0, 60.0])).unwrap();
     assert_eq!(development_note(&scored), None);
     let pieces = unroll(&scored, &Demand::default()).unwrap();
-    assert!(Summary::new(&scored, &pieces).pieces[0].is_blank);
+    assert!(PatternSummary::new(&scored, &pieces).pieces[0].is_blank);
 }
 
 #[test]

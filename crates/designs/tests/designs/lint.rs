@@ -2,14 +2,14 @@
 //! files of all worked designs.
 
 use std::path::Path;
-use torse_designs::lint::{Check, Fault, LintDemand, LintReport, Outcome, Rules, lint};
+use torse_designs::lint::{Check, LintDemand, LintReport, LintRules, RuleFault, RuleOutcome, lint};
 use torse_designs::load;
 use torse_designs::unroll::{Demand, Purpose, parts, unroll};
 use torse_exchange::{Drawing, Layer, Text, Vertex, dxf, svg};
 
 const THICKNESS: f64 = 2.0;
 
-fn judged_by(rules: &Rules, name: &str, text: &str, thickness: Option<f64>) -> LintReport {
+fn judged_by(rules: &LintRules, name: &str, text: &str, thickness: Option<f64>) -> LintReport {
     let demand = LintDemand {
         thickness,
         unit: None,
@@ -18,7 +18,12 @@ fn judged_by(rules: &Rules, name: &str, text: &str, thickness: Option<f64>) -> L
 }
 
 fn judged(name: &str, text: &str) -> LintReport {
-    judged_by(&Rules::published().unwrap(), name, text, Some(THICKNESS))
+    judged_by(
+        &LintRules::published().unwrap(),
+        name,
+        text,
+        Some(THICKNESS),
+    )
 }
 
 /// A plate of 120 x 80 mm with one round corner, a round hole and a slot.
@@ -89,7 +94,7 @@ fn the_good_plate_keeps_every_rule() {
             report
                 .rules
                 .iter()
-                .all(|rule| rule.outcome == Outcome::Kept)
+                .all(|rule| rule.outcome == RuleOutcome::Kept)
         );
         assert_eq!(report.contours, 3);
         let [width, height] = report.size.unwrap();
@@ -112,13 +117,13 @@ fn the_good_plate_keeps_every_rule() {
 
 #[test]
 fn rules_that_need_a_thickness_are_not_judged_without_one() {
-    let rules = Rules::published().unwrap();
+    let rules = LintRules::published().unwrap();
     let report = judged_by(&rules, "plate.dxf", &dxf(&good()).unwrap(), None);
     assert!(report.passes());
     let open: Vec<Check> = report
         .rules
         .iter()
-        .filter(|rule| rule.outcome == Outcome::NotJudged)
+        .filter(|rule| rule.outcome == RuleOutcome::NotJudged)
         .map(|rule| rule.check)
         .collect();
     assert_eq!(open, [Check::Hole, Check::Web]);
@@ -414,7 +419,7 @@ fn damaged_files_break_their_rule_at_their_place() {
     for (name, text, check, at) in &all {
         let report = judged(name, text);
         assert!(!report.passes(), "{name}");
-        let own: Vec<&Fault> = report
+        let own: Vec<&RuleFault> = report
             .faults
             .iter()
             .filter(|fault| fault.check == *check)
@@ -422,7 +427,7 @@ fn damaged_files_break_their_rule_at_their_place() {
         assert!(!own.is_empty(), "{name}: {}", report.text());
         assert!(own.iter().all(|fault| !fault.reason.is_empty()), "{name}");
         if let Some(at) = at {
-            let near = |fault: &&Fault| {
+            let near = |fault: &&RuleFault| {
                 fault
                     .at
                     .is_some_and(|[x, y]| libm::hypot(x - at[0], y - at[1]) < 0.02)
@@ -473,7 +478,7 @@ fn damage_of_one_kind_breaks_no_other_rule() {
 fn rules_of_a_file_are_used_and_wrong_ones_refused() {
     let rules = "joined-within = 0.05\n[[rules]]\ncheck = \"size\"\nat-most = 100\nsource = \"ours\"\n\
                  [[rules]]\ncheck = \"radius\"\nat-least = 12\nsource = \"a router of 24 mm\"\n";
-    let rules = Rules::parse(rules).unwrap();
+    let rules = LintRules::parse(rules).unwrap();
     let report = judged_by(&rules, "plate.dxf", &dxf(&good()).unwrap(), None);
     let measured: Vec<f64> = report
         .faults
@@ -501,13 +506,13 @@ fn rules_of_a_file_are_used_and_wrong_ones_refused() {
         "joined-within = 0.01\n[[rules]]\ncheck = \"hole\"\nsource = \"x\"\n",
         "joined-within = 0.01\n[[rules]]\ncheck = \"closed\"\nat-least = 1\nsource = \"x\"\n",
     ] {
-        assert!(Rules::parse(wrong).is_err(), "{wrong}");
+        assert!(LintRules::parse(wrong).is_err(), "{wrong}");
     }
 }
 
 #[test]
 fn every_published_rule_has_a_source_and_an_address() {
-    for rule in Rules::published().unwrap().rules {
+    for rule in LintRules::published().unwrap().rules {
         assert!(!rule.source.is_empty());
         assert!(rule.url.is_some_and(|url| url.starts_with("https://")));
     }
@@ -530,7 +535,7 @@ fn the_cut_files_of_all_worked_designs_pass() {
                 let drawing = part.drawing(purpose).unwrap();
                 let files = [("part.dxf", dxf(&drawing)), ("part.svg", svg(&drawing))];
                 for (name, text) in files {
-                    let rules = Rules::published().unwrap();
+                    let rules = LintRules::published().unwrap();
                     let report = judged_by(&rules, name, &text.unwrap(), Some(thickness));
                     assert!(
                         report.passes(),

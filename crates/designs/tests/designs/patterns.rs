@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use torse_designs::export::{bytes, mesh};
 use torse_designs::inspect::{Assurance, inspect};
-use torse_designs::unroll::{Demand, Summary, drawing, unroll};
+use torse_designs::unroll::{Demand, PatternSummary, drawing, unroll};
 use torse_designs::{Design, DesignError, read};
 use torse_exchange::Layer;
 use torse_geometry::pattern::PatternError;
@@ -367,7 +367,7 @@ marks = [{ at = [0.5, 0.5], radius = 6 }]
     let flat = read("x.toml", text).unwrap_or_else(|e| panic!("{e:?}"));
     // By mpmath: the profile times 45, less the circle.
     let exact = 4_688.012_398;
-    let summary = Summary::new(&flat, &unroll(&flat, &Demand::default()).unwrap());
+    let summary = PatternSummary::new(&flat, &unroll(&flat, &Demand::default()).unwrap());
     let piece = &summary.pieces[0];
     assert!((piece.area - exact).abs() < 1e-3, "{}", piece.area);
     assert!((piece.cut - (303.38 + 37.70)).abs() < 0.01, "{}", piece.cut);

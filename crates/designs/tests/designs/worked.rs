@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use torse_designs::export::{ENDINGS, bytes, mesh};
 use torse_designs::fold::fold_text;
 use torse_designs::inspect::{inspect, table};
-use torse_designs::unroll::{Demand, PartsList, Summary, parts, unroll};
+use torse_designs::unroll::{Demand, PartsList, PatternSummary, parts, unroll};
 use torse_designs::{Design, draw, load};
 
 fn folder() -> PathBuf {
@@ -58,7 +58,7 @@ fn worked_designs_meet_their_tolerances_and_the_committed_files_are_theirs() {
             assert!((inside - piece.flat.area()).abs() <= errors.area);
         }
         text.push('\n');
-        text.push_str(&Summary::new(&design, &pieces).text());
+        text.push_str(&PatternSummary::new(&design, &pieces).text());
         text.push_str(&PartsList::new(&design, &parts(&design, &pieces).unwrap()).text());
         let committed = |ending: &str| {
             let path = folder().join(&design.name).with_extension(ending);

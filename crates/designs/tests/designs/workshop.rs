@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use torse_designs::bench::{PaperSize, bench_sheets, tiled_parts};
 use torse_designs::fold::fold_text;
 use torse_designs::inspect::inspect;
-use torse_designs::lint::{LintDemand, Rules, lint};
+use torse_designs::lint::{LintDemand, LintRules, lint};
 use torse_designs::load;
 use torse_designs::unroll::{Demand, Purpose, drawing, parts, unroll};
 use torse_exchange::dxf;
@@ -28,7 +28,7 @@ fn whole_way(name: &str) -> usize {
     let thickness = design.metal.map_or(1.0, |metal| metal.sheet.thickness());
     for part in &parts {
         let cut = dxf(&part.drawing(Purpose::Cut).unwrap()).unwrap();
-        let rules = Rules::published().unwrap();
+        let rules = LintRules::published().unwrap();
         let demand = LintDemand {
             thickness: Some(thickness),
             unit: None,

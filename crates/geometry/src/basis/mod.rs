@@ -157,8 +157,8 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug + Send + Sync {
     /// The first derivatives of the seeds at `x`.
     ///
     /// # Errors
-    /// [`GeometryError::Exact`] from the seeds, [`GeometryError::LengthMismatch`] where their series are shorter than asked
-    /// for.
+    /// [`GeometryError::Exact`] from the seeds, [`GeometryError::LengthMismatch`] where their series are shorter than
+    /// asked for.
     fn seed_slopes(&self, x: &S) -> Result<[S; 3]> {
         let [first, second, third] = seed_series(self, x, 1)?;
         let slope = |g: Jet<S>| {
@@ -270,8 +270,8 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug + Send + Sync {
     }
 }
 
-/// The series of the seeds; refuses those that end before `order`, as a family of somebody else may give them: what is not
-/// known would count as zero.
+/// The series of the seeds; refuses those that end before `order`, as a family of somebody else may give them: what is
+/// not known would count as zero.
 fn seed_series<S: Coordinate>(basis: &impl Basis<S>, x: &S, order: usize) -> Result<[Jet<S>; 3]> {
     let jets = basis.seed_jets(x, order)?;
     for (index, jet) in jets.iter().enumerate() {

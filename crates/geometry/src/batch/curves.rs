@@ -1,8 +1,8 @@
 //! Curves, plane families and rulings at many parameters.
 //!
 //! The parameters go in blocks: first the seeds of the basis, column by column; then whole vector registers of
-//! parameters through the same functions as a single one (see `lanes`): the blend to the degree of the curve and the sum
-//! over the control points, which stay in registers for the usual degrees.
+//! parameters through the same functions as a single one (see `lanes`): the blend to the degree of the curve and the
+//! sum over the control points, which stay in registers for the usual degrees.
 
 use super::check_length;
 use super::lanes::Lanes;

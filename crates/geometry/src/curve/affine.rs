@@ -14,8 +14,8 @@ use torse_algebra::Scalar;
 /// # Ok::<(), torse_geometry::GeometryError>(())
 /// ```
 ///
-/// With the feature `nalgebra` it converts from and to the maps of nalgebra; points and vectors are arrays, which nalgebra
-/// converts itself.
+/// With the feature `nalgebra` it converts from and to the maps of nalgebra; points and vectors are arrays, which
+/// nalgebra converts itself.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AffineMap<S> {
     /// The rows of the linear part.

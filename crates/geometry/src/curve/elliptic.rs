@@ -57,8 +57,8 @@ impl<S> EllipticHelix<S> {
 }
 
 impl<S: Coordinate> EllipticHelix<S> {
-    /// The helix about an ellipse with this centre and these conjugate half axes, which climbs by `rise` in each quarter
-    /// turn, between two angles in quarter turns. Of a plane arc `rise` is zero.
+    /// The helix about an ellipse with this centre and these conjugate half axes, which climbs by `rise` in each
+    /// quarter turn, between two angles in quarter turns. Of a plane arc `rise` is zero.
     ///
     /// # Errors
     /// [`GeometryError::NotFinite`].
@@ -169,8 +169,8 @@ impl<S: Coordinate> SpaceCurve<S> for EllipticHelix<S> {
 }
 
 impl EllipticHelix {
-    /// The arc of a circle about an axis, from a point, by an angle in degrees (positive counter-clockwise seen from the
-    /// tip of the axis), that climbs by `climb` along the axis on the whole of its way.
+    /// The arc of a circle about an axis, from a point, by an angle in degrees (positive counter-clockwise seen from
+    /// the tip of the axis), that climbs by `climb` along the axis on the whole of its way.
     ///
     /// # Errors
     /// [`GeometryError::Degenerate`] for an axis without direction, a point on the axis, an angle of zero;

@@ -1,10 +1,11 @@
 //! The least value of a function along a curve, between bounds.
 //!
-//! Branch and bound on balls: over an interval of half width `w` about its middle `m` a function is its Taylor polynomial
-//! at `m` with the last coefficient taken over the interval (Lagrange), whose excess falls with `w^ORDER`. The interval with
-//! the lowest bound is halved until that bound is near a value that is attained.
+//! Branch and bound on balls: over an interval of half width `w` about its middle `m` a function is its Taylor
+//! polynomial at `m` with the last coefficient taken over the interval (Lagrange), whose excess falls with `w^ORDER`.
+//! The interval with the lowest bound is halved until that bound is near a value that is attained.
 
 use super::SpaceCurve;
+use crate::dyadic::middle_of;
 use crate::error::{GeometryError, Result};
 use torse_algebra::rational::{Rational, integer, to_f64};
 use torse_algebra::{Ball, Jet};
@@ -22,8 +23,8 @@ pub(crate) struct Least {
     pub(crate) x: f64,
 }
 
-/// The least `value` of the points of a curve over [0, 1], as soon as the difference of its bounds, each as `measured`, is
-/// not above `accuracy`. What is measured has to grow with the value.
+/// The least `value` of the points of a curve over [0, 1], as soon as the difference of its bounds, each as `measured`,
+/// is not above `accuracy`. What is measured has to grow with the value.
 ///
 /// # Errors
 /// [`GeometryError::NotConverged`] where they do not come so close, and what the curve refuses.
@@ -44,9 +45,9 @@ pub(crate) fn least(
         let middle = middle_of(from, to);
         let half = to.clone() - middle.clone();
         let reach = Ball::from_bounds(&-half.clone(), &half, bits);
-        let there = value(&curve.space_jet(&Ball::from_rational(&middle, bits), ORDER)?);
+        let at_middle = value(&curve.space_jet(&Ball::from_rational(&middle, bits), ORDER)?);
         let over = value(&curve.space_jet(&Ball::from_bounds(from, to, bits), ORDER)?);
-        let coefficients = there.coefficients().iter().take(ORDER);
+        let coefficients = at_middle.coefficients().iter().take(ORDER);
         let last = over.coefficients().get(ORDER);
         let terms = coefficients.chain(last).zip(0..);
         let sum = terms.fold(None, |sum: Option<Ball>, (c, n)| {
@@ -89,8 +90,4 @@ pub(crate) fn least(
         open.push((low_over(&from, &middle), from, middle.clone()));
         open.push((low_over(&middle, &to), middle, to));
     }
-}
-
-fn middle_of(from: &Rational, to: &Rational) -> Rational {
-    (from.clone() + to.clone()) * Rational::new(1.into(), 2.into())
 }

@@ -4,9 +4,9 @@
 //! made of it are its Bezier pieces, one for each interval between different knots. Their control points are values of
 //! the polar form (blossom) `f` of the polynomial on that interval. With the `2p` knots about the interval `[a, b]`,
 //! `w[1..p] <= a < b <= w[p+1..2p]`, the spline has the control points `f(w[j+1], .., w[j+p])`, the piece has
-//! `f(a, .., a, b, .., b)`. De Boor's algorithm at `a` gives, as the last entries of its levels, `f(a, .., a, w[p+1], ..)`;
-//! the same at `b` on those gives, as the first entries, the control points of the piece. Both are knot insertion, so over
-//! the rationals no digit is lost.
+//! `f(a, .., a, b, .., b)`. De Boor's algorithm at `a` gives, as the last entries of its levels,
+//! `f(a, .., a, w[p+1], ..)`; the same at `b` on those gives, as the first entries, the control points of the piece.
+//! Both are knot insertion, so over the rationals no digit is lost.
 
 use super::{AffineMap, Bezier};
 use crate::coordinate::Coordinate;
@@ -25,8 +25,8 @@ pub const MAX_SPLINE_WORK: usize = 10_000_000;
 /// A B-spline curve in space over exact numbers: polynomial, or rational where it has weights.
 ///
 /// Invariants: the degree is between 1 and [`MAX_SPLINE_DEGREE`]; there are as many knots as control points plus degree
-/// plus one; knots do not fall; no knot has more than degree plus one copies, and no inner one more than the degree; the
-/// first and the last value of the parameter, `knots[degree]` and `knots[points]`, differ; weights are positive.
+/// plus one; knots do not fall; no knot has more than degree plus one copies, and no inner one more than the degree;
+/// the first and the last value of the parameter, `knots[degree]` and `knots[points]`, differ; weights are positive.
 ///
 /// ```
 /// use torse_algebra::rational::{integer, ratio};
@@ -56,8 +56,9 @@ impl Spline {
     /// # Errors
     /// [`GeometryError::OutOfRange`] for the degree, for more points than [`MAX_SPLINE_POINTS`], for more work than
     /// [`MAX_SPLINE_WORK`], and for a knot that falls or has too many copies (its index is told);
-    /// [`GeometryError::TooFew`] for fewer points than degree plus one; [`GeometryError::LengthMismatch`] for the number
-    /// of knots or weights; [`GeometryError::BadWeight`]; [`GeometryError::Degenerate`] where the parameter has no range.
+    /// [`GeometryError::TooFew`] for fewer points than degree plus one; [`GeometryError::LengthMismatch`] for the
+    /// number of knots or weights; [`GeometryError::BadWeight`]; [`GeometryError::Degenerate`] where the parameter has
+    /// no range.
     pub fn new(
         degree: usize,
         knots: Vec<Rational>,

@@ -1,8 +1,8 @@
 //! Parts of Bezier curves, weighted ones included: de Casteljau's algorithm.
 //!
 //! The points that the algorithm passes on its way to `G(x)` are the control points of the two parts: with
-//! `R[i,0] = R[i]` and `R[i,j] = (1-x) R[i,j-1] + x R[i+1,j-1]` those of `[0, x]` are `R[0,j]` and those of `[x, 1]` are
-//! `R[j,k-j]`. Curves with shape parameters have no such parts: their functions on a part of [0, 1] are others.
+//! `R[i,0] = R[i]` and `R[i,j] = (1-x) R[i,j-1] + x R[i+1,j-1]` those of `[0, x]` are `R[0,j]` and those of `[x, 1]`
+//! are `R[j,k-j]`. Curves with shape parameters have no such parts: their functions on a part of [0, 1] are others.
 
 use super::{Curve, RationalCurve};
 use crate::basis::Bernstein;
@@ -52,8 +52,8 @@ impl<S: Coordinate, const D: usize> RationalCurve<Bernstein, S, D> {
     /// The parts on `[0, x]` and `[x, 1]`, each with a parameter of its own in [0, 1].
     ///
     /// # Errors
-    /// [`GeometryError::NotFinite`](crate::GeometryError::NotFinite), [`GeometryError::BadWeight`](crate::GeometryError::BadWeight)
-    /// outside of [0, 1], where weights may vanish.
+    /// [`GeometryError::NotFinite`](crate::GeometryError::NotFinite),
+    /// [`GeometryError::BadWeight`](crate::GeometryError::BadWeight) outside of [0, 1], where weights may vanish.
     ///
     /// ```
     /// use torse_geometry::{Bernstein, RationalCurve};

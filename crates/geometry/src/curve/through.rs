@@ -6,10 +6,10 @@
 //! h[i] m[i-1] + 2 (h[i-1] + h[i]) m[i] + h[i-1] m[i+1] = 3 (h[i] d[i-1] + h[i-1] d[i]),   d[i] = (P[i+1] - P[i]) / h[i]
 //! ```
 //!
-//! at the inner points, and one equation at each end: `m[0] = T` (clamped), `2 m[0] + m[1] = 3 d[0]` (natural), or the same
-//! equation round the joint (periodic). The system is diagonally dominant and solved on f64. Its solution, as control
-//! points of a B-spline, is the curve from then on: exactly C2, and past the points by what rounding left, which is
-//! measured exactly.
+//! at the inner points, and one equation at each end: `m[0] = T` (clamped), `2 m[0] + m[1] = 3 d[0]` (natural), or the
+//! same equation round the joint (periodic). The system is diagonally dominant and solved on f64. Its solution, as
+//! control points of a B-spline, is the curve from then on: exactly C2, and past the points by what rounding left,
+//! which is measured exactly.
 
 use super::Spline;
 use crate::coordinate::Coordinate;
@@ -274,8 +274,8 @@ fn cyclic(mut rows: Vec<([f64; 3], [f64; 3])>) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// The control point whose middle knot is that of a point: the polar form at the knots before, at and after it. `indices`
-/// are those of the step before, of the point and its step, and of the point after.
+/// The control point whose middle knot is that of a point: the polar form at the knots before, at and after it.
+/// `indices` are those of the step before, of the point and its step, and of the point after.
 fn inner_control(
     points: &[[f64; 3]],
     steps: &[f64],

@@ -1,16 +1,17 @@
 //! Certificates that enclose: between which bounds the numbers of [`certify`](super::certify) lie.
 //!
-//! A few functions of `x` say everything (modules `forms` and `measures`). On an interval each is had in one of two ways:
-//! as a Chebyshev model ([`ChebyshevModel`]), fast and good to the rounding of f64; or as its Taylor polynomial at the middle with
-//! the last coefficient taken over the interval (Lagrange), on balls of any number of bits: of half width `w` the excess
-//! falls with `w^6`. Intervals are halved where the bound is worst. Of a patch that is developable by construction `D` is
-//! zero, not evaluated.
+//! A few functions of `x` say everything (modules `forms` and `measures`). On an interval each is had in one of two
+//! ways: as a Chebyshev model ([`ChebyshevModel`]), fast and good to the rounding of f64; or as its Taylor polynomial
+//! at the middle with the last coefficient taken over the interval (Lagrange), on balls of any number of bits: of half
+//! width `w` the excess falls with `w^6`. Intervals are halved where the bound is worst. Of a patch that is developable
+//! by construction `D` is zero, not evaluated.
 
 use super::extent::Extent;
 use super::forms::{RulingForms, Squares};
 use super::measures::{
     CLEARANCE, DETERMINANT, GAUSSIAN, Intervals, NORMAL, QUANTITIES, SIDE, TWIST, trivial,
 };
+use crate::dyadic::middle_of;
 use crate::model::ChebyshevModel;
 use crate::surface::Rails;
 use crate::{exact, exact_ball};
@@ -102,8 +103,8 @@ pub fn enclose<R: Rails<Ball> + ?Sized>(
     divided(&series, accuracy, cells)
 }
 
-/// Encloses the certificate of a patch by Chebyshev models: as [`enclose`], and many times faster, but what f64 cannot tell
-/// from zero stays open.
+/// Encloses the certificate of a patch by Chebyshev models: as [`enclose`], and many times faster, but what f64 cannot
+/// tell from zero stays open.
 ///
 /// ```
 /// use torse_geometry::developable::{enclose, enclose_by_models};
@@ -274,12 +275,12 @@ impl<R: Rails<Ball> + ?Sized> Bounded for Series<'_, R> {
         let middle = middle_of(from, to);
         let width = to.clone() - middle.clone();
         let reach = Ball::from_bounds(&-width.clone(), &width, self.bits);
-        let there = self.squares(&Ball::from_rational(&middle, self.bits), ORDER);
+        let at_middle = self.squares(&Ball::from_rational(&middle, self.bits), ORDER);
         let over = self.squares(&Ball::from_bounds(from, to, self.bits), ORDER);
-        let taylor = |(there, over): (Squares<_>, Squares<_>)| {
-            there.zip(&over, |there, over| taylor(there, over, &reach))
+        let taylor = |(at_middle, over): (Squares<_>, Squares<_>)| {
+            at_middle.zip(&over, |at_middle, over| taylor(at_middle, over, &reach))
         };
-        bounds(self.patch, there.zip(over).map(taylor))
+        bounds(self.patch, at_middle.zip(over).map(taylor))
     }
 }
 
@@ -324,10 +325,10 @@ impl<R: Rails<ChebyshevModel> + ?Sized> Bounded for Modelled<'_, R> {
     }
 }
 
-/// The range over the interval of half width `reach` about the point of `there`: the Taylor polynomial with
+/// The range over the interval of half width `reach` about the point of `at_middle`: the Taylor polynomial with
 /// the last coefficient over the interval.
-fn taylor(there: &Jet<Ball>, over: &Jet<Ball>, reach: &Ball) -> Ball {
-    let coefficients = there.coefficients().iter().take(ORDER);
+fn taylor(at_middle: &Jet<Ball>, over: &Jet<Ball>, reach: &Ball) -> Ball {
+    let coefficients = at_middle.coefficients().iter().take(ORDER);
     let last = over.coefficients().get(ORDER);
     let mut terms = coefficients.chain(last).zip(0..);
     let first = terms.next().map_or(over.value(), |(c, _)| c).clone();
@@ -345,10 +346,6 @@ struct Cell {
     from: Rational,
     to: Rational,
     bounds: Intervals,
-}
-
-fn middle_of(from: &Rational, to: &Rational) -> Rational {
-    (from.clone() + to.clone()) * Rational::new(1.into(), 2.into())
 }
 
 /// The cell with the largest upper bound, the first of equals.

@@ -1,10 +1,11 @@
 //! Ends of patches at which the normal vanishes by its kind: proofs with reduced data.
 //!
-//! At a tip the ruling `R` has no length, where rails stand still their speeds `P', Q'` are zero, so the normals `R x P'`,
-//! `R x Q'` vanish there although the tangent plane has a limit. A function with a zero of order `k` at the end is
-//! `(x - end)^k` times a value of its `k`-th derivative over `k!` somewhere between (Taylor's formula), coordinate by
-//! coordinate. So the *reduced* data, without that factor, lie in the box of the ranges of that derivative, and the normals
-//! of the patch are those of the reduced data but for a positive factor and a sign that both have in common.
+//! At a tip the ruling `R` has no length, where rails stand still their speeds `P', Q'` are zero, so the normals
+//! `R x P'`, `R x Q'` vanish there although the tangent plane has a limit. A function with a zero of order `k` at the
+//! end is `(x - end)^k` times a value of its `k`-th derivative over `k!` somewhere between (Taylor's formula),
+//! coordinate by coordinate. So the *reduced* data, without that factor, lie in the box of the ranges of that
+//! derivative, and the normals of the patch are those of the reduced data but for a positive factor and a sign that
+//! both have in common.
 
 use crate::coordinate::Coordinate;
 use crate::model::ChebyshevModel;
@@ -14,9 +15,10 @@ use torse_algebra::Jet;
 
 type Vector = [ChebyshevModel; 3];
 
-/// Proves that a patch is regular between an end that is special by its kind, the first or the last, and the ruling at the
-/// distance `width` from it (`kinds` are those of its exact control data), but for the end itself: the normals at both ends of each ruling point to the same side. Returns
-/// a bound of the angle between them in radians; `None` where that is not proved, and of an ordinary end.
+/// Proves that a patch is regular between an end that is special by its kind, the first or the last, and the ruling at
+/// the distance `width` from it (`kinds` are those of its exact control data), but for the end itself: the normals at
+/// both ends of each ruling point to the same side. Returns a bound of the angle between them in radians; `None` where
+/// that is not proved, and of an ordinary end.
 pub(crate) fn regular_end<R: Rails<ChebyshevModel> + ?Sized>(
     patch: &R,
     kinds: EndKinds,

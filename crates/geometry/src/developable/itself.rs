@@ -1,16 +1,17 @@
 //! Whether a patch passes through itself in space: found with both parameters, proved not to, or undecided.
 //!
-//! Two rulings near each other do not meet if the patch moves away from each of them: let `R(x)` be a ruling, `T` a fixed
-//! vector and `m(x) = T (R.R) - R (R.T)`, which is orthogonal to `R(x)`. If `P'(y).m(x)` and `Q'(y).m(x)` are positive for all
-//! `x, y` of an interval, then `(S(y, w) - P(x)).m(x)` grows with `y` from zero at `y = x`, and no later ruling of the interval
-//! meets that of `x`.
+//! Two rulings near each other do not meet if the patch moves away from each of them: let `R(x)` be a ruling, `T` a
+//! fixed vector and `m(x) = T (R.R) - R (R.T)`, which is orthogonal to `R(x)`. If `P'(y).m(x)` and `Q'(y).m(x)` are
+//! positive for all `x, y` of an interval, then `(S(y, w) - P(x)).m(x)` grows with `y` from zero at `y = x`, and no
+//! later ruling of the interval meets that of `x`.
 //!
-//! Two rulings far from each other do not meet if hulls of the strips about them do not: a strip lies within the hull of
-//! four points, widened by what the rails differ from their chords. What is neither near nor apart is halved. Where nothing is
-//! left to halve, a meeting is looked for by Newton's method and proved by an interval Newton test (Krawczyk).
+//! Two rulings far from each other do not meet if hulls of the strips about them do not: a strip lies within the hull
+//! of four points, widened by what the rails differ from their chords. What is neither near nor apart is halved. Where
+//! nothing is left to halve, a meeting is looked for by Newton's method and proved by an interval Newton test
+//! (Krawczyk).
 //!
-//! Of a cone that reaches its apex all rulings meet there; the others meet where their directions agree, so the directions
-//! take the place of the points.
+//! Of a cone that reaches its apex all rulings meet there; the others meet where their directions agree, so the
+//! directions take the place of the points.
 
 use crate::coordinate::Coordinate;
 use crate::model::ChebyshevModel;
@@ -204,8 +205,8 @@ impl<M: Rails<ChebyshevModel>> Search<'_, M> {
     }
 }
 
-/// Whether the hulls of two sets of points are farther apart than `needed`: by Gilbert's iteration for the point of the hull of
-/// all differences that is nearest to the origin; each step proves a bound.
+/// Whether the hulls of two sets of points are farther apart than `needed`: by Gilbert's iteration for the point of the
+/// hull of all differences that is nearest to the origin; each step proves a bound.
 fn are_hulls_apart(a: &[[f64; 3]; 4], b: &[[f64; 3]; 4], needed: f64) -> bool {
     let differences: Vec<[f64; 3]> = a
         .iter()
@@ -322,8 +323,8 @@ where
 
 type Places = [[f64; 2]; 2];
 
-/// Two places that are the same point, near the middles of two ranges: Newton's method for the parameters of both rulings and
-/// the place on the second, with the place on the first held fast.
+/// Two places that are the same point, near the middles of two ranges: Newton's method for the parameters of both
+/// rulings and the place on the second, with the place on the first held fast.
 fn meeting<P: Rails<f64> + ?Sized>(
     patch: &P,
     from: [f64; 2],
@@ -387,8 +388,8 @@ fn solved(columns: &[[f64; 3]; 3], right: &[f64; 3]) -> Option<[f64; 3]> {
 /// Half the width of the box in which a meeting is proved.
 const MEETING_ROOM: f64 = 1e-6;
 
-/// Whether a meeting is proved near two places, by the test of Krawczyk: `c - Y f(c) + (1 - Y f'(X))(X - c)` lies in the box `X`
-/// about `c`.
+/// Whether a meeting is proved near two places, by the test of Krawczyk: `c - Y f(c) + (1 - Y f'(X))(X - c)` lies in
+/// the box `X` about `c`.
 fn is_proved(models: &impl Rails<ChebyshevModel>, [[x, v], [y, w]]: Places) -> bool {
     let r = MEETING_ROOM;
     let inside = |x: f64| r <= x && x <= 1.0 - r;

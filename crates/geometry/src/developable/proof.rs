@@ -111,8 +111,8 @@ pub enum Regularity {
     },
 }
 
-/// Proves or refutes that a patch is regular, in the sense of [`PatchCertificate`](super::PatchCertificate), with interval arithmetic of `bits` bits and at
-/// most `budget` intervals.
+/// Proves or refutes that a patch is regular, in the sense of [`PatchCertificate`](super::PatchCertificate), with
+/// interval arithmetic of `bits` bits and at most `budget` intervals.
 ///
 /// # Errors
 /// None: where the patch cannot be evaluated on an interval, that interval is divided.

@@ -1,11 +1,11 @@
 //! Functions on an interval with a proved bound: Chebyshev models.
 //!
-//! A [`ChebyshevModel`] is a polynomial of degree 16 in `t`, where `t` runs over [-1, 1] while the parameter runs over an interval,
-//! and a *radius*: it stands for every function that differs from the polynomial by no more than the radius anywhere on
-//! the interval. Sums and products of models hold the sums and products of all functions that they stand for: what
-//! exceeds degree 16 and all rounding goes into the radius. Quotients and square roots are interpolated, and then proved
-//! by the residual of a polynomial identity (module `residual`), so no sample is ever trusted
-//! (Joldes, *Rigorous polynomial approximations and applications*, 2011; Brisebarre and Joldes 2010).
+//! A [`ChebyshevModel`] is a polynomial of degree 16 in `t`, where `t` runs over [-1, 1] while the parameter runs over
+//! an interval, and a *radius*: it stands for every function that differs from the polynomial by no more than the
+//! radius anywhere on the interval. Sums and products of models hold the sums and products of all functions that they
+//! stand for: what exceeds degree 16 and all rounding goes into the radius. Quotients and square roots are
+//! interpolated, and then proved by the residual of a polynomial identity (module `residual`), so no sample is ever
+//! trusted (Joldes, *Rigorous polynomial approximations and applications*, 2011; Brisebarre and Joldes 2010).
 //!
 //! A model is a scalar like any other: curves, plane families and patches over models give models of their points and
 //! derivatives over a whole interval.
@@ -140,8 +140,8 @@ impl ChebyshevModel {
         low.abs().max(high.abs())
     }
 
-    /// Bounds of the values: the first coefficient and the sum of the others, or what the values at the nodes leave where
-    /// that is better.
+    /// Bounds of the values: the first coefficient and the sum of the others, or what the values at the nodes leave
+    /// where that is better.
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
         let Some((first, rest)) = self.active().split_first() else {
@@ -158,8 +158,9 @@ impl ChebyshevModel {
         ]
     }
 
-    /// An upper bound of the absolute values that is at most a twelfth too high: a polynomial of degree 16 is nowhere larger
-    /// than `1/cos(16 pi/128)` times the largest of its values at the 65 points `cos(pi k/64)` (Ehlich and Zeller 1964).
+    /// An upper bound of the absolute values that is at most a twelfth too high: a polynomial of degree 16 is nowhere
+    /// larger than `1/cos(16 pi/128)` times the largest of its values at the 65 points `cos(pi k/64)` (Ehlich and
+    /// Zeller 1964).
     pub(crate) fn sharply_largest(&self) -> f64 {
         const POINTS: u32 = 64;
         /// `1/cos(pi/8)`, rounded upwards.
@@ -244,8 +245,8 @@ impl ChebyshevModel {
         Self::with_radius(*slope.coefficients(), up(rounded))
     }
 
-    /// The same functions on a part of the interval, `t` from `from` to `to`, as an interpolant of the polynomial: exact
-    /// but for rounding.
+    /// The same functions on a part of the interval, `t` from `from` to `to`, as an interpolant of the polynomial:
+    /// exact but for rounding.
     fn scaled_by(&self, factor: f64) -> Self {
         let coefficients = self.coefficients.map(|c| c * factor);
         let rounded = f64::EPSILON * self.size() * factor.abs();
@@ -386,8 +387,8 @@ impl Scalar for ChebyshevModel {
             })
     }
 
-    /// Of a linear function `m + h t`: the interpolant, which is off by at most the 17th derivative over `17! 2^16`, and
-    /// the rounding of its values.
+    /// Of a linear function `m + h t`: the interpolant, which is off by at most the 17th derivative over `17! 2^16`,
+    /// and the rounding of its values.
     fn quarter_turn(&self) -> Result<(Self, Self), ExactError> {
         let none = || ExactError::NoExactTurn {
             argument: format!("{:?}", self.range()),
@@ -396,8 +397,8 @@ impl Scalar for ChebyshevModel {
         if self.degree > 1 || !(step <= 0.5 && self.coefficients[0].abs() <= 2.0) {
             return Err(none());
         }
-        // (pi/4)^17/(17! 2^16) < 1e-21; values within two units in the last place; 17 coefficients, each a sum of differences
-        // of values times weights, of which the absolute ones add up to two.
+        // (pi/4)^17/(17! 2^16) < 1e-21; values within two units in the last place; 17 coefficients, each a sum of
+        // differences of values times weights, of which the absolute ones add up to two.
         let spread = (PI * step).min(1.0);
         let transformed = 34.0 * rounding(12) * spread;
         let radius = up(1e-21 + 16.0 * f64::EPSILON + transformed + 0.5 * PI * self.radius);

@@ -52,8 +52,8 @@ impl ChebyshevModel {
         radius.is_finite().then(|| y.widened(radius))
     }
 
-    /// `[cos(theta), sin(theta)]` for the angle `theta` that starts from zero at the left end of an interval of this half
-    /// width and grows as the polynomial of `turn`. The radius of `turn` is not counted.
+    /// `[cos(theta), sin(theta)]` for the angle `theta` that starts from zero at the left end of an interval of this
+    /// half width and grows as the polynomial of `turn`. The radius of `turn` is not counted.
     pub(crate) fn direction(turn: &Self, half: f64) -> Option<[Self; 2]> {
         let turn = turn.polynomial();
         let theta = turn.integral(half);

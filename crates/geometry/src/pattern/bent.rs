@@ -1,10 +1,10 @@
 //! The sheet on its way between pattern and patch: bent along its rulings by a share of every bend.
 //!
-//! A sheet bends isometrically when its facets, the parts between neighbouring rulings, move rigidly: each turns against
-//! the one before about the ruling between them. With `t` times the angles of the finished sheet this is flat for
-//! `t = 0`, the polyhedron of [`fold`](super::fold()) for `t = 1`, and in between a developable with the same pattern: no
-//! line changes its length, at no share. (Points that are blended between pattern and patch would stretch the sheet on
-//! their way.)
+//! A sheet bends isometrically when its facets, the parts between neighbouring rulings, move rigidly: each turns
+//! against the one before about the ruling between them. With `t` times the angles of the finished sheet this is flat
+//! for `t = 0`, the polyhedron of [`fold`](super::fold()) for `t = 1`, and in between a developable with the same
+//! pattern: no line changes its length, at no share. (Points that are blended between pattern and patch would stretch
+//! the sheet on their way.)
 
 use super::error::{PatternError, PatternResult};
 use super::flat::FlatPattern;
@@ -86,16 +86,16 @@ impl BentSheet {
             .collect()
     }
 
-    /// Returns the unit normals of the facets on the side of the viewer of the pattern: of the facet between the first and the
-    /// second ruling, and so on.
+    /// Returns the unit normals of the facets on the side of the viewer of the pattern: of the facet between the first
+    /// and the second ruling, and so on.
     #[must_use]
     pub fn normals(&self) -> Vec<[f64; 3]> {
         let facets = self.motions.iter().skip(1);
         facets.map(RigidMotion::normal).collect()
     }
 
-    /// Returns where a point of the pattern lies on the bent sheet; `None` beside its facets. Where an edge of the pattern
-    /// is curved, a little of the sheet lies beside them.
+    /// Returns where a point of the pattern lies on the bent sheet; `None` beside its facets. Where an edge of the
+    /// pattern is curved, a little of the sheet lies beside them.
     #[must_use]
     pub fn point(&self, flat: [f64; 2]) -> Option<[f64; 3]> {
         let facets = self.flat.windows(2).zip(self.motions.iter().skip(1));
@@ -105,8 +105,8 @@ impl BentSheet {
         Some(motion.point(&on_sheet(flat)))
     }
 
-    /// Returns where the point at a share of a ruling's line lies, which may be beyond its ends: so far from the first end
-    /// towards the second. `None` where there is no such ruling.
+    /// Returns where the point at a share of a ruling's line lies, which may be beyond its ends: so far from the first
+    /// end towards the second. `None` where there is no such ruling.
     #[must_use]
     pub fn on_ruling(&self, ruling: usize, share: f64) -> Option<[f64; 3]> {
         let [[a, b], [c, d]] = *self.flat.get(ruling)?;

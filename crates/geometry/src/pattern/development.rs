@@ -1,9 +1,9 @@
 //! The development of a ruled patch: the flat rails as functions of the parameter, with error bounds.
 //!
-//! The parameter is cut into intervals, each of which is halved until its functions are resolved (module `interval`); then
-//! they are put one behind the other. At an end where the rulings shrink to a point or both rails stand still no interval
-//! is ever resolved that reaches it: so much of the parameter is left to a bound of how far the rails move there that this
-//! takes a small share of the error that is allowed, or `2^-36` of it.
+//! The parameter is cut into intervals, each of which is halved until its functions are resolved (module `interval`);
+//! then they are put one behind the other. At an end where the rulings shrink to a point or both rails stand still no
+//! interval is ever resolved that reaches it: so much of the parameter is left to a bound of how far the rails move
+//! there that this takes a small share of the error that is allowed, or `2^-36` of it.
 
 use super::error::{PatternError, PatternResult};
 use super::flattening::{Flattening, lost};
@@ -46,7 +46,8 @@ pub(super) struct Development {
     pub error: f64,
     /// The error of the angle of any flat ruling, in radians.
     pub angle_error: f64,
-    /// Every development with no more strain than that of an edge that keeps its length lies within this, after a motion.
+    /// Every development with no more strain than that of an edge that keeps its length lies within this, after a
+    /// motion.
     pub ambiguity: f64,
     /// The exact lengths of the flat rails and the exact area, up to `quadrature`.
     pub lengths: [f64; 2],
@@ -236,8 +237,8 @@ fn reach<R: Rails<f64> + ?Sized>(patch: &R) -> PatternResult<f64> {
     Ok(length + speed)
 }
 
-/// With a strain of `strain` each `s` may vary by that share of it, to either side of where it is written or, where it is
-/// written at one end of that, by twice as much: the way from the middle ruling to both ends.
+/// With a strain of `strain` each `s` may vary by that share of it, to either side of where it is written or, where it
+/// is written at one end of that, by twice as much: the way from the middle ruling to both ends.
 fn ambiguity(shares: &[Share], strain: f64) -> f64 {
     let half = shares.len() / 2;
     let (before, after) = shares.split_at(half);

@@ -28,7 +28,8 @@ impl FlatPattern {
         })
     }
 
-    /// The rails of a patch of the chain in the order of the chain: to the left of one who follows it, and to the right.
+    /// The rails of a patch of the chain in the order of the chain: to the left of one who follows it, and to the
+    /// right.
     #[must_use]
     pub fn sides(&self, piece: usize) -> Option<[Vec<Segment>; 2]> {
         let piece = self.pieces.get(piece)?;

@@ -50,8 +50,8 @@ impl FlatRuling {
 }
 
 /// Bounds for the errors of a flat pattern, against the exact development. Of a patch that is not exactly developable
-/// against the development that it is ([`FlatPattern::flattening`]): how far that may be from others is the `ambiguity`.
-/// They are proved or measured, as [`FlatPattern::evidence`] says.
+/// against the development that it is ([`FlatPattern::flattening`]): how far that may be from others is the
+/// `ambiguity`. They are proved or measured, as [`FlatPattern::evidence`] says.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PatternErrors {
     /// The largest distance of the cut outline from the exact one, both ways.
@@ -64,8 +64,8 @@ pub struct PatternErrors {
     pub length: f64,
     /// The error of the area inside the cut outline.
     pub area: f64,
-    /// Every other development with a strain of at most `1 - cos(twist)`, as each of [`Flattening`] has, lies within this
-    /// of the exact outline of this one, after a motion. Zero for exactly developable patches.
+    /// Every other development with a strain of at most `1 - cos(twist)`, as each of [`Flattening`] has, lies within
+    /// this of the exact outline of this one, after a motion. Zero for exactly developable patches.
     pub ambiguity: f64,
 }
 
@@ -151,8 +151,8 @@ impl FlatPattern {
         self.tolerance
     }
 
-    /// The largest share of its length by which a line on the patch is stretched or shortened in the plane: zero for what
-    /// is exactly developable.
+    /// The largest share of its length by which a line on the patch is stretched or shortened in the plane: zero for
+    /// what is exactly developable.
     #[must_use]
     pub fn strain(&self) -> f64 {
         let each = self.pieces.iter().map(|p| p.development.strain);
@@ -173,8 +173,8 @@ impl FlatPattern {
         each.min().unwrap_or(PatternEvidence::Measured)
     }
 
-    /// By how much the flat edges of a patch of the chain are shorter than its edges in space, at most: zero for what is
-    /// exactly developable, and for edges that the development keeps.
+    /// By how much the flat edges of a patch of the chain are shorter than its edges in space, at most: zero for what
+    /// is exactly developable, and for edges that the development keeps.
     #[must_use]
     pub fn shortened(&self, piece: usize) -> Option<[f64; 2]> {
         self.pieces.get(piece).map(|p| p.development.shortened)

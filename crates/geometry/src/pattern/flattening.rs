@@ -1,9 +1,9 @@
 //! Which development is made of a sheet that has no exact one.
 //!
-//! Let `T0, T1` be the parts of the speeds `P', Q'` of the rails across the ruling, `s0, s1` their lengths and `tau` the
-//! angle between them, the *twist*. On the surface the speed across the ruling at `v` is `|(1 - v) T0 + v T1|`. In a plane
-//! image in which rulings stay straight, keep their length, and every speed keeps its part along the ruling, it is linear
-//! in `v`, from `a0` to `a1`. So a development is the choice of these two functions:
+//! Let `T0, T1` be the parts of the speeds `P', Q'` of the rails across the ruling, `s0, s1` their lengths and `tau`
+//! the angle between them, the *twist*. On the surface the speed across the ruling at `v` is `|(1 - v) T0 + v T1|`. In
+//! a plane image in which rulings stay straight, keep their length, and every speed keeps its part along the ruling, it
+//! is linear in `v`, from `a0` to `a1`. So a development is the choice of these two functions:
 //!
 //! | name | `a0`, `a1` | keeps | largest strain |
 //! |---|---|---|---|
@@ -22,7 +22,8 @@
 
 use crate::model::ChebyshevModel;
 
-/// The development of a sheet that is not exactly developable, by what it keeps: see [`Unrolling::flattening`](super::Unrolling::flattening).
+/// The development of a sheet that is not exactly developable, by what it keeps: see
+/// [`Unrolling::flattening`](super::Unrolling::flattening).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Flattening {
     /// Both edges and all rulings keep their lengths.
@@ -52,8 +53,8 @@ impl Flattening {
         found.map_or("edges", |(name, _)| name)
     }
 
-    /// The largest share by which a line is stretched or shortened, of a sheet whose tangent planes turn along a ruling by
-    /// an angle of at most this sine.
+    /// The largest share by which a line is stretched or shortened, of a sheet whose tangent planes turn along a ruling
+    /// by an angle of at most this sine.
     pub(super) fn strain(self, sine: f64) -> f64 {
         match self {
             // 1/cos(tau/2) - 1 without cancellation, by (1 - cos tau)/2 = sin(tau/2)^2.

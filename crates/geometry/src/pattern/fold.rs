@@ -39,8 +39,8 @@ pub fn fold(rulings: &[[[f64; 2]; 2]], angles: &[f64]) -> PatternResult<Vec<[[f6
     Ok(rulings.iter().zip(&motions).map(placed).collect())
 }
 
-/// The motions of the facets of a sheet that is folded as [`fold`] describes: for each ruling that of the facet before it,
-/// for the first one that of the facet after it.
+/// The motions of the facets of a sheet that is folded as [`fold`] describes: for each ruling that of the facet before
+/// it, for the first one that of the facet after it.
 ///
 /// # Errors
 /// As [`fold`].
@@ -218,8 +218,8 @@ pub(super) fn best_motion(points: &[[f64; 3]], others: &[[f64; 3]]) -> Option<Ri
     Some(RigidMotion { rotation, shift })
 }
 
-/// The rigid motion of points onto as many others that makes the sum of the squares of the distances least; `None` where
-/// there is no number.
+/// The rigid motion of points onto as many others that makes the sum of the squares of the distances least; `None`
+/// where there is no number.
 fn rigid_fit(points: &[[f64; 3]], others: &[[f64; 3]]) -> Option<RigidFit> {
     #[allow(clippy::cast_precision_loss)]
     let count = points.len() as f64;

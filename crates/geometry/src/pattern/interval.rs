@@ -7,9 +7,9 @@
 //! theta' = turn = (a1 - a0)/L,     p' = along e + a0 e_perp,     q = p + L e,
 //! ```
 //!
-//! with `along = P' . r`, the speed of the rail along the ruling, and `a0, a1` the speeds across it that the development
-//! has (module `flattening`). All of them are models, so each radius is a proved bound over the whole interval. The system
-//! is triangular and a rotation keeps lengths: errors add up and are not amplified,
+//! with `along = P' . r`, the speed of the rail along the ruling, and `a0, a1` the speeds across it that the
+//! development has (module `flattening`). All of them are models, so each radius is a proved bound over the whole
+//! interval. The system is triangular and a rotation keeps lengths: errors add up and are not amplified,
 //!
 //! ```text
 //! |error of theta| <= E = integral of radius(turn),     |error of p| <= radius of the integral + integral of |p'| E,
@@ -45,7 +45,8 @@ const NOISE: f64 = 1e-12;
 /// An interval of the parameter that is short.
 const SHORT: f64 = 1.0 / 1024.0;
 
-/// Speeds across the ruling that are negative by no more than this share are those of an edge of regression on the border.
+/// Speeds across the ruling that are negative by no more than this share are those of an edge of regression on the
+/// border.
 const TOUCHING: f64 = 1e-10;
 
 /// What became of an interval.
@@ -54,7 +55,8 @@ pub(super) enum Tried {
     Resolved(Box<(Panel, Share)>),
     /// It is too long.
     Halve,
-    /// At this parameter the edge of regression runs between the rails: the speeds across, and the length of the ruling.
+    /// At this parameter the edge of regression runs between the rails: the speeds across, and the length of the
+    /// ruling.
     Crossed {
         x: f64,
         across: [f64; 2],
@@ -209,8 +211,8 @@ fn assembled(
         .iter()
         .map(ChebyshevModel::radius)
         .fold(0.0, f64::max);
-    // Short intervals may be as bad as their share of 1/1024, and at the end of the patch their angle turns little more than
-    // themselves: towards a tip directions lose digits as the rulings shrink.
+    // Short intervals may be as bad as their share of 1/1024, and at the end of the patch their angle turns little more
+    // than themselves: towards a tip directions lose digits as the rulings shrink.
     let part = width.max(SHORT);
     let turned = if width < SHORT {
         demand

@@ -1,4 +1,5 @@
-//! Where the development takes its functions from: the rails of a patch and their derivatives on an interval, as models.
+//! Where the development takes its functions from: the rails of a patch and their derivatives on an interval, as
+//! models.
 
 use crate::chebyshev::{NODES, Row, basis, between, nodes};
 use crate::model::ChebyshevModel;

@@ -98,16 +98,17 @@ impl Unrolling {
         self
     }
 
-    /// Flattens a patch that is not developable too, as long as no line is stretched or shortened by more than this share
-    /// of its length. Such a pattern says [`FlatPattern::is_strained`].
+    /// Flattens a patch that is not developable too, as long as no line is stretched or shortened by more than this
+    /// share of its length. Such a pattern says [`FlatPattern::is_strained`].
     #[must_use]
     pub fn allow_strain(mut self, strain: f64) -> Self {
         self.allowed = strain;
         self
     }
 
-    /// Unrolls a patch, with bounds that are proved over whole intervals ([`ChebyshevModel`]) for the exact numbers of its control
-    /// data. Where the tolerance is out of their reach it is measured, as [`FlatPattern::evidence`] then says.
+    /// Unrolls a patch, with bounds that are proved over whole intervals ([`ChebyshevModel`]) for the exact numbers of
+    /// its control data. Where the tolerance is out of their reach it is measured, as [`FlatPattern::evidence`] then
+    /// says.
     ///
     /// The first rail starts at the origin, the first ruling points along the first axis, and the patch
     /// proceeds along the second axis; the side that its normal `R x (P' + Q')` points to is seen.

@@ -10,9 +10,9 @@ use torse_algebra::{Integer, Rational};
 /// Control points `w p` with their weights `w`, exactly.
 type Homogeneous = Vec<[Rational; 4]>;
 
-/// Whether `det(P', Q', Q - P)` is the zero function: the differences of the control points are parallel with one ratio
-/// (cylinders and cones), all control points lie in one plane, or (of polynomials, weighted or not) the determinant
-/// vanishes at one parameter more than its degree.
+/// Returns whether `det(P', Q', Q - P)` is the zero function: the differences of the control points are parallel with
+/// one ratio (cylinders and cones), all control points lie in one plane, or (of polynomials, weighted or not) the
+/// determinant vanishes at one parameter more than its degree.
 pub(super) fn is_exactly_developable(first: &Rail, second: &Rail) -> bool {
     if are_similar(first, second) {
         return true;
@@ -23,7 +23,7 @@ pub(super) fn is_exactly_developable(first: &Rail, second: &Rail) -> bool {
     are_coplanar(&p, &q) || vanishes(first, second, &p, &q)
 }
 
-/// The control points; an arc of an ellipse has none.
+/// Returns the control points; an arc of an ellipse has none.
 fn homogeneous(rail: &Rail) -> Option<Homogeneous> {
     let lifted = |p: &Point, w: f64| {
         let [x, y, z] = p.map(exact);
@@ -36,7 +36,7 @@ fn homogeneous(rail: &Rail) -> Option<Homogeneous> {
     })
 }
 
-/// Whether `Q' = k P'` with a constant `k`: in one basis, without weights, or of arcs with the same angles.
+/// Returns whether `Q' = k P'` with a constant `k`: in one basis, without weights, or of arcs with the same angles.
 fn are_similar(first: &Rail, second: &Rail) -> bool {
     match (first.curve(), second.curve()) {
         (RailCurve::Plain(p), RailCurve::Plain(q)) => {
@@ -64,14 +64,14 @@ fn are_similar(first: &Rail, second: &Rail) -> bool {
     }
 }
 
-/// The differences of neighbouring points.
+/// Returns the differences of neighbouring points.
 fn steps(points: &[Point]) -> Vec<Rational> {
     let points: Vec<[Rational; 3]> = points.iter().map(|p| p.map(exact)).collect();
     let pairs = points.iter().zip(points.iter().skip(1));
     pairs.flat_map(|(a, b)| sub(b, a)).collect()
 }
 
-/// Whether the second list is a multiple of the first, which is not zero.
+/// Returns whether the second list is a multiple of the first, which is not zero.
 fn are_proportional(p: &[Rational], q: &[Rational]) -> bool {
     let zero = Rational::from_integer(Integer::ZERO);
     let Some(index) = p.iter().position(|c| *c != zero) else {
@@ -106,8 +106,8 @@ fn are_coplanar(p: &Homogeneous, q: &Homogeneous) -> bool {
     arms.iter().all(|arm| det(first, second, arm) == zero)
 }
 
-/// Whether `det(A, A', B, B')` vanishes, with the homogeneous polynomials `A, B` of the rails: a polynomial of a degree of
-/// at most `2 m + 2 n - 4`.
+/// Returns whether `det(A, A', B, B')` vanishes, with the homogeneous polynomials `A, B` of the rails: a polynomial of
+/// a degree of at most `2 m + 2 n - 4`.
 fn vanishes(first: &Rail, second: &Rail, p: &Homogeneous, q: &Homogeneous) -> bool {
     let shape = |rail: &Rail| match rail.curve() {
         RailCurve::Plain(curve) => Some(*curve.basis()),

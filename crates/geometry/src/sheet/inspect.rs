@@ -24,7 +24,7 @@ pub struct Inspection {
 }
 
 impl Inspection {
-    /// The largest angle between the tangent planes at the ends of a ruling, in degrees.
+    /// Returns the largest angle between the tangent planes at the ends of a ruling, in degrees.
     #[must_use]
     pub fn twist_in_degrees(&self) -> f64 {
         self.certificate.twist.value.to_degrees()
@@ -33,7 +33,7 @@ impl Inspection {
 
 /// How the end of a sheet meets the start of the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Seam {
+pub struct SheetJoint {
     /// The largest distance of corresponding ends of the two rulings.
     pub gap: f64,
     /// The largest angle by which the sheet is folded there, in radians: 0 where it goes on smoothly, pi where the next
@@ -43,9 +43,9 @@ pub struct Seam {
 
 /// A flat place has no radius of curvature: curvatures below this share of that of a circle as wide as the
 /// ruling is long are rounding.
-const FLAT: f64 = 1e-12;
+const MAX_FLAT_CURVATURE: f64 = 1e-12;
 /// The relative error of areas.
-const AREA: f64 = 1e-10;
+const AREA_ACCURACY: f64 = 1e-10;
 
 impl Sheet {
     /// Measures the sheet on `rulings` rulings or more.
@@ -70,15 +70,15 @@ impl Sheet {
             let [p, q] = self.ruling(x)?;
             Ok((norm(&sub(&q, &p)), 0.0))
         };
-        let longest_ruling = largest(samples, length)?;
-        let shortest = largest(samples, |x| length(x).map(|(value, v)| (-value, v)))?;
+        let longest_ruling = sampled_maximum(samples, length)?;
+        let shortest = sampled_maximum(samples, |x| length(x).map(|(value, v)| (-value, v)))?;
         let shortest_ruling = Worst {
             value: -shortest.value,
             ..shortest
         };
         let least_radius = if certificate.is_regular() {
-            let bend = largest(samples, |x| self.bend(x))?;
-            let flat = bend.value * longest_ruling.value <= FLAT;
+            let bend = sampled_maximum(samples, |x| self.largest_curvature(x))?;
+            let flat = bend.value * longest_ruling.value <= MAX_FLAT_CURVATURE;
             (!flat).then_some(Worst {
                 value: 1.0 / bend.value,
                 ..bend
@@ -86,14 +86,14 @@ impl Sheet {
         } else {
             None
         };
-        let area = |accuracy| integrate(|x| self.width(x), [0.0, 1.0], accuracy, "area");
-        let rough = self.width(0.5)? + self.width(0.0)? + self.width(1.0)?;
+        let area = |accuracy| integrate(|x| self.area_density(x), [0.0, 1.0], accuracy, "area");
+        let rough = self.area_density(0.5)? + self.area_density(0.0)? + self.area_density(1.0)?;
         Ok(Inspection {
             certificate,
             longest_ruling,
             shortest_ruling,
             least_radius,
-            area: area((AREA * rough).max(f64::MIN_POSITIVE))?,
+            area: area((AREA_ACCURACY * rough).max(f64::MIN_POSITIVE))?,
         })
     }
 
@@ -108,11 +108,11 @@ impl Sheet {
     /// let first = Planes::gbt(0.5, 0.25, &planes)?;
     /// let second = first.next(BasisShape::gbt(0.0, 1.0)?, &Joint::parametric(2), &[[7., -7., 5., 125.]])?;
     /// let cut = Cut::between([0., 0., 1., 0.], [0., 0., 1., 3.]);
-    /// let seam = Sheet::envelope(&first, cut)?.seam_with(&Sheet::envelope(&second, cut)?)?;
-    /// assert!(seam.gap < 1e-9 && seam.kink < 1e-7);
+    /// let joint = Sheet::envelope(&first, cut)?.joint_with(&Sheet::envelope(&second, cut)?)?;
+    /// assert!(joint.gap < 1e-9 && joint.kink < 1e-7);
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
-    pub fn seam_with(&self, next: &Self) -> Result<Seam> {
+    pub fn joint_with(&self, next: &Self) -> Result<SheetJoint> {
         let (end, start) = (RulingForms::at(self, &1.0)?, RulingForms::at(next, &0.0)?);
         let pairs = end.ends().iter().zip(start.ends());
         let gap = pairs.map(|(p, q)| norm(&sub(p, q))).fold(0.0, f64::max);
@@ -120,12 +120,12 @@ impl Sheet {
         let angle = |(n, m): (&[f64; 3], &[f64; 3])| libm::atan2(norm(&cross(n, m)), dot(n, m));
         let normals = end.normals().iter().zip(start.normals());
         let kink = normals.map(angle).fold(0.0, f64::max);
-        Ok(Seam { gap, kink })
+        Ok(SheetJoint { gap, kink })
     }
 
-    /// The largest principal curvature in size on the ruling of `x`, with its place: of a developable the radius
-    /// of curvature is linear along a ruling, so it is least at an end.
-    fn bend(&self, x: f64) -> Result<(f64, f64)> {
+    /// Returns the largest principal curvature in size on the ruling of `x`, with its place: of a developable the
+    /// radius of curvature is linear along a ruling, so it is least at an end.
+    fn largest_curvature(&self, x: f64) -> Result<(f64, f64)> {
         let mut worst = (0.0, 0.0);
         for v in [0.0, 1.0, 0.5] {
             for principal in self.principal(x, v)? {
@@ -137,9 +137,9 @@ impl Sheet {
         Ok(worst)
     }
 
-    /// The area of the sheet at `x` over `dx`: the integral of `|N(v)|` along the ruling, by Simpson's rule on
+    /// Returns the area of the sheet at `x` over `dx`: the integral of `|N(v)|` along the ruling, by Simpson's rule on
     /// eight parts (exact for a regular developable, where `|N|` is linear).
-    fn width(&self, x: f64) -> Result<f64> {
+    fn area_density(&self, x: f64) -> Result<f64> {
         let forms = RulingForms::at(self, &x)?;
         let [n0, n1] = forms.normals();
         let parallel = unit(n0)
@@ -154,8 +154,8 @@ impl Sheet {
     }
 }
 
-/// The largest value over samples, refined by golden section about the best.
-fn largest(samples: usize, f: impl Fn(f64) -> Result<(f64, f64)>) -> Result<Worst> {
+/// Returns the largest value over samples, refined by golden section about the best.
+fn sampled_maximum(samples: usize, f: impl Fn(f64) -> Result<(f64, f64)>) -> Result<Worst> {
     let at = |k: usize| count(k.min(samples)) / count(samples.max(1));
     let measure = |x: f64| f(x).map(|(value, v)| Worst { value, x, v });
     let mut best = measure(0.0)?;

@@ -15,10 +15,10 @@
 //! | a developable between two free curves | [`Sheet::between`]; with fans from end to end [`Sheet::panels`] |
 //! | developable strips that cover a surface | [`StripCover`] |
 //! | the envelope of planes | [`Planes`], [`Sheet::envelope`], [`Sheet::tangent`] |
-//! | a Hermite patch between two planes | [`Sheet::cone`] |
+//! | a Hermite patch between two planes | [`Sheet::hermite_cone`] |
 //! | the next piece of a chain | [`Joint`], [`Planes::next`], [`Rail::next`] |
 //! | to know whether it can be made | [`Sheet::certify`], [`Sheet::enclose`], [`Sheet::prove_regular`], [`Sheet::inspect`] |
-//! | to know how smooth a joint is | [`Planes::joint_with`], [`Rail::joint_with`], [`Sheet::seam_with`] |
+//! | to know how smooth a joint is | [`Planes::joint_with`], [`Rail::joint_with`], [`Sheet::joint_with`] |
 //! | the flat pattern | [`Sheet::unroll`] |
 //!
 //! A developable between two free rails:
@@ -45,7 +45,7 @@
 //! let sheet = Sheet::envelope(&planes, Cut::between([0., 0., 1., 0.], [0., 0., 1., 3.]))?;
 //! let [bottom, top] = sheet.ruling(0.3)?;
 //! assert!(bottom[2].abs() < 1e-12 && (top[2] - 3.0).abs() < 1e-12);
-//! assert_eq!(sheet.prove_regular(MeasureBudget::default())?, Proof::Regular);
+//! assert_eq!(sheet.prove_regular(MeasureBudget::default())?, Regularity::Regular);
 //! # Ok::<(), torse_geometry::GeometryError>(())
 //! ```
 //!
@@ -56,10 +56,10 @@
 //! use torse_geometry::prelude::*;
 //! let q = [[-20., 60., 45.], [-20., -50., 45.], [0., -30., 60.], [0., -50., -60.]];
 //! let cone = HermiteCone::cubic([170., 0., 45.], 2.0, q)?;
-//! let sheet = Sheet::cone(&cone)?;
+//! let sheet = Sheet::hermite_cone(&cone)?;
 //! assert!(sheet.certify(64)?.is_developable_within(1e-7));
 //! // Cut by an oblique plane instead: the image curve is a weighted one.
-//! let oblique = Sheet::cone_cut(&cone, [20., -3., 0., 1000.])?;
+//! let oblique = Sheet::cut_hermite_cone(&cone, [20., -3., 0., 1000.])?;
 //! assert!(oblique.certify(64)?.is_developable_within(1e-7));
 //! # Ok::<(), torse_geometry::GeometryError>(())
 //! ```
@@ -93,31 +93,39 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod cut;
 mod exact;
 mod inspect;
+mod measure_budget;
 mod nearest;
+mod origin;
 mod panel;
+mod pieces;
 mod piecewise;
 mod plane_triangles;
 mod planes;
 mod rail;
+mod rails;
+mod split;
 mod strips;
 mod surface;
 mod swept;
 
 pub use crate::basis::BasisShape;
 pub use crate::developable::{
-    BranchReason, EnclosedCertificate, PatchCertificate, RailGap, Regularity as Proof,
-    SelfIntersection, Singularity, Worst,
+    BranchReason, EnclosedCertificate, PatchCertificate, RailGap, Regularity, SelfIntersection,
+    Singularity, Worst,
 };
-pub use inspect::{Inspection, Seam};
+pub use cut::Cut;
+pub use inspect::{Inspection, SheetJoint};
+pub use measure_budget::MeasureBudget;
 pub use nearest::Nearest;
 pub use panel::{MAX_PANEL_SQUARES, Panel, PanelKind, PanelPiece, Panels};
 pub use piecewise::PiecewiseRail;
 pub use planes::{Joint, Planes};
 pub use rail::{Rail, RailCurve};
 pub use strips::{MAX_STRIPS, StripCover, StripDirection, StripError, SurfaceStrip};
-pub use surface::{Connected, Construction, Cut, MeasureBudget, Sheet};
+pub use surface::{ConnectedSheets, Construction, Sheet};
 pub use swept::{ConePatch, CylinderPatch, SweptEdge};
 
 /// A point or vector of space.

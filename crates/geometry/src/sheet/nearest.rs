@@ -1,13 +1,12 @@
 //! The box around a rail, and its point nearest to another: enclosed, not sampled.
 
 use super::{Point, Rail, RailCurve};
-use crate::basis::{BasisShape, Bernstein};
+use crate::basis::BasisShape;
 use crate::coordinate::Coordinate;
 use crate::curve::{Curve, EllipticHelix, RationalCurve, least};
 use crate::error::{GeometryError, Place, Result};
 use crate::over::Over;
 use crate::scalars::{exact, exact_ball};
-use crate::vector::sub;
 use torse_algebra::{Ball, Jet};
 
 /// The point of a rail nearest to another point.
@@ -27,12 +26,12 @@ const BITS: usize = 128;
 const ROUNDING: f64 = 4e-15;
 
 impl Rail {
-    /// The least and the greatest corner of a box with sides along the axes: the rail does not leave it, and no side can
-    /// be moved inwards by more than `accuracy` (a length; not below 4e-15 of the size of the rail).
+    /// Returns the least and the greatest corner of a box with sides along the axes: the rail does not leave it, and no
+    /// side can be moved inwards by more than `accuracy` (a length; not below 4e-15 of the size of the rail).
     ///
     /// # Errors
-    /// [`GeometryError::OutOfRange`] unless the accuracy is positive, [`GeometryError::NotConverged`] where enclosures do
-    /// not come so close.
+    /// [`GeometryError::OutOfRange`] unless the accuracy is positive, [`GeometryError::NotConverged`] where enclosures
+    /// do not come so close.
     ///
     /// ```
     /// use torse_geometry::prelude::*;
@@ -63,8 +62,8 @@ impl Rail {
         Ok([corner(1.0)?, corner(-1.0)?])
     }
 
-    /// The point of the rail nearest to `point`, one of them where there are several: no other is nearer by more than
-    /// `accuracy` (a length; not below 4e-15 of the greatest distance).
+    /// Returns the point of the rail nearest to `point`, one of them where there are several: no other is nearer by
+    /// more than `accuracy` (a length; not below 4e-15 of the greatest distance).
     ///
     /// # Errors
     /// [`GeometryError::NotFinite`], and as [`Rail::bounding_box`].
@@ -98,51 +97,8 @@ impl Rail {
         at(found.x, back(found.high.max(0.0).sqrt(), units)?)
     }
 
-    /// The parts on `[0, x]` and `[x, 1]` of a Bezier curve, weighted or not, or of an arc of an ellipse, each with a
-    /// parameter of its own in [0, 1].
-    ///
-    /// # Errors
-    /// [`GeometryError::OutOfRange`] unless `0 < x < 1`; [`GeometryError::Degenerate`] for a curve with shape parameters
-    /// that is no arc of an ellipse: its parts have no control points (a patch over it is trimmed by
-    /// [`Sheet::part`](super::Sheet::part)).
-    ///
-    /// ```
-    /// use torse_geometry::prelude::*;
-    /// let rail = Rail::bezier(&[[0.0; 3], [1.0, 2.0, 0.0], [3.0, 2.0, 1.0], [4.0, 0.0, 1.0]])?;
-    /// let [first, second] = rail.split(0.25)?;
-    /// assert_eq!(first.point(1.0)?, second.point(0.0)?);
-    /// let length = first.length(1e-9)? + second.length(1e-9)?;
-    /// assert!((length - rail.length(1e-9)?).abs() < 1e-8);
-    /// # Ok::<(), torse_geometry::GeometryError>(())
-    /// ```
-    pub fn split(&self, x: f64) -> Result<[Self; 2]> {
-        if !(x > 0.0 && x < 1.0) {
-            return Err(GeometryError::OutOfRange {
-                name: "parameter of a split",
-                value: x,
-                range: "(0, 1)",
-            });
-        }
-        match self.curve() {
-            RailCurve::Plain(curve) if *curve.basis() == BasisShape::Bernstein => {
-                let curve = curve.clone().with_basis(|_| Bernstein);
-                Ok(curve.split(&x)?.map(Self::from))
-            }
-            RailCurve::Weighted(curve) if *curve.basis() == BasisShape::Bernstein => {
-                let curve = curve.clone().with_basis(|_| Bernstein);
-                Ok(curve.split(&x)?.map(Self::from))
-            }
-            RailCurve::Elliptic(curve) => Ok(split_arc(curve, x)),
-            RailCurve::Plain(curve) => match quarter_of_ellipse(curve)? {
-                Some(arc) => Ok(split_arc(&arc, x)),
-                None => Err(no_control_points(x)),
-            },
-            RailCurve::Weighted(_) => Err(no_control_points(x)),
-        }
-    }
-
-    /// The rail seen from a point, in units of a power of two in which it is about as large as one, and that power;
-    /// exact, on balls. `None` of a rail that never leaves the point.
+    /// Returns the rail seen from a point, in units of a power of two in which it is about as large as one, and that
+    /// power; exact, on balls. `None` of a rail that never leaves the point.
     fn about(&self, origin: Point) -> Result<Option<(i32, Rail<Ball>)>> {
         let origin = origin.map(exact);
         let ball = |x: &f64| exact_ball(*x, BITS);
@@ -192,31 +148,6 @@ impl Rail {
     }
 }
 
-fn no_control_points(x: f64) -> GeometryError {
-    GeometryError::Degenerate {
-        what: "a part of a curve with shape parameters has no control points",
-        at: Place::Parameter(x),
-    }
-}
-
-fn split_arc(arc: &EllipticHelix, x: f64) -> [Rail; 2] {
-    [[0.0, x], [x, 1.0]].map(|[from, to]| arc.part(&from, &to).into())
-}
-
-/// The quadratic curve with shape parameters 0 as what it is, with the same parameter: a quarter of the ellipse about
-/// `R0 + R2 - R1` (see [`ellipse_arc`](crate::curve::ellipse_arc)).
-fn quarter_of_ellipse(curve: &Curve<BasisShape<f64>, f64, 3>) -> Result<Option<EllipticHelix>> {
-    let (BasisShape::Gbt(basis), [from, middle, to]) = (curve.basis(), curve.points()) else {
-        return Ok(None);
-    };
-    if *basis.mu() != 0.0 || *basis.nu() != 0.0 {
-        return Ok(None);
-    }
-    let (cosine, sine) = (sub(middle, to), sub(middle, from));
-    let centre = sub(from, &cosine);
-    EllipticHelix::new(centre, cosine, sine, [0.0; 3], [0.0, 1.0]).map(Some)
-}
-
 /// As [`Rail::about`], of an arc of an ellipse.
 fn arc_about(
     curve: &EllipticHelix,
@@ -260,7 +191,7 @@ fn check_accuracy(accuracy: f64) -> Result<()> {
     })
 }
 
-/// A length in the units of the rail.
+/// Returns a length in the units of the rail.
 fn back(length: f64, units: i32) -> Result<f64> {
     let value = length.times_two_to(units);
     if value.is_finite() {
@@ -272,7 +203,7 @@ fn back(length: f64, units: i32) -> Result<f64> {
     })
 }
 
-/// A failure whose lengths are in the units of the rail.
+/// Returns a failure whose lengths are in the units of the rail.
 fn in_units(error: GeometryError, units: i32) -> GeometryError {
     match error {
         GeometryError::NotConverged {

@@ -1,13 +1,14 @@
 //! Whole panels between two rails: developable pieces from the start of both to the end of both.
 
+use super::pieces::{Pieces, corner};
 use super::plane_triangles::plane_triangles;
 use super::{PiecewiseRail, Point, Rail, Sheet, SweptEdge};
 use crate::developable::{
     Connections, Landscape, NODE_RADIUS, Node, ParameterBox, Step, StepKind, Way, all_branches,
     may_exist, ways,
 };
-use crate::error::{GeometryError, Place, Result};
-use crate::vector::{cross, dot, norm, sub, unit};
+use crate::error::{GeometryError, Place, Result, count};
+use crate::vector::{cross, dot, norm, sub};
 
 /// The most squares, pairs of pieces of both rails, that are surveyed.
 pub const MAX_PANEL_SQUARES: usize = 1024;
@@ -17,10 +18,9 @@ pub const MAX_PANEL_SQUARES: usize = 1024;
 pub enum Panels {
     /// Whole panels, the best first: fewest folds, then least share of the rails in fans, then fewest pieces.
     Found(Vec<Panel>),
-    /// There is none: even if everything that was not decided were passable, the ends of the rails are not reached. The
-    /// ranges of all developables between the rails, as `[[s0, s1], [t0, t1]]`.
+    /// There is none, proved: no path reaches the ends of the rails, even through all undecided cells.
     None {
-        /// Where each of them begins and ends.
+        /// The parameter ranges of all developables between the rails, as `[[s0, s1], [t0, t1]]`.
         ways: Vec<[[f64; 2]; 2]>,
     },
     /// None was found, but these cells of both parameters were not decided.
@@ -35,8 +35,8 @@ pub enum Panels {
 pub struct Panel {
     /// The pieces in order, each smoothly joined to the next where there are no folds.
     pub pieces: Vec<PanelPiece>,
-    /// Whether the second rail is passed from its end to its start. Parameters of the pieces are those of the rail as it
-    /// was given, so that they fall then.
+    /// Whether the second rail is passed from its end to its start. Parameters of the pieces are those of the rail as
+    /// it was given, so that they fall then.
     pub turned: bool,
     /// Whether the last piece ends where the first begins.
     pub closed: bool,
@@ -66,142 +66,14 @@ pub enum PanelKind {
     Fan(usize),
 }
 
-/// A panel with a larger share of the rails in fans is compared with those of the second rail run the other way.
+/// If fans meet more than this share of the rails, panels with the second rail reversed are tried too.
 const MAX_FANS: f64 = 0.3;
-/// Two neighbouring pieces of a rail make a corner if their tangents differ by more, in radians.
-const SMOOTH: f64 = 1e-6;
-/// Tangents of a straight piece differ by less, in radians.
-const STRAIGHT: f64 = 1e-14;
-/// Two points that count as one, as a share of the size of the rails.
-const SAME_POINT: f64 = 1e-12;
-/// How often rulings are looked for across from those that are known.
+/// Rounds of the search for single rulings: each starts from the rulings of the round before.
 const SINGLE_ROUNDS: usize = 2;
-/// The most rulings of their own.
+/// The most single rulings.
 const MAX_SINGLES: usize = 128;
 /// Rulings of a fan at which its normal is looked at.
 const FAN_SAMPLES: u32 = 32;
-
-/// The pieces of a rail.
-pub(super) struct Pieces {
-    rails: Vec<Rail>,
-    breaks: Vec<f64>,
-    closed: bool,
-    /// Whether there is a corner at the start of each piece and, last, at the end.
-    corners: Vec<bool>,
-}
-
-impl Pieces {
-    fn new(curve: &PiecewiseRail) -> Result<Self> {
-        let rails = curve.rails()?;
-        let breaks = curve
-            .breaks()
-            .iter()
-            .map(crate::Coordinate::approximate)
-            .collect();
-        let ends = |rail: &Rail| -> Result<[(Point, Option<Point>); 2]> {
-            let end = |x: f64| -> Result<_> { Ok((rail.point(x)?, unit(&rail.derivative(x)?))) };
-            Ok([end(0.0)?, end(1.0)?])
-        };
-        let ends: Vec<_> = rails.iter().map(ends).collect::<Result<_>>()?;
-        let missing = GeometryError::TooFew {
-            what: "pieces of a curve",
-            needed: 1,
-            given: 0,
-        };
-        let (Some(first), Some(last)) = (ends.first(), ends.last()) else {
-            return Err(missing);
-        };
-        let size = ends
-            .iter()
-            .flatten()
-            .flat_map(|(point, _)| point.iter())
-            .fold(0.0_f64, |m, c| m.max(c.abs()));
-        let closed = norm(&sub(&first[0].0, &last[1].0)) <= SAME_POINT * size;
-        let bent = |before: &Option<Point>, after: &Option<Point>| match (before, after) {
-            (Some(a), Some(b)) => libm::atan2(norm(&cross(a, b)), dot(a, b)) > SMOOTH,
-            _ => false,
-        };
-        let seam = closed && bent(&last[1].1, &first[0].1);
-        let inner = ends
-            .windows(2)
-            .map(|pair| bent(&pair[0][1].1, &pair[1][0].1));
-        let corners = std::iter::once(seam)
-            .chain(inner)
-            .chain(std::iter::once(seam))
-            .collect();
-        Ok(Self {
-            rails,
-            breaks,
-            closed,
-            corners,
-        })
-    }
-
-    fn count(&self) -> usize {
-        self.rails.len()
-    }
-
-    /// Whether a piece is a straight line, as its derivatives at samples show.
-    pub(super) fn is_straight(&self, piece: usize) -> bool {
-        const SAMPLES: u32 = 8;
-        let Some(rail) = self.rails.get(piece) else {
-            return false;
-        };
-        let Ok(first) = rail.derivative(0.0) else {
-            return false;
-        };
-        (1..=SAMPLES).all(|k| {
-            let slope = rail.derivative(f64::from(k) / f64::from(SAMPLES));
-            slope.is_ok_and(|slope| {
-                let size = norm(&first) * norm(&slope);
-                size > 0.0 && norm(&cross(&first, &slope)) <= STRAIGHT * size
-            })
-        })
-    }
-
-    /// The piece over an interval of parameters that count pieces, and its own parameters.
-    fn on(&self, [from, to]: [f64; 2]) -> Option<(&Rail, [f64; 2])> {
-        #[allow(clippy::cast_precision_loss)]
-        let turn = self.count() as f64;
-        let middle = 0.5 * (from + to);
-        let turns = if self.closed {
-            (middle / turn).floor()
-        } else {
-            0.0
-        };
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let index = (middle - turns * turn).floor() as usize;
-        let index = index.min(self.count().checked_sub(1)?);
-        #[allow(clippy::cast_precision_loss)]
-        let start = turns * turn + index as f64;
-        let rail = self.rails.get(index)?;
-        Some((rail, [from, to].map(|x| (x - start).clamp(0.0, 1.0))))
-    }
-
-    /// The parameter of the whole rail: of a closed one that is passed over its end, one turn more.
-    fn whole(&self, at: f64) -> f64 {
-        #[allow(clippy::cast_precision_loss)]
-        let turn = self.count() as f64;
-        let turns = (at / turn).floor();
-        let rest = at - turns * turn;
-        // The end of the last piece is 1 and not one turn.
-        if rest == 0.0 {
-            return turns;
-        }
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let index = rest.floor() as usize;
-        let share = rest.fract();
-        let at = |k: usize| self.breaks.get(k).copied().unwrap_or(1.0);
-        turns + at(index) + share * (at(index + 1) - at(index))
-    }
-
-    /// Whether there is a corner at this whole number of pieces.
-    fn is_corner(&self, at: usize) -> bool {
-        let count = self.count();
-        let inside = if at == count { count } else { at % count };
-        self.corners.get(inside).copied().unwrap_or(false)
-    }
-}
 
 /// The rails and all developables between their pieces.
 struct PanelRails {
@@ -214,12 +86,6 @@ struct PanelRails {
     arcs: Vec<Vec<Node>>,
     /// The rails that stand still in the plane triangles.
     triangles: Vec<usize>,
-}
-
-/// Where a cell or branch of a square lies.
-#[allow(clippy::cast_precision_loss)]
-pub(super) fn corner(square: [usize; 2]) -> Node {
-    square.map(|k| k as f64)
 }
 
 /// Rulings of their own in which two fans meet smoothly: solutions on the borders of the squares, where the rail has no
@@ -285,16 +151,15 @@ fn single_rulings(
 impl PanelRails {
     fn new(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<Self> {
         let rails = [Pieces::new(first)?, Pieces::new(second)?];
-        let count = rails[0].count().saturating_mul(rails[1].count());
-        if count > MAX_PANEL_SQUARES {
-            #[allow(clippy::cast_precision_loss)]
+        let pairs = rails[0].count().saturating_mul(rails[1].count());
+        if pairs > MAX_PANEL_SQUARES {
             return Err(GeometryError::OutOfRange {
                 name: "pairs of pieces of two rails",
-                value: count as f64,
+                value: count(pairs),
                 range: "1, 2, .. 1024",
             });
         }
-        let mut squares = Vec::with_capacity(count);
+        let mut squares = Vec::with_capacity(pairs);
         for (i, one) in rails[0].rails.iter().enumerate() {
             for (j, two) in rails[1].rails.iter().enumerate() {
                 squares.push(([i, j], all_branches(one, two)?));
@@ -325,7 +190,7 @@ impl PanelRails {
         })
     }
 
-    /// The boxes that hold all solutions through which a panel may pass.
+    /// Returns the boxes that hold all solutions through which a panel may pass.
     fn elements(&self) -> Result<Vec<ParameterBox>> {
         let mut all = Vec::new();
         for (square, found) in &self.squares {
@@ -370,8 +235,7 @@ impl PanelRails {
                 let start = *start.ok_or_else(none)?;
                 let [i, j] = corner(*at);
                 let turns = [0, 1].map(|k| {
-                    #[allow(clippy::cast_precision_loss)]
-                    let turn = self.rails[k].count() as f64;
+                    let turn = count(self.rails[k].count());
                     ((step.from[k] - start[k]) / turn + 1e-6).floor() * turn
                 });
                 let shift = i + j + turns[0] + turns[1];
@@ -415,7 +279,7 @@ impl PanelRails {
                     } else {
                         [whole, nothing]
                     };
-                    let cone = Sheet::swept_cone(rail, apex, edges)?;
+                    let cone = Sheet::cone(rail, apex, edges)?;
                     let sheet = if range == [0.0, 1.0] {
                         cone
                     } else {
@@ -437,7 +301,7 @@ impl PanelRails {
         }
     }
 
-    /// The point of a rail in which a fan meets.
+    /// Returns the point of a rail in which a fan meets.
     fn apex(&self, rail: usize, at: Node) -> Option<Result<Point>> {
         // At a break both pieces have it.
         let (piece, [x, _]) = self.rails[rail].on([at[rail]; 2])?;
@@ -454,8 +318,7 @@ impl PanelRails {
                 piece.ranges[1] = piece.ranges[1].map(|t| 1.0 - t);
             }
         }
-        #[allow(clippy::cast_precision_loss)]
-        let all = (self.rails[0].count() + self.rails[1].count()) as f64;
+        let all = count(self.rails[0].count() + self.rails[1].count());
         Ok(Panel {
             pieces,
             turned,
@@ -466,7 +329,7 @@ impl PanelRails {
     }
 }
 
-/// The parts of an interval between whole numbers.
+/// Returns the parts of an interval between whole numbers.
 fn intervals(from: f64, to: f64) -> Vec<[f64; 2]> {
     const SLIVER: f64 = 1e-9;
     let mut list = Vec::new();
@@ -557,9 +420,9 @@ impl Landscape for PanelRails {
 }
 
 impl Sheet {
-    /// The whole panels between two rails: rows of developable pieces from the start of both to the end of both, with fans
-    /// where no developable touches both. If there is none, or a better one, the second rail is passed the other way. Between closed rails
-    /// the panels are closed.
+    /// Returns the whole panels between two rails: rows of developable pieces from the start of both to the end of
+    /// both, with fans where no developable touches both. If there is none, or a better one, the second rail is passed
+    /// the other way. Between closed rails the panels are closed.
     ///
     /// What is not found is not always proved to be missing: [`Panels::None`] is, [`Panels::Undecided`] is not.
     ///
@@ -581,8 +444,7 @@ impl Sheet {
         let own = ways(&along);
         // The other direction is asked where this one has none, or one that is fans for the most part.
         let good = |way: &Way| {
-            #[allow(clippy::cast_precision_loss)]
-            let all = along.size().iter().sum::<usize>() as f64;
+            let all = count(along.size().iter().sum());
             way.folds == 0 && way.fans < MAX_FANS * all
         };
         let all = |landscape: &PanelRails, ways: &[Way], turned: bool| {

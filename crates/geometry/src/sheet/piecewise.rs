@@ -11,8 +11,8 @@ use torse_algebra::Rational;
 
 /// A curve in space over [0, 1] that consists of pieces: a spline, a polygon, arcs in a row.
 ///
-/// Invariants: one piece at least; breaks rise from 0 to 1, one more than pieces; piece `i` runs from break `i` to break
-/// `i + 1`. Pieces of splines are exact; whether pieces meet is what [`PiecewiseRail::gap`] tells.
+/// Invariants: one piece at least; breaks rise from 0 to 1, one more than pieces; piece `i` runs from break `i` to
+/// break `i + 1`. Pieces of splines are exact; whether pieces meet is what [`PiecewiseRail::gap`] tells.
 ///
 /// ```
 /// use torse_geometry::curve::{EndCondition, Spacing, interpolate};
@@ -45,7 +45,7 @@ impl Piece {
         }
     }
 
-    /// The parts before and after a share of the piece.
+    /// Returns the parts before and after a share of the piece.
     fn split(&self, x: &Rational) -> Result<[Self; 2]> {
         Ok(match self {
             Self::Exact(bezier) => bezier.split(x)?.map(Self::Exact),
@@ -92,7 +92,7 @@ impl From<EllipticHelix> for PiecewiseRail {
 }
 
 impl PiecewiseRail {
-    /// The pieces of a spline, with its knots as breaks.
+    /// Returns the pieces of a spline, with its knots as breaks.
     ///
     /// # Errors
     /// As [`Spline::pieces`].
@@ -139,19 +139,19 @@ impl PiecewiseRail {
         Ok(Self { pieces, breaks })
     }
 
-    /// How many pieces there are.
+    /// Returns how many pieces there are.
     #[must_use]
     pub fn count(&self) -> usize {
         self.pieces.len()
     }
 
-    /// The places between pieces, from 0 to 1.
+    /// Returns the places between pieces, from 0 to 1.
     #[must_use]
     pub fn breaks(&self) -> &[Rational] {
         &self.breaks
     }
 
-    /// The pieces on f64, in order.
+    /// Returns the pieces on f64, in order.
     ///
     /// # Errors
     /// What does not fit f64.
@@ -159,7 +159,7 @@ impl PiecewiseRail {
         self.pieces.iter().map(Piece::rail).collect()
     }
 
-    /// The only piece; `None` of a curve of several.
+    /// Returns the only piece; `None` of a curve of several.
     ///
     /// # Errors
     /// As [`PiecewiseRail::rails`].
@@ -170,7 +170,7 @@ impl PiecewiseRail {
         }
     }
 
-    /// The piece at a parameter, and its own parameter there; the later one at a break.
+    /// Returns the piece at a parameter, and its own parameter there; the later one at a break.
     #[must_use]
     pub fn locate(&self, x: f64) -> (usize, f64) {
         let at = |k: usize| self.breaks.get(k).map_or(1.0, Coordinate::approximate);
@@ -180,7 +180,7 @@ impl PiecewiseRail {
         (piece, ((x - from) / (to - from)).clamp(0.0, 1.0))
     }
 
-    /// The point at `x`.
+    /// Returns the point at `x`.
     ///
     /// # Errors
     /// [`GeometryError::OutOfRange`] outside of [0, 1], and as [`Rail::point`].
@@ -203,7 +203,7 @@ impl PiecewiseRail {
         }
     }
 
-    /// The length, with an error estimated to be at most `accuracy` a piece.
+    /// Returns the length, with an error estimated to be at most `accuracy` a piece.
     ///
     /// # Errors
     /// As [`Rail::length`].
@@ -215,7 +215,7 @@ impl PiecewiseRail {
         each.sum()
     }
 
-    /// The largest distance of the end of a piece from the start of the next.
+    /// Returns the largest distance of the end of a piece from the start of the next.
     ///
     /// # Errors
     /// As [`PiecewiseRail::rails`].
@@ -228,7 +228,7 @@ impl PiecewiseRail {
         Ok(gap)
     }
 
-    /// The same curve traversed backwards.
+    /// Returns the same curve traversed backwards.
     ///
     /// # Errors
     /// As [`PiecewiseRail::rails`].
@@ -250,7 +250,7 @@ impl PiecewiseRail {
         })
     }
 
-    /// The image under an affine map, which acts on the rounded control points.
+    /// Returns the image under an affine map, which acts on the rounded control points.
     ///
     /// # Errors
     /// As [`PiecewiseRail::rails`].
@@ -258,7 +258,7 @@ impl PiecewiseRail {
         self.changed(|rail| Ok(rail.mapped(map)))
     }
 
-    /// The curve whose pieces are made from those of this one.
+    /// Returns the curve whose pieces are made from those of this one.
     ///
     /// # Errors
     /// As [`PiecewiseRail::rails`], and what `change` refuses.
@@ -270,7 +270,7 @@ impl PiecewiseRail {
         })
     }
 
-    /// The same curve, cut at these places as well; pieces of splines are cut exactly.
+    /// Returns the same curve, cut at these places as well; pieces of splines are cut exactly.
     ///
     /// # Errors
     /// As [`Rail::split`]: [`GeometryError::Degenerate`] where a curve with shape parameters would be cut.
@@ -308,7 +308,7 @@ impl PiecewiseRail {
         Ok(Self { pieces, breaks })
     }
 
-    /// The part from `from` to `to`, with a parameter of its own in [0, 1].
+    /// Returns the part from `from` to `to`, with a parameter of its own in [0, 1].
     ///
     /// # Errors
     /// [`GeometryError::OutOfRange`] unless `0 <= from < to <= 1`, and as [`PiecewiseRail::refined`].
@@ -335,7 +335,7 @@ impl PiecewiseRail {
         })
     }
 
-    /// Both curves cut wherever one of them has a break: as many pieces each, at equal parameters.
+    /// Returns both curves cut wherever one of them has a break: as many pieces each, at equal parameters.
     ///
     /// # Errors
     /// As [`PiecewiseRail::refined`].

@@ -4,7 +4,7 @@
 //! of the other rail to the piece are solutions. They are a triangle, which neighbours touch smoothly at both of its sides.
 
 use super::Rail;
-use super::panel::{Pieces, corner};
+use super::pieces::{Pieces, corner};
 use crate::developable::{Connections, Node};
 
 /// A triangle: the rail that stands still, and its first and its last ruling.

@@ -23,7 +23,7 @@ pub struct Planes {
 }
 
 impl Planes {
-    /// The family with these control planes and any basis.
+    /// Returns the family with these control planes and any basis.
     ///
     /// # Errors
     /// As [`PlaneFamily::new`].
@@ -31,7 +31,7 @@ impl Planes {
         PlaneFamily::new(shape, planes.to_vec()).map(|family| Self { family })
     }
 
-    /// The family with Bernstein polynomials.
+    /// Returns the family with Bernstein polynomials.
     ///
     /// # Errors
     /// As [`PlaneFamily::new`].
@@ -39,7 +39,7 @@ impl Planes {
         Self::new(BasisShape::Bernstein, planes)
     }
 
-    /// The family with GBT functions of these shape parameters.
+    /// Returns the family with GBT functions of these shape parameters.
     ///
     /// # Errors
     /// As [`PlaneFamily::new`] and [`Gbt::new`](crate::Gbt::new).
@@ -47,13 +47,13 @@ impl Planes {
         Self::new(BasisShape::gbt(mu, nu)?, planes)
     }
 
-    /// The family of the generic layer.
+    /// Returns the family of the generic layer.
     #[must_use]
     pub fn family(&self) -> &PlaneFamily<BasisShape<f64>, f64> {
         &self.family
     }
 
-    /// The plane at `x`.
+    /// Returns the plane at `x`.
     ///
     /// # Errors
     /// As [`PlaneFamily::plane`].
@@ -61,7 +61,7 @@ impl Planes {
         self.family.plane(&x)
     }
 
-    /// The point of the edge of regression at `x`.
+    /// Returns the point of the edge of regression at `x`.
     ///
     /// # Errors
     /// As [`PlaneFamily::characteristic_point`].
@@ -69,14 +69,14 @@ impl Planes {
         self.family.characteristic_point(&x)
     }
 
-    /// The first control plane whose normal makes an obtuse angle with that of the next; see
+    /// Returns the first control plane whose normal makes an obtuse angle with that of the next; see
     /// [`PlaneFamily::opposing_normals`].
     #[must_use]
     pub fn opposing_normals(&self) -> Option<usize> {
         self.family.opposing_normals()
     }
 
-    /// The family that continues this one: its first control planes from the joint, then the free ones.
+    /// Returns the family that continues this one: its first control planes from the joint, then the free ones.
     ///
     /// # Errors
     /// As [`next_family`].
@@ -109,7 +109,7 @@ impl Joint {
         }
     }
 
-    /// The beta constraints with these values: `[gamma]` for G1, `[gamma, lambda]` for G2-beta.
+    /// Returns the beta constraints with these values: `[gamma]` for G1, `[gamma, lambda]` for G2-beta.
     ///
     /// # Errors
     /// As [`Continuity::beta`].
@@ -117,7 +117,7 @@ impl Joint {
         Continuity::beta(betas.to_vec()).map(|condition| Self { condition })
     }
 
-    /// The same up to a factor of the planes; see [`Continuity::scaled`].
+    /// Returns the same up to a factor of the planes; see [`Continuity::scaled`].
     ///
     /// # Errors
     /// As [`Continuity::scaled`].
@@ -126,7 +126,7 @@ impl Joint {
         Ok(Self { condition })
     }
 
-    /// The condition of the generic layer.
+    /// Returns the condition of the generic layer.
     #[must_use]
     pub fn condition(&self) -> &Continuity<f64> {
         &self.condition

@@ -40,7 +40,7 @@ pub enum RailCurve<S = f64> {
 }
 
 impl<S> Rail<S> {
-    /// The curve that the rail is.
+    /// Returns the curve that the rail is.
     #[must_use]
     pub fn curve(&self) -> &RailCurve<S> {
         &self.curve
@@ -48,7 +48,7 @@ impl<S> Rail<S> {
 }
 
 impl Rail {
-    /// The curve with these control points and any basis.
+    /// Returns the curve with these control points and any basis.
     ///
     /// # Errors
     /// As [`Curve::new`].
@@ -56,7 +56,7 @@ impl Rail {
         Curve::new(shape, points.to_vec()).map(Self::from)
     }
 
-    /// The Bezier curve with these control points.
+    /// Returns the Bezier curve with these control points.
     ///
     /// # Errors
     /// As [`Curve::new`].
@@ -64,7 +64,7 @@ impl Rail {
         Self::new(BasisShape::Bernstein, points)
     }
 
-    /// The GBT curve with these shape parameters and control points.
+    /// Returns the GBT curve with these shape parameters and control points.
     ///
     /// # Errors
     /// As [`Curve::new`] and [`Gbt::new`](crate::Gbt::new).
@@ -72,7 +72,7 @@ impl Rail {
         Self::new(BasisShape::gbt(mu, nu)?, points)
     }
 
-    /// The polynomial curve with these Hermite data: points first, then tangents (see
+    /// Returns the polynomial curve with these Hermite data: points first, then tangents (see
     /// [`hermite`](crate::hermite)).
     ///
     /// # Errors
@@ -81,7 +81,7 @@ impl Rail {
         hermite::curve(data).map(Self::from)
     }
 
-    /// The weighted curve with these control points and positive weights.
+    /// Returns the weighted curve with these control points and positive weights.
     ///
     /// # Errors
     /// As [`RationalCurve::new`].
@@ -92,7 +92,7 @@ impl Rail {
         })
     }
 
-    /// A quarter of an ellipse about `centre`, exactly.
+    /// Returns a quarter of an ellipse about `centre`, exactly.
     ///
     /// # Errors
     /// As [`ellipse_arc`].
@@ -101,7 +101,7 @@ impl Rail {
         Self::new(BasisShape::Gbt(*arc.basis()), arc.points())
     }
 
-    /// The point at `x`.
+    /// Returns the point at `x`.
     ///
     /// # Errors
     /// [`GeometryError::NotFinite`] for NaN and infinities, and what a weighted curve refuses.
@@ -116,7 +116,7 @@ impl Rail {
         }
     }
 
-    /// The first derivative at `x`.
+    /// Returns the first derivative at `x`.
     ///
     /// # Errors
     /// As [`Rail::point`].
@@ -128,7 +128,7 @@ impl Rail {
         })
     }
 
-    /// Point and derivatives up to `order` at `x`.
+    /// Returns point and derivatives up to `order` at `x`.
     ///
     /// # Errors
     /// As [`Rail::point`].
@@ -142,7 +142,7 @@ impl Rail {
         }
     }
 
-    /// The curvature at `x`.
+    /// Returns the curvature at `x`.
     ///
     /// # Errors
     /// [`GeometryError::Degenerate`] where the curve stands still.
@@ -150,7 +150,7 @@ impl Rail {
         curvature(self, x)
     }
 
-    /// The length, with an error estimated to be at most `accuracy`.
+    /// Returns the length, with an error estimated to be at most `accuracy`.
     ///
     /// # Errors
     /// As [`arc_length`].
@@ -158,7 +158,7 @@ impl Rail {
         arc_length(self, [0.0, 1.0], accuracy)
     }
 
-    /// The curve as seen from `origin`; `None` for a weighted curve and an arc of an ellipse.
+    /// Returns the curve as seen from `origin`; `None` for a weighted curve and an arc of an ellipse.
     pub(super) fn moved_to(&self, origin: Point) -> Option<Self> {
         match &self.curve {
             RailCurve::Plain(curve) => Some(Self {
@@ -168,7 +168,7 @@ impl Rail {
         }
     }
 
-    /// The same curve traversed backwards.
+    /// Returns the same curve traversed backwards.
     #[must_use]
     pub fn reversed(&self) -> Self {
         let curve = match &self.curve {
@@ -179,7 +179,7 @@ impl Rail {
         Self { curve }
     }
 
-    /// The image under an affine map.
+    /// Returns the image under an affine map.
     ///
     /// ```
     /// use torse_geometry::AffineMap;
@@ -199,7 +199,7 @@ impl Rail {
         Self { curve }
     }
 
-    /// The curve that continues this one: its first control points from the joint, then the free ones.
+    /// Returns the curve that continues this one: its first control points from the joint, then the free ones.
     ///
     /// # Errors
     /// [`GeometryError::Degenerate`] for a weighted curve, and as [`next_curve`].
@@ -231,7 +231,7 @@ impl Rail {
 }
 
 impl<S: Coordinate + PartialEq> Rail<S> {
-    /// What kind of rail it is, by its control points: where the scalar knows that they are equal.
+    /// Returns what kind of rail it is, by its control points: where the scalar knows that they are equal.
     #[must_use]
     pub fn end_kinds(&self) -> RailKind {
         match &self.curve {
@@ -256,7 +256,7 @@ impl<S: Coordinate + PartialEq> Rail<S> {
         }
     }
 
-    /// The first and the last control point, where they have no weight or the weight one; of an arc none.
+    /// Returns the first and the last control point, where they have no weight or the weight one; of an arc none.
     pub(super) fn end_points(&self) -> [Option<[S; 3]>; 2] {
         match &self.curve {
             RailCurve::Plain(curve) => {

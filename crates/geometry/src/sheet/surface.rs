@@ -1,13 +1,13 @@
 //! Sheets: ruled patches, most of them developable.
 
 use super::exact::is_exactly_developable;
-use super::{ConePatch, CylinderPatch, Planes, Point, Rail, RailCurve, SweptEdge};
+use super::{ConePatch, Cut, CylinderPatch, MeasureBudget, Planes, Point, Rail, SweptEdge};
 use crate::basis::BasisShape;
 use crate::coordinate::Coordinate;
 use crate::developable::{
     Branch, BranchReason, ConnectingPatch, EnclosedCertificate, EnvelopingPatch, HermiteCone,
-    PatchBounds, PatchCertificate, RailGap, Regularity, SelfIntersection, TangentPatch, certify,
-    connect, enclose, enclose_by_models, prove_regular, regular_end, self_intersection,
+    PatchCertificate, RailGap, Regularity, SelfIntersection, TangentPatch, certify, connect,
+    enclose, enclose_by_models, prove_regular, regular_end, self_intersection,
 };
 use crate::error::Result;
 use crate::model::ChebyshevModel;
@@ -16,54 +16,13 @@ use crate::pattern::{FlatPattern, PatternResult, Unrolling};
 use crate::planes::Plane;
 use crate::scalars::exact_ball;
 use crate::surface::{
-    EndKinds, Partials, PatchPart, Principal, RailKind, Rails, RuledSurface, Surface,
-    partials_between,
+    Partials, PatchPart, Principal, RailKind, Rails, RuledSurface, Surface, partials_between,
 };
-use torse_algebra::{Ball, Jet};
-
-/// What part of each ruling of an envelope belongs to a sheet.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cut(PatchBounds<f64>);
-
-impl Cut {
-    /// The part between two planes.
-    #[must_use]
-    pub fn between(first: Plane<f64>, second: Plane<f64>) -> Self {
-        Self(PatchBounds::Planes([first, second]))
-    }
-
-    /// A range of the ruling parameter of gbt-developable eq. (3.7), in units of `a x a'`.
-    #[must_use]
-    pub fn range(from: f64, to: f64) -> Self {
-        Self(PatchBounds::Range([from, to]))
-    }
-}
-
-/// How much work bounds and proofs may take, and how close they should come.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MeasureBudget {
-    /// Bits after the point, for a sheet of the size of one; smaller sheets get more.
-    pub bits: usize,
-    /// The relative width of bounds at which one is content.
-    pub accuracy: f64,
-    /// The number of intervals of the parameter.
-    pub cells: usize,
-}
-
-/// 128 bits, a tenth, 64 intervals: a third of a second or less for the examples of the papers.
-impl Default for MeasureBudget {
-    fn default() -> Self {
-        Self {
-            bits: 128,
-            accuracy: 0.1,
-            cells: 64,
-        }
-    }
-}
+use torse_algebra::Ball;
 
 /// What [`Sheet::between`] found.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Connected {
+pub struct ConnectedSheets {
     /// The sheet of the chosen branch; `None` when no developable touches both rails.
     pub sheet: Option<Sheet>,
     /// Why it was chosen.
@@ -83,9 +42,9 @@ pub struct Connected {
 /// share.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet<S = f64> {
-    construction: Construction<S>,
+    pub(super) construction: Construction<S>,
     /// Whether `det(P', Q', Q - P)` is proved to be zero on the exact control data, though not by the construction.
-    exact: bool,
+    pub(super) exact: bool,
 }
 
 /// How a sheet is made: the patch of the generic layer that it is.
@@ -117,7 +76,7 @@ impl<S> From<Construction<S>> for Sheet<S> {
 }
 
 impl<S> Sheet<S> {
-    /// How the sheet is made.
+    /// Returns how the sheet is made.
     #[must_use]
     pub fn construction(&self) -> &Construction<S> {
         &self.construction
@@ -125,7 +84,7 @@ impl<S> Sheet<S> {
 }
 
 impl Sheet {
-    /// The ruled surface whose rulings join points of equal parameter; developable or not, [`Sheet::certify`]
+    /// Returns the ruled surface whose rulings join points of equal parameter; developable or not, [`Sheet::certify`]
     /// tells. A rail that is a point makes it a cone.
     #[must_use]
     pub fn ruled(first: Rail, second: Rail) -> Self {
@@ -150,7 +109,7 @@ impl Sheet {
         }
     }
 
-    /// The part of a cylinder over a curve between two edges: see [`CylinderPatch`].
+    /// Returns the part of a cylinder over a curve between two edges: see [`CylinderPatch`].
     ///
     /// # Errors
     /// As [`CylinderPatch::new`].
@@ -159,22 +118,22 @@ impl Sheet {
         Ok(Construction::Cylinder(Box::new(patch)).into())
     }
 
-    /// The part of the cone over a curve between two edges: see [`ConePatch`].
+    /// Returns the part of the cone over a curve between two edges: see [`ConePatch`].
     ///
     /// # Errors
     /// As [`ConePatch::new`].
-    pub fn swept_cone(curve: &Rail, apex: Point, edges: [SweptEdge; 2]) -> Result<Self> {
+    pub fn cone(curve: &Rail, apex: Point, edges: [SweptEdge; 2]) -> Result<Self> {
         let patch = ConePatch::new(curve, apex, edges)?;
         Ok(Construction::Cone(Box::new(patch)).into())
     }
 
-    /// The developables that touch two free rails, and the best of them: see [`connect`].
+    /// Returns the developables that touch two free rails, and the best of them: see [`connect`].
     ///
     /// # Errors
     /// As [`connect`].
-    pub fn between(first: &Rail, second: &Rail) -> Result<Connected> {
+    pub fn between(first: &Rail, second: &Rail) -> Result<ConnectedSheets> {
         let found = connect(first, second)?;
-        Ok(Connected {
+        Ok(ConnectedSheets {
             sheet: found
                 .chosen()
                 .map(|patch| Construction::Connecting(Box::new(patch)).into()),
@@ -188,7 +147,7 @@ impl Sheet {
         })
     }
 
-    /// The envelope of a family of planes within bounds: developable by construction.
+    /// Returns the envelope of a family of planes within bounds: developable by construction.
     ///
     /// # Errors
     /// As [`EnvelopingPatch::new`].
@@ -197,7 +156,7 @@ impl Sheet {
         Ok(Construction::Envelope(Box::new(patch)).into())
     }
 
-    /// The tangents of the edge of regression of a family of planes, from `from` to `to` times its derivative.
+    /// Returns the tangents of the edge of regression of a family of planes, from `from` to `to` times its derivative.
     ///
     /// # Errors
     /// As [`TangentPatch::new`].
@@ -206,27 +165,27 @@ impl Sheet {
         Ok(Construction::Tangent(Box::new(patch)).into())
     }
 
-    /// A Hermite cone between parallel planes, from its curve `p` to its curve `q`: the cone over `q` with the summit as
-    /// its apex, of which `p` is the image in the ratio of the cone.
+    /// Returns a Hermite cone between parallel planes, from its curve `p` to its curve `q`: the cone over `q` with the
+    /// summit as its apex, of which `p` is the image in the ratio of the cone.
     ///
     /// # Errors
     /// As [`ConePatch::new`].
-    pub fn cone(cone: &HermiteCone<f64>) -> Result<Self> {
+    pub fn hermite_cone(cone: &HermiteCone<f64>) -> Result<Self> {
         let edges = [SweptEdge::Share(1.0 / cone.ratio), SweptEdge::Share(1.0)];
-        Self::swept_cone(&Rail::hermite(&cone.q)?, cone.summit, edges)
+        Self::cone(&Rail::hermite(&cone.q)?, cone.summit, edges)
     }
 
-    /// The part of a Hermite cone between its curve `q` and an oblique plane.
+    /// Returns the part of a Hermite cone between its curve `q` and an oblique plane.
     ///
     /// # Errors
     /// As [`ConePatch::new`].
-    pub fn cone_cut(cone: &HermiteCone<f64>, plane: Plane<f64>) -> Result<Self> {
+    pub fn cut_hermite_cone(cone: &HermiteCone<f64>, plane: Plane<f64>) -> Result<Self> {
         let edges = [SweptEdge::Share(1.0), SweptEdge::Cut(plane)];
-        Self::swept_cone(&Rail::hermite(&cone.q)?, cone.summit, edges)
+        Self::cone(&Rail::hermite(&cone.q)?, cone.summit, edges)
     }
 
-    /// Of a cone that reaches its apex the half that is farther from it: on a ruling from an apex the normal grows with the
-    /// distance, so it vanishes on that half or nowhere but at the apex. `None` of any other sheet.
+    /// Of a cone that reaches its apex the half that is farther from it: on a ruling from an apex the normal grows with
+    /// the distance, so it vanishes on that half or nowhere but at the apex. `None` of any other sheet.
     #[must_use]
     pub fn away_from_apex(&self) -> Option<Self> {
         match &self.construction {
@@ -241,7 +200,7 @@ impl Sheet {
         }
     }
 
-    /// The rulings from `from` to `to`, with a parameter of their own in [0, 1].
+    /// Returns the rulings from `from` to `to`, with a parameter of their own in [0, 1].
     ///
     /// # Errors
     /// As [`PatchPart::new`].
@@ -259,7 +218,7 @@ impl Sheet {
         Ok(Construction::Part(Box::new(part)).into())
     }
 
-    /// The ends of the ruling at `u`.
+    /// Returns the ends of the ruling at `u`.
     ///
     /// # Errors
     /// What the sheet refuses at this parameter: no ruling, or one that is parallel to a cutting plane.
@@ -267,7 +226,7 @@ impl Sheet {
         self.ruling_ends(&u)
     }
 
-    /// The point at `(u, v)`.
+    /// Returns the point at `(u, v)`.
     ///
     /// # Errors
     /// As [`Sheet::ruling`].
@@ -276,7 +235,7 @@ impl Sheet {
         Ok(crate::vector::lerp(&p, &q, &v))
     }
 
-    /// The principal curvatures at `(u, v)`, the larger first.
+    /// Returns the principal curvatures at `(u, v)`, the larger first.
     ///
     /// # Errors
     /// As [`Sheet::ruling`], and [`GeometryError::Degenerate`](crate::GeometryError::Degenerate) where the
@@ -332,10 +291,12 @@ impl Sheet {
         Ok(prove_regular(&sheet, bits, budget.cells.saturating_mul(16)))
     }
 
-    /// Proves that the sheet is regular between its first or `last` ruling, where that is special by its kind (a tip, or a
-    /// ruling on which both edges stand still), and the ruling at the distance `width` of the parameter, but for the special
-    /// one itself. Returns a bound of the angle between the tangent planes at both ends of a ruling there, in radians; `None`
-    /// where that is not proved, and for an ordinary end.
+    /// Proves that the sheet is regular near a special end: between its first ruling (or its last, if `last`) and the
+    /// ruling at parameter distance `width`, without the special ruling itself. An end is special if it is a tip, or if
+    /// both edges stand still there.
+    ///
+    /// Returns a bound, in radians, of the angle between the tangent planes at the two ends of a ruling in that part;
+    /// `None` if nothing is proved, and at an ordinary end.
     ///
     /// # Errors
     /// Where the control data have no models.
@@ -356,7 +317,7 @@ impl Sheet {
         Ok(regular_end(&models, kinds, last, width))
     }
 
-    /// Whether the sheet passes through itself in space.
+    /// Returns whether the sheet passes through itself in space.
     ///
     /// # Errors
     /// Where the control data have no models.
@@ -376,91 +337,27 @@ impl Sheet {
         Ok(self_intersection(self, &models))
     }
 
-    /// The flat pattern of the sheet: the outline within `tolerance` (a length), with `rulings` rulings. More can be
-    /// asked of it with [`Unrolling`](crate::pattern::Unrolling).
+    /// Returns the flat pattern of the sheet: the outline within `tolerance` (a length), with `rulings` rulings. More
+    /// can be asked of it with [`Unrolling`](crate::pattern::Unrolling).
     ///
     /// # Errors
     /// As [`crate::pattern::Unrolling::unroll`].
     pub fn unroll(&self, rulings: usize, tolerance: f64) -> PatternResult<FlatPattern> {
-        self.unrolled(&Unrolling::within(tolerance).rulings(rulings))
+        self.unroll_with(&Unrolling::within(tolerance).rulings(rulings))
     }
 
-    /// The flat pattern that is asked for, wherever in space the sheet lies.
+    /// Returns the flat pattern that is asked for, wherever in space the sheet lies.
     ///
     /// # Errors
     /// As [`Unrolling::unroll`].
-    pub fn unrolled(&self, unrolling: &Unrolling) -> PatternResult<FlatPattern> {
+    pub fn unroll_with(&self, unrolling: &Unrolling) -> PatternResult<FlatPattern> {
         match self.near_origin() {
             None => unrolling.unroll(self),
             Some((near, origin)) => Ok(unrolling.unroll(&near)?.moved_in_space(origin)),
         }
     }
 
-    /// The same sheet moved to the origin, and the point that came to lie there: `None` where it lies near the origin, as
-    /// its size goes, and where it cannot be moved without rounding. Nothing that is asked of a sheet depends on where it
-    /// lies, but far from the origin f64 has few digits left for it.
-    ///
-    /// ```
-    /// use torse_geometry::prelude::*;
-    /// let arc = |z: f64| Rail::bezier(&[[3e9, 5e9, z], [3e9 + 2.0, 5e9, z], [3e9 + 2.0, 5e9 + 2.0, z]]);
-    /// let (near, origin) = Sheet::ruled(arc(0.0)?, arc(4.0)?).near_origin().ok_or("it is far away")?;
-    /// assert_eq!((origin, near.ruling(0.0)?[0]), ([3e9, 5e9, 0.0], [0.0; 3]));
-    /// assert!(near.near_origin().is_none());
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    #[must_use]
-    pub fn near_origin(&self) -> Option<(Self, Point)> {
-        let rails: Vec<&Rail> = match &self.construction {
-            Construction::Ruled(patch) => vec![patch.first(), patch.second()],
-            Construction::Cylinder(patch) => vec![patch.curve()],
-            Construction::Cone(patch) => vec![patch.curve()],
-            Construction::Connecting(patch) => {
-                let (first, second) = patch.curves();
-                vec![first, second]
-            }
-            Construction::Part(part) => {
-                let (near, origin) = part.whole().near_origin()?;
-                let [from, to] = *part.range();
-                return Some((near.part(from, to).ok()?, origin));
-            }
-            Construction::Envelope(_) | Construction::Tangent(_) => return None,
-        };
-        let apex = match &self.construction {
-            Construction::Cone(patch) => Some(patch.apex()),
-            _ => None,
-        };
-        let origin = origin_of(&rails, apex)?;
-        let moved = |rail: &Rail| rail.moved_to(origin);
-        let construction = match &self.construction {
-            Construction::Ruled(patch) => {
-                let patch = RuledSurface::new(moved(patch.first())?, moved(patch.second())?);
-                Construction::Ruled(Box::new(patch))
-            }
-            Construction::Cylinder(patch) => {
-                Construction::Cylinder(Box::new(patch.moved(moved(patch.curve())?)))
-            }
-            Construction::Cone(patch) => {
-                let apex = crate::vector::sub(&patch.apex(), &origin);
-                Construction::Cone(Box::new(patch.moved(moved(patch.curve())?, apex)))
-            }
-            Construction::Connecting(patch) => {
-                let (first, second) = patch.curves();
-                let patch = patch.over_curves(moved(first)?, moved(second)?);
-                Construction::Connecting(Box::new(patch))
-            }
-            _ => return None,
-        };
-        let exact = self.exact;
-        Some((
-            Self {
-                construction,
-                exact,
-            },
-            origin,
-        ))
-    }
-
-    /// The sheet over balls, with bits that fit its size.
+    /// Returns the sheet over balls, with bits that fit its size.
     fn enclosed(&self, budget: MeasureBudget) -> Result<(Sheet<Ball>, usize)> {
         let [p, q] = self.ruling(0.5)?;
         let length = crate::vector::norm(&crate::vector::sub(&q, &p));
@@ -470,115 +367,6 @@ impl Sheet {
             .saturating_add(usize::try_from(small).unwrap_or(0));
         Ok((self.over(&|x| exact_ball(*x, bits))?, bits))
     }
-}
-
-/// A point from which all control points and the apex differ by numbers that f64 holds; `None` where zero does as well.
-fn origin_of(rails: &[&Rail], apex: Option<Point>) -> Option<Point> {
-    let mut points: Vec<Point> = apex.into_iter().collect();
-    for rail in rails {
-        let RailCurve::Plain(curve) = rail.curve() else {
-            return None;
-        };
-        points.extend(curve.points());
-    }
-    let first = points.first().copied()?;
-    let origin: Point = std::array::from_fn(|axis| {
-        let at = first[axis];
-        // The difference of numbers of one sign within a factor of two is exact (Sterbenz).
-        let near = |c: f64| c == at || (0.5 <= c / at && c / at <= 2.0);
-        let spread = points
-            .iter()
-            .map(|p| (p[axis] - at).abs())
-            .fold(0.0, f64::max);
-        let far = at.abs() > 8.0 * spread;
-        if far && points.iter().all(|p| near(p[axis])) {
-            at
-        } else {
-            0.0
-        }
-    });
-    let spread = points.iter().flat_map(|p| crate::vector::sub(p, &first));
-    let spread = spread.fold(0.0_f64, |m, c| m.max(c.abs()));
-    // Where the place is not larger than the patch nothing is gained.
-    let far = origin.iter().any(|c| c.abs() > 8.0 * spread);
-    far.then_some(origin)
-}
-
-/// A connecting patch has rails over these scalars alone, hence no sheet has them over all.
-macro_rules! rails_over {
-    ($($scalar:ty),*) => {$(
-        impl Rails<$scalar> for Sheet<$scalar> {
-            fn rail_jets(&self, x: &$scalar, order: usize) -> Result<[[Jet<$scalar>; 3]; 2]> {
-                match &self.construction {
-                    Construction::Ruled(patch) => patch.rail_jets(x, order),
-                    Construction::Cylinder(patch) => patch.rail_jets(x, order),
-                    Construction::Cone(patch) => patch.rail_jets(x, order),
-                    Construction::Envelope(patch) => patch.rail_jets(x, order),
-                    Construction::Tangent(patch) => patch.rail_jets(x, order),
-                    Construction::Connecting(patch) => patch.rail_jets(x, order),
-                    Construction::Part(part) => part.rail_jets(x, order),
-                }
-            }
-
-            fn ruling_ends(&self, x: &$scalar) -> Result<[[$scalar; 3]; 2]> {
-                match &self.construction {
-                    Construction::Ruled(patch) => patch.ruling_ends(x),
-                    Construction::Cylinder(patch) => patch.ruling_ends(x),
-                    Construction::Cone(patch) => patch.ruling_ends(x),
-                    Construction::Envelope(patch) => patch.ruling_ends(x),
-                    Construction::Tangent(patch) => patch.ruling_ends(x),
-                    Construction::Connecting(patch) => patch.ruling_ends(x),
-                    Construction::Part(part) => part.ruling_ends(x),
-                }
-            }
-
-            fn ends_and_slopes(&self, x: &$scalar) -> Result<[[[$scalar; 3]; 2]; 2]> {
-                match &self.construction {
-                    Construction::Ruled(patch) => patch.ends_and_slopes(x),
-                    Construction::Cylinder(patch) => patch.ends_and_slopes(x),
-                    Construction::Cone(patch) => patch.ends_and_slopes(x),
-                    Construction::Envelope(patch) => patch.ends_and_slopes(x),
-                    Construction::Tangent(patch) => patch.ends_and_slopes(x),
-                    Construction::Connecting(patch) => patch.ends_and_slopes(x),
-                    Construction::Part(part) => part.ends_and_slopes(x),
-                }
-            }
-
-            fn is_developable_by_construction(&self) -> bool {
-                match &self.construction {
-                    Construction::Ruled(_) => self.exact,
-                    Construction::Part(part) => part.is_developable_by_construction(),
-                    _ => true,
-                }
-            }
-
-            fn end_kinds(&self) -> EndKinds {
-                match &self.construction {
-                    Construction::Ruled(patch) => ruled_kinds(patch.first(), patch.second()),
-                    Construction::Cylinder(patch) => patch.end_kinds(),
-                    Construction::Cone(patch) => patch.end_kinds(),
-                    Construction::Part(part) => part.end_kinds(),
-                    Construction::Connecting(patch) => {
-                        let (first, second) = patch.curves();
-                        EndKinds::of_ordinary([first.end_kinds(), second.end_kinds()])
-                    }
-                    Construction::Envelope(_) | Construction::Tangent(_) => EndKinds::default(),
-                }
-            }
-        }
-    )*};
-}
-
-rails_over!(f64, Ball, ChebyshevModel);
-
-/// The kinds of the ends of a patch between two rails.
-fn ruled_kinds<S: Coordinate + PartialEq>(first: &Rail<S>, second: &Rail<S>) -> EndKinds {
-    let [p, q] = [first, second].map(Rail::end_points);
-    let kinds = [first.end_kinds(), second.end_kinds()];
-    EndKinds::new(
-        kinds,
-        [0, 1].map(|end| p[end].is_some() && p[end] == q[end]),
-    )
 }
 
 impl Surface<f64> for Sheet {

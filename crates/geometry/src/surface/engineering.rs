@@ -179,10 +179,10 @@ impl<S: Coordinate, U: Basis<S>, V: Basis<S>> TensorSurface<U, V, S> {
         Self::product(section, trajectory, add)
     }
 
-    /// The swept surface of gbt-surfaces eq. (28), `T(u, v) = trajectory(v) + S(v) section(u)`, where the matrix `S(v)` scales
-    /// and turns the section. With a matrix for each control point of the trajectory, `S(v) = sum_l g[l](v) S[l]` in its
-    /// basis, that is a tensor product: its net is `Q[l] + S[l] P[k]`. One matrix is the same everywhere, the identity gives
-    /// [`TensorSurface::swept`].
+    /// The swept surface of gbt-surfaces eq. (28), `T(u, v) = trajectory(v) + S(v) section(u)`, where the matrix `S(v)`
+    /// scales and turns the section. With a matrix for each control point of the trajectory,
+    /// `S(v) = sum_l g[l](v) S[l]` in its basis, that is a tensor product: its net is `Q[l] + S[l] P[k]`. One matrix is
+    /// the same everywhere, the identity gives [`TensorSurface::swept`].
     ///
     /// # Errors
     /// [`GeometryError::LengthMismatch`] unless there is one matrix or one for each control point of the trajectory,

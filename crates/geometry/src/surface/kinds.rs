@@ -120,7 +120,8 @@ impl EndKinds {
         }
     }
 
-    /// Of a patch that takes an inner part of these curves, or all of them: whether they are closed is all that is known.
+    /// Of a patch that takes an inner part of these curves, or all of them: whether they are closed is all that is
+    /// known.
     #[must_use]
     pub fn of_ordinary(curves: [RailKind; 2]) -> Self {
         let rails = curves.map(|curve| match curve {

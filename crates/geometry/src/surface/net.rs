@@ -1,9 +1,10 @@
 //! Bezier patches, weighted or not, by their homogeneous control points: whether they are developable, decided exactly.
 //!
-//! With `h = (w x, w y, w z, w)` the numbers `L = det(h, h_u, h_v, h_uu)`, `M` with `h_uv` and `N` with `h_vv` are, but for one
-//! power of the weight and a sign, those of the second fundamental form with the normal as it comes. `L N - M^2` is a
-//! polynomial of degrees at most `(8 m - 4, 8 n - 4)` for a patch of degrees `(m, n)`, `(6 m - 4, 6 n - 4)` without weights. So
-//! one value that is not zero refutes that the Gaussian curvature vanishes, and zeros on a grid that is larger by one prove it.
+//! With `h = (w x, w y, w z, w)` the numbers `L = det(h, h_u, h_v, h_uu)`, `M` with `h_uv` and `N` with `h_vv` are, but
+//! for one power of the weight and a sign, those of the second fundamental form with the normal as it comes.
+//! `L N - M^2` is a polynomial of degrees at most `(8 m - 4, 8 n - 4)` for a patch of degrees `(m, n)`,
+//! `(6 m - 4, 6 n - 4)` without weights. So one value that is not zero refutes that the Gaussian curvature vanishes,
+//! and zeros on a grid that is larger by one prove it.
 
 use crate::basis::Bernstein;
 use crate::coordinate::Coordinate;
@@ -15,8 +16,8 @@ use torse_algebra::{Integer, Rational};
 
 /// A Bezier patch with control points `(w x, w y, w z, w)`: rows along `u`, entries along `v`.
 ///
-/// Invariants: two rows and two columns at least, all rows of one length; weights are positive, and all one where there are
-/// none.
+/// Invariants: two rows and two columns at least, all rows of one length; weights are positive, and all one where there
+/// are none.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BezierNet<S = Rational> {
     rows: Vec<Curve<Bernstein, S, 4>>,
@@ -210,8 +211,8 @@ impl BezierNet {
 }
 
 impl BezierNet<f64> {
-    /// The place of the largest Gaussian curvature in size among `(steps + 1)^2` places at equal steps: measured. `None`
-    /// where no place has a normal.
+    /// The place of the largest Gaussian curvature in size among `(steps + 1)^2` places at equal steps: measured.
+    /// `None` where no place has a normal.
     ///
     /// # Errors
     /// None beyond evaluation.

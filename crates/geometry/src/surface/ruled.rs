@@ -41,8 +41,8 @@ pub trait Rails<S: Coordinate>: Sync {
         false
     }
 
-    /// What is special about the rails and about the first and the last ruling, as far as the control data tell: nothing,
-    /// where a patch does not say.
+    /// What is special about the rails and about the first and the last ruling, as far as the control data tell:
+    /// nothing, where a patch does not say.
     fn end_kinds(&self) -> EndKinds {
         EndKinds::default()
     }

@@ -52,7 +52,7 @@ fn a_band_over_a_loop_is_found_and_one_over_an_arch_is_free() {
 fn tubes_and_cones_are_free_though_all_rulings_of_a_cone_meet() {
     let edges = [SweptEdge::Share(0.0), SweptEdge::Share(1.0)];
     let rim = Rail::ellipse_arc([0.0; 3], [30.0, 0.0, 0.0], [0.0, 30.0, 0.0]).unwrap();
-    let cone = Sheet::swept_cone(&rim, [0.0, 0.0, 50.0], edges).unwrap();
+    let cone = Sheet::cone(&rim, [0.0, 0.0, 50.0], edges).unwrap();
     assert_eq!(cone.self_intersection().unwrap(), SelfIntersection::Free);
     let crossing = Rail::bezier(&[
         [0.0, 0.0, 0.0],
@@ -61,7 +61,7 @@ fn tubes_and_cones_are_free_though_all_rulings_of_a_cone_meet() {
         [100.0, 0.0, 0.0],
     ])
     .unwrap();
-    let cone = Sheet::swept_cone(&crossing, [50.0, 80.0, 40.0], edges).unwrap();
+    let cone = Sheet::cone(&crossing, [50.0, 80.0, 40.0], edges).unwrap();
     assert!(
         !matches!(cone.self_intersection().unwrap(), SelfIntersection::Free),
         "{:?}",

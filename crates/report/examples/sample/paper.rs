@@ -92,7 +92,7 @@ fn entry(
 fn judged<T>(statement: T) -> Box<Judged<T>> {
     Box::new(Judged {
         statement,
-        net: Net::uncovered("a sample"),
+        net: Net::without_points("a sample"),
         replay: None,
     })
 }

@@ -21,7 +21,7 @@ pub(super) fn write(
 ) -> fmt::Result {
     let mut inside = String::new();
     write_inside(&mut inside, page, claim)?;
-    let number = pack.put(inside);
+    let number = pack.add(inside);
     let evidence = claim.evidence.map_or("none", |term| term.key);
     let (anchor, verdict, kind) = (&claim.anchor, claim.verdict.key, claim.kind.key);
     writeln!(

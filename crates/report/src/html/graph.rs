@@ -40,8 +40,8 @@ pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
             let Some(from) = used.anchor.as_deref().and_then(|anchor| placed.get(anchor)) else {
                 continue;
             };
-            let (x0, y0) = (left(from) + WIDTH, middle(from));
-            let (x1, y1) = (left(to), middle(to));
+            let (x0, y0) = (left_edge(from) + WIDTH, vertical_middle(from));
+            let (x1, y1) = (left_edge(to), vertical_middle(to));
             let bend = (x0 + x1) / 2;
             let broken = matches!(from.claim.verdict.key, "false" | "misprint");
             let class = if broken { " class=\"broken\"" } else { "" };
@@ -54,7 +54,7 @@ pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
     }
     out.push_str("</g>\n");
     for of in placed.values() {
-        let (x, y) = (left(of), middle(of) - HEIGHT / 2);
+        let (x, y) = (left_edge(of), vertical_middle(of) - HEIGHT / 2);
         let claim = of.claim;
         writeln!(
             out,
@@ -74,12 +74,12 @@ pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
     Ok(())
 }
 
-fn left(of: &Placed<'_>) -> usize {
-    of.column * (WIDTH + GAP)
+fn left_edge(claim: &Placed<'_>) -> usize {
+    claim.column * (WIDTH + GAP)
 }
 
-fn middle(of: &Placed<'_>) -> usize {
-    of.row * (HEIGHT + 3) + HEIGHT / 2 + 3
+fn vertical_middle(claim: &Placed<'_>) -> usize {
+    claim.row * (HEIGHT + 3) + HEIGHT / 2 + 3
 }
 
 fn shortened(name: &str) -> String {

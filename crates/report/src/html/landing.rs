@@ -3,7 +3,7 @@
 use super::style;
 use super::text::{Sentence, Text, doi, formula};
 use crate::ReportError;
-use crate::applicability::Answer;
+use crate::applicability::Usability;
 use crate::model::Report;
 use std::fmt::{self, Write};
 
@@ -114,7 +114,7 @@ fn picture(report: &Report) -> String {
 
 /// Says whether the paper can be used, in a sentence.
 fn usable(report: &Report) -> String {
-    let count = |answers: &[Answer]| {
+    let count = |answers: &[Usability]| {
         let constructions = report.constructions.iter();
         constructions
             .filter(|of| answers.contains(&of.answer))
@@ -122,11 +122,11 @@ fn usable(report: &Report) -> String {
     };
     let all = report.constructions.len();
     let fine = count(&[
-        Answer::AsPrinted,
-        Answer::UnderCondition,
-        Answer::InOneReading,
+        Usability::AsPrinted,
+        Usability::UnderCondition,
+        Usability::InOneReading,
     ]);
-    let corrected = count(&[Answer::Corrected]);
+    let corrected = count(&[Usability::Corrected]);
     match (all, all - fine, corrected) {
         (0, ..) if report.corrections.is_empty() => "Usable as printed.".to_owned(),
         (0, ..) => "Usable with corrections.".to_owned(),

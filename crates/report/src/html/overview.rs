@@ -5,7 +5,7 @@ use super::claim::correction;
 use super::pack::Pack;
 use super::text::{Sentence, Text, badge, formula};
 use crate::Tally;
-use crate::applicability::{Answer, Construction};
+use crate::applicability::{NamedResult, Usability};
 use crate::corrections::Corrected;
 use crate::findings::Finding;
 use crate::glossary::{self, DECIDED, EVIDENCE, KERNEL, NETTED, RULES, VERDICTS};
@@ -139,13 +139,13 @@ fn interactive(out: &mut String, report: &Report, moving: &[usize]) -> fmt::Resu
     Ok(())
 }
 
-fn usable(out: &mut String, constructions: &[Construction]) -> fmt::Result {
+fn usable(out: &mut String, constructions: &[NamedResult]) -> fmt::Result {
     if constructions.is_empty() {
         return Ok(());
     }
     out.push_str("<h2 id=\"usable\">Can I use this paper?</h2>\n<table class=\"usable\"><tbody>\n");
-    for answer in Answer::ALL {
-        let group: Vec<&Construction> = constructions
+    for answer in Usability::ALL {
+        let group: Vec<&NamedResult> = constructions
             .iter()
             .filter(|of| of.answer == answer)
             .collect();
@@ -161,7 +161,7 @@ fn usable(out: &mut String, constructions: &[Construction]) -> fmt::Result {
                 of.anchor,
                 Text(&of.name)
             )?;
-            if matches!(answer, Answer::Corrected | Answer::Not) {
+            if matches!(answer, Usability::Corrected | Usability::Not) {
                 out.push_str(" <span class=\"meta\">(");
                 for (number, because) in of.because.iter().enumerate() {
                     let comma = if number > 0 { ", " } else { "" };
@@ -322,7 +322,7 @@ pub(super) fn write_appendix(out: &mut String, report: &Report, pack: &mut Pack)
             writeln!(inside, "<li>{}</li>", Sentence(line))?;
         }
         inside.push_str("</ul>");
-        let number = pack.put(inside);
+        let number = pack.add(inside);
         writeln!(
             out,
             "<details class=\"more\" data-inside=\"{number}\"><summary><h2 id=\"notation\">Notation that statements share</h2></summary></details>"

@@ -14,7 +14,7 @@ pub(super) struct Pack(Vec<String>);
 
 impl Pack {
     /// Packs the inside of an element, and returns its number.
-    pub fn put(&mut self, inside: String) -> usize {
+    pub fn add(&mut self, inside: String) -> usize {
         self.0.push(inside);
         self.0.len() - 1
     }
@@ -41,8 +41,8 @@ mod tests {
     #[test]
     fn what_is_packed_comes_out_as_it_was() {
         let mut pack = Pack::default();
-        assert_eq!(pack.put("<dt>α</dt>".to_owned()), 0);
-        assert_eq!(pack.put("</script>\"".to_owned()), 1);
+        assert_eq!(pack.add("<dt>α</dt>".to_owned()), 0);
+        assert_eq!(pack.add("</script>\"".to_owned()), 1);
         let element = pack.written().unwrap();
         let text = element.split(['>', '<']).nth(2).unwrap();
         let packed = base64::decode(text).unwrap();

@@ -410,8 +410,8 @@ fn source(hypothesis: &Assumed, names: &PrintedNames) -> Option<Prose> {
 }
 
 /// Writes a definition as an equation.
-fn defined(of: &Defined, names: &PrintedNames) -> Prose {
-    let text = format!("`{} == {}`", of.head.text, of.body.text);
+fn defined(definition: &Defined, names: &PrintedNames) -> Prose {
+    let text = format!("`{} == {}`", definition.head.text, definition.body.text);
     spans(&visible(&text), names)
 }
 
@@ -492,7 +492,7 @@ fn reading(reading: &ReadingOutcome) -> ReadingView {
     }
 }
 
-fn witness(of: &Witness, names: &PrintedNames) -> WitnessView {
+fn witness(witness: &Witness, names: &PrintedNames) -> WitnessView {
     /// Maximum number of characters of values that stand side by side.
     const SHORT: usize = 16;
     let equation =
@@ -502,17 +502,17 @@ fn witness(of: &Witness, names: &PrintedNames) -> WitnessView {
         exact: spans(&visible(&format!("`{}`", exact)), names),
         decimal: shorter_decimal(exact, decimals),
     };
-    let sides = match of.left == of.right {
-        true => vec![side("equal sides", &of.left, &of.left_decimal)],
+    let sides = match witness.left == witness.right {
+        true => vec![side("equal sides", &witness.left, &witness.left_decimal)],
         false => vec![
-            side("left side", &of.left, &of.left_decimal),
-            side("right side", &of.right, &of.right_decimal),
+            side("left side", &witness.left, &witness.left_decimal),
+            side("right side", &witness.right, &witness.right_decimal),
         ],
     };
     let length = |(name, value): &(String, String)| name.len() + value.len();
     WitnessView {
-        short: sentence::point(of).all(|pair| length(pair) <= SHORT),
-        at: sentence::point(of).map(equation).collect(),
+        short: sentence::point(witness).all(|pair| length(pair) <= SHORT),
+        at: sentence::point(witness).map(equation).collect(),
         sides,
     }
 }

@@ -3,7 +3,7 @@
 use crate::paper;
 use crate::support::{HTML, short};
 use torse_prove::evidence::Witness;
-use torse_report::{applicability::Answer, in_words, model::Report};
+use torse_report::{applicability::Usability, in_words, model::Report};
 
 #[test]
 fn findings_tell_the_refuted_first_and_leave_out_what_holds() {
@@ -124,17 +124,17 @@ fn the_first_page_tells_what_most_rests_on_first_and_what_can_be_used() {
         report.short.counts,
         "Of 14 statements, 3 hold as printed, one holds under a condition that is not printed, one is false and has a small correction that is proved, one is false and 2 were not decided. The other 6: 1 definition, 1 figure that the printed data give, 1 figure that needs further data, 1 without the data that a decision needs, 1 with hypotheses that exclude each other and 1 that no computation can decide."
     );
-    let answers: Vec<(&str, Answer)> = (report.constructions.iter())
+    let answers: Vec<(&str, Usability)> = (report.constructions.iter())
         .map(|of| (of.name.as_str(), of.answer))
         .collect();
     assert_eq!(
         answers,
         [
-            ("Theorem 2", Answer::AsPrinted),
-            ("Theorem 4", Answer::Not),
-            ("Equation (5)", Answer::UnderCondition),
-            ("Example 2", Answer::AsPrinted),
-            ("Theorem 3", Answer::Open),
+            ("Theorem 2", Usability::AsPrinted),
+            ("Theorem 4", Usability::Not),
+            ("Equation (5)", Usability::UnderCondition),
+            ("Example 2", Usability::AsPrinted),
+            ("Theorem 3", Usability::Open),
         ]
     );
     assert!(HTML.find("In short").unwrap() < HTML.find("Every claim").unwrap());

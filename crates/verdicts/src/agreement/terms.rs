@@ -366,8 +366,8 @@ impl<'a> Terms<'a> {
     }
 
     /// Entries are counted from 1.
-    fn entry(&self, of: &Term, indices: &[Term], scope: &Scope<'_>) -> Outcome {
-        let mut value = self.term(of, scope)?;
+    fn entry(&self, vector: &Term, indices: &[Term], scope: &Scope<'_>) -> Outcome {
+        let mut value = self.term(vector, scope)?;
         for index in indices {
             let index = self.integer(index, "an index", scope)?;
             let Value::Many(items) = value else {

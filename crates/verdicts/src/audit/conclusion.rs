@@ -1,6 +1,6 @@
 //! Flags conclusions that are assumed.
 
-use super::{Sign, Subject, sign};
+use super::{RaisedFlag, Subject, raised};
 use crate::conjunction::conjuncts;
 use std::sync::Arc;
 use torse_syntax::formula::{Expr, Node};
@@ -8,7 +8,7 @@ use torse_syntax::notation;
 use torse_syntax::taxonomy::Flag;
 
 /// Returns the parts of the statement that are hypotheses, with their sides in either order.
-pub(super) fn assumed(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn assumed(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     let hypotheses = subject.claim.assumptions.iter().chain(&subject.claim.given);
     let hypotheses = hypotheses.flat_map(|h| conjuncts(&h.formula.expr));
     let hypotheses: Vec<Expr> = hypotheses.map(|part| part.placeless()).collect();
@@ -20,8 +20,8 @@ pub(super) fn assumed(subject: &Subject<'_>) -> Vec<Sign> {
     });
     assumed
         .map(|part| {
-            let seen = format!("`{}` is stated and assumed", notation::text(part));
-            sign(Flag::AssumedConclusion, seen)
+            let evidence = format!("`{}` is stated and assumed", notation::text(part));
+            raised(Flag::AssumedConclusion, evidence)
         })
         .collect()
 }

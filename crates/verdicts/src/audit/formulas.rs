@@ -89,7 +89,7 @@ pub fn counts(definition: &Definition, place: usize) -> bool {
         return false;
     };
     let mut found = false;
-    every(&definition.body.expr, &mut |part| {
+    visit_parts(&definition.body.expr, &mut |part| {
         if let Node::Call(head, arguments) = &part.node {
             let order = match (&head.node, arguments.as_slice()) {
                 (Node::Name(name), [_, _, order]) if name == "D" => order,
@@ -103,10 +103,10 @@ pub fn counts(definition: &Definition, place: usize) -> bool {
 }
 
 /// Every part of a formula, itself first.
-pub fn every<'e>(expr: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
+pub fn visit_parts<'e>(expr: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
     visit(expr);
     for part in expr.parts() {
-        every(part, visit);
+        visit_parts(part, visit);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Flags excuses by a defective copy that no defect of a copy explains.
 
-use super::{Sign, Subject, listed};
+use super::{RaisedFlag, Subject, one_flag_for};
 use torse_syntax::taxonomy::Flag;
 
 /// Words for something other than a letter, a script or a factor.
@@ -14,18 +14,18 @@ const WORDS: [&str; 6] = [
 ];
 
 /// A sign, a relation or the number of an equation that the copy is said to have confused.
-pub(super) fn excuse(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn unfounded_excuses(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     let text = subject.claim.entry.garbled.as_ref();
     let text = text.map_or("", |text| text.get_ref());
-    listed(
+    one_flag_for(
         Flag::GarbledExcuse,
         "no defect of a copy explains",
-        confused(text),
+        confused_signs(text),
     )
 }
 
 /// Returns what in an excuse is neither of these.
-fn confused(text: &str) -> Vec<String> {
+fn confused_signs(text: &str) -> Vec<String> {
     let words = WORDS.iter().filter(|word| text.contains(*word));
     let mut list: Vec<String> = words.map(|word| (*word).to_owned()).collect();
     // "X for Y", where X or Y is a single sign.
@@ -70,10 +70,10 @@ mod tests {
             "a comma lost between 2 and 400",
             "q for o, and a lost line",
         ] {
-            assert_eq!(confused(text), [""; 0], "{text}");
+            assert_eq!(confused_signs(text), [""; 0], "{text}");
         }
-        assert_eq!(confused("+ for -"), ["+", "-"]);
-        assert_eq!(confused("(3.6) for (3.7)"), ["(3.6)", "(3.7)"]);
-        assert_eq!(confused("a minus that the copy lost"), ["minus"]);
+        assert_eq!(confused_signs("+ for -"), ["+", "-"]);
+        assert_eq!(confused_signs("(3.6) for (3.7)"), ["(3.6)", "(3.7)"]);
+        assert_eq!(confused_signs("a minus that the copy lost"), ["minus"]);
     }
 }

@@ -1,8 +1,8 @@
 //! Flags a sentence about all cases that is stated for one: one degree, one coordinate, one value.
 
-use super::formulas::{counts, every, value};
+use super::formulas::{counts, value, visit_parts};
 use super::print::Print;
-use super::{Sign, Subject, listed};
+use super::{RaisedFlag, Subject, one_flag_for};
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
@@ -31,7 +31,7 @@ const DEGREES: [(&str, &[&str]); 6] = [
 
 /// Returns a degree that the claim fixes by a number and the print does not name. To refute a sentence, one degree is
 /// enough.
-pub(super) fn degree(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn fixed_degrees(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     if refuted(subject) {
         return vec![];
     }
@@ -39,12 +39,12 @@ pub(super) fn degree(subject: &Subject<'_>) -> Vec<Sign> {
         let text = degree.to_string();
         let words = DEGREES.iter().find(|(digit, _)| *digit == text);
         subject.context.mentioned.contains(degree)
-            || words.is_some_and(|(_, words)| subject.context.says(words))
+            || words.is_some_and(|(_, words)| subject.context.has_word_beginning_with(words))
     };
     let degrees = degrees(subject);
     let unnamed = degrees.iter().filter(|degree| !named(degree));
     let unnamed = unnamed.map(ToString::to_string).collect();
-    listed(Flag::OneDegree, "a degree that is not printed", unnamed)
+    one_flag_for(Flag::OneDegree, "a degree that is not printed", unnamed)
 }
 
 /// Whether the statement is refuted; for that, one instance is enough.
@@ -69,7 +69,7 @@ pub(super) fn degrees(subject: &Subject<'_>) -> BTreeSet<Rational> {
     let declarations = &subject.claim.declarations;
     let mut degrees: BTreeSet<Rational> = BTreeSet::new();
     for expr in &subject.formulas.own {
-        every(expr, &mut |part| match &part.node {
+        visit_parts(expr, &mut |part| match &part.node {
             Node::Index(head, indices) => {
                 let basis =
                     matches!(&head.node, Node::Name(name) if declarations.basis(name).is_some());
@@ -95,7 +95,7 @@ pub(super) fn degrees(subject: &Subject<'_>) -> BTreeSet<Rational> {
 }
 
 /// Returns a single coordinate of a vector, if the print does not speak of coordinates.
-pub(super) fn coordinate(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn single_coordinates(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     // One coordinate determines a plane x = h.
     const WORDS: [&str; 13] = [
         "plane",
@@ -116,7 +116,7 @@ pub(super) fn coordinate(subject: &Subject<'_>) -> Vec<Sign> {
     let mut entries: BTreeSet<Rational> = BTreeSet::new();
     let statement = subject.claim.statement.iter();
     statement.for_each(|w| {
-        every(&w.expr, &mut |part| {
+        visit_parts(&w.expr, &mut |part| {
             if let Node::Index(head, indices) = &part.node
                 && let [index] = indices.as_slice()
             {
@@ -132,11 +132,11 @@ pub(super) fn coordinate(subject: &Subject<'_>) -> Vec<Sign> {
         });
     });
     match entries.len() {
-        1 if !subject.print.says(&WORDS)
-            && !Print::from_text(&subject.claim.entry.at).says(&WORDS) =>
+        1 if !subject.print.has_word_beginning_with(&WORDS)
+            && !Print::from_text(&subject.claim.entry.at).has_word_beginning_with(&WORDS) =>
         {
             let entries = entries.iter().map(ToString::to_string).collect();
-            listed(Flag::OneCoordinate, "one entry of a vector alone", entries)
+            one_flag_for(Flag::OneCoordinate, "one entry of a vector alone", entries)
         }
         _ => vec![],
     }
@@ -148,7 +148,7 @@ fn values(subject: &Subject<'_>) -> BTreeSet<Rational> {
     let mut values = BTreeSet::new();
     let hypotheses = subject.claim.assumptions.iter();
     for hypothesis in hypotheses.filter(|h| h.provenance.quote().is_none()) {
-        every(&hypothesis.formula.expr, &mut |part| {
+        visit_parts(&hypothesis.formula.expr, &mut |part| {
             values.extend(fixed(part).and_then(|(name, value)| {
                 let real = matches!(declarations.symbol(name), Some(SymbolKind::Real(_)));
                 real.then_some(value)
@@ -156,7 +156,7 @@ fn values(subject: &Subject<'_>) -> BTreeSet<Rational> {
         });
     }
     for expr in &subject.formulas.own {
-        every(expr, &mut |part| {
+        visit_parts(expr, &mut |part| {
             if let Node::Call(head, arguments) = &part.node {
                 let name = match &head.node {
                     Node::Name(name) => name.trim_end_matches('\''),
@@ -180,7 +180,7 @@ fn values(subject: &Subject<'_>) -> BTreeSet<Rational> {
 }
 
 /// Returns a value for all symbols that the print does not have; the ends 0 and 1 of an interval do not count.
-pub(super) fn instance(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn fixed_values(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     if refuted(subject) {
         return vec![];
     }
@@ -193,7 +193,7 @@ pub(super) fn instance(subject: &Subject<'_>) -> Vec<Sign> {
         !ends(value) && !printed.contains(*value) && !quotient
     });
     let unprinted = unprinted.map(ToString::to_string).collect();
-    listed(Flag::OneInstance, "a value that is not printed", unprinted)
+    one_flag_for(Flag::OneInstance, "a value that is not printed", unprinted)
 }
 
 /// `name == number`.

@@ -34,11 +34,11 @@ use torse_syntax::taxonomy::{Flag, Kind};
 
 /// A flag at a claim.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Sign {
+pub struct RaisedFlag {
     /// The kind of flag.
     pub flag: Flag,
-    /// What was seen, in words.
-    pub seen: String,
+    /// What raised it, in words.
+    pub evidence: String,
 }
 
 /// The flags at one claim, and the answers of its file.
@@ -47,9 +47,9 @@ pub struct Audited<'a> {
     /// The claim.
     pub claim: &'a Claim,
     /// Flags without an answer.
-    pub open: Vec<Sign>,
+    pub open: Vec<RaisedFlag>,
     /// Flags with their answers.
-    pub answered: Vec<(Sign, &'a Answer)>,
+    pub answered: Vec<(RaisedFlag, &'a Answer)>,
     /// Answers to flags that do not exist.
     pub stale: Vec<&'a Answer>,
 }
@@ -86,9 +86,9 @@ pub fn audit<'a>(
     let setting = Setting::new(papers);
     let audited = |(claim, outcome): &(&'a Claim, &'a Outcome)| {
         let whole = claim.sentence_id().and_then(|id| together.get(id.as_str()));
-        let signs = stack::deep(|| signs(claim, outcome, &setting, whole.copied()));
+        let flags = stack::deep(|| flags(claim, outcome, &setting, whole.copied()));
         done();
-        answered(claim, signs)
+        answered(claim, flags)
     };
     // Mutants of a statement are decided like claims; any free thread takes one.
     let each = claims.par_iter().with_max_len(1);
@@ -96,35 +96,36 @@ pub fn audit<'a>(
 }
 
 /// Returns the flags at a claim and at its readings, in the order of their declaration.
-fn signs<'a>(
+fn flags<'a>(
     claim: &'a Claim,
     outcome: &Outcome,
     setting: &Setting<'a>,
     of_all_parts: Option<usize>,
-) -> Vec<Sign> {
-    let mut signs = match claim.readings.is_empty() {
-        true => signs_of(claim, claim, outcome, setting, of_all_parts),
+) -> Vec<RaisedFlag> {
+    let mut flags = match claim.readings.is_empty() {
+        true => flags_of_reading(claim, claim, outcome, setting, of_all_parts),
         false => vec![],
     };
     for (reading, found) in claim.readings.iter().zip(outcome.readings()) {
-        for sign in signs_of(&reading.claim, claim, &found.outcome, setting, of_all_parts) {
-            let seen = format!("read as `{}`: {}", reading.name, sign.seen);
-            signs.push(Sign { seen, ..sign });
+        for raised in flags_of_reading(&reading.claim, claim, &found.outcome, setting, of_all_parts)
+        {
+            let evidence = format!("read as `{}`: {}", reading.name, raised.evidence);
+            flags.push(RaisedFlag { evidence, ..raised });
         }
     }
-    signs.sort();
-    signs.dedup();
-    signs
+    flags.sort();
+    flags.dedup();
+    flags
 }
 
-/// Returns the flags at a claim, or at its reading `stands`.
-fn signs_of<'a>(
+/// Returns the flags at a claim, or at a reading of it.
+fn flags_of_reading<'a>(
     claim: &'a Claim,
-    stands: &'a Claim,
+    reading: &'a Claim,
     outcome: &Outcome,
     setting: &Setting<'a>,
     of_all_parts: Option<usize>,
-) -> Vec<Sign> {
+) -> Vec<RaisedFlag> {
     if claim.entry.kind == Kind::Figure {
         return vec![];
     }
@@ -133,48 +134,48 @@ fn signs_of<'a>(
         outcome,
         formulas: Formulas::new(claim),
         print: Print::from_text(&claim.entry.printed),
-        context: Print::from_text(&setting.prints(stands)),
-        rests_on: setting.rests_on(stands),
+        context: Print::from_text(&setting.prints(reading)),
+        rests_on: setting.rests_on(reading),
         relations_of_all_parts: of_all_parts.unwrap_or_else(|| parts::relations_of(claim)),
     };
-    let mut signs = vec![];
-    let mut add = |found: Vec<Sign>| signs.extend(found);
-    add(unstated::relation(&subject));
-    add(garbled::excuse(&subject));
+    let mut flags = vec![];
+    let mut add = |found: Vec<RaisedFlag>| flags.extend(found);
+    add(unstated::unstated_relations(&subject));
+    add(garbled::unfounded_excuses(&subject));
     if claim.statement.is_none() {
-        return signs;
+        return flags;
     }
-    add(sides::equal(&subject));
+    add(sides::equations_with_equal_sides(&subject));
     add(subject::nothing_of_the_paper(&subject));
     add(conclusion::assumed(&subject));
-    add(slips::none_is_noticed(&subject));
+    add(slips::unfalsifiable_equations(&subject));
     add(hypotheses::unneeded(&subject));
     // The words of a remark are ours, so there is no print to differ from.
     if claim.entry.kind != Kind::Remark {
         add(occurrences::numbers(&subject));
         add(occurrences::names(&subject));
         add(occurrences::relations(&subject));
-        add(parts::short(&subject));
-        add(instance::degree(&subject));
-        add(instance::coordinate(&subject));
-        add(instance::instance(&subject));
-        add(unstated::reading(&subject));
-        add(quotes::otherwise(&subject));
+        add(parts::missing_relations(&subject));
+        add(instance::fixed_degrees(&subject));
+        add(instance::single_coordinates(&subject));
+        add(instance::fixed_values(&subject));
+        add(unstated::unstated_names_of_reading(&subject));
+        add(quotes::mismatched_quotations(&subject));
     }
-    signs
+    flags
 }
 
 /// Matches flags with the answers of the file; one answer covers all flags of its kind.
-fn answered(claim: &Claim, signs: Vec<Sign>) -> Audited<'_> {
+fn answered(claim: &Claim, flags: Vec<RaisedFlag>) -> Audited<'_> {
     let answer = |flag: Flag| claim.answers.iter().find(|answer| answer.flag == flag);
     let stale = claim.answers.iter();
-    let stale = stale.filter(|answer| !signs.iter().any(|sign| sign.flag == answer.flag));
+    let stale = stale.filter(|answer| !flags.iter().any(|raised| raised.flag == answer.flag));
     let stale = stale.collect();
     let (mut open, mut found) = (vec![], vec![]);
-    for sign in signs {
-        match answer(sign.flag) {
-            Some(answer) => found.push((sign, answer)),
-            None => open.push(sign),
+    for raised in flags {
+        match answer(raised.flag) {
+            Some(answer) => found.push((raised, answer)),
+            None => open.push(raised),
         }
     }
     Audited {
@@ -186,17 +187,17 @@ fn answered(claim: &Claim, signs: Vec<Sign>) -> Audited<'_> {
 }
 
 /// Makes a flag.
-fn sign(flag: Flag, seen: impl Into<String>) -> Sign {
-    Sign {
+fn raised(flag: Flag, evidence: impl Into<String>) -> RaisedFlag {
+    RaisedFlag {
         flag,
-        seen: seen.into(),
+        evidence: evidence.into(),
     }
 }
 
 /// Makes one flag for several things; none for an empty list.
-fn listed(flag: Flag, what: &str, things: Vec<String>) -> Vec<Sign> {
+fn one_flag_for(flag: Flag, what: &str, things: Vec<String>) -> Vec<RaisedFlag> {
     match things.is_empty() {
         true => vec![],
-        false => vec![sign(flag, format!("{what}: {}", things.join(", ")))],
+        false => vec![raised(flag, format!("{what}: {}", things.join(", ")))],
     }
 }

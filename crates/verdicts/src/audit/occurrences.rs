@@ -1,8 +1,8 @@
 //! Flags numbers, names and relations that stand in the print or in the statement alone.
 
-use super::formulas::{counts, every, value};
+use super::formulas::{counts, value, visit_parts};
 use super::print::{Print, explained, stem};
-use super::{Sign, Subject, instance, listed, sign};
+use super::{RaisedFlag, Subject, instance, one_flag_for, raised};
 use std::collections::BTreeSet;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
@@ -16,10 +16,10 @@ fn everywhere(number: &Rational) -> bool {
 }
 
 /// Returns the numbers of the print that no formula has, and the numbers of the claim that the print lacks.
-pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn numbers(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     let mut reached = BTreeSet::new();
     for expr in &subject.formulas.reached {
-        every(expr, &mut |part| reached.extend(value(part)));
+        visit_parts(expr, &mut |part| reached.extend(value(part)));
     }
     let names = subject.formulas.names.iter();
     reached.extend(names.flat_map(|name| digits(name)));
@@ -52,13 +52,13 @@ pub(super) fn numbers(subject: &Subject<'_>) -> Vec<Sign> {
         .iter()
         .filter(|n| !parts(n) && !degrees.contains(*n))
         .collect();
-    let mut signs = listed(Flag::LacksNumber, "printed and not stated", shown(lacks));
-    signs.extend(listed(
+    let mut flags = one_flag_for(Flag::LacksNumber, "printed and not stated", shown(lacks));
+    flags.extend(one_flag_for(
         Flag::AddsNumber,
         "stated and not printed",
         shown(adds),
     ));
-    signs
+    flags
 }
 
 /// Returns the numbers of a formula that are neither indices nor orders of derivatives.
@@ -120,7 +120,7 @@ fn bounds(subject: &Subject<'_>) -> Vec<Rational> {
 
 /// Returns printed names that are declared and do not occur, and free numbers of the statement that the print does not
 /// name.
-pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn names(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     let declarations = &subject.claim.declarations;
     // Names bound by sums and derivatives count too, and so do printed forms of names.
     let written = subject.formulas.reached.iter().flat_map(|e| e.names());
@@ -150,9 +150,9 @@ pub(super) fn names(subject: &Subject<'_>) -> Vec<Sign> {
     });
     let shown = |name: &str| format!("`{name}`");
     let (lacks, adds) = (lacks.map(shown).collect(), adds.map(shown).collect());
-    let mut signs = listed(Flag::LacksName, "printed and not stated", lacks);
-    signs.extend(listed(Flag::AddsName, "stated and not printed", adds));
-    signs
+    let mut flags = one_flag_for(Flag::LacksName, "printed and not stated", lacks);
+    flags.extend(one_flag_for(Flag::AddsName, "stated and not printed", adds));
+    flags
 }
 
 /// Returns the names of a formula, except places where functions are evaluated and variables of derivatives and sums.
@@ -217,7 +217,7 @@ const DENIAL: [&str; 27] = [
 ];
 
 /// Returns relations of the print that are not stated, and stated relations that are not printed.
-pub(super) fn relations(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn relations(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     let statement = subject.claim.statement.iter().map(|w| &w.expr);
     let stated = Kinds::of_formulas(statement);
     let mut reached = Kinds::of_formulas(subject.formulas.reached.iter().copied());
@@ -235,10 +235,10 @@ pub(super) fn relations(subject: &Subject<'_>) -> Vec<Sign> {
     let mut defined = defined.filter(|n| subject.claim.declarations.definition(n).is_some());
     reached.equal |= defined.next().is_some() || !subject.claim.given.is_empty();
     let print = &subject.print;
-    let mut signs = vec![];
+    let mut flags = vec![];
     let mut lacks = |is: bool, what: &str| {
         if is {
-            signs.push(sign(
+            flags.push(raised(
                 Flag::LacksRelation,
                 format!("{what} is printed and not stated"),
             ));
@@ -258,19 +258,19 @@ pub(super) fn relations(subject: &Subject<'_>) -> Vec<Sign> {
     );
     let mut adds = |is: bool, what: &str| {
         if is {
-            signs.push(sign(
+            flags.push(raised(
                 Flag::AddsRelation,
                 format!("{what} is stated and not printed"),
             ));
         }
     };
     adds(
-        stated.order && !print.order && !print.range && !print.says(&ORDER),
+        stated.order && !print.order && !print.range && !print.has_word_beginning_with(&ORDER),
         "an inequality",
     );
-    let denied = print.different || print.says(&DENIAL) || print.order;
+    let denied = print.different || print.has_word_beginning_with(&DENIAL) || print.order;
     adds(stated.different && !denied, "that something differs");
-    signs
+    flags
 }
 
 /// Whether a function states a property that the print expresses by a word.
@@ -298,7 +298,7 @@ impl Kinds {
     fn of_formulas<'e>(formulas: impl Iterator<Item = &'e Expr>) -> Self {
         let mut kinds = Self::default();
         for expr in formulas {
-            every(expr, &mut |part| kinds.see(part));
+            visit_parts(expr, &mut |part| kinds.see(part));
         }
         kinds
     }

@@ -1,8 +1,8 @@
 //! Flags a statement with fewer relations than its sentence.
 
-use super::formulas::{Formulas, every};
+use super::formulas::{Formulas, visit_parts};
 use super::occurrences::is_property;
-use super::{Sign, Subject, sign};
+use super::{RaisedFlag, Subject, raised};
 use torse_syntax::derivation::Claim;
 use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::formula::{Expr, Node, Relation};
@@ -14,7 +14,7 @@ pub(super) fn relations_of(claim: &Claim) -> usize {
     let formulas = Formulas::new(claim);
     let mut count = 0;
     for expr in &formulas.own {
-        every(expr, &mut |part| count += relations(part));
+        visit_parts(expr, &mut |part| count += relations(part));
     }
     let defined = formulas.names.iter();
     let defined = defined.filter(|name| claim.declarations.definition(name).is_some());
@@ -55,7 +55,7 @@ fn entries(expr: &Expr) -> usize {
 /// Whether the formula states an equation.
 pub(super) fn has_equation(expr: &Expr) -> bool {
     let mut found = false;
-    every(expr, &mut |part| {
+    visit_parts(expr, &mut |part| {
         if let Node::Compare(_, rest) = &part.node {
             found |= rest
                 .iter()
@@ -66,12 +66,12 @@ pub(super) fn has_equation(expr: &Expr) -> bool {
 }
 
 /// Flags a sentence whose parts together state fewer relations than are printed.
-pub(super) fn short(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn missing_relations(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     let (stated, printed) = (subject.relations_of_all_parts, subject.print.relations);
     match stated < printed {
         true => {
-            let seen = format!("{printed} relations are printed, {stated} stated or defined");
-            vec![sign(Flag::ShortConjunction, seen)]
+            let evidence = format!("{printed} relations are printed, {stated} stated or defined");
+            vec![raised(Flag::ShortConjunction, evidence)]
         }
         false => vec![],
     }

@@ -151,7 +151,7 @@ impl Print {
     }
 
     /// Whether one of these words, or a word with one of these beginnings, occurs.
-    pub fn says(&self, beginnings: &[&str]) -> bool {
+    pub fn has_word_beginning_with(&self, beginnings: &[&str]) -> bool {
         let mut words = self.words.split(|c: char| !c.is_alphanumeric());
         words.any(|word| {
             beginnings

@@ -4,22 +4,22 @@
 //! for what can be read off: a bound of a number, and that something is not zero. `0 < u < 1` does not print `0 <= u <=
 //! 1`, `m >= 2` says nothing about n, and a slash does not say that the denominator is not zero.
 
-use super::{Sign, Subject, listed};
+use super::{RaisedFlag, Subject, one_flag_for};
 use crate::claim_record::HypothesisSource;
 use torse_syntax::formula::{Expr, Node, Relation, parse};
 use torse_syntax::notation::text;
 use torse_syntax::taxonomy::Flag;
 
 /// Returns the hypotheses whose quotations say something else.
-pub(super) fn otherwise(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn mismatched_quotations(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     let assumed = subject.outcome.claim.assumed.iter();
     let printed = assumed.filter_map(|hypothesis| match &hypothesis.from {
         HypothesisSource::Printed { quote, .. } => Some((&hypothesis.formula.text, quote)),
         _ => None,
     });
-    let wrong = printed.filter(|(formula, quote)| !says(quote, formula));
+    let wrong = printed.filter(|(formula, quote)| !states_hypothesis(quote, formula));
     let list = wrong.map(|(formula, quote)| format!("`{formula}` by “{quote}”"));
-    listed(
+    one_flag_for(
         Flag::QuoteSaysOtherwise,
         "the words do not say",
         list.collect(),
@@ -27,7 +27,7 @@ pub(super) fn otherwise(subject: &Subject<'_>) -> Vec<Sign> {
 }
 
 /// Whether a quotation says a hypothesis, as far as that can be read off.
-fn says(quote: &str, formula: &str) -> bool {
+fn states_hypothesis(quote: &str, formula: &str) -> bool {
     let Ok(expr) = parse(formula) else {
         return true;
     };
@@ -176,7 +176,11 @@ mod tests {
             ("k = 0, 1, 2, ..., m", "0 <= k", true),
             ("H_2(0) = H_1(1)", "h2 == h", true),
         ] {
-            assert_eq!(says(quote, formula), said, "{quote}: {formula}");
+            assert_eq!(
+                states_hypothesis(quote, formula),
+                said,
+                "{quote}: {formula}"
+            );
         }
     }
 }

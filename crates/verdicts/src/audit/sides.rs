@@ -1,6 +1,6 @@
 //! Flags an equation whose sides are the same as written: it says nothing.
 
-use super::{Sign, Subject, sign};
+use super::{RaisedFlag, Subject, raised};
 use crate::conjunction::conjuncts;
 use torse_syntax::derivation::Claim;
 use torse_syntax::derivation::declarations::Declarations;
@@ -12,20 +12,20 @@ use torse_syntax::taxonomy::{Flag, Kind};
 const DEPTH: usize = 8;
 
 /// Returns equations with equal sides after names of formulas are expanded; a definition is meant to have equal sides.
-pub(super) fn equal(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn equations_with_equal_sides(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     let definition = subject.claim.entry.kind == Kind::Definition;
     let statement = subject.claim.statement.as_ref().filter(|_| !definition);
-    let mut signs = vec![];
+    let mut flags = vec![];
     for part in statement.iter().flat_map(|w| conjuncts(&w.expr)) {
         for (left, relation, right) in comparisons(part) {
             if relation == Relation::Equal && are_equal(left, right, &subject.claim.declarations) {
                 let (left, right) = (notation::text(left), notation::text(right));
-                let seen = format!("`{left}` and `{right}` are the same formula");
-                signs.push(sign(Flag::EqualSides, seen));
+                let evidence = format!("`{left}` and `{right}` are the same formula");
+                flags.push(raised(Flag::EqualSides, evidence));
             }
         }
     }
-    signs
+    flags
 }
 
 /// Whether the statement of a claim, or of a reading, compares a formula with anything but itself: a definition that does

@@ -1,6 +1,6 @@
 //! Flags a statement in which no slip would be noticed.
 
-use super::{Sign, Subject, sign};
+use super::{RaisedFlag, Subject, raised};
 use crate::conjunction::conjuncts;
 use crate::mutants::one_is_refuted;
 use torse_algebra::work;
@@ -8,12 +8,12 @@ use torse_syntax::formula::Node;
 use torse_syntax::taxonomy::{Flag, Verdict};
 
 /// How many mutants are tried at first, and how many if all of these survive.
-const TRIED: [usize; 2] = [4, 40];
+const MAX_MUTANTS: [usize; 2] = [4, 40];
 /// Maximum work for them.
-const WORK: u64 = 20_000_000;
+const MAX_WORK: u64 = 20_000_000;
 
 /// Returns a proved equation none of whose mutants is refuted.
-pub(super) fn none_is_noticed(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn unfalsifiable_equations(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     let proved = matches!(
         subject.outcome.verdict(),
         Verdict::Holds | Verdict::Conditional
@@ -28,13 +28,13 @@ pub(super) fn none_is_noticed(subject: &Subject<'_>) -> Vec<Sign> {
         return vec![];
     }
     let mut decided = 0;
-    for most in TRIED {
-        match work::within(WORK, || one_is_refuted(subject.claim, most)) {
+    for most in MAX_MUTANTS {
+        match work::within(MAX_WORK, || one_is_refuted(subject.claim, most)) {
             Ok((false, tried)) => decided = tried,
             // Or there was too much to do.
             _ => return vec![],
         }
     }
-    let seen = format!("none of {decided} changed statements is refuted");
-    vec![sign(Flag::NoMutant, seen)]
+    let evidence = format!("none of {decided} changed statements is refuted");
+    vec![raised(Flag::NoMutant, evidence)]
 }

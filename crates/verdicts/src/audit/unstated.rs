@@ -1,12 +1,12 @@
 //! Flags words about something that is not stated: a reading that names something else, or a relation in a sentence
 //! without any statement.
 
-use super::{Sign, Subject, listed, sign};
+use super::{RaisedFlag, Subject, one_flag_for, raised};
 use std::collections::BTreeSet;
 use torse_syntax::taxonomy::Flag;
 
 /// Returns what a reading names, in backticks or by an equation number, and the statement does not contain.
-pub(super) fn reading(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn unstated_names_of_reading(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     let entry = &subject.claim.entry;
     let Some(reading) = &entry.reading else {
         return vec![];
@@ -32,7 +32,7 @@ pub(super) fn reading(subject: &Subject<'_>) -> Vec<Sign> {
     let numbers = numbers.into_iter().filter(|number| !known(number));
     let numbers = numbers.map(|number| format!("({number})"));
     let missing = names.into_iter().chain(numbers).collect();
-    listed(Flag::UnstatedReading, "read, and not stated", missing)
+    one_flag_for(Flag::UnstatedReading, "read, and not stated", missing)
 }
 
 /// `5.12` of `(5.12)`.
@@ -50,13 +50,13 @@ fn equation_numbers(text: &str) -> Vec<&str> {
 }
 
 /// Returns a sentence with a relation and no statement.
-pub(super) fn relation(subject: &Subject<'_>) -> Vec<Sign> {
+pub(super) fn unstated_relations(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     let entry = &subject.claim.entry;
     let reason = entry.out_of_scope.is_some() || entry.underspecified.is_some();
     match reason && subject.print.relations > 0 {
         true => {
-            let seen = "the sentence has a relation, and nothing is stated";
-            vec![sign(Flag::UnstatedRelation, seen)]
+            let evidence = "the sentence has a relation, and nothing is stated";
+            vec![raised(Flag::UnstatedRelation, evidence)]
         }
         false => vec![],
     }

@@ -2,6 +2,7 @@
 
 use super::names::Names;
 use super::{Derivation, DeriveError, Line, MAX_ORDER};
+use crate::condition::nonzero_expression;
 use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -529,20 +530,6 @@ fn compared(name: &str, relation: Relation, number: usize) -> Expr {
     ))
 }
 
-/// `polynomial != 0`.
-pub(super) fn nonzero(polynomial: &Polynomial) -> Expr {
-    different_from_zero(formula::expression_of(polynomial))
-}
-
-/// `formula != 0`.
-pub(super) fn different_from_zero(formula: Expr) -> Expr {
-    let zero = Expr::number(&rational::integer(0));
-    Expr::made(Node::Compare(
-        Arc::new(formula),
-        vec![(Relation::Different, zero)],
-    ))
-}
-
 /// Checks a requested order.
 pub(super) fn checked(order: u8, most: u8) -> Result<u8, DeriveError> {
     if (1..=most).contains(&order) {
@@ -625,6 +612,8 @@ pub fn end_derivatives(
         parameters: family.symbols()?,
         points,
         lines,
-        conditions: bound.chain(conditions.iter().map(nonzero)).collect(),
+        conditions: bound
+            .chain(conditions.iter().map(nonzero_expression))
+            .collect(),
     })
 }

@@ -13,9 +13,10 @@
 //! Small solutions are written out. Larger ones keep a, b and c as names, so that the conditions of
 //! order three stay a page of short lines.
 
-use super::end::{Curve, Differences, End, Family, Shape, checked, different_from_zero, nonzero};
+use super::end::{Curve, Differences, End, Family, Shape, checked};
 use super::names::Names;
 use super::{Derivation, DeriveError, Line};
+use crate::condition::{different_from_zero, nonzero_expression};
 use std::sync::Arc;
 use torse_algebra::{Affine, Fraction, Polynomial, Symbol};
 use torse_prove::decide::conditions::separated;
@@ -241,7 +242,7 @@ fn linear(
         conditions: degree
             .into_iter()
             .flatten()
-            .chain(divisors.map(nonzero))
+            .chain(divisors.map(nonzero_expression))
             .collect(),
     })
 }
@@ -344,7 +345,7 @@ impl<'a> Join<'a> {
             .collect();
         all.sort();
         all.dedup();
-        all.iter().map(nonzero).collect()
+        all.iter().map(nonzero_expression).collect()
     }
 
     fn line(&self, j: usize, right: Expr) -> Line {
@@ -455,7 +456,7 @@ impl<'a> Join<'a> {
         lines.extend(coefficients);
         lines.extend(points);
         let others = self.denominators().into_iter();
-        divisors.extend(others.map(|p| nonzero(&p)));
+        divisors.extend(others.map(|p| nonzero_expression(&p)));
         (lines, divisors)
     }
 }

@@ -63,7 +63,7 @@ pub fn search(claim: &Claim, statement: &Written) -> Option<DataCorrection> {
 }
 
 impl Change<'_> {
-    /// The least likely changes come last: numbers of several data, then expensive slips.
+    /// Returns the weight of a change; the least likely changes are heaviest: numbers of several data, then expensive slips.
     fn weight(&self) -> (usize, Cost) {
         let names: BTreeSet<&str> = self.data.iter().map(|(d, _)| d.name.as_str()).collect();
         (names.len(), self.cost)

@@ -116,7 +116,8 @@ fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Opti
         singles.push((agreement.entries, edit));
     }
     *ended_early = !target.within_budget();
-    // A factor that is put in says least of what went wrong, and one in the place of another factor nothing that leaving it out does not.
+    // An inserted factor explains least, so it comes last. A factor 1 in the place of another factor is the same as leaving
+    // that one out: drop it.
     let is_idle = |expr: &Expr| !retyped::has_idle_one(printed) && retyped::has_idle_one(expr);
     once.retain(|(edit, _)| !is_idle(&edit.expr));
     once.sort_by_key(|(edit, _)| edit.change.is_factor_inserted());
@@ -169,7 +170,8 @@ fn corrected(claim: &Claim, statement: &Written, ended_early: &mut bool) -> Opti
     proved(claim, statement, &subject, twice)
 }
 
-/// Whether all that stands beside two edits goes on to matter, at the first one and at the second.
+/// Returns whether every operand beside the two edits still matters after the first and after the second (see
+/// [`operands`]).
 fn says_something(claim: &Claim, subject: &Subject, [first, second]: [&Expr; 2]) -> bool {
     let mut once = subject.clone();
     once.formula = first.clone();
@@ -238,7 +240,8 @@ fn solved(
     proved(claim, statement, subject, described)
 }
 
-/// Whether a declared symbol stands in a formula. What is about numbers alone becomes true by many a number, which says nothing.
+/// Whether a declared symbol stands in a formula. What is about numbers alone becomes true by many a number, which says
+/// nothing.
 fn has_symbol(claim: &Claim, expr: &Expr) -> bool {
     let declared = |name: &str| {
         let base = name.trim_end_matches('\'');
@@ -467,8 +470,8 @@ fn is_tautology(claim: &Claim, expr: &Expr, subject: &Subject) -> bool {
         .iter()
         .try_fold(expr, |e, position| e.parts().into_iter().nth(*position));
     match comparison.map(|e| &e.node) {
-        // A long formula that becomes the left side is a corrected restatement; a short one says nothing, nor does one of numbers, nor
-        // a left side that becomes what is printed.
+        // A long formula that becomes the left side is a corrected restatement; a short one says nothing, nor does one
+        // of numbers, nor a left side that becomes what is printed.
         Some(Node::Compare(left, _))
             if left.size() > MAX_TAUTOLOGY && !is_left && !is_of_numbers(claim, expr) =>
         {

@@ -1,12 +1,13 @@
-//! Whether a correction says something of what it leaves as it was printed.
+//! Rejects corrections that make the rest of the print irrelevant.
 //!
-//! `x^0`, `sum(i, 0, -3, f(i))`, `cross(r', r')` and `a + b - a` have one value, whatever stands in the place of x, f, r' and a. Where an
-//! edit makes one of these the statement may well become true, and says nothing: it would be true of any other print as well.
+//! `x^0`, `sum(i, 0, -3, f(i))`, `cross(r', r')` and `a + b - a` have one value, whatever stands in the place of x, f,
+//! r' and a. Where an edit makes one of these the statement may well become true, and says nothing: it would be true of
+//! any other print as well.
 //!
-//! An operand of a formula *matters* if the side has another value, at some point of the domain, with twice the operand in its place, or with its
-//! negative. All operands of one operation that are written alike are changed together, and a chain of sums or of products is one
-//! operation. A correction is none if an operand beside the edit mattered in the print, and matters no more; nor if a name that a sum, a
-//! derivative or a value at a place binds does not occur any more in what it is bound in.
+//! An operand *matters* if the side changes its value, at some point of the domain, when the operand is doubled or negated.
+//! Equal operands of one operation are changed together; a chain of sums, or of products, is one operation. A correction is
+//! rejected if an operand beside the edit mattered in the print and no longer does, or if a name that a sum, a derivative or
+//! a value at a place binds no longer occurs in what it is bound in.
 
 use super::edit::placed;
 use super::subject::Subject;
@@ -21,7 +22,7 @@ use torse_syntax::formula::{Expr, Node, Operator, Relation};
 
 /// The points at which two values are compared, and the work on them in operations on numbers.
 const POINTS: u64 = 6;
-const WORK: u64 = 60_000;
+const MAX_WORK: u64 = 60_000;
 
 /// Parts of both formulas in one place, and where the operation begins to which they belong.
 struct Pair<'e> {
@@ -82,8 +83,8 @@ pub(super) fn one_ceases_to_matter(claim: &Claim, subject: &Subject, edited: &Ex
     false
 }
 
-/// Counts the calls in which a bound name does not occur in what it is bound in, the ranges of numbers that are empty, and zeros as
-/// exponents, terms and factors.
+/// Counts the calls in which a bound name does not occur in what it is bound in, the ranges of numbers that are empty,
+/// and zeros as exponents, terms and factors.
 fn idle_operands(expr: &Expr) -> usize {
     let own = match &expr.node {
         Node::Call(head, arguments) => match (&head.node, arguments.as_slice()) {
@@ -244,14 +245,15 @@ fn with_operand(operation: &Expr, part: &Expr, operand: &Expr, other: &Expr) -> 
     })
 }
 
-/// Whether two formulas have different values at a point of the domain; `None` where no point shows it, and none that they are equal.
+/// Whether two formulas have different values at a point of the domain; `None` where no point shows it, and none that
+/// they are equal.
 fn differ(claim: &Claim, [left, right]: [Expr; 2]) -> Option<bool> {
     let equal = Expr::made(Node::Compare(
         Arc::new(left),
         vec![(Relation::Equal, right)],
     ));
     let reading = Reading::new(claim, &equal, []);
-    let found = judge_samples(&reading, &[], "operands", POINTS, WORK);
+    let found = judge_samples(&reading, &[], "operands", POINTS, MAX_WORK);
     match found.failing {
         Some(_) => Some(true),
         None => (found.holding > 0).then_some(false),

@@ -1,6 +1,7 @@
 //! Candidates at points of the domain, for sides that have no value at the sample point: those with roots.
 //!
-//! The semantics judges each candidate as a statement at a few points. One that is false at none of them is still to be proved.
+//! The semantics judges each candidate as a statement at a few points. One that is false at none of them is still to be
+//! proved.
 
 use super::edit::{Change, Edit, exact_numbers, placed};
 use super::subject::Subject;
@@ -13,7 +14,7 @@ use torse_syntax::formula::Expr;
 /// The most candidates of one search, the points of each, and the work on them in operations on numbers.
 pub(super) const MAX_CANDIDATES: usize = 2_500;
 const POINTS: u64 = 2;
-const WORK: u64 = 20_000;
+const MAX_WORK: u64 = 20_000;
 /// The largest number that is tried in the place of another.
 const MAX_NUMBER: i64 = 24;
 
@@ -28,7 +29,7 @@ pub(super) fn agreeing(
     let agrees = |edit: &Edit| {
         let expr = subject.statement(&statement.expr, &edit.expr);
         let reading = Reading::new(claim, &expr, []);
-        let found = judge_samples(&reading, &[], "correction", POINTS, WORK);
+        let found = judge_samples(&reading, &[], "correction", POINTS, MAX_WORK);
         found.failing.is_none() && found.holding > 0
     };
     let few = edits.into_iter().take(MAX_CANDIDATES);

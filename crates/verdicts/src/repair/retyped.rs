@@ -1,5 +1,5 @@
-//! Slips of the pen, which change the text and so the structure of a formula: one operator in the place of another, brackets that
-//! were left out, put in, or end elsewhere, and a factor or a term that was written twice.
+//! Slips of the pen, which change the text and so the structure of a formula: one operator in the place of another,
+//! brackets that were left out, put in, or end elsewhere, and a factor or a term that was written twice.
 
 use super::edit::{Change, Edit, parts, placed, text};
 use std::collections::BTreeSet;

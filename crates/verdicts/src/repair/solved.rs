@@ -1,8 +1,8 @@
 //! Numbers that are solved for: what has to stand in the place of one number of the print, so that both sides agree.
 //!
-//! A side depends on one of its numbers x as `(a x + b)/(c x + d)` as long as x stands in no exponent and no power. Such a map
-//! keeps cross ratios: its values at three numbers and the value that is wanted tell x. What is found at the sample point is
-//! tried like any other edit.
+//! A side depends on one of its numbers x as `(a x + b)/(c x + d)` as long as x stands in no exponent and no power.
+//! Such a map keeps cross ratios: its values at three numbers and the value that is wanted tell x. What is found at the
+//! sample point is tried like any other edit.
 
 use super::edit::{Change, Edit, exact_numbers, placed};
 use super::subject::Subject;

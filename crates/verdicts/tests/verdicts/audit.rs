@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use torse_syntax::derivation::{Paper, Source, paper};
 use torse_syntax::taxonomy::Flag;
-use torse_verdicts::audit::{Sign, audit};
+use torse_verdicts::audit::{RaisedFlag, audit};
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::outcome::Outcome;
 
@@ -58,7 +58,7 @@ fn decided(paper: &Paper) -> Vec<Outcome> {
 }
 
 /// The open signs of the first of these claims.
-fn signs(claims: &str) -> Vec<Sign> {
+fn signs(claims: &str) -> Vec<RaisedFlag> {
     let paper = loaded(claims);
     let outcomes = decided(&paper);
     let pairs: Vec<_> = paper.claims.iter().zip(&outcomes).collect();
@@ -71,7 +71,7 @@ fn signs(claims: &str) -> Vec<Sign> {
 fn seen(flag: Flag, printed: &str, lines: &str) -> Vec<String> {
     let signs = signs(&claim(printed, lines)).into_iter();
     let of_flag = signs.filter(|sign| sign.flag == flag);
-    of_flag.map(|sign| sign.seen).collect()
+    of_flag.map(|sign| sign.evidence).collect()
 }
 
 /// The flag is raised with these words for one statement, and not for the other, of the same print.

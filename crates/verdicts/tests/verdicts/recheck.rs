@@ -56,7 +56,7 @@ fn called_true(outcome: &Outcome) -> Outcome {
 fn judged<T>(statement: T) -> Box<Judged<T>> {
     Box::new(Judged {
         statement,
-        net: Net::uncovered("made by a test"),
+        net: Net::without_points("made by a test"),
         replay: None,
     })
 }

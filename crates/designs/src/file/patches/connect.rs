@@ -1,17 +1,18 @@
 //! Developables between two free curves: one of several, or a whole panel.
 
-use super::raw::{MadePatches, Raw, trimmed};
+use super::raw::{MadePatches, UntrimmedSurface, trimmed};
 use crate::design::{Mark, Smoothness};
-use crate::file::pieces::{Cells, distributed, is_closed};
+use crate::file::pieces::{PatchIntervals, distributed, is_closed};
 use crate::file::reader::{Reader, accepted};
+use crate::inspect::numbers::without_trailing_zeros;
 use std::ops::Range;
 use torse_geometry::developable::Branch;
 use torse_geometry::prelude::{
-    BranchReason, Connected, GeometryError, Panel, PanelKind, PanelPiece, Panels, PiecewiseRail,
-    Rail, Sheet,
+    BranchReason, ConnectedSheets, GeometryError, Panel, PanelKind, PanelPiece, Panels,
+    PiecewiseRail, Rail, Sheet,
 };
 
-/// Whether both curves are closed, or one of them has several pieces: then a whole panel is meant.
+/// Returns whether both curves are closed, or one of them has several pieces: then a whole panel is meant.
 pub(super) fn is_whole(pair: &[PiecewiseRail; 2]) -> Result<bool, GeometryError> {
     if pair.iter().any(|curve| curve.count() > 1) {
         return Ok(true);
@@ -19,7 +20,7 @@ pub(super) fn is_whole(pair: &[PiecewiseRail; 2]) -> Result<bool, GeometryError>
     Ok(is_closed(&pair[0])? && is_closed(&pair[1])?)
 }
 
-/// The panels that were found, or why there are none.
+/// Returns the panels that were found, or why there are none.
 pub(super) fn paneled<'p>(
     reader: &mut Reader,
     place: &Range<usize>,
@@ -58,7 +59,7 @@ pub(super) fn paneled<'p>(
     None
 }
 
-/// The patches of a panel.
+/// Returns the patches of a panel.
 pub(super) fn assembled(
     reader: &mut Reader,
     (name, span): (&str, &Range<usize>),
@@ -66,7 +67,7 @@ pub(super) fn assembled(
     all: &[Panel],
     (number, marks): (usize, Vec<Mark>),
 ) -> Option<MadePatches> {
-    let cells = Cells::of_panel(panel);
+    let cells = PatchIntervals::of_panel(panel);
     let marks = distributed(marks, &cells);
     let several = panel.pieces.len() > 1;
     let mut patches = Vec::with_capacity(panel.pieces.len());
@@ -81,7 +82,7 @@ pub(super) fn assembled(
             notes.push(summary(panel, number, all.len()));
         }
         notes.push(extent(piece));
-        let raw = Raw::connecting(piece.sheet.clone(), notes);
+        let raw = UntrimmedSurface::connecting(piece.sheet.clone(), notes);
         patches.push(trimmed(
             reader,
             span,
@@ -99,7 +100,7 @@ pub(super) fn assembled(
     })
 }
 
-/// What is said of a panel as a whole.
+/// Returns what is said of a panel as a whole.
 fn summary(panel: &Panel, number: usize, count: usize) -> String {
     let mut text = match count {
         1 => "a whole panel, the only one found".to_owned(),
@@ -121,13 +122,13 @@ fn summary(panel: &Panel, number: usize, count: usize) -> String {
     text
 }
 
-/// A parameter with nine decimals at most: typed back, it is less than a micrometre off on a curve of a kilometre.
+/// Returns a parameter with nine decimals at most: typed back, it is less than a micrometre off on a curve of a
+/// kilometre.
 fn parameter(value: f64) -> String {
-    let text = format!("{value:.9}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    without_trailing_zeros(&format!("{value:.9}"))
 }
 
-/// What part of the curves a piece of a panel takes.
+/// Returns what part of the curves a piece of a panel takes.
 pub(super) fn extent(piece: &PanelPiece) -> String {
     let [[s0, s1], [t0, t1]] = piece.ranges.map(|range| range.map(parameter));
     match piece.kind {
@@ -143,13 +144,13 @@ pub(super) fn extent(piece: &PanelPiece) -> String {
     }
 }
 
-/// A developable that touches two free curves: the one of this number, or the best.
+/// Returns a developable that touches two free curves: the one of this number, or the best.
 pub(super) fn connected(
     reader: &mut Reader,
     place: &Range<usize>,
     [first, second]: [&Rail; 2],
     branch: Option<(usize, Range<usize>)>,
-) -> Option<Raw> {
+) -> Option<UntrimmedSurface> {
     let mut notes = Vec::new();
     let mut found = accepted(reader, place, Sheet::between(first, second))?;
     if found.sheet.is_none() {
@@ -186,7 +187,7 @@ pub(super) fn connected(
             "the developable {number} of {count} that touch both curves"
         ));
         notes.extend(others(&found));
-        return Some(Raw::connecting(sheet.clone(), notes));
+        return Some(UntrimmedSurface::connecting(sheet.clone(), notes));
     }
     notes.push(match count {
         1 => "one developable touches both curves".to_owned(),
@@ -210,11 +211,11 @@ pub(super) fn connected(
             gap.worst.twist.to_degrees()
         ));
     }
-    Some(Raw::connecting(best.clone(), notes))
+    Some(UntrimmedSurface::connecting(best.clone(), notes))
 }
 
-/// Why the best was chosen.
-fn reason(found: &Connected) -> String {
+/// Returns why the best was chosen.
+fn reason(found: &ConnectedSheets) -> String {
     match found.reason {
         None | Some(BranchReason::Only) => "the only one".to_owned(),
         Some(BranchReason::OnlyRegular) => "the only regular one".to_owned(),
@@ -229,8 +230,8 @@ fn reason(found: &Connected) -> String {
     }
 }
 
-/// All developables, where there are several, so that each can be asked for.
-fn others(found: &Connected) -> Option<String> {
+/// Returns all developables, where there are several, so that each can be asked for.
+fn others(found: &ConnectedSheets) -> Option<String> {
     let part = |(number, branch): (usize, &Branch)| {
         let [[s0, s1], [t0, t1]] = branch.ranges().map(|range| range.map(parameter));
         format!("{number}: curve 1 from {s0} to {s1}, curve 2 from {t0} to {t1}")

@@ -1,6 +1,6 @@
 //! Developables that a family of planes envelops, and those that continue one.
 
-use super::raw::{Cutting, MadePatches, Raw};
+use super::raw::{Cutting, MadePatches, UntrimmedSurface};
 use crate::file::Parts;
 use crate::file::planes::{continued, pair};
 use crate::file::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
@@ -8,7 +8,7 @@ use crate::file::shapes::shape;
 use std::ops::Range;
 use torse_geometry::prelude::{Cut, Planes, Sheet};
 
-/// The entries `between` or `range`.
+/// Returns the entries `between` or `range`.
 pub(super) fn cutting(
     reader: &mut Reader,
     entries: &mut Entries<'_>,
@@ -45,7 +45,7 @@ pub(super) fn developable(
     span: &Range<usize>,
     planes: Planes,
     cut: Cutting,
-) -> Option<Raw> {
+) -> Option<UntrimmedSurface> {
     let sheet = match cut {
         Cutting::Between([first, second]) => Sheet::envelope(&planes, Cut::between(first, second)),
         Cutting::Range([from, to]) => Sheet::envelope(&planes, Cut::range(from, to)),
@@ -60,7 +60,7 @@ pub(super) fn developable(
             index + 2
         ));
     }
-    Some(Raw {
+    Some(UntrimmedSurface {
         sheet,
         planes: Some(planes),
         rails: None,
@@ -69,14 +69,14 @@ pub(super) fn developable(
     })
 }
 
-/// A patch that continues another one.
+/// Returns a patch that continues another one.
 pub(super) fn continuation(
     reader: &mut Reader,
     entries: &mut Entries<'_>,
     value: Value<'_>,
     parts: &Parts,
     known: &Named<MadePatches>,
-) -> Option<Raw> {
+) -> Option<UntrimmedSurface> {
     let (span, place) = (entries.span.clone(), value.span());
     let first = reader.named(value, "patch", known)?;
     let (Some(planes), Some(cut)) = (

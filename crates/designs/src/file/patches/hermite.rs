@@ -1,6 +1,6 @@
 //! Hermite cones.
 
-use super::raw::Raw;
+use super::raw::UntrimmedSurface;
 use crate::file::Parts;
 use crate::file::planes::plane;
 use crate::file::points::{point, vector, vectors};
@@ -10,13 +10,13 @@ use torse_geometry::developable::{
 };
 use torse_geometry::prelude::{Point, Rail, Sheet, SweptEdge};
 
-/// A Hermite cone between parallel planes, or cut by an oblique one.
+/// Returns a Hermite cone between parallel planes, or cut by an oblique one.
 pub(super) fn hermite(
     reader: &mut Reader,
     entries: &mut Entries<'_>,
     data: &mut Entries<'_>,
     parts: &Parts,
-) -> Option<Raw> {
+) -> Option<UntrimmedSurface> {
     let span = data.span.clone();
     let degree = data.take("degree").map_or(Some(3.0), |value| {
         reader.number_in(value, NumberKind::None, "{3, 4, 5}", |d| {
@@ -98,13 +98,13 @@ pub(super) fn hermite(
         let cut = plane(reader, value, &parts.planes)?;
         let data = accepted(reader, &span, oblique_image_as_printed(&cone, &cut))?;
         let edge = accepted(reader, &span, Rail::hermite(&data))?;
-        return Some(Raw::between(edge, q));
+        return Some(UntrimmedSurface::between(edge, q));
     }
     // From the curve p, the image of q in the ratio of the cone, or from the image of q in an oblique plane.
     let other = match entries.take("between") {
         Some(value) => SweptEdge::Cut(plane(reader, value, &parts.planes)?),
         None => SweptEdge::Share(1.0 / cone.ratio),
     };
-    let sheet = Sheet::swept_cone(&q, cone.summit, [other, SweptEdge::Share(1.0)]);
-    accepted(reader, &span, sheet.and_then(Raw::swept))
+    let sheet = Sheet::cone(&q, cone.summit, [other, SweptEdge::Share(1.0)]);
+    accepted(reader, &span, sheet.and_then(UntrimmedSurface::swept))
 }

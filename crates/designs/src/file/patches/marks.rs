@@ -55,7 +55,7 @@ fn mark(reader: &mut Reader, value: Value<'_>) -> Option<Mark> {
     Some(Mark::Text(at?, text, height?, angle?.to_radians()))
 }
 
-/// A place `[u, v]` on a patch.
+/// Returns a place `[u, v]` on a patch.
 fn place(reader: &mut Reader, value: Value<'_>) -> Option<[f64; 2]> {
     let span = value.span();
     let [u, v] = reader.numbers(value, [NumberKind::None; 2])?;

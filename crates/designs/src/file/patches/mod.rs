@@ -9,7 +9,7 @@ mod strips;
 mod sweep;
 
 use super::edges;
-use super::pieces::{Cells, distributed};
+use super::pieces::{PatchIntervals, distributed};
 use super::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
 use super::{Parts, keys, named};
 use crate::covers::SurfaceCover;
@@ -18,7 +18,7 @@ use connect::{assembled, connected, is_whole, paneled};
 use family::{continuation, cutting, developable};
 use hermite::hermite;
 use marks::marks;
-use raw::{MadePatches, Raw, trimmed};
+use raw::{MadePatches, UntrimmedSurface, trimmed};
 use std::ops::Range;
 use strips::covered;
 use sweep::{CONE, CYLINDER, swept};
@@ -38,7 +38,7 @@ const KINDS: [&str; 9] = [
 ];
 
 /// The patches that an entry with curves of several pieces became.
-pub struct Group {
+pub struct PatchGroup {
     /// The name of the entry.
     pub name: String,
     /// The indices of the patches.
@@ -54,7 +54,7 @@ pub struct ReadPatches {
     /// The patches, those of an entry in a row.
     pub patches: Named<Patch>,
     /// Which of them belong together.
-    pub groups: Vec<Group>,
+    pub groups: Vec<PatchGroup>,
     /// The surfaces that some of them cover.
     pub covers: Vec<SurfaceCover>,
 }
@@ -105,7 +105,7 @@ pub fn patches(reader: &mut Reader, section: Option<Value<'_>>, parts: &Parts) -
                 let to = from + strip.patches.len();
                 strip.patches = (from..to).collect();
                 if to > from + 1 {
-                    groups.push(Group {
+                    groups.push(PatchGroup {
                         name: strip.name.clone(),
                         patches: strip.patches.clone(),
                         closed: false,
@@ -116,7 +116,7 @@ pub fn patches(reader: &mut Reader, section: Option<Value<'_>>, parts: &Parts) -
             }
             covers.push(cover);
         } else if patches.len() > first + 1 {
-            groups.push(Group {
+            groups.push(PatchGroup {
                 name,
                 patches: (first..patches.len()).collect(),
                 closed: made.closed,
@@ -165,7 +165,7 @@ fn patch(
     let value = entries.take(kind)?;
     let place = value.span();
     let part = part.unwrap_or(Some([0.0, 1.0]))?;
-    let mut cells = Cells::ONE;
+    let mut cells = PatchIntervals::ONE;
     let raws = match kind {
         "ruled" | "connect" => {
             let pair = rails(reader, value, &parts.curves)?;
@@ -202,12 +202,12 @@ fn patch(
                     return assembled(reader, (name, &span), whole, panels, (number, marks?));
                 }
             }
-            let (found, pairs) = accepted(reader, &place, Cells::between(&pair, part))?;
+            let (found, pairs) = accepted(reader, &place, PatchIntervals::between(&pair, part))?;
             cells = found;
             let mut raws = Vec::with_capacity(pairs.len());
             for [first, second] in pairs {
                 raws.push(if kind == "ruled" {
-                    Raw::between(first, second)
+                    UntrimmedSurface::between(first, second)
                 } else {
                     connected(reader, &place, [&first, &second], branch.clone())?
                 });
@@ -218,13 +218,17 @@ fn patch(
             let sweep = if kind == "cone" { &CONE } else { &CYLINDER };
             let curve = reader.named(value, "curve", &parts.curves).cloned();
             let swept = swept(reader, entries, parts, sweep);
-            let (found, pieces) = accepted(reader, &place, Cells::cut(&curve?, part))?;
+            let (found, pieces) = accepted(reader, &place, PatchIntervals::cut(&curve?, part))?;
             cells = found;
             let swept = swept?;
             let mut raws = Vec::with_capacity(pieces.len());
             for piece in pieces {
                 let sheet = (sweep.sheet)(&piece, swept.lines, swept.edges);
-                raws.push(accepted(reader, &span, sheet.and_then(Raw::swept))?);
+                raws.push(accepted(
+                    reader,
+                    &span,
+                    sheet.and_then(UntrimmedSurface::swept),
+                )?);
             }
             raws
         }
@@ -283,7 +287,7 @@ fn complain_of_rest(reader: &mut Reader, entries: &mut Entries<'_>, kind: &str) 
     }
 }
 
-/// The number of a developable or a panel, and where it is asked for.
+/// Returns the number of a developable or a panel, and where it is asked for.
 fn number(reader: &mut Reader, value: Value<'_>) -> Option<(usize, Range<usize>)> {
     let place = value.span();
     let whole = |n: f64| n >= 1.0 && n.fract() == 0.0 && n <= 1e6;

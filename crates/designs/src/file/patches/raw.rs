@@ -27,7 +27,7 @@ pub(super) enum Cutting {
 }
 
 /// A surface before it is trimmed.
-pub(super) struct Raw {
+pub(super) struct UntrimmedSurface {
     pub sheet: Sheet,
     pub planes: Option<Planes>,
     pub rails: Option<[Rail; 2]>,
@@ -35,7 +35,7 @@ pub(super) struct Raw {
     pub notes: Vec<String>,
 }
 
-impl Raw {
+impl UntrimmedSurface {
     pub fn between(first: Rail, second: Rail) -> Self {
         let sheet = Sheet::ruled(first.clone(), second.clone());
         Self::with_rails(sheet, [first, second])
@@ -61,7 +61,7 @@ impl Raw {
         }
     }
 
-    /// A cylinder or a cone, with its edges as rails.
+    /// Returns a cylinder or a cone, with its edges as rails.
     pub fn swept(sheet: Sheet) -> Result<Self, GeometryError> {
         let rails = match sheet.construction() {
             Construction::Cylinder(patch) => patch.rails()?,
@@ -77,12 +77,12 @@ impl Raw {
     }
 }
 
-/// The patch of a surface: its part, with its marks.
+/// Returns the patch of a surface: its part, with its marks.
 pub(super) fn trimmed(
     reader: &mut Reader,
     span: &Range<usize>,
     (name, kind): (String, &'static str),
-    raw: Raw,
+    raw: UntrimmedSurface,
     (part, marks): ([f64; 2], Vec<Mark>),
 ) -> Option<Patch> {
     let sheet = if part == [0.0, 1.0] {

@@ -1,7 +1,7 @@
 //! Strips that cover a surface.
 
 use super::connect::extent;
-use super::raw::{MadePatches, Raw, trimmed};
+use super::raw::{MadePatches, UntrimmedSurface, trimmed};
 use crate::covers::{CoveringStrip, SurfaceCover};
 use crate::design::FreeSurface;
 use crate::file::keys;
@@ -12,7 +12,7 @@ use torse_geometry::prelude::{StripCover, StripDirection, StripError};
 const DIRECTIONS: [(&str, StripDirection); 2] =
     [("u", StripDirection::U), ("v", StripDirection::V)];
 
-/// The patches of the entry `strips`.
+/// Returns the patches of the entry `strips`.
 pub(super) fn covered(
     reader: &mut Reader,
     name: &str,
@@ -63,7 +63,7 @@ pub(super) fn covered(
             return None;
         }
     };
-    made(reader, (name, &span), (surface, direction, within), cover)
+    strip_patches(reader, (name, &span), (surface, direction, within), cover)
 }
 
 /// Where the curves are the mistake, they are shown, else the entry.
@@ -100,8 +100,8 @@ fn complain(
     }
 }
 
-/// The patches of strips, and what is told of them.
-fn made(
+/// Returns the patches of strips, and what is told of them.
+fn strip_patches(
     reader: &mut Reader,
     (name, span): (&str, &Range<usize>),
     (surface, direction, within): (&FreeSurface, StripDirection, f64),
@@ -121,7 +121,7 @@ fn made(
             } else {
                 own.clone()
             };
-            let raw = Raw::connecting(piece.sheet.clone(), vec![extent(piece)]);
+            let raw = UntrimmedSurface::connecting(piece.sheet.clone(), vec![extent(piece)]);
             let part = ([0.0, 1.0], Vec::new());
             patches.push(trimmed(reader, span, (name, "strips"), raw, part)?);
         }

@@ -33,7 +33,7 @@ pub(super) const CONE: Sweep = Sweep {
         "a point: `apex = [0, 0, 100]`",
     ],
     whole: [1.0, 0.0],
-    sheet: Sheet::swept_cone,
+    sheet: Sheet::cone,
 };
 
 /// The lines of a cone or a cylinder, and where they end.

@@ -31,7 +31,7 @@ pub(super) struct FoldBend {
 }
 
 impl FoldBend {
-    /// What it takes of the patch before it.
+    /// Returns what it takes of the patch before it.
     pub(super) fn taken_before(&self) -> Taken {
         Taken {
             edge: self.tool.name.clone(),
@@ -40,7 +40,7 @@ impl FoldBend {
         }
     }
 
-    /// What it takes of the patch behind it.
+    /// Returns what it takes of the patch behind it.
     pub(super) fn taken_behind(&self) -> Taken {
         Taken {
             side: self.end.turned(),
@@ -50,14 +50,14 @@ impl FoldBend {
 }
 
 /// The joint behind a patch of the pattern.
-pub(super) struct Joint {
+pub(super) struct RulingJoint {
     /// The ends of the common ruling, left and right.
     pub ends: [[f64; 2]; 2],
     pub side: Side,
     pub angle: f64,
 }
 
-impl Joint {
+impl RulingJoint {
     pub(super) fn at(flat: &FlatPattern, place: usize) -> Option<Self> {
         let [_, ends] = flat.end_rulings(place)?;
         Some(Self {
@@ -68,7 +68,7 @@ impl Joint {
     }
 }
 
-/// The smallest and the largest radius on the rulings of a patch of the pattern; infinite where it is flat.
+/// Returns the smallest and the largest radius on the rulings of a patch of the pattern; infinite where it is flat.
 pub(super) fn radii(flat: &FlatPattern, place: usize) -> [f64; 2] {
     // The ruling at a joint is one of both patches: it counts where the patch has no other.
     let own = flat.rulings().iter().filter(|ruling| ruling.piece == place);
@@ -81,7 +81,8 @@ pub(super) fn radii(flat: &FlatPattern, place: usize) -> [f64; 2] {
 /// Rulings at which the radius of the wide end of a cone is measured.
 const RULINGS: u32 = 256;
 
-/// How a patch is rolled that has these radii on its rulings; where it reaches an apex, the radii at its other end.
+/// Returns how a patch is rolled that has these radii on its rulings; where it reaches an apex, the radii at its other
+/// end.
 pub(super) fn rolled(patch: &Patch, radii: [f64; 2]) -> Result<Rolled, String> {
     let name = patch.name.clone();
     let [first, second] = patch.apexes();
@@ -109,7 +110,7 @@ pub(super) fn rolled(patch: &Patch, radii: [f64; 2]) -> Result<Rolled, String> {
     })
 }
 
-/// The sheet of a design, with the K-factor for this inside radius.
+/// Returns the sheet of a design, with the K-factor for this inside radius.
 fn sheet(design: &Design, name: &str, inside_radius: f64) -> Result<BendingSheet, String> {
     let metal = metal(design, name)?;
     let thickness = metal.sheet.thickness();
@@ -146,7 +147,7 @@ fn tool(
     }
 }
 
-/// The bend that a patch is: an arc of a circular cylinder.
+/// Returns the bend that a patch is: an arc of a circular cylinder.
 pub(super) fn patch_bend(
     design: &Design,
     patch: &Patch,
@@ -212,11 +213,11 @@ pub(super) fn patch_bend(
     })
 }
 
-/// The bend at a joint, over this inside radius.
+/// Returns the bend at a joint, over this inside radius.
 pub(super) fn joint_bend(
     design: &Design,
     name: String,
-    joint: &Joint,
+    joint: &RulingJoint,
     inside_radius: f64,
 ) -> Result<FoldBend, String> {
     let sheet = sheet(design, &name, inside_radius)?;

@@ -2,9 +2,9 @@
 //!
 //! The pattern is the development of the designed surface. What is rolled to a large radius keeps its middle, and the
 //! pattern is the blank. A bend over a tool, of inside radius `r` and angle `beta` in a sheet of thickness `t`, is
-//! `beta (r + K t)` long on the blank instead: where the bend is a patch of the design, its strip gets that width; where it
-//! is an edge between two flat patches, a strip is put between them and each loses its setback, `(r + s t) tan(beta/2)`,
-//! with `s` the share of the thickness at which the designed surface lies.
+//! `beta (r + K t)` long on the blank instead: where the bend is a patch of the design, its strip gets that width;
+//! where it is an edge between two flat patches, a strip is put between them and each loses its setback,
+//! `(r + s t) tan(beta/2)`, with `s` the share of the thickness at which the designed surface lies.
 
 mod bends;
 mod strip;
@@ -13,7 +13,7 @@ use super::{FlatPiece, position};
 use crate::bending::DesignedSurface;
 use crate::design::{Design, Patch};
 use crate::error::DesignError;
-use bends::{FoldBend, Joint, joint_bend, patch_bend, radii, rolled};
+use bends::{FoldBend, RulingJoint, joint_bend, patch_bend, radii, rolled};
 use strip::{Side, closed};
 use torse_geometry::pattern::{FlatPattern, Segment};
 
@@ -74,12 +74,12 @@ pub struct Blank {
     pub rolled: Vec<Rolled>,
     /// No point of the outline is farther from that of the exact blank.
     pub error: f64,
-    zones: Vec<Zone>,
+    zones: Vec<PatchMotion>,
 }
 
 /// Where the points of a patch of the chain go: a shift, and before it a stretch across the rulings of a bend.
 #[derive(Debug, Clone, PartialEq)]
-struct Zone {
+struct PatchMotion {
     shift: [f64; 2],
     stretch: Option<Stretch>,
     /// The strips at both ends that a bend takes.
@@ -93,7 +93,7 @@ struct Stretch {
     factor: f64,
 }
 
-impl Zone {
+impl PatchMotion {
     fn point(&self, point: [f64; 2]) -> [f64; 2] {
         let [mut x, mut y] = point;
         if let Some(stretch) = self.stretch {
@@ -104,8 +104,8 @@ impl Zone {
         [x + self.shift[0], y + self.shift[1]]
     }
 
-    /// Adds the image of a segment, an arc that is stretched by chords no farther from it than `chord`; gives how far they
-    /// are at most.
+    /// Adds the image of a segment, an arc that is stretched by chords no farther from it than `chord`; gives how far
+    /// they are at most.
     fn add(&self, segment: &Segment, chord: f64, to: &mut Vec<Segment>) -> f64 {
         let parts = match self.stretch {
             Some(_) if !segment.is_line() => {
@@ -136,8 +136,8 @@ impl Zone {
 }
 
 impl Blank {
-    /// Where a point of the pattern, on a patch of the chain, lies on the blank, with room for a circle about it:
-    /// `None` where a bend takes it.
+    /// Returns where a point of the pattern, on a patch of the chain, lies on the blank, with room for a circle about
+    /// it: `None` where a bend takes it.
     #[must_use]
     pub fn place(&self, patch: usize, point: [f64; 2], room: f64) -> Option<[f64; 2]> {
         let zone = self.zones.get(patch)?;
@@ -147,11 +147,11 @@ impl Blank {
     }
 }
 
-/// The blank of a piece.
+/// Returns the blank of a piece.
 ///
 /// # Errors
-/// [`DesignError::Blank`] for a bend that cannot be made from what the file says: no thickness, a patch that is no arc of a
-/// circular cylinder, a table of K-factors that ends before its radius, a flange shorter than its setback.
+/// [`DesignError::Blank`] for a bend that cannot be made from what the file says: no thickness, a patch that is no arc
+/// of a circular cylinder, a table of K-factors that ends before its radius, a flange shorter than its setback.
 pub fn blank(design: &Design, piece: &FlatPiece) -> Result<Blank, DesignError> {
     let made = Builder::new(design, piece).and_then(Builder::build);
     made.map_err(|reason| DesignError::Blank {
@@ -236,7 +236,7 @@ impl<'d> Builder<'d> {
         else {
             return Err("a patch is not on its pattern".to_owned());
         };
-        let mut zone = Zone {
+        let mut zone = PatchMotion {
             shift: self.shift,
             stretch: None,
             taken: Vec::new(),
@@ -313,18 +313,18 @@ impl<'d> Builder<'d> {
         Ok(())
     }
 
-    /// The bend at the joint behind a patch, if there is an edge with a radius; an edge without one is noted.
+    /// Returns the bend at the joint behind a patch, if there is an edge with a radius; an edge without one is noted.
     fn fold(
         &mut self,
         place: usize,
         number: usize,
         patch: &Patch,
-        zone: &Zone,
+        zone: &PatchMotion,
     ) -> Result<Option<FoldBend>, String> {
         let Some((next_number, next)) = self.patches.get(place + 1).copied() else {
             return Ok(None);
         };
-        let Some(joint) = Joint::at(self.flat, place) else {
+        let Some(joint) = RulingJoint::at(self.flat, place) else {
             return Ok(None);
         };
         if joint.angle.abs() <= self.design.tolerances.kink.to_radians() {
@@ -352,7 +352,8 @@ impl<'d> Builder<'d> {
         joint_bend(self.design, name, &joint, radius).map(Some)
     }
 
-    /// A face of the sheet is inside of all bends, or outside of all; what is rolled is designed by its middle.
+    /// Refuses bends that do not all have the designed face on the same side, and rolled patches whose designed surface
+    /// is not the middle.
     fn check_surface(&self) -> Result<(), String> {
         let surface = self.design.bending.surface;
         if surface == DesignedSurface::Middle || self.design.metal.is_none() {

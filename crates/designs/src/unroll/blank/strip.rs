@@ -55,7 +55,7 @@ pub(super) struct Side {
 }
 
 impl Side {
-    /// The side ahead of one who comes to a line with its first end on his left.
+    /// Returns the side ahead of one who comes to a line with its first end on his left.
     pub(super) fn ahead([left, right]: [[f64; 2]; 2]) -> Option<Self> {
         let [x, y] = [right[0] - left[0], right[1] - left[1]];
         let length = libm::hypot(x, y);
@@ -65,17 +65,17 @@ impl Side {
         })
     }
 
-    /// How far a point is on this side.
+    /// Returns how far a point is on this side.
     pub(super) fn height(&self, point: [f64; 2]) -> f64 {
         (point[0] - self.point[0]) * self.normal[0] + (point[1] - self.point[1]) * self.normal[1]
     }
 
-    /// The point, moved along the normal.
+    /// Returns the point, moved along the normal.
     pub(super) fn along(&self, point: [f64; 2], by: f64) -> [f64; 2] {
         [0, 1].map(|i| point[i] + by * self.normal[i])
     }
 
-    /// The line moved along the normal.
+    /// Returns the line moved along the normal.
     pub(super) fn moved(&self, by: f64) -> Self {
         Self {
             point: self.along(self.point, by),
@@ -83,7 +83,7 @@ impl Side {
         }
     }
 
-    /// The other side.
+    /// Returns the other side.
     pub(super) fn turned(&self) -> Self {
         Self {
             normal: self.normal.map(|c| -c),
@@ -92,7 +92,7 @@ impl Side {
     }
 }
 
-/// The share of a segment at which it comes to a line, its start being before it and its end not.
+/// Returns the share of a segment at which it comes to a line, its start being before it and its end not.
 fn share(segment: &Segment, side: &Side) -> f64 {
     let (mut low, mut high) = (0.0_f64, 1.0_f64);
     if segment.is_line() {
@@ -110,7 +110,7 @@ fn share(segment: &Segment, side: &Side) -> f64 {
     high
 }
 
-/// The chain up to where it comes to a line for the last time.
+/// Returns the chain up to where it comes to a line for the last time.
 ///
 /// # Errors
 /// For a chain that is wholly behind the line, or comes to it more than once.
@@ -139,7 +139,7 @@ pub(super) fn before(chain: &[Segment], side: &Side) -> Result<Vec<Segment>, Str
     Ok(kept)
 }
 
-/// The chain from where it leaves a line for the first time.
+/// Returns the chain from where it leaves a line for the first time.
 ///
 /// # Errors
 /// As [`before`].
@@ -152,7 +152,7 @@ fn reversed(chain: &[Segment]) -> Vec<Segment> {
     chain.iter().rev().map(Segment::reversed).collect()
 }
 
-/// Where a chain crosses a line.
+/// Returns where a chain crosses a line.
 pub(super) fn crossing(chain: &[Segment], side: &Side) -> Result<[f64; 2], String> {
     let back = before(chain, side)?;
     back.last()
@@ -160,7 +160,7 @@ pub(super) fn crossing(chain: &[Segment], side: &Side) -> Result<[f64; 2], Strin
         .ok_or_else(|| "a rail of a bend is a point".to_owned())
 }
 
-/// The outline between both sides of a chain, counterclockwise.
+/// Returns the outline between both sides of a chain, counterclockwise.
 pub(super) fn closed([left, right]: &[Vec<Segment>; 2]) -> Result<Vec<Segment>, String> {
     let mut outline = right.clone();
     let back = reversed(left);

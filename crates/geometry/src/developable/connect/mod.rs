@@ -138,8 +138,8 @@ impl<P: Clone, Q: Clone> Connections<P, Q> {
 }
 
 impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Connections<P, Q> {
-    /// The place on a branch where the parameter of this curve (0, 1) has a value between those of two nodes: by bisection,
-    /// as `F` changes its sign once between the nodes.
+    /// The place on a branch where the parameter of this curve (0, 1) has a value between those of two nodes: by
+    /// bisection, as `F` changes its sign once between the nodes.
     pub(crate) fn on_branch(&self, branch: usize, curve: usize, value: f64) -> Option<Node> {
         let nodes = self.branches.get(branch)?.nodes();
         let after = nodes.partition_point(|node| node[curve] < value);
@@ -178,9 +178,9 @@ impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Connections<P, Q> {
         Some(place(0.5 * (from + to)))
     }
 
-    /// The solutions with this value of the parameter of this curve (0, 1), at which the tangent planes at both ends have the
-    /// patch on the same side: as many as samples show, and of a run of samples that all are solutions both ends, as those
-    /// between them are rulings of the fan over it.
+    /// The solutions with this value of the parameter of this curve (0, 1), at which the tangent planes at both ends
+    /// have the patch on the same side: as many as samples show, and of a run of samples that all are solutions both
+    /// ends, as those between them are rulings of the fan over it.
     pub(crate) fn on_line(&self, curve: usize, value: f64) -> Vec<Node> {
         const SAMPLES: u32 = 128;
         let place = |x: f64| if curve == 0 { [value, x] } else { [x, value] };
@@ -232,7 +232,8 @@ impl<P: SpaceCurve<f64>, Q: SpaceCurve<f64>> Connections<P, Q> {
         found
     }
 
-    /// Whether the tangent planes at both ends of each ruling of a branch have the patch on the same side, at its nodes.
+    /// Whether the tangent planes at both ends of each ruling of a branch have the patch on the same side, at its
+    /// nodes.
     pub(crate) fn is_regular(&self, branch: usize) -> bool {
         let nodes = self.branches.get(branch).map(Branch::nodes);
         nodes.is_some_and(|nodes| nodes.iter().all(|node| self.one_side(node)))
@@ -262,8 +263,8 @@ where
     P: SpaceCurve<f64> + Over<f64, Ball, Object: SpaceCurve<Ball>> + Clone,
     Q: SpaceCurve<f64> + Over<f64, Ball, Object: SpaceCurve<Ball>> + Clone,
 {
-    /// What is left of cells when those parts are taken away in which it is proved that there is no solution, or none at
-    /// which the tangent planes at both ends have the patch on the same side: no panel passes there.
+    /// What is left of cells when those parts are taken away in which it is proved that there is no solution, or none
+    /// at which the tangent planes at both ends have the patch on the same side: no panel passes there.
     ///
     /// # Errors
     /// As [`connect`].

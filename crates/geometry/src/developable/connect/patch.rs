@@ -273,10 +273,10 @@ impl<P: SpaceCurve<ChebyshevModel>, Q: SpaceCurve<ChebyshevModel>> ConnectingPat
         Equation::at((&self.first, &self.second), &s, &t).ok()
     }
 
-    /// `w` on the branch over an interval of `u`: the polynomial through Newton's solutions, and by how much it may be off,
-    /// `|F(w)| / min |F_w|`, where `F_w` is bounded over a tube about the polynomial. In the tube there is one solution for
-    /// each `u`, and it is the one of the branch, since in the middle of the interval the tube lies in the box of a proved
-    /// link.
+    /// `w` on the branch over an interval of `u`: the polynomial through Newton's solutions, and by how much it may be
+    /// off, `|F(w)| / min |F_w|`, where `F_w` is bounded over a tube about the polynomial. In the tube there is one
+    /// solution for each `u`, and it is the one of the branch, since in the middle of the interval the tube lies in the
+    /// box of a proved link.
     fn modelled(&self, u: &ChebyshevModel) -> Option<ChebyshevModel> {
         let [low, high] = u.range();
         let [first, last] = self.span();

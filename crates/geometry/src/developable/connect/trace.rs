@@ -32,9 +32,10 @@ pub struct Branch {
 }
 
 impl Branch {
-    /// Pairs `[s, t]` on the branch, rising in both. It is proved (with balls) that there is one branch through all of them,
-    /// which rises, or which is flatter than [`NODE_RADIUS`] at the end of a curve: it crosses the antidiagonal of each within [`NODE_RADIUS`], and between two
-    /// of them it runs in their bounding box, widened by that much, which holds no other solution.
+    /// Pairs `[s, t]` on the branch, rising in both. It is proved (with balls) that there is one branch through all of
+    /// them, which rises, or which is flatter than [`NODE_RADIUS`] at the end of a curve: it crosses the antidiagonal
+    /// of each within [`NODE_RADIUS`], and between two of them it runs in their bounding box, widened by that much,
+    /// which holds no other solution.
     #[must_use]
     pub fn nodes(&self) -> &[[f64; 2]] {
         &self.nodes
@@ -121,8 +122,8 @@ pub(super) fn solution_on_link<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
     newton(rails, u, guess, room, |_| true)
 }
 
-/// Newton's method for `w` on the antidiagonal `u`, as long as the derivatives are `admitted`, and `w` stays within `room` of
-/// the guess.
+/// Newton's method for `w` on the antidiagonal `u`, as long as the derivatives are `admitted`, and `w` stays within
+/// `room` of the guess.
 fn newton<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(
     rails: (&P, &Q),
     u: f64,
@@ -224,8 +225,8 @@ where
         self.proved(nodes, [start, end])
     }
 
-    /// The solution on the border beside a node where a branch was followed no farther, because it meets the border at a right
-    /// angle: at the end of a curve without curvature, such as a natural spline.
+    /// The solution on the border beside a node where a branch was followed no farther, because it meets the border at
+    /// a right angle: at the end of a curve without curvature, such as a natural spline.
     fn on_border(&self, node: [f64; 2], border: f64) -> Option<[f64; 2]> {
         let curve = if (node[0] - border).abs() <= (node[1] - border).abs() {
             0
@@ -319,9 +320,9 @@ where
         rises(self.balls.0, self.balls.1, &cell, self.bits) || self.is_graph(&cell)
     }
 
-    /// Whether the solutions in a box are proved to be one graph over one of both parameters, that leaves it at the ends of
-    /// that parameter only: the derivative by the other one has a sign, and so has `F` on both sides. Where the branch is as
-    /// flat as rounding it need not rise.
+    /// Whether the solutions in a box are proved to be one graph over one of both parameters, that leaves it at the
+    /// ends of that parameter only: the derivative by the other one has a sign, and so has `F` on both sides. Where the
+    /// branch is as flat as rounding it need not rise.
     fn is_graph(&self, cell: &ParameterBox) -> bool {
         let curve = if cell.s[1] - cell.s[0] >= cell.t[1] - cell.t[0] {
             0

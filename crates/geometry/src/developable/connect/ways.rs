@@ -1,17 +1,19 @@
 //! Whole panels: ways through the square of both parameters that never go back.
 //!
-//! A developable between two rails `a(s)` and `b(t)` runs through rulings `(s, t)` from `(0, 0)` to `(m, n)`, where `m` and
-//! `n` count the pieces of the rails. It consists of
+//! A developable between two rails `a(s)` and `b(t)` runs through rulings `(s, t)` from `(0, 0)` to `(m, n)`, where `m`
+//! and `n` count the pieces of the rails. It consists of
 //!
 //! - **arcs**: parts of [branches](super::Branch), on which one plane touches both rails,
-//! - **fans**: segments on which one parameter stands still: cones from a point of the one rail over a part of the other.
+//! - **fans**: segments on which one parameter stands still: cones from a point of the one rail over a part of the
+//!   other.
 //!
 //!   Over a straight piece of a rail a fan in which `F` vanishes is a plane triangle: it is passed like an arc.
 //!
-//! Two of these meet smoothly where `F(s, t) = 0`, so a fan may leave an arc anywhere and end on another anywhere, while the
-//! first and the last ruling are free. Fans are taken where one of the two arcs ends: at a turn, at a corner and at an end of a
-//! rail. The ways in that graph are compared by their folds (corners of a rail inside of a fan), by the share of the rails in
-//! fans, and by the number of pieces; the best of that graph is the first of the list, and no more is claimed.
+//! Two of these meet smoothly where `F(s, t) = 0`, so a fan may leave an arc anywhere and end on another anywhere,
+//! while the first and the last ruling are free. Fans are taken where one of the two arcs ends: at a turn, at a corner
+//! and at an end of a rail. The ways in that graph are compared by their folds (corners of a rail inside of a fan), by
+//! the share of the rails in fans, and by the number of pieces; the best of that graph is the first of the list, and no
+//! more is claimed.
 //!
 //! Between closed rails the square is a torus: wanted are ways from a ruling to itself, once around both rails.
 

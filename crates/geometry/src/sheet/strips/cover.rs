@@ -12,7 +12,7 @@ use crate::vector::blended;
 
 /// The most strips of a cover.
 pub const MAX_STRIPS: usize = 128;
-/// So many strips are made to find a cover, those that are given up included.
+/// The most strips made in one search, discarded ones included.
 const MAX_MADE: usize = 768;
 /// How often the curves are moved for one number of strips.
 const ROUNDS: usize = 3;
@@ -29,12 +29,13 @@ pub struct StripCover {
 }
 
 impl StripCover {
-    /// The fewest strips of this family that are found to come within a distance: whole panels between curves of one
-    /// constant parameter, placed so that their bounds are about equal. That no other curves or panels would do with fewer is not claimed.
+    /// Covers a surface by strips between curves of constant parameter, each within the distance `within` of it, and
+    /// places the curves so that the bounds are about equal. Returns the fewest strips that were found; other curves or
+    /// panels might do with fewer.
     ///
     /// # Errors
-    /// [`StripError::Asymptotic`] where the curves have no rulings across, the other [`StripError`]s where panels or their
-    /// bounds are not found, [`GeometryError::OutOfRange`] for a distance that is not positive.
+    /// [`StripError::Asymptotic`] where the curves have no rulings across, the other [`StripError`]s where panels or
+    /// their bounds are not found, [`GeometryError::OutOfRange`] for a distance that is not positive.
     ///
     /// ```
     /// use torse_geometry::prelude::*;
@@ -80,14 +81,14 @@ impl StripCover {
         })
     }
 
-    /// The largest bound.
+    /// Returns the largest bound.
     #[must_use]
     pub fn distance(&self) -> f64 {
         farthest(&self.strips)
     }
 
-    /// The least and the greatest angle, in radians, between the tangent planes of neighbours along the edge that they
-    /// share: of each pair in order, as samples show.
+    /// Returns the least and the greatest angle, in radians, between the tangent planes of neighbours along the edge
+    /// that they share: of each pair in order, as samples show.
     ///
     /// # Errors
     /// What the pieces refuse.
@@ -98,7 +99,7 @@ impl StripCover {
     }
 }
 
-/// The surface with its parameters exchanged.
+/// Returns the surface with its parameters exchanged.
 fn transposed(surface: &Tensor) -> Result<Tensor, GeometryError> {
     let (u, v) = surface.bases();
     let (_, n) = surface.degrees();
@@ -111,7 +112,7 @@ fn transposed(surface: &Tensor) -> Result<Tensor, GeometryError> {
     TensorSurface::new(*v, *u, (0..=n).map(column).collect())
 }
 
-/// The curve of this `v`.
+/// Returns the curve of this `v`.
 fn curve(surface: &Tensor, v: f64) -> Result<Rail, GeometryError> {
     let (shape, across) = surface.bases();
     let (_, n) = surface.degrees();
@@ -120,7 +121,7 @@ fn curve(surface: &Tensor, v: f64) -> Result<Rail, GeometryError> {
     Rail::new(*shape, &points.collect::<Result<Vec<_>, _>>()?)
 }
 
-/// The strips between the curves at these places.
+/// Returns the strips between the curves at these places.
 fn strips(surface: &Tensor, places: &[f64]) -> Result<Vec<SurfaceStrip>, StripError> {
     let curves = places.iter().map(|v| curve(surface, *v));
     let curves = curves.collect::<Result<Vec<_>, _>>()?;
@@ -166,7 +167,7 @@ struct CoverSearch<'a> {
 }
 
 impl CoverSearch<'_> {
-    /// The best of some placements of so many strips, and how many strips of equal bounds would do.
+    /// Returns the best of some placements of so many strips, and how many strips of equal bounds would do.
     fn placed(&mut self, count: usize) -> Result<(Vec<SurfaceStrip>, f64), StripError> {
         let mut best: Option<(Vec<SurfaceStrip>, f64)> = None;
         for _ in 0..ROUNDS {
@@ -194,7 +195,7 @@ impl CoverSearch<'_> {
         })
     }
 
-    /// The smallest number of strips that come within the distance, with one less that does not.
+    /// Returns the smallest number of strips that come within the distance, with one less that does not.
     fn fewest(&mut self) -> Result<StripCover, StripError> {
         let mut count = self.spacing.count(self.within).clamp(1, MAX_STRIPS);
         // The largest number that failed.
@@ -244,7 +245,7 @@ impl CoverSearch<'_> {
     }
 }
 
-/// The largest bound.
+/// Returns the largest bound.
 fn farthest(strips: &[SurfaceStrip]) -> f64 {
     let bounds = strips.iter().map(|strip| strip.distance);
     bounds.fold(0.0, f64::max)

@@ -1,26 +1,26 @@
 //! How far a strip is from the surface, both ways: proved.
 //!
-//! A ruling of the strip joins the points `P`, `Q` of the edges at `(s, v0)` and `(t, v1)`. The surface over a path `g(w)` between these two
-//! places (file `slide`) is compared with the ruling: `E(w) = S(g(w)) - P - (w + c w (1 - w)) (Q - P)`, with any `c` in [-1, 1] for
-//! each ruling. At the ends `E` is what the edges miss the surface by, which is rounding, and
-//! `E'' = d^2 S(g)/dw^2 + 2 c (Q - P)`. So
+//! A ruling of the strip joins the points `P`, `Q` of the edges at `(s, v0)` and `(t, v1)`. The surface over a path
+//! `g(w)` between these two places (file `slide`) is compared with the ruling:
+//! `E(w) = S(g(w)) - P - (w + c w (1 - w)) (Q - P)`, with any `c` in [-1, 1] for each ruling. At the ends `E` is what
+//! the edges miss the surface by, which is rounding, and `E'' = d^2 S(g)/dw^2 + 2 c (Q - P)`. So
 //!
 //! `|E| <= max(|E(0)|, |E(1)|) + 1/8 max |E''|`
 //!
-//! for all rulings and `w`. With `c = 0` and straight paths this is an eighth of the second derivative of the surface; `c` and the paths
-//! take out what only moves points along the surface. Each `w + c w (1 - w)` takes [0, 1] onto itself, so all points of the
-//! strip are met; the paths cover all places of the surface between the edges. Hence the bound
-//! holds in both directions. Where pieces of a panel meet up to rounding only, the gap counts.
+//! for all rulings and `w`. With `c = 0` and straight paths this is an eighth of the second derivative of the surface;
+//! `c` and the paths take out what only moves points along the surface. Each `w + c w (1 - w)` takes [0, 1] onto
+//! itself, so all points of the strip are met; the paths cover all places of the surface between the edges. Hence the
+//! bound holds in both directions. Where pieces of a panel meet up to rounding only, the gap counts.
 //!
-//! `E''` is bounded on cells of rulings by [`ChebyshevModel`]s in the parameter of the ruling; over `w` by its values in the middle of
-//! intervals and its derivative on them.
+//! `E''` is bounded on cells of rulings by [`ChebyshevModel`]s in the parameter of the ruling; over `w` by its values
+//! in the middle of intervals and its derivative on them.
 
 use super::rulings::modelled;
 use super::slide::{STEPS, slides};
 use super::strip::Tensor;
 use crate::basis::BasisShape;
 use crate::coordinate::Coordinate;
-use crate::error::Result;
+use crate::error::{Result, count};
 use crate::model::ChebyshevModel;
 use crate::over::Over;
 use crate::sheet::{Panel, PanelPiece, Sheet};
@@ -56,7 +56,7 @@ struct Cell {
     attained: f64,
 }
 
-/// An upper bound of the length of a vector; infinite where it has none.
+/// Returns an upper bound of the length of a vector; infinite where it has none.
 fn largest(vector: &Vector) -> f64 {
     let square = dot(vector, vector);
     if !square.is_finite() {
@@ -65,7 +65,7 @@ fn largest(vector: &Vector) -> f64 {
     square.sharply_largest().max(0.0).sqrt() * ROUNDED
 }
 
-/// The largest length at the nodes of the polynomials.
+/// Returns the largest length at the nodes of the polynomials.
 fn at_nodes(vector: &Vector) -> f64 {
     let [x, y, z] = vector.each_ref().map(ChebyshevModel::at_nodes);
     let squares = x
@@ -76,7 +76,7 @@ fn at_nodes(vector: &Vector) -> f64 {
     squares.fold(0.0_f64, f64::max).sqrt()
 }
 
-/// The derivative of this order along a direction: `sum C(order, i) S_(i, order - i) du^i dv^(order - i)`.
+/// Returns the derivative of this order along a direction: `sum C(order, i) S_(i, order - i) du^i dv^(order - i)`.
 fn along(partials: &Partials<Model>, order: usize, [du, dv]: &[Model; 2]) -> Option<Vector> {
     let power = |x: &Model, n: usize| (0..n).fold(Model::exact(1.0), |p, _| p * *x);
     let mut sum = [Model::exact(0.0); 3];
@@ -84,9 +84,7 @@ fn along(partials: &Partials<Model>, order: usize, [du, dv]: &[Model; 2]) -> Opt
     for i in 0..=order {
         let factor = Model::exact(binomial) * power(du, i) * power(dv, order - i);
         sum = add(&sum, &scale(&factor, partials.get(i, order - i)?));
-        #[allow(clippy::cast_precision_loss)]
-        let next = (order - i) as f64 / (i + 1) as f64;
-        binomial *= next;
+        binomial *= count(order - i) / count(i + 1);
     }
     Some(sum)
 }
@@ -97,8 +95,8 @@ impl<'a> StripDistance<'a> {
         Ok(Self { near, surface })
     }
 
-    /// A bound of the distance between a panel and the part of the surface between its edges, both ways; `None` where none
-    /// is found.
+    /// Returns a bound of the distance between a panel and the part of the surface between its edges, both ways; `None`
+    /// where none is found.
     pub fn bound(&self, range: [f64; 2], panel: &Panel) -> Result<Option<f64>> {
         let mut bound = 0.0_f64;
         // Where the pieces begin and end, with their uncertainty.
@@ -129,7 +127,7 @@ impl<'a> StripDistance<'a> {
         Ok(whole.is_finite().then_some(whole))
     }
 
-    /// The largest derivative along the edges between them.
+    /// Returns the largest derivative along the edges between them.
     fn speed(&self, [from, to]: [f64; 2]) -> Option<f64> {
         let v = Model::exact(0.5 * (from + to)).widened(0.5 * (to - from) * ROUNDED + f64::EPSILON);
         let all = self
@@ -139,7 +137,7 @@ impl<'a> StripDistance<'a> {
         Some(largest(all.get(1, 0)?))
     }
 
-    /// A bound for one piece: the cell with the largest is halved until the bound is close.
+    /// Returns a bound for one piece: the cell with the largest is halved until the bound is close.
     fn piece(&self, own: &Sliding<'_>) -> Option<f64> {
         let cell = |x: [f64; 2]| {
             let unknown = Cell {
@@ -150,8 +148,7 @@ impl<'a> StripDistance<'a> {
             self.cell(own, x).unwrap_or(unknown)
         };
         // On each of them the paths change linearly.
-        #[allow(clippy::cast_precision_loss)]
-        let first = (0..STEPS).map(|k| [k, k + 1].map(|k| k as f64 / STEPS as f64));
+        let first = (0..STEPS).map(|k| [k, k + 1].map(|k| count(k) / count(STEPS)));
         let mut cells: Vec<Cell> = first.map(cell).collect();
         loop {
             let order = |a: &(usize, &Cell), b: &(usize, &Cell)| a.1.bound.total_cmp(&b.1.bound);
@@ -214,7 +211,7 @@ impl<'a> StripDistance<'a> {
         Some(add(&along(&partials, 2, speed)?, &turned))
     }
 
-    /// The third derivative on all of an interval about `w`.
+    /// Returns the third derivative on all of an interval about `w`.
     fn third(&self, paths: &Paths, w: f64, half: f64) -> Option<Vector> {
         let speed = paths.speed(w);
         // The paths turn evenly.
@@ -243,14 +240,12 @@ struct Sliding<'a> {
 impl Sliding<'_> {
     /// `e` on a cell within one of its steps.
     fn slide_on(&self, [from, to]: [f64; 2], place: &Model) -> Option<Model> {
-        #[allow(clippy::cast_precision_loss)]
-        let steps = STEPS as f64;
+        let steps = count(STEPS);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let step = (0.5 * (from + to) * steps).floor() as usize;
         let [before, after] = [step, step + 1].map(|k| self.slide.get(k));
         let [before, after] = [Model::exact(*before?), Model::exact(*after?)];
-        #[allow(clippy::cast_precision_loss)]
-        let share = Model::exact(steps) * *place - Model::exact(step as f64);
+        let share = Model::exact(steps) * *place - Model::exact(count(step));
         Some(before + (after - before) * share)
     }
 }
@@ -290,7 +285,7 @@ fn shift(second: &Vector, ruling: &Vector) -> Model {
     if slide.largest() <= 2.0 { slide } else { zero }
 }
 
-/// Where a piece begins and ends: bounds of both parameters.
+/// Returns where a piece begins and ends: bounds of both parameters.
 fn ends(piece: &PanelPiece, sheet: &Sheet<Model>) -> Option<[[[f64; 2]; 2]; 2]> {
     let end = |inner: [f64; 2], t: f64| {
         let found = modelled(sheet, piece, &Model::identity(inner[0], inner[1]))?;
@@ -312,7 +307,7 @@ fn ends(piece: &PanelPiece, sheet: &Sheet<Model>) -> Option<[[[f64; 2]; 2]; 2]> 
     None
 }
 
-/// The largest difference of two pairs of parameters within bounds.
+/// Returns the largest difference of two pairs of parameters within bounds.
 fn apart(one: &[[f64; 2]; 2], other: &[[f64; 2]; 2]) -> f64 {
     let pairs = one.iter().zip(other);
     let far = pairs.map(|(a, b)| (a[1] - b[0]).max(b[1] - a[0]));

@@ -12,7 +12,7 @@ const RULINGS: u32 = 64;
 /// Places along the edge.
 const PLACES: u32 = 128;
 
-/// The least and the greatest angle between the tangent planes of two strips, in radians.
+/// Returns the least and the greatest angle between the tangent planes of two strips, in radians.
 pub(super) fn between(first: &SurfaceStrip, second: &SurfaceStrip) -> Result<[f64; 2]> {
     let (before, after) = (normals(first, 1)?, normals(second, 0)?);
     let mut angles = [f64::INFINITY, 0.0_f64];
@@ -31,7 +31,7 @@ pub(super) fn between(first: &SurfaceStrip, second: &SurfaceStrip) -> Result<[f6
     Ok(angles)
 }
 
-/// The unit normals along an edge, 0 or 1, of a strip, by its parameter.
+/// Returns the unit normals along an edge, 0 or 1, of a strip, by its parameter.
 fn normals(strip: &SurfaceStrip, edge: usize) -> Result<Vec<(f64, Point)>> {
     let mut list = Vec::new();
     for piece in &strip.panel.pieces {

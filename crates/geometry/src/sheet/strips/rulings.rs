@@ -3,7 +3,7 @@
 use crate::model::ChebyshevModel as Model;
 use crate::sheet::{Construction, PanelKind, PanelPiece, Sheet};
 
-/// The parameters on both edges of a ruling of a piece.
+/// Returns the parameters on both edges of a ruling of a piece.
 pub(super) fn parameters(piece: &PanelPiece, x: f64) -> Option<[f64; 2]> {
     match piece.kind {
         PanelKind::Fan(_) => Some(piece.ranges.map(|[from, to]| from + (to - from) * x)),
@@ -22,7 +22,7 @@ fn on_arc(sheet: &Sheet, x: f64) -> Option<[f64; 2]> {
     }
 }
 
-/// The same over an interval of rulings, of the sheet of a piece over models.
+/// Returns the same over an interval of rulings, of the sheet of a piece over models.
 pub(super) fn modelled(sheet: &Sheet<Model>, piece: &PanelPiece, x: &Model) -> Option<[Model; 2]> {
     match (piece.kind, sheet.construction()) {
         (PanelKind::Fan(_), _) => Some(piece.ranges.map(|[from, to]| {

@@ -5,14 +5,17 @@
 //! second derivative of the difference in the middle is as short as it can be, which leaves its normal part.
 //!
 //! Whatever `e` is, what follows from it is a bound of the distance both ways as long as
-//! - it is continuous along the panel, and zero on the first and last ruling: then the paths cover all places between the edges;
-//! - `-(s + t) <= e <= 2 - s - t`: then no path leaves them, since `(1 - w) s + w t >= (s + t) w (1 - w)`, and likewise from 1.
+//! - it is continuous along the panel, and zero on the first and last ruling: then the paths cover all places between
+//!   the edges;
+//! - `-(s + t) <= e <= 2 - s - t`: then no path leaves them, since `(1 - w) s + w t >= (s + t) w (1 - w)`, and likewise
+//!   from 1.
 //!
 //! So it is piecewise linear, with values at equal steps; `s + t` is linear on each piece, and the second holds between
 //! the steps as it holds at them.
 
 use super::rulings::parameters;
 use super::strip::Tensor;
+use crate::error::count;
 use crate::sheet::{Panel, PanelPiece, Point};
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
@@ -20,14 +23,13 @@ use crate::vector::{dot, sub};
 /// The steps on each piece.
 pub(super) const STEPS: usize = 8;
 
-/// The values of `e` on each piece of a panel, at equal steps.
+/// Returns the values of `e` on each piece of a panel, at equal steps.
 pub(super) fn slides(surface: &Tensor, range: [f64; 2], panel: &Panel) -> Vec<[f64; STEPS + 1]> {
     let mut all = Vec::with_capacity(panel.pieces.len());
     let mut start = 0.0;
     for (index, piece) in panel.pieces.iter().enumerate() {
         let mut values: [f64; STEPS + 1] = std::array::from_fn(|k| {
-            #[allow(clippy::cast_precision_loss)]
-            let x = k as f64 / STEPS as f64;
+            let x = count(k) / count(STEPS);
             wanted(surface, range, piece, x).unwrap_or(0.0)
         });
         // Continuous from piece to piece.
@@ -41,7 +43,7 @@ pub(super) fn slides(surface: &Tensor, range: [f64; 2], panel: &Panel) -> Vec<[f
     all
 }
 
-/// The best value for a ruling within its limits.
+/// Returns the best value for a ruling within its limits.
 fn wanted(surface: &Tensor, range: [f64; 2], piece: &PanelPiece, x: f64) -> Option<f64> {
     let [s, t] = parameters(piece, x)?;
     let [low, high] = range;

@@ -1,10 +1,10 @@
 //! Where the edges of strips are placed: so that all have about the same distance from the surface.
 //!
-//! With `L, M, N` the second fundamental form, the direction `(-M/L, 1)` is conjugate to a curve of constant `v`. The normal curvature
-//! along it, times the square of the width over eight, is the distance of a narrow strip.
+//! With `L, M, N` the second fundamental form, the direction `(-M/L, 1)` is conjugate to a curve of constant `v`. The
+//! normal curvature along it, times the square of the width over eight, is the distance of a narrow strip.
 
 use super::strip::{StripError, SurfaceStrip, Tensor};
-use crate::error::Result;
+use crate::error::{Result, count};
 use crate::surface::Surface;
 use crate::vector::norm;
 
@@ -26,7 +26,7 @@ pub(super) struct StripSpacing {
 }
 
 /// What is measured at a place.
-struct Bent {
+struct CurvatureSample {
     /// The normal component of the second derivative along the curve.
     along: f64,
     /// The same of that along a step `(0, 1)`.
@@ -37,13 +37,12 @@ struct Bent {
     size: f64,
 }
 
-#[allow(clippy::cast_precision_loss)]
-fn share(k: usize, count: usize) -> f64 {
-    k as f64 / count as f64
+fn share(k: usize, n: usize) -> f64 {
+    count(k) / count(n)
 }
 
 /// `None` where the surface has no normal.
-fn bent(surface: &Tensor, u: f64, v: f64) -> Result<Option<Bent>> {
+fn sampled_curvature(surface: &Tensor, u: f64, v: f64) -> Result<Option<CurvatureSample>> {
     let forms = surface.forms(&u, &v)?;
     let length = norm(&forms.normal);
     if length == 0.0 || !length.is_finite() {
@@ -51,7 +50,7 @@ fn bent(surface: &Tensor, u: f64, v: f64) -> Result<Option<Bent>> {
     }
     let [l, m, n] = forms.second.map(|c| c / length);
     let conjugate = (n - m * m / l).abs();
-    Ok(Some(Bent {
+    Ok(Some(CurvatureSample {
         along: l,
         across: n.abs(),
         conjugate: conjugate.is_finite().then_some(conjugate),
@@ -66,7 +65,7 @@ impl StripSpacing {
         for j in 0..=ACROSS {
             for i in 0..=ALONG {
                 let at = [share(i, ALONG), share(j, ACROSS)];
-                if let Some(found) = bent(surface, at[0], at[1])? {
+                if let Some(found) = sampled_curvature(surface, at[0], at[1])? {
                     grid.push((at, found));
                 }
             }
@@ -103,7 +102,7 @@ impl StripSpacing {
         })
     }
 
-    /// How many strips would come within a distance, if all were narrow.
+    /// Returns how many strips would come within a distance, if all were narrow.
     pub fn count(&self, within: f64) -> usize {
         let whole: f64 = self.roots.iter().sum::<f64>() / share(ACROSS, 1);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
@@ -111,7 +110,7 @@ impl StripSpacing {
         count
     }
 
-    /// The places of the edges of so many strips, from 0 to 1.
+    /// Returns the places of the edges of so many strips, from 0 to 1.
     pub fn places(&self, count: usize) -> Vec<f64> {
         let whole: f64 = self.roots.iter().sum();
         let mut places = vec![0.0];
@@ -153,15 +152,19 @@ impl StripSpacing {
     }
 }
 
-/// Where nothing is bent, strips are wide but not endless.
+/// Returns the roots, none far below the largest: where nothing is bent, strips are wide but not endless.
 fn bounded_below(roots: Vec<f64>) -> Vec<f64> {
     let largest = roots.iter().fold(0.0_f64, |m, r| m.max(*r));
     let least = if largest > 0.0 { LEAST * largest } else { 1.0 };
     roots.into_iter().map(|root| root.max(least)).collect()
 }
 
-/// A place at which a curve of constant `v` is asymptotic, as far as samples show.
-fn asymptotic(surface: &Tensor, grid: &[([f64; 2], Bent)], size: f64) -> Result<Option<[f64; 2]>> {
+/// Returns a place at which a curve of constant `v` is asymptotic, as far as samples show.
+fn asymptotic(
+    surface: &Tensor,
+    grid: &[([f64; 2], CurvatureSample)],
+    size: f64,
+) -> Result<Option<[f64; 2]>> {
     let largest = grid.iter().fold(0.0_f64, |m, (_, b)| m.max(b.along.abs()));
     if largest <= FLAT * size {
         // All of them are.
@@ -176,7 +179,7 @@ fn asymptotic(surface: &Tensor, grid: &[([f64; 2], Bent)], size: f64) -> Result<
     let (mut up, mut down) = (*up, *down);
     for _ in 0..HALVINGS {
         let middle = [0, 1].map(|k| 0.5 * (up[k] + down[k]));
-        match bent(surface, middle[0], middle[1])? {
+        match sampled_curvature(surface, middle[0], middle[1])? {
             Some(found) if found.along > 0.0 => up = middle,
             Some(_) => down = middle,
             None => break,

@@ -67,7 +67,7 @@ pub struct SurfaceStrip {
     pub range: [f64; 2],
     /// Its developable pieces from the start of both edges to their ends.
     pub panel: Panel,
-    /// A proved bound: no point of the strip is farther from the part of the surface between its edges, and no point of that part is
-    /// farther from the strip.
+    /// A proved bound: no point of the strip is farther from the part of the surface between its edges, and no point of
+    /// that part is farther from the strip.
     pub distance: f64,
 }

@@ -15,7 +15,7 @@ use torse_algebra::{Jet, Scalar};
 /// ```
 /// use torse_geometry::prelude::*;
 /// let rim = Rail::ellipse_arc([0.0; 3], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0])?;
-/// let sheet = Sheet::swept_cone(&rim, [0.0, 0.0, 4.0], [SweptEdge::Share(1.0), SweptEdge::Share(0.0)])?;
+/// let sheet = Sheet::cone(&rim, [0.0, 0.0, 4.0], [SweptEdge::Share(1.0), SweptEdge::Share(0.0)])?;
 /// // Up to its apex, which is one point and does not move.
 /// let [_, [apex, speed]] = torse_geometry::Rails::<f64>::ends_and_slopes(&sheet, &0.3)?;
 /// assert_eq!((apex, speed), ([0.0, 0.0, 4.0], [0.0; 3]));
@@ -30,11 +30,11 @@ pub struct ConePatch<S> {
 }
 
 impl ConePatch<f64> {
-    /// The part between two edges.
+    /// Returns the part between two edges.
     ///
     /// # Errors
-    /// [`GeometryError::Degenerate`] for a plane through the apex, [`GeometryError::BehindApex`] where a plane cuts on the
-    /// other side of it, [`GeometryError::NotFinite`].
+    /// [`GeometryError::Degenerate`] for a plane through the apex, [`GeometryError::BehindApex`] where a plane cuts on
+    /// the other side of it, [`GeometryError::NotFinite`].
     pub fn new(curve: &Rail, apex: Point, edges: [SweptEdge; 2]) -> Result<Self> {
         crate::coordinate::check_finite("apex of a cone", &apex)?;
         let points = control(curve);
@@ -79,7 +79,7 @@ impl ConePatch<f64> {
         })
     }
 
-    /// Both edges as curves of their own, with rounded control points.
+    /// Returns both edges as curves of their own, with rounded control points.
     ///
     /// # Errors
     /// As [`Rail::new`].
@@ -114,7 +114,7 @@ impl ConePatch<f64> {
         Ok([rail(first)?, rail(second)?])
     }
 
-    /// The kinds of its ends.
+    /// Returns the kinds of its ends.
     #[must_use]
     pub fn end_kinds(&self) -> EndKinds {
         let kinds = self.ratios.each_ref().map(|ratio| match ratio {
@@ -130,7 +130,7 @@ impl ConePatch<f64> {
         EndKinds::new(kinds, tips)
     }
 
-    /// The half that is farther from the apex, of a cone that reaches it.
+    /// Returns the half that is farther from the apex, of a cone that reaches it.
     #[must_use]
     pub fn away_from_apex(&self) -> Self {
         let half = |ratio: &Factor<f64>, other: &Factor<f64>| match (ratio, other) {
@@ -155,7 +155,7 @@ impl ConePatch<f64> {
         }
     }
 
-    /// The same cone over a moved curve, about a moved apex.
+    /// Returns the same cone over a moved curve, about a moved apex.
     pub(in crate::sheet) fn moved(&self, rail: Rail, apex: Point) -> Self {
         Self {
             curve: rail,
@@ -168,7 +168,7 @@ impl ConePatch<f64> {
         &self.curve
     }
 
-    /// The apex.
+    /// Returns the apex.
     #[must_use]
     pub fn apex(&self) -> Point {
         self.apex
@@ -234,7 +234,7 @@ impl<S: Coordinate, T: Coordinate> Over<S, T> for ConePatch<S> {
     }
 }
 
-/// An arc whose numbers are finite, as a rail.
+/// Returns an arc whose numbers are finite, as a rail.
 fn finite(arc: EllipticHelix<f64>) -> Result<Rail> {
     let [cosine, sine] = arc.axes();
     let [centre, rise] = [arc.centre(), arc.rise()];

@@ -29,10 +29,11 @@ pub struct CylinderPatch<S> {
 }
 
 impl CylinderPatch<f64> {
-    /// The part between two edges.
+    /// Returns the part between two edges.
     ///
     /// # Errors
-    /// [`GeometryError::Degenerate`] for a direction of no length and for a plane along it, [`GeometryError::NotFinite`].
+    /// [`GeometryError::Degenerate`] for a direction of no length and for a plane along it,
+    /// [`GeometryError::NotFinite`].
     pub fn new(curve: &Rail, direction: Point, edges: [SweptEdge; 2]) -> Result<Self> {
         crate::coordinate::check_finite("direction of a cylinder", &direction)?;
         let length = crate::vector::norm(&direction);
@@ -59,7 +60,7 @@ impl CylinderPatch<f64> {
                 }
                 SweptEdge::Cut([p, q, r, e]) => {
                     let normal = [*p, *q, *r];
-                    Factor::of_arc(arc, &normal, [*e, steepness(&normal)?])
+                    Factor::from_arc(arc, &normal, [*e, steepness(&normal)?])
                 }
             };
             let [first, second] = edges.each_ref().map(height);
@@ -94,7 +95,7 @@ impl CylinderPatch<f64> {
         })
     }
 
-    /// Both edges as curves of their own, with rounded control points.
+    /// Returns both edges as curves of their own, with rounded control points.
     ///
     /// # Errors
     /// As [`Rail::new`].
@@ -115,7 +116,7 @@ impl CylinderPatch<f64> {
         Ok([rail(first)?, rail(second)?])
     }
 
-    /// The kinds of its ends.
+    /// Returns the kinds of its ends.
     #[must_use]
     pub fn end_kinds(&self) -> EndKinds {
         let kinds = self.curve.end_kinds();
@@ -124,7 +125,7 @@ impl CylinderPatch<f64> {
         EndKinds::new([kinds, kinds], tips)
     }
 
-    /// The same cylinder moved by the vector from `origin` to zero.
+    /// Returns the same cylinder over a moved curve.
     pub(in crate::sheet) fn moved(&self, rail: Rail) -> Self {
         Self {
             curve: rail,
@@ -204,7 +205,7 @@ fn meeting(rail: &Rail, mut values: [Vec<f64>; 2], unit: f64) -> [Vec<f64>; 2] {
     values
 }
 
-/// The image of an arc on a cylinder.
+/// Returns the image of an arc on a cylinder.
 fn risen(arc: &EllipticHelix<f64>, heights: &Factor<f64>, direction: &Point) -> Result<Rail> {
     let [h, c, s, r] = match heights {
         Factor::Elliptic(heights) => {

@@ -41,9 +41,7 @@ impl<S: Coordinate> Factor<S> {
             Self::Elliptic(curve) => curve.space_jet(x, order).map(|[jet, _, _]| jet),
         }
     }
-}
 
-impl<S: Coordinate> Factor<S> {
     pub(super) fn value_and_slope(&self, x: &S) -> Result<[S; 2]> {
         let both = match self {
             Self::Constant(value) => return Ok([value.clone(), value.zero()]),
@@ -71,7 +69,7 @@ impl<S: Coordinate, T: Coordinate> Over<S, T> for Factor<S> {
 }
 
 impl Factor<f64> {
-    /// The function with these values at the control points.
+    /// Returns the function with these values at the control points.
     pub(super) fn from_values(rail: &Rail, values: Vec<f64>) -> Result<Self> {
         match (values.first(), rail.curve()) {
             (Some(first), _) if values.iter().all(|value| value == first) => {
@@ -93,8 +91,8 @@ impl Factor<f64> {
         }
     }
 
-    /// The function `(level - normal . c)/slope` of an arc.
-    pub(super) fn of_arc(
+    /// Returns the function `(level - normal . c)/slope` of an arc.
+    pub(super) fn from_arc(
         arc: &EllipticHelix<f64>,
         normal: &Point,
         [level, slope]: [f64; 2],
@@ -111,8 +109,8 @@ impl Factor<f64> {
         EllipticHelix::new(start, cosine, sine, rise, *arc.range()).map(Self::Elliptic)
     }
 
-    /// The values at the first and the last control point, which are those at the ends; not a number of an arc, whose ends
-    /// are computed and equal nothing.
+    /// Returns the values at the first and the last control point, which are those at the ends; not a number of an arc,
+    /// whose ends are computed and equal nothing.
     pub(super) fn ends(&self) -> [f64; 2] {
         let both = |values: Vec<f64>| {
             [values.first(), values.last()].map(|value| value.copied().unwrap_or(f64::NAN))
@@ -120,7 +118,7 @@ impl Factor<f64> {
         both(self.values(1))
     }
 
-    /// The values at the control points, of which there are so many.
+    /// Returns the values at the control points, of which there are so many.
     pub(super) fn values(&self, count: usize) -> Vec<f64> {
         match self {
             Self::Constant(value) => vec![*value; count],
@@ -131,7 +129,7 @@ impl Factor<f64> {
     }
 }
 
-/// The control points of a rail; an arc of an ellipse has none.
+/// Returns the control points of a rail; an arc of an ellipse has none.
 pub(super) fn control(rail: &Rail) -> Vec<Point> {
     match rail.curve() {
         RailCurve::Elliptic(_) => Vec::new(),
@@ -143,7 +141,7 @@ pub(super) fn control(rail: &Rail) -> Vec<Point> {
     }
 }
 
-/// The rail with other control points and with factors of its weights.
+/// Returns the rail with other control points and with factors of its weights.
 pub(super) fn image(rail: &Rail, points: &[Point], factors: Option<&[f64]>) -> Result<Rail> {
     let (shape, own): (_, Vec<f64>) = match rail.curve() {
         RailCurve::Plain(curve) => (*curve.basis(), vec![1.0; points.len()]),

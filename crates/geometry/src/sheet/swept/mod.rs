@@ -1,11 +1,11 @@
 //! Cylinders and cones over any curve: developable by the way they are made.
 //!
-//! Points of a cylinder are `c(x) + h d`, those of a cone `o + s (c(x) - o)`, and an edge says which `h(x)` or `s(x)` it
-//! has: a constant, or where a plane cuts. A plane `n . X = e` gives `h = (e - n . c)/(n . d)`, which is affine in `c`, and
-//! `1/s = n . (c - o)/(e - n . o)`: since the functions of a basis sum to one, both are curves in the basis of `c`, with the
-//! weights of `c`, and their control values are those of its control points. They are computed on f64 and are the
-//! definition from then on: what is kept exactly is that all rulings run along `d`, or through `o`. Of an arc of an ellipse
-//! or a helix, which have no control points, `h(x)` is the same combination of sine, cosine and angle.
+//! Points of a cylinder are `c(x) + h d`, those of a cone `o + s (c(x) - o)`, and an edge says which `h(x)` or `s(x)`
+//! it has: a constant, or where a plane cuts. A plane `n . X = e` gives `h = (e - n . c)/(n . d)`, which is affine in
+//! `c`, and `1/s = n . (c - o)/(e - n . o)`: since the functions of a basis sum to one, both are curves in the basis of
+//! `c`, with the weights of `c`, and their control values are those of its control points. They are computed on f64 and
+//! are the definition from then on: what is kept exactly is that all rulings run along `d`, or through `o`. Of an arc
+//! of an ellipse or a helix, which have no control points, `h(x)` is the same combination of sine, cosine and angle.
 
 mod cone;
 mod cylinder;

@@ -80,7 +80,7 @@ fn no_bound_is_below_the_error_of_the_named_development_nor_the_ambiguity_below_
             let asked = Unrolling::within(1e-5 * size)
                 .allow_strain(0.9)
                 .flattening(*flattening);
-            let Ok(flat) = sheet.unrolled(&asked) else {
+            let Ok(flat) = sheet.unroll_with(&asked) else {
                 continue;
             };
             unrolled += 1;
@@ -153,7 +153,7 @@ fn a_long_plank_is_cut_with_edges_of_the_right_length_and_says_how_far_it_is_fro
             rail([0.0, 200.0, 0.0], [5000.0, 199.85, 7.7]),
         )
     };
-    let flat = plank().unrolled(&Unrolling::within(0.01)).unwrap();
+    let flat = plank().unroll_with(&Unrolling::within(0.01)).unwrap();
     let errors = flat.errors();
     // The straight edge is a geodesic: what is cut is an arc, and the stated distance covers that.
     assert!(
@@ -177,7 +177,7 @@ fn a_long_plank_is_cut_with_edges_of_the_right_length_and_says_how_far_it_is_fro
     );
     // The development that keeps the straight edge has it straight.
     let straight = plank()
-        .unrolled(
+        .unroll_with(
             &Unrolling::within(0.01)
                 .allow_strain(1e-5)
                 .flattening(Flattening::FirstEdge),

@@ -1,4 +1,4 @@
-//! Typesets the output of `torse derive` for Typst.
+//! Tests that Typst accepts the output of `torse derive`.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 

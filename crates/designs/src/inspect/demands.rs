@@ -1,0 +1,99 @@
+//! What a design demands of its patches and edges, and misses.
+
+use super::numbers::number;
+use super::report::{PatchReport, SelfContact};
+use crate::design::{Design, Patch};
+use crate::unroll::Demand;
+use torse_geometry::Rails;
+use torse_geometry::prelude::GeometryError;
+use torse_geometry::vector::{norm, sub};
+
+/// Returns what is said of a patch between two closed curves that does not close.
+pub(super) fn left_open(design: &Design, patch: &Patch) -> Result<Option<String>, GeometryError> {
+    if !Rails::<f64>::end_kinds(&patch.sheet).is_closed() {
+        return Ok(None);
+    }
+    let (first, last) = (patch.sheet.ruling(0.0)?, patch.sheet.ruling(1.0)?);
+    let apart = first.iter().zip(&last).map(|(p, q)| norm(&sub(p, q)));
+    let apart = apart.fold(0.0, f64::max);
+    Ok((apart > design.tolerances.gap).then(|| {
+        format!(
+            "{} does not close, though both of its curves do: its first and its last ruling are {} mm apart",
+            patch.name,
+            number(apart)
+        )
+    }))
+}
+
+/// Returns what is said of the radii of edges that are smaller than the material allows.
+pub(super) fn tight_folds(design: &Design) -> Vec<String> {
+    let Some(metal) = design.metal else {
+        return Vec::new();
+    };
+    let mut missed = Vec::new();
+    for chain in &design.chains {
+        let least = chain
+            .radii
+            .iter()
+            .flatten()
+            .fold(f64::INFINITY, |m, r| m.min(*r));
+        let ratio = least / metal.sheet.thickness();
+        if ratio < metal.least_radius {
+            missed.push(format!(
+                "{}: the inside radius of its edges is {ratio:.4} times the thickness, {} at least",
+                chain.name, metal.least_radius
+            ));
+        }
+    }
+    missed
+}
+
+pub(super) fn judge(
+    design: &Design,
+    report: &PatchReport,
+    demand: &Demand,
+    missed: &mut Vec<String>,
+) {
+    let (name, limits) = (&report.name, &design.tolerances);
+    if !report.developable.holds() && demand.allow_strain == 0.0 {
+        missed.push(format!(
+            "{name} is not developable: the tangent plane turns by {:.6} degrees along the ruling at u = {:.6}, {} \
+             allowed",
+            report.twist_measured[0], report.twist_measured[1], limits.twist
+        ));
+    }
+    if let Some(singularity) = &report.singularity {
+        missed.push(format!("{name} is not regular: {singularity}"));
+    }
+    if let SelfContact::Meets {
+        places: [a, b],
+        proved,
+    } = &report.space
+    {
+        missed.push(format!(
+            "{name} passes through itself in space: u = {:.7}, v = {:.7} and u = {:.7}, v = {:.7} are one point{}",
+            a[0],
+            a[1],
+            b[0],
+            b[1],
+            if *proved { ", proved" } else { "" }
+        ));
+    }
+    if limits.clearance > 0.0
+        && let Some(bounds) = report.clearance
+        && bounds.low.is_none_or(|low| low < limits.clearance)
+    {
+        missed.push(format!(
+            "{name}: the edge of regression is not proved to be {} mm away",
+            limits.clearance
+        ));
+    }
+    if let (Some(metal), Some(inside)) = (design.metal, report.inside_radius)
+        && inside < metal.least_radius
+    {
+        missed.push(format!(
+            "{name}: the inside radius is {inside:.4} times the thickness, {} at least",
+            metal.least_radius
+        ));
+    }
+}
