@@ -97,17 +97,11 @@ pub trait Arithmetic {
     /// A bound of the absolute value as a power of two, if the numbers have absolute values.
     fn bit_length(&self, a: &Self::Number) -> Option<u64>;
 
-    /// Compares two numbers. With `near`, the point satisfies its equations only approximately, and numbers that
-    /// differ by little count as open.
+    /// Compares two numbers.
     ///
     /// # Errors
     /// [`NoValue::Unknown`] if the budget of work is spent.
-    fn compare(
-        &self,
-        a: &Self::Number,
-        b: &Self::Number,
-        _near: bool,
-    ) -> Result<Comparison, NoValue> {
+    fn compare(&self, a: &Self::Number, b: &Self::Number) -> Result<Comparison, NoValue> {
         let gap = self.minus(a, b)?;
         Ok(match self.is_zero(&gap) {
             Some(true) => Comparison::Equal,

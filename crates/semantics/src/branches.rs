@@ -12,7 +12,6 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_numbers::rational::integer;
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
-use torse_syntax::formula::functions::ELEMENTARY;
 use torse_syntax::formula::{Connective, Expr, Node, Operator, Relation};
 
 /// The largest number of parts of one domain that are visited.
@@ -30,7 +29,7 @@ pub(crate) struct Branch {
 
 impl Branch {
     /// The part on which this is true.
-    fn new(inside: Expr) -> Self {
+    pub(crate) fn new(inside: Expr) -> Self {
         Self {
             first: inside.clone(),
             inside,
@@ -67,41 +66,6 @@ pub(crate) fn branches(reading: &Reading<'_>) -> Vec<Branch> {
     all
 }
 
-/// For each divisor that the statement shows, outside of what binds a name: the part on which it is zero.
-pub(crate) fn divisors(reading: &Reading<'_>) -> Vec<Branch> {
-    let mut found: Vec<&Expr> = vec![];
-    let mut pending = vec![reading.tree()];
-    while let Some(tree) = pending.pop() {
-        match &tree.node {
-            Node::Join(_, a, b) => pending.extend([&**a, b]),
-            Node::Not(inner) | Node::Negative(inner) => pending.push(inner),
-            Node::Compare(first, rest) => {
-                pending.push(first);
-                pending.extend(rest.iter().map(|(_, side)| side));
-            }
-            Node::Binary(operator, a, b) => {
-                let is_new = |b: &Expr| found.iter().all(|own| own.node != b.node);
-                if *operator == Operator::Divide && !b.names().is_empty() && is_new(b) {
-                    found.push(b);
-                }
-                pending.extend([&**a, b]);
-            }
-            Node::Call(head, arguments) => match &head.node {
-                Node::Name(name) if binds_nothing(name) => pending.extend(arguments),
-                _ => {}
-            },
-            _ => {}
-        }
-    }
-    let zero = |divisor: &Expr| Branch::new(equal(divisor.clone(), Expr::number(&integer(0))));
-    found.into_iter().take(MAX_BRANCHES).map(zero).collect()
-}
-
-/// Whether a function of the language has a number as its argument, and binds no name in it.
-fn binds_nothing(function: &str) -> bool {
-    ELEMENTARY.contains(&function) || matches!(function, "abs" | "norm")
-}
-
 /// The equations that hold wherever all of these statements are true.
 fn equations<'a>(declarations: &'a Declarations, trees: &[&'a Expr]) -> Vec<(&'a Expr, &'a Expr)> {
     let all = constraints(declarations, trees).into_iter();
@@ -123,7 +87,8 @@ fn stationary(declarations: &Declarations, equations: &[(&Expr, &Expr)]) -> Vec<
     all
 }
 
-fn equal(left: Expr, right: Expr) -> Expr {
+/// The statement that two formulas are equal.
+pub(crate) fn equal(left: Expr, right: Expr) -> Expr {
     Expr::made(Node::Compare(
         Arc::new(left),
         vec![(Relation::Equal, right)],

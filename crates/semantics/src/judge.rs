@@ -44,8 +44,8 @@ pub(crate) struct Ladder<'g, 'a> {
 impl<'j, 'a> Judge<'j, 'a> {
     /// The arithmetics that this judge uses.
     pub fn evaluators(&self) -> Evaluators<'j> {
-        let work = self.work;
-        Evaluators(PRECISIONS.map(|bits| Reals { bits, work }))
+        let (work, near) = (self.work, self.near);
+        Evaluators(PRECISIONS.map(|bits| Reals { bits, work, near }))
     }
 }
 

@@ -57,6 +57,7 @@
 
 mod arithmetic;
 mod branches;
+mod divisors;
 mod domain;
 mod expansion;
 mod gradient;

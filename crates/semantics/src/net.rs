@@ -3,7 +3,8 @@
 //! A proof is wrong if the statement is false at a point of the domain. A refutation is wrong if its witness lies
 //! outside of the domain or satisfies the statement. Neither check depends on how the verdict was found.
 
-use crate::branches::{Branch, branches, divisors};
+use crate::branches::{Branch, branches};
+use crate::divisors::divisors;
 use crate::domain::Domain;
 use crate::domain::point::Point;
 use crate::judgement::Judgement;

@@ -192,6 +192,21 @@ pub struct Reals<'a> {
     pub bits: usize,
     /// The budget.
     pub work: &'a Work,
+    /// Whether the numbers satisfy equations only approximately: those that differ by little may be equal at the point that is meant,
+    /// so that their order is not known, nor whether there is a quotient by their difference.
+    pub near: bool,
+}
+
+impl<'a> Reals<'a> {
+    /// The arithmetic of numbers that are what they are.
+    #[must_use]
+    pub const fn new(bits: usize, work: &'a Work) -> Self {
+        Self {
+            bits,
+            work,
+            near: false,
+        }
+    }
 }
 
 /// The larger number of bits of numerator and denominator.
@@ -346,6 +361,9 @@ impl Arithmetic for Reals<'_> {
         match b.is_zero() {
             None => return Err(Unknown::Precision.into()),
             Some(true) => return Err(Undefined::ZeroDivisor.into()),
+            Some(false) if self.near && b.ball(self.bits).is_within(SLACK_BITS) => {
+                return Err(Unknown::Precision.into());
+            }
             Some(false) => {}
         }
         if let (Real::Rational(p), Real::Rational(q)) = (a, b) {
@@ -378,7 +396,11 @@ impl Arithmetic for Reals<'_> {
     fn square_root(&self, a: &Real) -> Result<Real, NoValue> {
         self.work.spend(4)?;
         if a.sign() == Some(Ordering::Less) {
-            return Err(Undefined::NegativeRoot.into());
+            return Err(if self.near && a.ball(self.bits).is_within(SLACK_BITS) {
+                Unknown::Precision.into()
+            } else {
+                Undefined::NegativeRoot.into()
+            });
         }
         if let Some(root) = a.as_rational().and_then(Exact::root) {
             return Ok(self.bounded(root.into()));
@@ -435,7 +457,7 @@ impl Arithmetic for Reals<'_> {
 
     /// Differences of exact numbers are exact. Enclosed numbers count as equal if their difference is enclosed within
     /// `2^-128` times the maximum of 1 and the sides.
-    fn compare(&self, x: &Real, y: &Real, near: bool) -> Result<Comparison, NoValue> {
+    fn compare(&self, x: &Real, y: &Real) -> Result<Comparison, NoValue> {
         let gap = self.minus(x, y)?;
         let size = || {
             let one = Ball::from_rational(&integer(1), 8);
@@ -448,11 +470,11 @@ impl Arithmetic for Reals<'_> {
         };
         Ok(match gap.sign() {
             Some(Ordering::Equal) => Comparison::Equal,
-            Some(_) | None if within(AGREEMENT_BITS) && (near || gap.sign().is_none()) => {
+            Some(_) | None if within(AGREEMENT_BITS) && (self.near || gap.sign().is_none()) => {
                 Comparison::Near
             }
             None => Comparison::Open,
-            Some(_) if near && within(SLACK_BITS) => Comparison::Open,
+            Some(_) if self.near && within(SLACK_BITS) => Comparison::Open,
             Some(Ordering::Less) => Comparison::Less,
             Some(Ordering::Greater) => Comparison::Greater,
         })

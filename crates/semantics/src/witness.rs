@@ -82,10 +82,7 @@ fn number(claim: &Claim, text: &str) -> Option<Real> {
         ..claim.clone()
     };
     let work = Work::new(10_000);
-    let reals = Reals {
-        bits: BITS,
-        work: &work,
-    };
+    let reals = Reals::new(BITS, &work);
     let values = Values {
         number: &|_: &Name| None,
         near: false,

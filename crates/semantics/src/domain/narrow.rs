@@ -135,10 +135,7 @@ fn narrow_bound(bound: &mut Option<Affine>, new: i64, inner: fn(i64, i64) -> i64
 /// The rational value of a formula without symbols, if it has one.
 fn number(reading: &Reading<'_>, tree: &Expr) -> Option<Rational> {
     let work = Work::new(MAX_WORK);
-    let reals = Reals {
-        bits: BITS,
-        work: &work,
-    };
+    let reals = Reals::new(BITS, &work);
     let values = Values {
         number: &|_: &Name| None,
         near: false,

@@ -148,10 +148,7 @@ pub(crate) fn integer_between(
 /// it is not nearly an open end: the number that satisfies them may be the end.
 pub(crate) fn contains(interval: &Interval, number: &Real, near: bool) -> Option<bool> {
     let work = Work::new(8);
-    let reals = Reals {
-        bits: 1024,
-        work: &work,
-    };
+    let reals = Reals::new(1024, &work);
     let inside = |bound: &Option<Bound>, outside: Ordering| match bound {
         None => Some(true),
         Some(bound) => {

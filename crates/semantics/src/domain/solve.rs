@@ -69,16 +69,9 @@ pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Opti
         })
     };
     let expanded = |moves: &dyn Fn(&Name) -> bool| {
-        expanded(
-            reading,
-            &equations,
-            Reals { bits: BITS, work },
-            &value,
-            moves,
-        )
-        .ok()
+        expanded(reading, &equations, Reals::new(BITS, work), &value, moves).ok()
     };
-    let values = || differences(reading, &equations, &Reals { bits: BITS, work }, &value).ok();
+    let values = || differences(reading, &equations, &Reals::new(BITS, work), &value).ok();
     let (mut rounded, mut settled) = (false, false);
     let (mut places, mut lapses) = (0, 0);
     // The numbers that one step has determined, if all equations are linear.
@@ -120,7 +113,7 @@ pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Opti
         if let Some(solved) = found(&gaps) {
             return Some(solved);
         }
-        let reals = Reals { bits: BITS, work };
+        let reals = Reals::new(BITS, work);
         let changes = |expanded| {
             let stream = draft.stream();
             changes(domain, expanded, stream, &unknowns, &reals, &is_near)
@@ -167,7 +160,7 @@ pub(crate) fn solve(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> Opti
 
 /// The numbers of which the unknowns of the claim consist.
 pub(crate) fn unknowns(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) -> BTreeSet<Name> {
-    let reals = Reals { bits: BITS, work };
+    let reals = Reals::new(BITS, work);
     let values = |name: &Name| draft.value(name);
     let names = domain.unknowns.iter();
     let names = names.filter_map(|tree| domain.reading.names_in(tree, &reals, &values).ok());
@@ -206,12 +199,7 @@ fn snapped(
         }
     }
     let value = |name: &Name| draft.value(name);
-    let found = differences(
-        domain.reading,
-        equations,
-        &Reals { bits: BITS, work },
-        &value,
-    );
+    let found = differences(domain.reading, equations, &Reals::new(BITS, work), &value);
     let exact = found.is_ok_and(|gaps| {
         let mut gaps = gaps.iter();
         gaps.all(|gap| gap.sign() == Some(Ordering::Equal))

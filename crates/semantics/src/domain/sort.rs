@@ -23,7 +23,7 @@ const BITS: usize = 128;
 
 /// Sorts the numbers of a draft according to the hypotheses of a claim.
 pub(crate) fn sorted(domain: &Domain<'_>, draft: &Draft<'_>, work: &Work) {
-    let reals = Reals { bits: BITS, work };
+    let reals = Reals::new(BITS, work);
     let chain: Vec<(Name, Name, bool)> = {
         let values = |name: &Name| draft.value(name);
         let declarations = domain.reading.declarations();

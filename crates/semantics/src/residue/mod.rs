@@ -211,13 +211,7 @@ mod tests {
     #[test]
     fn sines_and_cosines_are_images_of_what_exact_numbers_give() {
         let work = Work::new(1_000_000);
-        let (a, reals) = (
-            Residues { work: &work },
-            crate::real::Reals {
-                bits: 64,
-                work: &work,
-            },
-        );
+        let (a, reals) = (Residues { work: &work }, crate::real::Reals::new(64, &work));
         let mut exact = 0;
         for v in [1, 2, 3, 4, 6] {
             for u in -13..=13 {

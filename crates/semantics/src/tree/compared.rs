@@ -148,8 +148,7 @@ impl<'s, 'e> Compared<'s, 'e> {
     pub fn hypothesis(&self, tree: &'s Expr) -> TreeOutline<'s> {
         let mut pieces = vec![];
         let outermost = Environment::outermost();
-        self.hypotheses
-            .outline(tree, false, &outermost, &mut pieces);
+        self.hypotheses.outline(tree, 0, &outermost, &mut pieces);
         pieces
     }
 
@@ -168,7 +167,7 @@ impl<'s, 'e> Compared<'s, 'e> {
         let mut all = vec![];
         let outermost = Environment::outermost();
         if !reading.seeks() {
-            at.outline(reading.tree(), false, &outermost, &mut all);
+            at.outline(reading.tree(), 0, &outermost, &mut all);
             return all;
         }
         let mut inside = outermost.clone();
@@ -202,7 +201,7 @@ impl<'s, 'e> Compared<'s, 'e> {
             members.extend(upper.map(|bound| vec![relation(bound), own(), end(bound)]));
             for end in ends {
                 let mut pieces = vec![];
-                at.outline(&end.expr, false, &inside, &mut pieces);
+                at.outline(&end.expr, 0, &inside, &mut pieces);
                 members.push(pieces);
             }
         }
@@ -211,14 +210,14 @@ impl<'s, 'e> Compared<'s, 'e> {
                 if is_inhabited && reading.is_free(premise) && !members.is_empty() =>
             {
                 all.push(Piece::Word(word(Connective::Implies)));
-                at.outline(premise, false, &inside, &mut all);
+                at.outline(premise, 0, &inside, &mut all);
                 conclusion
             }
             _ => reading.tree(),
         };
         all.extend(members.iter().map(|_| Piece::Word(word(Connective::And))));
         all.extend(members.into_iter().flatten());
-        at.outline(tree, false, &inside, &mut all);
+        at.outline(tree, 0, &inside, &mut all);
         all
     }
 }

@@ -97,7 +97,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
 
     fn is_positive(&self, number: &A::Number) -> Option<bool> {
         let zero = self.arithmetic.integer(0);
-        match self.arithmetic.compare(number, &zero, false) {
+        match self.arithmetic.compare(number, &zero) {
             Ok(Comparison::Less) => Some(false),
             Ok(Comparison::Greater) => Some(true),
             _ => None,

@@ -41,21 +41,32 @@ pub const BASIS_DEGREES: i64 = 3;
 type Place<'a, A> = Environment<'a, <A as Arithmetic>::Number>;
 type Pieces<'a, A> = Outline<&'a Expr, <A as Arithmetic>::Number>;
 
-/// The negation of a compound: its connective, and whether the first side is negated.
-const fn denied(connective: Connective) -> (Connective, bool) {
-    match connective {
-        Connective::And => (Connective::Or, true),
-        Connective::Or => (Connective::And, true),
-        Connective::Implies => (Connective::And, false),
+/// A compound that is denied this often: its connective, and how often its first side is denied; the second is as often as the compound.
+/// One denial makes `p implies q` the statement `p and not q`, and the next one of that `not p or q`.
+const fn denied(connective: Connective, denials: u32) -> (Connective, u32) {
+    match (connective, denials % 2) {
+        (Connective::Implies, 0) if denials == 0 => (Connective::Implies, 0),
+        (Connective::Implies, 0) => (Connective::Or, denials - 1),
+        (Connective::Implies, _) => (Connective::And, denials - 1),
+        (Connective::And, 0) | (Connective::Or, 1) => (Connective::And, denials),
+        (Connective::And | Connective::Or, _) => (Connective::Or, denials),
+    }
+}
+
+/// A relation that is denied this often.
+fn related(relation: Relation, denials: u32) -> Relation {
+    match denials % 2 {
+        0 => relation,
+        _ => relation.opposite(),
     }
 }
 
 impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
-    /// Adds the items of a statement or of its negation.
+    /// Adds the items of a statement that is denied this often.
     pub(super) fn outline(
         &self,
         tree: &'a Expr,
-        is_negated: bool,
+        denials: u32,
         place: &Place<'a, A>,
         all: &mut Pieces<'a, A>,
     ) {
@@ -65,39 +76,26 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         match &tree.node {
             Node::Join(..) => {
                 // Long chains are visited without recursion.
-                let (mut left, mut left_negated) = (tree, is_negated);
+                let (mut left, mut left_denials) = (tree, denials);
                 let mut rights = vec![];
                 while let Node::Join(connective, a, b) = &left.node {
-                    let (connective, first) = if left_negated {
-                        denied(*connective)
-                    } else {
-                        (*connective, false)
-                    };
+                    let (connective, first) = denied(*connective, left_denials);
                     all.push(Piece::Word(word(connective)));
-                    rights.push((b, left_negated));
-                    (left, left_negated) = (a, first);
+                    rights.push((b, left_denials));
+                    (left, left_denials) = (a, first);
                 }
-                self.outline(left, left_negated, place, all);
-                for (right, right_negated) in rights.into_iter().rev() {
-                    self.outline(right, right_negated, place, all);
+                self.outline(left, left_denials, place, all);
+                for (right, right_denials) in rights.into_iter().rev() {
+                    self.outline(right, right_denials, place, all);
                 }
             }
-            Node::Not(inner) => self.outline(inner, !is_negated, place, all),
+            Node::Not(inner) => self.outline(inner, denials.saturating_add(1), place, all),
             Node::Compare(first, rest) => {
-                let joined = if is_negated {
-                    Connective::Or
-                } else {
-                    Connective::And
-                };
+                let (joined, _) = denied(Connective::And, denials);
                 all.extend(rest.iter().skip(1).map(|_| Piece::Word(word(joined))));
                 let mut left = &**first;
                 for (relation, right) in rest {
-                    let relation = if is_negated {
-                        relation.opposite()
-                    } else {
-                        *relation
-                    };
-                    all.push(Piece::Word(relation.sign().to_owned()));
+                    all.push(Piece::Word(related(*relation, denials).sign().to_owned()));
                     all.push(self.piece(left, place));
                     all.push(self.piece(right, place));
                     left = right;
@@ -106,12 +104,12 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             Node::Name(name) => match self.declarations.definition(name) {
                 Some(definition) if place.local(name).is_none() => {
                     let body = &definition.body.expr;
-                    self.outline(body, is_negated, &place.outside(), all);
+                    self.outline(body, denials, &place.outside(), all);
                 }
                 _ => all.push(Piece::Word(format!("a name, {name}"))),
             },
             Node::Call(head, arguments) => match &head.node {
-                Node::Name(name) => self.outline_of_call(name, arguments, is_negated, place, all),
+                Node::Name(name) => self.outline_of_call(name, arguments, denials, place, all),
                 _ => all.push(Piece::Word("a value".to_owned())),
             },
             _ => all.push(Piece::Word("a value".to_owned())),
@@ -122,18 +120,18 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         &self,
         name: &'a str,
         arguments: &'a [Expr],
-        is_negated: bool,
+        denials: u32,
         place: &Place<'a, A>,
         all: &mut Pieces<'a, A>,
     ) {
         match (name, arguments) {
             ("at", [inner, name, point]) => match self.bind_at(name, point, place) {
-                Ok(inside) => self.outline(inner, is_negated, &inside, all),
+                Ok(inside) => self.outline(inner, denials, &inside, all),
                 Err(gap) => all.push(Piece::Value(None, Err(gap))),
             },
             ("fails", [inner]) => {
                 all.push(Piece::Word("fails".to_owned()));
-                self.outline(inner, false, place, all);
+                self.outline(inner, 0, place, all);
             }
             ("agrees", [value, printed]) => {
                 all.push(Piece::Word(format!("agrees {}", digits(printed))));
@@ -144,7 +142,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                     && let Some(basis) = self.declarations.basis(name)
                 {
                     let found = if basis.is_list {
-                        self.outline_of_list(name, basis, place, all)
+                        self.outline_of_list(name, basis, denials, place, all)
                     } else {
                         self.outline_of_property(property, name, (basis, degrees), place, all)
                     };
@@ -159,20 +157,23 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
     }
 
-    /// The statement that all functions of a list are nonnegative.
+    /// The statement that all functions of a list are nonnegative, denied this often.
     fn outline_of_list(
         &self,
         name: &'a str,
         basis: &'a Basis,
+        denials: u32,
         place: &Place<'a, A>,
         all: &mut Pieces<'a, A>,
     ) -> Result<(), NoValue> {
         let arguments = self.left_out(basis, 0, place)?;
         let row = self.row(name, basis, i64::from(basis.degree), arguments, place)?;
-        let ands = row.iter().skip(1);
-        all.extend(ands.map(|_| Piece::Word(word(Connective::And))));
+        let (joined, _) = denied(Connective::And, denials);
+        let joints = row.iter().skip(1);
+        all.extend(joints.map(|_| Piece::Word(word(joined))));
+        let relation = related(Relation::AtLeast, denials);
         for function in row.iter() {
-            all.push(Piece::Word(Relation::AtLeast.sign().to_owned()));
+            all.push(Piece::Word(relation.sign().to_owned()));
             all.push(Piece::Value(None, Ok(Value::Number(function.clone()))));
             all.push(Piece::Value(None, Ok(self.integer_value(0))));
         }

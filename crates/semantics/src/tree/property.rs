@@ -279,7 +279,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                     height = height.plus(&function.times(&control, a)?, a)?;
                 }
                 let height = height.as_number().ok_or(Unknown::Precision)?;
-                match a.compare(height, &line_here, false)? {
+                match a.compare(height, &line_here)? {
                     Comparison::Less => along.push(false),
                     Comparison::Greater => along.push(true),
                     // Unknown signs can only lower the number of sign changes.

@@ -112,7 +112,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
     fn are_apart(&self, x: &Value<A::Number>, y: &Value<A::Number>) -> Result<bool, NoValue> {
         for (x, y) in x.pairs(y, self.arithmetic)? {
             if let (Some(x), Some(y)) = (x.as_number(), y.as_number()) {
-                let comparison = self.arithmetic.compare(x, y, self.point.near)?;
+                let comparison = self.arithmetic.compare(x, y)?;
                 let apart = [Comparison::Less, Comparison::Greater, Comparison::Apart];
                 if apart.contains(&comparison) {
                     return Ok(true);

@@ -170,7 +170,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             let (Some(x), Some(y)) = (x.as_number(), y.as_number()) else {
                 return Err(NoValue::shape("an infinitesimal to a comparison"));
             };
-            all.push(a.compare(x, y, self.point.near)?);
+            all.push(a.compare(x, y)?);
         }
         let equal = || {
             let each = all.iter().map(|comparison| comparison.equal());
@@ -253,7 +253,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         fewest: u32,
     ) -> Result<Option<bool>, NoValue> {
         let a = self.arithmetic;
-        let compared = |q: Rational| a.compare(value, &a.rational(&q), false);
+        let compared = |q: Rational| a.compare(value, &a.rational(&q));
         let decimals = match printed.decimals {
             0 => fewest,
             own => own,

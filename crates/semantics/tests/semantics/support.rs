@@ -150,7 +150,7 @@ pub fn tree_at(claim: &derivation::Claim, point: &Point) -> Judgement {
     let mut last = Judgement::Undecided;
     for bits in [320, 1280] {
         let work = Work::new(4_000_000);
-        let reals = Reals { bits, work: &work };
+        let reals = Reals::new(bits, &work);
         let values = Values {
             number: &|name: &Name| point.values.get(name).cloned(),
             near: point.near,
