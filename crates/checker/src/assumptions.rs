@@ -344,7 +344,10 @@ impl<'a> Domain<'a> {
     ) -> Result<Vec<Compared>, Unsupported> {
         let (differences, met) = self.expanding(groups, |expander| {
             let pairs = expander.value(left)?.pairs(&expander.value(right)?)?;
-            let all = pairs.iter().map(|(x, y)| x.minus(y, self.work));
+            // A hypothesis holds only where no divisor in it is zero.
+            let all = pairs
+                .iter()
+                .map(|(x, y)| x.minus(y, self.work)?.cancelled(self.work));
             all.collect::<Result<Vec<_>, _>>()
         })?;
         let source = hypothesis.source;

@@ -20,8 +20,8 @@ use torse_certificate::ratio::Constraint;
 use torse_certificate::sign::Sign;
 use torse_certificate::symbol::Symbol;
 use torse_core::{Set, Source};
-use torse_numbers::Integer;
 use torse_numbers::rational::integer;
+use torse_numbers::{Integer, Rational};
 use torse_syntax::formula::Relation;
 
 /// The highest power of a factor that is compared with a polynomial, and the most terms of such a factor.
@@ -222,36 +222,42 @@ impl Domain<'_> {
         if is_product()? {
             return Ok(true);
         }
-        // The statement asserts nothing where one of its terms is undefined.
+        self.meet_divisors_of_statement(groups)?;
+        is_product()
+    }
+
+    /// Records what the terms of the statement divide by: it asserts nothing where one of them is undefined.
+    fn meet_divisors_of_statement(&self, groups: usize) -> Result<(), Unsupported> {
         for term in self.claim.statement.terms() {
             let expanded = self.expanding(groups, |expander| expander.value(term));
             if expanded == Err(Unsupported::Large) {
                 return Err(Unsupported::Large);
             }
         }
-        is_product()
+        Ok(())
     }
 
-    /// Whether the polynomial is an integer form whose constant is not divisible by the greatest common divisor of
-    /// its other coefficients, so that it vanishes at no integers.
+    /// Whether a multiple of the polynomial is an integer form whose constant is not divisible by the greatest common
+    /// divisor of its other coefficients, so that it vanishes at no integers.
     fn no_integers_solve(&self, polynomial: &Polynomial) -> bool {
-        let (mut divisor, mut constant) = (Integer::ZERO, Integer::ZERO);
+        let (mut multiples, mut constant) = (vec![], integer(0));
         for (monomial, coefficient) in polynomial.terms() {
-            if !coefficient.is_integer() {
-                return false;
-            }
-            let coefficient = coefficient.to_integer();
             match monomial.as_slice() {
-                [] => constant = coefficient,
+                [] => constant = coefficient.clone(),
                 [(Symbol::Named(name), 1)]
                     if matches!(self.claim.symbols.get(name), Some(Set::Integer { .. })) =>
                 {
-                    divisor = common_divisor(divisor, coefficient);
+                    multiples.push(coefficient);
                 }
                 _ => return false,
             }
         }
-        divisor != Integer::ZERO && constant % divisor != Integer::ZERO
+        let all = multiples.iter().copied().chain([&constant]);
+        let scale = all.fold(Integer::ONE, |scale, own| scale * own.denom());
+        let whole = |own: &Rational| (own * Rational::from_integer(scale.clone())).to_integer();
+        let divisors = multiples.into_iter().map(whole);
+        let divisor = divisors.fold(Integer::ZERO, common_divisor);
+        divisor != Integer::ZERO && whole(&constant) % divisor != Integer::ZERO
     }
 
     fn divides(
@@ -261,61 +267,75 @@ impl Domain<'_> {
         groups: usize,
         besides: &[Polynomial],
     ) -> Result<bool, Unsupported> {
-        use Relation::{Different, Greater, Less};
-        let differs = known
-            .iter()
-            .filter(|c| matches!(c.relation, Different | Less | Greater));
-        let none = Met::new();
-        let declared = self.claim.symbols.iter();
-        let declared = declared.filter(|(_, set)| !contains_zero(set));
-        let declared: Vec<Polynomial> = declared
-            .map(|(name, _)| Polynomial::symbol(Symbol::Named(Arc::clone(name))))
-            .collect();
-        // If c + p = 0 with a nonzero constant c, then p is nonzero.
-        let level = self.hypotheses(0);
-        let equations = level.all.iter().filter(|c| c.relation == Relation::Equal);
-        let implied: Vec<Polynomial> = equations
-            .filter_map(|c| without_number(&c.difference.above))
-            .collect();
-        let apart = self.apart.borrow();
-        let apart = if groups == self.groups.len() {
-            apart.factors.as_slice()
-        } else {
-            &[]
-        };
-        let plain = self.conditions.iter().chain(&self.nonzero).chain(&declared);
-        let plain = plain.chain(&implied).chain(apart).chain(besides);
-        // A condition is also nonzero after eliminated symbols are replaced in it.
-        let mut replaced_conditions = vec![];
-        for condition in self.conditions {
-            let replaced = self.replaced(groups, condition)?;
-            replaced_conditions.push((replaced.difference.above, replaced.met));
-        }
-        let divisors = self.divisors.borrow();
-        let mut factors: Vec<(&Polynomial, &Met)> = plain.map(|p| (p, &none)).collect();
-        factors.extend(divisors.get(&groups).into_iter().flatten());
-        factors.extend(replaced_conditions.iter().map(|(p, met)| (p, met)));
-        factors.extend(differs.map(|c| (&c.difference.above, &c.met)));
         if polynomial.is_zero() {
             return Ok(false);
         }
+        let besides = besides.iter().map(|p| (p.clone(), Met::new()));
         let mut rest = polynomial.clone();
-        for (factor, met) in factors.into_iter().filter(|(f, _)| !f.is_number()) {
+        for (factor, met) in self.factors(known, groups)?.into_iter().chain(besides) {
             if rest.is_number() {
                 break;
             }
-            if self.divides_power(&rest, factor)? {
-                self.note(met);
+            if self.divides_power(&rest, &factor)? {
+                self.note(&met);
                 return Ok(true);
             }
-            while let Some(quotient) = rest.quotient(factor) {
-                self.note(met);
+            while let Some(quotient) = rest.quotient(&factor) {
+                self.note(&met);
                 self.work.spend(factor.len().saturating_mul(rest.len()))?;
                 rest = quotient;
             }
         }
         // A nonzero polynomial in pi and roots is a nonzero constant.
         Ok(rest.is_number())
+    }
+
+    /// The polynomials without a zero on the domain, with the symbols of the first `groups` groups replaced, each with
+    /// the symbols that were: conditions, divisors of terms (where one is zero a hypothesis has no value, or the statement has
+    /// none), what hypotheses state, signs that were checked, and symbols whose declared range does not contain zero.
+    fn factors(
+        &self,
+        known: &[Compared],
+        groups: usize,
+    ) -> Result<Vec<(Polynomial, Met)>, Unsupported> {
+        use Relation::{Different, Greater, Less};
+        let declared = self.claim.symbols.iter();
+        let declared = declared.filter(|(_, set)| !contains_zero(set));
+        let declared =
+            declared.map(|(name, _)| Polynomial::symbol(Symbol::Named(Arc::clone(name))));
+        // If c + p = 0 with a nonzero constant c, then p is nonzero.
+        let level = self.hypotheses(0);
+        let equations = level.all.iter().filter(|c| c.relation == Relation::Equal);
+        let implied = equations.filter_map(|c| without_number(&c.difference.above));
+        let plain = self.conditions.iter().chain(&self.nonzero).cloned();
+        let apart = self.apart.borrow();
+        let by_sign = apart.factors.iter().filter(|_| groups == self.groups.len());
+        let plain = plain.chain(declared).chain(implied).chain(by_sign.cloned());
+        let mut all: Vec<(Polynomial, Met)> = plain.map(|p| (p, Met::new())).collect();
+        let divisors = self.divisors.borrow();
+        let met = divisors.get(&groups).into_iter().flatten();
+        all.extend(met.map(|(p, met)| (p.clone(), met.clone())));
+        drop(divisors);
+        // A condition is also nonzero after eliminated symbols are replaced in it.
+        for condition in self.conditions {
+            let replaced = self.replaced(groups, condition)?;
+            all.push((replaced.difference.above, replaced.met));
+        }
+        let differs = known
+            .iter()
+            .filter(|c| matches!(c.relation, Different | Less | Greater));
+        all.extend(differs.map(|c| (c.difference.above.clone(), c.met.clone())));
+        // A root is nonzero where its radicand is, and the other way round.
+        let mut radicands = vec![];
+        for (factor, met) in &all {
+            let unrooted = self.unrooted(factor, groups)?;
+            if unrooted != *factor {
+                radicands.push((unrooted, met.clone()));
+            }
+        }
+        all.extend(radicands);
+        all.retain(|(factor, _)| !factor.is_number());
+        Ok(all)
     }
 
     /// Whether a polynomial divides a power of a factor, so that it is nonzero where the factor is: `x^2` where `x*y` is.
@@ -341,57 +361,72 @@ impl Domain<'_> {
         Ok(power.quotient(polynomial).is_some())
     }
 
-    /// Whether a sign, or a hypothesis alone, as a comparison or by its divisors, says that these polynomials are not all zero: one of them divides
-    /// a power of something nonzero (a root is nonzero where its radicand is), or the hypothesis fails where those that
-    /// are powers of symbols are zero: `y + z >= 1` where y and z are.
+    /// Whether these polynomials are not all zero: with the values that symbols have where they are zero, a hypothesis fails
+    /// (`y + z >= 1` where y and z are zero) or something without a zero has one; or one of the polynomials divides a power of such
+    /// a thing (a root is nonzero where its radicand is).
     pub(super) fn excludes_common_zero(
         &self,
         polynomials: &[&Polynomial],
         groups: usize,
     ) -> Result<bool, Unsupported> {
-        use Relation::{Different, Greater, Less};
+        if self.excludes(polynomials, groups)? {
+            return Ok(true);
+        }
+        self.meet_divisors_of_statement(groups)?;
+        self.excludes(polynomials, groups)
+    }
+
+    fn excludes(&self, polynomials: &[&Polynomial], groups: usize) -> Result<bool, Unsupported> {
         let unrooted = polynomials.iter().map(|p| self.unrooted(p, groups));
         let unrooted: Vec<Polynomial> = unrooted.collect::<Result<_, _>>()?;
-        let zeros: Vec<&Symbol> = polynomials.iter().filter_map(|p| power_of(p)).collect();
-        // What is not zero by its sign, the radicand of a root above all.
-        let apart = self.apart.borrow();
-        let is_whole = groups == self.groups.len();
-        let by_sign = apart.factors.iter().filter(|_| is_whole);
-        for nonzero in self.nonzero.iter().chain(by_sign) {
-            for polynomial in &unrooted {
-                if self.divides_power(polynomial, nonzero)? {
-                    return Ok(true);
-                }
-            }
+        let mut values: Vec<(Symbol, Polynomial)> = vec![];
+        for polynomial in polynomials {
+            // The value of a symbol is free of those before it: these were replaced.
+            values.extend(value_at_zero(&self.put(polynomial, &values)?));
         }
-        drop(apart);
-        let there = |polynomial: &Polynomial| {
-            zeros.iter().fold(polynomial.clone(), |rest, symbol| {
-                let mut powers = rest.coefficients_in(symbol).into_iter();
-                powers.next().unwrap_or_default()
-            })
-        };
-        for compared in &self.hypotheses(groups).all {
-            let (above, below) = (&compared.difference.above, &compared.difference.below);
-            let number = there(above).as_constant();
+        let there = |polynomial: &Polynomial| self.put(polynomial, &values);
+        let known = self.hypotheses(groups);
+        for compared in &known.all {
+            let number = there(&compared.difference.above)?.as_constant();
             let fails = number.is_some_and(|n| !holds(n.cmp(&integer(0)), compared.relation));
-            if below.is_empty() && fails {
+            if compared.difference.below.is_empty() && fails {
                 self.note(&compared.met);
                 return Ok(true);
             }
-            let differs = matches!(compared.relation, Different | Less | Greater);
-            for nonzero in differs.then_some(above).into_iter().chain(below.keys()) {
-                let mut excluded = there(nonzero).is_zero();
-                for polynomial in &unrooted {
-                    excluded = excluded || self.divides_power(polynomial, nonzero)?;
-                }
-                if excluded {
-                    self.note(&compared.met);
-                    return Ok(true);
-                }
+        }
+        let below = known.all.iter().flat_map(|c| {
+            let factors = c.difference.below.keys();
+            factors.map(|factor| (factor.clone(), c.met.clone()))
+        });
+        for (nonzero, met) in self.factors(&known.all, groups)?.into_iter().chain(below) {
+            let mut excluded = there(&nonzero)?.is_zero();
+            for polynomial in &unrooted {
+                excluded = excluded || self.divides_power(polynomial, &nonzero)?;
+            }
+            if excluded {
+                self.note(&met);
+                return Ok(true);
             }
         }
         Ok(false)
+    }
+
+    /// The polynomial with the values of symbols put in, one after the other.
+    fn put(
+        &self,
+        polynomial: &Polynomial,
+        values: &[(Symbol, Polynomial)],
+    ) -> Result<Polynomial, Unsupported> {
+        let mut result = polynomial.clone();
+        for (symbol, value) in values {
+            let powers = result.coefficients_in(symbol).into_iter().rev();
+            // By Horner's rule.
+            result = Polynomial::zero();
+            for coefficient in powers {
+                result = self.work.times(&result, value)?.plus(&coefficient);
+            }
+        }
+        Ok(result)
     }
 
     /// The error for a polynomial of the statement that is not known to be nonzero.
@@ -468,16 +503,23 @@ fn inside(polynomial: &Polynomial, symbol: &Symbol) -> bool {
         .any(|own| own != symbol && depends(own))
 }
 
-/// The symbol of which a polynomial is a multiple of a power.
-fn power_of(polynomial: &Polynomial) -> Option<&Symbol> {
+/// The value that a symbol has where a polynomial is zero: of one whose power it is, or in which it is linear with a
+/// number before it.
+fn value_at_zero(polynomial: &Polynomial) -> Option<(Symbol, Polynomial)> {
     let mut terms = polynomial.terms();
-    match (terms.next(), terms.next()) {
-        (Some((monomial, _)), None) => match monomial.as_slice() {
-            [(symbol @ Symbol::Named(_), _)] => Some(symbol),
-            _ => None,
-        },
-        _ => None,
+    if let (Some((monomial, _)), None) = (terms.next(), terms.next())
+        && let [(symbol @ Symbol::Named(_), _)] = monomial.as_slice()
+    {
+        return Some((symbol.clone(), Polynomial::zero()));
     }
+    let mut symbols = polynomial
+        .symbols()
+        .filter(|s| matches!(s, Symbol::Named(_)));
+    symbols.find_map(|symbol| {
+        let (rest, slope) = linear(polynomial, symbol)?;
+        let slope = slope.as_constant()?;
+        Some((symbol.clone(), rest.scaled(&-slope.recip())))
+    })
 }
 
 /// The polynomial without its constant term, if it has a nonzero one.

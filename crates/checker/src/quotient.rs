@@ -154,6 +154,25 @@ impl Quotient {
         (0..exponent).try_fold(one, |power, _| power.times(self, work))
     }
 
+    /// The same value wherever it has one: factors of the denominator that divide the numerator are cancelled.
+    pub fn cancelled(mut self, work: &Work) -> Result<Self, Unsupported> {
+        let mut below = BTreeMap::new();
+        for (factor, mut exponent) in std::mem::take(&mut self.below) {
+            work.spend(factor.len().saturating_mul(self.above.len()))?;
+            while exponent > 0
+                && let Some(quotient) = self.above.quotient(&factor)
+            {
+                work.spend(factor.len().saturating_mul(self.above.len()))?;
+                self.above = quotient;
+                exponent -= 1;
+            }
+            if exponent > 0 {
+                below.insert(factor, exponent);
+            }
+        }
+        Ok(Self { below, ..self })
+    }
+
     /// Whether the two are equal as functions.
     pub fn equals(&self, other: &Self, work: &Work) -> Result<bool, Unsupported> {
         self.minus(other, work)?.is_zero(work)

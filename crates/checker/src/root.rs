@@ -11,10 +11,12 @@ use super::sign::Signs;
 use std::sync::Arc;
 use torse_certificate::polynomial::Polynomial;
 use torse_certificate::proof::assumptions::{EquationMultiple, Signed};
+use torse_certificate::ratio::Constraint;
 use torse_certificate::symbol::Symbol;
 use torse_core::Hypothesis;
+use torse_syntax::formula::Relation;
 
-/// The most terms of a polynomial whose norm is looked at.
+/// The most terms of a polynomial whose norm is looked at, as in the prover: a shorter reach would refuse proofs.
 const MAX_NORMED: usize = 12;
 
 /// A root that has not been replaced by a value in other symbols.
@@ -123,6 +125,27 @@ impl Domain<'_> {
         Ok(self.nonzero_at(&own, groups)? || self.nonzero_at(&own, 0)?)
     }
 
+    /// Whether one of these constraints says of a root that it is positive, and that is not known.
+    pub(super) fn has_open_root(
+        &self,
+        constraints: &[Constraint<Polynomial>],
+        groups: usize,
+    ) -> Result<bool, Unsupported> {
+        for (name, _) in self.claim.hypotheses.iter().filter_map(Hypothesis::root) {
+            let symbol = Symbol::Named(Arc::clone(name));
+            let says = |own: &Constraint<Polynomial>| {
+                let value = &own.value;
+                own.relation == Relation::Greater
+                    && value.below.is_number()
+                    && value.above == Polynomial::symbol(symbol.clone())
+            };
+            if constraints.iter().any(says) && !self.is_positive_root(&symbol, groups)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
     /// Replaces the squares of roots in a polynomial by their radicands.
     fn reduced(&self, polynomial: &Polynomial, groups: usize) -> Result<Quotient, Unsupported> {
         let work = self.work;
@@ -155,7 +178,7 @@ impl Domain<'_> {
     }
 
     /// A polynomial without roots that is zero wherever this one is: `x - y` for `sqrt(x) - sqrt(y)`; `None` for one without roots, or a
-    /// long one.
+    /// long one. The prover has its own (`crates/prove/src/roots`), whose faults must not be shared.
     pub(super) fn norm(
         &self,
         polynomial: &Polynomial,

@@ -36,8 +36,14 @@ impl<'a> Signs<'a> {
         constraints: &'a [Constraint<Polynomial>],
         groups: usize,
     ) -> Result<Self, CheckError> {
-        let (own, gap) = domain.constraints(groups)?;
+        let (own, mut gap) = domain.constraints(groups)?;
         let ranges = Ranges::from_comparisons(&own, domain.work)?;
+        // The signs that make a root positive are checked where all symbols have their values.
+        if groups < domain.groups() && domain.has_open_root(constraints, groups)? {
+            gap.get_or_insert(Unsupported::Construct(
+                "a root that is positive before an elimination",
+            ));
+        }
         Ok(Self {
             domain,
             constraints,
@@ -105,7 +111,10 @@ impl<'a> Signs<'a> {
     pub fn check(&self, sign: &Sign<Polynomial>) -> Result<(), CheckError> {
         let checked = self.sign(sign);
         self.domain.note(&self.ranges.used());
-        checked
+        match (checked, &self.gap) {
+            (Err(CheckError::Wrong(_)), Some(gap)) => Err(gap.clone().into()),
+            (checked, _) => checked,
+        }
     }
 
     pub(super) fn sign(&self, sign: &Sign<Polynomial>) -> Result<(), CheckError> {
