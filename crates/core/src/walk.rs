@@ -4,7 +4,7 @@ use super::visited::Visited;
 use super::{BuiltIn, Family, Node, Statement, Term, Variable};
 use std::sync::Arc;
 use torse_numbers::rational::integer;
-use torse_syntax::formula::{Connective, Operator, Relation};
+use torse_syntax::formula::Connective;
 
 impl Term {
     /// The direct parts, in the order of the text.
@@ -187,44 +187,6 @@ impl Term {
             }
         }
         false
-    }
-
-    /// Whether the term has a value whatever numbers its symbols are, as long as indices are in their ranges: nothing
-    /// in it divides, has an exponent that is a formula, is a root, an integral, or a function with arguments for which
-    /// it is not defined. Shared parts are visited once.
-    #[must_use]
-    pub fn is_total(&self) -> bool {
-        let mut seen = Visited::default();
-        let mut pending = vec![self];
-        while let Some(term) = pending.pop() {
-            let is_partial = match &*term.node {
-                Node::Binary(Operator::Divide, ..) | Node::Integral { .. } => true,
-                Node::Binary(Operator::Power, _, exponent) => {
-                    !matches!(&*exponent.node, Node::Number(n) if *n >= integer(0) && n.is_integer())
-                }
-                Node::Basis { family, .. } => {
-                    let step = [&family.step.0, &family.step.1];
-                    pending.extend(family.seeds.iter().chain(step));
-                    false
-                }
-                Node::Apply(function, _) => matches!(
-                    function,
-                    BuiltIn::SquareRoot
-                        | BuiltIn::Factorial
-                        | BuiltIn::Inverse
-                        | BuiltIn::Solve
-                        | BuiltIn::Coefficients
-                ),
-                _ => false,
-            };
-            if is_partial {
-                return false;
-            }
-            if seen.is_new(term) {
-                term.each_part(&mut |part| pending.push(part));
-            }
-        }
-        true
     }
 
     /// Whether no variable of an enclosing binder occurs. Shared parts are visited once.
@@ -458,37 +420,6 @@ impl Statement {
             Self::Family(..) => vec![],
             Self::Join(_, a, b) => [a.terms(), b.terms()].concat(),
             Self::Not(inner) => inner.terms(),
-        }
-    }
-
-    /// That the terms of the statement have values: each is equal to itself where it has one. `None` if all always do.
-    /// Of an implication it is the conclusion's terms where the premise is true, since the premise counts as a
-    /// hypothesis.
-    #[must_use]
-    pub fn has_values(&self) -> Option<Self> {
-        let both = |a: Option<Self>, b: Option<Self>| match (a, b) {
-            (Some(a), Some(b)) => Some(Self::Join(Connective::And, Box::new(a), Box::new(b))),
-            (a, b) => a.or(b),
-        };
-        let has_value = |term: &Term| {
-            let equal = Self::Compare {
-                relation: Relation::Equal,
-                left: term.clone(),
-                right: term.clone(),
-            };
-            (!term.is_total()).then_some(equal)
-        };
-        match self {
-            Self::Compare { left, right, .. } => both(has_value(left), has_value(right)),
-            Self::Agrees { value, .. } => has_value(value),
-            Self::Family(..) | Self::Not(_) => None,
-            Self::Join(Connective::Implies, premise, conclusion) => {
-                let conclusion = Box::new(conclusion.has_values()?);
-                Some(Self::Join(Connective::Implies, premise.clone(), conclusion))
-            }
-            Self::Join(Connective::And | Connective::Or, a, b) => {
-                both(a.has_values(), b.has_values())
-            }
         }
     }
 

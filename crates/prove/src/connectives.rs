@@ -6,6 +6,7 @@ use crate::decide::{self, Decision};
 use crate::decider::Decider;
 use crate::evidence::Witness;
 use std::rc::Rc;
+use torse_algebra::Polynomial;
 use torse_core::{self as core};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::Origin;
@@ -105,32 +106,41 @@ impl<'a> DisjunctiveDomain<'a> {
             Decision::Proven(proof) if literals.len() > 1 => proof,
             decision => return Ok(decision),
         };
-        let mut conditions = vec![];
-        for literal in literals {
-            let mut parts = self.deciders.iter().map(|part| part.definedness(literal));
-            if !is_implication(literal)
-                && let Some(all) = parts.by_ref().collect::<Option<Vec<_>>>()
-            {
-                conditions.extend(all.concat());
-                continue;
+        let defined = literals.iter().map(|literal| self.definedness(literal));
+        Ok(match defined.collect::<Option<Vec<_>>>() {
+            Some(conditions) => Decision::Proven(proof.within(conditions.concat())),
+            None => Decision::Open {
+                reason: "it is not known where the alternatives have values".to_owned(),
+                tried: vec![],
+            },
+        })
+    }
+
+    /// What a statement divides by and may vanish, if that is known; a premise is a hypothesis of its conclusion.
+    fn definedness(&self, statement: &core::Statement) -> Option<Vec<Polynomial>> {
+        match statement {
+            core::Statement::Join(Connective::Implies, premise, conclusion) => {
+                self.restricted(&[premise], true)?.definedness(conclusion)
             }
-            let Some(values) = literal.has_values() else {
-                continue;
-            };
-            match self.decide(&values)? {
-                Decision::Proven(defined) => {
-                    conditions.extend(defined.conditions().into_iter().cloned());
-                }
-                vacuous @ Decision::Vacuous(_) => return Ok(vacuous),
-                Decision::Refuted(_) | Decision::Open { .. } => {
-                    return Ok(Decision::Open {
-                        reason: "it is not known where the alternatives have values".to_owned(),
-                        tried: vec![],
-                    });
+            core::Statement::Join(Connective::And | Connective::Or, a, b) => {
+                Some([self.definedness(a)?, self.definedness(b)?].concat())
+            }
+            core::Statement::Not(_) | core::Statement::Family(..) => Some(vec![]),
+            core::Statement::Compare { .. } | core::Statement::Agrees { .. } => {
+                match self.deciders.as_slice() {
+                    [whole] => whole.definedness(statement),
+                    _ => self.as_written(statement),
                 }
             }
         }
-        Ok(Decision::Proven(proof.within(conditions)))
+    }
+
+    /// What a statement divides by as it is written, and may vanish on some part of the domain.
+    fn as_written(&self, statement: &core::Statement) -> Option<Vec<Polynomial>> {
+        let mut written = self.deciders.first()?.written_divisors(statement)?;
+        let may_vanish = |p: &Polynomial| self.deciders.iter().any(|part| part.may_vanish(p));
+        written.retain(may_vanish);
+        Some(written)
     }
 
     /// Alternatives: proved if one is, or one is where all others fail. A denial among them is true or false of the whole
@@ -182,10 +192,56 @@ impl<'a> DisjunctiveDomain<'a> {
 
     /// A statement that is decided as it is, on every part.
     fn everywhere(&self, statement: &core::Statement) -> Result<Decision, Fault> {
+        let decision = self.on_parts(statement)?;
+        let Some(conditions) = decision.conditions().filter(|all| !all.is_empty()) else {
+            return Ok(decision);
+        };
+        // Conditions of parts, of values of integers, and of eliminations may be more than the statement needs to have a value.
+        let is_cut = self.deciders.len() > 1
+            || self.deciders.iter().any(Decider::divides_by_splits)
+            || matches!(&decision, Decision::Proven(Proof::Instances(_)));
+        let Some(written) = is_cut.then(|| self.as_written(statement)).flatten() else {
+            return Ok(decision);
+        };
+        if conditions
+            .iter()
+            .all(|condition| written.contains(condition))
+        {
+            return Ok(decision);
+        }
+        let deciders = self.deciders.iter();
+        let there = Self {
+            deciders: deciders.map(|part| part.where_nonzero(&written)).collect(),
+            elaborator: Rc::clone(&self.elaborator),
+            origin: self.origin,
+        };
+        Ok(match there.on_parts(statement) {
+            Ok(Decision::Proven(proof)) if proof.conditions().is_empty() => {
+                Decision::Proven(proof.within(written))
+            }
+            _ => decision,
+        })
+    }
+
+    fn on_parts(&self, statement: &core::Statement) -> Result<Decision, Fault> {
         conjoined(
             self.deciders.iter().map(|part| part.single(statement)),
             Proof::Parts,
         )
+    }
+
+    /// The domain where all premises are true, or all are false; `None` if one cannot be assumed.
+    fn restricted(&self, premises: &[&core::Statement], truth: bool) -> Option<Self> {
+        let mut there = vec![];
+        for part in &self.deciders {
+            there.extend(case_split::under(
+                &part.claim,
+                premises,
+                truth,
+                self.origin,
+            )?);
+        }
+        Some(Self::new(there, &self.elaborator, self.origin))
     }
 
     /// The conclusion where all premises are true, or all are false: at every other point the statement is true. `None` if
@@ -199,14 +255,9 @@ impl<'a> DisjunctiveDomain<'a> {
         if premises.iter().any(|p| denies(p)) || denies(conclusion) {
             return Ok(None);
         }
-        let mut there = vec![];
-        for part in &self.deciders {
-            let Some(claims) = case_split::under(&part.claim, premises, truth, self.origin) else {
-                return Ok(None);
-            };
-            there.extend(claims);
-        }
-        let there = DisjunctiveDomain::new(there, &self.elaborator, self.origin);
+        let Some(there) = self.restricted(premises, truth) else {
+            return Ok(None);
+        };
         Ok(Some(match there.decide(conclusion) {
             // No point, or none at which the premises are so: the second is a proof.
             Ok(Decision::Vacuous(emptiness)) => match self.everywhere(conclusion)? {
@@ -232,11 +283,6 @@ fn eliminates_no_more(proof: &Proof, most: usize) -> bool {
     };
     let parts = proof.parts();
     own && parts.into_iter().all(|part| eliminates_no_more(part, most))
-}
-
-/// Whether a statement is an implication, whose terms need values where its premise is true alone.
-fn is_implication(statement: &core::Statement) -> bool {
-    matches!(statement, core::Statement::Join(Connective::Implies, ..))
 }
 
 /// Whether something is denied of the whole domain.

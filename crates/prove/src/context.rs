@@ -13,9 +13,10 @@ pub use given::solve_given;
 
 use crate::decide::domain::Domain;
 use crate::decide::domain::branch::{Branch, Cases, Divisors, Equation};
-use crate::decide::exponential;
+use crate::decide::{conditions, exponential};
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{Statement, UNPLACED, Value};
+use crate::term_divisors::{divides_in_empty_sum, term_divisors};
 use crate::unknown::Unknown;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -43,6 +44,15 @@ pub enum RootMode {
     Symbols,
     /// A symbol of r in which they are linear is eliminated: for relations of order.
     Solved,
+}
+
+/// What is assumed besides the hypotheses.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Besides<'p> {
+    /// Polynomials that are zero.
+    pub zero: &'p [Polynomial],
+    /// Polynomials that are not.
+    pub nonzero: &'p [Polynomial],
 }
 
 /// When an assumed equation is solved for a symbol.
@@ -116,24 +126,24 @@ impl<'a> ProofContext<'a> {
         fixed: &BTreeMap<String, Fraction>,
         roots: RootMode,
     ) -> Result<Self, Fault> {
-        Self::where_zero(claim, elaborator, fixed, roots, &[])
+        Self::on_side(claim, elaborator, fixed, roots, Besides::default())
     }
 
-    /// The same at those points of the domain at which these polynomials are zero.
+    /// The same at those points of the domain at which more is known.
     ///
     /// # Errors
     /// As [`ProofContext::new`].
-    pub fn where_zero(
+    pub fn on_side(
         claim: &core::Claim,
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
         roots: RootMode,
-        zeros: &[Polynomial],
+        besides: Besides<'_>,
     ) -> Result<Self, Fault> {
         let how = (SolvePolicy::Always, roots);
-        let mut ground = Self::made(claim, elaborator, fixed, how, zeros)?;
+        let mut ground = Self::made(claim, elaborator, fixed, how, besides)?;
         let given = ground.given(claim)?;
-        match zeros {
+        match besides.zero {
             [] => ground.solve(&given, claim)?,
             // Where the determinant is zero they do not determine the unknowns.
             _ => given.iter().try_for_each(|form| ground.vanishes(form))?,
@@ -151,8 +161,16 @@ impl<'a> ProofContext<'a> {
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
         solving: SolvePolicy,
+        nonzero: &[Polynomial],
     ) -> Result<Self, Fault> {
-        Self::made(claim, elaborator, fixed, (solving, RootMode::Symbols), &[])
+        let besides = Besides { zero: &[], nonzero };
+        Self::made(
+            claim,
+            elaborator,
+            fixed,
+            (solving, RootMode::Symbols),
+            besides,
+        )
     }
 
     fn made(
@@ -160,7 +178,7 @@ impl<'a> ProofContext<'a> {
         elaborator: Rc<Elaborator<'a>>,
         fixed: &BTreeMap<String, Fraction>,
         (solving, roots_solved): (SolvePolicy, RootMode),
-        zeros: &[Polynomial],
+        besides: Besides<'_>,
     ) -> Result<Self, Fault> {
         let evaluator = Evaluator::with(elaborator);
         let mut ground = Self {
@@ -169,21 +187,23 @@ impl<'a> ProofContext<'a> {
             roots_solved,
         };
         for (name, value) in fixed {
-            ground.branch.keep_range(&Symbol::named(name), value);
+            let chosen = Symbol::named(name);
+            ground.branch.keep_range(&chosen, value);
+            ground.branch.domain.chosen.push((chosen, value.clone()));
         }
+        ground.has_values(besides.nonzero)?;
         let hypotheses = claim.hypotheses.iter();
         let assumed = hypotheses.filter(|h| h.source == Source::Assume);
         // Inequalities first: they may say that the divisor of an elimination does not vanish.
         let (equations, others) = assumed
             .flat_map(conjuncts)
             .partition(|own| has_equation(own.statement));
-        ground.assume_all(others)?;
+        ground.assume_all(claim, others)?;
         let rooted = claim.hypotheses.iter().filter(|h| h.root().is_some());
         let mut roots = ground.resolve(rooted.collect())?;
-        zeros
-            .iter()
-            .try_for_each(|zero| ground.vanishes(&zero.clone().into()))?;
-        ground.assume_all(equations)?;
+        let mut zeros = besides.zero.iter();
+        zeros.try_for_each(|zero| ground.vanishes(&zero.clone().into()))?;
+        ground.assume_all(claim, equations)?;
         if ground.branch.domain.pivots().is_empty() {
             roots = ground.resolve(roots)?;
         }
@@ -211,7 +231,11 @@ impl<'a> ProofContext<'a> {
 
     /// Takes the assumptions, each as soon as it can be evaluated: one may fix the degree that another one needs. Each is evaluated
     /// after those before it were taken, so that it speaks of no symbol that one of these eliminated.
-    fn assume_all(&mut self, mut pending: Vec<Conjunct<'_>>) -> Result<(), Fault> {
+    fn assume_all(
+        &mut self,
+        claim: &core::Claim,
+        mut pending: Vec<Conjunct<'_>>,
+    ) -> Result<(), Fault> {
         loop {
             let before = pending.len();
             let (mut rest, mut obstacle) = (vec![], None);
@@ -219,11 +243,14 @@ impl<'a> ProofContext<'a> {
                 let hypothesis = conjunct.hypothesis;
                 let of_exponents = conjunct.statement.compare_exponents();
                 let said = of_exponents.as_ref().unwrap_or(conjunct.statement);
-                let taken = self
-                    .branch
-                    .evaluator
-                    .truth(said)
-                    .and_then(|statement| self.assume(&statement));
+                let asked = self.is_asked(conjunct.statement);
+                let value = asked.and_then(|()| self.branch.evaluator.truth(said));
+                let taken = value.and_then(|statement| {
+                    let evaluator = &self.branch.evaluator;
+                    let written = term_divisors(conjunct.statement, claim, evaluator);
+                    self.assume(&statement)?;
+                    self.has_values(&written)
+                });
                 match taken {
                     Ok(()) => {}
                     Err(fault) if fault.is_limit() => {
@@ -239,6 +266,29 @@ impl<'a> ProofContext<'a> {
                 Some(_) => pending = rest,
             }
         }
+    }
+
+    /// Fails for a hypothesis of which it is not known where it has a value.
+    fn is_asked(&self, hypothesis: &core::Statement) -> Result<(), Fault> {
+        match divides_in_empty_sum(hypothesis, &self.branch.evaluator) {
+            true => Err(Fault::limit(
+                UNPLACED,
+                "a hypothesis with a sum that may be empty, of terms that may have no value",
+            )),
+            false => Ok(()),
+        }
+    }
+
+    /// Takes that a hypothesis has a value: what it divides by is not zero, whether or not its value depends on it.
+    fn has_values(&mut self, divisors: &[Polynomial]) -> Result<(), Fault> {
+        for divisor in conditions::separated(divisors) {
+            let divisor = self.branch.resolved(&divisor.into())?;
+            if !self.branch.domain.assumes_nonzero(divisor.numerator()) {
+                self.branch
+                    .differ_from_zero(std::slice::from_ref(divisor.numerator()));
+            }
+        }
+        Ok(())
     }
 
     fn assume(&mut self, statement: &Statement) -> Result<(), Fault> {

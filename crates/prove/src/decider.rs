@@ -4,16 +4,18 @@
 mod definedness;
 mod equations;
 
-use crate::context::{ProofContext, RootMode};
+use crate::context::{Besides, ProofContext, RootMode};
 use crate::decide::contradiction::contradiction;
 use crate::decide::domain::branch::written;
 use crate::decide::value::Proof;
-use crate::decide::{self, Decision, conditions, equality, exponential, instances, witness};
-use crate::divisors::{Nonzero, divisors, index_ranges, nonzero, open_conditions, unrooted};
+use crate::decide::{self, Decision, equality, exponential, instances, witness};
+use crate::divisors::{
+    Nonzero, divisors, in_finest_parts, index_ranges, nonzero, open_conditions, unrooted,
+};
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
-use torse_algebra::{Finest, Polynomial, work};
+use torse_algebra::{Polynomial, work};
 use torse_certificate::Refuted;
 use torse_certificate::proof::Emptiness;
 use torse_certificate::proof::assumptions::Sharpness;
@@ -30,6 +32,8 @@ pub(crate) type Instance = BTreeMap<String, i64>;
 pub(crate) struct Decider<'a> {
     pub claim: core::Claim,
     pub(crate) elaborator: Rc<Elaborator<'a>>,
+    /// Polynomials that are assumed not to be zero, besides the hypotheses.
+    pub(crate) nonzero: Vec<Polynomial>,
     /// The domain with no integer fixed and roots as symbols, once it was made: every part of a statement starts from it.
     ground: OnceCell<ProofContext<'a>>,
 }
@@ -39,8 +43,23 @@ impl<'a> Decider<'a> {
         Self {
             claim,
             elaborator,
+            nonzero: vec![],
             ground: OnceCell::new(),
         }
+    }
+
+    /// The same where these polynomials are not zero.
+    pub fn where_nonzero(&self, nonzero: &[Polynomial]) -> Self {
+        Self {
+            nonzero: nonzero.to_vec(),
+            ..Self::new(self.claim.clone(), Rc::clone(&self.elaborator))
+        }
+    }
+
+    /// Whether values that equations give to symbols divide by what may vanish.
+    pub fn divides_by_splits(&self) -> bool {
+        let ground = self.ground(&Instance::new());
+        ground.is_ok_and(|ground| !ground.branch.splits().is_empty())
     }
 
     /// How many eliminations the domain takes, if none of them brings in a divisor.
@@ -108,7 +127,15 @@ impl<'a> Decider<'a> {
         roots: RootMode,
     ) -> Result<ProofContext<'a>, Fault> {
         let fixed = instances::fixed(instance);
-        ProofContext::with_roots(&self.claim, Rc::clone(&self.elaborator), &fixed, roots)
+        let (elaborator, zero) = (Rc::clone(&self.elaborator), [].as_slice());
+        let nonzero = &self.nonzero;
+        ProofContext::on_side(
+            &self.claim,
+            elaborator,
+            &fixed,
+            roots,
+            Besides { zero, nonzero },
+        )
     }
 
     /// A statement that is no conjunction and no negation.
@@ -159,24 +186,25 @@ impl<'a> Decider<'a> {
         Ok(self.where_defined(statement, decision, &divided))
     }
 
-    /// A proof by cases over the integers with short ranges of numbers, the others kept symbolic; or a refutation.
-    fn by_finite_ranges(&self, statement: &core::Statement) -> Result<Option<Decision>, Fault> {
+    /// All values of the integers with short ranges of numbers, if there are such integers.
+    pub(crate) fn finite_instances(&self) -> Option<Vec<Instance>> {
         let finite = |set: &SymbolKind| {
             matches!(set, SymbolKind::Integer { least: Some(a), most: Some(b) }
                 if a.as_number().is_some() && b.as_number().is_some())
         };
-        let chosen: Vec<String> = self
-            .claim
-            .symbols
-            .iter()
-            .filter(|(_, set)| finite(set))
-            .map(|(name, _)| name.to_string())
-            .collect();
-        let (assignments, complete) =
-            instances::assignments(&chosen, self.elaborator.declarations());
-        if chosen.is_empty() || !complete {
+        let symbols = self.claim.symbols.iter();
+        let chosen = symbols.filter(|(_, set)| finite(set));
+        let chosen: Vec<String> = chosen.map(|(name, _)| name.to_string()).collect();
+        let declarations = self.elaborator.declarations();
+        let (assignments, complete) = instances::assignments(&chosen, declarations);
+        (!chosen.is_empty() && complete).then_some(assignments)
+    }
+
+    /// A proof by cases over the integers with short ranges of numbers, the others kept symbolic; or a refutation.
+    fn by_finite_ranges(&self, statement: &core::Statement) -> Result<Option<Decision>, Fault> {
+        let Some(assignments) = self.finite_instances() else {
             return Ok(None);
-        }
+        };
         let (mut decided, mut divided) = (vec![], vec![]);
         for assignment in assignments {
             match self.symbolic(statement, &assignment) {
@@ -285,6 +313,10 @@ impl<'a> Decider<'a> {
                             &ground.branch.evaluator,
                         )?;
                     }
+                    if matches!(decision, Decision::Open { .. }) {
+                        let there = self.where_it_has_a_value(statement, &value, &ground);
+                        decision = decide::decide(&value, &there, &ground.branch.evaluator)?;
+                    }
                 }
                 Err(fault) if undefined(&fault) => return Err(fault),
                 Err(fault) => {
@@ -341,16 +373,6 @@ impl<'a> Decider<'a> {
         let nonzero = nonzero(met, &conditions, &ground.branch.domain);
         Ok(proved(ground, proof, (conditions, nonzero), ranges))
     }
-}
-
-/// The factors of divisors that were evaluated apart, with one angle in each.
-fn in_finest_parts(divisors: &[Polynomial]) -> Vec<Polynomial> {
-    let symbols = divisors.iter().flat_map(Polynomial::symbols);
-    let finest = Finest::new(symbols);
-    let written = divisors
-        .iter()
-        .map(|p| p.substituted(|symbol| finest.value(symbol)));
-    conditions::separated(&written.collect::<Vec<_>>())
 }
 
 /// A proof on its ground.

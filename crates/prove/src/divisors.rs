@@ -8,7 +8,7 @@ use crate::evaluate::series::polynomial_of;
 use crate::evaluate::value::{Statement, Value};
 use crate::roots;
 use torse_algebra::fault_injection::{InjectedFault, injected};
-use torse_algebra::{Fraction, Polynomial, Symbol};
+use torse_algebra::{Finest, Fraction, Polynomial, Symbol};
 use torse_certificate::sign::Sign;
 use torse_core as core;
 use torse_syntax::derivation::declarations::SymbolKind;
@@ -17,6 +17,9 @@ use torse_syntax::formula::Relation;
 /// What never vanishes, by its sign: on the declared sets, whatever else is assumed, so that eliminations may rest on it; or
 /// under all assumptions.
 pub(crate) type Nonzero = (Vec<Sign<Polynomial>>, Vec<Sign<Polynomial>>);
+
+/// The most roots that are taken for positive one after the other.
+const MAX_POSITIVE: usize = 6;
 
 /// Those of the factors of divisors that were met, and are no conditions. A radicand whose factors have no sign of their own has
 /// one as a whole: `y^2` where `y^2 > 1`.
@@ -30,11 +33,24 @@ pub(crate) fn nonzero(
         domain.assumes_nonzero(&Polynomial::symbol(root.symbol.clone()))
     };
     let roots = domain.roots.iter().filter(is_positive);
-    let mut radicands = domain.positive_radicands.clone();
+    let found = domain.positive_roots.iter();
+    let mut radicands: Vec<Polynomial> = found.map(|(_, radicand)| radicand.clone()).collect();
     radicands.extend(roots.map(|root| root.radicand.numerator().clone()));
     met.extend(radicands.iter().cloned());
     let met = conditions::separated(&met);
     let declared = Domain::new(domain.declarations);
+    // That a root is positive follows from the sign of its radicand, which must not rest on it.
+    let positive = domain.positive_roots.len().min(MAX_POSITIVE);
+    let before = (0..positive).map(|first| domain.with_positive_roots(first));
+    let domains: Vec<Domain<'_>> = before.chain([domain.clone()]).collect();
+    let by_sign = |polynomial: &Polynomial| {
+        let mut numbered = domains.iter().enumerate();
+        numbered.find_map(|(behind, domain)| {
+            let sign = sign::positive(polynomial, domain);
+            let sign = sign.or_else(|| sign::positive_square(polynomial, domain))?;
+            Some((behind, sign))
+        })
+    };
     let (mut signs, mut apart, mut without_sign) = (vec![], vec![], vec![]);
     for divisor in met {
         if conditions.contains(&divisor) {
@@ -44,14 +60,10 @@ pub(crate) fn nonzero(
             Some(sign) => signs.push(sign),
             // A hypothesis says it, or no integers make it zero.
             None if domain.assumes_nonzero(&divisor) => {}
-            None => {
-                let rest = domain.without_assumed(&divisor);
-                let sign = sign::positive(&rest, domain);
-                match sign.or_else(|| sign::positive_square(&rest, domain)) {
-                    Some(sign) => apart.push(sign),
-                    None => without_sign.push(divisor),
-                }
-            }
+            None => match by_sign(&domain.without_assumed(&divisor)) {
+                Some(sign) => apart.push(sign),
+                None => without_sign.push(divisor),
+            },
         }
     }
     let is_whole = |radicand: &&Polynomial| {
@@ -59,14 +71,17 @@ pub(crate) fn nonzero(
         factors.any(|factor| radicand.exact_quotient(factor).is_some())
     };
     let whole = radicands.iter().filter(is_whole);
-    apart.extend(whole.filter_map(|radicand| sign::positive(radicand, domain)));
-    // That a root is positive follows from the sign of its radicand, which has to come before what the root occurs in.
-    apart.sort_by_key(|sign| {
+    apart.extend(whole.filter_map(by_sign));
+    // The radicand of a root comes before what the root occurs in.
+    apart.sort_by_key(|(behind, sign)| {
         let mut last_first = domain.roots.iter().rev();
         let last = last_first.position(|root| sign.polynomial.symbols().contains(&root.symbol));
-        last.map_or(0, |behind| domain.roots.len() - behind)
+        (
+            *behind,
+            last.map_or(0, |behind| domain.roots.len() - behind),
+        )
     });
-    (signs, apart)
+    (signs, apart.into_iter().map(|(_, sign)| sign).collect())
 }
 
 /// Everything that the terms of a statement were divided by.
@@ -137,21 +152,32 @@ pub(crate) fn unrooted(divisors: &[Polynomial], ground: &ProofContext<'_>) -> Ve
     conditions::separated(&plain)
 }
 
+/// The factors of divisors that were evaluated apart, with one angle in each.
+pub(crate) fn in_finest_parts(divisors: &[Polynomial]) -> Vec<Polynomial> {
+    let symbols = divisors.iter().flat_map(Polynomial::symbols);
+    let finest = Finest::new(symbols);
+    let written = divisors
+        .iter()
+        .map(|p| p.substituted(|symbol| finest.value(symbol)));
+    conditions::separated(&written.collect::<Vec<_>>())
+}
+
+/// Whether the hypotheses, or the values that equations give to symbols, say that a factor of a divisor is not zero.
+pub(crate) fn never_zero(p: &Polynomial, ground: &ProofContext<'_>) -> bool {
+    let domain = &ground.branch.domain;
+    domain.pivots().iter().any(|pivot| divides(p, pivot))
+        || domain.assumes_nonzero(p)
+        || sign::never_zero(&domain.without_assumed(p), domain)
+        || roots::norm(p, &domain.roots).is_some_and(|norm| domain.assumes_nonzero(&norm))
+}
+
 /// The conditions, factor by factor, that neither the hypotheses state nor the domain implies: divisors of the statement, and
 /// those of eliminations, of which what they made of the claim says nothing.
 pub(crate) fn open_conditions(
     mut conditions: Vec<Polynomial>,
     ground: &ProofContext<'_>,
 ) -> Vec<Polynomial> {
-    let domain = &ground.branch.domain;
-    let pivots = domain.pivots();
-    let settled = |p: &Polynomial| {
-        pivots.iter().any(|pivot| divides(p, pivot))
-            || domain.assumes_nonzero(p)
-            || sign::never_zero(&domain.without_assumed(p), domain)
-            || roots::norm(p, &domain.roots).is_some_and(|norm| domain.assumes_nonzero(&norm))
-    };
-    conditions.retain(|p| !settled(p));
+    conditions.retain(|p| !never_zero(p, ground));
     conditions.extend(ground.branch.splits().iter().cloned());
     conditions.retain(|_| !injected(InjectedFault::ConditionDropped));
     conditions.sort();

@@ -12,7 +12,7 @@
 //! | open, or no point | refuted | refuted |
 //! | refuted | | refuted |
 
-use crate::context::{ProofContext, RootMode};
+use crate::context::{Besides, ProofContext, RootMode};
 use crate::decide::value::Proof;
 use crate::decide::{Decision, instances};
 use crate::decider::{Decider, Instance};
@@ -133,9 +133,12 @@ impl Decider<'_> {
     ) -> Result<Decision, Fault> {
         let fixed = instances::fixed(instance);
         let elaborator = Rc::clone(&self.elaborator);
-        let zeros = std::slice::from_ref(zero);
+        let besides = Besides {
+            zero: std::slice::from_ref(zero),
+            nonzero: &self.nonzero,
+        };
         let roots = RootMode::Symbols;
-        let ground = ProofContext::where_zero(&self.claim, elaborator, &fixed, roots, zeros)?;
+        let ground = ProofContext::on_side(&self.claim, elaborator, &fixed, roots, besides)?;
         self.on_ground(statement, instance, ground)
     }
 }

@@ -8,8 +8,10 @@ use crate::case_split;
 use crate::connectives::DisjunctiveDomain;
 use crate::decide::value::plain;
 use crate::decide::{self, Decision};
+use crate::evaluate::Evaluator;
 use crate::evidence::Witness;
 use crate::steps;
+use crate::term_divisors::has_root_in_empty_sum;
 use std::rc::Rc;
 use torse_core::{self as core, stack};
 use torse_elaborate::Elaborator;
@@ -58,6 +60,13 @@ fn prepared<T>(
 ) -> Result<T, Fault> {
     let elaborator = Rc::new(Elaborator::new(&claim.declarations));
     let core = elaborator.claim(claim, statement)?;
+    let evaluator = Evaluator::with(Rc::clone(&elaborator));
+    let hypotheses = core.hypotheses.iter().map(|own| &own.statement);
+    let mut statements = hypotheses.chain([&core.statement]);
+    if statements.any(|own| has_root_in_empty_sum(own, &evaluator)) {
+        let what = "a root in a sum that may be empty";
+        return Err(Fault::limit(Place::default(), what).within(&statement.origin));
+    }
     let rooted = core
         .rooted(&statement.origin)
         .map_err(|fault| fault.within(&statement.origin))?;

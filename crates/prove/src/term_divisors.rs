@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_algebra::Polynomial;
 use torse_algebra::rational::integer;
-use torse_core::{self as core, Node, Term, Variable, Visited};
+use torse_core::{self as core, BuiltIn, Node, Term, Variable, Visited};
 use torse_syntax::formula::Operator;
 
 /// The most divisors of one statement, the most terms of a sum that are looked at one by one, and the most binders around a divisor.
@@ -23,7 +23,7 @@ pub(crate) fn term_divisors(
     claim: &core::Claim,
     evaluator: &Evaluator<'_>,
 ) -> Vec<Polynomial> {
-    let mut found = Found::default();
+    let mut found = Found::new(evaluator);
     statement
         .terms()
         .into_iter()
@@ -48,11 +48,64 @@ pub(crate) fn term_divisors(
     all
 }
 
+/// Whether something that divides stands in a sum or a product that may be empty: then it is not known where the statement has a value.
+pub(crate) fn divides_in_empty_sum(statement: &core::Statement, evaluator: &Evaluator<'_>) -> bool {
+    let divides = |node: &Node| match node {
+        Node::Binary(Operator::Divide, _, divisor) => whole(divisor).is_none_or(|n| n == 0),
+        Node::Binary(Operator::Power, _, exponent) => is_negative(exponent),
+        Node::Apply(BuiltIn::Inverse | BuiltIn::Solve | BuiltIn::Factorial, _) => true,
+        _ => false,
+    };
+    stands_in_empty_sum(statement, evaluator, &divides)
+}
+
+/// Whether a root stands in a sum or a product that may be empty, which then asks for no root.
+pub(crate) fn has_root_in_empty_sum(
+    statement: &core::Statement,
+    evaluator: &Evaluator<'_>,
+) -> bool {
+    let is_root = |node: &Node| matches!(node, Node::Apply(BuiltIn::SquareRoot, _));
+    stands_in_empty_sum(statement, evaluator, &is_root)
+}
+
+fn stands_in_empty_sum(
+    statement: &core::Statement,
+    evaluator: &Evaluator<'_>,
+    is_wanted: &dyn Fn(&Node) -> bool,
+) -> bool {
+    let found = Found::new(evaluator);
+    let body = |term: &'_ Term| match &*term.node {
+        Node::Sum {
+            low, high, term, ..
+        }
+        | Node::Product {
+            low, high, term, ..
+        } if found.may_be_empty(low, high) => any(vec![term], &|part| is_wanted(&part.node)),
+        _ => false,
+    };
+    any(statement.terms(), &body)
+}
+
+/// Whether this is so of a part of the terms. Shared parts are visited once.
+fn any(mut pending: Vec<&Term>, is_so: &dyn Fn(&Term) -> bool) -> bool {
+    let mut seen = Visited::default();
+    while let Some(term) = pending.pop() {
+        if is_so(term) {
+            return true;
+        }
+        if seen.is_new(term) {
+            pending.extend(term.parts());
+        }
+    }
+    false
+}
+
 /// The value of a bound variable.
 type Bound<'t> = (&'t Variable, Term);
 
-#[derive(Default)]
-struct Found {
+struct Found<'f, 'e> {
+    /// The values of symbols.
+    evaluator: &'f Evaluator<'e>,
     divisors: Vec<Term>,
     /// The declared symbols that were met, roots among them.
     names: BTreeSet<Arc<str>>,
@@ -60,7 +113,31 @@ struct Found {
     seen: Visited,
 }
 
-impl Found {
+impl<'f, 'e> Found<'f, 'e> {
+    fn new(evaluator: &'f Evaluator<'e>) -> Self {
+        Self {
+            evaluator,
+            divisors: vec![],
+            names: BTreeSet::new(),
+            seen: Visited::default(),
+        }
+    }
+
+    /// The integer that a closed term is, if it is one for all values of its symbols.
+    fn integer(&self, term: &Term) -> Option<i64> {
+        whole(term).or_else(|| self.evaluator.integer_form(term)?.as_number())
+    }
+
+    /// Whether a range of integers may be empty.
+    fn may_be_empty(&self, low: &Term, high: &Term) -> bool {
+        let forms = [low, high].map(|end| self.evaluator.integer_form(end));
+        let [Some(low), Some(high)] = forms else {
+            return true;
+        };
+        let least = self.evaluator.declarations.least(&(high - low));
+        least.is_none_or(|least| least < 0)
+    }
+
     fn visit(&mut self, term: &Term, bound: &[Bound<'_>]) {
         if self.divisors.len() >= MAX_DIVISORS || bound.len() > MAX_BINDERS {
             return;
@@ -114,7 +191,8 @@ impl Found {
             } => {
                 self.visit(low, bound);
                 self.visit(high, bound);
-                let ends = (whole(low), whole(high));
+                let end = |own: &Term| self.integer(&closed(own, bound));
+                let ends = (end(low), end(high));
                 match ends {
                     (Some(low), Some(high)) if high.saturating_sub(low) < MAX_SUMMANDS => {
                         for number in low..=high {

@@ -87,15 +87,21 @@ impl ProofContext<'_> {
         Ok(())
     }
 
-    /// Roots are positive where their radicands do not vanish.
+    /// Roots are positive where their radicands do not vanish, and a radicand does not where a hypothesis says that of its root.
     pub(super) fn see_positive_roots(&mut self) {
         for root in self.branch.domain.roots.clone() {
             let own = Polynomial::symbol(root.symbol.clone());
-            if !self.branch.domain.assumes_nonzero(&own)
-                && self.branch.never_zero(root.radicand.numerator())
-            {
-                let radicand = root.radicand.numerator().clone();
-                self.branch.domain.positive_radicands.push(radicand);
+            let radicand = root.radicand.numerator();
+            let mut found = self.branch.domain.positive_roots.iter();
+            if found.any(|(symbol, _)| *symbol == root.symbol) {
+                continue;
+            }
+            let is_stated = self.branch.domain.assumes_nonzero(&own);
+            if is_stated {
+                self.branch.differ_from_zero(std::slice::from_ref(radicand));
+            } else if self.branch.never_zero(radicand) {
+                let positive = (root.symbol.clone(), radicand.clone());
+                self.branch.domain.positive_roots.push(positive);
                 self.branch.domain.constraints.push(Constraint {
                     value: own.into(),
                     relation: Relation::Greater,

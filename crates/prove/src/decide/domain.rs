@@ -72,6 +72,8 @@ pub struct Domain<'a> {
     pub declarations: &'a Declarations,
     /// The hypotheses that eliminated no symbol, and what eliminated symbols left behind.
     pub constraints: Vec<Constraint>,
+    /// The symbols whose values were chosen before anything was evaluated: integers of an instance.
+    pub chosen: Vec<(Symbol, Fraction)>,
     /// The eliminated symbols with their values.
     solved: Vec<(Symbol, Fraction)>,
     /// Factors by which an elimination divided and that may vanish, with all later values substituted. None is zero at the
@@ -83,8 +85,8 @@ pub struct Domain<'a> {
     pub defined: Vec<Constraint>,
     /// The roots that have no value in other symbols, those first of which others are made.
     pub roots: Vec<Root>,
-    /// The radicands of roots that were taken for positive, as they were then.
-    pub positive_radicands: Vec<Polynomial>,
+    /// The roots that were found to be positive, in this order, each with its radicand as it was then.
+    pub positive_roots: Vec<(Symbol, Polynomial)>,
     /// The part of the domain that is looked at, see [`Domain::parts`].
     pub part: Vec<Part>,
 }
@@ -96,12 +98,13 @@ impl<'a> Domain<'a> {
         Self {
             declarations,
             constraints: vec![],
+            chosen: vec![],
             solved: vec![],
             pivots: vec![],
             divisors: vec![],
             defined: vec![],
             roots: vec![],
-            positive_radicands: vec![],
+            positive_roots: vec![],
             part: vec![],
         }
     }
@@ -112,15 +115,38 @@ impl<'a> Domain<'a> {
         Domain {
             declarations,
             constraints: self.constraints.clone(),
+            chosen: self.chosen.clone(),
             solved: self.solved.clone(),
             pivots: self.pivots.clone(),
             divisors: self.divisors.clone(),
             defined: self.defined.clone(),
             roots: self.roots.clone(),
-            positive_radicands: self.positive_radicands.clone(),
+            positive_roots: self.positive_roots.clone(),
             part: self.part.clone(),
         }
     }
+}
+
+/// The polynomial with the value of a symbol put in.
+fn put(polynomial: Polynomial, (symbol, value): &(Symbol, Polynomial)) -> Polynomial {
+    polynomial.substituted(|own| (own == symbol).then(|| value.clone()))
+}
+
+/// The value that a symbol has where a polynomial is zero: of one whose power it is, or in which it is linear with a number before it.
+fn value_at_zero(polynomial: &Polynomial) -> Option<(Symbol, Polynomial)> {
+    if let ([symbol], 1) = (polynomial.symbols(), polynomial.len()) {
+        return Some((symbol.clone(), Polynomial::zero()));
+    }
+    let mut symbols = polynomial.symbols().iter();
+    symbols.find_map(
+        |symbol| match polynomial.coefficients_in(symbol).as_slice() {
+            [rest, slope] => {
+                let slope = slope.as_constant()?;
+                Some((symbol.clone(), rest.scaled(&-slope.recip())))
+            }
+            _ => None,
+        },
+    )
 }
 
 /// A closed end at an integer.
@@ -142,6 +168,24 @@ impl Domain<'_> {
     #[must_use]
     pub fn pivots(&self) -> &[Polynomial] {
         &self.pivots
+    }
+
+    /// The same, where only the first of the roots that were found to be positive are known to be. Every other constraint keeps
+    /// its place.
+    pub(crate) fn with_positive_roots(&self, first: usize) -> Self {
+        let mut weaker = self.clone();
+        for (symbol, _) in self.positive_roots.iter().skip(first) {
+            let own = Polynomial::symbol(symbol.clone());
+            let constraints = weaker.constraints.iter_mut();
+            for says_positive in constraints.filter(|c| {
+                c.relation == Relation::Greater && c.value.as_polynomial() == Some(&own)
+            }) {
+                // 1 differs from 0 everywhere.
+                says_positive.value = Fraction::integer(1);
+                says_positive.relation = Relation::Different;
+            }
+        }
+        weaker
     }
 
     /// The interval in which a symbol is declared to live, whatever is assumed; integers from their bounds.
@@ -200,20 +244,24 @@ impl Domain<'_> {
     }
 
     /// Whether the assumptions imply that these polynomials are not all zero: one of them consists of factors of a quantity that is
-    /// assumed to be different from zero, or an assumption fails where those that are powers of symbols are zero: `y + z >= 1` where
-    /// y and z are.
+    /// assumed to be different from zero, or an assumption fails with the values that symbols have where the polynomials are zero, as
+    /// far as these are seen: `y + z >= 1` where y and z are.
     #[must_use]
     pub fn excludes_common_zero(&self, polynomials: &[&Polynomial]) -> bool {
         use Relation::{Different, Greater, Less};
-        let is_power = |p: &Polynomial| match p.symbols() {
-            [symbol] if p.len() == 1 => Some(symbol.clone()),
-            _ => None,
-        };
-        let zeros: Vec<Symbol> = polynomials.iter().filter_map(|p| is_power(p)).collect();
+        let mut values: Vec<(Symbol, Polynomial)> = vec![];
+        for polynomial in polynomials {
+            let left = values.iter().fold((*polynomial).clone(), put);
+            if let Some(value) = value_at_zero(&left) {
+                for (_, earlier) in &mut values {
+                    *earlier = put(earlier.clone(), &value);
+                }
+                values.push(value);
+            }
+        }
         self.constraints.iter().any(|constraint| {
             let quantity = constraint.value.numerator();
-            let zero = |symbol: &Symbol| zeros.contains(symbol).then(Polynomial::zero);
-            let there = quantity.substituted(zero);
+            let there = values.iter().fold(quantity.clone(), put);
             let is_whole = constraint.value.as_polynomial().is_some();
             if let (true, Some(number)) = (is_whole, there.as_constant())
                 && !holds(number.cmp(&integer(0)), constraint.relation)

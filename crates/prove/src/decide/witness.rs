@@ -193,8 +193,8 @@ fn bounding_integers(symbols: &mut Vec<Symbol>, domain: &Domain<'_>) {
         for form in least.iter().chain(most) {
             for (other, _) in form.multiples() {
                 let other = Symbol::named(other);
-                let eliminated = domain.solved().iter().any(|(s, _)| *s == other);
-                if !eliminated && !symbols.contains(&other) {
+                let mut values = domain.solved().iter().chain(&domain.chosen);
+                if !values.any(|(s, _)| *s == other) && !symbols.contains(&other) {
                     // Parameters come before points.
                     symbols.insert(0, other);
                     place += 1;
@@ -308,6 +308,7 @@ impl Search<'_> {
     /// others.
     fn integers_in_range(&self, point: &Point) -> bool {
         let mut all = point.clone();
+        all.extend(self.domain.chosen.iter().cloned());
         for (symbol, value) in self.domain.solved() {
             let Some(value) = at_point(value, point) else {
                 return false;

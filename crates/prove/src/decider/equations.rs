@@ -36,8 +36,14 @@ impl Decider<'_> {
         }
         let fixed = instances::fixed(instance);
         let elaborator = Rc::clone(&self.elaborator);
-        let ground =
-            ProofContext::assumed(&self.claim, elaborator, &fixed, SolvePolicy::Always).ok()?;
+        let ground = ProofContext::assumed(
+            &self.claim,
+            elaborator,
+            &fixed,
+            SolvePolicy::Always,
+            &self.nonzero,
+        )
+        .ok()?;
         let (forms, unknowns) = (
             ground.given(&self.claim).ok()?,
             ground.unknowns(&self.claim).ok()?,
@@ -82,8 +88,14 @@ impl Decider<'_> {
         }
         let fixed = instances::fixed(instance);
         let elaborator = Rc::clone(&self.elaborator);
-        let ground =
-            ProofContext::assumed(&self.claim, elaborator, &fixed, SolvePolicy::Safely).ok()?;
+        let ground = ProofContext::assumed(
+            &self.claim,
+            elaborator,
+            &fixed,
+            SolvePolicy::Safely,
+            &self.nonzero,
+        )
+        .ok()?;
         let Ok(Statement::Compare {
             relation: Relation::Equal,
             left,

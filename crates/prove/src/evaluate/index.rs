@@ -174,6 +174,11 @@ impl Evaluator<'_> {
         }
     }
 
+    /// The integer form that a closed term is, if it is one.
+    pub(crate) fn integer_form(&self, term: &Term) -> Option<Affine> {
+        self.index(term, &Environment::new()).ok()
+    }
+
     /// An integer-affine index.
     pub(super) fn index(&self, expr: &Term, bound: &Environment) -> Outcome<Affine> {
         let value = self.value(expr, bound)?;

@@ -36,12 +36,18 @@ pub struct Resolved {
 #[must_use]
 pub fn resolved(radicand: &Fraction, domain: &Domain<'_>) -> Option<Resolved> {
     let radicand = &reduced(radicand, &domain.roots)?;
-    let known = &domain.roots;
+    // A root of other symbols has no part in this one.
+    let symbols = radicand.symbols();
+    let shares = |root: &&Root| {
+        let own = root.radicand.symbols();
+        own.is_empty() || own.iter().any(|symbol| symbols.contains(symbol))
+    };
+    let known: Vec<&Root> = domain.roots.iter().filter(shares).collect();
     let mut products: Vec<Vec<&Root>> = vec![vec![]];
-    products.extend(known.iter().map(|root| vec![root]));
+    products.extend(known.iter().map(|root| vec![*root]));
     for (place, first) in known.iter().enumerate().take(MAX_PAIRED) {
         let later = known.iter().take(MAX_PAIRED).skip(place + 1);
-        products.extend(later.map(|second| vec![first, second]));
+        products.extend(later.map(|second| vec![*first, *second]));
     }
     products
         .iter()
@@ -212,11 +218,13 @@ pub fn unrooted(polynomial: &Polynomial, roots: &[Root]) -> Polynomial {
     rest
 }
 
-/// The most terms of a polynomial whose norm is looked at.
+/// The most terms of a polynomial whose norm is looked at; the checker has the same limit.
 const MAX_NORMED: usize = 12;
 
 /// A polynomial without roots that is a multiple of this one: `x - y` for `sqrt(x) - sqrt(y)`. Where it is not zero neither is the
 /// polynomial. `None` for one without roots, or a long one.
+///
+/// The checker computes its own on its own polynomials (`crates/checker/src/root.rs`), so that it does not inherit a fault of this one.
 #[must_use]
 pub fn norm(polynomial: &Polynomial, roots: &[Root]) -> Option<Polynomial> {
     let mut value = reduced_polynomial(polynomial, roots)?.numerator().clone();

@@ -29,7 +29,7 @@ use super::{Decision, Refutation, witness};
 use crate::evaluate::quantity::Quantity;
 use crate::evaluate::value::{UNPLACED, Value};
 use certificate::CertificateError;
-use torse_algebra::{Fraction, Integer, Polynomial, Symbol};
+use torse_algebra::{Fraction, Integer, Polynomial, Symbol, work};
 use torse_certificate::identity::{Identity, Vanishing};
 use torse_certificate::order::{Excluded, Order};
 use torse_certificate::point::Comparison;
@@ -66,6 +66,9 @@ impl Sign {
     }
 }
 
+/// What a search for a sign costs beyond its operations on polynomials, for each term and each constraint, in units of [`work`].
+const TERM_WORK: u64 = 250;
+
 /// A sign of the polynomial on the whole domain, if one can be proved this way.
 #[must_use]
 pub fn sign(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Sign> {
@@ -75,6 +78,8 @@ pub fn sign(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<Sign> {
 /// The same with its certificate.
 #[must_use]
 pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proof)> {
+    let terms = (polynomial.len() + 1).saturating_mul(domain.constraints.len() + 1);
+    work::spend(TERM_WORK.saturating_mul(u64::try_from(terms).unwrap_or(u64::MAX))).ok()?;
     let along = |polynomial: &Polynomial| Proof::of_equations(polynomial, domain);
     without_equations(polynomial, domain)
         .or_else(|| along(polynomial))

@@ -11,6 +11,7 @@ mod conditions;
 mod defined;
 mod denied;
 mod proved;
+mod questions;
 
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
