@@ -1,32 +1,24 @@
-//! Checks that eliminated symbols have their values, and determines which polynomials are known to be nonzero.
+//! Checks that eliminated symbols have their values.
 //!
 //! Only symbols that are used are checked, in the reverse order of their elimination. An equation of the hypotheses,
 //! in which the symbols that were eliminated earlier are replaced, is linear in the symbol; so it determines the
-//! symbol where its coefficient is nonzero. Several `given` equations determine as many symbols where their
-//! determinant is nonzero.
+//! symbol where its coefficient is nonzero, which the module `nonzero` says. Several `given` equations determine as many
+//! symbols where their determinant is nonzero.
 
 use super::apart::Apart;
-use super::assumptions::{Compared, Domain, Met};
+use super::assumptions::{Compared, Domain};
 use super::gap::{CheckError, Unsupported, Wrong};
 use super::quotient::Quotient;
 use super::sign::Signs;
 use super::value::determinant;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
-use torse_certificate::number::{holds, order};
 use torse_certificate::polynomial::Polynomial;
 use torse_certificate::proof::assumptions::{Determining, Signed};
 use torse_certificate::ratio::Constraint;
 use torse_certificate::sign::Sign;
 use torse_certificate::symbol::Symbol;
-use torse_core::{Set, Source};
-use torse_numbers::rational::integer;
-use torse_numbers::{Integer, Rational};
+use torse_core::Source;
 use torse_syntax::formula::Relation;
-
-/// The highest power of a factor that is compared with a polynomial, and the most terms of such a factor.
-const MAX_EXPONENT: u32 = 4;
-const MAX_TERMS: usize = 4;
 
 impl Domain<'_> {
     /// Checks that the eliminated symbols that were used have their values wherever the conditions do not vanish.
@@ -195,297 +187,11 @@ impl Domain<'_> {
             Err(signed.may_vanish(&determinant))
         }
     }
-
-    /// Whether a polynomial is a product of factors that are known to be nonzero, with the symbols of the first
-    /// `groups` groups replaced: constants, conditions, divisors of terms, quantities that hypotheses state to be
-    /// nonzero, symbols whose declared range does not contain zero, integer forms that vanish at no integers, and the
-    /// factors in `besides`.
-    fn is_nonzero(
-        &self,
-        polynomial: &Polynomial,
-        known: &[Compared],
-        groups: usize,
-        besides: &[Polynomial],
-    ) -> Result<bool, Unsupported> {
-        let unrooted = self.unrooted(polynomial, groups)?;
-        if self.no_integers_solve(&unrooted) {
-            return Ok(true);
-        }
-        // A root is a divisor of a term as it is, and nonzero where its radicand is.
-        let norm = self.norm(&unrooted, groups)?;
-        let is_product = || -> Result<bool, Unsupported> {
-            let divides = |p: &Polynomial| self.divides(p, known, groups, besides);
-            Ok(divides(&unrooted)?
-                || unrooted != *polynomial && divides(polynomial)?
-                || norm.as_ref().map_or(Ok(false), divides)?)
-        };
-        if is_product()? {
-            return Ok(true);
-        }
-        self.meet_divisors_of_statement(groups)?;
-        is_product()
-    }
-
-    /// Records what the terms of the statement divide by: it asserts nothing where one of them is undefined.
-    fn meet_divisors_of_statement(&self, groups: usize) -> Result<(), Unsupported> {
-        for term in self.claim.statement.terms() {
-            let expanded = self.expanding(groups, |expander| expander.value(term));
-            if expanded == Err(Unsupported::Large) {
-                return Err(Unsupported::Large);
-            }
-        }
-        Ok(())
-    }
-
-    /// Whether a multiple of the polynomial is an integer form whose constant is not divisible by the greatest common
-    /// divisor of its other coefficients, so that it vanishes at no integers.
-    fn no_integers_solve(&self, polynomial: &Polynomial) -> bool {
-        let (mut multiples, mut constant) = (vec![], integer(0));
-        for (monomial, coefficient) in polynomial.terms() {
-            match monomial.as_slice() {
-                [] => constant = coefficient.clone(),
-                [(Symbol::Named(name), 1)]
-                    if matches!(self.claim.symbols.get(name), Some(Set::Integer { .. })) =>
-                {
-                    multiples.push(coefficient);
-                }
-                _ => return false,
-            }
-        }
-        let all = multiples.iter().copied().chain([&constant]);
-        let scale = all.fold(Integer::ONE, |scale, own| scale * own.denom());
-        let whole = |own: &Rational| (own * Rational::from_integer(scale.clone())).to_integer();
-        let divisors = multiples.into_iter().map(whole);
-        let divisor = divisors.fold(Integer::ZERO, common_divisor);
-        divisor != Integer::ZERO && whole(&constant) % divisor != Integer::ZERO
-    }
-
-    fn divides(
-        &self,
-        polynomial: &Polynomial,
-        known: &[Compared],
-        groups: usize,
-        besides: &[Polynomial],
-    ) -> Result<bool, Unsupported> {
-        if polynomial.is_zero() {
-            return Ok(false);
-        }
-        let besides = besides.iter().map(|p| (p.clone(), Met::new()));
-        let mut rest = polynomial.clone();
-        for (factor, met) in self.factors(known, groups)?.into_iter().chain(besides) {
-            if rest.is_number() {
-                break;
-            }
-            if self.divides_power(&rest, &factor)? {
-                self.note(&met);
-                return Ok(true);
-            }
-            while let Some(quotient) = rest.quotient(&factor) {
-                self.note(&met);
-                self.work.spend(factor.len().saturating_mul(rest.len()))?;
-                rest = quotient;
-            }
-        }
-        // A nonzero polynomial in pi and roots is a nonzero constant.
-        Ok(rest.is_number())
-    }
-
-    /// The polynomials without a zero on the domain, with the symbols of the first `groups` groups replaced, each with
-    /// the symbols that were: conditions, divisors of terms (where one is zero a hypothesis has no value, or the statement has
-    /// none), what hypotheses state, signs that were checked, and symbols whose declared range does not contain zero.
-    fn factors(
-        &self,
-        known: &[Compared],
-        groups: usize,
-    ) -> Result<Vec<(Polynomial, Met)>, Unsupported> {
-        use Relation::{Different, Greater, Less};
-        let declared = self.claim.symbols.iter();
-        let declared = declared.filter(|(_, set)| !contains_zero(set));
-        let declared =
-            declared.map(|(name, _)| Polynomial::symbol(Symbol::Named(Arc::clone(name))));
-        // If c + p = 0 with a nonzero constant c, then p is nonzero.
-        let level = self.hypotheses(0);
-        let equations = level.all.iter().filter(|c| c.relation == Relation::Equal);
-        let implied = equations.filter_map(|c| without_number(&c.difference.above));
-        let plain = self.conditions.iter().chain(&self.nonzero).cloned();
-        let apart = self.apart.borrow();
-        let by_sign = apart.factors.iter().filter(|_| groups == self.groups.len());
-        let plain = plain.chain(declared).chain(implied).chain(by_sign.cloned());
-        let mut all: Vec<(Polynomial, Met)> = plain.map(|p| (p, Met::new())).collect();
-        let divisors = self.divisors.borrow();
-        let met = divisors.get(&groups).into_iter().flatten();
-        all.extend(met.map(|(p, met)| (p.clone(), met.clone())));
-        drop(divisors);
-        // A condition is also nonzero after eliminated symbols are replaced in it.
-        for condition in self.conditions {
-            let replaced = self.replaced(groups, condition)?;
-            all.push((replaced.difference.above, replaced.met));
-        }
-        let differs = known
-            .iter()
-            .filter(|c| matches!(c.relation, Different | Less | Greater));
-        all.extend(differs.map(|c| (c.difference.above.clone(), c.met.clone())));
-        // A root is nonzero where its radicand is, and the other way round.
-        let mut radicands = vec![];
-        for (factor, met) in &all {
-            let unrooted = self.unrooted(factor, groups)?;
-            if unrooted != *factor {
-                radicands.push((unrooted, met.clone()));
-            }
-        }
-        all.extend(radicands);
-        all.retain(|(factor, _)| !factor.is_number());
-        Ok(all)
-    }
-
-    /// Whether a polynomial divides a power of a factor, so that it is nonzero where the factor is: `x^2` where `x*y` is.
-    fn divides_power(
-        &self,
-        polynomial: &Polynomial,
-        factor: &Polynomial,
-    ) -> Result<bool, Unsupported> {
-        self.work
-            .spend(factor.len().saturating_mul(polynomial.len()))?;
-        if factor.quotient(polynomial).is_some() {
-            return Ok(true);
-        }
-        let degrees = polynomial.symbols().map(|s| polynomial.degree_in(s));
-        let exponent = degrees.max().unwrap_or(0).min(MAX_EXPONENT);
-        if exponent < 2 || factor.len() > MAX_TERMS {
-            return Ok(false);
-        }
-        let mut power = factor.clone();
-        for _ in 1..exponent {
-            power = self.work.times(&power, factor)?;
-        }
-        Ok(power.quotient(polynomial).is_some())
-    }
-
-    /// Whether these polynomials are not all zero: with the values that symbols have where they are zero, a hypothesis fails
-    /// (`y + z >= 1` where y and z are zero) or something without a zero has one; or one of the polynomials divides a power of such
-    /// a thing (a root is nonzero where its radicand is).
-    pub(super) fn excludes_common_zero(
-        &self,
-        polynomials: &[&Polynomial],
-        groups: usize,
-    ) -> Result<bool, Unsupported> {
-        if self.excludes(polynomials, groups)? {
-            return Ok(true);
-        }
-        self.meet_divisors_of_statement(groups)?;
-        self.excludes(polynomials, groups)
-    }
-
-    fn excludes(&self, polynomials: &[&Polynomial], groups: usize) -> Result<bool, Unsupported> {
-        let unrooted = polynomials.iter().map(|p| self.unrooted(p, groups));
-        let unrooted: Vec<Polynomial> = unrooted.collect::<Result<_, _>>()?;
-        let mut values: Vec<(Symbol, Polynomial)> = vec![];
-        for polynomial in polynomials {
-            // The value of a symbol is free of those before it: these were replaced.
-            values.extend(value_at_zero(&self.put(polynomial, &values)?));
-        }
-        let there = |polynomial: &Polynomial| self.put(polynomial, &values);
-        let known = self.hypotheses(groups);
-        for compared in &known.all {
-            let number = there(&compared.difference.above)?.as_constant();
-            let fails = number.is_some_and(|n| !holds(n.cmp(&integer(0)), compared.relation));
-            if compared.difference.below.is_empty() && fails {
-                self.note(&compared.met);
-                return Ok(true);
-            }
-        }
-        let below = known.all.iter().flat_map(|c| {
-            let factors = c.difference.below.keys();
-            factors.map(|factor| (factor.clone(), c.met.clone()))
-        });
-        for (nonzero, met) in self.factors(&known.all, groups)?.into_iter().chain(below) {
-            let mut excluded = there(&nonzero)?.is_zero();
-            for polynomial in &unrooted {
-                excluded = excluded || self.divides_power(polynomial, &nonzero)?;
-            }
-            if excluded {
-                self.note(&met);
-                return Ok(true);
-            }
-        }
-        Ok(false)
-    }
-
-    /// The polynomial with the values of symbols put in, one after the other.
-    fn put(
-        &self,
-        polynomial: &Polynomial,
-        values: &[(Symbol, Polynomial)],
-    ) -> Result<Polynomial, Unsupported> {
-        let mut result = polynomial.clone();
-        for (symbol, value) in values {
-            let powers = result.coefficients_in(symbol).into_iter().rev();
-            // By Horner's rule.
-            result = Polynomial::zero();
-            for coefficient in powers {
-                result = self.work.times(&result, value)?.plus(&coefficient);
-            }
-        }
-        Ok(result)
-    }
-
-    /// The error for a polynomial of the statement that is not known to be nonzero.
-    pub fn may_vanish_here(&self, polynomial: &Polynomial) -> CheckError {
-        self.apart.borrow().may_vanish(polynomial)
-    }
-
-    /// Whether the denominator of a quotient of the proof is known to be nonzero.
-    pub fn nonzero_here(&self, polynomial: &Polynomial) -> Result<bool, Unsupported> {
-        self.nonzero_at(polynomial, self.groups.len())
-    }
-
-    /// As [`Domain::nonzero_here`], with only the symbols of the first `groups` groups replaced.
-    pub(super) fn nonzero_at(
-        &self,
-        polynomial: &Polynomial,
-        groups: usize,
-    ) -> Result<bool, Unsupported> {
-        let known = self.hypotheses(groups);
-        self.is_nonzero(polynomial, &known.all, groups, &[])
-    }
-}
-
-/// The greatest common divisor, up to sign, by Euclid's algorithm.
-fn common_divisor(mut a: Integer, mut b: Integer) -> Integer {
-    while b != Integer::ZERO {
-        (a, b) = (b.clone(), a % b);
-    }
-    a
-}
-
-/// Whether a declared set may contain zero, as far as its bounds show.
-fn contains_zero(set: &Set) -> bool {
-    match set {
-        Set::Real(interval) => {
-            let sign = |c: &torse_syntax::derivation::declarations::Constant| {
-                let turns = Polynomial::symbol(Symbol::Pi).scaled(&c.turns);
-                order(&turns.plus(&Polynomial::constant(c.rational.clone())))
-            };
-            let above = interval.lower.as_ref().is_some_and(|b| {
-                sign(&b.value).is_some_and(|s| s.is_gt() || (s.is_eq() && !b.closed))
-            });
-            let below = interval.upper.as_ref().is_some_and(|b| {
-                sign(&b.value).is_some_and(|s| s.is_lt() || (s.is_eq() && !b.closed))
-            });
-            !above && !below
-        }
-        Set::Integer { least, most } => {
-            let least = least.as_ref().and_then(torse_numbers::Affine::as_number);
-            let most = most.as_ref().and_then(torse_numbers::Affine::as_number);
-            !(least.is_some_and(|n| n > 0) || most.is_some_and(|n| n < 0))
-        }
-        Set::Vector(_) | Set::Family { .. } => true,
-    }
 }
 
 /// Returns `(rest, slope)` of a polynomial `slope*symbol + rest` in which the symbol occurs neither in the two parts
 /// nor under a sine.
-fn linear(polynomial: &Polynomial, symbol: &Symbol) -> Option<(Polynomial, Polynomial)> {
+pub(super) fn linear(polynomial: &Polynomial, symbol: &Symbol) -> Option<(Polynomial, Polynomial)> {
     if inside(polynomial, symbol) {
         return None;
     }
@@ -501,35 +207,4 @@ fn inside(polynomial: &Polynomial, symbol: &Symbol) -> bool {
     polynomial
         .symbols()
         .any(|own| own != symbol && depends(own))
-}
-
-/// The value that a symbol has where a polynomial is zero: of one whose power it is, or in which it is linear with a
-/// number before it.
-fn value_at_zero(polynomial: &Polynomial) -> Option<(Symbol, Polynomial)> {
-    let mut terms = polynomial.terms();
-    if let (Some((monomial, _)), None) = (terms.next(), terms.next())
-        && let [(symbol @ Symbol::Named(_), _)] = monomial.as_slice()
-    {
-        return Some((symbol.clone(), Polynomial::zero()));
-    }
-    let mut symbols = polynomial
-        .symbols()
-        .filter(|s| matches!(s, Symbol::Named(_)));
-    symbols.find_map(|symbol| {
-        let (rest, slope) = linear(polynomial, symbol)?;
-        let slope = slope.as_constant()?;
-        Some((symbol.clone(), rest.scaled(&-slope.recip())))
-    })
-}
-
-/// The polynomial without its constant term, if it has a nonzero one.
-fn without_number(polynomial: &Polynomial) -> Option<Polynomial> {
-    let number = polynomial
-        .terms()
-        .filter(|(monomial, _)| monomial.iter().all(|(s, _)| s.is_number()));
-    let number = number.fold(Polynomial::zero(), |mut sum, (monomial, value)| {
-        sum.enter(monomial.clone(), value.clone());
-        sum
-    });
-    (!number.is_zero()).then(|| polynomial.minus(&number))
 }

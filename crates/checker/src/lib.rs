@@ -16,6 +16,7 @@ mod functions;
 mod gap;
 mod integral;
 mod line;
+mod nonzero;
 mod point;
 mod printed;
 mod quotient;
