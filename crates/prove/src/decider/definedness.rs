@@ -133,12 +133,13 @@ impl Decider<'_> {
         let elaborator = Rc::clone(&self.elaborator);
         let (nothing, how) = (BTreeMap::new(), SolvePolicy::Safely);
         let ground = ProofContext::assumed(&self.claim, elaborator, &nothing, how, &[]);
-        ground.map_or(true, |ground| {
-            let there = ground.branch.resolved(&polynomial.clone().into());
-            there.map_or(true, |there| {
-                let factors = unrooted(std::slice::from_ref(there.numerator()), &ground);
-                !factors.iter().all(|factor| never_zero(factor, &ground))
-            })
-        })
+        let Ok(ground) = ground else {
+            return true;
+        };
+        let Ok(there) = ground.branch.resolved(&polynomial.clone().into()) else {
+            return true;
+        };
+        let factors = unrooted(std::slice::from_ref(there.numerator()), &ground);
+        !factors.iter().all(|factor| never_zero(factor, &ground))
     }
 }
