@@ -61,9 +61,8 @@ fn prepared<T>(
     let elaborator = Rc::new(Elaborator::new(&claim.declarations));
     let core = elaborator.claim(claim, statement)?;
     let evaluator = Evaluator::with(Rc::clone(&elaborator));
-    let hypotheses = core.hypotheses.iter().map(|own| &own.statement);
-    let mut statements = hypotheses.chain([&core.statement]);
-    if statements.any(|own| has_root_in_empty_sum(own, &evaluator)) {
+    let asks = |own: &core::Statement| has_root_in_empty_sum(own, &evaluator);
+    if asks(&core.statement) || core.hypotheses.iter().any(|own| asks(&own.statement)) {
         let what = "a root in a sum that may be empty";
         return Err(Fault::limit(Place::default(), what).within(&statement.origin));
     }
