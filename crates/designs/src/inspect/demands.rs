@@ -1,7 +1,7 @@
 //! What a design demands of its patches and edges, and misses.
 
 use super::numbers::number;
-use super::report::{PatchReport, SelfContact};
+use super::report::PatchReport;
 use crate::design::{Design, Patch};
 use crate::unroll::Demand;
 use torse_geometry::Rails;
@@ -65,20 +65,7 @@ pub(super) fn judge(
     if let Some(singularity) = &report.singularity {
         missed.push(format!("{name} is not regular: {singularity}"));
     }
-    if let SelfContact::Meets {
-        places: [a, b],
-        proved,
-    } = &report.space
-    {
-        missed.push(format!(
-            "{name} passes through itself in space: u = {:.7}, v = {:.7} and u = {:.7}, v = {:.7} are one point{}",
-            a[0],
-            a[1],
-            b[0],
-            b[1],
-            if *proved { ", proved" } else { "" }
-        ));
-    }
+    missed.extend(report.space.objection(name));
     if limits.clearance > 0.0
         && let Some(bounds) = report.clearance
         && bounds.low.is_none_or(|low| low < limits.clearance)

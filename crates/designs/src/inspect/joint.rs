@@ -19,6 +19,9 @@ const ORDER: usize = 3;
 /// Curvatures across a ruling that differ by less than this share are one.
 const CURVATURE: f64 = 1e-6;
 
+/// A sheet that is folded by this angle or more, in degrees, lies on itself.
+const BACK: f64 = 179.999;
+
 /// What was measured of a joint.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct JointReport {
@@ -361,6 +364,12 @@ fn objection(design: &Design, chain: &Chain, report: &JointReport) -> Option<Str
         return Some(format!(
             "{first} and {second} do not meet: {:.6} mm apart, {} allowed{help}",
             report.gap, limits.gap
+        ));
+    }
+    if report.kink >= BACK {
+        return Some(format!(
+            "the sheet is folded back on itself where {first} meets {second}: by {:.6} degrees",
+            report.kink
         ));
     }
     let wanted = chain.continuity?;

@@ -12,19 +12,20 @@ pub(crate) mod numbers;
 mod patch;
 mod report;
 mod seams;
+mod space;
 mod surface;
 mod text;
 
 pub(crate) use joint::side_changes_at_joint;
 pub use joint::{JointReport, joints};
 pub(crate) use numbers::{at_most, number};
-pub use report::{Assurance, DesignReport, PatchReport, SelfContact, ValueBounds};
+pub use report::{Assurance, DesignReport, PatchReport, ValueBounds};
 pub(crate) use seams::is_passed_backwards;
 pub use seams::{SeamReport, seams};
+pub use space::{PieceReport, PieceSpace, Piercing, SelfContact};
 pub use surface::SurfaceReport;
 pub(crate) use text::columns;
-pub(crate) use text::wrapped;
-pub use text::{missed_line, overview, table};
+pub use text::{missed_line, overview, table, wrapped};
 
 use crate::design::{Chain, Design};
 use crate::error::DesignError;
@@ -32,6 +33,7 @@ use crate::unroll::Demand;
 use demands::{judge, left_open, tight_folds};
 use making::unmade;
 use patch::measured;
+use space::{pieces, piercings};
 use torse_geometry::prelude::MeasureBudget;
 
 /// Measures a design.
@@ -145,6 +147,15 @@ fn inspected(
     }
     let joints = joints(design, &mut missed)?;
     missed.extend(tight_folds(design));
+    let pieces = match budget {
+        Some(_) => pieces(design, &patches),
+        None => Vec::new(),
+    };
+    missed.extend(pieces.iter().filter_map(PieceReport::objection));
+    let piercings = match budget {
+        Some(_) => piercings(design, &patches),
+        None => Vec::new(),
+    };
     let seams = seams(design, &mut missed).map_err(|reason| DesignError::Patch {
         patch: design.name.clone(),
         reason,
@@ -163,6 +174,8 @@ fn inspected(
         title: design.title.clone(),
         unit: "mm",
         patches,
+        pieces,
+        piercings,
         joints,
         seams,
         missed,

@@ -2,7 +2,8 @@
 
 use super::ends::{EndsJudged, Judged, judged};
 use super::numbers::number;
-use super::report::{Assurance, PatchReport, SelfContact, ValueBounds};
+use super::report::{Assurance, PatchReport, ValueBounds};
+use super::space::SelfContact;
 use crate::design::{Design, Patch};
 use torse_geometry::Rails;
 use torse_geometry::developable::{EnclosedCertificate, PatchCertificate, Singularity};
@@ -144,12 +145,6 @@ pub(super) fn measured(
         Some(_) if regular.holds() => SelfContact::inspect(own),
         _ => SelfContact::Unknown,
     };
-    if let SelfContact::Undecided { ranges: [a, b] } = &space {
-        notes.push(format!(
-            "it is not decided whether rulings from u = {:.6} to {:.6} meet those from {:.6} to {:.6} in space",
-            a[0], a[1], b[0], b[1]
-        ));
-    }
     let report = PatchReport {
         name: patch.name.clone(),
         kind: patch.kind,

@@ -2,10 +2,10 @@
 
 use super::joint::JointReport;
 use super::seams::SeamReport;
+use super::space::{PieceReport, Piercing, SelfContact};
 use super::surface::SurfaceReport;
 use crate::covers::SurfaceCover;
 use serde::Serialize;
-use torse_geometry::prelude::{SelfIntersection, Sheet};
 
 /// What was measured.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -18,6 +18,12 @@ pub struct DesignReport {
     pub unit: &'static str,
     /// The patches in the order of the file.
     pub patches: Vec<PatchReport>,
+    /// The pieces of several patches that are attached; not in JSON where there is none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub pieces: Vec<PieceReport>,
+    /// Two pieces each that are proved to pass through each other; not in JSON where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub piercings: Vec<Piercing>,
     /// The joints, chain by chain.
     pub joints: Vec<JointReport>,
     /// The seams in the order of the file.
@@ -125,35 +131,3 @@ pub struct PatchReport {
     pub notes: Vec<String>,
 }
 
-/// Whether a patch passes through itself in space.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SelfContact {
-    /// It is proved that it does not.
-    Free,
-    /// These two places `[u, v]` are one point.
-    Meets {
-        /// The places.
-        places: [[f64; 2]; 2],
-        /// Whether that is proved.
-        proved: bool,
-    },
-    /// Rulings of these two ranges of `u` may meet.
-    Undecided {
-        /// The ranges.
-        ranges: [[f64; 2]; 2],
-    },
-    /// It was not asked: the patch is singular, or it is measured only.
-    Unknown,
-}
-
-impl SelfContact {
-    pub(super) fn inspect(sheet: &Sheet) -> Self {
-        match sheet.self_intersection() {
-            Ok(SelfIntersection::Free) => Self::Free,
-            Ok(SelfIntersection::Found { places, proved, .. }) => Self::Meets { places, proved },
-            Ok(SelfIntersection::Undecided { ranges }) => Self::Undecided { ranges },
-            Err(_) => Self::Unknown,
-        }
-    }
-}

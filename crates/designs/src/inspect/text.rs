@@ -77,6 +77,13 @@ pub fn table(report: &DesignReport) -> String {
             text.push_str(&wrapped(&format!("{}: ", patch.name), note));
         }
     }
+    let on_space = report.notes_on_space();
+    if !on_space.is_empty() {
+        text.push('\n');
+    }
+    for note in &on_space {
+        text.push_str(&wrapped("note: ", note));
+    }
     if !report.notes.is_empty() {
         text.push('\n');
     }

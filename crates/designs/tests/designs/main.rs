@@ -25,6 +25,7 @@ mod rails;
 mod random;
 mod schema;
 mod seams;
+mod space;
 mod surfaces;
 mod worked;
 mod workshop;

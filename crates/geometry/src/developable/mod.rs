@@ -10,10 +10,13 @@ mod hermite;
 mod itself;
 mod linear;
 mod measures;
+mod meeting;
 mod oblique;
+mod passage;
 mod patch;
 mod proof;
 mod resolve;
+mod strip;
 
 pub use certificate::{PatchCertificate, Singularity, Worst, certify};
 pub use connect::{
@@ -30,6 +33,8 @@ pub use itself::SelfIntersection;
 pub(crate) use itself::self_intersection;
 pub use linear::solve;
 pub use oblique::{oblique_image, oblique_image_as_printed};
+pub use passage::PieceIntersection;
+pub(crate) use passage::{piece_intersection, piercing};
 pub(crate) use patch::unit_plane;
 pub use patch::{EnvelopingPatch, PatchBounds, TangentPatch};
 pub use proof::{Developability, Regularity, prove_developable, prove_regular, twist_determinant};

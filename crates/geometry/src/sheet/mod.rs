@@ -100,6 +100,7 @@ mod measure_budget;
 mod nearest;
 mod origin;
 mod panel;
+mod passage;
 mod pieces;
 mod piecewise;
 mod plane_triangles;
@@ -113,8 +114,8 @@ mod swept;
 
 pub use crate::basis::BasisShape;
 pub use crate::developable::{
-    BranchReason, EnclosedCertificate, PatchCertificate, RailGap, Regularity, SelfIntersection,
-    Singularity, Worst,
+    BranchReason, EnclosedCertificate, PatchCertificate, PieceIntersection, RailGap, Regularity,
+    SelfIntersection, Singularity, Worst,
 };
 pub use cut::Cut;
 pub use inspect::{Inspection, SheetJoint};

@@ -103,3 +103,149 @@ fn a_tube_over_a_closed_curve_is_free_though_it_closes() {
     assert_eq!(coil(40.0), SelfIntersection::Free);
     assert!(coil(4.0) != SelfIntersection::Free);
 }
+
+/// Walls along the sides of a polygon, 30 wide.
+fn walls(corners: &[Point]) -> Vec<Sheet> {
+    corners.windows(2).map(band).collect()
+}
+
+fn together(sheets: &[Sheet]) -> PieceIntersection {
+    let sheets: Vec<&Sheet> = sheets.iter().collect();
+    Sheet::piece_intersection(&sheets, 1e-3).unwrap()
+}
+
+#[test]
+fn walls_in_a_row_are_free_up_to_the_one_that_crosses_another() {
+    let corners = [
+        [0.0, 0.0, 0.0],
+        [100.0, 0.0, 0.0],
+        [100.0, 0.0, 50.0],
+        [50.0, 0.0, 50.0],
+        [50.0, 0.0, -50.0],
+    ];
+    assert_eq!(together(&walls(&corners[..4])), PieceIntersection::Free);
+    let PieceIntersection::Found {
+        patches,
+        places,
+        proved,
+        ..
+    } = together(&walls(&corners))
+    else {
+        unreachable!()
+    };
+    assert_eq!((patches, proved), ([0, 3], true));
+    assert!((places[0][0] - 0.5).abs() < 1e-9 && (places[1][0] - 0.5).abs() < 1e-9);
+    // The last wall ends a hair before the first, and on it.
+    let short = |z: f64| {
+        let mut corners = corners;
+        corners[4] = [50.0, 0.0, z];
+        together(&walls(&corners))
+    };
+    assert_eq!(short(0.01), PieceIntersection::Free);
+    assert_ne!(short(0.0), PieceIntersection::Free);
+}
+
+#[test]
+fn closed_rings_folds_and_patches_with_a_common_apex_are_free() {
+    // A ring of three walls: each two share one ruling.
+    let ring = [
+        [0.0, 0.0, 0.0],
+        [80.0, 0.0, 0.0],
+        [40.0, 0.0, 60.0],
+        [0.0, 0.0, 0.0],
+    ];
+    assert_eq!(together(&walls(&ring)), PieceIntersection::Free);
+    // Two half tubes share two.
+    let half = |points: [Point; 4]| band(&points);
+    let tube = [
+        half([
+            [0.0, 0.0, 0.0],
+            [0.0, 0.0, 60.0],
+            [80.0, 0.0, 60.0],
+            [80.0, 0.0, 0.0],
+        ]),
+        half([
+            [80.0, 0.0, 0.0],
+            [80.0, 0.0, -60.0],
+            [0.0, 0.0, -60.0],
+            [0.0, 0.0, 0.0],
+        ]),
+    ];
+    assert_eq!(together(&tube), PieceIntersection::Free);
+    // A fold of some 174 degrees.
+    let fold = [[0.0, 0.0, 0.0], [100.0, 0.0, 0.0], [0.0, 0.0, 10.0]];
+    assert_eq!(together(&walls(&fold)), PieceIntersection::Free);
+    // A pyramid: all its faces share the apex, neighbours a ruling.
+    let base = [
+        [0.0, 0.0, 0.0],
+        [80.0, 0.0, 0.0],
+        [80.0, 60.0, 0.0],
+        [0.0, 60.0, 0.0],
+        [0.0, 0.0, 0.0],
+    ];
+    let edges = [SweptEdge::Share(1.0), SweptEdge::Share(0.0)];
+    let faces: Vec<Sheet> = base
+        .windows(2)
+        .map(|side| {
+            Sheet::swept_cone(&Rail::bezier(side).unwrap(), [40.0, 30.0, 50.0], edges).unwrap()
+        })
+        .collect();
+    assert_eq!(together(&faces), PieceIntersection::Free);
+}
+
+#[test]
+fn a_cone_between_two_triangles_that_share_its_apex_is_free() {
+    let edges = [SweptEdge::Share(1.0), SweptEdge::Share(0.0)];
+    let triangle = |side: [Point; 2], apex: Point| {
+        Sheet::swept_cone(&Rail::bezier(&side).unwrap(), apex, edges).unwrap()
+    };
+    // The corner of a transition from a square to a round: both triangles end in the apex of the cone.
+    let (corner, before, after) = ([50.0, 50.0, 0.0], [50.0, -50.0, 0.0], [-50.0, 50.0, 0.0]);
+    let (first, last) = ([30.0, 0.0, 80.0], [0.0, 30.0, 80.0]);
+    let round = Rail::ellipse_arc([0.0, 0.0, 80.0], first, last).unwrap();
+    let row = [
+        triangle([before, corner], first),
+        Sheet::swept_cone(&round, corner, edges).unwrap(),
+        triangle([corner, after], last),
+    ];
+    assert_eq!(together(&row), PieceIntersection::Free);
+}
+
+#[test]
+fn sheets_pierce_each_other_inside_and_do_not_where_they_touch_along_edges() {
+    let plate = |a: Point, b: Point, c: Point, d: Point| {
+        Sheet::ruled(
+            Rail::bezier(&[a, b]).unwrap(),
+            Rail::bezier(&[c, d]).unwrap(),
+        )
+    };
+    let floor = plate(
+        [0.0; 3],
+        [100.0, 0.0, 0.0],
+        [0.0, 50.0, 0.0],
+        [100.0, 50.0, 0.0],
+    );
+    let wall = |low: f64| {
+        plate(
+            [50.0, 10.0, low],
+            [50.0, 10.0, 30.0],
+            [50.0, 40.0, low],
+            [50.0, 40.0, 30.0],
+        )
+    };
+    let (places, point) = floor.piercing(&wall(-30.0)).unwrap().unwrap();
+    assert!(
+        (places[0][0] - 0.5).abs() < 1e-9
+            && (places[1][0] - 0.5).abs() < 1e-9
+            && point[2].abs() < 1e-9
+    );
+    assert_eq!(floor.piercing(&wall(0.0)).unwrap(), None);
+    assert_eq!(floor.piercing(&wall(1.0)).unwrap(), None);
+    let beside = plate(
+        [100.0, 0.0, 0.0],
+        [100.0, 50.0, 0.0],
+        [100.0, 0.0, 30.0],
+        [100.0, 50.0, 30.0],
+    );
+    assert_eq!(floor.piercing(&beside).unwrap(), None);
+}

@@ -1,0 +1,279 @@
+//! Whether a patch passes through itself in space, the patches of a piece through each other, and pieces through pieces.
+
+use super::{DesignReport, PatchReport};
+use crate::design::{Design, Patch};
+use serde::Serialize;
+use torse_geometry::prelude::{PieceIntersection, SelfIntersection, Sheet};
+
+/// Whether a patch passes through itself in space.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SelfContact {
+    /// It is proved that it does not.
+    Free,
+    /// These two places `[u, v]` are one point.
+    Meets {
+        /// The places.
+        places: [[f64; 2]; 2],
+        /// Whether that is proved.
+        proved: bool,
+    },
+    /// Rulings of these two ranges of `u` may meet.
+    Undecided {
+        /// The ranges.
+        ranges: [[f64; 2]; 2],
+    },
+    /// It was not asked: the patch is singular, or it is measured only.
+    Unknown,
+}
+
+impl SelfContact {
+    pub(super) fn inspect(sheet: &Sheet) -> Self {
+        match sheet.self_intersection() {
+            Ok(SelfIntersection::Free) => Self::Free,
+            Ok(SelfIntersection::Found { places, proved, .. }) => Self::Meets { places, proved },
+            Ok(SelfIntersection::Undecided { ranges }) => Self::Undecided { ranges },
+            Err(_) => Self::Unknown,
+        }
+    }
+
+    /// What is said of a patch of this name that passes through itself.
+    pub(super) fn objection(&self, name: &str) -> Option<String> {
+        let Self::Meets { places, proved } = self else {
+            return None;
+        };
+        Some(format!(
+            "{name} passes through itself in space: {}",
+            one_point(["", ""], *places, *proved)
+        ))
+    }
+}
+
+/// A place no farther from the first or the last ruling, in the parameter, lies on it.
+const END: f64 = 1e-9;
+
+/// Two places that are one point, in words.
+fn one_point(names: [&str; 2], places: [[f64; 2]; 2], proved: bool) -> String {
+    let [a, b] = [0, 1].map(|i| {
+        let [u, v] = places[i];
+        let name = names[i];
+        let at = if name.is_empty() { "" } else { " at " };
+        format!("{name}{at}u = {u:.7}, v = {v:.7}")
+    });
+    let proved = if proved { ", proved" } else { "" };
+    format!("{a} and {b} are one point{proved}")
+}
+
+/// What is known of the patches of a piece in space, two at a time.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PieceSpace {
+    /// It is proved that no two of them meet but where they are joined.
+    Free,
+    /// Places `[u, v]` of two of them are one point.
+    Meets {
+        /// The names of the patches.
+        patches: [String; 2],
+        /// The place on each.
+        places: [[f64; 2]; 2],
+        /// Whether that is proved.
+        proved: bool,
+    },
+    /// Rulings of these ranges of `u` of two of them may meet.
+    Undecided {
+        /// The names of the patches.
+        patches: [String; 2],
+        /// The range of each.
+        ranges: [[f64; 2]; 2],
+    },
+    /// It was not asked: a patch is singular.
+    Unknown,
+}
+
+/// A piece of several patches.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PieceReport {
+    /// The name of the chain or of the entry.
+    pub name: String,
+    /// The patches that are attached.
+    pub patches: Vec<String>,
+    /// Whether they pass through each other.
+    pub space: PieceSpace,
+}
+
+impl PieceReport {
+    /// What is said of a piece that passes through itself.
+    pub(super) fn objection(&self) -> Option<String> {
+        let PieceSpace::Meets {
+            patches: [a, b],
+            places,
+            proved,
+        } = &self.space
+        else {
+            return None;
+        };
+        // A patch that ends on another one does not go through it.
+        let ends = places.iter().any(|[u, _]| u.min(1.0 - u) <= END);
+        let does = if ends { "touches" } else { "passes through" };
+        Some(format!(
+            "{} {does} itself in space: {}",
+            self.name,
+            one_point([a, b], *places, *proved)
+        ))
+    }
+}
+
+/// Two pieces that pass through each other, which is proved.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Piercing {
+    /// The names of the pieces.
+    pub pieces: [String; 2],
+    /// A patch of each.
+    pub patches: [String; 2],
+    /// A place `[u, v]` of each: the same point, within a millionth.
+    pub places: [[f64; 2]; 2],
+}
+
+/// The patches of a list of indices that are regular, and whether these are all.
+fn regular<'d>(
+    design: &'d Design,
+    reports: &[PatchReport],
+    indices: &[usize],
+) -> (Vec<&'d Patch>, bool) {
+    let is_regular = |index: &&usize| {
+        let report = reports.get(**index);
+        report.is_some_and(|report| report.regular.holds())
+    };
+    let kept = indices.iter().filter(is_regular);
+    let kept: Vec<&Patch> = kept
+        .filter_map(|index| design.patches.get(*index))
+        .collect();
+    let all = kept.len() == indices.len();
+    (kept, all)
+}
+
+/// What is known of the pieces of several patches.
+pub(super) fn pieces(design: &Design, reports: &[PatchReport]) -> Vec<PieceReport> {
+    let several = design
+        .pieces()
+        .into_iter()
+        .filter(|piece| piece.patches.len() > 1);
+    several
+        .map(|piece| {
+            let (patches, all) = regular(design, reports, &piece.patches);
+            let sheets: Vec<&Sheet> = patches.iter().map(|patch| &patch.sheet).collect();
+            let names = |pair: [usize; 2]| {
+                pair.map(|k| {
+                    patches
+                        .get(k)
+                        .map(|patch| patch.name.clone())
+                        .unwrap_or_default()
+                })
+            };
+            let space = match Sheet::piece_intersection(&sheets, design.tolerances.gap) {
+                Ok(PieceIntersection::Found {
+                    patches,
+                    places,
+                    proved,
+                    ..
+                }) => PieceSpace::Meets {
+                    patches: names(patches),
+                    places,
+                    proved,
+                },
+                // Nothing is known of what is left out.
+                Err(_) | Ok(_) if !all => PieceSpace::Unknown,
+                Ok(PieceIntersection::Free) => PieceSpace::Free,
+                Ok(PieceIntersection::Undecided { patches, ranges }) => PieceSpace::Undecided {
+                    patches: names(patches),
+                    ranges,
+                },
+                Err(_) => PieceSpace::Unknown,
+            };
+            PieceReport {
+                patches: piece
+                    .patches
+                    .iter()
+                    .filter_map(|index| design.patches.get(*index))
+                    .map(|patch| patch.name.clone())
+                    .collect(),
+                name: piece.name,
+                space,
+            }
+        })
+        .collect()
+}
+
+/// The most pairs of patches of two pieces that are looked at.
+const MAX_PIECE_PAIRS: usize = 2_000;
+
+/// Two pieces each that are proved to pass through each other.
+pub(super) fn piercings(design: &Design, reports: &[PatchReport]) -> Vec<Piercing> {
+    let pieces = design.pieces();
+    let mut looked = 0;
+    let mut found = Vec::new();
+    for (index, other) in pieces.iter().enumerate() {
+        for one in pieces.iter().take(index) {
+            let (mine, _) = regular(design, reports, &one.patches);
+            let (theirs, _) = regular(design, reports, &other.patches);
+            let pairs = mine.iter().flat_map(|p| theirs.iter().map(move |q| (p, q)));
+            let first = pairs.into_iter().find_map(|(p, q)| {
+                looked += 1;
+                if looked > MAX_PIECE_PAIRS {
+                    return None;
+                }
+                let (places, _) = p.sheet.piercing(&q.sheet).ok().flatten()?;
+                Some(Piercing {
+                    pieces: [one.name.clone(), other.name.clone()],
+                    patches: [p.name.clone(), q.name.clone()],
+                    places,
+                })
+            });
+            found.extend(first);
+        }
+    }
+    found
+}
+
+impl DesignReport {
+    /// What is open about patches and pieces in space, and which pieces pass through each other, in words.
+    #[must_use]
+    pub fn notes_on_space(&self) -> Vec<String> {
+        let ranges = |[a, b]: [[f64; 2]; 2]| {
+            let words = |[from, to]: [f64; 2]| format!("{from:.6} to {to:.6}");
+            [words(a), words(b)]
+        };
+        let patches = self.patches.iter().filter_map(|patch| {
+            let SelfContact::Undecided { ranges: open } = patch.space else {
+                return None;
+            };
+            let [a, b] = ranges(open);
+            Some(format!(
+                "{}: it is not decided whether rulings from u = {a} meet those from {b} in space",
+                patch.name
+            ))
+        });
+        let pieces = self.pieces.iter().filter_map(|piece| {
+            let PieceSpace::Undecided {
+                patches: [one, other],
+                ranges: open,
+            } = &piece.space
+            else {
+                return None;
+            };
+            let [a, b] = ranges(*open);
+            Some(format!(
+                "{}: it is not decided whether rulings of {one} from u = {a} meet those of {other} from {b} in space",
+                piece.name
+            ))
+        });
+        let piercings = self.piercings.iter().map(|piercing| {
+            let ([a, b], [p, q]) = (&piercing.pieces, &piercing.patches);
+            format!(
+                "{a} and {b} pass through each other in space: {}",
+                one_point([p, q], piercing.places, true)
+            )
+        });
+        patches.chain(pieces).chain(piercings).collect()
+    }
+}
