@@ -266,3 +266,73 @@ ruled = ["a", "b"]
     let (found, _) = area(text, None);
     assert!((found - 19_256.962_93).abs() < 1e-2, "{found}");
 }
+
+#[test]
+fn the_outline_of_a_sector_meets_its_apex_once_however_rounding_moves_it() {
+    // Half the integral of |p x p'|, by Simpson's rule in another language.
+    for (text, exact) in [
+        (
+            r#"
+[curves]
+a = { bezier = [[-78, -6, -31], [79, 143, 33], [67, 71, 40], [66, 26, -21]] }
+[patches.p]
+cone = "a"
+apex = [0, 0, 0]
+part = [0.08, 0.38]
+"#,
+            2_725.743_650,
+        ),
+        (
+            r#"
+[curves]
+a = { bezier = [[4.0375, 15.5486, -5.7969], [19.9413, 18.9356, -6.2575], [30.689, 16.8176, -2.3089], [37.1365, 22.8052, -10.4565], [40.1376, 23.8923, -13.5737], [53.9908, 23.8458, -17.2062], [64.3637, 20.3202, -28.1162]] }
+[patches.p]
+cone = "a"
+apex = [17.158, 26.168, 28.93]
+part = [0.41, 1.0]
+"#,
+            440.584_647,
+        ),
+    ] {
+        let (area, _) = area(text, None);
+        assert!((area - exact).abs() < 1e-5, "{area}");
+        assert!(inspect(&design(text)).unwrap().missed.is_empty());
+    }
+}
+
+#[test]
+fn a_curve_with_weights_may_begin_with_equal_control_points() {
+    // 70 times the length of the curve, by chords in another language.
+    for (points, weights, exact) in [
+        (
+            "[0, 0, 0], [100, 50, 0], [100, 50, 0]",
+            "1, 4, 1",
+            7_826.237_921,
+        ),
+        (
+            "[0, 0, 0], [0, 0, 0], [0, 0, 0], [60, 40, 0], [100, 0, 0]",
+            "1, 4, 1, 3, 1",
+            8_044.356_4,
+        ),
+        (
+            "[0, 0, 0], [0, 0, 0], [60, 40, 0], [100, 0, 0]",
+            "1, 5, 1, 1",
+            7_274.536_3,
+        ),
+        // Their products with the weights are rounded.
+        (
+            "[0.1, 0.7, 0], [0.1, 0.7, 0], [60, 40, 0], [100, 0, 0]",
+            "3, 1.1, 1, 1",
+            7_497.860_9,
+        ),
+    ] {
+        let text = format!(
+            "[curves]\na = {{ bezier = [{points}], weights = [{weights}] }}\n[patches.w]\ncylinder = \"a\"\ndirection = [0, 0, 70]\n"
+        );
+        let (area, _) = area(&text, None);
+        assert!((area - exact).abs() < 1e-3, "{area} {exact}");
+        let report = inspect(&design(&text)).unwrap();
+        assert!(report.missed.is_empty(), "{:?}", report.missed);
+        assert_eq!(report.patches[0].regular, Assurance::Proved, "{text}");
+    }
+}

@@ -29,14 +29,21 @@ pub(super) struct Fitted {
     pub distance: f64,
 }
 
-/// Fits one rail within `tolerance`. A rail that is a point has no segments.
+impl Fitted {
+    /// A rail that is a point: it has no segments.
+    pub(super) fn point() -> Self {
+        Self {
+            segments: Vec::new(),
+            distance: 0.0,
+        }
+    }
+}
+
+/// Fits one rail within `tolerance`.
 pub(super) fn fit(development: &Development, side: usize, tolerance: f64) -> PatternResult<Fitted> {
     let rail = Rail { development, side };
     let mut open = vec![(rail.end(0.0), rail.end(1.0), 0_u32)];
-    let mut fitted = Fitted {
-        segments: Vec::new(),
-        distance: 0.0,
-    };
+    let mut fitted = Fitted::point();
     while let Some((from, to, depth)) = open.pop() {
         if let Some((segments, distance)) = rail.try_segments(&from, &to, tolerance) {
             let drawn = segments.into_iter().filter(|s| s.from != s.to);

@@ -2,7 +2,7 @@
 
 use super::development::{Development, Wanted};
 use super::error::{PatternError, PatternResult, positive};
-use super::fit::fit;
+use super::fit::{Fitted, fit};
 use super::flat::FlatPattern;
 use super::flattening::Flattening;
 use super::piece::Piece;
@@ -163,7 +163,12 @@ impl Unrolling {
         };
         let development = Development::new(patch, source, wanted)?;
         let tolerance = self.tolerance.min(COARSEST * development.size);
-        let side = |side| fit(&development, side, 0.5 * tolerance);
+        // A rail that is a point is one in the plane, whatever rounding makes of it.
+        let apexes = patch.end_kinds().apexes();
+        let side = |side: usize| match apexes[side] {
+            true => Ok(Fitted::point()),
+            false => fit(&development, side, 0.5 * tolerance),
+        };
         let (first, second) = crate::parallel::join(|| side(0), || side(1));
         let fitted = [first?, second?];
         let distance = fitted[0].distance.max(fitted[1].distance);

@@ -230,15 +230,38 @@ impl Rail {
     }
 }
 
+/// A control point times its weight, with the weight: it is equal to another one where the points are, whatever their weights.
+struct WeightedPoint<'a, S> {
+    point: &'a [S; 3],
+    weight: &'a S,
+}
+
+/// Products with weights are rounded: points that differ by this share of their products are equal.
+const PRODUCT: f64 = 4.0 * f64::EPSILON;
+
+impl<S: Coordinate + PartialEq> PartialEq for WeightedPoint<'_, S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.point.iter().zip(other.point).all(|(p, q)| {
+            let products = [
+                p.clone() * other.weight.clone(),
+                q.clone() * self.weight.clone(),
+            ];
+            let [a, b] = products.each_ref().map(Coordinate::approximate);
+            products[0] == products[1] || (a - b).abs() <= PRODUCT * a.abs()
+        })
+    }
+}
+
 impl<S: Coordinate + PartialEq> Rail<S> {
     /// Returns what kind of rail it is, by its control points: where the scalar knows that they are equal.
     #[must_use]
     pub fn end_kinds(&self) -> RailKind {
         match &self.curve {
             RailCurve::Plain(curve) => RailKind::from_points(curve.points()),
-            // Equal points may have different weights: those of equal weights are found.
             RailCurve::Weighted(curve) => {
-                let parts = curve.homogeneous().map(|(p, w)| (p.clone(), w.clone()));
+                let parts = curve
+                    .homogeneous()
+                    .map(|(point, weight)| WeightedPoint { point, weight });
                 RailKind::from_points(&parts.collect::<Vec<_>>())
             }
             // An arc is a point or runs with a speed; whether it closes depends on what is computed.
