@@ -16,6 +16,7 @@ use crate::inspect::{columns, number, wrapped};
 use judge::Judge;
 use serde::Serialize;
 use torse_exchange::LengthUnit;
+use trace::check_flat;
 
 /// What is asked about a drawing.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -161,7 +162,7 @@ impl LintReport {
 /// Checks a DXF or SVG file against rules; `name` is that of the file.
 ///
 /// # Errors
-/// [`DesignError::Listing`] for a file that cannot be read.
+/// [`DesignError::Listing`] for a file that cannot be read, and for curves that leave the plane of the drawing.
 ///
 /// ```
 /// use torse_designs::lint::{LintDemand, Rules, lint};
@@ -191,6 +192,7 @@ pub fn lint(
         reason,
     };
     let found = torse_exchange::read(name, bytes, demand.unit.as_ref()).map_err(failed)?;
+    check_flat(&found, rules.joined_within).map_err(failed)?;
     let judge =
         Judge::new(&found, rules, demand.thickness).map_err(|reason| DesignError::Patch {
             patch: name.to_owned(),

@@ -1,13 +1,16 @@
 //! The curves of a drawing as lines and arcs.
 
 use super::rules::LintRules;
-use torse_exchange::{CurveShape, Imported};
+use crate::inspect::number;
+use torse_exchange::{CurveShape, Imported, ReadError};
 use torse_geometry::Coordinate;
 use torse_geometry::GeometryError;
 use torse_geometry::pattern::Segment;
 
 /// Lines that stand for one piece of a curve that is neither a line nor a circle.
 const CHORDS: u32 = 64;
+/// Steps in which the height of a piece of a curve is looked at.
+const HEIGHTS: u32 = 8;
 /// Axes that differ by no more, as a share, are those of a circle.
 const ROUND: f64 = 1e-9;
 
@@ -31,6 +34,42 @@ impl Traced {
     pub(super) fn ends(&self) -> Option<[[f64; 2]; 2]> {
         Some([self.segments.first()?.from, self.segments.last()?.to])
     }
+}
+
+/// Refuses a curve that leaves the plane of the drawing by more than `within`: what is cut is flat.
+pub(super) fn check_flat(found: &Imported, within: f64) -> Result<(), ReadError> {
+    for curve in &found.curves {
+        let refused = |reason: GeometryError| ReadError::Geometry {
+            place: curve.place.clone(),
+            reason: Box::new(reason),
+        };
+        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+        for rail in curve
+            .shape
+            .rail()
+            .map_err(refused)?
+            .rails()
+            .map_err(refused)?
+        {
+            for k in 0..=HEIGHTS {
+                let z = rail
+                    .point(f64::from(k) / f64::from(HEIGHTS))
+                    .map_err(refused)?[2];
+                range = [range[0].min(z), range[1].max(z)];
+            }
+        }
+        if range[1] - range[0] > within {
+            return Err(ReadError::Wrong {
+                place: curve.place.clone(),
+                reason: format!(
+                    "the curve leaves the plane of the drawing: z runs from {} to {} mm",
+                    number(range[0]),
+                    number(range[1])
+                ),
+            });
+        }
+    }
+    Ok(())
 }
 
 /// Returns the curves of a file that are drawn, not only edges of faces.
