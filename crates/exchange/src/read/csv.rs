@@ -2,9 +2,11 @@
 //!
 //! A table has a head, or two or three columns of numbers. In the head `x`, `y`, `z` name coordinates, `chine x` or
 //! `chine.x` the coordinate of one of several curves, whose other coordinates may be common ones: that is a table of
-//! offsets. A column `curve` (or `name`, `rail`, `line`) says which curve a row belongs to. Other columns are passed over.
-//! A unit stands in brackets after a name, `x [in]`, or in a comment before the head, `# unit: in`. An empty cell leaves
-//! a point out of its curve. Cells are separated by comma, semicolon or tab; with the latter two a comma in a number is
+//! offsets. A column `curve` (or `name`, `rail`, `line`) says which curve a row belongs to. Other columns are passed over,
+//! but not in the place of a coordinate that is missing. A coordinate that no curve has is zero; one that some have, all have.
+//! A unit stands in brackets after a name, `x [in]`, or in a comment before the head, `# unit: in`. A curve is left out of a
+//! row in which all its own cells are empty; where only some are, the table is refused, as for a row that is longer than the
+//! head. Cells are separated by comma, semicolon or tab; with the latter two a comma in a number is
 //! its point.
 
 use super::decimal::decimal;
@@ -167,6 +169,7 @@ fn head<'r>(
     if head.columns.iter().all(Option::is_none) {
         return Err(at_line(*line, "no column is called `x`, `y` or `z`"));
     }
+    check_axes(&head, cells, rest, delimiter, *line)?;
     for (index, column) in head.columns.iter().enumerate() {
         let same = |other: &Option<Column>| matches!((column, other), (Some(a), Some(b)) if a.curve == b.curve && a.axis == b.axis);
         if head.columns.iter().take(index).any(same) {
@@ -175,6 +178,52 @@ fn head<'r>(
         }
     }
     Ok((head, rest))
+}
+
+/// Whether every curve has the coordinates that the others have, and no other column of numbers stands for one that is
+/// missing.
+fn check_axes(
+    head: &Head,
+    titles: &[String],
+    rows: Rows<'_>,
+    delimiter: char,
+    line: usize,
+) -> ReadResult<()> {
+    let columns = || head.columns.iter().flatten();
+    let has = |curve: Option<&str>, axis: usize| {
+        columns().any(|c| c.axis == axis && (c.curve.is_none() || c.curve.as_deref() == curve))
+    };
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        let mut curves = columns().filter_map(|c| c.curve.as_deref());
+        let lacking = curves.find(|curve| !has(Some(*curve), axis));
+        if let Some(curve) = lacking
+            && columns().any(|c| c.axis == axis)
+        {
+            return Err(at_line(
+                line,
+                format!("no column is called `{curve} {name}`, and other curves have their {name}"),
+            ));
+        }
+        if name == "z" || columns().any(|c| c.axis == axis) {
+            continue;
+        }
+        // A station, say, may be meant for it.
+        for (index, title) in titles.iter().enumerate() {
+            let other =
+                head.columns.get(index).is_some_and(Option::is_none) && head.group != Some(index);
+            let mut cells = rows.iter().filter_map(|(_, cells)| cells.get(index));
+            if other && !rows.is_empty() && cells.all(|cell| number(cell, delimiter).is_some()) {
+                return Err(at_line(
+                    line,
+                    format!(
+                        "no column is called `{name}`, and column {} has numbers: if `{title}` is that coordinate, call it `{name}`",
+                        index + 1
+                    ),
+                ));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// A title without the unit in brackets after it.
@@ -220,13 +269,29 @@ fn curves(
     let mut all: Points = Vec::new();
     let mut index = std::collections::HashMap::new();
     for (line, cells) in rows {
+        if cells
+            .iter()
+            .skip(head.columns.len())
+            .any(|cell| !cell.is_empty())
+        {
+            let (long, wide) = (cells.len(), head.columns.len());
+            return Err(at_line(
+                *line,
+                format!(
+                    "{long} cells, column {} among them, where the table has {wide} columns",
+                    wide + 1
+                ),
+            ));
+        }
         let group = head.group.and_then(|k| cells.get(k)).map(String::as_str);
         for curve in if whole { vec![""] } else { names.clone() } {
             let mut point: [Rational; 3] = std::array::from_fn(|_| Rational::default());
-            let mut missing = false;
-            for (column, cell) in head
+            // The columns that are empty, and whether one of the curve's own is not.
+            let (mut missing, mut given) = (None, false);
+            for ((index, column), cell) in head
                 .columns
                 .iter()
+                .enumerate()
                 .zip(cells.iter().map(Some).chain(std::iter::repeat(None)))
             {
                 let Some(column) = column else { continue };
@@ -234,10 +299,12 @@ fn curves(
                     continue;
                 }
                 let text = cell.map_or("", |cell| cell.trim());
+                let own = whole || column.curve.is_some();
                 if text.is_empty() {
-                    missing = true;
+                    missing = missing.or(Some((index, column)));
                     continue;
                 }
+                given |= own;
                 let Some(value) = number(text, delimiter) else {
                     let shown: String = text.chars().take(40).collect();
                     return Err(at_line(*line, format!("`{shown}` is no finite number")));
@@ -254,8 +321,24 @@ fn curves(
                     point[column.axis] = value * factor.clone();
                 }
             }
-            if missing {
-                continue;
+            match missing {
+                Some((index, column)) if given => {
+                    let axis = ["x", "y", "z"]
+                        .get(column.axis)
+                        .copied()
+                        .unwrap_or_default();
+                    let owner = match (&column.curve, curve) {
+                        (None, "") => String::new(),
+                        (_, curve) => format!(" of `{curve}`"),
+                    };
+                    let reason = format!(
+                        "column {} is empty: the {axis} of a point{owner} is missing",
+                        index + 1
+                    );
+                    return Err(at_line(*line, reason));
+                }
+                Some(_) => continue,
+                None => {}
             }
             let title = match (group, curve) {
                 (Some(group), "") if !group.is_empty() => group.to_owned(),

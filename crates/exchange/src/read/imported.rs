@@ -534,6 +534,17 @@ impl Names {
     }
 }
 
+/// How the words for faces on surfaces that are not read begin, and for parts and solids.
+pub(super) const LOST: [&str; 3] = ["face on ", "part placed by ", "solid "];
+
+impl Imported {
+    /// What was passed over though it has surfaces: faces on surfaces that are not read, parts, solids; and how many of each.
+    pub fn lost(&self) -> impl Iterator<Item = &(String, usize)> {
+        let all = self.passed_over.iter();
+        all.filter(|(words, _)| LOST.iter().any(|start| words.starts_with(start)))
+    }
+}
+
 /// Counts what is passed over.
 #[derive(Default)]
 pub(crate) struct PassedOver {

@@ -1,5 +1,7 @@
-//! What a file is, by its content: the ending of its name may lie.
+//! What a file is, by its content: the ending of its name may lie, and decides only where the content does not tell.
 
+use super::obj_lines::{FREE_FORM, whole_lines};
+use std::borrow::Cow;
 use std::fmt;
 
 /// What a file is.
@@ -64,7 +66,35 @@ impl FileKind {
         // Enough of the text to tell, also where it is no UTF-8.
         let text =
             String::from_utf8_lossy(bytes.get(..bytes.len().min(1 << 16)).unwrap_or_default());
-        of_text(&text)
+        of_text(&unix_lines(&text))
+    }
+
+    /// As [`FileKind::detect`]; what is none of the kinds by its content, a damaged file for instance, is what the ending of its
+    /// name says.
+    ///
+    /// ```
+    /// use torse_exchange::FileKind;
+    /// assert_eq!(FileKind::of_file("hull.igs", b"x,y\n0,1\n2,3\n"), FileKind::Csv);
+    /// assert_eq!(FileKind::of_file("hull.igs", b"no columns"), FileKind::Iges);
+    /// assert_eq!(FileKind::of_file("hull.toml", b"no columns"), FileKind::Text);
+    /// ```
+    #[must_use]
+    pub fn of_file(name: &str, bytes: &[u8]) -> Self {
+        let kind = Self::detect(bytes);
+        if !matches!(kind, Self::Text | Self::Binary) {
+            return kind;
+        }
+        let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
+        match ending.to_ascii_lowercase().as_str() {
+            "step" | "stp" => Self::Step,
+            "iges" | "igs" => Self::Iges,
+            "dxf" => Self::Dxf,
+            "svg" => Self::Svg,
+            "csv" => Self::Csv,
+            "obj" => Self::Obj,
+            "stl" => Self::Stl,
+            _ => kind,
+        }
     }
 
     /// Whether [`read`](super::read) reads it.
@@ -126,6 +156,14 @@ fn is_binary_stl(bytes: &[u8]) -> bool {
     };
     let size = u64::from(u32::from_le_bytes(count)) * 50 + 84;
     u64::try_from(bytes.len()) == Ok(size)
+}
+
+/// A text whose lines end as they do today, not in a carriage return as on old machines.
+pub(super) fn unix_lines(text: &str) -> Cow<'_, str> {
+    if !text.contains('\r') {
+        return Cow::Borrowed(text);
+    }
+    Cow::Owned(text.replace("\r\n", "\n").replace('\r', "\n"))
 }
 
 fn of_text(text: &str) -> FileKind {
@@ -205,7 +243,7 @@ fn is_dxf(text: &str) -> bool {
 
 fn is_obj(text: &str) -> bool {
     let mut vertices = 0;
-    for line in text.lines().take(1000) {
+    for (_, line) in whole_lines(text).take(1000) {
         let mut words = line.split_whitespace();
         match words.next() {
             None => {}
@@ -216,7 +254,8 @@ fn is_obj(text: &str) -> bool {
                 }
                 vertices += 1;
             }
-            Some("vn" | "vt" | "vp" | "f" | "l" | "p" | "o" | "g" | "s" | "mtllib" | "usemtl") => {}
+            Some("vn" | "vt" | "f" | "l" | "p" | "o" | "g" | "s" | "mtllib" | "usemtl") => {}
+            Some(word) if FREE_FORM.contains(&word) => {}
             Some(_) => return false,
         }
     }

@@ -31,10 +31,13 @@ mod iges;
 mod imported;
 pub(crate) mod kind;
 mod obj;
+mod obj_lines;
+mod polygon;
 mod step;
 mod stl;
 pub(crate) mod svg;
 mod trim;
+mod turned;
 mod unit;
 
 pub use error::{FilePlace, ReadError, ReadResult};
@@ -64,12 +67,10 @@ pub fn read(name: &str, bytes: &[u8], unit: Option<&LengthUnit>) -> ReadResult<I
             most: MAX_FILE_BYTES,
         });
     }
-    let kind = FileKind::detect(bytes);
+    let kind = FileKind::of_file(name, bytes);
     let text = || {
         let text = String::from_utf8_lossy(bytes);
-        text.strip_prefix('\u{feff}')
-            .map(str::to_owned)
-            .unwrap_or_else(|| text.into_owned())
+        kind::unix_lines(text.strip_prefix('\u{feff}').unwrap_or(&text)).into_owned()
     };
     let stem = std::path::Path::new(name)
         .file_stem()

@@ -1,8 +1,11 @@
-//! Wavefront OBJ: triangles and polygons, which are fanned; polylines as curves. The format has no unit.
+//! Wavefront OBJ: triangles and polygons; polylines as curves. Free-form curves and surfaces are passed over. The format has no
+//! unit.
 
 use super::decimal::{decimal, double};
 use super::error::{ReadError, ReadResult, at, refused};
 use super::imported::{Imported, PassedOver};
+use super::obj_lines::{FREE_FORM, whole_lines};
+use super::polygon::{MAX_CONCAVE_CORNERS, triangulated};
 use super::{CurveShape, Drafts, FileKind, FilePlace, LengthUnit, check_unit};
 use crate::mesh::{MAX_VERTICES, Mesh};
 use torse_algebra::Rational;
@@ -17,9 +20,9 @@ pub(super) fn read(name: &str, text: &str, given: Option<&LengthUnit>) -> ReadRe
     let mut passed = PassedOver::default();
     let mut vertices: Vec<[f64; 3]> = Vec::new();
     // The text of the vertices, for polylines, whose corners are exact.
-    let mut lines: Vec<&str> = Vec::new();
+    let mut lines: Vec<String> = Vec::new();
     let mut triangles: Vec<[u32; 3]> = Vec::new();
-    for (line, content) in (1..).zip(text.lines()) {
+    for (line, content) in whole_lines(text) {
         let mut words = content.split_whitespace();
         let word = words.next().unwrap_or("#");
         let place = FilePlace::entity(
@@ -42,7 +45,7 @@ pub(super) fn read(name: &str, text: &str, given: Option<&LengthUnit>) -> ReadRe
                     });
                 }
                 vertices.push(vertex);
-                lines.push(content);
+                lines.push(content.into_owned());
             }
             "f" => {
                 let mut corners = Vec::new();
@@ -55,9 +58,23 @@ pub(super) fn read(name: &str, text: &str, given: Option<&LengthUnit>) -> ReadRe
                 if corners.len() < 3 {
                     return Err(at(&place, "a face has three vertices at least"));
                 }
-                for pair in corners.windows(2).skip(1) {
-                    triangles.push([corners[0], pair[0], pair[1]]);
+                let places: Vec<[f64; 3]> = corners
+                    .iter()
+                    .filter_map(|k| vertices.get(usize::try_from(*k).ok()?).copied())
+                    .collect();
+                let polygon = triangulated(&places).ok_or_else(|| ReadError::TooMuch {
+                    place: place.clone(),
+                    what: "corners of a polygon that is not convex",
+                    most: MAX_CONCAVE_CORNERS,
+                })?;
+                if polygon.crossed {
+                    passed.add_at(
+                        "order of the corners of a polygon that crosses itself",
+                        &place,
+                    );
                 }
+                let triangle = |three: [usize; 3]| three.map(|k| corners[k]);
+                triangles.extend(polygon.triangles.into_iter().map(triangle));
             }
             "l" => {
                 let mut points: Vec<[Rational; 3]> = Vec::new();
@@ -65,7 +82,7 @@ pub(super) fn read(name: &str, text: &str, given: Option<&LengthUnit>) -> ReadRe
                     let index = index(word, vertices.len())
                         .ok_or_else(|| at(&place, no_vertex(word, vertices.len())))?;
                     let source = usize::try_from(index).ok().and_then(|k| lines.get(k));
-                    let numbers = source.map_or("", |line| *line).split_whitespace().skip(1);
+                    let numbers = source.map_or("", String::as_str).split_whitespace().skip(1);
                     let numbers: Vec<Rational> = numbers
                         .take(3)
                         .filter_map(decimal)
@@ -85,7 +102,8 @@ pub(super) fn read(name: &str, text: &str, given: Option<&LengthUnit>) -> ReadRe
             }
             "#" | "vn" | "vt" | "o" | "g" | "s" | "mtllib" | "usemtl" => {}
             word if word.starts_with('#') => {}
-            word => passed.add(word),
+            word if FREE_FORM.contains(&word) => passed.add_at("free-form statement", &place),
+            word => passed.add_at(word, &place),
         }
     }
     if !triangles.is_empty() {

@@ -16,6 +16,13 @@ pub(super) fn read(name: &str, bytes: &[u8], given: Option<&LengthUnit>) -> Read
     let count = whole.map_or(0, |b| u64::from(u32::from_le_bytes(b)));
     if u64::try_from(bytes.len()) == Ok(84 + 50 * count) {
         binary(bytes.get(84..).unwrap_or_default(), &mut corners)?;
+    } else if bytes.contains(&0) || !bytes.trim_ascii_start().starts_with(b"solid") {
+        let reason = format!(
+            "a binary STL of {count} facets has {} bytes, and this file {}: it ends in the middle, or is none",
+            84 + 50 * count,
+            bytes.len()
+        );
+        return Err(at(&FilePlace::default(), reason));
     } else {
         ascii(&String::from_utf8_lossy(bytes), &mut corners)?;
     }

@@ -219,11 +219,11 @@ fn text(name: &str, text: &str) -> Result<Imported, ReadError> {
 
 #[test]
 fn tables_of_offsets_have_a_curve_for_each_title() {
-    let table = "# unit: ft\nstation,x,chine y,chine z,sheer y,sheer z\n0,0,0,0,0,1\n1,1,0.5,,1,1\n2,2,1,0,1,1.5\n";
+    let table = "# unit: ft\nstation,x,chine y,chine z,sheer y,sheer z\n0,0,0,0,0,1\n1,1,,,1,1\n2,2,1,0,1,1.5\n";
     let found = text("hull.csv", table).unwrap();
     let names: Vec<&str> = found.curve_names().collect();
     assert_eq!(names, ["chine", "sheer"]);
-    // An empty cell leaves the point out.
+    // A curve whose cells are empty is left out of the row.
     assert_eq!(
         (
             found.curves[0].shape.words().as_str(),
@@ -258,6 +258,34 @@ fn tables_of_offsets_have_a_curve_for_each_title() {
         ("x,y,x\n0,0,0\n1,1,1\n", "line 1: two columns for `x`"),
         ("1,2,3,4\n1,2,3,5\n", "line 1: 4 columns without a head"),
         ("x,y\n0,0\n0,0\n", "degenerate"),
+        (
+            "x,y,z\n0,0,0\n3,,0\n6,8,0\n",
+            "line 3: column 2 is empty: the y of a point is missing",
+        ),
+        (
+            "x,y,z\n0,0,0\n3,4\n",
+            "line 3: column 3 is empty: the z of a point is missing",
+        ),
+        (
+            "x,a y,a z,b y,b z\n0,1,2,3,4\n,1,2,3,4\n",
+            "line 3: column 1 is empty: the x of a point of `a` is missing",
+        ),
+        (
+            "x,y,z\n0,0,0,9\n3,4,0,9\n",
+            "line 2: 4 cells, column 4 among them, where the table has 3 columns",
+        ),
+        (
+            "chine x,chine y,chine z,sheer x,sheer y\n0,0,0,0,40\n4,1,0,2,2\n",
+            "line 1: no column is called `sheer z`, and other curves have their z",
+        ),
+        (
+            "x,chine y,chine z,sheer y\n0,0,0,40\n4,1,0,2\n",
+            "line 1: no column is called `sheer z`, and other curves have their z",
+        ),
+        (
+            "station,chine y,chine z\n0,0,0\n400,180,-40\n",
+            "line 1: no column is called `x`, and column 1 has numbers: if `station` is that coordinate, call it `x`",
+        ),
     ] {
         let error = match text("t.csv", table) {
             Err(error) => error.to_string(),
@@ -312,7 +340,7 @@ fn svg_that_grows_without_bound_is_refused() {
     let bomb = "<!DOCTYPE svg [\n<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]>\n<svg><path d=\"M0 0&b;\"/></svg>";
     assert_eq!(
         text("t.svg", bomb).unwrap_err().to_string(),
-        "line 2: a document type with entities of its own is not read"
+        "line 2: an entity that is more than a plain text of 128 characters is not read"
     );
     let ring = r##"<svg xmlns="http://www.w3.org/2000/svg"><g id="a"><use href="#b"/></g><g id="b"><use href="#a"/></g></svg>"##;
     assert!(
@@ -702,4 +730,314 @@ fn a_file_with_a_thousand_faces_is_read_in_time() {
     // Two seconds are promised of a release build; here nothing is optimised but the geometry, and other tests run beside.
     assert!(took.as_secs() < 30, "{took:?}");
     println!("a thousand faces, {} bytes: {took:?}", whole.len());
+}
+
+/// The ends of the curves of a drawing.
+fn ends_of(found: &Imported) -> Vec<[[f64; 3]; 2]> {
+    let ends = |curve: &torse_exchange::ImportedCurve| {
+        let rail = curve.shape.rail().unwrap();
+        [rail.point(0.0).unwrap(), rail.point(1.0).unwrap()]
+    };
+    found.curves.iter().map(ends).collect()
+}
+
+fn drawing(inside: &str) -> String {
+    format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">{inside}</svg>"#
+    )
+}
+
+fn line_end(inside: &str) -> [f64; 2] {
+    let found = text("t.svg", &drawing(inside)).unwrap();
+    let [x, y, _] = ends_of(&found)[0][1];
+    [x, y]
+}
+
+#[test]
+fn a_symbol_takes_the_size_of_its_use() {
+    let symbol = |more: &str, uses: &str| {
+        format!(
+            r##"<symbol id="s" viewBox="0 0 10 10" {more}><path d="M0 0L3 4"/></symbol><use href="#s" {uses}/>"##
+        )
+    };
+    assert_eq!(
+        line_end(&symbol("", r#"width="20" height="20""#)),
+        [6.0, -8.0]
+    );
+    assert_eq!(line_end(&symbol("", r#"x="1" y="2""#)), [4.0, -6.0]);
+    // One scale, in the middle of the longer side, unless the symbol says otherwise.
+    let wide = r#"width="40" height="20""#;
+    assert_eq!(line_end(&symbol("", wide)), [16.0, -8.0]);
+    let ratio = |words: &str| line_end(&symbol(&format!(r#"preserveAspectRatio="{words}""#), wide));
+    assert_eq!(ratio("xMinYMid meet"), [6.0, -8.0]);
+    assert_eq!(ratio("none"), [12.0, -8.0]);
+    assert_eq!(ratio("xMaxYMax slice"), [12.0, 4.0]);
+}
+
+#[test]
+fn styles_move_and_hide() {
+    let path = |more: &str| format!(r#"<path {more} d="M0 0L3 4"/>"#);
+    assert_eq!(
+        line_end(&path(r#"style="transform:scale(2)""#)),
+        [6.0, -8.0]
+    );
+    assert_eq!(
+        line_end(&path(r#"style="transform: translate(5px, 0px)""#)),
+        [8.0, -4.0]
+    );
+    let sheet = |rule: &str, more: &str| {
+        format!("<style>{rule}</style>{}<path d=\"M0 0L9 9\"/>", path(more))
+    };
+    // What is seen of the two.
+    let seen = |inside: &str| ends_of(&text("t.svg", &drawing(inside)).unwrap()).len();
+    assert_eq!(seen(&sheet(".cut { fill: none }", r#"class="cut""#)), 2);
+    assert_eq!(
+        seen(&sheet(".off { display: none }", r#"class="cut off""#)),
+        1
+    );
+    assert_eq!(
+        seen(&sheet(
+            "/* no */ #q, path.off { visibility: hidden }",
+            r#"class="off""#
+        )),
+        1
+    );
+    assert_eq!(
+        seen(&sheet(
+            ".off{display:none} #on{display:inline}",
+            r#"class="off" id="on""#
+        )),
+        2
+    );
+    assert_eq!(seen(&sheet("", r#"visibility="hidden""#)), 1);
+    // Visibility is handed down, and may be taken back.
+    let group = format!(
+        r#"<g visibility="hidden">{}{}</g>"#,
+        path(""),
+        path(r#"visibility="visible""#)
+    );
+    assert_eq!(seen(&group), 1);
+    for (inside, message) in [
+        (
+            sheet("g > path { display: none }", ""),
+            "the style sheet hides or moves elements by `g > path`",
+        ),
+        (
+            sheet("@media print { path { display: none } }", ""),
+            "by `@media print`",
+        ),
+        (
+            path(r#"style="transform: scale(2); transform-origin: 5px 5px""#),
+            "`transform-origin: 5px 5px` is not read",
+        ),
+    ] {
+        let error = text("t.svg", &drawing(&inside)).unwrap_err().to_string();
+        assert!(error.contains(message), "{error}");
+    }
+}
+
+#[test]
+fn entities_of_plain_text_and_quarters_of_millimetres_are_read() {
+    let illustrator = r#"<?xml version="1.0"?><!DOCTYPE svg [<!ENTITY ns_svg "http://www.w3.org/2000/svg">]><svg xmlns="&ns_svg;" width="400Q" height="100mm" viewBox="0 0 100 100"><path d="M0 0L30 40"/></svg>"#;
+    let found = text("t.svg", illustrator).unwrap();
+    assert_eq!(ends_of(&found)[0][1], [30.0, -40.0, 0.0]);
+}
+
+#[test]
+fn a_concave_polygon_of_a_mesh_has_its_own_area() {
+    let area = |faces: &str| {
+        let obj = format!("v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\n{faces}");
+        text("t.obj", &obj).unwrap().meshes[0].mesh.area()
+    };
+    for faces in ["f 1 2 3 4", "f 2 3 4 1", "f 3 4 1 2", "f 4 3 2 1"] {
+        assert!((area(faces) - 4.0).abs() < 1e-12, "{faces}");
+    }
+    // A comb: ears lie between its teeth.
+    let comb = [
+        [0, 0],
+        [7, 0],
+        [7, 3],
+        [6, 3],
+        [6, 1],
+        [4, 1],
+        [4, 3],
+        [3, 3],
+        [3, 1],
+        [1, 1],
+        [1, 3],
+        [0, 3],
+    ];
+    for start in 0..comb.len() {
+        let vertices: String = (0..comb.len())
+            .map(|k| comb[(start + k) % comb.len()])
+            .map(|[x, y]| format!("v {x} 2 {y}\n"))
+            .collect();
+        let all: Vec<String> = (1..=comb.len()).map(|k| k.to_string()).collect();
+        let found = text("t.obj", &format!("{vertices}f {}\n", all.join(" "))).unwrap();
+        assert!(
+            (found.meshes[0].mesh.area() - 13.0).abs() < 1e-12,
+            "{start}"
+        );
+        assert_eq!(found.passed_over, []);
+    }
+    let tie = text("t.obj", "v 0 0 0\nv 4 4 0\nv 4 0 0\nv 0 1 0\nf 1 2 3 4\n").unwrap();
+    assert!(
+        tie.passed_over
+            .iter()
+            .any(|(words, _)| words.contains("crosses itself")),
+        "{:?}",
+        tie.passed_over
+    );
+}
+
+#[test]
+fn lines_of_a_mesh_go_on_after_a_backslash_and_free_forms_are_named() {
+    let found = text(
+        "t.obj",
+        "v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\nl 1 \\\n 3\n",
+    )
+    .unwrap();
+    assert_eq!(found.kind, FileKind::Obj);
+    assert!((found.meshes[0].mesh.area() - 0.5).abs() < 1e-15);
+    assert_eq!(ends_of(&found)[0], [[0.0; 3], [0.0, 1.0, 0.0]]);
+    let error = text(
+        "t.obj",
+        "v 0 0 0\nv 1 1 0\ncstype bezier\ndeg 1\ncurv 0 1 1 2\nparm u 0 1\nend\n",
+    );
+    assert_eq!(
+        error.unwrap_err().to_string(),
+        "there is no curve, face or mesh in it; passed over: 5 free-form statement"
+    );
+}
+
+#[test]
+fn a_drawing_or_mesh_that_ends_in_the_middle_is_refused() {
+    let whole = String::from_utf8(file("rails_poly.dxf")).unwrap();
+    let cut = whole.rfind("EOF").unwrap();
+    let error = text(
+        "t.dxf",
+        whole[..cut].trim_end_matches(['0', ' ', '\r', '\n']),
+    )
+    .unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .ends_with("the file ends in the middle: `EOF` is missing"),
+        "{error}"
+    );
+    let mesh = file("cone.stl");
+    let error = read("cone.stl", &mesh[..mesh.len() - 30], None).unwrap_err();
+    assert!(
+        error.to_string().contains("it ends in the middle"),
+        "{error}"
+    );
+}
+
+#[test]
+fn lines_may_end_in_a_carriage_return_alone() {
+    let table = text("t.csv", "x,y\r0,0\r3,4\r").unwrap();
+    assert_eq!(ends_of(&table)[0][1], [3.0, 4.0, 0.0]);
+    let dxf = String::from_utf8(file("rails_poly.dxf")).unwrap();
+    let old = dxf.replace("\r\n", "\n").replace('\n', "\r");
+    assert_eq!(
+        text("t.dxf", &old).unwrap().curves.len(),
+        text("t.dxf", &dxf).unwrap().curves.len()
+    );
+}
+
+/// An IGES file of these entities: kind, form and parameters of each, whose directory entries are 1, 3, 5, ..; with the units
+/// flag and name.
+fn iges(units: &str, entities: &[(u32, u32, &str)]) -> String {
+    let mut lines = format!("{:<72}S{:>7}\n", "", 1);
+    let global = format!(
+        "1H,,1H;,4Htest,4Htest,4Htest,4Htest,32,38,6,308,15,4Htest,1.,{units},1,0.01,4Htest,1E-6,100.,,,11,0,4Htest;"
+    );
+    for (k, part) in global.as_bytes().chunks(72).enumerate() {
+        lines += &format!("{:<72}G{:>7}\n", String::from_utf8_lossy(part), k + 1);
+    }
+    for (k, (kind, form, _)) in entities.iter().enumerate() {
+        lines += &format!(
+            "{kind:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:0>8}D{:>7}\n",
+            k + 1,
+            0,
+            0,
+            0,
+            0,
+            0,
+            0,
+            0,
+            2 * k + 1
+        );
+        lines += &format!(
+            "{kind:>8}{:>8}{:>8}{:>8}{form:>8}{:>24}{:>8}D{:>7}\n",
+            0,
+            0,
+            1,
+            "",
+            0,
+            2 * k + 2
+        );
+    }
+    for (k, (kind, _, parameters)) in entities.iter().enumerate() {
+        lines += &format!(
+            "{:<64}{:>8}P{:>7}\n",
+            format!("{kind},{parameters};"),
+            2 * k + 1,
+            k + 1
+        );
+    }
+    lines + &format!("{:<72}T{:>7}\n", "S      1G      2D      2P      1", 1)
+}
+
+#[test]
+fn a_straight_line_that_turns_makes_a_cylinder_a_cone_or_a_plane() {
+    let turned = |line: &str| {
+        let entities = [
+            (110, 0, "1,2,0,1,2,5"),
+            (110, 0, line),
+            (120, 0, "1,3,0.,6.283185307179586"),
+        ];
+        let found = text("t.igs", &iges("2,2HMM", &entities)).unwrap();
+        found.faces[0].surface.clone()
+    };
+    match turned("4,6,1,4,6,9") {
+        SurfaceShape::Cylinder(_, radius) => assert!((radius - 5.0).abs() < 1e-14),
+        other => panic!("{other:?}"),
+    }
+    // The apex at (1, 2, 2), half the angle is that of 5 over 6.
+    match turned("4,6,8,1,2,2") {
+        SurfaceShape::Cone(frame, radius, angle) => {
+            assert!((radius - 5.0).abs() < 1e-14 && (angle.tan() - 5.0 / 6.0).abs() < 1e-14);
+            assert!((frame.origin[2] - radius / angle.tan() * frame.axis[2] - 2.0).abs() < 1e-13);
+        }
+        other => panic!("{other:?}"),
+    }
+    assert!(matches!(turned("4,6,8,7,10,8"), SurfaceShape::Plane(_)));
+    // Neither parallel to the axis nor in one plane with it: a hyperboloid.
+    assert!(matches!(turned("4,6,0,4,7,9"), SurfaceShape::Revolved(..)));
+}
+
+#[test]
+fn a_unit_whose_name_and_flag_contradict_each_other_is_refused() {
+    let line = [(110, 0, "0,0,0,1,0,0")];
+    assert_eq!(
+        ends_of(&text("t.igs", &iges("1,2HIN", &line)).unwrap())[0][1],
+        [25.4, 0.0, 0.0]
+    );
+    assert_eq!(
+        ends_of(&text("t.igs", &iges("3,2HCM", &line)).unwrap())[0][1],
+        [10.0, 0.0, 0.0]
+    );
+    let error = text("t.igs", &iges("1,2HMM", &line)).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "line 1: units flag 1 is in, and the name beside it is `MM`: one of the two is wrong"
+    );
+    let solid = text("t.igs", &iges("2,2HMM", &[(186, 0, "3,1,0")])).unwrap_err();
+    assert!(
+        solid
+            .to_string()
+            .ends_with("passed over: 1 solid with faces (manifold B-rep) (type 186)"),
+        "{solid}"
+    );
 }

@@ -6,7 +6,7 @@
 mod entities;
 mod groups;
 
-use super::error::{ReadError, ReadResult, at};
+use super::error::{ReadError, ReadResult, at, at_line};
 use super::imported::{Imported, PassedOver};
 use super::{Drafts, FileKind, LengthUnit, check_unit};
 use entities::insert_map;
@@ -23,6 +23,18 @@ const MAX_ENTITIES: usize = 500_000;
 
 pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Imported> {
     let all = groups(text)?;
+    if all
+        .iter()
+        .rev()
+        .find(|group| group.code == 0)
+        .is_none_or(|last| last.value != "EOF")
+    {
+        let line = text.lines().count().max(1);
+        return Err(at_line(
+            line,
+            "the file ends in the middle: `EOF` is missing",
+        ));
+    }
     let file = File::new(&all);
     let unit = check_unit(file.unit()?, given)?;
     let mut reader = Reader {

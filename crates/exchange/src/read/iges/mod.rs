@@ -9,6 +9,7 @@ mod records;
 use super::error::{ReadError, ReadResult, at, refused};
 use super::imported::{Imported, PassedOver};
 use super::trim::{Base, Trim, between};
+use super::turned::turned;
 use super::{
     CurveShape, Drafts, FileKind, ImportedFace, LengthUnit, SplineSurface, SurfaceFrame,
     SurfaceShape, check_unit,
@@ -80,13 +81,29 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
             };
             drafts.face(&name, face);
         } else if !matches!(entity.kind, 124 | 314 | 406 | 402 | 0) {
-            passed.add(&format!("entity of type {}", entity.kind));
+            passed.add_at(&kind_words(entity.kind), &entity.place());
         }
     }
     let uncertainty = uncertainty
         .map(|own| own.approximate() * reader.factor)
         .filter(|own| *own > 0.0);
     drafts.finish(FileKind::Iges, uncertainty, passed)
+}
+
+/// An entity that is not read, by its name where it is a common one.
+fn kind_words(kind: i64) -> String {
+    let name = match kind {
+        116 => "point",
+        140 => "offset surface",
+        150..=168 | 180 | 182 | 184 => "solid of constructive geometry",
+        186 => "solid with faces (manifold B-rep)",
+        190 | 192 | 194 | 196 | 198 => "analytic surface of a B-rep",
+        202..=230 => "annotation",
+        308 | 408 => "subfigure",
+        502 | 504 | 508 | 510 | 514 => "part of a B-rep",
+        _ => return format!("entity of type {kind}"),
+    };
+    format!("{name} (type {kind})")
 }
 
 /// The unit that the global section states, by its flag.
@@ -118,7 +135,18 @@ fn stated(file: &File<'_>) -> ReadResult<Option<LengthUnit>> {
         "11" => ratio(127, 5_000_000).and_then(|mm| LengthUnit::new("microinch", mm)),
         _ => None,
     };
-    found.map(Some).ok_or_else(|| wrong(flag))
+    let found = found.ok_or_else(|| wrong(flag))?;
+    // The name says the same where it says something.
+    match known(name) {
+        Some(named) if named.millimetres() != found.millimetres() => Err(super::error::at_line(
+            1,
+            format!(
+                "units flag {flag} is {}, and the name beside it is `{name}`: one of the two is wrong",
+                found.name()
+            ),
+        )),
+        _ => Ok(Some(found)),
+    }
 }
 
 /// The curves of a border, with their entities.
@@ -357,18 +385,16 @@ impl<'t> Reader<'t, '_> {
                 let Some(curve) = self.whole(entity, 1, 0)? else {
                     return Ok(None);
                 };
-                let number = |p: [Rational; 3]| p.each_ref().map(Coordinate::approximate);
-                let (from, to) = (number(axis.point(0)?), number(axis.point(3)?));
-                let direction = unit(&sub(&to, &from))
+                let (from, to) = (axis.point(0)?, axis.point(3)?);
+                let way = sub(&to, &from);
+                let direction = unit(&way.each_ref().map(Coordinate::approximate))
                     .ok_or_else(|| at(&place, "an axis without direction"))?;
-                SurfaceShape::Revolved(
-                    Box::new(curve),
-                    SurfaceFrame {
-                        origin: from,
-                        axis: direction,
-                        across: across(&direction),
-                    },
-                )
+                let frame = SurfaceFrame {
+                    origin: from.each_ref().map(Coordinate::approximate),
+                    axis: direction,
+                    across: across(&direction),
+                };
+                turned(curve, &from, &way, frame)
             }
             122 => {
                 let Some(curve) = self.whole(entity, 0, 0)? else {

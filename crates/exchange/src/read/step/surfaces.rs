@@ -2,8 +2,10 @@
 
 use super::curves::{Curves, implied_knots};
 use super::part21::{Instance, Value};
+
 use super::values::{Axes, exact, knots, list, number, positive, whole};
 use crate::read::error::{ReadError, ReadResult, at, refused};
+use crate::read::turned::turned;
 use crate::read::{SplineSurface, SurfaceFrame, SurfaceShape};
 use torse_algebra::Rational;
 use torse_geometry::curve::MAX_SPLINE_POINTS;
@@ -76,7 +78,8 @@ impl<'t, 'd> Curves<'t, 'd, '_> {
                     return Ok(None);
                 };
                 let axes = self.resolver.axes(instance, values.get(2))?;
-                SurfaceShape::Revolved(Box::new(curve), frame_of(&axes))
+                let direction = axes.z.map(torse_geometry::exact);
+                turned(curve, &axes.origin, &direction, frame_of(&axes))
             }
             "RECTANGULAR_TRIMMED_SURFACE" | "CURVE_BOUNDED_SURFACE" => {
                 return self

@@ -1,5 +1,6 @@
 //! The elements of an SVG file that are drawn, each with its place, its layers and its way to the sheet.
 
+use super::style::Styles;
 use crate::read::error::{FilePlace, ReadError, ReadResult, at, at_line};
 use crate::read::imported::PassedOver;
 use crate::read::unit::LengthUnit;
@@ -14,6 +15,12 @@ use torse_geometry::Coordinate;
 const MAX_ELEMENTS: usize = 1_000_000;
 /// How deep elements are nested, and `use` goes.
 const MAX_DEPTH: usize = 128;
+
+/// The longest text that an entity stands for.
+const MAX_ENTITY: usize = 128;
+
+/// The most references in a file that has entities of its own.
+const MAX_REFERENCES: usize = 500_000;
 
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 const XLINK: &str = "http://www.w3.org/1999/xlink";
@@ -85,9 +92,19 @@ impl<'d> Element<'d> {
     }
 }
 
+/// A number with its unit; quarters of a millimetre, `Q`, are a unit too.
+fn parsed_length(text: &str) -> Option<Length> {
+    let text = text.trim();
+    if let Some(number) = text.strip_suffix(['Q', 'q']) {
+        let number = number.trim().parse::<f64>().ok()?;
+        return Some(Length::new(0.25 * number, Unit::Mm));
+    }
+    Length::from_str(text).ok()
+}
+
 /// A length in user units; absolute units are pixels of a 96th of an inch, as SVG has it inside of a drawing.
 fn length_of(text: &str) -> Option<f64> {
-    let length = Length::from_str(text.trim()).ok()?;
+    let length = parsed_length(text)?;
     let factor = match length.unit {
         Unit::None | Unit::Px => 1.0,
         Unit::In => 96.0,
@@ -105,14 +122,27 @@ fn short(text: &str) -> String {
     text.chars().take(40).collect()
 }
 
-/// The tree of an SVG file. A document type may stand in it, entities may not: nothing else can grow without bound.
+/// The tree of an SVG file. A document type may stand in it, with entities of plain text: nothing can grow without bound.
 pub(crate) fn parse(text: &str) -> ReadResult<Document<'_>> {
-    if let Some(start) = text.find("<!ENTITY") {
-        let line = text.get(..start).unwrap_or_default().matches('\n').count() + 1;
-        return Err(at_line(
-            line,
-            "a document type with entities of its own is not read",
-        ));
+    for (start, _) in text.match_indices("<!ENTITY") {
+        let declaration = text.get(start..).unwrap_or_default();
+        let value = declaration.split(['"', '\'']).nth(1).unwrap_or("&");
+        if value.len() > MAX_ENTITY || value.contains(['&', '%', '<']) {
+            let line = text.get(..start).unwrap_or_default().matches('\n').count() + 1;
+            return Err(at_line(
+                line,
+                format!(
+                    "an entity that is more than a plain text of {MAX_ENTITY} characters is not read"
+                ),
+            ));
+        }
+    }
+    if text.contains("<!ENTITY") && text.matches('&').count() > MAX_REFERENCES {
+        return Err(ReadError::TooMuch {
+            place: FilePlace::default(),
+            what: "references to entities",
+            most: MAX_REFERENCES,
+        });
     }
     let options = ParsingOptions {
         allow_dtd: true,
@@ -137,10 +167,7 @@ pub(crate) struct Drawn<'d> {
 pub(crate) fn stated_unit(root: Node<'_, '_>) -> ReadResult<Option<LengthUnit>> {
     let mut stated = None;
     for name in ["width", "height"] {
-        let Some(length) = root
-            .attribute(name)
-            .and_then(|text| Length::from_str(text.trim()).ok())
-        else {
+        let Some(length) = root.attribute(name).and_then(parsed_length) else {
             continue;
         };
         let unit = match length.unit {
@@ -164,7 +191,7 @@ fn outermost(root: Node<'_, '_>, place: &FilePlace, unit: &Rational) -> ReadResu
             return Ok(None);
         };
         let wrong = || at(place, format!("`{name}` is no length: `{}`", short(text)));
-        let length = Length::from_str(text.trim()).map_err(|_| wrong())?;
+        let length = parsed_length(text).ok_or_else(wrong)?;
         let millimetres = match length.unit {
             Unit::Percent | Unit::Em | Unit::Ex => return Ok(None),
             Unit::None => unit.approximate(),
@@ -243,6 +270,8 @@ pub(crate) fn drawn<'d>(document: &'d Document<'d>, unit: &Rational) -> ReadResu
     let mut walk = Walk {
         document,
         ids: HashMap::new(),
+        styles: Styles::new(document)?,
+        visible: true,
         seen: 0,
         found: Drawn {
             elements: Vec::new(),
@@ -278,6 +307,9 @@ fn place_of(document: &Document<'_>, node: Node<'_, '_>) -> FilePlace {
 struct Walk<'d> {
     document: &'d Document<'d>,
     ids: HashMap<&'d str, Node<'d, 'd>>,
+    styles: Styles<'d>,
+    /// Whether what comes next is seen: `visibility` is handed down.
+    visible: bool,
     seen: usize,
     found: Drawn<'d>,
 }
@@ -320,18 +352,55 @@ impl<'d> Walk<'d> {
             });
         }
         let tag = node.tag_name().name();
-        if hidden(node) {
+        if self.styles.property(node, "display") == Some("none") {
             self.found.passed.add(&format!("hidden {tag}"));
             return Ok(());
         }
+        let outside = self.visible;
+        match self.styles.property(node, "visibility") {
+            Some("visible") => self.visible = true,
+            Some("hidden" | "collapse") => self.visible = false,
+            _ => {}
+        }
+        let matrix = matrix.after(self.transform(node)?);
+        let result = self.shown(node, tag, layers, matrix, depth);
+        self.visible = outside;
+        result
+    }
+
+    /// The map of an element's own transform.
+    fn transform(&self, node: Node<'d, 'd>) -> ReadResult<Matrix> {
+        let Some(text) = self.styles.property(node, "transform") else {
+            return Ok(Matrix::IDENTITY);
+        };
+        let place = place_of(self.document, node);
+        for name in ["transform-origin", "transform-box"] {
+            if let Some(value) = self.styles.property(node, name) {
+                return Err(at(
+                    &place,
+                    format!("`{name}: {}` is not read", short(value)),
+                ));
+            }
+        }
+        if text.trim() == "none" {
+            return Ok(Matrix::IDENTITY);
+        }
+        // Styles write units, which an attribute has not.
+        let plain = text.replace("px", "").replace("deg", "");
+        let map = transform(&plain);
+        map.ok_or_else(|| at(&place, format!("`transform` is none: `{}`", short(text))))
+    }
+
+    /// An element that is not taken out of the drawing, with its own transform in the matrix.
+    fn shown(
+        &mut self,
+        node: Node<'d, 'd>,
+        tag: &'d str,
+        layers: &mut Vec<&'d str>,
+        matrix: Matrix,
+        depth: usize,
+    ) -> ReadResult<()> {
         let place = || place_of(self.document, node);
-        let matrix =
-            match node.attribute("transform") {
-                Some(text) => matrix.after(transform(text).ok_or_else(|| {
-                    at(&place(), format!("`transform` is none: `{}`", short(text)))
-                })?),
-                None => matrix,
-            };
         match tag {
             "g" | "a" | "switch" => {
                 let name = node.attribute((INKSCAPE, "label")).or(node.attribute("id"));
@@ -344,17 +413,7 @@ impl<'d> Walk<'d> {
             }
             "svg" => {
                 let place = place();
-                let number = |name: &str| node.attribute(name).and_then(length_of);
-                let (x, y) = (number("x").unwrap_or(0.0), number("y").unwrap_or(0.0));
-                let inner = match view_box(node, &place)? {
-                    Some([left, top, w, h]) => {
-                        let (width, height) =
-                            (number("width").unwrap_or(w), number("height").unwrap_or(h));
-                        let scale = (width / w).min(height / h);
-                        Matrix([scale, 0.0, 0.0, scale, x - scale * left, y - scale * top])
-                    }
-                    None => Matrix([1.0, 0.0, 0.0, 1.0, x, y]),
-                };
+                let inner = inner(node, node, &place)?;
                 self.children(node, layers, matrix.after(inner), depth + 1)
             }
             "use" => {
@@ -373,7 +432,9 @@ impl<'d> Walk<'d> {
                 let number = |name: &str| node.attribute(name).and_then(length_of).unwrap_or(0.0);
                 let moved = matrix.after(Matrix([1.0, 0.0, 0.0, 1.0, number("x"), number("y")]));
                 if target.tag_name().name() == "symbol" {
-                    return self.children(target, layers, moved, depth + 1);
+                    let inner = inner(target, node, &place)?;
+                    // The corner is in it.
+                    return self.children(target, layers, matrix.after(inner), depth + 1);
                 }
                 self.element(target, layers, moved, depth + 1)
             }
@@ -381,6 +442,10 @@ impl<'d> Walk<'d> {
                 let numbers = matrix.0.iter().all(|c| c.is_finite());
                 if !numbers {
                     return Err(at(&place(), "a transform that is not finite"));
+                }
+                if !self.visible {
+                    self.found.passed.add(&format!("hidden {tag}"));
+                    return Ok(());
                 }
                 self.found.elements.push(Element {
                     node,
@@ -402,16 +467,67 @@ impl<'d> Walk<'d> {
     }
 }
 
-fn hidden(node: Node<'_, '_>) -> bool {
-    let none = |text: &str| {
-        text.chars()
-            .filter(|c| !c.is_whitespace())
-            .collect::<String>()
-            .contains("display:none")
+/// The map from the coordinates inside of an `svg` or a `symbol` to those about it: from its box to the place and size that
+/// `placed`, itself or what uses it, gives it; by `preserveAspectRatio` one scale, in the middle, unless it says otherwise.
+fn inner(node: Node<'_, '_>, placed: Node<'_, '_>, place: &FilePlace) -> ReadResult<Matrix> {
+    let number = |name: &str| placed.attribute(name).and_then(length_of);
+    let (x, y) = (number("x").unwrap_or(0.0), number("y").unwrap_or(0.0));
+    let Some([left, top, w, h]) = view_box(node, place)? else {
+        return Ok(Matrix([1.0, 0.0, 0.0, 1.0, x, y]));
     };
-    node.attribute("display")
-        .is_some_and(|d| d.trim() == "none")
-        || node.attribute("style").is_some_and(none)
+    let size = |name: &str, usual: f64| -> ReadResult<f64> {
+        let own = placed.attribute(name).or(node.attribute(name));
+        let Some(text) = own.filter(|text| text.trim() != "auto") else {
+            return Ok(usual);
+        };
+        let length = length_of(text).filter(|length| *length > 0.0);
+        length.ok_or_else(|| {
+            at(
+                place,
+                format!("`{name}` is no length that is read: `{}`", short(text)),
+            )
+        })
+    };
+    let (width, height) = (size("width", w)?, size("height", h)?);
+    let [across, down] = [width / w, height / h];
+    let ratio = node.attribute("preserveAspectRatio").unwrap_or_default();
+    if ratio.contains("none") {
+        return Ok(Matrix([
+            across,
+            0.0,
+            0.0,
+            down,
+            x - across * left,
+            y - down * top,
+        ]));
+    }
+    let scale = if ratio.contains("slice") {
+        across.max(down)
+    } else {
+        across.min(down)
+    };
+    let share = |axis: char| {
+        let says = |word: &str| ratio.contains(&format!("{axis}{word}"));
+        if says("Min") {
+            0.0
+        } else if says("Max") {
+            1.0
+        } else {
+            0.5
+        }
+    };
+    let (right, lower) = (
+        share('x') * (width - scale * w),
+        share('Y') * (height - scale * h),
+    );
+    Ok(Matrix([
+        scale,
+        0.0,
+        0.0,
+        scale,
+        x + right - scale * left,
+        y + lower - scale * top,
+    ]))
 }
 
 /// The map of a list of transforms, with angles in degrees; quarter turns are exact.

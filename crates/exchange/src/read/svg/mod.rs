@@ -5,6 +5,7 @@
 
 pub(crate) mod document;
 pub(crate) mod path;
+mod style;
 
 use super::error::{ReadResult, at, refused};
 use super::imported::Imported;
