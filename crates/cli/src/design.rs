@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use torse_designs::eval::{EvalPlaces, csv, eval};
 use torse_designs::export::{ENDINGS, PATTERNS, bytes, ending};
 use torse_designs::fold::fold_back;
-use torse_designs::inspect::{DesignReport, inspect, inspect_quickly, overview, table};
+use torse_designs::inspect::{DesignReport, inspect, inspect_quickly, overview, table, wrapped};
 use torse_designs::listing::{FileListing, list};
 use torse_designs::unroll::{Demand, Flattening, development_note};
 use torse_designs::{Design, DesignError, draw, load, load_with_settings};
@@ -218,6 +218,22 @@ pub(crate) fn design(path: &Path, settings: &[(String, f64)]) -> Result<Design, 
     Ok(load_with_settings(path, file, settings)?)
 }
 
+/// Says on standard error which faces of a file of another program have no patch.
+pub(crate) fn tell_left_out(design: &Design) {
+    let left_out = &design.left_out;
+    if left_out.is_empty() {
+        return;
+    }
+    let count = match left_out.len() {
+        1 => "1 face is".to_owned(),
+        count => format!("{count} faces are"),
+    };
+    remark(&format!("{count} left out of {}:\n", design.name));
+    for face in left_out {
+        remark(&wrapped(&format!("{}: ", face.name), &face.reason));
+    }
+}
+
 /// A name and a number: R=90.
 pub(crate) fn setting(text: &str) -> Result<(String, f64), String> {
     let wanted = || "a name and a number are wanted: R=90".to_owned();
@@ -325,7 +341,7 @@ impl Inspect {
         let most = u64::try_from(MAX_FILE_BYTES).unwrap_or(u64::MAX);
         let mut bytes = Vec::new();
         if file.take(most + 1).read_to_end(&mut bytes).is_err()
-            || !FileKind::detect(&bytes).is_read()
+            || !FileKind::of_file(&path.display().to_string(), &bytes).is_read()
         {
             return Ok(None);
         }
@@ -361,6 +377,7 @@ impl Export {
         if let Some(note) = development_note(&design).filter(|_| PATTERNS.contains(&ending)) {
             remark(&format!("note: {note}\n"));
         }
+        tell_left_out(&design);
         Ok(Exit::AsExpected)
     }
 }
@@ -396,6 +413,7 @@ impl Draw {
             }
         };
         write(&self.to, &bytes)?;
+        tell_left_out(&design);
         Ok(Exit::AsExpected)
     }
 }

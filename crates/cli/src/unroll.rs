@@ -1,6 +1,8 @@
 //! `unroll`: from a design to what is cut and bent.
 
-use crate::design::{DesignFile, Pattern, answer, format_of, is_standard, met, named, write};
+use crate::design::{
+    DesignFile, Pattern, answer, format_of, is_standard, met, named, tell_left_out, write,
+};
 use crate::exit::{Exit, Failure};
 use crate::format::{Format, pretty_json};
 use crate::terminal::remark;
@@ -9,12 +11,12 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 use torse_designs::bench::{PaperSize, bench_sheets, tiled_parts};
 use torse_designs::export::PATTERNS;
-use torse_designs::inspect::{inspect_for, inspect_unrolled, missed_line};
+use torse_designs::inspect::{inspect_for, inspect_unrolled, missed_line, wrapped};
 use torse_designs::unroll::{
     CutOptions, FlatPiece, Grain, Part, PartsList, PatternSummary, Purpose, drawing, parts_with,
     unroll,
 };
-use torse_designs::{Design, DesignError};
+use torse_designs::{Design, DesignError, LeftOut};
 use torse_exchange::{Drawing, dxf, svg};
 use torse_report::Manuscript;
 
@@ -104,6 +106,9 @@ struct Answer<'a> {
     #[serde(flatten)]
     summary: &'a PatternSummary,
     parts: &'a PartsList,
+    /// The faces of a file of another program that have no pattern; not there where there are none.
+    #[serde(skip_serializing_if = "<[LeftOut]>::is_empty")]
+    left_out: &'a [LeftOut],
 }
 
 /// The text of a drawing in a format.
@@ -287,6 +292,7 @@ impl Unroll {
             Format::Json => pretty_json(&Answer {
                 summary,
                 parts: list,
+                left_out: &design.left_out,
             })?,
         };
         answer(&self.to, &text)?;
@@ -296,10 +302,17 @@ impl Unroll {
             Output::Drawings(Purpose::Fold) => inspect_for(design, &demand)?,
             _ => inspect_unrolled(design, &demand)?,
         };
+        for note in report.notes_on_space() {
+            remark(&wrapped("note: ", &note));
+        }
         let missed = report.missed;
         for reason in &missed {
             remark(&missed_line(reason));
         }
-        Ok(met(&missed))
+        tell_left_out(design);
+        Ok(match design.left_out.is_empty() {
+            true => met(&missed),
+            false => Exit::Differs,
+        })
     }
 }

@@ -245,12 +245,13 @@ fn tensor(surface: &SplineSurface) -> Result<FaceAudit, GeometryError> {
             twist: None,
             worst: None,
             words: format!(
-                "{}; the Gaussian curvature is {gaussian:.1e} /mm2 at most, measured: that of a developable that was rounded",
+                "{}; the Gaussian curvature is {:.1e} /mm2 at most, measured: that of a developable that was rounded",
                 if refuted {
                     "not exactly, proved"
                 } else {
                     "not decided"
-                }
+                },
+                gaussian.abs()
             ),
         },
         (true, _, false) => curved(point, gaussian, CurvatureKnown::NotZero),
@@ -299,7 +300,8 @@ fn revolved(curve: &CurveShape, frame: &SurfaceFrame) -> Result<FaceAudit, Geome
             twist: None,
             worst: None,
             words: format!(
-                "the Gaussian curvature is {gaussian:.1e} /mm2 at most, measured: a straight line turned about an axis"
+                "the Gaussian curvature is {:.1e} /mm2 at most, measured: a straight line turned about an axis",
+                gaussian.abs()
             ),
         });
     }

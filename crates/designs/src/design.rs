@@ -39,6 +39,8 @@ pub struct Design {
     pub seams: Vec<Seam>,
     /// What is worth knowing of the files that it takes curves from.
     pub notes: Vec<String>,
+    /// The faces of a file of another program that have no patch.
+    pub left_out: Vec<LeftOut>,
     /// Surfaces that are not unrolled, in the order of the file.
     pub surfaces: Vec<FreeSurface>,
     /// The surfaces that strips cover, in the order of the file.
@@ -60,6 +62,15 @@ pub struct DesignPoint {
     pub places: [Range<usize>; 3],
     /// Whether each is a number; formulas hang on other numbers.
     pub plain: [bool; 3],
+}
+
+/// A face of a file of another program that has no patch.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
+pub struct LeftOut {
+    /// Its name; of what is not read its kind, and how many there are.
+    pub name: String,
+    /// Why.
+    pub reason: String,
 }
 
 /// Sheet metal, or what else is bent.

@@ -4,7 +4,7 @@ use crate::DesignUnit;
 use crate::audit::FaceAudit;
 use crate::bending::Bending;
 use crate::design::{
-    Chain, ChainLayout, Design, DesignView, Patch, PatchEnds, Tolerances, USUAL_RULINGS,
+    Chain, ChainLayout, Design, DesignView, LeftOut, Patch, PatchEnds, Tolerances, USUAL_RULINGS,
 };
 use crate::error::DesignError;
 use std::path::Path;
@@ -50,13 +50,14 @@ pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, Design
             "{path}: {}, lengths in {}",
             imported.kind, imported.unit
         )],
+        left_out: Vec::new(),
         surfaces: Vec::new(),
         covers: Vec::new(),
         points: Vec::new(),
         seams: Vec::new(),
         allowance: 0.0,
     };
-    let mut left_out = Vec::new();
+    let mut left_out: Vec<LeftOut> = Vec::new();
     for face in &imported.faces {
         match sheets(face, imported) {
             Ok(found) => add(&mut design, face, found),
@@ -64,20 +65,27 @@ pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, Design
                 let verdict = FaceAudit::of_surface(face).map(|audit| audit.words);
                 let verdict =
                     verdict.map_or(String::new(), |words| format!(" (developable: {words})"));
-                left_out.push(format!("{}: {reason}{verdict}", face.name));
+                left_out.push(LeftOut {
+                    name: face.name.clone(),
+                    reason: format!("{reason}{verdict}"),
+                });
             }
         }
     }
+    left_out.extend(imported.lost().map(|(words, count)| LeftOut {
+        name: format!("{count} {words}"),
+        reason: "it is not read".to_owned(),
+    }));
     if design.patches.is_empty() {
+        let reasons = left_out.iter();
         return Err(DesignError::NoFace {
             path: path.to_owned(),
-            reasons: left_out,
+            reasons: reasons
+                .map(|face| format!("{}: {}", face.name, face.reason))
+                .collect(),
         });
     }
-    let left_out = left_out.into_iter();
-    design
-        .notes
-        .extend(left_out.map(|reason| format!("left out: {reason}")));
+    design.left_out = left_out;
     Ok(design)
 }
 

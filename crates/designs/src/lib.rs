@@ -64,8 +64,8 @@ pub mod unroll;
 pub use bending::{Bending, DesignedSurface, NeutralLine};
 pub use covers::{CoveringStrip, SurfaceCover};
 pub use design::{
-    Chain, ChainLayout, Design, DesignPiece, DesignPoint, DesignView, Mark, Material, Patch,
-    PatchEnds, Smoothness, Tolerances,
+    Chain, ChainLayout, Design, DesignPiece, DesignPoint, DesignView, LeftOut, Mark, Material,
+    Patch, PatchEnds, Smoothness, Tolerances,
 };
 pub use error::{DesignError, Ending};
 pub use file::{

@@ -668,3 +668,43 @@ fn sheets_of_paper_are_pdf_or_svg_with_the_same_bytes_on_every_run() {
         assert!(!folder.path().join(file).exists());
     }
 }
+
+#[test]
+fn a_file_of_which_only_some_faces_have_patterns_is_unrolled_in_part_and_says_so() {
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../designs/tests/files/cone_face.step"
+    );
+    let step = std::fs::read_to_string(file).unwrap();
+    let more = step.replace("OPEN_SHELL('',(#35))", "OPEN_SHELL('',(#35,#9035))").replace(
+        "#36 = FACE_BOUND",
+        "#9035 = ADVANCED_FACE('ball',(#36),#9049,.T.);\n#9049 = SPHERICAL_SURFACE('',#50,50.);\n#36 = FACE_BOUND",
+    );
+    let folder = folder(CONE);
+    std::fs::write(folder.path().join("parts.step"), &more).unwrap();
+    let arguments = [
+        "unroll",
+        "parts.step",
+        "--to",
+        "parts.dxf",
+        "--format",
+        "json",
+    ];
+    let unrolled = run(folder.path(), &arguments);
+    assert_eq!(unrolled.code, 1, "{}", unrolled.error);
+    assert!(folder.path().join("parts.dxf").exists());
+    assert!(
+        unrolled.error.contains("1 face is left out of parts") && unrolled.error.contains("ball: "),
+        "{}",
+        unrolled.error
+    );
+    let answer: serde_json::Value = serde_json::from_str(&unrolled.output).unwrap();
+    assert_eq!(answer["left_out"][0]["name"], "ball");
+    // What is broken is refused with the line of the reader, by `unroll` as by `inspect`.
+    std::fs::write(folder.path().join("parts.step"), &more[..more.len() / 2]).unwrap();
+    let [unrolled, inspected] =
+        [&arguments[..4], &["inspect", "parts.step"]].map(|all| run(folder.path(), all));
+    assert_eq!((unrolled.code, inspected.code), (4, 4));
+    assert_eq!(unrolled.error, inspected.error);
+    assert!(unrolled.error.contains("line "), "{}", unrolled.error);
+}

@@ -123,8 +123,16 @@ impl<'f> Imports<'f> {
         if !self.read.contains_key(&key) {
             let read = self.read_file(path, unit, design);
             if let Ok(imported) = &read {
+                let passed = imported.passed_over.iter();
+                let passed: Vec<String> = passed
+                    .map(|(words, count)| format!("{count} {words}"))
+                    .collect();
+                let passed = match passed.as_slice() {
+                    [] => String::new(),
+                    words => format!("; passed over: {}", words.join(", ")),
+                };
                 self.notes.push(format!(
-                    "{path}: {}, lengths in {}",
+                    "{path}: {}, lengths in {}{passed}",
                     imported.kind, imported.unit
                 ));
             }

@@ -66,8 +66,8 @@ struct Parts {
 ///
 /// # Errors
 /// [`DesignError::Unreadable`] for a file that is not there, too large or no text, [`DesignError::OtherKind`] for a
-/// file of another program without faces, [`DesignError::NoFace`] where none of them has rulings between its edges,
-/// [`DesignError::Wrong`] with everything that is wrong in it.
+/// file of another program without faces, [`DesignError::Listing`] for one that cannot be read, [`DesignError::NoFace`]
+/// where none of them has rulings between its edges, [`DesignError::Wrong`] with everything that is wrong in it.
 pub fn load(path: &Path) -> Result<Design, DesignError> {
     let unreadable = |reason: String| DesignError::Unreadable {
         path: path.display().to_string(),
@@ -111,7 +111,7 @@ pub fn load_with_settings(
             .map_err(|e| unreadable(e.to_string()))
     };
     take(MAX_BYTES + 1, &mut bytes)?;
-    if bytes.len() > MAX_BYTES && FileKind::detect(&bytes).is_read() {
+    if bytes.len() > MAX_BYTES && FileKind::of_file(&shown, &bytes).is_read() {
         take(torse_exchange::MAX_FILE_BYTES - MAX_BYTES, &mut bytes)?;
     }
     if let Some(design) = of_faces(&shown, &bytes)? {
@@ -132,7 +132,7 @@ pub fn load_with_settings(
 
 /// Returns the design of the faces of a file of another program; nothing for one without faces, and for a design.
 fn of_faces(path: &str, bytes: &[u8]) -> Result<Option<Design>, DesignError> {
-    if !FileKind::detect(bytes).is_read() {
+    if !FileKind::of_file(path, bytes).is_read() {
         return Ok(None);
     }
     match torse_exchange::read(path, bytes, None) {
@@ -140,7 +140,11 @@ fn of_faces(path: &str, bytes: &[u8]) -> Result<Option<Design>, DesignError> {
             crate::faces::design_of_faces(path, &imported).map(Some)
         }
         // It is named as what it is.
-        _ => Ok(None),
+        Ok(_) => Ok(None),
+        Err(reason) => Err(DesignError::Listing {
+            path: path.to_owned(),
+            reason,
+        }),
     }
 }
 
@@ -157,7 +161,7 @@ fn beside(folder: &Path, file: &str) -> Result<Vec<u8>, String> {
 
 /// Refuses, in one line, what is a file of another kind: its text is no TOML that somebody mistyped.
 fn other_kind(path: &str, bytes: &[u8]) -> Result<(), DesignError> {
-    match FileKind::detect(bytes) {
+    match FileKind::of_file(path, bytes) {
         // Bytes that mean nothing are refused where they are no text.
         FileKind::Text | FileKind::Empty | FileKind::Binary => Ok(()),
         kind => Err(DesignError::OtherKind {
@@ -378,6 +382,7 @@ fn sections(
         allowance: head.allowance,
         seams,
         notes: imports.notes,
+        left_out: Vec::new(),
         surfaces: surfaces.into_iter().filter_map(|(_, one)| one).collect(),
         covers,
         points: std::mem::take(&mut reader.placed),

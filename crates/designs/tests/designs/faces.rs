@@ -164,3 +164,40 @@ fn analytic_faces_are_what_they_are() {
     assert_eq!(skew.developable, Assurance::No, "{}", skew.words);
     assert!(skew.worst.unwrap().gaussian.unwrap() < 0.0);
 }
+
+#[test]
+fn faces_without_a_pattern_are_left_out_by_name_and_reason() {
+    let step = std::fs::read_to_string(file("cone_face.step")).unwrap();
+    // A second face with the same border on a ball, and a third on a surface that is not read.
+    let more = step
+        .replace("OPEN_SHELL('',(#35))", "OPEN_SHELL('',(#35,#9035,#9036))")
+        .replace(
+            "#36 = FACE_BOUND",
+            "#9035 = ADVANCED_FACE('ball',(#36),#9049,.T.);\n#9049 = SPHERICAL_SURFACE('',#50,50.);\n\
+             #9036 = ADVANCED_FACE('odd',(#36),#9050,.T.);\n#9050 = OFFSET_SURFACE('',#49,1.,.F.);\n#36 = FACE_BOUND",
+        );
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("parts.step");
+    std::fs::write(&path, &more).unwrap();
+    let design = load(&path).unwrap();
+    assert_eq!(
+        design.patches.len(),
+        load(&file("cone_face.step")).unwrap().patches.len()
+    );
+    let names: Vec<&str> = design
+        .left_out
+        .iter()
+        .map(|face| face.name.as_str())
+        .collect();
+    assert_eq!(names, ["ball", "1 face on OFFSET_SURFACE"]);
+    assert!(
+        design.left_out[0].reason.contains("no, by construction"),
+        "{:?}",
+        design.left_out
+    );
+    // A file that ends in the middle is refused with the line, not as if it were of another kind.
+    std::fs::write(&path, &more[..more.len() / 2]).unwrap();
+    let error = load(&path).unwrap_err();
+    assert!(matches!(error, DesignError::Listing { .. }), "{error}");
+    assert!(error.to_string().contains("line "), "{error}");
+}
