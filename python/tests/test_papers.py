@@ -49,7 +49,7 @@ def test_claims_are_chosen_and_explained():
     assert own.ids == ["mine/1", "mine/2"]
     assert len(own.only("mine/2").verify()) == 1
     note = own.explain("mine/2")
-    assert note["verdict"].startswith("misprint") and note["where"] == "eq. (2)"
+    assert note["verdict"].startswith("misprint") and note["place"] == "eq. (2)"
     with pytest.raises(torse.TorseError, match="mine/1"):
         own.explain("mine")
 

@@ -70,7 +70,7 @@ class Paper:
     >>> from torse import Paper
     >>> Paper.read(_EXAMPLE)
     <Paper mine: 1 claims>
-    >>> Paper.read(_EXAMPLE).explain("mine/1")["where"]
+    >>> Paper.read(_EXAMPLE).explain("mine/1")["place"]
     'eq. (1)'
     >>> Paper("no/such/folder")
     Traceback (most recent call last):

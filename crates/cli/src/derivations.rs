@@ -56,11 +56,13 @@ impl Derivations {
         Ok((papers, found.mistakes))
     }
 
-    /// Returns the folder for a new paper: the one that is named, or the one that is found, or `derivations` here.
+    /// Returns the folder for a new paper: the one that is named, or `derivations` here, be it empty, or the one that is found
+    /// above; none of them, `derivations` here is made.
     pub fn place(&self) -> Result<PathBuf, Failure> {
         match &self.folder {
             Some(path) if path.exists() => self.find(),
             Some(path) => Ok(path.clone()),
+            None if Path::new("derivations").is_dir() => Ok(PathBuf::from("derivations")),
             None => match self.find() {
                 Err(Failure::NoDerivations) => Ok(PathBuf::from("derivations")),
                 found => found,

@@ -11,15 +11,15 @@ use torse::explanation::{Resting, full};
 use torse::report::glossary::{VERDICTS, verdict};
 use torse::{Explanation, selection};
 
-/// Explain one claim: what is printed, how it was understood, what is true, and why.
+/// Explain one claim, or all of a paper: what is printed, how it was understood, what is true, and why.
 ///
 /// For a refuted claim, torse shows an exact counterexample, the difference of both sides, the derived right side, and
 /// a small correction if one was proved. The exit code is 0 for every verdict.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Explain {
-    /// The claim's id, or a prefix of only one id
-    #[arg(value_name = "ID")]
+    /// The claim's id, a prefix of only one id, or a paper
+    #[arg(value_name = "PAPER|ID")]
     name: String,
     /// Show at most this many characters of a formula
     #[arg(long, value_name = "CHARACTERS", default_value_t = 2000)]
@@ -35,6 +35,7 @@ pub struct Explain {
 const EXAMPLES: &str = "\
 Examples:
   torse explain gbt-developable/thm-4.c
+  torse explain bezier
   torse explain gbt-surfaces/thm-4 --longest 100000";
 
 impl Explain {
@@ -48,11 +49,15 @@ impl Explain {
         if left_out.contains(&self.name) {
             return Ok(mistakes.tell(Exit::BadData));
         }
-        let paper = selection::select_one(&papers, &self.name)?;
+        let paper = match papers.iter().find(|paper| paper.head.id == self.name) {
+            Some(whole) => whole.clone(),
+            None => selection::select_one(&papers, &self.name)?,
+        };
         let run = Run::new(std::slice::from_ref(&paper), self.budget, &mut mistakes);
         let kernel = self.kernel.accepted(std::slice::from_ref(&paper), &run);
         for paper in &run.papers {
-            for outcome in &paper.claims {
+            for (position, outcome) in paper.claims.iter().enumerate() {
+                let before = if position > 0 { "\n" } else { "" };
                 let (resting, wrong) = Resting::on(outcome, &papers, &self.budget.verifier())?;
                 wrong
                     .into_iter()
@@ -61,7 +66,7 @@ impl Explain {
                 let kernel = kernel.contains(&outcome.claim.id);
                 let note = full(paper, outcome, resting, kernel, self.longest);
                 let id = terminal::heading(&outcome.claim.id);
-                terminal::print(&format!("{id}\n\n{}", text(&note)))?;
+                terminal::print(&format!("{before}{id}\n\n{}", text(&note)))?;
             }
         }
         Ok(mistakes.tell(Exit::AsExpected))

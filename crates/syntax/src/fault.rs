@@ -1,7 +1,7 @@
 //! Why a formula has no value: either a mistake of the author, or a limit of the program.
 
 use crate::derivation::{DerivationError, Origin};
-use crate::formula::{Place, hints};
+use crate::formula::{Place, hints, is_name};
 use torse_numbers::ExactError;
 
 /// The kind of problem.
@@ -140,10 +140,39 @@ impl Fault {
     pub fn into_error(self, origin: &Origin) -> DerivationError {
         let origin = self.origin.unwrap_or_else(|| origin.clone());
         let error = DerivationError::at(&origin, self.place, self.problem.to_string());
-        match help(&self.problem) {
+        let own = origin.text(self.place).unwrap_or("");
+        let help = match origin.is_typed() {
+            true => typed_help(&self.problem, own).or_else(|| help(&self.problem)),
+            false => help(&self.problem),
+        };
+        match help {
             Some(help) => error.with_help(help),
             None => error,
         }
+    }
+}
+
+/// A hint at what would be correct in a single statement with its setting; `text` is what stands at the place.
+fn typed_help(problem: &Problem, text: &str) -> Option<String> {
+    match problem {
+        Problem::UnknownName { name, similar } if similar.as_deref() != Some(name) => {
+            if let Some(hint) = hints::name(name) {
+                return Some(hint.to_owned());
+            }
+            let similar = similar.as_ref();
+            let similar = similar.map(|similar| format!("did you mean `{similar}`? "));
+            Some(format!(
+                "{}declare a function by --where \"{name}(i, t) := ...\" or \"{name}: function 1\", a vector by \"{name}: vector 3\"",
+                similar.unwrap_or_default()
+            ))
+        }
+        Problem::WrongType { wanted, .. } if wanted.starts_with("an integer") && is_name(text) => {
+            Some(format!(
+                "`{text}` is taken for a real number, but a bound of a sum, an index and what a binomial coefficient takes are \
+                 integers: add --where \"{text} in 0..\""
+            ))
+        }
+        _ => None,
     }
 }
 
@@ -155,6 +184,11 @@ fn help(problem: &Problem) -> Option<String> {
             wanted, found: 2.., ..
         } if wanted.contains("ind") => {
             Some("the coordinate of a member stands in brackets of its own: `P[i][2]`".to_owned())
+        }
+        Problem::Count {
+            name, found: 2.., ..
+        } if name == "det" => {
+            Some("a determinant has its rows in square brackets: `det([a, b, c])`".to_owned())
         }
         Problem::WrongType {
             wanted: "a function",

@@ -141,7 +141,7 @@ impl Cut {
         let title = [paper.title.trim(), paper.venue.trim()];
         let title: Vec<&str> = title.into_iter().filter(|part| !part.is_empty()).collect();
         note.add("paper", &title.join(", "));
-        note.add("where", &outcome.claim.at);
+        note.add("place", &outcome.claim.at);
         note.option("our reading", outcome.claim.reading.as_deref());
         let assumed = outcome.claim.assumed.iter();
         let assumed = assumed.filter(|hypothesis| hypothesis.role == Role::Assume);

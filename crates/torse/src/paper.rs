@@ -120,7 +120,7 @@ impl Paper {
     /// })?;
     /// let note = paper.explain("p/square")?;
     /// assert!(note.text("verdict").is_some_and(|text| text.starts_with("misprint")));
-    /// assert_eq!(note.text("where"), Some("eq. (1)"));
+    /// assert_eq!(note.text("place"), Some("eq. (1)"));
     /// # Ok::<(), torse::Error>(())
     /// ```
     pub fn explain(&self, name: &str) -> Result<Explanation, Error> {

@@ -17,7 +17,7 @@ use super::definitions::name_of;
 use super::error::LoadError;
 use super::load::paper;
 use super::paper::Paper;
-use super::source::{Copied, Source};
+use super::source::{Copied, SETTING, STATEMENT, Source};
 use crate::formula::{Expr, Node, Place, parse};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -34,8 +34,8 @@ use std::sync::Arc;
 /// # Ok::<(), torse_syntax::derivation::LoadError>(())
 /// ```
 pub fn question(states: &str, setting: &str) -> Result<Paper, LoadError> {
-    let statement = Arc::new(Source::new("the statement", states));
-    let setting = Arc::new(Source::new("the setting", setting));
+    let statement = Arc::new(Source::new(STATEMENT, states));
+    let setting = Arc::new(Source::new(SETTING, setting));
     let (states, setting) = (Typed::all(&statement), Setting::read(Typed::all(&setting)));
 
     let mut head = Composed::default();

@@ -6,6 +6,11 @@ use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
 
+/// The name of the text of a single statement.
+pub(super) const STATEMENT: &str = "the statement";
+/// The name of the text of its setting.
+pub(super) const SETTING: &str = "the setting";
+
 /// A derivation file: its displayed name and its text.
 #[derive(Debug)]
 pub struct Source {
@@ -144,6 +149,19 @@ impl Origin {
             Some(start) => (start + place.start, place.end.saturating_sub(place.start)).into(),
             None => (self.whole.0, self.whole.1.saturating_sub(self.whole.0)).into(),
         }
+    }
+
+    /// The text at a place, where the formula is written as it is read.
+    #[must_use]
+    pub fn text(&self, place: Place) -> Option<&str> {
+        let start = self.start?;
+        self.source.text.get(start + place.start..start + place.end)
+    }
+
+    /// Whether it was typed as a single statement or its setting, rather than in a file.
+    #[must_use]
+    pub fn is_typed(&self) -> bool {
+        [STATEMENT, SETTING].contains(&self.source.name.as_str())
     }
 
     /// The file in the form that `miette` needs. The text is shared, since a file may have many mistakes.

@@ -1,7 +1,9 @@
 //! Hints for what users of mathematical notation commonly type: the corresponding syntax of the language.
 
 use super::ast::Node;
-use super::token::Token;
+use super::functions::is_function;
+use super::token::{Token, is_name};
+use crate::greek;
 
 /// The hint for a character that is not in the language.
 pub fn character(found: char) -> Option<&'static str> {
@@ -45,8 +47,12 @@ pub fn character(found: char) -> Option<&'static str> {
     })
 }
 
-/// The hint for a token `found` that cannot follow `before`.
-pub fn unexpected(before: Option<&Token>, found: Option<&Token>) -> Option<String> {
+/// The hint for a token `found` that cannot follow `before`; `next` stands behind it.
+pub fn unexpected(
+    before: Option<&Token>,
+    found: Option<&Token>,
+    next: Option<&Token>,
+) -> Option<String> {
     let operand = |token: &Token| match token {
         Token::Number(text) | Token::Name(text) => Some(text.clone()),
         Token::Sign(sign) => (*sign == "(").then(|| "(...)".to_owned()),
@@ -59,6 +65,7 @@ pub fn unexpected(before: Option<&Token>, found: Option<&Token>) -> Option<Strin
         (Token::Name(name), Token::Name(next)) if FUNCTIONS.contains(&name.as_str()) => {
             Some(format!("arguments stand in brackets: `{name}({next})`"))
         }
+        (Token::Number(before), Token::Name(name)) => Some(product(before, name, next)),
         (Token::Number(before) | Token::Name(before), found) => {
             let found = operand(found)?;
             Some(format!("a product is written with `*`: `{before}*{found}`"))
@@ -68,6 +75,32 @@ pub fn unexpected(before: Option<&Token>, found: Option<&Token>) -> Option<Strin
             Some(format!("a product is written with `*`: `...*{found}`"))
         }
         _ => None,
+    }
+}
+
+/// The hint for a number before a name: a name of a few letters may be a product of them, one before brackets a factor.
+fn product(number: &str, name: &str, next: Option<&Token>) -> String {
+    let written = "a product is written with `*`";
+    let is_word = is_function(name) || greek::by_name(name).is_some();
+    let letters: Vec<String> = name.chars().map(String::from).collect();
+    let is_product = !is_word
+        && (2..=3).contains(&letters.len())
+        && letters.iter().all(|letter| is_name(letter));
+    let factors = match is_product {
+        true => format!("{number}*{}", letters.join("*")),
+        false => format!("{number}*{name}"),
+    };
+    match next {
+        Some(Token::Sign("(")) if !is_word => {
+            format!(
+                "{written}: `{factors}*(...)`, or `{number}*{name}(...)` if `{name}` is a function"
+            )
+        }
+        Some(Token::Sign("(")) => format!("{written}: `{number}*{name}(...)`"),
+        _ if is_product => {
+            format!("{written}: `{factors}`, or `{number}*{name}` if `{name}` is one name")
+        }
+        _ => format!("{written}: `{factors}`"),
     }
 }
 
@@ -104,7 +137,7 @@ pub fn name(unknown: &str) -> Option<&'static str> {
         "diff" | "d" => "a derivative is written `D(F, x)`",
         "prod" => "a product over an index is written `product(i, 1, k, ...)`",
         "int" => "an integral is written `integral(f, x, a, b)`",
-        "binomial" | "C" => "a binomial coefficient is written `binom(n, j)`",
+        "binomial" | "choose" | "comb" | "C" => "a binomial coefficient is written `binom(n, j)`",
         _ => return None,
     })
 }

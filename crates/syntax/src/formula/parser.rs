@@ -167,7 +167,11 @@ impl Parser {
         SyntaxError::Unexpected {
             expected,
             found,
-            help: hints::unexpected(before.map(|(token, _)| token), self.peek()),
+            help: hints::unexpected(
+                before.map(|(token, _)| token),
+                self.peek(),
+                self.tokens.get(self.next + 1).map(|(token, _)| token),
+            ),
             place: self.place(),
         }
     }
