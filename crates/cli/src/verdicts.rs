@@ -26,6 +26,7 @@ pub fn text(papers: &[PaperOutcome]) -> String {
     text.push_str(&by_paper(&papers));
     text.push_str(&counts(outcomes()));
     text.push_str(&unexpected(outcomes()));
+    text.push_str(&unstated(outcomes()));
     text.push_str(&next(outcomes()));
     text
 }
@@ -75,6 +76,29 @@ fn number(count: usize) -> String {
     match count {
         0 => String::new(),
         _ => count.to_string(),
+    }
+}
+
+/// Counts the claims whose files state nothing yet.
+fn unstated<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
+    let claims: Vec<&Outcome> = outcomes
+        .filter(|outcome| match outcome.claim.kind {
+            Kind::Remark => false,
+            Kind::Definition => outcome.is_unstated(),
+            _ => true,
+        })
+        .collect();
+    let open = claims
+        .iter()
+        .filter(|outcome| outcome.is_unstated())
+        .count();
+    match open {
+        0 => String::new(),
+        _ => format!(
+            "\n{open} of {} {} still to be stated: `torse explain ID` shows what is missing\n",
+            counted(claims.len(), "statement"),
+            if open == 1 { "is" } else { "are" },
+        ),
     }
 }
 

@@ -134,6 +134,12 @@ impl Outcome {
         self.finding.contradiction()
     }
 
+    /// Whether the file states nothing yet.
+    #[must_use]
+    pub fn is_unstated(&self) -> bool {
+        matches!(self.finding, Finding::Unstated(_))
+    }
+
     /// Returns the steps of the decision, in words, in order.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
@@ -164,6 +170,8 @@ pub enum Finding {
     Underspecified(String),
     /// The claim is not a statement that can be decided here, for this reason.
     OutOfScope(String),
+    /// Nothing is stated yet, and this is still to be done.
+    Unstated(String),
     /// Undecided.
     Undecided(UndecidedStatement),
     /// The prover decided it, and a cross-check finds the opposite.
@@ -192,7 +200,7 @@ impl Finding {
             Self::Figure(figure) => figure.verdict,
             Self::Underspecified(_) => Verdict::Underspecified,
             Self::OutOfScope(_) => Verdict::OutOfScope,
-            Self::Undecided(_) | Self::Contradicted(_) => Verdict::Undecided,
+            Self::Unstated(_) | Self::Undecided(_) | Self::Contradicted(_) => Verdict::Undecided,
             Self::Proved(proved) => proved.statement.verdict(kind),
             Self::Refuted(refuted) => refuted.statement.verdict(),
             Self::Vacuous(_) => Verdict::Vacuous,
@@ -299,6 +307,7 @@ impl Finding {
             Self::Definition => vec![],
             Self::Figure(figure) => figure.steps.clone(),
             Self::Underspecified(why) | Self::OutOfScope(why) => vec![why.clone()],
+            Self::Unstated(why) => vec![format!("not stated yet: {why}")],
             Self::Undecided(undecided) => undecided.steps.clone(),
             Self::Contradicted(Contradiction { claimed, found }) => vec![
                 format!("internal contradiction: the proof says {claimed:?}, but {found}"),

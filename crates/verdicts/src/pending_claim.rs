@@ -247,6 +247,9 @@ fn undisputed(claim: &Claim) -> Option<Finding> {
     if let Some(reason) = &entry.out_of_scope {
         return Some(Finding::OutOfScope(reason.clone()));
     }
+    if let Some(reason) = &entry.unstated {
+        return Some(Finding::Unstated(reason.clone()));
+    }
     let is_bare = claim.statement.is_none() && claim.readings.is_empty();
     (is_bare && entry.kind == Kind::Figure)
         .then(|| Finding::undecided("all data are printed; deciding a figure means drawing it"))

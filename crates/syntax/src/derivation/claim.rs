@@ -288,8 +288,14 @@ fn check_fields(source: &Arc<Source>, entry: &ClaimEntry, errors: &mut Errors) {
         let error = DerivationError::at(&origin, whole(text), message).with_help(help);
         errors.0.push(LoadError::Derivation(Box::new(error)));
     };
-    let undecidable = entry.underspecified.is_some() || entry.out_of_scope.is_some();
+    let reasons = [&entry.underspecified, &entry.out_of_scope, &entry.unstated];
+    let undecidable = reasons.into_iter().any(Option::is_some);
     let optional = matches!(entry.kind, Kind::Definition | Kind::Figure) || undecidable;
+    let stated = entry.states.as_ref().or(entry.latex.as_ref());
+    if let (Some(stated), Some(_)) = (stated, &entry.unstated) {
+        let message = "a claim with a statement is not `unstated`";
+        wrong(stated, message, "leave one of them out");
+    }
     if let (Some(latex), true) = (
         &entry.latex,
         entry.states.is_some() || !entry.readings.is_empty(),
@@ -301,7 +307,7 @@ fn check_fields(source: &Arc<Source>, entry: &ClaimEntry, errors: &mut Errors) {
     let nothing = entry.states.is_none() && entry.latex.is_none();
     if !optional && nothing && entry.readings.is_empty() {
         let message = "this claim states nothing: the field `states` is missing";
-        let help = "add `states = '...'`, or say why not with `underspecified` or `out_of_scope`";
+        let help = "add `states = '...'`, or say why not with `unstated`, `underspecified` or `out_of_scope`";
         wrong(&entry.id, message, help);
     }
     let pairs = |given: usize, solve_for: usize| (given == 0) == (solve_for == 0);
@@ -340,7 +346,7 @@ fn check_fields(source: &Arc<Source>, entry: &ClaimEntry, errors: &mut Errors) {
         }
         ([first, ..], None) if undecidable => {
             let message =
-                "a sentence with `readings` is neither `underspecified` nor `out_of_scope`";
+                "a sentence with `readings` is not `unstated`, `underspecified` or `out_of_scope`";
             wrong(&first.name, message, help);
         }
         _ => {}

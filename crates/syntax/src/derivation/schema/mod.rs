@@ -189,6 +189,8 @@ pub struct ClaimEntry {
     pub underspecified: Option<String>,
     /// Why the statement is outside the scope of this program.
     pub out_of_scope: Option<String>,
+    /// What is still to be done before the statement can be stated: the claim is undecided until then.
+    pub unstated: Option<String>,
     /// The drawing of a figure.
     pub figure: Option<Box<FigureEntry>>,
     /// Claims on which this one depends.
