@@ -102,7 +102,7 @@ impl New {
                 reason: error.to_string(),
             }
         })?;
-        Ok(torse_manuscript::propose(&manuscript, &self.paper))
+        Ok(torse::propose(&manuscript, &self.paper))
     }
 }
 
@@ -114,6 +114,12 @@ fn summary(proposal: &Proposal) -> String {
         proposal.to_choose,
         proposal.unread.len()
     );
+    if proposal.unnumbered > 0 {
+        text.push_str(&format!(
+            "{} without a number, listed at the end of claims.toml\n",
+            proposal.unnumbered
+        ));
+    }
     for unread in &proposal.unread {
         text.push_str(&format!(
             "{}:{} {}\n",

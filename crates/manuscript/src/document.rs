@@ -1,6 +1,7 @@
 //! A manuscript taken apart: its sections, theorems, numbered equations and formulas, in their order.
 
 mod arguments;
+mod cases;
 mod scan;
 
 use crate::macros::{ManuscriptError, Unread, expanded};
@@ -24,7 +25,7 @@ pub struct ManuscriptFormula {
     pub place: Place,
     /// Whether it stands on lines of its own.
     pub is_display: bool,
-    /// Whether it stands in a theorem.
+    /// Whether it stands in a theorem, or something like one that is no definition.
     pub in_theorem: bool,
 }
 

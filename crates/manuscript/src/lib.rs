@@ -14,11 +14,14 @@
 //! ```
 #![warn(missing_docs)]
 
+mod declared;
 mod document;
+mod index;
 mod linear;
 mod macros;
 mod meaning;
 mod numbering;
+mod occurrences;
 mod proposal;
 mod symbols;
 mod words;
@@ -26,4 +29,4 @@ mod words;
 pub use document::{Manuscript, ManuscriptFormula, ManuscriptItem, manuscript};
 pub use macros::ManuscriptError;
 pub use meaning::{MAX_FORMULAS, Unread};
-pub use proposal::{Proposal, propose};
+pub use proposal::{Proposal, propose, propose_without};

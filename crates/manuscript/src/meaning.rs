@@ -2,12 +2,17 @@
 //!
 //! The first formula `f(t) = ...`, `Q_i = ...` or `c = ...` whose left side is a name that no formula before it has, and that its right side
 //! does not have, is taken for the definition of that name; in a chain, by the first two sides. A formula that only bounds a name by
-//! numbers gives its range.
+//! numbers, or in prose by letters, gives its range; other declarations are those of `declared`. What a theorem says of a range is
+//! its own, except that of an index of which the text says nothing else.
 
+mod declares;
+
+use crate::declared::{Declared, Space, declared};
 use crate::document::{Manuscript, ManuscriptFormula};
 use std::collections::{BTreeMap, BTreeSet};
 use torse_syntax::formula::functions::is_function;
 use torse_syntax::formula::{Connective, Expr, Node, Place, Relation};
+use torse_syntax::latex::item::TexItem;
 use torse_syntax::latex::{
     LatexCondition, LatexDoubt, LatexGuess, LatexKind, LatexNames, LatexStatement, read_items,
 };
@@ -61,6 +66,17 @@ pub enum Meaning {
     Unread(String),
 }
 
+/// A family whose members the text lists.
+#[derive(Debug, Clone)]
+pub struct DeclaredFamily {
+    /// The set of its members, if the text has one.
+    pub space: Option<Space>,
+    /// The first and the last index, if the text has them.
+    pub ends: Option<(Expr, Expr)>,
+    /// The line.
+    pub line: usize,
+}
+
 /// What a manuscript says.
 #[derive(Debug, Clone, Default)]
 pub struct Meanings {
@@ -74,6 +90,14 @@ pub struct Meanings {
     pub bases: BTreeMap<String, (String, BTreeMap<u64, Expr>)>,
     /// Ranges that formulas give, with the line of each.
     pub ranges: BTreeMap<String, (LatexCondition, usize)>,
+    /// Ranges of integers that theorems give.
+    theorem_ranges: BTreeMap<String, (LatexCondition, usize)>,
+    /// Families by their names.
+    pub families: BTreeMap<String, DeclaredFamily>,
+    /// Names whose first formula begins as a definition and is not understood, with the line of each.
+    pub undefined: BTreeMap<String, usize>,
+    /// Vectors by their names, with the line of each.
+    pub vectors: BTreeMap<String, (Space, usize)>,
     /// What is not understood.
     pub unread: Vec<Unread>,
 }
@@ -85,6 +109,11 @@ impl Meanings {
         for formula in manuscript.formulas.iter().take(MAX_FORMULAS) {
             if let Ok(items) = &formula.items {
                 guess.add(items);
+                for declaration in declared(items).unwrap_or_default() {
+                    if let Declared::Points { member, .. } = declaration {
+                        guess.add_family(member);
+                    }
+                }
             }
         }
         let mut meanings = Self {
@@ -99,6 +128,12 @@ impl Meanings {
                 false => meanings.read(formula, line, &mut seen),
             };
             if let Meaning::Unread(why) = &meaning {
+                if let Some(name) = meanings
+                    .would_define(formula)
+                    .filter(|name| !seen.contains(name))
+                {
+                    meanings.undefined.entry(name).or_insert(line);
+                }
                 let place = error_place(formula, &meanings.names).unwrap_or(formula.place);
                 let (line, column) =
                     match place.start >= formula.place.start && place.start <= formula.place.end {
@@ -113,6 +148,9 @@ impl Meanings {
                 });
             }
             meanings.formulas.push(meaning);
+        }
+        for (name, range) in std::mem::take(&mut meanings.theorem_ranges) {
+            meanings.ranges.entry(name).or_insert(range);
         }
         for (place, why) in &manuscript.unread {
             let (line, column) = manuscript.line_and_column(place.start);
@@ -147,6 +185,9 @@ impl Meanings {
         if items.is_empty() {
             return Meaning::Nothing;
         }
+        if self.declares(formula, items, line) {
+            return Meaning::Nothing;
+        }
         let reading = match read_items(items, formula.place, &self.names) {
             Ok(reading) => reading,
             // A letter or a term within a sentence states nothing.
@@ -170,7 +211,17 @@ impl Meanings {
             };
         }
         if !formula.in_theorem {
-            if let Some((name, range)) = only_a_range(&statement) {
+            let is_number = |end: &Expr| end.names().into_iter().all(|name| name == "pi");
+            let is_of_numbers = |end: &Expr| {
+                let is_number = |name| matches!(self.names.kind(name), Some(LatexKind::Number));
+                !formula.is_display
+                    && end
+                        .names()
+                        .into_iter()
+                        .all(|name| name == "pi" || is_number(name))
+            };
+            let is_end = |end: &Expr| is_number(end) || is_of_numbers(end);
+            if let Some((name, range)) = only_a_range(&statement, is_end) {
                 self.ranges.entry(name).or_insert((range, line));
                 return Meaning::Nothing;
             }
@@ -184,6 +235,14 @@ impl Meanings {
                 }
                 if let LatexCondition::Integers { name, .. } = condition {
                     self.ranges
+                        .entry(name.clone())
+                        .or_insert((condition.clone(), line));
+                }
+            }
+        } else {
+            for condition in &statement.conditions {
+                if let LatexCondition::Integers { name, .. } = condition {
+                    self.theorem_ranges
                         .entry(name.clone())
                         .or_insert((condition.clone(), line));
                 }
@@ -219,6 +278,23 @@ impl Meanings {
             }
             (true, _) => Meaning::Nothing,
         }
+    }
+
+    /// The name that stands on the left side of an equation as in a definition.
+    fn would_define(&self, formula: &ManuscriptFormula) -> Option<String> {
+        let items = formula.items.as_ref().ok()?;
+        let equals = items
+            .iter()
+            .position(|item| item.is_sign("=") || item.is_sign(":="))?;
+        let left = self.value(items.get(..equals)?, formula.place)?;
+        head_of(&left).map(|(name, _)| name)
+    }
+
+    /// A formula with one reading, without conditions.
+    fn value(&self, list: &[TexItem], place: Place) -> Option<Expr> {
+        let reading = read_items(list, place, &self.names).ok()?;
+        let is_clear = reading.others.is_empty() && reading.statement.conditions.is_empty();
+        is_clear.then_some(reading.statement.formula)
     }
 
     /// Takes a part of a formula for a definition, if it is one; also returns what the rest of its chain states.
@@ -351,14 +427,17 @@ pub fn is_statement(formula: &Expr) -> bool {
     )
 }
 
-fn has_relation(items: &[torse_syntax::latex::item::TexItem]) -> bool {
+fn has_relation(items: &[TexItem]) -> bool {
     ["=", "<", ">", "le", "ge", "ne", "in", "equiv", "approx"]
         .iter()
         .any(|sign| items.iter().any(|item| item.is_sign(sign)))
 }
 
-/// The range of a name, if a statement says nothing else.
-fn only_a_range(statement: &LatexStatement) -> Option<(String, LatexCondition)> {
+/// The range of a name between these ends, if a statement says nothing else.
+fn only_a_range(
+    statement: &LatexStatement,
+    is_end: impl Fn(&Expr) -> bool,
+) -> Option<(String, LatexCondition)> {
     let Node::Compare(first, rest) = &statement.formula.node else {
         return None;
     };
@@ -382,13 +461,11 @@ fn only_a_range(statement: &LatexStatement) -> Option<(String, LatexCondition)> 
     let up = |relation: Relation| matches!(relation, Relation::Less | Relation::AtMost);
     let down = |relation: Relation| matches!(relation, Relation::Greater | Relation::AtLeast);
     match rest.as_slice() {
-        [(a, middle), (b, high)] if up(*a) && up(*b) && is_number(first) && is_number(high) => {
-            interval(
-                name_of(middle)?,
-                (Some(&**first), closed(*a)),
-                (Some(high), closed(*b)),
-            )
-        }
+        [(a, middle), (b, high)] if up(*a) && up(*b) && is_end(first) && is_end(high) => interval(
+            name_of(middle)?,
+            (Some(&**first), closed(*a)),
+            (Some(high), closed(*b)),
+        ),
         [(a, low)] if down(*a) && is_number(low) => {
             interval(name_of(first)?, (Some(low), closed(*a)), (None, false))
         }

@@ -2,7 +2,7 @@
 
 use crate::document::{Manuscript, ManuscriptItem};
 use crate::meaning::{Meaning, Meanings, Unread, condition_text};
-use crate::symbols::{integers, interval, stated, symbols};
+use crate::symbols::{integers, interval, name_of, stated, symbols};
 use std::collections::{BTreeMap, BTreeSet};
 use torse_syntax::formula::{Expr, Node, Relation};
 use torse_syntax::latex::{LatexCondition, LatexStatement};
@@ -19,6 +19,8 @@ pub struct Proposal {
     pub stated: usize,
     /// How many items have several readings, or words whose formulas are listed.
     pub to_choose: usize,
+    /// How many formulas without a number state something: they are listed behind the claims.
+    pub unnumbered: usize,
     /// What is not understood.
     pub unread: Vec<Unread>,
 }
@@ -26,6 +28,17 @@ pub struct Proposal {
 /// Proposes derivation files for a manuscript; `slug` is the name of the folder.
 #[must_use]
 pub fn propose(manuscript: &Manuscript, slug: &str) -> Proposal {
+    propose_without(manuscript, slug, &BTreeMap::new())
+}
+
+/// Proposes derivation files in which the claims of these ids have no statement, for the reasons that are given: their formulas make no
+/// sense with the symbols of the proposal.
+#[must_use]
+pub fn propose_without(
+    manuscript: &Manuscript,
+    slug: &str,
+    refused: &BTreeMap<String, String>,
+) -> Proposal {
     let meanings = Meanings::from_manuscript(manuscript);
     let (declared, unknown) = symbols(&meanings);
     let mut writer = Writer {
@@ -33,6 +46,7 @@ pub fn propose(manuscript: &Manuscript, slug: &str) -> Proposal {
         meanings: &meanings,
         unknown,
         slug,
+        refused,
         ids: BTreeSet::new(),
         stated: 0,
         to_choose: 0,
@@ -61,16 +75,17 @@ pub fn propose(manuscript: &Manuscript, slug: &str) -> Proposal {
         ));
     }
     for (name, (variable, functions)) in &meanings.bases {
-        if writer.unknown.contains_key(name)
-            || !functions.keys().copied().eq(0..functions.len() as u64)
-        {
+        if writer.unknown.contains_key(name) {
             continue;
         }
-        let degree = functions.len().saturating_sub(1);
+        let degree = functions.keys().last().copied().unwrap_or(0);
         paper.push_str(&format!(
             "\n[basis.{name}]\nvariable = {}\ndegree = {degree}\nseeds = [\n",
             quoted(variable)
         ));
+        if !functions.contains_key(&0) {
+            paper.push_str("    '0', # the text begins with index 1\n");
+        }
         for body in functions.values() {
             paper.push_str(&format!("    {},\n", quoted(&text(body))));
         }
@@ -79,7 +94,7 @@ pub fn propose(manuscript: &Manuscript, slug: &str) -> Proposal {
     let definitions: Vec<_> = meanings
         .definitions
         .iter()
-        .filter(|(_, body, _)| writer.undeclared(body).is_none())
+        .filter(|(head, _, _)| !writer.unknown.contains_key(name_of(head)))
         .collect();
     if !definitions.is_empty() {
         paper.push_str("\n[define]\n");
@@ -100,7 +115,7 @@ pub fn propose(manuscript: &Manuscript, slug: &str) -> Proposal {
             || meanings
                 .definitions
                 .iter()
-                .any(|(head, _, _)| head.split(['(', '[']).next() == Some(name))
+                .any(|(head, _, _)| name_of(head) == name && !writer.unknown.contains_key(name))
     };
     let printed: Vec<_> = printed.filter(|(name, _)| used(name)).collect();
     if !printed.is_empty() {
@@ -113,12 +128,19 @@ pub fn propose(manuscript: &Manuscript, slug: &str) -> Proposal {
             quoted(&format!("${latex}$"))
         ));
     }
+    let unnumbered = writer.unnumbered();
     let mut unread = writer.unread.clone();
     unread.sort_by_key(|unread| (unread.line, unread.column));
     unread.dedup();
     let mut text = "# One claim for each numbered or theorem-like item. A statement is proposed where the print has one meaning; where a comment lists several, choose one.\n".to_owned();
     for claim in claims {
         text.push_str(&claim);
+    }
+    if !unnumbered.is_empty() {
+        text.push_str("\n# Formulas without a number, which are no claims. Make a claim of each that is to be decided:\n");
+    }
+    for line in &unnumbered {
+        text.push_str(line);
     }
     if !unread.is_empty() {
         text.push_str("\n# Not understood, by line and column of the manuscript:\n");
@@ -137,6 +159,7 @@ pub fn propose(manuscript: &Manuscript, slug: &str) -> Proposal {
         claims: text,
         stated: writer.stated,
         to_choose: writer.to_choose,
+        unnumbered: unnumbered.len(),
         unread,
     }
 }
@@ -146,6 +169,7 @@ struct Writer<'m> {
     meanings: &'m Meanings,
     unknown: BTreeMap<String, String>,
     slug: &'m str,
+    refused: &'m BTreeMap<String, String>,
     ids: BTreeSet<String>,
     stated: usize,
     to_choose: usize,
@@ -161,6 +185,62 @@ impl Writer<'_> {
             .map(|name| name.trim_end_matches('\''))
             .find(|name| self.unknown.contains_key(*name))?;
         Some(format!("`{name}`: {}", self.unknown.get(name)?))
+    }
+
+    /// Formulas that no claim has, as comments; what defines a name that cannot be used is listed as not understood.
+    fn unnumbered(&mut self) -> Vec<String> {
+        let items = self.manuscript.items.iter();
+        let claimed: BTreeSet<usize> = items.flat_map(|item| item.formulas.clone()).collect();
+        let mut lines = vec![];
+        let formulas = self.manuscript.formulas.iter().zip(&self.meanings.formulas);
+        for (at, (formula, meaning)) in formulas.enumerate() {
+            if claimed.contains(&at) {
+                continue;
+            }
+            let (line, column) = self.manuscript.line_and_column(formula.place.start);
+            if let Some(why) = self.undefined(meaning) {
+                self.unread.push(Unread {
+                    line,
+                    column,
+                    why,
+                    print: formula.latex.clone(),
+                });
+                continue;
+            }
+            let listed = match meaning {
+                Meaning::States {
+                    formula,
+                    conditions,
+                }
+                | Meaning::Defines {
+                    states: Some(formula),
+                    conditions,
+                    ..
+                } => format!(
+                    "# states = {}{}\n",
+                    quoted(&text(formula)),
+                    assumptions(conditions)
+                ),
+                Meaning::Ambiguous { first, others } => readings(first, others),
+                _ => continue,
+            };
+            lines.push(format!(
+                "# line {line}: {}\n{listed}",
+                one_line(&formula.latex)
+            ));
+        }
+        lines
+    }
+
+    /// Why none of the names that a formula defines can be used, if so.
+    fn undefined(&self, meaning: &Meaning) -> Option<String> {
+        let Meaning::Defines { names, .. } = meaning else {
+            return None;
+        };
+        names.iter().find_map(|name| {
+            let name = name_of(name);
+            Some(format!("`{name}`: {}", self.unknown.get(name)?))
+        })
     }
 
     /// An id from the label or the number that no claim has.
@@ -212,7 +292,9 @@ impl Writer<'_> {
         };
         let (line, _) = self.manuscript.line_and_column(item.place.start);
         let mut claim = format!("\n# line {line}\n");
-        let body = if item.kind == "equation" {
+        let body = if let Some(why) = self.refused.get(&id) {
+            self.refused(item, &mut claim, why)
+        } else if item.kind == "equation" {
             self.equation(item, &mut claim)
         } else {
             self.sentence(item, &mut claim)
@@ -228,6 +310,30 @@ impl Writer<'_> {
         claim
     }
 
+    /// The fields of an equation whose formula makes no sense with the proposed symbols.
+    fn refused(&mut self, item: &ManuscriptItem, comments: &mut String, why: &str) -> Fields {
+        for at in &item.formulas {
+            let (Some(formula), Some(meaning)) = (
+                self.manuscript.formulas.get(*at),
+                self.meanings.formulas.get(*at),
+            ) else {
+                continue;
+            };
+            comments.push_str(&format!("# {}\n", one_line(&formula.latex)));
+            for stated in stated(meaning) {
+                comments.push_str(&format!("# states = {}\n", quoted(&text(stated))));
+            }
+            let (line, column) = self.manuscript.line_and_column(formula.place.start);
+            self.unread.push(Unread {
+                line,
+                column,
+                why: why.to_owned(),
+                print: formula.latex.clone(),
+            });
+        }
+        Fields::unstated(why)
+    }
+
     /// The fields of a numbered equation.
     fn equation(&mut self, item: &ManuscriptItem, comments: &mut String) -> Fields {
         let mut formulas = item.formulas.iter().filter_map(|at| {
@@ -237,21 +343,23 @@ impl Writer<'_> {
             ))
         });
         let Some((formula, meaning)) = formulas.next_back() else {
-            return Fields::out_of_scope("not stated yet: there is no formula");
+            return Fields::unstated("there is no formula");
         };
         comments.push_str(&format!("# {}\n", one_line(&formula.latex)));
         let is_clear = !matches!(meaning, Meaning::Ambiguous { .. });
-        for stated in stated(meaning).into_iter().filter(|_| is_clear) {
-            if let Some(why) = self.undeclared(stated) {
-                let (line, column) = self.manuscript.line_and_column(formula.place.start);
-                self.unread.push(Unread {
-                    line,
-                    column,
-                    why: why.clone(),
-                    print: formula.latex.clone(),
-                });
-                return Fields::out_of_scope(&format!("not stated yet: {why}"));
-            }
+        let undeclared = self.undefined(meaning).or_else(|| {
+            let mut stated = stated(meaning).into_iter().filter(|_| is_clear);
+            stated.find_map(|formula| self.undeclared(formula))
+        });
+        if let Some(why) = undeclared {
+            let (line, column) = self.manuscript.line_and_column(formula.place.start);
+            self.unread.push(Unread {
+                line,
+                column,
+                why: why.clone(),
+                print: formula.latex.clone(),
+            });
+            return Fields::unstated(&why);
         }
         match meaning {
             Meaning::Defines {
@@ -291,30 +399,47 @@ impl Writer<'_> {
             Meaning::Ambiguous { first, others } => {
                 self.to_choose += 1;
                 comments.push_str(&readings(first, others));
-                Fields::out_of_scope("not stated yet: the print has several readings")
+                Fields::unstated("the print has several readings")
             }
-            Meaning::Nothing => Fields::out_of_scope("not stated yet: no relation was found"),
-            Meaning::Unread(why) => Fields::out_of_scope(&format!("not stated yet: {why}")),
+            Meaning::Nothing => Fields::unstated("no relation was found"),
+            Meaning::Unread(why) => Fields::unstated(why),
         }
     }
 
     /// The fields of something like a theorem: its formulas are listed, for words say what it states.
     fn sentence(&mut self, item: &ManuscriptItem, comments: &mut String) -> Fields {
-        self.to_choose += 1;
+        let mut formulas = vec![];
+        let mut defines = 0;
+        let mut says_more = false;
         for at in &item.formulas {
-            match self.meanings.formulas.get(*at) {
+            let meaning = self.meanings.formulas.get(*at);
+            match meaning {
+                Some(Meaning::Defines { states: None, .. }) => defines += 1,
+                Some(Meaning::Nothing) => {}
+                _ => says_more = true,
+            }
+            match meaning {
                 Some(Meaning::States {
                     formula,
                     conditions,
-                }) if self.undeclared(formula).is_none() => {
-                    comments.push_str(&format!(
-                        "# states = {}{}\n",
-                        quoted(&text(formula)),
-                        assumptions(conditions)
-                    ));
-                }
+                }) => match self.undeclared(formula) {
+                    None => {
+                        comments.push_str(&format!(
+                            "# states = {}{}\n",
+                            quoted(&text(formula)),
+                            assumptions(conditions)
+                        ));
+                        formulas.push(formula);
+                    }
+                    Some(why) => comments.push_str(&format!(
+                        "# {}: {}\n",
+                        one_line(&text(formula)),
+                        one_line(&why)
+                    )),
+                },
                 Some(Meaning::Ambiguous { first, others }) => {
-                    comments.push_str(&readings(first, others))
+                    comments.push_str(&readings(first, others));
+                    formulas.push(&first.formula);
                 }
                 Some(Meaning::Defines { names, .. }) => {
                     comments.push_str(&format!("# defines {}\n", names.join(", ")))
@@ -322,16 +447,22 @@ impl Writer<'_> {
                 _ => {}
             }
         }
-        let kind = if item.kind == "Definition" {
-            "definition"
-        } else {
-            "property"
+        let is_definition = item.kind == "Definition";
+        if is_definition && defines > 0 && !says_more {
+            self.stated += 1;
+            return Fields {
+                kind: "definition",
+                fields: String::new(),
+            };
+        }
+        self.to_choose += 1;
+        let kind = match is_definition {
+            true => "definition",
+            false => kind(&formulas),
         };
         Fields {
             kind,
-            ..Fields::out_of_scope(
-                "not stated yet: choose from the formulas above what the sentence states",
-            )
+            ..Fields::unstated("choose from the formulas above what the sentence states")
         }
     }
 
@@ -377,14 +508,35 @@ impl Writer<'_> {
             fields.push_str(&format!("symbols = {{ {} }}\n", own.join(", ")));
         }
         fields.push_str(&format!("states = {}\n", quoted(&text(formula))));
-        let equal = |formula: &Expr| matches!(&formula.node, Node::Compare(_, rest) if rest.iter().all(|(relation, _)| *relation == Relation::Equal));
-        let parts = crate::meaning::conjuncts(formula);
-        let kind = match &formula.node {
-            _ if parts.iter().all(|part| equal(part)) => "identity",
-            Node::Compare(..) => "inequality",
-            _ => "property",
-        };
+        let kind = kind(&[formula]);
         Fields { kind, fields }
+    }
+}
+
+/// The kind of a claim that states these formulas: an identity if there is an equation, for corrections are searched of that kind, an
+/// inequality if there are relations of order alone, and a property if there is anything else.
+fn kind(formulas: &[&Expr]) -> &'static str {
+    let parts = formulas
+        .iter()
+        .flat_map(|formula| crate::meaning::conjuncts(formula));
+    let relations: Option<Vec<Relation>> = parts
+        .map(|part| match &part.node {
+            Node::Compare(_, rest) => Some(rest.iter().map(|(relation, _)| *relation)),
+            _ => None,
+        })
+        .collect::<Option<Vec<_>>>()
+        .map(|all| all.into_iter().flatten().collect());
+    let order = [
+        Relation::Less,
+        Relation::AtMost,
+        Relation::Greater,
+        Relation::AtLeast,
+    ];
+    match relations.as_deref() {
+        None | Some([]) => "property",
+        Some(all) if all.iter().all(|relation| order.contains(relation)) => "inequality",
+        Some(all) if all.contains(&Relation::Equal) => "identity",
+        Some(_) => "property",
     }
 }
 
@@ -394,10 +546,10 @@ struct Fields {
 }
 
 impl Fields {
-    fn out_of_scope(why: &str) -> Self {
+    fn unstated(why: &str) -> Self {
         Self {
             kind: "identity",
-            fields: format!("out_of_scope = {}\n", quoted(&one_line(why))),
+            fields: format!("unstated = {}\n", quoted(&one_line(why))),
         }
     }
 }

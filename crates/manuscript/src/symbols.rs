@@ -1,13 +1,18 @@
 //! The symbols of a proposal: every name that occurs and that no formula defines, with its set.
 //!
 //! A range is one that a formula of the text gives. A name in the bounds of a sum, in an index, a factorial, a binomial or an exponent is an
-//! integer. Vectors and curves are of space; a function that no formula defines is any smooth function of one variable. Where the text says
-//! nothing more, a comment asks.
+//! integer. The indices of a family are those of the text's list, or the smallest range with all that occur; an index without a range
+//! takes all values for which its families have members. Vectors and curves have as many coordinates as the points that the text
+//! declares, or else three; a function that no formula defines is any smooth function of one variable. Where the text says nothing, a
+//! comment says what is guessed, or asks.
 
+use crate::declared::Space;
+use crate::index::{AffineIndex, IndexRange, hull};
 use crate::meaning::{Meaning, Meanings};
+use crate::occurrences::{Occurrences, UsedIndex};
 use std::collections::{BTreeMap, BTreeSet};
 use torse_syntax::formula::functions::is_function;
-use torse_syntax::formula::{Expr, Node, Operator};
+use torse_syntax::formula::{Expr, Node};
 use torse_syntax::latex::{LatexCondition, LatexKind};
 use torse_syntax::notation::text;
 
@@ -22,59 +27,32 @@ pub struct ProposedSymbol {
     pub comment: String,
 }
 
-/// How the names of formulas occur.
-#[derive(Debug, Default)]
-struct Occurrences {
-    names: BTreeSet<String>,
-    integers: BTreeSet<String>,
-    /// The ranges of the indices of families, where each is the index of a sum.
-    indices: BTreeMap<String, BTreeSet<Option<Vec<String>>>>,
-    /// The indices of families that are numbers.
-    numerals: BTreeMap<String, BTreeSet<Vec<String>>>,
-}
-
 /// The symbols of a manuscript, and the names of which none can be declared, each with the reason.
 pub fn symbols(meanings: &Meanings) -> (Vec<ProposedSymbol>, BTreeMap<String, String>) {
-    let mut found = Occurrences::default();
-    for (head, body, _) in &meanings.definitions {
-        let parameters = parameters(head);
-        found.walk(
-            body,
-            &parameters
-                .iter()
-                .map(|name| (name.clone(), None))
-                .collect::<Vec<_>>(),
-        );
-    }
-    for (variable, functions) in meanings.bases.values() {
-        found.names.insert(variable.clone());
-        for body in functions.values() {
-            found.walk(body, &[]);
-        }
-    }
-    for meaning in &meanings.formulas {
-        for formula in stated(meaning) {
-            found.walk(formula, &[]);
-        }
-    }
-    let defined: BTreeSet<String> = meanings
+    let reader = SymbolReader::new(meanings);
+    let defined: BTreeSet<&str> = meanings
         .definitions
         .iter()
-        .map(|(head, _, _)| head.split(['(', '[']).next().unwrap_or(head).to_owned())
+        .map(|(head, _, _)| name_of(head))
         .collect();
     let mut symbols = vec![];
     let mut unknown = BTreeMap::new();
-    let mut pending: Vec<String> = found.names.iter().cloned().collect();
+    for name in meanings.bases.keys() {
+        if let Err(why) = reader.basis(name) {
+            unknown.insert(name.clone(), why);
+        }
+    }
+    let mut pending: Vec<String> = reader.found.names.iter().cloned().collect();
     let mut done = BTreeSet::new();
     while let Some(name) = pending.pop() {
-        let is_known = defined.contains(&name)
+        let is_known = defined.contains(name.as_str())
             || meanings.bases.contains_key(&name)
             || name == "pi"
             || is_function(&name);
         if is_known || !done.insert(name.clone()) {
             continue;
         }
-        match declared(&name, meanings, &found) {
+        match reader.declared(&name) {
             Ok((symbol, more)) => {
                 symbols.push(symbol);
                 pending.extend(more);
@@ -84,8 +62,37 @@ pub fn symbols(meanings: &Meanings) -> (Vec<ProposedSymbol>, BTreeMap<String, St
             }
         }
     }
+    unknown_by_definition(meanings, &mut unknown);
     symbols.sort_by(|a, b| a.name.cmp(&b.name));
     (symbols, unknown)
+}
+
+/// Adds the names whose definitions use names that cannot be declared.
+fn unknown_by_definition(meanings: &Meanings, unknown: &mut BTreeMap<String, String>) {
+    let definitions = meanings
+        .definitions
+        .iter()
+        .map(|(head, body, _)| (name_of(head), body));
+    let functions = meanings.bases.iter().flat_map(|(name, (_, functions))| {
+        functions.values().map(move |body| (name.as_str(), body))
+    });
+    let all: Vec<(&str, &Expr)> = definitions.chain(functions).collect();
+    loop {
+        let found = all.iter().find_map(|(name, body)| {
+            let used = body.names().into_iter();
+            let mut used = used.map(|used| used.trim_end_matches('\''));
+            let used = used.find(|used| unknown.contains_key(*used))?;
+            let why = format!("its definition uses `{used}`: {}", unknown.get(used)?);
+            (!unknown.contains_key(*name)).then(|| ((*name).to_owned(), why))
+        });
+        let Some((name, why)) = found else { return };
+        unknown.insert(name, why);
+    }
+}
+
+/// The name of a head.
+pub fn name_of(head: &str) -> &str {
+    head.split(['(', '[']).next().unwrap_or(head)
 }
 
 /// The formulas that a meaning states, or may state.
@@ -128,151 +135,454 @@ fn parameters(head: &str) -> Vec<String> {
         .collect()
 }
 
-/// The declaration of a name, and the names that it mentions.
-fn declared(
-    name: &str,
-    meanings: &Meanings,
-    found: &Occurrences,
-) -> Result<(ProposedSymbol, Vec<String>), String> {
-    let symbol = |set: String, comment: &str| ProposedSymbol {
-        name: name.to_owned(),
-        set,
-        comment: comment.to_owned(),
-    };
-    let plain = |set: &str, comment: &str| Ok((symbol(set.to_owned(), comment), vec![]));
-    match meanings.names.kind(name) {
-        Some(LatexKind::Vector) => plain("{ vector = 3 }", "a vector of space, or `vector = 2`?"),
-        Some(LatexKind::Matrix) => Err("it is a matrix that no formula defines".to_owned()),
-        Some(LatexKind::Basis { .. }) => Err("not all of its functions are defined".to_owned()),
-        Some(LatexKind::Open) => Err("it is a number or a function".to_owned()),
-        Some(LatexKind::Function {
-            parameters,
-            is_vector,
-        }) => match parameters.len() {
-            1 => plain(
-                if *is_vector {
-                    "{ function = 3 }"
-                } else {
-                    "{ function = 1 }"
-                },
-                "any smooth function; if the text defines it, define it under [define]",
-            ),
-            count => Err(format!(
-                "it is a function of {count} variables that no formula defines"
-            )),
-        },
-        Some(LatexKind::Family { indices, is_vector }) => {
-            let dimension = if *is_vector { 3 } else { 1 };
-            let ranges = found.indices.get(name);
-            let range = ranges
-                .filter(|ranges| ranges.len() == 1)
-                .and_then(|ranges| ranges.first().cloned().flatten())
-                .filter(|ranges| {
-                    found
-                        .numerals
-                        .get(name)
-                        .is_none_or(|all| all.iter().all(|at| is_within(at, ranges)))
-                });
-            match range {
-                Some(ranges) => {
-                    let quoted = ranges
-                        .iter()
-                        .map(|range| format!("\"{range}\""))
-                        .collect::<Vec<_>>()
-                        .join(", ");
-                    let set = format!("{{ family = {dimension}, indices = [{quoted}] }}");
-                    Ok((symbol(set, "the bounds of the sum"), vec![]))
+/// What is found of the names of a manuscript.
+struct SymbolReader<'m> {
+    meanings: &'m Meanings,
+    found: Occurrences,
+    /// The coordinates of vectors of which the text says nothing.
+    dimension: String,
+}
+
+type Declaration = Result<(ProposedSymbol, Vec<String>), String>;
+
+impl<'m> SymbolReader<'m> {
+    fn new(meanings: &'m Meanings) -> Self {
+        let mut found = Occurrences::default();
+        for (head, body, _) in &meanings.definitions {
+            let parameters = parameters(head);
+            let bound: Vec<_> = parameters.iter().map(|name| (name.clone(), None)).collect();
+            found.walk(body, &bound);
+        }
+        for (variable, functions) in meanings.bases.values() {
+            found.names.insert(variable.clone());
+            for body in functions.values() {
+                found.walk(body, &[]);
+            }
+        }
+        for meaning in &meanings.formulas {
+            for formula in stated(meaning) {
+                found.walk(formula, &[]);
+            }
+        }
+        // What a definition takes for an integer is one where the function is applied.
+        for (head, body, _) in &meanings.definitions {
+            let mut own = Occurrences::default();
+            own.walk(body, &[]);
+            let parameters = parameters(head);
+            for (name, arguments) in found.calls.clone() {
+                if name != name_of(head) {
+                    continue;
                 }
-                None if *indices == 1 => plain(
-                    &format!("{{ family = {dimension} }}"),
-                    "for which indices? `indices = [\"0..n\"]`",
-                ),
-                None => Err("the ranges of its indices are not given".to_owned()),
+                for (parameter, argument) in parameters.iter().zip(&arguments) {
+                    if own.integers.contains(parameter) {
+                        found
+                            .integers
+                            .extend(argument.names().into_iter().map(str::to_owned));
+                    }
+                }
+                for (over, chosen) in &own.chosen {
+                    let at = |wanted: &str| parameters.iter().position(|own| own == wanted);
+                    let over = match &over.node {
+                        Node::Name(over) => at(over).and_then(|at| arguments.get(at)),
+                        _ => None,
+                    };
+                    let chosen = at(chosen).and_then(|at| arguments.get(at));
+                    if let (Some(over), Some(Node::Name(chosen))) =
+                        (over, chosen.map(|chosen| &chosen.node))
+                    {
+                        found.chosen.push((over.clone(), chosen.clone()));
+                    }
+                }
             }
         }
-        Some(LatexKind::Number) | None => Ok(number(name, meanings, found)),
+        let listed = meanings.families.values();
+        let listed = listed.filter_map(|family| family.ends.as_ref());
+        let mut ends: Vec<&Expr> = listed.flat_map(|(low, high)| [low, high]).collect();
+        for (name, (range, _)) in &meanings.ranges {
+            match range {
+                LatexCondition::Integers { low, high, .. } => {
+                    ends.extend(std::iter::once(low).chain(high));
+                }
+                LatexCondition::Interval { low, high, .. } if found.integers.contains(name) => {
+                    ends.extend(low.0.iter().chain(&high.0));
+                }
+                _ => {}
+            }
+        }
+        for name in ends.into_iter().flat_map(Expr::names) {
+            found.integers.insert(name.to_owned());
+            found.bounds.insert(name.to_owned());
+        }
+        let spaces = meanings.families.values().filter_map(|family| family.space);
+        let spaces = spaces.chain(meanings.vectors.values().map(|(space, _)| *space));
+        let dimension = spaces
+            .filter(|space| *space != Space::Coordinates(1))
+            .map(Space::dimension)
+            .next()
+            .unwrap_or_else(|| "3".to_owned());
+        Self {
+            meanings,
+            found,
+            dimension,
+        }
     }
-}
 
-/// Whether numbers are indices of these ranges, as far as the ends of these are numbers.
-fn is_within(numerals: &[String], ranges: &[String]) -> bool {
-    let fits = |(number, range): (&String, &String)| {
-        let (Some((low, high)), Ok(number)) = (range.split_once(".."), number.parse::<u64>())
-        else {
-            return false;
+    /// Whether all functions of a basis are defined.
+    fn basis(&self, name: &str) -> Result<(), String> {
+        let incomplete = || Err("not all of its functions are defined".to_owned());
+        let (Some((_, functions)), Some(LatexKind::Basis { degree, .. })) = (
+            self.meanings.bases.get(name),
+            self.meanings.names.kind(name),
+        ) else {
+            return incomplete();
         };
-        match (low.parse::<u64>(), high.parse::<u64>()) {
-            (Ok(low), Ok(high)) => (low..=high).contains(&number),
-            // The first one is in every range that is not empty.
-            (Ok(low), Err(_)) => number == low,
+        let first = functions.keys().next().copied().unwrap_or(0);
+        let last = degree.map_or(0, u64::from);
+        if first > 1 || !(first..=last).eq(functions.keys().copied()) {
+            return incomplete();
+        }
+        let begins_at_zero = |indices: &Vec<UsedIndex>| match indices.first() {
+            Some(UsedIndex::Range((low, _))) => low.symbol.is_none() && low.constant < 1,
             _ => false,
+        };
+        let uses_zero = self
+            .found
+            .indices
+            .get(name)
+            .is_some_and(|all| all.iter().any(begins_at_zero));
+        match first == 1 && uses_zero {
+            true => incomplete(),
+            false => Ok(()),
         }
-    };
-    numerals.iter().zip(ranges).all(fits)
-}
+    }
 
-fn number(name: &str, meanings: &Meanings, found: &Occurrences) -> (ProposedSymbol, Vec<String>) {
-    let symbol = |set: String, comment: String| ProposedSymbol {
-        name: name.to_owned(),
-        set,
-        comment,
-    };
-    let is_integer = found.integers.contains(name);
-    match meanings.ranges.get(name) {
-        Some((LatexCondition::Integers { low, high, .. }, line)) => {
-            let set = integers(low, high.as_ref());
-            let more = low
-                .names()
-                .into_iter()
-                .chain(high.iter().flat_map(Expr::names))
-                .map(str::to_owned)
-                .collect();
-            (symbol(set, format!("line {line}")), more)
+    /// The declaration of a name, and the names that it mentions.
+    fn declared(&self, name: &str) -> Declaration {
+        let symbol = |set: String, comment: &str| ProposedSymbol {
+            name: name.to_owned(),
+            set,
+            comment: comment.to_owned(),
+        };
+        let plain = |set: String, comment: &str| Ok((symbol(set, comment), vec![]));
+        if let Some((space, line)) = self.meanings.vectors.get(name) {
+            return plain(
+                format!("{{ vector = {} }}", space.dimension()),
+                &format!("line {line}"),
+            );
         }
-        Some((LatexCondition::Interval { low, high, .. }, line)) if is_integer => {
-            match (&low.0, &high.0) {
-                (Some(least), Some(most)) => (
-                    symbol(integers(least, Some(most)), format!("line {line}")),
-                    vec![],
-                ),
-                (Some(least), None) => (
-                    symbol(integers(least, None), format!("line {line}")),
-                    vec![],
-                ),
-                _ => (
-                    symbol(
-                        "{ integer = \">= 0\" }".to_owned(),
-                        "which integers?".to_owned(),
+        if let Some(line) = self.meanings.undefined.get(name) {
+            return Err(format!("its definition in line {line} is not understood"));
+        }
+        let dimension = &self.dimension;
+        match self.meanings.names.kind(name) {
+            Some(LatexKind::Vector) => plain(
+                format!("{{ vector = {dimension} }}"),
+                "a vector of space, or `vector = 2`?",
+            ),
+            Some(LatexKind::Matrix) => Err("it is a matrix that no formula defines".to_owned()),
+            Some(LatexKind::Basis { .. }) => Err("not all of its functions are defined".to_owned()),
+            Some(LatexKind::Open) => Err("it is a number or a function".to_owned()),
+            Some(LatexKind::Function {
+                parameters,
+                is_vector,
+            }) => match parameters.len() {
+                1 => plain(
+                    format!(
+                        "{{ function = {} }}",
+                        if *is_vector { dimension.as_str() } else { "1" }
                     ),
-                    vec![],
+                    "any smooth function; if the text defines it, define it under [define]",
                 ),
+                count => Err(format!(
+                    "it is a function of {count} variables that no formula defines"
+                )),
+            },
+            Some(LatexKind::Family { indices, is_vector }) => {
+                self.family(name, *indices, *is_vector)
             }
+            Some(LatexKind::Number) | None => Ok(self.number(name)),
         }
-        Some((range @ LatexCondition::Interval { low, high, .. }, line)) => {
-            let ends = low.0.iter().chain(&high.0);
-            let more = ends.flat_map(Expr::names).map(str::to_owned).collect();
-            (
+    }
+
+    fn family(&self, name: &str, indices: usize, is_vector: bool) -> Declaration {
+        let declared = self.meanings.families.get(name);
+        let dimension = match declared.and_then(|family| family.space) {
+            Some(space) => space.dimension(),
+            None if is_vector => self.dimension.clone(),
+            None => "1".to_owned(),
+        };
+        let listed = declared.and_then(|family| Some((family.ends.as_ref()?, family.line)));
+        let (ranges, comment, ends) = match listed.filter(|_| indices == 1) {
+            Some(((low, high), line)) => (
+                vec![format!("{}..{}", text(low), text(high))],
+                format!("line {line}"),
+                low.names()
+                    .into_iter()
+                    .chain(high.names())
+                    .map(str::to_owned)
+                    .collect(),
+            ),
+            None => {
+                let ranges: Option<Vec<IndexRange>> =
+                    (0..indices).map(|at| self.range(name, at)).collect();
+                let Some(ranges) = ranges else {
+                    return Err(format!(
+                        "the text does not say for which indices: declare it, {name} = {{ family = {dimension}, indices = [\"0..n\"] }}"
+                    ));
+                };
+                let names = ranges
+                    .iter()
+                    .flat_map(|(low, high)| [&low.symbol, &high.symbol])
+                    .flatten()
+                    .cloned()
+                    .collect();
+                let ranges = ranges.iter().map(|(low, high)| format!("{low}..{high}"));
+                (ranges.collect(), "all indices that occur".to_owned(), names)
+            }
+        };
+        let quoted: Vec<String> = ranges.iter().map(|range| format!("\"{range}\"")).collect();
+        let set = format!(
+            "{{ family = {dimension}, indices = [{}] }}",
+            quoted.join(", ")
+        );
+        let symbol = ProposedSymbol {
+            name: name.to_owned(),
+            set,
+            comment,
+        };
+        Ok((symbol, ends))
+    }
+
+    /// The smallest range with all indices of a family at a position.
+    fn range(&self, name: &str, at: usize) -> Option<IndexRange> {
+        let used = self.found.indices.get(name)?;
+        let ranges: Vec<IndexRange> = used
+            .iter()
+            .filter_map(|indices| match indices.get(at)? {
+                UsedIndex::Range(range) => Some(range.clone()),
+                UsedIndex::Free(index) => {
+                    let symbol = index.symbol.as_deref()?;
+                    match self.written_range(symbol) {
+                        Some((low, high)) => {
+                            Some((low.plus(index.constant), high.plus(index.constant)))
+                        }
+                        None if self.found.bounds.contains(symbol) => {
+                            Some((index.clone(), index.clone()))
+                        }
+                        None => None,
+                    }
+                }
+                UsedIndex::Other => None,
+            })
+            .collect();
+        hull(&ranges)
+    }
+
+    /// The range of integers that the text gives a name, if both ends are simple.
+    fn written_range(&self, name: &str) -> Option<IndexRange> {
+        match &self.meanings.ranges.get(name)?.0 {
+            LatexCondition::Integers { low, high, .. } => Some((
+                AffineIndex::from_formula(low)?,
+                AffineIndex::from_formula(high.as_ref()?)?,
+            )),
+            LatexCondition::Interval { low, high, .. } => Some((
+                AffineIndex::from_formula(low.0.as_ref()?)?,
+                AffineIndex::from_formula(high.0.as_ref()?)?,
+            )),
+            LatexCondition::Formula(_) => None,
+        }
+    }
+
+    fn number(&self, name: &str) -> (ProposedSymbol, Vec<String>) {
+        let symbol = |set: String, comment: String| ProposedSymbol {
+            name: name.to_owned(),
+            set,
+            comment,
+        };
+        let is_integer = self.found.integers.contains(name);
+        let mentioned = |ends: &mut dyn Iterator<Item = &Expr>| -> Vec<String> {
+            ends.flat_map(Expr::names).map(str::to_owned).collect()
+        };
+        match self.meanings.ranges.get(name) {
+            Some((LatexCondition::Integers { low, high, .. }, line)) => (
+                symbol(integers(low, high.as_ref()), format!("line {line}")),
+                mentioned(&mut std::iter::once(low).chain(high)),
+            ),
+            Some((LatexCondition::Interval { low, high, .. }, line)) if is_integer => {
+                match (&low.0, &high.0) {
+                    (Some(least), most) => (
+                        symbol(integers(least, most.as_ref()), format!("line {line}")),
+                        mentioned(&mut std::iter::once(least).chain(most)),
+                    ),
+                    _ => self.guessed(name),
+                }
+            }
+            Some((range @ LatexCondition::Interval { low, high, .. }, line)) => (
                 symbol(
                     format!("{{ in = \"{}\" }}", interval(range).unwrap_or_default()),
                     format!("line {line}"),
                 ),
-                more,
-            )
+                mentioned(&mut low.0.iter().chain(&high.0)),
+            ),
+            _ if is_integer => self.guessed(name),
+            _ => (
+                symbol(
+                    "{}".to_owned(),
+                    "which numbers? the text gives no range".to_owned(),
+                ),
+                vec![],
+            ),
         }
-        _ if is_integer => (
+    }
+
+    /// An integer of which the text gives no range.
+    fn guessed(&self, name: &str) -> (ProposedSymbol, Vec<String>) {
+        let symbol = |set: String, comment: String| ProposedSymbol {
+            name: name.to_owned(),
+            set,
+            comment,
+        };
+        if let Some(((low, high), of)) = self.as_an_index(name) {
+            let ends = [&low.symbol, &high.symbol];
+            return (
+                symbol(
+                    format!("{{ integer = \"{low}..{high}\" }}"),
+                    format!("a guess, by {of}: the text gives no range"),
+                ),
+                ends.into_iter().flatten().cloned().collect(),
+            );
+        }
+        let least = self.least(name);
+        (
             symbol(
-                "{ integer = \">= 0\" }".to_owned(),
+                format!("{{ integer = \">= {least}\" }}"),
                 "which integers? the text gives no range".to_owned(),
             ),
             vec![],
-        ),
-        _ => (
-            symbol(
-                "{}".to_owned(),
-                "which numbers? the text gives no range".to_owned(),
-            ),
-            vec![],
-        ),
+        )
+    }
+
+    /// The range of an index for which its families have members, or the numbers that a binomial chooses.
+    fn as_an_index(&self, name: &str) -> Option<(IndexRange, String)> {
+        if self.found.bounds.contains(name) {
+            return None;
+        }
+        let mut found: Option<(IndexRange, String)> = None;
+        for (family, all) in &self.found.indices {
+            let offsets = all.iter().flat_map(|indices| indices.iter().enumerate());
+            let offsets = offsets.filter_map(|(at, index)| match index {
+                UsedIndex::Free(index) if index.symbol.as_deref() == Some(name) => {
+                    Some((at, index.constant))
+                }
+                _ => None,
+            });
+            for (at, offset) in offsets {
+                let range = match self.meanings.names.kind(family) {
+                    Some(LatexKind::Basis {
+                        degree: Some(degree),
+                        ..
+                    }) if at == 0 => {
+                        // Outside its indices a basis is zero.
+                        let number = |constant| AffineIndex {
+                            symbol: None,
+                            constant,
+                        };
+                        let first = self.meanings.bases.get(family)?.1.keys().next().copied();
+                        let first = i64::try_from(first.unwrap_or(0)).unwrap_or(0);
+                        (number(first), number(i64::from(*degree)))
+                    }
+                    Some(LatexKind::Family { .. }) => {
+                        let Some((low, high)) = self.family_range(family, at) else {
+                            continue;
+                        };
+                        (low.plus(-offset), high.plus(-offset))
+                    }
+                    _ => continue,
+                };
+                found = Some(match found {
+                    None => (range, format!("the indices of `{family}`")),
+                    Some(((low, high), of)) => ((later(low, range.0), earlier(high, range.1)), of),
+                });
+            }
+        }
+        if found.is_some() {
+            return found;
+        }
+        let (over, _) = self
+            .found
+            .chosen
+            .iter()
+            .find(|(_, chosen)| chosen == name)?;
+        let high = AffineIndex::from_formula(over)?;
+        let low = AffineIndex {
+            symbol: None,
+            constant: 0,
+        };
+        Some(((low, high), "a binomial coefficient".to_owned()))
+    }
+
+    fn family_range(&self, name: &str, at: usize) -> Option<IndexRange> {
+        match self
+            .meanings
+            .families
+            .get(name)
+            .and_then(|family| family.ends.as_ref())
+        {
+            Some((low, high)) if at == 0 => Some((
+                AffineIndex::from_formula(low)?,
+                AffineIndex::from_formula(high)?,
+            )),
+            _ => self.range(name, at),
+        }
+    }
+
+    /// The least value of the last index of families with which all members that occur exist.
+    fn least(&self, name: &str) -> i64 {
+        let mut least = 0;
+        for (family, all) in &self.found.indices {
+            for (at, index) in all.iter().flat_map(|indices| indices.iter().enumerate()) {
+                let ends = self.family_range(family, at);
+                let Some((low, high)) =
+                    ends.filter(|(_, high)| high.symbol.as_deref() == Some(name))
+                else {
+                    continue;
+                };
+                let ends = match index {
+                    UsedIndex::Range((first, last)) => vec![first.clone(), last.clone()],
+                    UsedIndex::Free(index) => vec![index.clone()],
+                    UsedIndex::Other => vec![],
+                };
+                for end in ends {
+                    match &end.symbol {
+                        // A number is at most the last index.
+                        None => least = least.max(end.constant - high.constant),
+                        // The last index less some is at least the first one.
+                        Some(symbol) if symbol == name && low.symbol.is_none() => {
+                            least = least.max(low.constant - end.constant);
+                        }
+                        Some(_) => {}
+                    }
+                }
+            }
+        }
+        least
+    }
+}
+
+/// The later of two indices, where they can be compared.
+fn later(a: AffineIndex, b: AffineIndex) -> AffineIndex {
+    if a.symbol == b.symbol && b.constant > a.constant {
+        b
+    } else {
+        a
+    }
+}
+
+fn earlier(a: AffineIndex, b: AffineIndex) -> AffineIndex {
+    if a.symbol == b.symbol && b.constant < a.constant {
+        b
+    } else {
+        a
     }
 }
 
@@ -298,109 +608,4 @@ pub fn interval(condition: &LatexCondition) -> Option<String> {
         (None, _) => ("inf".to_owned(), ")"),
     };
     Some(format!("{open}{below}, {above}{close}"))
-}
-
-/// A bound name with its range, if it is the index of a sum.
-type Bound = (String, Option<String>);
-
-impl Occurrences {
-    fn integers_of(&mut self, formula: &Expr, bound: &[Bound]) {
-        for name in formula.names() {
-            if !bound.iter().any(|(own, _)| own == name) && name != "pi" {
-                self.integers.insert(name.to_owned());
-            }
-        }
-    }
-
-    fn walk(&mut self, formula: &Expr, bound: &[Bound]) {
-        match &formula.node {
-            Node::Name(name) => {
-                if !bound.iter().any(|(own, _)| own == name) {
-                    self.names.insert(name.trim_end_matches('\'').to_owned());
-                }
-            }
-            Node::Call(head, arguments) => {
-                let called = match &head.node {
-                    Node::Name(name) => name.as_str(),
-                    _ => "",
-                };
-                match (called, arguments.as_slice()) {
-                    (
-                        "sum" | "product",
-                        [
-                            Expr {
-                                node: Node::Name(index),
-                                ..
-                            },
-                            low,
-                            high,
-                            body,
-                        ],
-                    ) => {
-                        for end in [low, high] {
-                            self.walk(end, bound);
-                            self.integers_of(end, bound);
-                        }
-                        let mut inner = bound.to_vec();
-                        inner.push((
-                            index.clone(),
-                            Some(format!("{}..{}", text(low), text(high))),
-                        ));
-                        self.walk(body, &inner);
-                        return;
-                    }
-                    ("binom", [n, k]) => {
-                        self.integers_of(n, bound);
-                        self.integers_of(k, bound);
-                    }
-                    ("factorial", [n]) => self.integers_of(n, bound),
-                    _ => {}
-                }
-                self.walk(head, bound);
-                for argument in arguments {
-                    self.walk(argument, bound);
-                }
-            }
-            Node::Index(head, indices) => {
-                self.walk(head, bound);
-                if let Node::Name(name) = &head.node {
-                    let range = |index: &Expr| match &index.node {
-                        Node::Name(name) => bound
-                            .iter()
-                            .rev()
-                            .find(|(own, _)| own == name)
-                            .and_then(|(_, range)| range.clone()),
-                        _ => None,
-                    };
-                    if indices
-                        .iter()
-                        .all(|index| matches!(index.node, Node::Number { .. }))
-                    {
-                        let numerals = indices.iter().map(text).collect();
-                        self.numerals
-                            .entry(name.clone())
-                            .or_default()
-                            .insert(numerals);
-                    } else {
-                        let ranges = indices.iter().map(range).collect();
-                        self.indices.entry(name.clone()).or_default().insert(ranges);
-                    }
-                }
-                for index in indices {
-                    self.walk(index, bound);
-                    self.integers_of(index, bound);
-                }
-            }
-            Node::Binary(Operator::Power, base, exponent) => {
-                self.walk(base, bound);
-                self.walk(exponent, bound);
-                self.integers_of(exponent, bound);
-            }
-            _ => {
-                for part in formula.parts() {
-                    self.walk(part, bound);
-                }
-            }
-        }
-    }
 }

@@ -155,7 +155,7 @@ impl Fault {
 /// A hint at what would be correct in a single statement with its setting; `text` is what stands at the place.
 fn typed_help(problem: &Problem, text: &str) -> Option<String> {
     match problem {
-        Problem::UnknownName { name, similar } if similar.as_deref() != Some(name) => {
+        Problem::UnknownName { name, similar } if similar.as_deref() != Some(name.as_str()) => {
             if let Some(hint) = hints::name(name) {
                 return Some(hint.to_owned());
             }

@@ -111,6 +111,8 @@ mod paper;
 #[cfg(feature = "papers")]
 mod progress;
 #[cfg(feature = "papers")]
+mod proposal;
+#[cfg(feature = "papers")]
 pub mod selection;
 #[cfg(feature = "papers")]
 mod verifier;
@@ -131,6 +133,8 @@ pub use explanation::{Explanation, ExplanationLine};
 pub use paper::Paper;
 #[cfg(feature = "papers")]
 pub use progress::{Event, Observer, Pass, unobserved};
+#[cfg(feature = "papers")]
+pub use proposal::propose;
 #[cfg(feature = "papers")]
 pub use verifier::{Verification, Verifier, WorkBudget};
 

@@ -1,6 +1,7 @@
 //! One pass over a manuscript: its text, theorems and formulas in order.
 
 use super::arguments::{argument, end_of, option, without_labels};
+use super::cases::by_members;
 use super::{Manuscript, ManuscriptFormula, ManuscriptItem};
 use crate::linear::linear;
 use crate::numbering::Numbering;
@@ -12,7 +13,7 @@ use torse_syntax::latex::token::{PlacedTex, TexToken};
 use torse_syntax::latex::{layout_tokens, without_final_punctuation};
 
 /// Environments of displayed mathematics; those in which each row has a number are marked.
-const DISPLAYS: [(&str, bool); 9] = [
+const DISPLAYS: [(&str, bool); 10] = [
     ("equation", false),
     ("multline", false),
     ("displaymath", false),
@@ -22,6 +23,7 @@ const DISPLAYS: [(&str, bool); 9] = [
     ("eqnarray", true),
     ("flalign", true),
     ("alignat", true),
+    ("IEEEeqnarray", true),
 ];
 
 /// The largest depth of environments.
@@ -250,7 +252,7 @@ impl Scan {
         let bare = name.trim_end_matches('*');
         if let Some((_, rows)) = DISPLAYS.into_iter().find(|(display, _)| *display == bare) {
             let inner = match bare {
-                "alignat" => argument(inner, 0)
+                "alignat" | "IEEEeqnarray" => argument(inner, 0)
                     .and_then(|(_, start)| inner.get(start..))
                     .unwrap_or(inner),
                 _ => inner,
@@ -341,38 +343,20 @@ impl Scan {
                     )
             })
         };
-        let mut groups: Vec<Vec<PlacedTex>> = vec![];
+        let mut groups: Vec<Vec<Vec<PlacedTex>>> = vec![];
         for line in lines {
             match groups.last_mut() {
-                Some(before) if continues(&line) => before.extend(line),
-                _ => groups.push(line),
+                Some(before) if continues(&line) => before.push(line),
+                _ => groups.push(vec![line]),
             }
         }
         let mut words = String::new();
-        for group in groups {
-            if group.iter().all(|token| token.is(' ')) {
+        for rows in groups {
+            if rows.iter().flatten().all(|token| token.is(' ')) {
                 continue;
             }
-            let has = |name: &str| group.iter().any(|token| token.command() == Some(name));
-            let tag = group
-                .iter()
-                .position(|token| matches!(token.command(), Some("tag" | "tag*")))
-                .and_then(|at| argument(&group, at + 1))
-                .map(|(tag, _)| plain(tag));
-            let silent = has("nonumber") || has("notag");
-            let number = match tag {
-                Some(tag) => Some(tag),
-                None if numbered && !silent => Some(self.numbering.count("equation")),
-                None => None,
-            };
-            let label = group
-                .iter()
-                .position(|token| token.command() == Some("label"))
-                .and_then(|at| argument(&group, at + 1))
-                .map(|(label, _)| plain(label));
-            if let (Some(label), Some(number)) = (&label, &number) {
-                self.labels.insert(label.clone(), number.clone());
-            }
+            let (number, label) = self.numbered(&rows, numbered);
+            let group = rows.concat();
             let place = match (group.first(), group.last()) {
                 (Some(first), Some(last)) => first.place.to(last.place),
                 _ => place,
@@ -393,6 +377,38 @@ impl Scan {
             words.push_str(&printed);
         }
         words
+    }
+
+    /// Counts the rows of a formula as LaTeX does, each without `\nonumber`; returns the first number and the first label.
+    fn numbered(
+        &mut self,
+        rows: &[Vec<PlacedTex>],
+        numbered: bool,
+    ) -> (Option<String>, Option<String>) {
+        let (mut first, mut first_label) = (None, None);
+        for row in rows {
+            let behind = |names: &[&str]| {
+                row.iter()
+                    .position(|token| token.command().is_some_and(|name| names.contains(&name)))
+                    .and_then(|at| argument(row, at + 1))
+                    .map(|(text, _)| plain(text))
+            };
+            let silent = row
+                .iter()
+                .any(|token| matches!(token.command(), Some("nonumber" | "notag")));
+            let number = match behind(&["tag", "tag*"]) {
+                Some(tag) => Some(tag),
+                None if numbered && !silent => Some(self.numbering.count("equation")),
+                None => None,
+            };
+            let label = behind(&["label"]);
+            if let (Some(label), Some(number)) = (&label, &number) {
+                self.labels.insert(label.clone(), number.clone());
+            }
+            first = first.or(number);
+            first_label = first_label.or(label);
+        }
+        (first, first_label)
     }
 
     /// Adds a formula and returns it on one line.
@@ -419,10 +435,13 @@ impl Scan {
         }
         self.manuscript.formulas.push(ManuscriptFormula {
             latex,
-            items,
+            items: items.map(by_members),
             place,
             is_display,
-            in_theorem: self.theorem.is_some(),
+            in_theorem: self
+                .theorem
+                .and_then(|theorem| self.manuscript.items.get(theorem))
+                .is_some_and(|item| item.kind != "Definition"),
         });
         match is_display {
             true => format!(" {line} "),

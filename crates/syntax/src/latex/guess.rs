@@ -6,6 +6,8 @@
 //! | on the left of `=` in such a form | a function, defined there |
 //! | in an exponent, an index, a bound, beside a number (`n - 1`, `2n`), or beside `<` and `\in` | a number |
 //! | with indices, of which one is the index of a sum, of a range, or a formula such as `i + 1` | a family; bold with a superscript: with one index more |
+//! | with indices 0, 1, ... or 1, 2, ... on the left sides of definitions, `f_0(t) = ...`, and with a letter for an index elsewhere | a basis with these functions |
+//! | listed as members, `P_0, \dots, P_n` | a family |
 //! | with indices that are numbers or words alone | one name for each: `a_0`, `d_{max}` |
 //! | bold or under an arrow | a vector |
 //! | before other brackets, without one of these signs | a number or a function: two readings |
@@ -36,8 +38,12 @@ struct Uses {
     arguments: Vec<Vec<Option<String>>>,
     /// Scripts and arguments of a left side that defines it.
     defined: Option<Vec<String>>,
-    /// The numbers that are subscripts of left sides that define functions.
-    listed: BTreeSet<u8>,
+    /// The functions that left sides define: their numbers and, where a second script is one, their degrees.
+    listed: BTreeSet<(u8, Option<u8>)>,
+    /// Whether the text lists its members.
+    is_family: bool,
+    /// The variable of the functions that are defined one by one.
+    variable: Option<String>,
     /// Before other brackets.
     before_brackets: bool,
     bare: bool,
@@ -120,22 +126,28 @@ impl LatexGuess {
             let above = head.above.as_deref();
             let arguments: Option<Vec<String>> = parts(inner).into_iter().map(lone).collect();
             let Some(arguments) = arguments else { continue };
-            let number = match scripts.as_slice() {
-                [
-                    [
-                        TexItem {
-                            nucleus: Nucleus::Number(digits),
-                            ..
-                        },
-                    ],
-                ] if above.is_none() => digits.parse().ok(),
+            let number = |script: &[TexItem]| match script {
+                [only] => match &only.nucleus {
+                    Nucleus::Number(digits) if only.is_bare() => digits.parse::<u8>().ok(),
+                    _ => None,
+                },
+                _ => None,
+            };
+            let numbers: Option<Vec<u8>> =
+                scripts.iter().copied().chain(above).map(number).collect();
+            let listed = match numbers.as_deref() {
+                Some([index]) if above.is_none() => Some((*index, None)),
+                Some([index, degree]) => Some((*index, Some(*degree))),
                 _ => None,
             };
             let scripts: Option<Vec<String>> = scripts.into_iter().chain(above).map(lone).collect();
             let uses = self.uses(head);
             uses.called = true;
-            if let Some(number) = number {
-                uses.listed.insert(number);
+            if let Some(listed) = listed {
+                if let [variable] = arguments.as_slice() {
+                    uses.listed.insert(listed);
+                    uses.variable.get_or_insert_with(|| variable.clone());
+                }
                 uses.arguments
                     .push(arguments.into_iter().map(Some).collect());
             } else if let Some(scripts) = scripts {
@@ -145,6 +157,13 @@ impl LatexGuess {
                     uses.defined = Some(all);
                 }
             }
+        }
+    }
+
+    /// Takes a letter for a family, whose members the text lists; scripts of `letter` do not matter.
+    pub fn add_family(&mut self, letter: &TexItem) {
+        if matches!(letter.nucleus, Nucleus::Letter(..)) {
+            self.uses(letter).is_family = true;
         }
     }
 
@@ -163,6 +182,8 @@ impl LatexGuess {
             arguments: vec![],
             defined: None,
             listed: BTreeSet::new(),
+            is_family: false,
+            variable: None,
             before_brackets: false,
             bare: false,
             is_number: false,
@@ -291,7 +312,12 @@ impl LatexGuess {
                 .any(|item| letter(item).is_some_and(|letter| self.indices.contains(&letter)))
                 || script_words(&parts(below)).is_none()
         };
-        if let Some(parameters) = &uses.defined {
+        let has_index = uses.is_family || uses.below.iter().any(is_index);
+        if let (Some(basis), false) = (uses.basis(), is_bold)
+            && (has_index || uses.defined.is_some())
+        {
+            names.declare(&name, basis);
+        } else if let Some(parameters) = &uses.defined {
             // Functions with scripts for parameters, or with none.
             names.declare(
                 &name,
@@ -300,27 +326,25 @@ impl LatexGuess {
                     is_vector: is_bold,
                 },
             );
-        } else if uses.below.iter().any(is_index) {
-            if !uses.listed.is_empty() {
-                let count = u8::try_from(uses.listed.len()).unwrap_or(u8::MAX);
-                let complete = uses.listed.iter().copied().eq(0..count);
-                let variable =
-                    uses.arguments
-                        .iter()
-                        .find_map(|arguments| match arguments.as_slice() {
-                            [Some(variable)] => Some(variable.clone()),
-                            _ => None,
-                        });
-                if let (true, Some(variable), false) = (complete, variable, is_bold) {
-                    names.declare(
-                        &name,
-                        LatexKind::Basis {
-                            degree: count.checked_sub(1),
-                            variable,
-                        },
-                    );
-                }
-            } else if !uses.called && (!uses.raised || is_bold) {
+        } else if has_index {
+            if uses.called {
+                // Of its parameters only the number is known.
+                let scripts = uses
+                    .below
+                    .iter()
+                    .map(|below| parts(below).len())
+                    .max()
+                    .unwrap_or(1);
+                let arguments = uses.arguments.first().map_or(1, Vec::len);
+                let count = scripts + usize::from(uses.raised) + arguments;
+                names.declare(
+                    &name,
+                    LatexKind::Function {
+                        parameters: vec![String::new(); count],
+                        is_vector: is_bold,
+                    },
+                );
+            } else if !uses.raised || is_bold {
                 let two = |below: &Vec<TexItem>| match parts(below).as_slice() {
                     [one] if one.len() == 2 && one.iter().all(|item| letter(item).is_some()) => 2,
                     all => all.len(),
@@ -348,6 +372,38 @@ impl LatexGuess {
         if !by_rule || has_plain {
             names.display(&name, &shown);
         }
+    }
+}
+
+impl Uses {
+    /// The basis whose functions left sides define, if they define all from 0 or from 1 on.
+    fn basis(&self) -> Option<LatexKind> {
+        let numbers: Vec<u8> = self.listed.iter().map(|(number, _)| *number).collect();
+        let last = *numbers.last()?;
+        let first = *numbers.first()?;
+        let all = first <= 1 && last > 0 && (first..=last).eq(numbers.iter().copied());
+        // Another degree than that of the last function makes it no list of functions.
+        let is_list = self
+            .listed
+            .iter()
+            .all(|(_, degree)| degree.is_none_or(|degree| degree == last));
+        let scripts = if self.listed.iter().any(|(_, degree)| degree.is_some()) {
+            2
+        } else {
+            1
+        };
+        // A formula for all indices and degrees says more than the list.
+        let is_general = self
+            .defined
+            .as_ref()
+            .is_some_and(|parameters| parameters.len() != 2);
+        if !all || !is_list || scripts == 2 && is_general {
+            return None;
+        }
+        Some(LatexKind::Basis {
+            degree: Some(last),
+            variable: self.variable.clone()?,
+        })
     }
 }
 
