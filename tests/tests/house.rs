@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each room with the rooms it may use. Rooms that are planned and not built stand here as well.
-const ROOMS: [(&str, &[&str]); 21] = [
+const ROOMS: [(&str, &[&str]); 22] = [
     ("numbers", &[]),
     ("algebra", &["numbers"]),
     ("syntax", &["numbers"]),
@@ -34,6 +34,7 @@ const ROOMS: [(&str, &[&str]); 21] = [
             "typography",
         ],
     ),
+    ("code", &["verdicts"]),
     ("rocq", &["syntax", "core", "elaborate", "certificate"]),
     ("geometry", &["numbers", "algebra"]),
     ("exchange", &["geometry"]),
@@ -43,7 +44,7 @@ const ROOMS: [(&str, &[&str]); 21] = [
     ("report", &["verdicts", "designs", "typography", "plot"]),
     (
         "torse",
-        &["manuscript", "report", "figures", "designs", "rocq"],
+        &["manuscript", "report", "code", "figures", "designs", "rocq"],
     ),
     ("cli", &["torse"]),
 ];

@@ -165,6 +165,15 @@ pub enum Failure {
         /// Why.
         reason: String,
     },
+    /// No claim names a function of a program.
+    #[error("no claim of `{name}` names a function")]
+    #[diagnostic(help(
+        "name one with `--code FILE:FUNCTION`, or in the claim: `code = {{ file = \"basis.py\", function = \"f\" }}`"
+    ))]
+    NoCode {
+        /// The name as given.
+        name: String,
+    },
     /// An id that no claim has.
     #[error("no claim has the id `{id}`")]
     #[diagnostic(help("`--ids` takes full ids, one a line, as `torse list` shows them"))]
@@ -280,7 +289,7 @@ pub enum Failure {
         #[source]
         source: ExchangeError,
     },
-    /// A derivation file disappeared during the run.
+    /// A derivation file disappeared during the run, or a file of code is missing.
     #[error("{} cannot be read", path.display())]
     Unread {
         /// The path.
@@ -332,6 +341,7 @@ impl Failure {
             | Failure::Against { .. }
             | Failure::List { .. }
             | Failure::UnknownId { .. }
+            | Failure::NoCode { .. }
             | Failure::Since { .. }
             | Failure::UnknownBasis { .. } => Exit::Usage,
             Failure::Library(error) => exit_of(error),

@@ -7,6 +7,7 @@
 mod audit;
 mod baseline;
 mod changed;
+mod compare;
 mod completions;
 mod decide;
 mod derivations;
@@ -69,6 +70,7 @@ Examples:
   torse verify my-paper --watch          again after every change of its files
   torse decide \"(a + b)^2 == a^2 + b^2\"  one statement, without any folder
   torse explain gbt-developable/thm-4.c  why a formula is wrong, and what is right
+  torse compare CLAIM --code basis.py:f  does this function compute what the paper prints?
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse erratum gbt-surfaces             the corrections, ready to be sent
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
@@ -90,6 +92,7 @@ Examples:
   torse verify --format json             the same for programs, byte-identical on every run
   torse decide \"(a + b)^2 == a^2 + b^2\"  one statement, without any folder
   torse explain gbt-developable/thm-4.c  why a formula is wrong, and what is right
+  torse compare CLAIM --code basis.py:f  does this function compute what the paper prints?
   torse report                           verdicts, PDF, HTML and figures into reports/
   torse erratum gbt-surfaces             the corrections, ready to be sent
   torse derive gbt-surfaces f --join c   C1 to C3 conditions of a basis, for every degree
@@ -111,9 +114,9 @@ Exit codes (if several apply, the first of this list):
   5  an output could not be made or written
   8  the time limit (`--time-limit SECONDS`) ended the run, without verdicts
   7  a required program is missing (coqc)
-  1  a verdict differs from its derivation file or from an earlier run; a flag of the audit is open;
-     a design misses a tolerance; a drawing breaks a rule
-  3  a claim named by its full id is undecided
+  1  a verdict differs from its derivation file or from an earlier run; code differs from the print;
+     a flag of the audit is open; a design misses a tolerance; a drawing breaks a rule
+  3  a claim named by its full id, or whether code equals the print, is undecided
   0  every verdict is as expected, or nothing was expected
 
 Colours and progress are for terminals only; NO_COLOR=1 turns colours off there too.";
@@ -122,6 +125,7 @@ Colours and progress are for terminals only; NO_COLOR=1 turns colours off there 
 enum Command {
     Verify(verify::Verify),
     Decide(decide::Decide),
+    Compare(compare::Compare),
     List(list::List),
     Merge(merge::Merge),
     Explain(explain::Explain),
@@ -148,6 +152,7 @@ impl Command {
         match self {
             Command::Verify(command) => command.run(),
             Command::Decide(command) => command.run(),
+            Command::Compare(command) => command.run(),
             Command::List(command) => command.run(),
             Command::Merge(command) => command.run(),
             Command::Explain(command) => command.run(),

@@ -14,7 +14,7 @@ use torse_syntax::derivation::schema::figure::{
     PanelEntry, PieceEntry, Place, Rulings, ScaleEntry, Shape, Style, TorseEntry,
 };
 use torse_syntax::derivation::schema::{
-    AnswerEntry, BasisEntry, ClaimEntry, PaperHead, ReadingEntry, SymbolEntry,
+    AnswerEntry, BasisEntry, ClaimEntry, CodeEntry, PaperHead, ReadingEntry, SideEntry, SymbolEntry,
 };
 use torse_syntax::taxonomy::{Flag, Kind, Verdict};
 
@@ -79,6 +79,7 @@ fn the_schema_has_the_entries_that_the_reader_knows() {
         ("basis", names::<BasisEntry>()),
         ("claim", names::<ClaimEntry>()),
         ("reading", names::<ReadingEntry>()),
+        ("code", names::<CodeEntry>()),
         ("answer", names::<AnswerEntry>()),
         ("corrigendum", names::<CorrigendumEntry>()),
         ("change", names::<ChangeEntry>()),
@@ -105,6 +106,7 @@ fn the_schema_has_the_words_that_the_reader_knows() {
     let read = [
         ("claim", "kind", names::<Kind>()),
         ("claim", "expect", names::<Verdict>()),
+        ("code", "side", names::<SideEntry>()),
         ("answer", "flag", names::<Flag>()),
         ("layer", "draw", names::<Shape>()),
         ("piece", "draw", names::<Rulings>()),

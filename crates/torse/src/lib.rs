@@ -85,6 +85,7 @@
 //! | feature | brings | default |
 //! |---|---|---|
 //! | `papers` | [`decide`], [`Paper`], [`Verifier`] | yes |
+//! | `code` | [`compare`]: code beside the formula, with parsers in C | yes |
 //! | `geometry` | the module [`geometry`] | with `designs` |
 //! | `designs` | [`Design`], [`connect`], [`contents`] | yes |
 //! | `pdf` | PDF in the module [`report`]: the typesetter with its two hundred packages | yes |
@@ -96,6 +97,8 @@
 
 #[cfg(feature = "papers")]
 pub mod annotations;
+#[cfg(feature = "code")]
+mod comparison;
 #[cfg(feature = "papers")]
 mod decided;
 #[cfg(feature = "designs")]
@@ -117,6 +120,8 @@ pub mod selection;
 #[cfg(feature = "papers")]
 mod verifier;
 
+#[cfg(feature = "code")]
+pub use comparison::compare;
 #[cfg(feature = "papers")]
 pub use decided::{Decided, decide, decide_where, sympy};
 #[cfg(feature = "designs")]
@@ -138,6 +143,11 @@ pub use proposal::propose;
 #[cfg(feature = "papers")]
 pub use verifier::{Verification, Verifier, WorkBudget};
 
+#[cfg(feature = "code")]
+pub use torse_code::{
+    CodeEdit, CodeLanguage, CodeQuestion, CodeVerdict, Comparison, MAX_CODE_BYTES, PrintEdit,
+    PrintedSide,
+};
 /// Design files, beneath [`Design`].
 #[cfg(feature = "designs")]
 pub use torse_designs as designs;

@@ -166,8 +166,14 @@ impl<'o> Verifier<'o> {
         }
     }
 
+    /// The budget.
+    #[must_use]
+    pub fn budget(&self) -> WorkBudget {
+        self.budget
+    }
+
     /// Does the work of a claim.
-    fn work<T>(&self, job: impl FnOnce() -> T) -> Result<T, Error> {
+    pub(crate) fn work<T>(&self, job: impl FnOnce() -> T) -> Result<T, Error> {
         match self.stop {
             // What comes of work that was stopped is no finding.
             Some(stop) => stoppable(stop, job).map_err(|_: Spent| Error::Cancelled),

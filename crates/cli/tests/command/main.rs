@@ -5,6 +5,7 @@
 
 mod annotations;
 mod audit;
+mod compare;
 mod corpus;
 mod data;
 mod decide;

@@ -19,6 +19,7 @@ pub mod global_edits;
 pub mod insertions;
 pub mod move_factor;
 pub mod names;
+pub mod one_side;
 mod operands;
 mod points;
 mod rates;

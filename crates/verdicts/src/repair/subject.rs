@@ -77,6 +77,20 @@ impl Subject {
         })
     }
 
+    /// A side of a statement as it stands there.
+    #[must_use]
+    pub fn plain(statement: &Expr, path: &[usize]) -> Option<Self> {
+        let formula = path.iter().try_fold(statement, |e, position| {
+            e.parts().into_iter().nth(*position)
+        })?;
+        Some(Self {
+            formula: formula.clone(),
+            path: path.to_vec(),
+            definition: None,
+            within: vec![],
+        })
+    }
+
     /// The other side of the comparison, where both stand in the statement as they are.
     #[must_use]
     pub fn across(&self, statement: &Expr) -> Option<Self> {
@@ -84,16 +98,7 @@ impl Subject {
             return None;
         }
         let (last, parent) = self.path.split_last()?;
-        let path = [parent, &[1 - (*last).min(1)]].concat();
-        let formula = path.iter().try_fold(statement, |e, position| {
-            e.parts().into_iter().nth(*position)
-        })?;
-        Some(Self {
-            formula: formula.clone(),
-            path,
-            definition: None,
-            within: vec![],
-        })
+        Self::plain(statement, &[parent, &[1 - (*last).min(1)]].concat())
     }
 
     /// Returns the definitions that only this formula uses: one of them may contain the slip.

@@ -151,6 +151,12 @@ impl<'a> Target<'a> {
         work.sum::<u64>().saturating_add(self.terms.get())
     }
 
+    /// Whether more than so much work was done in all searches.
+    #[must_use]
+    pub fn spent_more_than(&self, work: u64) -> bool {
+        self.spent() > work
+    }
+
     /// Whether there is work left; without it nothing agrees any more.
     #[must_use]
     pub fn within_budget(&self) -> bool {

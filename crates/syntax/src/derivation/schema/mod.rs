@@ -193,6 +193,8 @@ pub struct ClaimEntry {
     pub unstated: Option<String>,
     /// The drawing of a figure.
     pub figure: Option<Box<FigureEntry>>,
+    /// The function that computes the printed side: `torse compare` compares both.
+    pub code: Option<CodeEntry>,
     /// Claims on which this one depends.
     #[serde(default)]
     pub uses: Vec<Text>,
@@ -208,6 +210,36 @@ pub struct ClaimEntry {
     pub answers: Vec<AnswerEntry>,
     /// Any other information for the reader.
     pub note: Option<String>,
+}
+
+/// A function of a program, and how it is compared with the claim.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CodeEntry {
+    /// The file, seen from the folder of the paper.
+    pub file: Text,
+    /// The name of the function.
+    pub function: Text,
+    /// What names of its parameters stand for: formulas of the claim.
+    #[serde(default)]
+    pub map: BTreeMap<String, Text>,
+    /// Hypotheses of the comparison besides those of the claim, such as `n == 3`.
+    #[serde(default, rename = "where")]
+    pub conditions: Vec<Text>,
+    /// The side of the equation that the function computes, where it is not the printed one.
+    pub side: Option<SideEntry>,
+    /// Which equation of a statement with several, counted from one.
+    pub part: Option<usize>,
+}
+
+/// A side of an equation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SideEntry {
+    /// The left one.
+    Left,
+    /// The right one.
+    Right,
 }
 
 /// One possible reading of a sentence. Its fields are added to those of the claim.

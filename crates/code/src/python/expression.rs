@@ -1,0 +1,489 @@
+//! Expressions of Python.
+
+use super::names::{Imports, Meaning};
+use crate::grammar::{CodeNode, Read, Text, at, binary, children, place};
+use crate::program::{call, operation};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use torse_numbers::rational::integer;
+use torse_syntax::derivation::DerivationError;
+use torse_syntax::formula::{Connective, Expr, Node, Operator, Relation};
+
+/// What reads the expressions of a file.
+#[derive(Clone, Copy)]
+pub(super) struct Reader<'s> {
+    pub(super) text: Text<'s>,
+    pub(super) imports: &'s Imports,
+    /// The functions of the file.
+    pub(super) functions: &'s BTreeSet<String>,
+    /// The names that hide imported ones here: functions and variables.
+    pub(super) own: &'s BTreeSet<String>,
+}
+
+/// What is read, for messages.
+const READ: &str = "numbers, names, `+ - * / **`, calls of functions of this file and of math, numpy and sympy, lists, tuples, \
+                    indices, comparisons, `a if c else b`, and comprehensions are read";
+
+impl Reader<'_> {
+    /// Reads an expression.
+    pub(super) fn expression(self, node: CodeNode<'_>) -> Read<Expr> {
+        let text = self.text.text(node);
+        match node.kind() {
+            "identifier" => self.name(node),
+            "integer" | "float" => self.text.number(node, &text.replace('_', "")),
+            "true" => Ok(at(node, Node::Name(operation::TRUE.to_owned()))),
+            "false" => Ok(at(node, Node::Name(operation::FALSE.to_owned()))),
+            "parenthesized_expression" => self.only(node),
+            "unary_operator" => self.unary(node),
+            "binary_operator" => self.binary(node),
+            "comparison_operator" => self.comparison(node),
+            "boolean_operator" => {
+                let connective = match self.operator(node)? {
+                    "and" => Connective::And,
+                    _ => Connective::Or,
+                };
+                let (left, right) = self.sides(node)?;
+                Ok(at(
+                    node,
+                    Node::Join(connective, Arc::new(left), Arc::new(right)),
+                ))
+            }
+            "not_operator" => {
+                let inner = self.expression(self.text.field(node, "argument")?)?;
+                Ok(at(node, Node::Not(Arc::new(inner))))
+            }
+            "conditional_expression" => {
+                let parts = self.all(&children(node))?;
+                let [value, condition, other] = parts.try_into().map_err(|_| self.unread(node))?;
+                Ok(self.call(node, operation::IF, vec![condition, value, other]))
+            }
+            "list" | "tuple" | "expression_list" => {
+                let items = self.all(&children(node))?;
+                Ok(at(node, Node::List(items)))
+            }
+            "list_comprehension" | "generator_expression" => self.comprehension(node),
+            "subscript" => self.subscript(node),
+            "attribute" => self.attribute(node),
+            "call" => self.application(node),
+            "lambda" => {
+                Err(self.refused(node, "a lambda is not read", "write a function with `def`"))
+            }
+            "string" | "concatenated_string" => Err(self.refused(
+                node,
+                "a text has no value in mathematics",
+                "numbers, names and formulas are read",
+            )),
+            _ => Err(self.unread(node)),
+        }
+    }
+
+    fn refused(self, node: CodeNode<'_>, message: &str, help: &str) -> Box<DerivationError> {
+        self.text.refused(node, message, help)
+    }
+
+    fn unread(self, node: CodeNode<'_>) -> Box<DerivationError> {
+        let kind = node.kind().replace('_', " ");
+        self.refused(node, &format!("this is not read: {kind}"), READ)
+    }
+
+    /// A call of what is no function of the file.
+    fn call(self, node: CodeNode<'_>, name: &str, arguments: Vec<Expr>) -> Expr {
+        match self.functions.contains(name) {
+            true => call(&format!("#{name}"), arguments, place(node)),
+            false => call(name, arguments, place(node)),
+        }
+    }
+
+    fn all(self, nodes: &[CodeNode<'_>]) -> Read<Vec<Expr>> {
+        nodes.iter().map(|node| self.expression(*node)).collect()
+    }
+
+    fn only(self, node: CodeNode<'_>) -> Read<Expr> {
+        match children(node).as_slice() {
+            [inner] => self.expression(*inner),
+            _ => Err(self.unread(node)),
+        }
+    }
+
+    fn operator<'n>(self, node: CodeNode<'n>) -> Read<&'n str>
+    where
+        Self: 'n,
+    {
+        let operator = self.text.field(node, "operator")?;
+        Ok(operator.kind())
+    }
+
+    fn sides(self, node: CodeNode<'_>) -> Read<(Expr, Expr)> {
+        let left = self.expression(self.text.field(node, "left")?)?;
+        let right = self.expression(self.text.field(node, "right")?)?;
+        Ok((left, right))
+    }
+
+    fn name(self, node: CodeNode<'_>) -> Read<Expr> {
+        let name = self.text.text(node);
+        if !self.own.contains(name) {
+            match self.imports.name(name) {
+                Some(Meaning::Pi) => return Ok(at(node, Node::Name(operation::PI.to_owned()))),
+                Some(Meaning::E) => {
+                    return Ok(self.call(node, "exp", vec![Expr::number(&integer(1))]));
+                }
+                _ => {}
+            }
+        }
+        Ok(at(node, Node::Name(name.to_owned())))
+    }
+
+    fn unary(self, node: CodeNode<'_>) -> Read<Expr> {
+        let inner = self.expression(self.text.field(node, "argument")?)?;
+        match self.operator(node)? {
+            "-" => Ok(at(node, Node::Negative(Arc::new(inner)))),
+            "+" => Ok(inner),
+            _ => Err(self.refused(
+                node,
+                "`~` turns the bits of an integer over",
+                "`-` is the sign of a number",
+            )),
+        }
+    }
+
+    fn binary(self, node: CodeNode<'_>) -> Read<Expr> {
+        let operator = self.operator(node)?;
+        let sign = self.text.field(node, "operator")?;
+        let (left, right) = self.sides(node)?;
+        self.combined(node, sign, operator, left, right)
+    }
+
+    /// Two sides joined by an operator.
+    pub(super) fn combined(
+        self,
+        node: CodeNode<'_>,
+        sign: CodeNode<'_>,
+        operator: &str,
+        left: Expr,
+        right: Expr,
+    ) -> Read<Expr> {
+        let operator = match operator {
+            "+" => Operator::Add,
+            "-" => Operator::Subtract,
+            "*" => Operator::Multiply,
+            "/" => Operator::Divide,
+            "**" => Operator::Power,
+            "//" => return Ok(self.call(node, operation::QUOTIENT, vec![left, right])),
+            "%" => return Ok(self.call(node, operation::REMAINDER, vec![left, right])),
+            "^" => {
+                let message = "`^` exchanges bits in Python";
+                return Err(self.refused(sign, message, "`**` is the power"));
+            }
+            "@" => {
+                let message = "a product of matrices is not read";
+                return Err(self.refused(
+                    sign,
+                    message,
+                    "`dot(a, b)` is the product of two vectors",
+                ));
+            }
+            _ => {
+                let message = format!("`{operator}` is about the bits of integers");
+                return Err(self.refused(sign, &message, READ));
+            }
+        };
+        Ok(binary(node, operator, left, right))
+    }
+
+    fn comparison(self, node: CodeNode<'_>) -> Read<Expr> {
+        let operands = self.all(&children(node))?;
+        let mut relations = vec![];
+        let mut cursor = node.walk();
+        for sign in node.children(&mut cursor).filter(|child| !child.is_named()) {
+            relations.push(match sign.kind() {
+                "==" => Relation::Equal,
+                "!=" => Relation::Different,
+                "<" => Relation::Less,
+                "<=" => Relation::AtMost,
+                ">" => Relation::Greater,
+                ">=" => Relation::AtLeast,
+                other => {
+                    let message = format!("the comparison `{other}` is not read");
+                    return Err(self.refused(sign, &message, "`== != < <= > >=` are read"));
+                }
+            });
+        }
+        let mut operands = operands.into_iter();
+        let first = operands.next().ok_or_else(|| self.unread(node))?;
+        let rest = relations.into_iter().zip(operands).collect();
+        Ok(at(node, Node::Compare(Arc::new(first), rest)))
+    }
+
+    fn comprehension(self, node: CodeNode<'_>) -> Read<Expr> {
+        let parts = children(node);
+        let [body, clauses @ ..] = parts.as_slice() else {
+            return Err(self.unread(node));
+        };
+        let mut value = self.expression(*body)?;
+        for (position, clause) in clauses.iter().enumerate().rev() {
+            if clause.kind() != "for_in_clause" {
+                let message = "a condition in a comprehension is not read";
+                return Err(self.refused(*clause, message, "write a loop with `if`"));
+            }
+            if position > 0 {
+                let message = "a comprehension over two variables is not read";
+                return Err(self.refused(*clause, message, "write one inside of the other"));
+            }
+            let variable = self.text.field(*clause, "left")?;
+            let name = match variable.kind() {
+                "identifier" => at(variable, Node::Name(self.text.text(variable).to_owned())),
+                _ => {
+                    let names = children(variable);
+                    if names.iter().any(|name| name.kind() != "identifier") {
+                        return Err(self.unread(variable));
+                    }
+                    let names = names
+                        .iter()
+                        .map(|name| at(*name, Node::Name(self.text.text(*name).to_owned())));
+                    at(variable, Node::List(names.collect()))
+                }
+            };
+            let values = self.expression(self.text.field(*clause, "right")?)?;
+            value = self.call(node, operation::FOR, vec![value, name, values]);
+        }
+        Ok(value)
+    }
+
+    fn subscript(self, node: CodeNode<'_>) -> Read<Expr> {
+        let head = self.text.field(node, "value")?;
+        let mut cursor = node.walk();
+        let indices: Vec<_> = node
+            .children_by_field_name("subscript", &mut cursor)
+            .collect();
+        if let [slice] = indices.as_slice()
+            && self.text.text(*slice).trim() == ":"
+        {
+            return Ok(self.call(node, operation::COPY, vec![self.expression(head)?]));
+        }
+        for index in &indices {
+            if index.kind() == "slice" {
+                let message = "a part of a list is not read";
+                return Err(self.refused(*index, message, "name the entries one by one"));
+            }
+        }
+        let mut indices = self.all(&indices)?;
+        if let [
+            Expr {
+                node: Node::List(several),
+                ..
+            },
+        ] = indices.as_slice()
+        {
+            indices = several.clone();
+        }
+        let head = self.expression(head)?;
+        Ok(at(node, Node::Index(Arc::new(head), indices)))
+    }
+
+    fn attribute(self, node: CodeNode<'_>) -> Read<Expr> {
+        let object = self.text.field(node, "object")?;
+        let member = self.text.text(self.text.field(node, "attribute")?);
+        match self.imports.member(self.text.text(object), member) {
+            Some(Meaning::Pi) => Ok(at(node, Node::Name(operation::PI.to_owned()))),
+            Some(Meaning::E) => Ok(self.call(node, "exp", vec![Expr::number(&integer(1))])),
+            Some(_) => Err(self.refused(node, "a function without arguments", "call it")),
+            None => {
+                let message = format!("`{member}` is not read");
+                Err(self.refused(node, &message, READ))
+            }
+        }
+    }
+
+    fn application(self, node: CodeNode<'_>) -> Read<Expr> {
+        let function = self.text.field(node, "function")?;
+        let arguments = self.text.field(node, "arguments")?;
+        let meaning = match function.kind() {
+            "identifier" => {
+                let name = self.text.text(function);
+                if self.own.contains(name) {
+                    let arguments = self.arguments(arguments)?;
+                    let head = at(function, Node::Name(name.to_owned()));
+                    return Ok(at(node, Node::Call(Arc::new(head), arguments)));
+                }
+                self.imports.name(name)
+            }
+            "attribute" => {
+                let object = self.text.field(function, "object")?;
+                let member = self.text.text(self.text.field(function, "attribute")?);
+                let module = self.text.text(object);
+                if !self.imports.is_module(module) {
+                    return self.method(node, object, member, arguments);
+                }
+                self.imports.member(module, member)
+            }
+            _ => None,
+        };
+        let Some(meaning) = meaning else {
+            let name = self.text.text(function);
+            let message = format!("the function `{name}` is not read");
+            let help = "functions of this file are read, and of math, numpy and sympy those that formulas have: sin, cos, tan, exp, \
+                        sinh, cosh, tanh, sqrt, abs, comb, factorial, sum, prod, dot, cross, diff, integrate";
+            return Err(self.refused(function, &message, help));
+        };
+        self.meant(node, meaning, arguments)
+    }
+
+    /// The arguments of a call, of which none has a name.
+    fn arguments(self, node: CodeNode<'_>) -> Read<Vec<Expr>> {
+        if node.kind() == "generator_expression" {
+            return Ok(vec![self.expression(node)?]);
+        }
+        let nodes = children(node);
+        for argument in &nodes {
+            if argument.kind() == "keyword_argument" {
+                let message = "an argument with a name is not read";
+                return Err(self.refused(*argument, message, "give it by its place"));
+            }
+        }
+        self.all(&nodes)
+    }
+
+    /// A call of what has a meaning of its own.
+    fn meant(self, node: CodeNode<'_>, meaning: Meaning, list: CodeNode<'_>) -> Read<Expr> {
+        if meaning == Meaning::Symbols {
+            return self.symbols(node, list);
+        }
+        if let (Meaning::Function(operation::VECTOR), true) =
+            (meaning, list.named_child_count() > 1)
+        {
+            let message = "the type of an array is not read";
+            return Err(self.refused(list, message, "give the entries alone"));
+        }
+        let arguments = self.arguments(list)?;
+        let count = arguments.len();
+        let wrong = || {
+            let message = format!("this call with {count} arguments is not read");
+            self.refused(list, &message, READ)
+        };
+        let one = || match arguments.as_slice() {
+            [only] => Ok(only.clone()),
+            _ => Err(wrong()),
+        };
+        let two = || match arguments.as_slice() {
+            [first, second] => Ok((first.clone(), second.clone())),
+            _ => Err(wrong()),
+        };
+        match meaning {
+            Meaning::Pi | Meaning::E | Meaning::Symbols => {
+                Err(self.refused(node, "a number is no function", READ))
+            }
+            Meaning::Function(name) => Ok(self.call(node, name, arguments)),
+            Meaning::Same => match arguments.first() {
+                Some(first) => Ok(first.clone()),
+                None => Err(wrong()),
+            },
+            Meaning::Quotient if count == 1 => one(),
+            Meaning::Quotient => {
+                let (above, below) = two()?;
+                Ok(binary(node, Operator::Divide, above, below))
+            }
+            Meaning::Power => {
+                let (base, exponent) = two()?;
+                Ok(binary(node, Operator::Power, base, exponent))
+            }
+            Meaning::Square => {
+                let exponent = Expr::number(&integer(2));
+                Ok(binary(node, Operator::Power, one()?, exponent))
+            }
+            Meaning::Derivative => Ok(self.call(node, "D", arguments)),
+            Meaning::Integral => self.binder(node, "integral", arguments, wrong),
+            Meaning::Series(name) => self.binder(node, name, arguments, wrong),
+            Meaning::Range => {
+                let number = |n| Expr::number(&integer(n));
+                let all = match arguments.as_slice() {
+                    [high] => vec![number(0), high.clone(), number(1)],
+                    [low, high] => vec![low.clone(), high.clone(), number(1)],
+                    [_, _, _] => arguments,
+                    _ => return Err(wrong()),
+                };
+                Ok(self.call(node, operation::RANGE, all))
+            }
+            Meaning::Filled(value) => {
+                let entry = Expr::number(&integer(value));
+                let list = self.call(node, operation::REPEAT, vec![entry, one()?]);
+                Ok(self.call(node, operation::VECTOR, vec![list]))
+            }
+        }
+    }
+
+    /// A sum, a product or an integral, with its variable and bounds in a tuple.
+    fn binder(
+        self,
+        node: CodeNode<'_>,
+        name: &str,
+        arguments: Vec<Expr>,
+        wrong: impl Fn() -> Box<DerivationError>,
+    ) -> Read<Expr> {
+        let [body, bounds] = <[Expr; 2]>::try_from(arguments).map_err(|_| wrong())?;
+        let Node::List(bounds) = bounds.node else {
+            return Err(wrong());
+        };
+        let [variable, low, high] = <[Expr; 3]>::try_from(bounds).map_err(|_| wrong())?;
+        let all = match name {
+            "integral" => vec![body, variable, low, high],
+            _ => vec![variable, low, high, body],
+        };
+        Ok(self.call(node, name, all))
+    }
+
+    /// New symbols of SymPy: their names in one text.
+    fn symbols(self, node: CodeNode<'_>, list: CodeNode<'_>) -> Read<Expr> {
+        let first = children(list).into_iter().next();
+        let content = first.filter(|first| first.kind() == "string");
+        let content = content.and_then(|string| {
+            let mut parts = children(string).into_iter();
+            parts.find(|part| part.kind() == "string_content")
+        });
+        let Some(content) = content else {
+            let message = "symbols have their names in one text";
+            return Err(self.refused(list, message, "write `symbols('t u')`"));
+        };
+        let is_between = |c: char| c == ',' || c.is_whitespace();
+        let names = self.text.text(content).split(is_between);
+        let symbol = |name: &str| {
+            let name = at(content, Node::Name(name.to_owned()));
+            self.call(node, operation::SYMBOL, vec![name])
+        };
+        let all: Vec<Expr> = names.filter(|name| !name.is_empty()).map(symbol).collect();
+        match all.as_slice() {
+            [only] => Ok(only.clone()),
+            _ => Ok(at(node, Node::List(all))),
+        }
+    }
+
+    /// A method of a value.
+    fn method(
+        self,
+        node: CodeNode<'_>,
+        object: CodeNode<'_>,
+        member: &str,
+        list: CodeNode<'_>,
+    ) -> Read<Expr> {
+        let arguments = self.arguments(list)?;
+        let value = self.expression(object)?;
+        let with = |more: Vec<Expr>| std::iter::once(value.clone()).chain(more).collect();
+        match (member, arguments.len()) {
+            ("copy", 0) => Ok(self.call(node, operation::COPY, vec![value])),
+            ("sum", 0) => Ok(self.call(node, operation::SUM, vec![value])),
+            ("doit" | "simplify" | "expand" | "factor" | "together" | "cancel", 0) => Ok(value),
+            ("dot", 1) => Ok(self.call(node, "dot", with(arguments))),
+            ("cross", 1) => Ok(self.call(node, "cross", with(arguments))),
+            ("diff", 1 | 2) => Ok(self.call(node, "D", with(arguments))),
+            ("subs", 2) => Ok(self.call(node, "at", with(arguments))),
+            ("evalf" | "n", _) => Err(self.refused(
+                node,
+                "this rounds, and code is read as exact mathematics",
+                "leave it out",
+            )),
+            _ => {
+                let message = format!("the method `{member}` is not read");
+                Err(self.refused(node, &message, READ))
+            }
+        }
+    }
+}

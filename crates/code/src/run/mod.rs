@@ -1,0 +1,579 @@
+//! Runs a function on symbols: its value is a formula.
+//!
+//! Loops over constants are unrolled, branches on constants are taken, functions of the file are called. Whatever depends on the
+//! value of a symbol otherwise is refused. Numbers are exact: nothing rounds or overflows.
+//!
+//! Lists are values here, and shared objects in Python. So a list may be changed only as long as one name has it
+//! ([`Variable::is_fresh`]): a program that changes a list under two names is refused.
+
+mod arithmetic;
+mod functions;
+pub(crate) mod setting;
+pub(crate) mod value;
+
+use crate::grammar::{Read, small};
+use crate::program::{
+    Assignment, CodeLanguage, Function, Program, Step, Target, operation, refused,
+};
+use setting::Setting;
+use std::collections::BTreeMap;
+use torse_numbers::rational::integer;
+use torse_numbers::stack;
+use torse_syntax::derivation::DerivationError;
+use torse_syntax::formula::{Connective, Expr, Node, Place, Relation};
+use value::{Term, Value};
+
+/// The most steps of a run: evaluated parts of formulas, with what loops repeat.
+pub const MAX_CODE_STEPS: usize = 200_000;
+/// The largest formula that a program may make, in nodes.
+pub const MAX_CODE_NODES: usize = 20_000;
+/// The most levels of such a formula.
+const MAX_LEVELS: usize = 280;
+/// The most calls within calls.
+const MAX_CALLS: usize = 48;
+
+/// The formula that a function computes.
+pub(crate) fn formula(program: &Program, function: &Function, setting: Setting<'_>) -> Read<Expr> {
+    counted(program, function, setting).0
+}
+
+/// The formula that a function computes, and the steps that it took.
+pub(crate) fn counted(
+    program: &Program,
+    function: &Function,
+    setting: Setting<'_>,
+) -> (Read<Expr>, usize) {
+    let mut runner = Runner {
+        program,
+        setting,
+        steps: 0,
+        calls: 0,
+        escapes: 0,
+        bound: vec![],
+    };
+    let value = stack::deep(|| runner.result(function));
+    (value, runner.steps)
+}
+
+/// The names of a formula that no sum, product or integral of it binds.
+fn free_names(expr: &Expr) -> Vec<String> {
+    let own: Vec<String> = expr.parts().into_iter().flat_map(free_names).collect();
+    match &expr.node {
+        Node::Name(name) => vec![name.clone()],
+        Node::Call(head, arguments) => {
+            let bound = match (&head.node, arguments.as_slice()) {
+                (Node::Name(name), [first, ..]) if name == "sum" || name == "product" => first,
+                (Node::Name(name), [_, second, ..]) if name == "integral" => second,
+                _ => return own,
+            };
+            let Node::Name(bound) = &bound.node else {
+                return own;
+            };
+            own.into_iter().filter(|name| name != bound).collect()
+        }
+        _ => own,
+    }
+}
+
+/// A variable of a function.
+#[derive(Debug, Clone)]
+struct Variable {
+    value: Value,
+    /// Whether no other name can have this list, so that it may be changed.
+    is_fresh: bool,
+}
+
+/// The variables of a call.
+#[derive(Debug, Default)]
+struct Frame {
+    variables: BTreeMap<String, Variable>,
+    /// What blocks have hidden, to be restored at their ends.
+    hidden: Vec<(String, Option<Variable>)>,
+}
+
+impl Frame {
+    fn hide(&mut self, name: &str, variable: Variable) {
+        let outer = self.variables.insert(name.to_owned(), variable);
+        self.hidden.push((name.to_owned(), outer));
+    }
+
+    /// Ends the blocks that were begun after there were so many hidden variables.
+    fn restore(&mut self, count: usize) {
+        while self.hidden.len() > count {
+            let Some((name, outer)) = self.hidden.pop() else {
+                return;
+            };
+            match outer {
+                Some(outer) => self.variables.insert(name, outer),
+                None => self.variables.remove(&name),
+            };
+        }
+    }
+}
+
+struct Runner<'p> {
+    program: &'p Program,
+    setting: Setting<'p>,
+    steps: usize,
+    calls: usize,
+    /// How many lists got a second name so far.
+    escapes: usize,
+    /// The indices of sums around.
+    bound: Vec<String>,
+}
+
+impl Runner<'_> {
+    /// The formula that the function computes which is compared.
+    fn result(&mut self, function: &Function) -> Read<Expr> {
+        let arguments = self.setting.arguments(self.program, function)?;
+        let value = self.call(function, arguments, function.place)?;
+        let kind = value.kind();
+        let term = value.formula().ok_or_else(|| {
+            let message = format!("the value of `{}` is {kind}", function.name);
+            let help =
+                "a function whose value is a number, a point or a list of numbers is compared";
+            refused(&self.program.source, function.place, message, help)
+        })?;
+        let undeclared = free_names(&term.expr)
+            .into_iter()
+            .find(|name| !self.setting.is_declared(name));
+        if let Some(name) = undeclared {
+            let message = format!(
+                "the value of `{}` contains `{name}`, which the claim does not declare",
+                function.name
+            );
+            let help = format!("say what it stands for: `--map '{name}=FORMULA'`");
+            return Err(refused(&self.program.source, function.place, message, help));
+        }
+        Ok(term.expr)
+    }
+
+    fn refused(
+        &self,
+        place: Place,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Box<DerivationError> {
+        refused(&self.program.source, place, message, help)
+    }
+
+    fn spend(&mut self, place: Place) -> Read<()> {
+        self.steps += 1;
+        if self.steps <= MAX_CODE_STEPS {
+            return Ok(());
+        }
+        let message = format!("this function takes more than {MAX_CODE_STEPS} steps");
+        let help = "fix smaller integers: `--where 'n == 3'`";
+        Err(self.refused(place, message, help))
+    }
+
+    /// A term, unless it is larger than formulas may be.
+    fn bounded(&self, term: Term, place: Place) -> Read<Value> {
+        if term.size <= MAX_CODE_NODES && term.height <= MAX_LEVELS {
+            return Ok(Value::Term(term));
+        }
+        let message = format!(
+            "the formula of this grows beyond {MAX_CODE_NODES} parts or {MAX_LEVELS} levels"
+        );
+        let help = "fix smaller integers, `--where 'n == 3'`, or write a sum as `sum(... for i in range(n))`";
+        Err(self.refused(place, message, help))
+    }
+
+    /// Calls a function; where an argument is missing its default is taken.
+    fn call(
+        &mut self,
+        function: &Function,
+        arguments: Vec<Option<Value>>,
+        place: Place,
+    ) -> Read<Value> {
+        self.calls += 1;
+        if self.calls > MAX_CALLS {
+            let message = format!(
+                "`{}` is called more than {MAX_CALLS} times within itself",
+                function.name
+            );
+            let help = "a recursion ends at constants: `if k == 0: return ...`";
+            return Err(self.refused(place, message, help));
+        }
+        if arguments.len() > function.parameters.len() {
+            let count = function.parameters.len();
+            let message = format!("`{}` has {count} parameters", function.name);
+            return Err(self.refused(place, message, "leave the others out"));
+        }
+        let body = function.body.as_ref().map_err(Clone::clone)?;
+        let mut frame = Frame::default();
+        let mut arguments = arguments.into_iter();
+        for parameter in &function.parameters {
+            let value = match (arguments.next().flatten(), &parameter.default) {
+                (Some(value), _) => value,
+                (None, Some(default)) => self.value(default, &mut Frame::default())?,
+                (None, None) => {
+                    let message = format!("the argument `{}` is missing", parameter.name);
+                    return Err(self.refused(place, message, "give it by its place"));
+                }
+            };
+            let variable = Variable {
+                value,
+                is_fresh: false,
+            };
+            frame.variables.insert(parameter.name.clone(), variable);
+        }
+        let value = self.run(body, &mut frame)?;
+        self.calls -= 1;
+        value.ok_or_else(|| {
+            let message = format!("`{}` ends without a value", function.name);
+            self.refused(function.place, message, "return a value in every case")
+        })
+    }
+
+    /// Runs steps until one gives the value of the function.
+    fn run(&mut self, steps: &[Step], frame: &mut Frame) -> Read<Option<Value>> {
+        for step in steps {
+            match step {
+                Step::Assign { target, value, how } => {
+                    let before = self.escapes;
+                    let taken = matches!(value.node, Node::Index(..));
+                    let computed = self.value(value, frame)?;
+                    let is_fresh = before == self.escapes && !taken;
+                    let variable = Variable {
+                        value: computed,
+                        is_fresh,
+                    };
+                    self.assign(target, variable, *how, frame)?;
+                }
+                Step::Repeat {
+                    variable,
+                    values,
+                    body,
+                } => {
+                    let all = self.value(values, frame)?;
+                    for value in self.items(all, values.place)? {
+                        self.spend(values.place)?;
+                        let outer = frame.hidden.len();
+                        let item = Variable {
+                            value,
+                            is_fresh: false,
+                        };
+                        self.assign(variable, item, self.block(), frame)?;
+                        let value = self.run(body, frame)?;
+                        frame.restore(outer);
+                        if value.is_some() {
+                            return Ok(value);
+                        }
+                    }
+                }
+                Step::Branch {
+                    condition,
+                    then,
+                    otherwise,
+                } => {
+                    let steps = if self.truth(condition, frame)? {
+                        then
+                    } else {
+                        otherwise
+                    };
+                    let outer = frame.hidden.len();
+                    let value = self.run(steps, frame)?;
+                    frame.restore(outer);
+                    if value.is_some() {
+                        return Ok(value);
+                    }
+                }
+                Step::Return(value) => return self.value(value, frame).map(Some),
+                Step::Stop(place) => {
+                    let message = "the function ends here without a value";
+                    let help = "give it arguments for which it has one";
+                    return Err(self.refused(*place, message, help));
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// How the variable of a loop is assigned.
+    fn block(&self) -> Assignment {
+        match self.program.language {
+            CodeLanguage::Python => Assignment::Set,
+            CodeLanguage::Rust => Assignment::Declare,
+        }
+    }
+
+    fn assign(
+        &mut self,
+        target: &Target,
+        variable: Variable,
+        how: Assignment,
+        frame: &mut Frame,
+    ) -> Read<()> {
+        match target {
+            Target::Name(name, place) => {
+                let old = frame.variables.get(name);
+                let shared = old.is_some_and(|old| old.value.is_list() && !old.is_fresh);
+                if how == Assignment::InPlace && shared {
+                    return Err(self.shared(name, *place));
+                }
+                // What is changed where it is stays the list of this name alone.
+                let is_fresh = variable.is_fresh || how == Assignment::InPlace;
+                let variable = Variable {
+                    is_fresh,
+                    ..variable
+                };
+                match how {
+                    Assignment::Declare => frame.hide(name, variable),
+                    _ => drop(frame.variables.insert(name.clone(), variable)),
+                }
+                Ok(())
+            }
+            Target::Several(targets, place) => {
+                let values = match variable.value {
+                    Value::List(values) | Value::Vector(values)
+                        if values.len() == targets.len() =>
+                    {
+                        values
+                    }
+                    other => {
+                        let message = format!("{} names for {}", targets.len(), other.kind());
+                        let help = "there are as many values as names";
+                        return Err(self.refused(*place, message, help));
+                    }
+                };
+                for (target, value) in targets.iter().zip(values) {
+                    let one = Variable {
+                        value,
+                        is_fresh: false,
+                    };
+                    self.assign(target, one, how, frame)?;
+                }
+                Ok(())
+            }
+            Target::Entry(name, indices, place) => {
+                let places = self.places(indices, frame)?;
+                let Some(list) = frame.variables.get_mut(name) else {
+                    let message = format!("`{name}` has no value here");
+                    return Err(self.refused(*place, message, "make the list before"));
+                };
+                if !list.is_fresh {
+                    return Err(self.shared(name, *place));
+                }
+                // A list inside of a list could have another name.
+                list.is_fresh = variable.is_fresh || !variable.value.is_list();
+                let mut slot = &mut list.value;
+                for (index, at) in places {
+                    let (Value::List(items) | Value::Vector(items)) = slot else {
+                        let message = format!("{} has no entries that can be changed", slot.kind());
+                        return Err(self.refused(at, message, "make a list: `q = list(p)`"));
+                    };
+                    let count = items.len();
+                    let is_python = self.program.language == CodeLanguage::Python;
+                    let position = position(index, count, is_python);
+                    let Some(entry) = position.and_then(|position| items.get_mut(position)) else {
+                        let message = format!("there is no entry {index} among {count}");
+                        return Err(self.refused(at, message, "entries are counted from 0"));
+                    };
+                    slot = entry;
+                }
+                *slot = variable.value;
+                Ok(())
+            }
+        }
+    }
+
+    fn shared(&self, name: &str, place: Place) -> Box<DerivationError> {
+        let message = format!("`{name}` is a list that may have another name, and is changed here");
+        self.refused(
+            place,
+            message,
+            format!("make a copy of it before: `q = list({name})`"),
+        )
+    }
+
+    /// Indices that are constants, each with its place.
+    fn places(&mut self, indices: &[Expr], frame: &mut Frame) -> Read<Vec<(i64, Place)>> {
+        let mut found = vec![];
+        for index in indices {
+            let value = self.value(index, frame)?;
+            found.push((self.constant(&value, index.place)?, index.place));
+        }
+        Ok(found)
+    }
+
+    /// An integer that is written down or fixed.
+    fn constant(&self, value: &Value, place: Place) -> Read<i64> {
+        let number = match value {
+            Value::Term(term) => term.constant.as_ref().and_then(small),
+            _ => None,
+        };
+        number.ok_or_else(|| {
+            let message = "this has to be a constant integer";
+            let help = "fix the integers that it depends on: `--where 'n == 3'`";
+            self.refused(place, message, help)
+        })
+    }
+
+    /// The values that a loop goes through.
+    fn items(&mut self, values: Value, place: Place) -> Read<Vec<Value>> {
+        match values {
+            Value::List(items) | Value::Vector(items) => Ok(items),
+            Value::Family(family) => self.members(&family, place),
+            other => {
+                let message = format!(
+                    "a loop goes through a list or a range, and this is {}",
+                    other.kind()
+                );
+                Err(self.refused(place, message, "write `for i in range(n)`"))
+            }
+        }
+    }
+
+    /// The value of a condition.
+    fn truth(&mut self, condition: &Expr, frame: &mut Frame) -> Read<bool> {
+        match self.value(condition, frame)? {
+            Value::Truth(is_true) => Ok(is_true),
+            other => {
+                let message = format!("a condition is true or false, and this is {}", other.kind());
+                Err(self.refused(condition.place, message, "write a comparison: `k == 0`"))
+            }
+        }
+    }
+
+    /// The value of an expression.
+    fn value(&mut self, expr: &Expr, frame: &mut Frame) -> Read<Value> {
+        self.spend(expr.place)?;
+        match &expr.node {
+            Node::Number { value, .. } => {
+                Ok(Value::Term(Term::number(value.clone(), value.is_integer())))
+            }
+            Node::Name(name) => self.name(name, expr.place, frame),
+            Node::Negative(inner) => {
+                let value = self.value(inner, frame)?;
+                self.negative(value, expr.place)
+            }
+            Node::Binary(operator, left, right) => {
+                let left = self.value(left, frame)?;
+                let right = self.value(right, frame)?;
+                self.combined(*operator, left, right, expr.place)
+            }
+            Node::List(items) => {
+                let items = items.iter().map(|item| self.value(item, frame));
+                Ok(Value::List(items.collect::<Read<_>>()?))
+            }
+            Node::Index(head, indices) => {
+                let list = match &head.node {
+                    Node::Name(name) if frame.variables.contains_key(name) => {
+                        let variable = frame.variables.get(name);
+                        variable.map(|variable| variable.value.clone())
+                    }
+                    _ => None,
+                };
+                let mut value = match list {
+                    Some(list) => list,
+                    None => self.value(head, frame)?,
+                };
+                for index in indices {
+                    let at = self.value(index, frame)?;
+                    value = self.entry(value, at, index.place)?;
+                }
+                if value.is_list() {
+                    self.escapes += 1;
+                }
+                Ok(value)
+            }
+            Node::Compare(first, rest) => self.comparison(first, rest, frame).map(Value::Truth),
+            Node::Join(connective, left, right) => {
+                let left = self.truth(left, frame)?;
+                Ok(Value::Truth(match connective {
+                    Connective::And => left && self.truth(right, frame)?,
+                    Connective::Or => left || self.truth(right, frame)?,
+                    Connective::Implies => !left || self.truth(right, frame)?,
+                }))
+            }
+            Node::Not(inner) => Ok(Value::Truth(!self.truth(inner, frame)?)),
+            Node::Call(head, arguments) => self.application(head, arguments, expr.place, frame),
+        }
+    }
+
+    fn name(&mut self, name: &str, place: Place, frame: &mut Frame) -> Read<Value> {
+        if let Some(variable) = frame.variables.get_mut(name) {
+            if variable.value.is_list() {
+                variable.is_fresh = false;
+                self.escapes += 1;
+            }
+            return Ok(variable.value.clone());
+        }
+        match name {
+            operation::PI => return Ok(Value::Term(Term::formula(Expr::name("pi"), false))),
+            operation::TRUE => return Ok(Value::Truth(true)),
+            operation::FALSE => return Ok(Value::Truth(false)),
+            _ => {}
+        }
+        let program = self.program;
+        let outside = program.constants.iter().rev();
+        let mut outside = outside.filter(|(known, _)| known == name);
+        let Some((_, value)) = outside.next() else {
+            let message = format!("`{name}` has no value here that is read");
+            let help = "names are parameters, variables that are assigned before, and constants of this file that are assigned once";
+            return Err(self.refused(place, message, help));
+        };
+        self.calls += 1;
+        if self.calls > MAX_CALLS {
+            let message = format!("the constant `{name}` depends on itself");
+            return Err(self.refused(place, message, "give it a value"));
+        }
+        let value = self.value(value, &mut Frame::default());
+        self.calls -= 1;
+        if value.as_ref().is_ok_and(Value::is_list) {
+            self.escapes += 1;
+        }
+        value
+    }
+
+    fn comparison(
+        &mut self,
+        first: &Expr,
+        rest: &[(Relation, Expr)],
+        frame: &mut Frame,
+    ) -> Read<bool> {
+        let mut left = self.value(first, frame)?;
+        for (relation, right) in rest {
+            let place = first.place.to(right.place);
+            let right = self.value(right, frame)?;
+            let (Value::Term(a), Value::Term(b)) = (&left, &right) else {
+                let message = format!("{} is compared with {}", left.kind(), right.kind());
+                return Err(self.refused(place, message, "numbers are compared"));
+            };
+            let (Some(a), Some(b)) = (&a.constant, &b.constant) else {
+                let message = "this condition depends on the value of a symbol";
+                let help = "conditions on constants are read; fix integers with `--where 'k == 2'`, or compare each branch on its own";
+                return Err(self.refused(place, message, help));
+            };
+            let holds = match relation {
+                Relation::Equal => a == b,
+                Relation::Different => a != b,
+                Relation::Less => a < b,
+                Relation::AtMost => a <= b,
+                Relation::Greater => a > b,
+                Relation::AtLeast => a >= b,
+            };
+            if !holds {
+                return Ok(false);
+            }
+            left = right;
+        }
+        Ok(true)
+    }
+}
+
+/// The position of an index among so many entries.
+fn position(index: i64, count: usize, counts_from_the_end: bool) -> Option<usize> {
+    let count = i64::try_from(count).ok()?;
+    let from_the_end = counts_from_the_end && index < 0;
+    let index = if from_the_end { index + count } else { index };
+    usize::try_from(index)
+        .ok()
+        .filter(|index| (*index as i64) < count)
+}
+
+/// The number one, as an integer.
+fn one() -> Term {
+    Term::number(integer(1), true)
+}

@@ -1,0 +1,212 @@
+//! What the names of a program's parameters and symbols stand for in a claim.
+
+use super::value::{Family, Term, Value};
+use crate::grammar::Read;
+use crate::program::{Function, Parameter, Program, refused};
+use std::collections::BTreeMap;
+use torse_numbers::Affine;
+use torse_numbers::rational::integer;
+use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
+use torse_syntax::formula::{Expr, Node};
+use torse_syntax::greek;
+
+/// The claim's side of a comparison.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Setting<'c> {
+    pub(crate) declarations: &'c Declarations,
+    /// The integers that hypotheses fix.
+    pub(crate) fixed: &'c BTreeMap<String, i64>,
+    /// What names of the program stand for, as the user says.
+    pub(crate) given: &'c BTreeMap<String, Expr>,
+}
+
+impl Setting<'_> {
+    /// The values of the parameters of the function that is compared.
+    pub(crate) fn arguments(
+        &self,
+        program: &Program,
+        function: &Function,
+    ) -> Read<Vec<Option<Value>>> {
+        for (name, formula) in self.given {
+            let known = function.parameters.iter().any(|p| p.name == *name);
+            if !known && !program.source.text.contains(name.as_str()) {
+                let message = format!("`{}` has no parameter `{name}`", function.name);
+                let names = function.parameters.iter().map(|p| p.name.as_str());
+                let help = format!("it has {}", listed(names));
+                return Err(refused(&program.source, function.place, message, help));
+            }
+            let undeclared = formula
+                .names()
+                .into_iter()
+                .find(|name| !self.is_declared(name));
+            if let Some(undeclared) = undeclared {
+                let message = format!(
+                    "`{name}` is to stand for a formula with `{undeclared}`, which the claim does not declare"
+                );
+                return Err(refused(
+                    &program.source,
+                    function.place,
+                    message,
+                    self.declared(),
+                ));
+            }
+        }
+        let parameters = function.parameters.iter();
+        parameters
+            .map(|parameter| self.argument(program, parameter))
+            .collect()
+    }
+
+    /// The value of one parameter; none where its default is taken.
+    fn argument(&self, program: &Program, parameter: &Parameter) -> Read<Option<Value>> {
+        match self.symbol(&parameter.name) {
+            Ok(value) => Ok(Some(whole(value, parameter.is_integer))),
+            Err(_) if parameter.default.is_some() => Ok(None),
+            Err(message) => {
+                let help = format!(
+                    "say what it stands for, `--map '{}=FORMULA'`; {}",
+                    parameter.name,
+                    self.declared()
+                );
+                Err(refused(&program.source, parameter.place, message, help))
+            }
+        }
+    }
+
+    /// What a name of the program stands for: as given, a symbol of that name, or one that is spelled alike.
+    pub(crate) fn symbol(&self, name: &str) -> Result<Value, String> {
+        if let Some(formula) = self.given.get(name) {
+            return Ok(self.formula(formula));
+        }
+        if self.is_symbol(name) {
+            return Ok(self.named(name));
+        }
+        let spelled = spelling(name);
+        let own = self.declarations.symbols().map(|(name, _)| name);
+        let mut alike = own.filter(|symbol| spelling(symbol) == spelled);
+        match (alike.next(), alike.next()) {
+            (Some(only), None) => Ok(self.named(only)),
+            (Some(first), Some(second)) => Err(format!(
+                "`{name}` may stand for `{first}` or for `{second}`"
+            )),
+            (None, _) => Err(format!("nothing of the claim is called `{name}`")),
+        }
+    }
+
+    fn is_symbol(&self, name: &str) -> bool {
+        let constant = self.declarations.definition(name);
+        self.declarations.symbol(name).is_some()
+            || constant.is_some_and(|own| own.parameters.is_empty())
+    }
+
+    /// Whether a name has a meaning in the claim.
+    pub(crate) fn is_declared(&self, name: &str) -> bool {
+        let base = name.trim_end_matches('\'');
+        base == "pi"
+            || torse_syntax::formula::functions::is_function(base)
+            || self.declarations.names().any(|known| known == base)
+    }
+
+    /// The symbols of the claim, for messages.
+    fn declared(&self) -> String {
+        let names = self.declarations.symbols().map(|(name, _)| name);
+        format!("the claim has {}", listed(names))
+    }
+
+    /// The value of a declared name.
+    fn named(&self, name: &str) -> Value {
+        if let Some(value) = self.fixed.get(name) {
+            return Value::Term(Term::number(integer(*value), true));
+        }
+        match self.declarations.symbol(name) {
+            Some(SymbolKind::Family { ranges, .. }) => Value::Family(Family {
+                name: name.to_owned(),
+                ranges: ranges
+                    .iter()
+                    .map(|(low, high)| (self.at(low), self.at(high)))
+                    .collect(),
+                given: vec![],
+            }),
+            kind => {
+                let is_whole = matches!(kind, Some(SymbolKind::Integer { .. }));
+                Value::Term(Term::formula(Expr::name(name), is_whole))
+            }
+        }
+    }
+
+    /// The value of a formula that a name stands for.
+    fn formula(&self, formula: &Expr) -> Value {
+        match &formula.node {
+            Node::List(items) => Value::List(items.iter().map(|item| self.formula(item)).collect()),
+            Node::Name(name) => self.named(name),
+            Node::Number { value, .. } => {
+                Value::Term(Term::number(value.clone(), value.is_integer()))
+            }
+            _ => Value::Term(Term::formula(formula.placeless(), false)),
+        }
+    }
+
+    /// An end of a range, with the fixed integers put in.
+    fn at(&self, end: &Affine) -> Affine {
+        let fixed = self.fixed.iter();
+        fixed.fold(end.clone(), |end, (name, value)| {
+            end.substituted(name, &Affine::number(*value))
+        })
+    }
+
+    /// The dimension of a formula that is a point of a declared dimension.
+    pub(crate) fn dimension(&self, expr: &Expr) -> Option<u8> {
+        match &expr.node {
+            Node::Name(name) => match self.declarations.symbol(name) {
+                Some(SymbolKind::Vector(dimension)) => *dimension,
+                _ => None,
+            },
+            Node::Index(head, _) => match &head.node {
+                Node::Name(name) => match self.declarations.symbol(name) {
+                    Some(SymbolKind::Family { dimension, .. }) => dimension.filter(|d| *d > 1),
+                    _ => None,
+                },
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}
+
+/// A parameter that is declared as an integer has the type of one.
+fn whole(value: Value, is_integer: bool) -> Value {
+    match value {
+        Value::Term(term) => Value::Term(Term {
+            is_whole: term.is_whole || is_integer,
+            ..term
+        }),
+        other => other,
+    }
+}
+
+/// A name as it is compared: Greek letters spelled out, without `_`.
+fn spelling(name: &str) -> String {
+    let mut spelled = String::new();
+    for c in name.chars().filter(|c| *c != '_') {
+        match greek::LETTERS.iter().find(|letter| letter.sign == c) {
+            Some(letter) => spelled.push_str(letter.name),
+            None => spelled.push(c),
+        }
+    }
+    // `lambda` is a word of Python.
+    for short in ["lmbda", "lamda"] {
+        if let Some(rest) = spelled.strip_prefix(short) {
+            return format!("lambda{rest}");
+        }
+    }
+    spelled
+}
+
+/// Names with commas between them.
+fn listed<'n>(names: impl Iterator<Item = &'n str>) -> String {
+    let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    match names.as_slice() {
+        [] => "none".to_owned(),
+        some => some.join(", "),
+    }
+}

@@ -1,0 +1,8 @@
+//! Programs compared with the formulas of the shipped papers.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+mod equal;
+mod refused;
+mod slips;
+mod support;
