@@ -67,6 +67,8 @@ pub(crate) mod operation {
     pub(crate) const ENUMERATE: &str = "#enumerate";
     /// The list of tuples of values of several lists.
     pub(crate) const ZIP: &str = "#zip";
+    /// `slice(list, low, high)`: the entries from low to below high.
+    pub(crate) const SLICE: &str = "#slice";
     /// A list, last value first.
     pub(crate) const REVERSED: &str = "#reversed";
     /// A new symbol of SymPy of a name.

@@ -2,12 +2,7 @@
 
 use crate::support::{torse, torse_in};
 use std::fs;
-use std::path::{Path, PathBuf};
 use tempfile::TempDir;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
 
 /// A folder with a paper of two claims that name functions, and a file of code.
 fn folder() -> TempDir {
@@ -77,23 +72,4 @@ fn code_that_is_not_read_is_an_error_of_its_file() {
     assert!(ran.err.contains("missing.py cannot be read"), "{}", ran.err);
     let ran = torse(&["compare", "mine/none", "--code", "f.py"]);
     assert_eq!(ran.code, Some(2));
-}
-
-#[test]
-fn the_comparisons_of_the_page_print_what_it_shows() {
-    let page = fs::read_to_string(root().join("docs/code.md")).unwrap();
-    let mut shown = 0;
-    for part in page.split("<!-- run -->\n```sh\n").skip(1) {
-        let (command, rest) = part.split_once("\n```").unwrap();
-        let output = rest.split_once("```text\n").unwrap().1;
-        let output = output.split_once("```").unwrap().0;
-        let words = crate::readme::words(command.strip_prefix("torse ").unwrap());
-        let ran = torse_in(&root(), &words);
-        assert_eq!(ran.out, output, "{command}: {}", ran.err);
-        let differs = output.contains(": different");
-        assert_eq!(ran.code, Some(i32::from(differs)), "{command}");
-        shown += 1;
-    }
-    assert_eq!(shown, 3);
-    assert_eq!(page.matches(": different").count(), 1);
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use tempfile::TempDir;
 
 /// The words of a command line; quotation marks hold words together.
-pub fn words(line: &str) -> Vec<String> {
+fn words(line: &str) -> Vec<String> {
     let mut words = vec![];
     for (position, part) in line.split('"').enumerate() {
         match position % 2 {

@@ -1,7 +1,9 @@
 //! A changed formula of a program, written in the language of the program.
 
 use crate::program::{CodeLanguage, Part, Program, operation};
+use num_traits::Signed;
 use torse_numbers::Rational;
+use torse_numbers::rational::integer;
 use torse_syntax::formula::{Expr, Node, Operator, Place};
 
 /// A place of a file and what would stand there.
@@ -73,6 +75,9 @@ struct Writer<'t> {
     /// The formula as it stands in the file.
     original: &'t Expr,
 }
+
+/// The most digits after a point.
+const MAX_PLACES: i32 = 9;
 
 /// How tightly operators bind: sums, products and quotients, signs, powers, and what needs no brackets.
 const SUM: u8 = 1;
@@ -216,11 +221,26 @@ impl Writer<'_> {
     }
 
     fn number(&self, value: &Rational, is_float: bool) -> String {
-        if value.is_integer() && is_float {
-            return format!("{value}.0");
+        if value.is_integer() {
+            return format!("{value}{}", if is_float { ".0" } else { "" });
         }
-        value.to_string()
+        decimals(value).unwrap_or_else(|| format!("({}.0/{}.0)", value.numer(), value.denom()))
     }
+}
+
+/// A number as a decimal, if it has few digits.
+fn decimals(value: &Rational) -> Option<String> {
+    let places = (1..=MAX_PLACES).find(|places| (value * integer(10).pow(*places)).is_integer())?;
+    let figure = (value * integer(10).pow(places)).to_integer();
+    let is_negative = value.is_negative();
+    let digits = figure.to_string();
+    let width = usize::try_from(places).ok()? + 1;
+    let digits = format!("{:0>width$}", digits.trim_start_matches('-'));
+    let (whole, fraction) = digits.split_at_checked(digits.len() - (width - 1))?;
+    Some(format!(
+        "{}{whole}.{fraction}",
+        if is_negative { "-" } else { "" }
+    ))
 }
 
 /// The operation that a call is.

@@ -30,7 +30,11 @@ impl Reader<'_> {
         let text = self.text.text(node);
         match node.kind() {
             "identifier" => self.name(node),
-            "integer" | "float" => self.text.number(node, &text.replace('_', "")),
+            "integer" => self.text.number(node, &text.replace('_', "")),
+            "float" => {
+                let number = self.text.number(node, &text.replace('_', ""))?;
+                Ok(self.call(node, operation::FLOAT, vec![number]))
+            }
             "true" => Ok(at(node, Node::Name(operation::TRUE.to_owned()))),
             "false" => Ok(at(node, Node::Name(operation::FALSE.to_owned()))),
             "parenthesized_expression" => self.only(node),
@@ -89,7 +93,7 @@ impl Reader<'_> {
     /// A call of what is no function of the file.
     fn call(self, node: CodeNode<'_>, name: &str, arguments: Vec<Expr>) -> Expr {
         match self.functions.contains(name) {
-            true => call(&format!("#{name}"), arguments, place(node)),
+            true => call(&format!("##{name}"), arguments, place(node)),
             false => call(name, arguments, place(node)),
         }
     }
@@ -256,15 +260,9 @@ impl Reader<'_> {
             .children_by_field_name("subscript", &mut cursor)
             .collect();
         if let [slice] = indices.as_slice()
-            && self.text.text(*slice).trim() == ":"
+            && slice.kind() == "slice"
         {
-            return Ok(self.call(node, operation::COPY, vec![self.expression(head)?]));
-        }
-        for index in &indices {
-            if index.kind() == "slice" {
-                let message = "a part of a list is not read";
-                return Err(self.refused(*index, message, "name the entries one by one"));
-            }
+            return self.slice(node, self.expression(head)?, *slice);
         }
         let mut indices = self.all(&indices)?;
         if let [
@@ -278,6 +276,30 @@ impl Reader<'_> {
         }
         let head = self.expression(head)?;
         Ok(at(node, Node::Index(Arc::new(head), indices)))
+    }
+
+    /// `list[low:high]`.
+    fn slice(self, node: CodeNode<'_>, list: Expr, slice: CodeNode<'_>) -> Read<Expr> {
+        let mut cursor = slice.walk();
+        let mut ends = [None, None];
+        let mut colons = 0;
+        for part in slice.children(&mut cursor) {
+            match part.kind() {
+                ":" => colons += 1,
+                _ => match ends.get_mut(colons) {
+                    Some(end) => *end = Some(self.expression(part)?),
+                    None => {
+                        let message = "a part of a list with a step is not read";
+                        return Err(self.refused(part, message, "leave the step out"));
+                    }
+                },
+            }
+        }
+        let [low, high] = ends;
+        let low = low.unwrap_or_else(|| Expr::number(&integer(0)));
+        let length = || self.call(node, operation::LENGTH, vec![list.clone()]);
+        let high = high.unwrap_or_else(length);
+        Ok(self.call(node, operation::SLICE, vec![list, low, high]))
     }
 
     fn attribute(self, node: CodeNode<'_>) -> Read<Expr> {

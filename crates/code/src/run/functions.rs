@@ -61,6 +61,15 @@ impl Runner<'_> {
                 let list = self.unshared(list, frame)?;
                 self.converted(name, list, place)
             }
+            (operation::SLICE, [list, low, high]) => {
+                let list = self.unshared(list, frame)?;
+                let mut ends = vec![];
+                for end in [low, high] {
+                    let value = self.value(end, frame)?;
+                    ends.push(self.constant(&value, end.place)?);
+                }
+                self.slice(list, &ends, place)
+            }
             _ => {
                 let mut values = vec![];
                 for argument in arguments {
@@ -69,6 +78,35 @@ impl Runner<'_> {
                 self.operation(name, values, place)
             }
         }
+    }
+
+    /// The entries of a list between two ends, of which negative ones count from the end of the list.
+    fn slice(&mut self, list: Value, ends: &[i64], place: Place) -> Read<Value> {
+        let is_vector = matches!(list, Value::Vector(_));
+        let items = self.items(list, place)?;
+        // A part of an array is the same memory, and lists inside of a list stay the same lists.
+        if is_vector || items.iter().any(Value::is_list) {
+            self.escapes += 1;
+        }
+        let count = i64::try_from(items.len()).unwrap_or(i64::MAX);
+        let at = |end: &i64| {
+            let end = if *end < 0 {
+                end.saturating_add(count)
+            } else {
+                *end
+            };
+            usize::try_from(end.clamp(0, count)).unwrap_or(0)
+        };
+        let (low, high) = match ends {
+            [low, high] => (at(low), at(high)),
+            _ => (0, items.len()),
+        };
+        let taken = items.into_iter().take(high).skip(low).collect();
+        Ok(if is_vector {
+            Value::Vector(taken)
+        } else {
+            Value::List(taken)
+        })
     }
 
     /// The value of an expression of which no second name is made.

@@ -214,7 +214,7 @@ impl Runner<'_> {
             };
             let variable = Variable {
                 value,
-                is_fresh: false,
+                is_fresh: self.is_rust(),
             };
             frame.variables.insert(parameter.name.clone(), variable);
         }
@@ -234,7 +234,7 @@ impl Runner<'_> {
                     let before = self.escapes;
                     let taken = matches!(value.node, Node::Index(..));
                     let computed = self.value(value, frame)?;
-                    let is_fresh = before == self.escapes && !taken;
+                    let is_fresh = self.is_rust() || (before == self.escapes && !taken);
                     let variable = Variable {
                         value: computed,
                         is_fresh,
@@ -290,6 +290,11 @@ impl Runner<'_> {
         Ok(None)
     }
 
+    /// Whether the language itself sees to it that a list is changed under one name alone.
+    fn is_rust(&self) -> bool {
+        self.program.language == CodeLanguage::Rust
+    }
+
     /// How the variable of a loop is assigned.
     fn block(&self) -> Assignment {
         match self.program.language {
@@ -340,7 +345,7 @@ impl Runner<'_> {
                 for (target, value) in targets.iter().zip(values) {
                     let one = Variable {
                         value,
-                        is_fresh: false,
+                        is_fresh: self.is_rust(),
                     };
                     self.assign(target, one, how, frame)?;
                 }
@@ -356,7 +361,18 @@ impl Runner<'_> {
                     return Err(self.shared(name, *place));
                 }
                 // A list inside of a list could have another name.
-                list.is_fresh = variable.is_fresh || !variable.value.is_list();
+                let is_own = variable.is_fresh || !variable.value.is_list();
+                list.is_fresh = is_own || self.program.language == CodeLanguage::Rust;
+                if let Value::Vector(items) = &list.value
+                    && self.program.language == CodeLanguage::Python
+                    && items.iter().all(is_whole)
+                    && !is_whole(&variable.value)
+                {
+                    let message =
+                        format!("`{name}` is an array of integers, in which numbers are cut off");
+                    let help = "write its entries with a point: `array([0.0, 0.0])`";
+                    return Err(self.refused(*place, message, help));
+                }
                 let mut slot = &mut list.value;
                 for (index, at) in places {
                     let (Value::List(items) | Value::Vector(items)) = slot else {
@@ -494,7 +510,7 @@ impl Runner<'_> {
 
     fn name(&mut self, name: &str, place: Place, frame: &mut Frame) -> Read<Value> {
         if let Some(variable) = frame.variables.get_mut(name) {
-            if variable.value.is_list() {
+            if variable.value.is_list() && self.program.language == CodeLanguage::Python {
                 variable.is_fresh = false;
                 self.escapes += 1;
             }
@@ -571,6 +587,11 @@ fn position(index: i64, count: usize, counts_from_the_end: bool) -> Option<usize
     usize::try_from(index)
         .ok()
         .filter(|index| (*index as i64) < count)
+}
+
+/// Whether a value has the type of integers.
+fn is_whole(value: &Value) -> bool {
+    matches!(value, Value::Term(term) if term.is_whole)
 }
 
 /// The number one, as an integer.

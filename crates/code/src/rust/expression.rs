@@ -104,7 +104,7 @@ impl Reader<'_> {
     /// A call of what is no function of the file.
     fn call(self, node: CodeNode<'_>, name: &str, arguments: Vec<Expr>) -> Expr {
         match self.functions.contains(name) {
-            true => call(&format!("#{name}"), arguments, place(node)),
+            true => call(&format!("##{name}"), arguments, place(node)),
             false => call(name, arguments, place(node)),
         }
     }

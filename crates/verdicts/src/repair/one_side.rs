@@ -16,7 +16,7 @@ use torse_syntax::formula::{Expr, Node};
 use torse_syntax::notation::Formula;
 
 /// The work of one search, in the units of [`Target`].
-const MAX_WORK: u64 = 4_000_000;
+const MAX_WORK: u64 = 1_500_000;
 /// Where a side has no value at the sample point: the points at which a candidate is judged, and the work there.
 const POINTS: u64 = 2;
 const POINT_WORK: u64 = 20_000;
