@@ -109,12 +109,8 @@ impl Reader<'_> {
         }
     }
 
-    fn operator<'n>(self, node: CodeNode<'n>) -> Read<&'n str>
-    where
-        Self: 'n,
-    {
-        let operator = self.text.field(node, "operator")?;
-        Ok(operator.kind())
+    fn operator(self, node: CodeNode<'_>) -> Read<&'static str> {
+        Ok(self.text.field(node, "operator")?.kind())
     }
 
     fn sides(self, node: CodeNode<'_>) -> Read<(Expr, Expr)> {
@@ -347,7 +343,7 @@ impl Reader<'_> {
                         sinh, cosh, tanh, sqrt, abs, comb, factorial, sum, prod, dot, cross, diff, integrate";
             return Err(self.refused(function, &message, help));
         };
-        self.meant(node, meaning, arguments)
+        self.with_meaning(node, meaning, arguments)
     }
 
     /// The arguments of a call, of which none has a name.
@@ -366,7 +362,7 @@ impl Reader<'_> {
     }
 
     /// A call of what has a meaning of its own.
-    fn meant(self, node: CodeNode<'_>, meaning: Meaning, list: CodeNode<'_>) -> Read<Expr> {
+    fn with_meaning(self, node: CodeNode<'_>, meaning: Meaning, list: CodeNode<'_>) -> Read<Expr> {
         if meaning == Meaning::Symbols {
             return self.symbols(node, list);
         }

@@ -313,7 +313,7 @@ impl Runner<'_> {
             }
             (operation::FLOAT | operation::WHOLE, [Value::Term(term)]) => {
                 let is_whole = name == operation::WHOLE;
-                if is_whole && !term.is_whole && !term.integer().is_some() {
+                if is_whole && !term.is_whole && term.integer().is_none() {
                     let message = "this conversion rounds";
                     let help = "code is read as exact mathematics: leave it out";
                     return Err(self.refused(place, message, help));

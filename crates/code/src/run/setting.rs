@@ -28,8 +28,8 @@ impl Setting<'_> {
         function: &Function,
     ) -> Read<Vec<Option<Value>>> {
         for (name, formula) in self.given {
-            let known = function.parameters.iter().any(|p| p.name == *name);
-            if !known && !program.source.text.contains(name.as_str()) {
+            let is_parameter = function.parameters.iter().any(|p| p.name == *name);
+            if !is_parameter && !program.source.text.contains(name.as_str()) {
                 let message = format!("`{}` has no parameter `{name}`", function.name);
                 let names = function.parameters.iter().map(|p| p.name.as_str());
                 let help = format!("it has {}", listed(names));

@@ -5,6 +5,7 @@
 
 use super::alphabet::{Alphabet, alphabet};
 use super::edit::{Edit, placed};
+use super::points::MAX_CANDIDATES;
 use super::subject::Subject;
 use super::target::Target;
 use super::{MAX_PROOFS, canonical, edits, insertions, provable, retyped};
@@ -16,7 +17,7 @@ use torse_syntax::formula::{Expr, Node};
 use torse_syntax::notation::Formula;
 
 /// The work of one search, in the units of [`Target`].
-const MAX_WORK: u64 = 1_500_000;
+const MAX_WORK: u64 = 1_200_000;
 /// Where a side has no value at the sample point: the points at which a candidate is judged, and the work there.
 const POINTS: u64 = 2;
 const POINT_WORK: u64 = 20_000;
@@ -67,20 +68,25 @@ pub fn replace_side<T>(
             judged.failing.is_none() && judged.holding > 0
         }
     };
-    for (expr, change) in candidates {
-        if target.is_some_and(|target| target.spent_more_than(MAX_WORK)) {
+    for (position, (expr, change)) in candidates.into_iter().enumerate() {
+        let is_spent = match target {
+            Some(target) => target.spent_more_than(MAX_WORK),
+            None => position >= MAX_CANDIDATES,
+        };
+        if is_spent {
             ended_early = true;
             break;
         }
-        let key = canonical::canonical(&expr);
-        if seen.contains(&key) || !agrees(&expr) {
+        if !agrees(&expr) {
             continue;
         }
         if seen.len() >= MAX_PROOFS {
             ended_early = true;
             break;
         }
-        seen.insert(key);
+        if !seen.insert(canonical::canonical(&expr)) {
+            continue;
+        }
         let whole = placed(&statement.expr, &path, expr.clone());
         let Some(conditions) = provable(claim, statement, &whole) else {
             continue;
