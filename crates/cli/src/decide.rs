@@ -31,7 +31,12 @@ pub struct Decide {
     #[arg(long)]
     latex: bool,
     /// Add declarations, definitions and hypotheses
-    #[arg(long = "where", value_name = "SETTING", default_value = "")]
+    #[arg(
+        long = "where",
+        value_name = "SETTING",
+        default_value = "",
+        allow_hyphen_values = true
+    )]
     setting: String,
     /// Print text, or JSON for programs
     #[arg(long, value_name = "FORMAT", default_value = "text")]
