@@ -109,7 +109,7 @@ impl Reader<'_> {
         }
     }
 
-    fn operator(self, node: CodeNode<'_>) -> Read<&'static str> {
+    fn operator<'t>(self, node: CodeNode<'t>) -> Read<&'t str> {
         Ok(self.text.field(node, "operator")?.kind())
     }
 

@@ -130,4 +130,3 @@ pub struct PatchReport {
     /// What else is worth knowing.
     pub notes: Vec<String>,
 }
-

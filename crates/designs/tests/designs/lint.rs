@@ -578,7 +578,7 @@ fn a_curve_that_leaves_the_plane_of_the_drawing_is_refused() {
             "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n30\n7\n11\n10\n21\n0\n31\n{z}\n0\nENDSEC\n0\nEOF\n"
         )
     };
-    let rules = Rules::published().unwrap();
+    let rules = LintRules::published().unwrap();
     let judged = |z: f64| lint("z.dxf", line(z).as_bytes(), &rules, &LintDemand::default());
     let error = judged(5.0).unwrap_err().to_string();
     assert!(

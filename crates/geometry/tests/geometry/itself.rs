@@ -187,7 +187,7 @@ fn closed_rings_folds_and_patches_with_a_common_apex_are_free() {
     let faces: Vec<Sheet> = base
         .windows(2)
         .map(|side| {
-            Sheet::swept_cone(&Rail::bezier(side).unwrap(), [40.0, 30.0, 50.0], edges).unwrap()
+            Sheet::cone(&Rail::bezier(side).unwrap(), [40.0, 30.0, 50.0], edges).unwrap()
         })
         .collect();
     assert_eq!(together(&faces), PieceIntersection::Free);
@@ -197,7 +197,7 @@ fn closed_rings_folds_and_patches_with_a_common_apex_are_free() {
 fn a_cone_between_two_triangles_that_share_its_apex_is_free() {
     let edges = [SweptEdge::Share(1.0), SweptEdge::Share(0.0)];
     let triangle = |side: [Point; 2], apex: Point| {
-        Sheet::swept_cone(&Rail::bezier(&side).unwrap(), apex, edges).unwrap()
+        Sheet::cone(&Rail::bezier(&side).unwrap(), apex, edges).unwrap()
     };
     // The corner of a transition from a square to a round: both triangles end in the apex of the cone.
     let (corner, before, after) = ([50.0, 50.0, 0.0], [50.0, -50.0, 0.0], [-50.0, 50.0, 0.0]);
@@ -205,7 +205,7 @@ fn a_cone_between_two_triangles_that_share_its_apex_is_free() {
     let round = Rail::ellipse_arc([0.0, 0.0, 80.0], first, last).unwrap();
     let row = [
         triangle([before, corner], first),
-        Sheet::swept_cone(&round, corner, edges).unwrap(),
+        Sheet::cone(&round, corner, edges).unwrap(),
         triangle([corner, after], last),
     ];
     assert_eq!(together(&row), PieceIntersection::Free);
