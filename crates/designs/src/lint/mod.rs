@@ -165,9 +165,9 @@ impl LintReport {
 /// [`DesignError::Listing`] for a file that cannot be read, and for curves that leave the plane of the drawing.
 ///
 /// ```
-/// use torse_designs::lint::{LintDemand, Rules, lint};
+/// use torse_designs::lint::{LintDemand, LintRules, lint};
 /// use torse_exchange::{Drawing, Layer, dxf};
-/// let rules = Rules::published()?;
+/// let rules = LintRules::published()?;
 /// let mut part = Drawing::default();
 /// part.polygon(Layer::Outline, &[[0.0, 0.0], [80.0, 0.0], [80.0, 40.0], [0.0, 40.0]])?;
 /// part.circle(Layer::Outline, [20.0, 20.0], 1.5)?;
