@@ -4,6 +4,7 @@
 //! come from [`Sheet::enclose`](torse_geometry::prelude::Sheet::enclose): they hold for the exact numbers of the
 //! control data. The others are estimates of [`Sheet::inspect`](torse_geometry::prelude::Sheet::inspect).
 
+mod contact;
 mod demands;
 mod ends;
 mod joint;
@@ -16,13 +17,13 @@ mod space;
 mod surface;
 mod text;
 
+pub use contact::{PieceReport, PieceSpace, Piercing, SelfContact};
 pub(crate) use joint::side_changes_at_joint;
 pub use joint::{JointReport, joints};
 pub(crate) use numbers::{at_most, number};
 pub use report::{Assurance, DesignReport, PatchReport, ValueBounds};
 pub(crate) use seams::is_passed_backwards;
 pub use seams::{SeamReport, seams};
-pub use space::{PieceReport, PieceSpace, Piercing, SelfContact};
 pub use surface::SurfaceReport;
 pub(crate) use text::columns;
 pub use text::{missed_line, overview, table, wrapped};

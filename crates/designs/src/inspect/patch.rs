@@ -1,9 +1,9 @@
 //! What is measured of one patch.
 
+use super::contact::SelfContact;
 use super::ends::{EndsJudged, Judged, judged};
 use super::numbers::number;
 use super::report::{Assurance, PatchReport, ValueBounds};
-use super::space::SelfContact;
 use crate::design::{Design, Patch};
 use torse_geometry::Rails;
 use torse_geometry::developable::{EnclosedCertificate, PatchCertificate, Singularity};

@@ -1,8 +1,8 @@
 //! The report of an inspection, as data.
 
+use super::contact::{PieceReport, Piercing, SelfContact};
 use super::joint::JointReport;
 use super::seams::SeamReport;
-use super::space::{PieceReport, Piercing, SelfContact};
 use super::surface::SurfaceReport;
 use crate::covers::SurfaceCover;
 use serde::Serialize;

@@ -186,9 +186,7 @@ fn closed_rings_folds_and_patches_with_a_common_apex_are_free() {
     let edges = [SweptEdge::Share(1.0), SweptEdge::Share(0.0)];
     let faces: Vec<Sheet> = base
         .windows(2)
-        .map(|side| {
-            Sheet::cone(&Rail::bezier(side).unwrap(), [40.0, 30.0, 50.0], edges).unwrap()
-        })
+        .map(|side| Sheet::cone(&Rail::bezier(side).unwrap(), [40.0, 30.0, 50.0], edges).unwrap())
         .collect();
     assert_eq!(together(&faces), PieceIntersection::Free);
 }
