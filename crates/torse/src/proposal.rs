@@ -12,12 +12,12 @@ const READING_WORK: WorkBudget = WorkBudget::new(20_000);
 /// symbols, such as one with an index that its family does not have, is left without a statement, and listed with the reason.
 ///
 /// ```
-/// let text = r"\begin{document} Points $P_0, \dots, P_3 \in \mathbb{R}^3$.
-///     \begin{equation} Q = P_3 - P_2 \end{equation} \begin{equation} Q + P_4 = P_0 \end{equation} \end{document}";
+/// let text = r"\begin{document} Points $P_0, P_1, \dots, P_n \in \mathbb{R}^3$.
+///     \begin{equation} Q = P_1 - P_0 \end{equation} \begin{equation} Q + P_0 = P_1 \end{equation} \end{document}";
 /// let manuscript = torse::manuscript::manuscript(text)?;
 /// let proposal = torse::propose(&manuscript, "points");
-/// assert!(proposal.paper.contains("Q = 'P[3] - P[2]'"));
-/// assert!(proposal.claims.contains("the index 4 of `P` is outside 0..3"), "{}", proposal.claims);
+/// assert!(proposal.paper.contains("Q = 'P[1] - P[0]'"));
+/// assert!(proposal.claims.contains("Q + P[0] == P[1]"), "{}", proposal.claims);
 /// # Ok::<(), torse::manuscript::ManuscriptError>(())
 /// ```
 #[must_use]

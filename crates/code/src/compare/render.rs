@@ -44,10 +44,14 @@ fn smallest<'e>(old: &'e Expr, new: &'e Expr, is_whole: bool) -> (&'e Expr, &'e 
     if olds.len() != news.len() || !same_kind(old, new) {
         return (old, new, is_whole);
     }
+    // The name of a call or a family says little alone, and what stands nowhere nothing.
+    let is_shown = |part: &Expr| match &old.node {
+        Node::Call(head, _) | Node::Index(head, _) if **head == *part => false,
+        _ => part.place.end > part.place.start,
+    };
     let mut differing = olds.iter().zip(&news).filter(|(old, new)| old != new);
     match (differing.next(), differing.next()) {
-        // The name of a call or a family says little alone, and what stands nowhere nothing.
-        (Some((old, new)), None) if old.place.end > old.place.start => smallest(old, new, false),
+        (Some((part, new)), None) if is_shown(part) => smallest(part, new, false),
         _ => (old, new, is_whole),
     }
 }
@@ -159,12 +163,12 @@ impl Writer<'_> {
                     ATOM,
                 )
             }
-            Node::Call(head, arguments) => self.call(head, arguments, is_float),
+            Node::Call(head, arguments) => self.call(expr, head, arguments, is_float),
             _ => (torse_syntax::notation::text(expr), 0),
         }
     }
 
-    fn call(&self, head: &Expr, arguments: &[Expr], is_float: bool) -> (String, u8) {
+    fn call(&self, whole: &Expr, head: &Expr, arguments: &[Expr], is_float: bool) -> (String, u8) {
         let name = match &head.node {
             Node::Name(name) => name.trim_start_matches('#'),
             _ => "",
@@ -197,8 +201,22 @@ impl Writer<'_> {
                     ATOM,
                 )
             }
-            _ => (format!("{name}({})", written.join(", ")), ATOM),
+            _ => {
+                let module = self.module(whole.place);
+                (format!("{module}{name}({})", written.join(", ")), ATOM)
+            }
         }
+    }
+
+    /// The module by which the function is called that stands at a place, with its point: `np.`.
+    fn module(&self, place: Place) -> &str {
+        let (called, _) = self.slice(place).split_once('(').unwrap_or_default();
+        let end = called.rfind('.').map_or(0, |point| point + 1);
+        let module = called.get(..end).unwrap_or("");
+        let is_path = module
+            .chars()
+            .all(|c| c.is_alphanumeric() || c == '_' || c == '.');
+        if is_path { module } else { "" }
     }
 
     /// How tightly what is written binds.

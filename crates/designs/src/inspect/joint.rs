@@ -366,7 +366,8 @@ fn objection(design: &Design, chain: &Chain, report: &JointReport) -> Option<Str
             report.gap, limits.gap
         ));
     }
-    if report.kink >= BACK {
+    // Where an edge is asked for, any fold is one.
+    if chain.continuity.is_none() && report.kink >= BACK {
         return Some(format!(
             "the sheet is folded back on itself where {first} meets {second}: by {:.6} degrees",
             report.kink

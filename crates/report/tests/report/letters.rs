@@ -92,7 +92,7 @@ fn a_fault_is_one_item_with_the_words_of_the_paper_and_what_changes_framed() {
     assert!(letter.contains("The exponent is wrong."));
     assert!(letter.contains("^{\\boxed{\\scriptstyle 4}}"), "{letter}");
     assert!(letter.contains("^{\\boxed{\\scriptstyle 3}}"), "{letter}");
-    assert!(letter.contains("The same fault also in: "), "{letter}");
+    assert!(letter.contains("This also concerns: "), "{letter}");
 }
 
 #[test]
