@@ -71,7 +71,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
   (0 <= 2 <= l)%Z ->
   cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
   (0 <= k - 2 <= k)%Z ->
-  4 * (1 + mu2) + PI * (1 - nu2) <> 0 ->
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
   P2 0%Z = P1 k /\ P2 1%Z = P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) /\ P2 2%Z = farin_boehm P1 k l mu1 mu2 nu1 nu2.
 Definition instance : Prop :=
 exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
@@ -94,7 +94,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
   (0 <= 2 <= l)%Z /\
   cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
   (0 <= k - 2 <= k)%Z /\
-  4 * (1 + mu2) + PI * (1 - nu2) <> 0.
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
 End ex_5_1_construct.
 
 Module ex_5_1_shape_shape.

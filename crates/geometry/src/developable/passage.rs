@@ -203,8 +203,8 @@ impl Contact {
         for (side, strip) in strips.into_iter().enumerate() {
             let sign = [-1.0, 1.0][side];
             let touch = self.touches[side];
-            for rail in 0..2 {
-                if touch.rails[rail] && apexes[side][rail] {
+            for (rail, is_apex) in apexes[side].into_iter().enumerate() {
+                if touch.rails[rail] && is_apex {
                     continue;
                 }
                 if touch.rails[rail] {
