@@ -294,7 +294,7 @@ pub fn missed_line(reason: &str) -> String {
     wrapped("missed: ", reason)
 }
 
-/// Returns a paragraph in lines of at most [`WIDTH`], after a label, indented under it.
+/// Returns a paragraph in lines of at most 100 columns, after a label, indented under it.
 pub fn wrapped(label: &str, text: &str) -> String {
     let indent = label.chars().count().min(WIDTH / 2);
     let mut lines = String::from(label);
