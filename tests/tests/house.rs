@@ -161,6 +161,52 @@ fn no_source_imports_against_the_direction() {
     }
 }
 
+/// The files of `rocq` that the writer of printed statements may use: none of them sees a core term.
+const FILES_BESIDE_THE_TREE: [&str; 8] = [
+    "binder",
+    "code",
+    "gap",
+    "interval",
+    "name",
+    "place",
+    "proposition",
+    "shape",
+];
+
+#[test]
+fn printed_statements_are_written_by_files_that_see_the_syntax_alone() {
+    let room = crates().join("rocq/src");
+    let mut files = vec![];
+    sources(&room.join("tree"), &mut files);
+    assert!(files.len() > 5, "{files:?}");
+    files.extend(FILES_BESIDE_THE_TREE.map(|file| room.join(file).with_extension("rs")));
+    for path in files {
+        let text = fs::read_to_string(&path).unwrap();
+        let rooms: Vec<&str> = named(&text, "torse_").collect();
+        let is_allowed = |room: &&str| ["syntax", "numbers"].contains(room);
+        assert!(
+            rooms.iter().all(is_allowed),
+            "{}: {rooms:?}",
+            path.display()
+        );
+    }
+    let mut inside = vec![];
+    sources(&room.join("tree"), &mut inside);
+    for path in inside {
+        let text = fs::read_to_string(&path).unwrap();
+        for (at, found) in text.match_indices("crate::") {
+            let rest = &text[at + found.len()..];
+            let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_');
+            let module = &rest[..end.unwrap_or(rest.len())];
+            assert!(
+                module == "tree" || FILES_BESIDE_THE_TREE.contains(&module),
+                "{}: {module}",
+                path.display()
+            );
+        }
+    }
+}
+
 /// Whether a text uses the facade, which has the name of the house: in a manifest, or in a source.
 fn uses_facade(text: &str) -> bool {
     let line = |line: &str| {

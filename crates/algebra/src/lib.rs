@@ -2,7 +2,7 @@
 //!
 //! Sparse polynomials ([`Polynomial`]) over the rationals in named symbols, pi, square roots of primes, sines and
 //! cosines, and exponentials; [`Fraction`]s that record their divisors; truncated power series ([`Jet`]); Bernstein
-//! forms ([`bernstein`]); real roots ([`sturm`]); and matrices over any of these scalars. The number types come from
+//! forms ([`bernstein`]); and matrices over any of these scalars. The number types come from
 //! [`torse_numbers`] and are re-exported here.
 #![warn(missing_docs)]
 
@@ -13,7 +13,6 @@ pub mod matrix;
 pub mod mersenne;
 pub mod polynomial;
 pub mod rational_box;
-pub mod sturm;
 pub mod symbol;
 
 pub use fraction::Fraction;
@@ -21,7 +20,6 @@ pub use jet::Jet;
 pub use matrix::{Matrix, MatrixError};
 pub use polynomial::Polynomial;
 pub use polynomial::angles::Finest;
-pub use sturm::SturmSequence;
 pub use symbol::{Angle, Exponent, Symbol, Unit};
 pub use torse_numbers::{
     Affine, Ball, ExactError, Integer, Rational, Scalar, ZeroTest, affine, ball, fault_injection,

@@ -71,6 +71,16 @@ const VARIANTS: [(char, &str); 7] = [
     ('ϖ', "pi"),
 ];
 
+/// Other LaTeX commands for letters of the table.
+const LATEX_VARIANTS: [(&str, &str); 6] = [
+    ("varepsilon", "epsilon"),
+    ("varphi", "phi"),
+    ("vartheta", "theta"),
+    ("varrho", "rho"),
+    ("varsigma", "sigma"),
+    ("varkappa", "kappa"),
+];
+
 /// The letter with this spelling in files.
 ///
 /// ```
@@ -81,6 +91,21 @@ const VARIANTS: [(char, &str); 7] = [
 #[must_use]
 pub fn by_name(name: &str) -> Option<GreekLetter> {
     LETTERS.into_iter().find(|letter| letter.name == name)
+}
+
+/// The letter for this LaTeX command, given without its backslash, in any of its printed forms.
+///
+/// ```
+/// use torse_syntax::greek;
+/// let name = |command| greek::by_latex(command).map(|letter| letter.name);
+/// assert_eq!([name("mu"), name("varphi"), name("vartheta")], [Some("mu"), Some("phi"), Some("theta")]);
+/// assert_eq!(name("sin"), None);
+/// ```
+#[must_use]
+pub fn by_latex(command: &str) -> Option<GreekLetter> {
+    let mut variants = LATEX_VARIANTS.into_iter();
+    let variant = variants.find(|(variant, _)| *variant == command);
+    by_name(variant.map_or(command, |(_, name)| name))
 }
 
 /// The letter with this sign, in any of its printed forms.
@@ -108,6 +133,7 @@ mod tests {
         for letter in LETTERS {
             assert_eq!(by_name(letter.name), Some(letter));
             assert_eq!(by_sign(letter.sign), Some(letter));
+            assert_eq!(by_latex(letter.latex), Some(letter));
         }
         for (sign, name) in VARIANTS {
             assert_eq!(by_sign(sign), by_name(name), "{sign}");

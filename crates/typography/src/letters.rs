@@ -11,9 +11,7 @@ pub const FUNCTIONS: [&str; 16] = [
 ];
 
 pub(crate) fn greek_letter(word: &str) -> Option<char> {
-    // Some of our own pages call it so.
-    let name = if word == "varphi" { "phi" } else { word };
-    greek::by_name(name).map(|letter| letter.sign)
+    greek::by_latex(word).map(|letter| letter.sign)
 }
 
 pub(crate) fn is_function(word: &str) -> bool {

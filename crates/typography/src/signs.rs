@@ -42,7 +42,5 @@ pub fn sign(name: &str) -> Option<char> {
 /// The Greek letter that `\\name` stands for, by the name that files or LaTeX give it.
 #[must_use]
 pub fn letter(name: &str) -> Option<char> {
-    let mut letters = greek::LETTERS.iter();
-    let found = letters.find(|letter| letter.name == name || letter.latex == name);
-    found.map(|letter| letter.sign)
+    greek::by_latex(name).map(|letter| letter.sign)
 }

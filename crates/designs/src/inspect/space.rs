@@ -3,7 +3,7 @@
 use super::contact::{PieceReport, PieceSpace, Piercing, SelfContact, one_point};
 use super::{DesignReport, PatchReport};
 use crate::design::{Design, Patch};
-use torse_geometry::prelude::{PieceIntersection, Sheet};
+use torse_geometry::prelude::{PieceIntersection, Sheet, SheetPiercing};
 
 /// The patches of a list of indices that are regular, and whether these are all.
 fn regular<'d>(
@@ -75,35 +75,24 @@ pub(super) fn pieces(design: &Design, reports: &[PatchReport]) -> Vec<PieceRepor
         .collect()
 }
 
-/// The most pairs of patches of two pieces that are looked at.
-const MAX_PIECE_PAIRS: usize = 2_000;
-
 /// Two pieces each that are proved to pass through each other.
 pub(super) fn piercings(design: &Design, reports: &[PatchReport]) -> Vec<Piercing> {
     let pieces = design.pieces();
-    let mut looked = 0;
-    let mut found = Vec::new();
-    for (index, other) in pieces.iter().enumerate() {
-        for one in pieces.iter().take(index) {
-            let (mine, _) = regular(design, reports, &one.patches);
-            let (theirs, _) = regular(design, reports, &other.patches);
-            let pairs = mine.iter().flat_map(|p| theirs.iter().map(move |q| (p, q)));
-            let first = pairs.into_iter().find_map(|(p, q)| {
-                looked += 1;
-                if looked > MAX_PIECE_PAIRS {
-                    return None;
-                }
-                let (places, _) = p.sheet.piercing(&q.sheet).ok().flatten()?;
-                Some(Piercing {
-                    pieces: [one.name.clone(), other.name.clone()],
-                    patches: [p.name.clone(), q.name.clone()],
-                    places,
-                })
-            });
-            found.extend(first);
-        }
-    }
-    found
+    let patches: Vec<Vec<&Patch>> = pieces
+        .iter()
+        .map(|piece| regular(design, reports, &piece.patches).0)
+        .collect();
+    let sheets: Vec<Vec<&Sheet>> = patches
+        .iter()
+        .map(|patches| patches.iter().map(|patch| &patch.sheet).collect())
+        .collect();
+    let found = Sheet::piercings(&sheets).unwrap_or_default();
+    let named = |found: SheetPiercing| Piercing {
+        pieces: found.pieces.map(|piece| pieces[piece].name.clone()),
+        patches: [0, 1].map(|k| patches[found.pieces[k]][found.sheets[k]].name.clone()),
+        places: found.places,
+    };
+    found.into_iter().map(named).collect()
 }
 
 impl DesignReport {

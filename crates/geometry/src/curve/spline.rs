@@ -391,26 +391,6 @@ impl Spline {
         Self::new(self.degree, knots, points, weights)
     }
 
-    /// The same points with parameters `scale t + shift`.
-    ///
-    /// # Errors
-    /// [`GeometryError::OutOfRange`] unless the scale is positive.
-    pub fn with_parameters(&self, scale: &Rational, shift: &Rational) -> Result<Self> {
-        if scale.sign() != Some(Ordering::Greater) {
-            return Err(GeometryError::OutOfRange {
-                name: "scale of parameters",
-                value: scale.approximate(),
-                range: "(0, infinity)",
-            });
-        }
-        let knots = self.knots.iter();
-        let knots = knots.map(|u| scale.clone() * u.clone() + shift.clone());
-        Ok(Self {
-            knots: knots.collect(),
-            ..self.clone()
-        })
-    }
-
     /// The indices of knots that begin an interval.
     fn spans(&self) -> impl Iterator<Item = usize> + '_ {
         let inside = self.degree..self.points.len();

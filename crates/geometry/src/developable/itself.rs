@@ -13,7 +13,7 @@
 //! Of a cone that reaches its apex all rulings meet there; the others meet where their directions agree, so the
 //! directions take the place of the points.
 
-use super::meeting::{is_proved, meeting};
+use super::meeting::{WHOLE_RULING, is_proved, meeting};
 use super::strip::{Key, Strip, halves, width};
 use crate::coordinate::Coordinate;
 use crate::model::ChebyshevModel;
@@ -175,7 +175,7 @@ where
         }
         if one != other
             && one.0.min(other.0) >= MEETING_DEPTH
-            && let Some((places, point)) = meeting([patch, patch], [from, to], |places, _| {
+            && let Some((places, point)) = meeting([patch, patch], [from, to], &WHOLE_RULING, |places, _| {
                 (places[1][0] - places[0][0]).abs() > 1e-5
             })
             // Of a tube the same ruling is both the first and the last.

@@ -9,16 +9,20 @@ use crate::vector::{add, cross, dot, scale, sub};
 /// Two places `[u, v]`: one on each patch.
 pub type Places = [[f64; 2]; 2];
 
+/// Places on a ruling at which a search for meetings starts, its ends included.
+pub const WHOLE_RULING: [f64; 7] = [0.5, 0.25, 0.75, 0.125, 0.875, 0.0, 1.0];
+
 /// Two places that are the same point, near the middles of two ranges: Newton's method for the parameters of both rulings and
-/// the place on the second, with the place on the first held fast. Those that are not `distinct` places of the sheet are passed
-/// over.
+/// the place on the second, with the place on the first held fast at each of `starts`. Those that are not `distinct` places of
+/// the sheet are passed over.
 pub fn meeting<P: Rails<f64> + ?Sized>(
     [first, second]: [&P; 2],
     [from, to]: [[f64; 2]; 2],
+    starts: &[f64],
     distinct: impl Fn(&Places, &[f64; 3]) -> bool,
 ) -> Option<(Places, [f64; 3])> {
     let room = 4.0 * (from[1] - from[0]).max(to[1] - to[0]);
-    for v in [0.5, 0.25, 0.75, 0.125, 0.875, 0.0, 1.0] {
+    for &v in starts {
         let [mut x, mut y] = [from, to].map(|range| 0.5 * (range[0] + range[1]));
         let start = [x, y];
         let mut w: Option<f64> = None;

@@ -5,7 +5,7 @@
 //! rulings that are no farther apart than is allowed for joints. Patches with a common apex meet elsewhere only where their
 //! directions agree. All other strips are apart if their hulls are, as strips of one patch.
 
-use super::meeting::{is_proved, meeting};
+use super::meeting::{WHOLE_RULING, is_proved, meeting};
 use super::strip::{Key, Strip, halves, separating, width};
 use crate::model::ChebyshevModel;
 use crate::surface::Rails;
@@ -45,8 +45,17 @@ const MEETING_DEPTH: u32 = 3;
 const MAX_PAIRS: usize = 2_000;
 /// The most pairs of intervals of all patches, beyond one for each two of them.
 const MAX_ALL_PAIRS: usize = 20_000;
-/// The shortest intervals, and the most pairs, where it is not a proof that is wanted.
-const MAX_PIERCING: (u32, usize) = (6, 400);
+/// Where it is not a proof that is wanted: the most pairs of intervals of two patches, the shortest intervals, those that are
+/// looked at for a meeting, and where on their rulings. A piercing lies inside of both patches.
+const PIERCING: Limits<'static> = Limits {
+    depth: 6,
+    meeting_depth: 5,
+    starts: &[0.5, 0.25, 0.75],
+    pairs: 400,
+    all: 400 * MAX_PIERCING_PATCHES,
+};
+/// The most pairs of patches of different pieces that are looked at for that.
+const MAX_PIERCING_PATCHES: usize = 2_000;
 /// What is nearer to an edge than this share of the parameter may be on it.
 const EDGE: f64 = 1e-3;
 
@@ -268,8 +277,10 @@ struct Search<'a, P: ?Sized, M> {
 
 /// How far a search goes.
 #[derive(Clone, Copy)]
-struct Limits {
+struct Limits<'a> {
     depth: u32,
+    meeting_depth: u32,
+    starts: &'a [f64],
     pairs: usize,
     all: usize,
 }
@@ -293,7 +304,7 @@ where
         patches: [usize; 2],
         ends: [&Ends; 2],
         joined: f64,
-        limits: Limits,
+        limits: Limits<'_>,
         wanted: impl Fn(&[[f64; 2]; 2], bool) -> bool,
     ) -> PieceIntersection {
         let apexes = ends.map(|ends| ends.apexes);
@@ -348,9 +359,10 @@ where
                 }
             }
             let [a, b] = keys.map(|key| key.0);
-            if a.min(b) >= MEETING_DEPTH
+            if a.min(b) >= limits.meeting_depth
                 && let [Some(one), Some(other)] = patches.map(|k| self.patches.get(k))
-                && let Some((places, point)) = meeting([*one, *other], keys.map(width), distinct)
+                && let Some((places, point)) =
+                    meeting([*one, *other], keys.map(width), limits.starts, distinct)
                 && let [Some(m), Some(n)] = patches.map(|k| self.models.get(k))
             {
                 let proved = is_proved([m, n], places);
@@ -394,6 +406,8 @@ where
     let count = patches.len();
     let limits = Limits {
         depth: MAX_DEPTH,
+        meeting_depth: MEETING_DEPTH,
+        starts: &WHOLE_RULING,
         pairs: MAX_PAIRS,
         all: MAX_ALL_PAIRS + count * count,
     };
@@ -426,25 +440,42 @@ where
     open.unwrap_or(PieceIntersection::Free)
 }
 
-/// Looks for a point at which two patches pierce each other, proved and inside of both: places, and the point. Where they touch along
-/// edges none is found.
-pub(crate) fn piercing<P, M>(patches: [&P; 2], models: [M; 2]) -> Option<([[f64; 2]; 2], [f64; 3])>
+/// Two patches of different pieces that pierce each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SheetPiercing {
+    /// The indices of the pieces.
+    pub pieces: [usize; 2],
+    /// The index of each patch in its piece.
+    pub sheets: [usize; 2],
+    /// The place `[u, v]` on each, inside of it.
+    pub places: [[f64; 2]; 2],
+    /// The point.
+    pub point: [f64; 3],
+}
+
+/// Looks for a point of each two pieces at which patches of them pierce each other, proved and inside of both patches. Where they
+/// touch along edges none is found. All pairs share what was computed of the intervals of a patch.
+pub(crate) fn piercings<P, M>(pieces: &[Vec<&P>], models: &[M]) -> Vec<SheetPiercing>
 where
     P: Rails<f64> + ?Sized,
     M: Rails<ChebyshevModel>,
 {
-    let ends = [Ends::new(patches[0])?, Ends::new(patches[1])?];
-    let (depth, pairs) = MAX_PIERCING;
+    let patches: Vec<&P> = pieces.iter().flatten().copied().collect();
+    let ends: Vec<Option<Ends>> = patches.iter().map(|patch| Ends::new(*patch)).collect();
+    // The index of the first patch of each piece.
+    let firsts: Vec<usize> = pieces
+        .iter()
+        .scan(0, |next, piece| {
+            let first = *next;
+            *next += piece.len();
+            Some(first)
+        })
+        .collect();
     let mut search = Search {
         patches: &patches,
-        models: &models,
+        models,
         strips: BTreeMap::new(),
         looked: 0,
-    };
-    let limits = Limits {
-        depth,
-        pairs,
-        all: pairs,
     };
     let is_inside = |places: &[[f64; 2]; 2], proved: bool| {
         proved
@@ -453,8 +484,36 @@ where
                 .flatten()
                 .all(|x| (EDGE..=1.0 - EDGE).contains(x))
     };
-    match search.pair([0, 1], [&ends[0], &ends[1]], 0.0, limits, is_inside) {
-        PieceIntersection::Found { places, point, .. } => Some((places, point)),
-        _ => None,
+    let mut looked = 0;
+    let mut first = |one: usize, other: usize| {
+        for mine in 0..pieces[one].len() {
+            for theirs in 0..pieces[other].len() {
+                looked += 1;
+                if looked > MAX_PIERCING_PATCHES {
+                    return None;
+                }
+                let pair = [firsts[one] + mine, firsts[other] + theirs];
+                let [Some(Some(a)), Some(Some(b))] = pair.map(|index| ends.get(index)) else {
+                    continue;
+                };
+                let found = search.pair(pair, [a, b], 0.0, PIERCING, is_inside);
+                if let PieceIntersection::Found { places, point, .. } = found {
+                    return Some(SheetPiercing {
+                        pieces: [one, other],
+                        sheets: [mine, theirs],
+                        places,
+                        point,
+                    });
+                }
+            }
+        }
+        None
+    };
+    let mut found = vec![];
+    for other in 0..pieces.len() {
+        for one in 0..other {
+            found.extend(first(one, other));
+        }
     }
+    found
 }

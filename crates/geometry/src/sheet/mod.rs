@@ -115,7 +115,7 @@ mod swept;
 pub use crate::basis::BasisShape;
 pub use crate::developable::{
     BranchReason, EnclosedCertificate, PatchCertificate, PieceIntersection, RailGap, Regularity,
-    SelfIntersection, Singularity, Worst,
+    SelfIntersection, SheetPiercing, Singularity, Worst,
 };
 pub use cut::Cut;
 pub use inspect::{Inspection, SheetJoint};

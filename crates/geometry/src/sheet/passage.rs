@@ -1,7 +1,7 @@
 //! Several sheets in space.
 
-use super::{Point, Sheet};
-use crate::developable::{PieceIntersection, piece_intersection, piercing};
+use super::Sheet;
+use crate::developable::{PieceIntersection, SheetPiercing, piece_intersection, piercings};
 use crate::error::Result;
 use crate::model::ChebyshevModel;
 use crate::over::Over;
@@ -36,13 +36,14 @@ impl Sheet {
         Ok(piece_intersection(sheets, &models, joined))
     }
 
-    /// A point at which the sheet and another one are proved to pass through each other, inside of both: the places `[u, v]` on
-    /// each, and the point. `None` does not say that there is none.
+    /// For each two pieces, each of several sheets, a point at which two of their sheets are proved to pass through each other,
+    /// inside of both. That none is found does not say that there is none.
     ///
     /// # Errors
     /// As [`Sheet::piece_intersection`].
-    pub fn piercing(&self, other: &Self) -> Result<Option<([[f64; 2]; 2], Point)>> {
-        Ok(piercing([self, other], [self.models()?, other.models()?]))
+    pub fn piercings(pieces: &[Vec<&Self>]) -> Result<Vec<SheetPiercing>> {
+        let models = pieces.iter().flatten().map(|sheet| sheet.models());
+        Ok(piercings(pieces, &models.collect::<Result<Vec<_>>>()?))
     }
 
     fn models(&self) -> Result<Sheet<ChebyshevModel>> {

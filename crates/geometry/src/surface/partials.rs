@@ -1,8 +1,8 @@
 //! Partial derivatives at a point, and the fundamental forms made of them.
 
-use crate::coordinate::{Coordinate, is_zero};
+use crate::coordinate::Coordinate;
 use crate::error::{GeometryError, Place, Result};
-use crate::vector::{cross, dot, unit};
+use crate::vector::{cross, dot};
 
 /// The partial derivatives of a surface at one point: `d^(i+j) / du^i dv^j` for `i + j <= order`.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,12 +111,6 @@ impl<S: Coordinate> Forms<S> {
             .divided_by(&(a.clone() * a))
             .map_err(|_| singular())
     }
-
-    /// Whether the surface is known to be singular here.
-    #[must_use]
-    pub fn is_singular(&self) -> bool {
-        is_zero(&self.area_squared)
-    }
 }
 
 impl Forms<f64> {
@@ -132,14 +126,6 @@ impl Forms<f64> {
         } else {
             Err(singular())
         }
-    }
-
-    /// The unit normal.
-    ///
-    /// # Errors
-    /// [`GeometryError::Degenerate`] where it does not exist.
-    pub fn unit_normal(&self) -> Result<[f64; 3]> {
-        unit(&self.normal).ok_or_else(singular)
     }
 }
 

@@ -4,8 +4,8 @@ use crate::support::{Rail, osculating_planes, rail, unroll};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use torse_algebra::Ball;
 use torse_algebra::rational::{Rational, integer};
-use torse_algebra::{Ball, SturmSequence};
 use torse_geometry::developable::{
     EnclosedCertificate, PatchCertificate, Regularity, Singularity, certify, enclose, prove_regular,
 };
@@ -347,10 +347,58 @@ mod judge {
     /// Whether `N0 . N1 > 0` on the whole of [0, 1], by Sturm's theorem.
     pub fn is_regular(patch: &RuledSurface<Rail, Rail>) -> bool {
         let side = side(patch);
-        match SturmSequence::new(&side) {
-            Ok(roots) => roots.count(integer(0)..=integer(1)) == 0 && side[0].numer() > &0.into(),
-            Err(_) => false,
+        !has_root(&side) && side[0] > integer(0)
+    }
+
+    /// Whether a polynomial has a root in [0, 1], by Sturm's theorem: where neither end is one, the number of distinct roots
+    /// between them is the number of sign changes that its sequence loses.
+    fn has_root(p: &Polynomial) -> bool {
+        let p = trimmed(p.clone());
+        let value = |p: &Polynomial, at_one: bool| match at_one {
+            true => p.iter().fold(integer(0), |sum, c| sum + c),
+            false => p.first().cloned().unwrap_or(integer(0)),
+        };
+        if [false, true].iter().any(|at| value(&p, *at) == integer(0)) {
+            return true;
         }
+        let mut sequence = vec![p.clone(), trimmed(slope(&p))];
+        while let [.., before, last] = sequence.as_slice()
+            && !last.is_empty()
+        {
+            let rest = negated_remainder(before, last);
+            sequence.push(rest);
+        }
+        let changes = |at_one: bool| {
+            let values = sequence.iter().map(|member| value(member, at_one));
+            let signs: Vec<bool> = values
+                .filter(|value| *value != integer(0))
+                .map(|value| value > integer(0))
+                .collect();
+            signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+        };
+        changes(false) != changes(true)
+    }
+
+    fn trimmed(mut p: Polynomial) -> Polynomial {
+        while p.last().is_some_and(|c| *c == integer(0)) {
+            p.pop();
+        }
+        p
+    }
+
+    /// `-(a mod b)`.
+    fn negated_remainder(a: &Polynomial, b: &Polynomial) -> Polynomial {
+        let mut rest = trimmed(a.clone());
+        while rest.len() >= b.len() {
+            let factor = rest.last().unwrap() / b.last().unwrap();
+            let shift = rest.len() - b.len();
+            for (i, c) in b.iter().enumerate() {
+                rest[shift + i] = &rest[shift + i] - &factor * c;
+            }
+            rest.pop();
+            rest = trimmed(rest);
+        }
+        rest.into_iter().map(|c| -c).collect()
     }
 }
 

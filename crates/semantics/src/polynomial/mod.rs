@@ -9,7 +9,6 @@ use crate::name::Name;
 use crate::no_value::{NoValue, Undefined, Unknown, Work};
 use num_traits::{One, Signed, Zero};
 use sum::{Sum, Variable};
-use torse_numbers::rational::integer;
 use torse_numbers::{Integer, Rational};
 
 /// A quotient of polynomials whose denominator is not zero. Only constant denominators are cancelled.
@@ -159,7 +158,11 @@ impl Arithmetic for Polynomials<'_> {
     }
 }
 
-/// The square root of a nonnegative rational number: `sqrt(p/q) = sqrt(p q)/q`, with square factors extracted.
+/// Radicands are below this number, times the square of a denominator.
+const MAX_RADICAND: u64 = 1 << 36;
+
+/// The square root of a nonnegative rational number: `sqrt(p/q) = sqrt(p q)/q`. Squares are taken out first, whatever they are
+/// squares of; what is left is a product of different primes. Independent of the root of `checker`, on purpose.
 fn root(value: &Quotient, work: &Work) -> Result<Quotient, NoValue> {
     let large = || NoValue::from(Unknown::Large { what: "a root" });
     let number = value.as_constant().ok_or(Unknown::NotCovered {
@@ -172,28 +175,35 @@ fn root(value: &Quotient, work: &Work) -> Result<Quotient, NoValue> {
         return Ok(Sum::default().into());
     }
     let product: Integer = number.numer() * number.denom();
-    let mut rest = i64::try_from(&product)
+    let mut inside = u64::try_from(&product)
         .ok()
-        .filter(|p| *p < 1 << 36)
+        .filter(|p| *p < MAX_RADICAND)
         .ok_or_else(large)?;
-    let mut sum = Sum::constant(Rational::new(1.into(), number.denom().clone()));
-    let mut prime = 2;
-    while rest > 1 {
-        if prime * prime > rest {
-            prime = rest;
+    let (mut outside, mut base) = (1_u64, 2);
+    while base * base <= inside {
+        if inside.is_multiple_of(base * base) {
+            inside /= base * base;
+            outside *= base;
+        } else {
+            base += 1;
         }
-        let mut exponent = 0;
-        while rest % prime == 0 {
-            rest /= prime;
-            exponent += 1;
-        }
-        let extracted = (0..exponent / 2).map(|_| integer(prime)).product();
-        sum = sum.scaled(&extracted);
-        if exponent % 2 == 1 {
-            let prime = u32::try_from(prime).map_err(|_| large())?;
-            sum = sum.times(&Sum::variable(Variable::Root(prime)), work)?;
-        }
-        prime += 1;
     }
-    Ok(sum.into())
+    let mut result = Sum::constant(Rational::new(outside.into(), number.denom().clone()));
+    for prime in 2.. {
+        if inside == 1 {
+            break;
+        }
+        // A factor is a prime if it is the first one, or if no smaller number can divide what is left.
+        let factor = if prime * prime > inside {
+            inside
+        } else {
+            prime
+        };
+        if inside.is_multiple_of(factor) {
+            inside /= factor;
+            let factor = u32::try_from(factor).map_err(|_| large())?;
+            result = result.times(&Sum::variable(Variable::Root(factor)), work)?;
+        }
+    }
+    Ok(result.into())
 }

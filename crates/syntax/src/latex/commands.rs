@@ -46,18 +46,6 @@ pub enum CommandKind {
     Unknown,
 }
 
-/// Other spellings of Greek letters that LaTeX has.
-const VARIANTS: [(&str, &str); 8] = [
-    ("epsilon", "epsilon"),
-    ("varepsilon", "epsilon"),
-    ("phi", "phi"),
-    ("varphi", "phi"),
-    ("vartheta", "theta"),
-    ("varrho", "rho"),
-    ("varsigma", "sigma"),
-    ("varkappa", "kappa"),
-];
-
 /// The kind of a control sequence, given without its backslash.
 #[must_use]
 pub fn command_kind(name: &str) -> CommandKind {
@@ -66,8 +54,8 @@ pub fn command_kind(name: &str) -> CommandKind {
     };
     let other = |face: &str| TexFace::Other(face.to_owned());
     let accent = |sign: &str| Face(TexFace::Accent(sign.to_owned(), Box::new(TexFace::Plain)));
-    if let Some(letter) = greek_letter(name) {
-        return CommandKind::Greek(letter);
+    if let Some(letter) = greek::by_latex(name) {
+        return CommandKind::Greek(letter.name);
     }
     match name {
         "," | ";" | ":" | "!" | ">" | " " | "\\" | "displaystyle" | "textstyle" | "scriptstyle"
@@ -151,11 +139,4 @@ pub fn command_kind(name: &str) -> CommandKind {
         }
         _ => CommandKind::Unknown,
     }
-}
-
-/// The spelling in formulas of a Greek letter of LaTeX.
-fn greek_letter(name: &str) -> Option<&'static str> {
-    let plain = VARIANTS.into_iter().find(|(variant, _)| *variant == name);
-    let wanted = plain.map_or(name, |(_, letter)| letter);
-    greek::by_name(wanted).map(|letter| letter.name)
 }

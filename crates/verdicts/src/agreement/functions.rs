@@ -102,7 +102,8 @@ impl Terms<'_> {
         }
     }
 
-    /// `n (n-1) ... (n-j+1) / j!`, 0 for a negative j.
+    /// `n (n-1) ... (n-j+1) / j!`, 0 for a negative j. Independent of the binomials of `semantics`, on purpose: the falling product
+    /// is divided once.
     fn binomial(&self, n: &Series<Class>, j: i64) -> Number {
         let a = self.arithmetic;
         if j < 0 {
@@ -112,11 +113,12 @@ impl Terms<'_> {
             let what = "a binomial coefficient";
             return Err(Unknown::Large { what }.into());
         }
-        (0..j).try_fold(Series::integer(1, a), |product, i| {
-            let factor = n.minus(&Series::integer(i, a), a)?;
-            let product = product.times(&factor, a)?;
-            product.over(&Series::integer(i + 1, a), a)
-        })
+        let (mut above, mut below) = (Series::integer(1, a), Series::integer(1, a));
+        for i in 1..=j {
+            above = above.times(&n.minus(&Series::integer(i - 1, a), a)?, a)?;
+            below = below.times(&Series::integer(i, a), a)?;
+        }
+        above.over(&below, a)
     }
 
     /// Returns a row for each form and a column for each symbol. In a claim with `given` equations, the unknowns U are

@@ -7,6 +7,7 @@
 use super::{RaisedFlag, Subject, one_flag_for};
 use crate::claim_record::HypothesisSource;
 use torse_syntax::formula::{Expr, Node, Relation, parse};
+use torse_syntax::greek;
 use torse_syntax::notation::text;
 use torse_syntax::taxonomy::Flag;
 
@@ -139,21 +140,8 @@ impl Signs {
     /// Whether the quotation names a symbol: by its letter, with any index.
     fn names(&self, name: &str) -> bool {
         let stem = name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
-        let letter = match stem {
-            "mu" => "μ",
-            "nu" => "ν",
-            "lambda" => "λ",
-            "gamma" => "γ",
-            "alpha" => "α",
-            "beta" => "β",
-            "phi" => "φ",
-            "psi" => "ψ",
-            "theta" => "θ",
-            "omega" => "ω",
-            "rho" => "ρ",
-            _ => stem,
-        };
-        self.plain.contains(letter) || self.plain.contains(stem)
+        let letter = greek::by_name(stem).map_or_else(|| stem.to_owned(), |l| l.sign.to_string());
+        self.plain.contains(&letter) || self.plain.contains(stem)
     }
 }
 

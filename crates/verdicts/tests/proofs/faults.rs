@@ -83,6 +83,9 @@ fn a_mistake_of_the_checker_contradicts_the_prover() {
     .unwrap();
     assert_eq!(faulty.verdict(), Verdict::Undecided);
     assert!(faulty.contradiction().unwrap().contains("expanded"));
+    // Of what was decided before nothing is left that could be shown.
+    assert!(faulty.net().is_none() && faulty.replay().is_none() && faulty.evidence().is_none());
+    assert!(faulty.conditions().is_empty() && faulty.correction().is_none());
 }
 
 #[test]

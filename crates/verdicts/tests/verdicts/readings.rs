@@ -50,6 +50,7 @@ fn readings_that_agree_give_the_verdict_with_the_weakest_evidence_and_all_condit
         (Verdict::Holds, Some(Evidence::Inequality))
     );
     assert!(found.net().unwrap().netted);
+    assert!(found.replay().unwrap().replayed);
     let found = read(
         "conditions",
         "states = 'y/y == 1'",

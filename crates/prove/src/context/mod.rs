@@ -516,13 +516,3 @@ fn linear_in(value: &Fraction, unknown: &Unknown) -> Option<(Polynomial, Fractio
         .ok()?;
     (!unknown.occurs_in(&solution)).then(|| (coefficient.clone(), solution))
 }
-
-/// The value of the left side of the first refuted comparison, for the derived form.
-#[must_use]
-pub fn first_comparison(statement: &Statement) -> Option<(&Value, &Value)> {
-    match statement {
-        Statement::Compare { left, right, .. } => Some((left, right)),
-        Statement::Join(_, a, b) => first_comparison(a).or_else(|| first_comparison(b)),
-        Statement::Agrees { .. } | Statement::Family { .. } | Statement::Not(_) => None,
-    }
-}

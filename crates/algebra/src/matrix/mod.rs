@@ -177,12 +177,6 @@ impl<T> Matrix<T> {
         self.entries.len() / self.columns
     }
 
-    /// The number of columns.
-    #[must_use]
-    pub fn column_count(&self) -> usize {
-        self.columns
-    }
-
     /// The rows, from the top.
     pub fn rows(&self) -> impl ExactSizeIterator<Item = &[T]> {
         self.entries.chunks_exact(self.columns)

@@ -10,8 +10,8 @@ use torse_report::write_file;
 
 /// The files of a new folder; `NAME` stands for its name.
 const FILES: [(&str, &str); 2] = [
-    ("paper.toml", include_str!("new/paper.toml")),
-    ("claims.toml", include_str!("new/claims.toml")),
+    ("paper.toml", include_str!("paper.toml")),
+    ("claims.toml", include_str!("claims.toml")),
 ];
 
 /// Write a folder of derivation files to start from.
