@@ -82,7 +82,7 @@ fn no_letter_and_no_finding_has_a_sentence_of_the_engine() {
         for text in words {
             all.extend(found(&text, &format!("the report of {}", paper.slug)));
         }
-        for (id, text) in findings_in_words(&paper.claims) {
+        for (id, text) in findings_in_words(paper) {
             all.extend(found(&text, &id));
         }
     }

@@ -17,9 +17,9 @@ use torse::{Decided, Verdict};
 ///
 /// `--latex` reads the statement as a paper prints it. A formula with two readings is an error that shows both.
 ///
-/// If the statement is `-`, each line of standard input is a statement, or a JSON object with `states` and `where`. For
-/// each line torse prints a line of JSON as in `verify --format json`, or an `error`. The exit code is 0 for a true
-/// statement, 1 for a false one, 3 for one that is not decided, 4 for one that makes no sense; for several, the
+/// If the statement is `-`, each line of standard input is a statement, or a JSON object with `states` and, in place of `--where`, `where`. For
+/// each line torse prints a line of JSON as in `verify --format json`, or an `error`. The exit code is 0 for a
+/// statement that is true, if need be under the condition that is shown, 1 for a false one, 3 for one that is not decided, 4 for one that makes no sense; for several, the
 /// gravest.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -59,8 +59,9 @@ Examples:
 #[serde(deny_unknown_fields)]
 struct Question {
     states: String,
-    #[serde(default, rename = "where")]
-    setting: String,
+    /// What `--where` says, if the line says nothing else.
+    #[serde(rename = "where")]
+    setting: Option<String>,
 }
 
 impl Decide {
@@ -102,14 +103,15 @@ impl Decide {
             true => serde_json::from_str(line).map_err(|error| error.to_string()),
             false => Ok(Question {
                 states: line.trim().to_owned(),
-                setting: self.setting.clone(),
+                setting: None,
             }),
         };
         let decided = question.and_then(|question| {
             let verifier = self.budget.verifier();
+            let setting = question.setting.as_ref().unwrap_or(&self.setting);
             let decided = match self.latex {
-                true => verifier.decide_latex(&question.states, &question.setting),
-                false => verifier.decide(&question.states, &question.setting),
+                true => verifier.decide_latex(&question.states, setting),
+                false => verifier.decide(&question.states, setting),
             };
             decided.map_err(|error| error.to_string())
         });

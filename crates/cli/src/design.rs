@@ -4,7 +4,7 @@ use crate::exit::{Exit, Failure};
 use crate::format::{Format, pretty_json};
 use crate::terminal::{print, remark};
 use clap::{Args, ValueEnum};
-use std::io::{Read, Write};
+use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use torse_designs::eval::{EvalPlaces, csv, eval};
 use torse_designs::export::{ENDINGS, PATTERNS, bytes, ending};
@@ -247,8 +247,11 @@ pub(crate) fn setting(text: &str) -> Result<(String, f64), String> {
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     if is_standard(path) {
         let mut output = std::io::stdout().lock();
-        let written = output.write_all(bytes).and_then(|()| output.flush());
-        return written.map_err(Failure::Print);
+        return match output.write_all(bytes).and_then(|()| output.flush()) {
+            // Whoever reads has read enough.
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+            written => written.map_err(Failure::Print),
+        };
     }
     write_file(path, bytes).map_err(DesignError::from)?;
     Ok(())

@@ -79,7 +79,7 @@ Examples:
   torse audit gbt-developable            signs that a statement is not what is printed
   torse new my-paper                     a folder that verifies, to begin from
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
-  torse unroll DESIGN.toml --to part.dxf what is cut of it, a file a part
+  torse unroll DESIGN.toml --to part.dxf the cut files, one for each part
   torse lint part.dxf --thickness 2      would a cutting service accept this drawing?
   torse studio designs                   the designs of a folder in a browser, on this machine
 
@@ -101,7 +101,7 @@ Examples:
   torse audit gbt-developable            signs that a statement is not what is printed
   torse new my-paper                     a folder that verifies, to begin from
   torse inspect designs/cone-elbow.toml  can it be made? patches and joints, measured
-  torse unroll DESIGN.toml --to part.dxf what is cut of it, a file a part
+  torse unroll DESIGN.toml --to part.dxf the cut files, one for each part
   torse lint part.dxf --thickness 2      would a cutting service accept this drawing?
   torse studio designs                   the designs of a folder in a browser, on this machine
 

@@ -9,10 +9,7 @@ use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
 /// Writes the verdicts of `papers`, publications before worked examples, and a summary at the end.
 pub fn text(papers: &[PaperOutcome]) -> String {
-    let findings: BTreeMap<String, String> = papers
-        .iter()
-        .flat_map(|paper| findings_in_words(&paper.claims))
-        .collect();
+    let findings: BTreeMap<String, String> = papers.iter().flat_map(findings_in_words).collect();
     let (examples, publications): (Vec<&PaperOutcome>, Vec<&PaperOutcome>) =
         papers.iter().partition(|paper| is_worked_example(paper));
     let papers: Vec<&PaperOutcome> = publications.into_iter().chain(examples).collect();

@@ -94,11 +94,10 @@ pub fn emptiness(empty: &Emptiness<Polynomial>) -> String {
 fn identity(own: &Identity<Polynomial>) -> Vec<String> {
     let steps: &[&str] = match (own.in_order, own.by) {
         (true, _) => &["both sides are equal identically"],
-        (false, Vanishing::NormalForm) => &["the normal form of the difference has 0 terms"],
-        (false, Vanishing::Series) => &[
-            "both sides are written with the step of the recursion as an operator on the seeds",
-            "the difference has no terms, for every degree at once",
-        ],
+        (false, Vanishing::NormalForm) => &["both sides have the same normal form"],
+        (false, Vanishing::Series) => {
+            &["by the recursion both sides reduce to the same expression, for every degree at once"]
+        }
     };
     owned(steps)
 }
@@ -253,7 +252,9 @@ fn range(own: &Sharpness<Polynomial>) -> String {
             let others: String = others
                 .map(|(text, value)| format!(", {text} = {value}"))
                 .collect();
-            format!("outside of the range of {name}, by {by}, it fails: at {name} = {at}{others}")
+            format!(
+                "the range of {name} cannot be larger by {by}: at {name} = {at}{others} it fails"
+            )
         }
         Sharpness::Wider { name, to } => {
             format!("the range of {name} may be widened to {to}: it is proved there too")

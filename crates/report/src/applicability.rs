@@ -6,7 +6,7 @@
 use crate::text::{name, visible};
 use serde::Serialize;
 use torse_syntax::taxonomy::{Kind, Verdict};
-use torse_verdicts::outcome::Outcome;
+use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
 
 /// Whether a construction can be used, best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -75,10 +75,10 @@ pub struct Reason {
     pub anchor: String,
 }
 
-/// Returns the constructions of `claims` in the order of the paper; `anchors` holds their identifiers for links.
-pub(crate) fn constructions(claims: &[Outcome], anchors: &[String]) -> Vec<NamedResult> {
+/// Returns the constructions of a paper in its order; `anchors` holds the identifiers of its claims for links.
+pub(crate) fn constructions(paper: &PaperOutcome, anchors: &[String]) -> Vec<NamedResult> {
     let mut groups: Vec<(String, Vec<(&Outcome, &String)>)> = Vec::new();
-    for (claim, anchor) in claims.iter().zip(anchors) {
+    for (claim, anchor) in paper.claims.iter().zip(anchors) {
         let Some(title) = title(claim) else { continue };
         match groups.iter_mut().find(|(name, _)| *name == title) {
             Some((_, group)) => group.push((claim, anchor)),
@@ -87,7 +87,7 @@ pub(crate) fn constructions(claims: &[Outcome], anchors: &[String]) -> Vec<Named
     }
     groups
         .into_iter()
-        .filter_map(|(title, group)| construction(title, &group))
+        .filter_map(|(title, group)| construction(title, &group, &paper.faults))
         .collect()
 }
 
@@ -139,17 +139,22 @@ pub(crate) fn title(outcome: &Outcome) -> Option<String> {
     })
 }
 
-fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<NamedResult> {
+fn construction(
+    title: String,
+    group: &[(&Outcome, &String)],
+    faults: &[PaperFault],
+) -> Option<NamedResult> {
     let statements = || {
         let ours = |(claim, _): &&(&Outcome, &String)| claim.claim.kind != Kind::Remark;
         group.iter().filter(ours)
     };
     let (_, first) = statements().next()?;
-    // A proved remark of ours may be the true form of a false statement.
+    // The files may restate a false statement, and a proved remark of ours may be its true form.
     let true_form = |outcome: &Outcome| {
         let whole = outcome.claim.part_of.as_ref().unwrap_or(&outcome.claim.id);
         outcome.correction().is_some()
             || outcome.data().is_some()
+            || is_restated(outcome, faults)
             || group.iter().any(|(other, _)| {
                 other.claim.kind == Kind::Remark
                     && other.claim.id.starts_with(whole.as_str())
@@ -190,5 +195,13 @@ fn construction(title: String, group: &[(&Outcome, &String)]) -> Option<NamedRes
                 anchor: (*anchor).clone(),
             })
             .collect(),
+    })
+}
+
+/// Whether a fault shows in a claim of which the files have corrected words.
+fn is_restated(outcome: &Outcome, faults: &[PaperFault]) -> bool {
+    let id = &outcome.claim.id;
+    faults.iter().any(|fault| {
+        fault.shows.contains(id) && fault.changes.iter().any(|change| change.claim == *id)
     })
 }

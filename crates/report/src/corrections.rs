@@ -62,33 +62,50 @@ pub(crate) fn is_refuted(outcome: &Outcome) -> bool {
         && outcome.claim.kind != Kind::Remark
 }
 
-/// Counts the statements that depend on a claim, and those of them that fail.
-pub(crate) fn weight(outcome: &Outcome, all: &[&Outcome]) -> (usize, usize) {
+/// Whether a claim that depends on a refuted one and is false too has a fault of its own, which the files describe apart.
+pub(crate) fn has_other_fault(id: &str, cause: &Outcome, faults: &[PaperFault]) -> bool {
+    let shows = |fault: &PaperFault, id: &str| fault.shows.iter().any(|shown| shown == id);
+    let mut own = faults.iter().filter(|fault| shows(fault, id)).peekable();
+    own.peek().is_some() && !own.any(|fault| shows(fault, &cause.claim.id))
+}
+
+/// Counts the statements that depend on a claim, and those of them that fail by the same fault.
+fn weight(outcome: &Outcome, all: &[&Outcome], faults: &[PaperFault]) -> (usize, usize) {
     let resting = consequences(&outcome.claim.id, all);
-    let falling = resting.iter().filter(|of| of.fate == Fate::Falls).count();
+    let falling = resting
+        .iter()
+        .filter(|of| of.fate == Fate::Falls && !has_other_fault(&of.id, outcome, faults))
+        .count();
     (resting.len(), falling)
 }
 
-/// Returns the positions of the refuted claims: those with most dependents first, possible artefacts of our copy last.
-pub(crate) fn ranked(claims: &[Outcome]) -> Vec<(usize, (usize, usize))> {
+/// Returns the positions of the refuted claims: theorems and algorithms first, of these and of the others those with most
+/// dependents, and possible artefacts of our copy last.
+pub(crate) fn ranked(claims: &[Outcome], faults: &[PaperFault]) -> Vec<(usize, (usize, usize))> {
     let all: Vec<&Outcome> = claims.iter().collect();
     let refuted = claims.iter().enumerate();
     let refuted = refuted.filter(|(_, claim)| is_refuted(claim));
     let mut list: Vec<_> = refuted
         .map(|(position, claim)| {
-            let weight = weight(claim, &all);
+            let weight = weight(claim, &all, faults);
             (position, weight, rank(claim), claim.claim.garbled.is_some())
         })
         .collect();
     list.sort_by_key(|(position, weight, rank, garbled)| {
-        (*garbled, std::cmp::Reverse(weight.0), *rank, *position)
+        (
+            *garbled,
+            *rank > 0,
+            std::cmp::Reverse(weight.0),
+            *rank,
+            *position,
+        )
     });
     list.into_iter()
         .map(|(position, weight, ..)| (position, weight))
         .collect()
 }
 
-/// Among statements with equally many dependents, theorems and formulas come before remarks.
+/// Theorems and algorithms come first; among other statements with equally many dependents, formulas come before remarks.
 fn rank(outcome: &Outcome) -> usize {
     let named = ["Theorem", "Proposition", "Algorithm"];
     let named = named.iter().any(|word| outcome.claim.at.contains(word))
@@ -114,7 +131,7 @@ pub(crate) fn corrections(
         let prose = |text: &str| spans(&visible(text), &names);
         let parsed = claim.parsed();
         Some(Corrected {
-            finding: findings::about(claim, anchors.get(position)?),
+            finding: findings::about(claim, anchors.get(position)?, &paper.faults),
             reworded: reworded(claim, &paper.faults),
             correction: (claim.correction()).map(|repair| correction(parsed, repair, &names)),
             stated: match claim.correction() {
@@ -134,5 +151,8 @@ pub(crate) fn corrections(
             falling,
         })
     };
-    ranked(claims).into_iter().filter_map(view).collect()
+    ranked(claims, &paper.faults)
+        .into_iter()
+        .filter_map(view)
+        .collect()
 }

@@ -6,18 +6,19 @@ use crate::sentence;
 use crate::text::{beginning, name, visible};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use torse_syntax::taxonomy::Verdict;
+use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_typography::{PrintedNames, Prose, in_words, plain, spans};
-use torse_verdicts::outcome::Outcome;
+use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
 
 /// Maximum number of quoted characters of the print.
 const MAX_QUOTATION_LENGTH: usize = 300;
 
 /// The verdicts that a reader must know of, the gravest first.
-const REPORTED_VERDICTS: [Verdict; 5] = [
+const REPORTED_VERDICTS: [Verdict; 6] = [
     Verdict::False,
     Verdict::Misprint,
     Verdict::Conditional,
+    Verdict::Depends,
     Verdict::Vacuous,
     Verdict::Undecided,
 ];
@@ -41,40 +42,40 @@ pub struct Finding {
     pub text: Prose,
 }
 
-/// Returns the findings about `claims`, graver verdicts first and then in file order.
+/// Returns the findings about the statements of a paper, graver verdicts first and then in file order; remarks are not the
+/// paper's.
 ///
 /// `anchors` holds the claims' identifiers for links, by position.
-pub(crate) fn collect_findings(claims: &[Outcome], anchors: &[String]) -> Vec<Finding> {
+pub(crate) fn collect_findings(paper: &PaperOutcome, anchors: &[String]) -> Vec<Finding> {
     let mut findings = Vec::new();
     for verdict in REPORTED_VERDICTS {
-        for (claim, anchor) in claims.iter().zip(anchors) {
-            if claim.verdict() == verdict {
-                findings.push(about(claim, anchor));
+        for (claim, anchor) in paper.claims.iter().zip(anchors) {
+            if claim.verdict() == verdict && claim.claim.kind != Kind::Remark {
+                findings.push(about(claim, anchor, &paper.faults));
             }
         }
     }
     findings
 }
 
-/// Returns the findings about `claims`, by id, as plain text: for outputs without formulas.
+/// Returns the findings about the claims of a paper, by id, as plain text: for outputs without formulas.
 #[must_use]
-pub fn findings_in_words(claims: &[Outcome]) -> BTreeMap<String, String> {
-    let chosen = claims
-        .iter()
-        .filter(|claim| REPORTED_VERDICTS.contains(&claim.verdict()));
+pub fn findings_in_words(paper: &PaperOutcome) -> BTreeMap<String, String> {
+    let claims = paper.claims.iter();
+    let chosen = claims.filter(|claim| REPORTED_VERDICTS.contains(&claim.verdict()));
     let found = chosen.map(|outcome| {
-        let sentence = in_full(outcome, &printed_names(outcome));
+        let sentence = in_full(outcome, &paper.faults, &printed_names(outcome));
         (visible(&outcome.claim.id), in_words(&sentence))
     });
     found.collect()
 }
 
-fn in_full(outcome: &Outcome, names: &PrintedNames) -> Prose {
-    spans(&visible(&sentence::short_sentence(outcome)), names)
+fn in_full(outcome: &Outcome, faults: &[PaperFault], names: &PrintedNames) -> Prose {
+    spans(&visible(&sentence::short_sentence(outcome, faults)), names)
 }
 
 /// Returns the finding about a claim.
-pub(crate) fn about(outcome: &Outcome, anchor: &str) -> Finding {
+pub(crate) fn about(outcome: &Outcome, anchor: &str, faults: &[PaperFault]) -> Finding {
     let names = printed_names(outcome);
     Finding {
         id: visible(&outcome.claim.id),
@@ -86,6 +87,6 @@ pub(crate) fn about(outcome: &Outcome, anchor: &str) -> Finding {
             &visible(&beginning(&outcome.claim.printed, MAX_QUOTATION_LENGTH)),
             &names,
         ),
-        text: in_full(outcome, &names),
+        text: in_full(outcome, faults, &names),
     }
 }

@@ -257,7 +257,7 @@ pub const fn verdict(of: Verdict) -> Term {
         Verdict::Definition => (
             "definition",
             "definition",
-            "A well-formed definition. It is compared with nothing, and is not counted as checked.",
+            "A well-formed definition. It counts as checked where it was compared with another statement of the paper.",
         ),
         Verdict::Underspecified => (
             "underspecified",
@@ -313,7 +313,7 @@ pub const fn evidence(of: Evidence) -> Term {
         Evidence::Identity => (
             "identity",
             "identity",
-            "Both sides were brought to the normal form of an exact algebra in which zero has one form only; their difference is zero, or is not.",
+            "Both sides were brought to the normal form of an exact algebra in which zero has one form only; their difference is zero.",
         ),
         Evidence::Induction => (
             "induction",
@@ -463,7 +463,7 @@ pub struct Rule {
 pub const RULES: [Rule; 7] = [
     Rule {
         name: "Equality is decided, never sampled",
-        statement: "The formulas live in the ring of polynomials with rational coefficients in π, the parameters, the variable x and the pair s = sin(πx/2), c = cos(πx/2), modulo s² + c² = 1. Reason π is transcendental, and x is algebraically independent of s and c, this ring embeds in the ring of functions: a zero normal form proves an identity, and a normal form other than zero disproves it.",
+        statement: "The formulas live in the ring of polynomials with rational coefficients in π, the parameters, the variable x and the pair s = sin(πx/2), c = cos(πx/2), modulo s² + c² = 1. Since π is transcendental and x is algebraically independent of s and c, this ring embeds in the ring of functions: a zero normal form proves an identity, and a normal form other than zero disproves it.",
     },
     Rule {
         name: "Every division is recorded",
@@ -471,7 +471,7 @@ pub const RULES: [Rule; 7] = [
     },
     Rule {
         name: "A counterexample is exact",
-        statement: "A refuted statement comes with rational values of its symbols at which both sides were computed exactly. Decimals beside them are certified enclosures, given for the reader’s convenience only.",
+        statement: "A refuted statement comes with exact values of its symbols at which both sides were computed exactly. Decimals beside them are certified enclosures, given for the reader’s convenience only.",
     },
     Rule {
         name: "A correction is proved",

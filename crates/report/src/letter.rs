@@ -93,15 +93,12 @@ impl Scope {
     /// Says how much was decided, without the full stop.
     fn sentence(self) -> String {
         let Self { decided, total } = self;
-        let how = "written as a formula and decided by exact computation, with the program torse";
         match (decided, total) {
             (0, _) => "No statement of your paper has been decided yet, so that nothing is said about it here".to_owned(),
-            (1, 1) => format!("The statement of your paper was {how}"),
-            (_, _) if decided == total => format!("Each of the {total} statements of your paper was {how}"),
-            _ => format!(
-                "Of the {total} statements, formulas and figures of your paper, {decided} {} {how}",
-                if decided == 1 { "was" } else { "were each" }
-            ),
+            (1, 1) => "We wrote the statement of your paper as a formula and decided it by exact computation, with the program torse".to_owned(),
+            (_, _) if decided == total => format!("We wrote each of the {total} statements of your paper as a formula and decided it by exact computation, with the program torse"),
+            (1, _) => format!("Of the {total} statements, formulas and figures of your paper, we wrote one as a formula and decided it by exact computation, with the program torse"),
+            _ => format!("Of the {total} statements, formulas and figures of your paper, we wrote {decided} as formulas and decided them by exact computation, with the program torse"),
         }
     }
 }
@@ -149,7 +146,7 @@ pub struct ItemChange {
 /// The letter about a paper.
 pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Letter {
     let claims = &paper.claims;
-    let ranks: BTreeMap<&str, usize> = ranked(claims)
+    let ranks: BTreeMap<&str, usize> = ranked(claims, &paper.faults)
         .into_iter()
         .enumerate()
         .filter_map(|(rank, (position, _))| Some((claims.get(position)?.claim.id.as_str(), rank)))
@@ -459,10 +456,19 @@ fn counterexample(outcome: &Outcome) -> Option<Prose> {
 
 fn salutation(authors: &str) -> String {
     let names: Vec<&str> = authors.split(',').map(str::trim).collect();
-    match names.split_last() {
-        Some((last, [])) => format!("Dear {last},"),
-        Some((last, others)) => format!("Dear {} and {last},", others.join(", ")),
-        None => "Dear authors,".to_owned(),
+    match names.as_slice() {
+        [] => "Dear authors,".to_owned(),
+        names => format!("Dear {},", enumeration(names)),
+    }
+}
+
+/// Lists words: "a, b and c".
+fn enumeration(words: &[impl AsRef<str>]) -> String {
+    let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
+    match words.split_last() {
+        Some((last, [])) => (*last).to_owned(),
+        Some((last, others)) => format!("{} and {last}", others.join(", ")),
+        None => String::new(),
     }
 }
 
@@ -495,24 +501,23 @@ fn opening(
     text.push_str(&match corrections {
         0 if scope.decided == 0 => String::new(),
         0 => " None was found to be false.".to_owned(),
-        1 => " One correction follows. Changes are framed; changed words are bold.".to_owned(),
+        1 => " We propose one correction. Changes are framed; changed words are bold.".to_owned(),
         _ => format!(
-            " {corrections} corrections follow, the most consequential first. Changes are framed; changed words are bold."
+            " We propose {corrections} corrections, the most consequential first. Changes are framed; changed words are bold."
         ),
     });
-    if conditions > 0 {
-        text.push_str(&match conditions {
-            1 => " One point that the text should state more exactly follows.".to_owned(),
-            _ => format!(" {conditions} points that the text should state more exactly follow."),
-        });
-    }
-    match questions {
-        0 => {}
-        1 => text.push_str(" One more may be a slip of our copy, and we ask you to look at it."),
-        _ => text.push_str(&format!(
-            " {questions} more may be slips of our copy, and we ask you to look at them."
-        )),
-    }
+    text.push_str(&match conditions {
+        0 => String::new(),
+        1 => " We add one point that the text should state more exactly.".to_owned(),
+        _ => format!(" We add {conditions} points that the text should state more exactly."),
+    });
+    text.push_str(&match questions {
+        0 => String::new(),
+        1 => " We also ask you to look at one place that may be a slip of our copy.".to_owned(),
+        _ => {
+            format!(" We also ask you to look at {questions} places that may be slips of our copy.")
+        }
+    });
     text
 }
 
@@ -542,8 +547,15 @@ fn closing(paper: &PaperOutcome, corrections: usize, accepted: &BTreeSet<String>
                 .to_owned();
         if proved > 0 {
             text.push_str(&format!(
-                " Of {}, the proof assistant Rocq accepted {proved} as well.",
-                plural(refuted.len(), "refutation"),
+                " The proof assistant Rocq also accepted {}; they stand in the folder proofs of torse {}.",
+                match proved == refuted.len() {
+                    true => "proofs of all refutations".to_owned(),
+                    false => format!(
+                        "proofs of {proved} of the {}",
+                        plural(refuted.len(), "refutation")
+                    ),
+                },
+                env!("CARGO_PKG_VERSION"),
             ));
         }
         list.push(text);
@@ -615,7 +627,7 @@ fn restored(paper: &PaperOutcome) -> Option<String> {
             "{count} {verb} not repaired, and cannot stay as printed ({places})"
         ));
     }
-    text.push_str(&parts.join(", "));
+    text.push_str(&enumeration(&parts));
     text.push('.');
     let is_restored = |outcome: &Outcome| {
         let mut restored = paper.restored.iter();

@@ -12,7 +12,7 @@ use torse_syntax::taxonomy::Verdict;
 use torse_typography::expression;
 use torse_verdicts::correction::Correction;
 use torse_verdicts::judged::{ConditionCheck, Net};
-use torse_verdicts::outcome::Outcome;
+use torse_verdicts::outcome::{Outcome, PaperFault};
 
 /// Longer exact values are written as decimals.
 const MAX_EXACT_VALUE_LENGTH: usize = 24;
@@ -23,18 +23,17 @@ const MAX_SIDE_LENGTH: usize = 48;
 /// Longer points and conditions are left to the claim's own section.
 const MAX_LIST_LENGTH: usize = 110;
 
-/// Returns the sentence about a claim, with a full stop.
-pub(crate) fn short_sentence(outcome: &Outcome) -> String {
-    let found = outcome.claim.author_note.as_deref().map(sentence);
+/// Returns the sentence about a claim, with a full stop: that of its file, or that of the only fault that shows in no other claim.
+pub(crate) fn short_sentence(outcome: &Outcome, faults: &[PaperFault]) -> String {
+    let own = outcome.claim.author_note.as_deref().map(sentence);
+    let found = own.or_else(|| {
+        let shown = |fault: &&PaperFault| fault.shows == [outcome.claim.id.as_str()];
+        let fault = faults.iter().find(shown)?;
+        Some(sentence(first_sentence(&fault.says)))
+    });
     match outcome.verdict() {
-        Verdict::Misprint | Verdict::False if outcome.correction().is_some() => {
-            let correction = outcome.correction().map(corrected).unwrap_or_default();
-            match found {
-                Some(found) => format!("{found} {correction}"),
-                None => correction,
-            }
-        }
         Verdict::Misprint | Verdict::False => found
+            .or_else(|| outcome.correction().map(corrected))
             .or_else(|| failure(outcome).map(|text| sentence(&text)))
             .unwrap_or_else(|| "False as printed.".to_owned()),
         Verdict::Conditional => {
@@ -72,6 +71,19 @@ pub(crate) fn short_sentence(outcome: &Outcome) -> String {
 /// sentence say that the statement is true only if they hold.
 fn needs_all(net: &Net) -> bool {
     !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_needed)
+}
+
+/// The text up to its first full stop that ends a sentence: a blank and a capital letter follow, and no abbreviation goes before.
+fn first_sentence(text: &str) -> &str {
+    const ABBREVIATIONS: [&str; 7] = ["Sect", "Sects", "Fig", "Figs", "eq", "eqs", "Eq"];
+    let mut ends = text.match_indices(". ").map(|(at, _)| at);
+    let end = ends.find(|at| {
+        let (before, after) = text.split_at(*at);
+        let word = before.rsplit(|c: char| !c.is_alphanumeric()).next();
+        after.chars().nth(2).is_some_and(char::is_uppercase)
+            && !word.is_some_and(|word| ABBREVIATIONS.contains(&word))
+    });
+    end.and_then(|end| text.get(..end)).unwrap_or(text)
 }
 
 /// Adds a capital letter and a full stop.

@@ -1,7 +1,7 @@
 //! A report in one minute: what holds, and the most important errors.
 
 use crate::applicability::title;
-use crate::corrections::{is_refuted, ranked};
+use crate::corrections::{has_other_fault, is_refuted, ranked};
 use crate::findings::{self, Finding};
 use crate::glossary;
 use crate::names::printed_names;
@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use torse_syntax::taxonomy::Verdict;
 use torse_typography::Prose;
 use torse_verdicts::consequences::{Fate, consequences, resting, users};
-use torse_verdicts::outcome::Outcome;
+use torse_verdicts::outcome::{Outcome, PaperFault};
 
 /// Maximum number of sentences about single statements.
 const MAX_ROWS: usize = 5;
@@ -45,7 +45,11 @@ pub struct SummaryFinding {
 }
 
 /// Summarises `claims`; `anchors` holds their identifiers for links, by position.
-pub(crate) fn summarize(claims: &[Outcome], anchors: &[String]) -> SummaryPage {
+pub(crate) fn summarize(
+    claims: &[Outcome],
+    anchors: &[String],
+    faults: &[PaperFault],
+) -> SummaryPage {
     let uses = claims
         .iter()
         .map(|of| (of.claim.id.as_str(), of.claim.uses.as_slice()));
@@ -69,17 +73,11 @@ pub(crate) fn summarize(claims: &[Outcome], anchors: &[String]) -> SummaryPage {
         .iter()
         .map(|(name, count)| (name.clone(), count - 1))
         .collect();
-    let mut ranked = ranked(claims);
-    ranked.sort_by_key(|(position, (resting, _))| {
-        let more = claims
-            .get(*position)
-            .and_then(|claim| siblings_of.get(&group(claim)));
-        let more = more.copied().unwrap_or(0);
-        // A slip in a proof says nothing against the theorem.
-        let in_proof = claims
-            .get(*position)
-            .is_some_and(|outcome| outcome.claim.at.contains("proof of"));
-        (in_proof, std::cmp::Reverse(resting + more))
+    let mut ranked = ranked(claims, faults);
+    // A slip in a proof says nothing against the theorem.
+    ranked.sort_by_key(|(position, _)| {
+        let outcome = claims.get(*position);
+        outcome.is_some_and(|outcome| outcome.claim.at.contains("proof of"))
     });
     for (position, (resting, falling)) in ranked {
         let (Some(claim), Some(anchor)) = (claims.get(position), anchors.get(position)) else {
@@ -94,7 +92,13 @@ pub(crate) fn summarize(claims: &[Outcome], anchors: &[String]) -> SummaryPage {
         // One point for one theorem or example.
         if points.len() < MAX_ROWS && new && groups.remove(&group(claim)).is_some() {
             let more = siblings_of.get(&group(claim)).copied().unwrap_or(0);
-            points.push(point(claim, anchor, (resting, falling, more), claims));
+            points.push(point(
+                claim,
+                anchor,
+                (resting, falling, more),
+                claims,
+                faults,
+            ));
         }
     }
     let left = refuted.len() - points.len();
@@ -115,13 +119,16 @@ fn group(outcome: &Outcome) -> String {
 }
 
 /// Returns the theorems and examples with a false statement that depends on a claim.
-fn fallen(outcome: &Outcome, claims: &[Outcome]) -> Vec<String> {
+fn fallen(outcome: &Outcome, claims: &[Outcome], faults: &[PaperFault]) -> Vec<String> {
     let all: Vec<&Outcome> = claims.iter().collect();
     let own = title(outcome);
     let mut names: Vec<String> = Vec::new();
     for of in consequences(&outcome.claim.id, &all) {
+        if of.fate != Fate::Falls || has_other_fault(&of.id, outcome, faults) {
+            continue;
+        }
         let fallen = claims.iter().find(|outcome| outcome.claim.id == of.id);
-        let name = fallen.filter(|_| of.fate == Fate::Falls).and_then(title);
+        let name = fallen.and_then(title);
         if let Some(name) = name
             && Some(&name) != own.as_ref()
             && !names.contains(&name)
@@ -134,19 +141,23 @@ fn fallen(outcome: &Outcome, claims: &[Outcome]) -> Vec<String> {
 
 /// For a claim whose file has no finding, returns a theorem that depends on it and is false too, with the finding about
 /// that.
-fn theorem_on(outcome: &Outcome, claims: &[Outcome]) -> Option<(String, Prose)> {
+fn theorem_on(
+    outcome: &Outcome,
+    claims: &[Outcome],
+    faults: &[PaperFault],
+) -> Option<(String, Prose)> {
     if outcome.claim.author_note.is_some() {
         return None;
     }
     let all: Vec<&Outcome> = claims.iter().collect();
     let fallen = consequences(&outcome.claim.id, &all).into_iter();
     let mut fallen = fallen
-        .filter(|of| of.fate == Fate::Falls)
+        .filter(|of| of.fate == Fate::Falls && !has_other_fault(&of.id, outcome, faults))
         .filter_map(|of| claims.iter().find(|outcome| outcome.claim.id == of.id))
         .filter(|outcome| outcome.claim.author_note.is_some());
     fallen.find_map(|outcome| {
         let name = title(outcome).filter(|name| !name.starts_with("Example"))?;
-        Some((visible(&name), findings::about(outcome, "").text))
+        Some((visible(&name), findings::about(outcome, "", faults).text))
     })
 }
 
@@ -159,6 +170,7 @@ fn point(
     anchor: &str,
     weight: (usize, usize, usize),
     claims: &[Outcome],
+    faults: &[PaperFault],
 ) -> SummaryFinding {
     let (resting, falling, more) = weight;
     let names = printed_names(outcome);
@@ -171,7 +183,7 @@ fn point(
         (None, None) => ("", None),
     };
     let statements = |count| glossary::plural(count, "statement");
-    let places = fallen(outcome, claims);
+    let places = fallen(outcome, claims, faults);
     let places = match places.is_empty() {
         true => String::new(),
         false => format!(" ({})", places.join(", ")),
@@ -205,8 +217,8 @@ fn point(
     };
     let consequence: Vec<String> = (consequence.into_iter().chain(others)).collect();
     SummaryFinding {
-        finding: findings::about(outcome, anchor),
-        resting: theorem_on(outcome, claims),
+        finding: findings::about(outcome, anchor, faults),
+        resting: theorem_on(outcome, claims, faults),
         label,
         formula: formula.filter(|view| {
             let letters = view.math.as_ref().map(|math| math.text.chars().count());

@@ -120,7 +120,8 @@ impl Cut {
             format!("{} if read as {}", verdict, reading.name)
         });
         note.list("namely", each);
-        note.option("found", found(paper, outcome));
+        let found = found(paper, outcome);
+        note.option("found", found.clone());
         self.difference(&mut note, paper, outcome);
         note.list("on condition", self.formulas(outcome.conditions()));
         self.readings(&mut note, outcome);
@@ -148,7 +149,13 @@ impl Cut {
         note.list("assuming", assumed.map(|h| self.cut(&h.formula.text)));
         self.dependency_groups(&mut note, outcome);
         note.option("copy at hand", outcome.claim.garbled.as_deref());
-        note.option("note", outcome.claim.note.as_deref());
+        note.option(
+            "note",
+            outcome.claim.note.as_deref().filter(|own| {
+                let said = found.as_deref();
+                said != Some(&torse_report::plain(own))
+            }),
+        );
         note.list("uses", outcome.claim.uses.iter().cloned());
         note.gap();
         note.option(
@@ -160,7 +167,10 @@ impl Cut {
         let unvisited = unvisited.into_iter().flatten();
         note.list("not tried where", unvisited.map(|part| self.cut(part)));
         note.option("kernel", kernel.then_some(ACCEPTED));
-        note.list("steps", counted(&outcome.steps()).into_iter());
+        // What was found of each reading stands with it.
+        let steps = outcome.steps().into_iter();
+        let steps: Vec<String> = steps.filter(|step| !step.starts_with("read as ")).collect();
+        note.list("steps", counted(&steps).into_iter());
         note.whole()
     }
 
@@ -298,6 +308,9 @@ fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
     note.or_else(|| fault.map(|fault| torse_report::plain(&fault.says)))
         .or_else(|| {
             let refuted = matches!(outcome.verdict(), Verdict::False | Verdict::Misprint);
+            if outcome.verdict() == Verdict::Depends {
+                return outcome.claim.note.clone();
+            }
             let fails = || {
                 outcome
                     .claim

@@ -25,7 +25,22 @@ pub fn difference(old: &str, new: &str) -> [String; 2] {
             (*a, *b) = (true, true);
         }
     }
+    unkeep_brackets(&old, &mut kept_old);
+    unkeep_brackets(&new, &mut kept_new);
     [marked(&old, &kept_old), marked(&new, &kept_new)]
+}
+
+/// Counts brackets and blanks alone between two differences as part of them.
+fn unkeep_brackets(tokens: &[&str], kept: &mut [bool]) {
+    let mut differs = kept.iter().enumerate().filter(|(_, kept)| !**kept);
+    let places: Vec<usize> = differs.by_ref().map(|(place, _)| place).collect();
+    for pair in places.windows(2) {
+        let between = pair[0] + 1..pair[1];
+        let is_bracket = |token: &&str| "()[]{} \u{a0}".contains(*token);
+        if tokens[between.clone()].iter().all(is_bracket) {
+            kept[between].fill(false);
+        }
+    }
 }
 
 /// Splits into whole words and numbers, and single signs and blanks.

@@ -208,10 +208,26 @@ fn formula(stretch: &str, names: &PrintedNames) -> MathBox {
         let above = stretch.get(place + 1..).unwrap_or_default();
         above.starts_with(char::is_alphabetic)
     };
+    if let Some(inside) = in_brackets(stretch) {
+        // A reader of formulas would leave these brackets out.
+        return formula(inside, names).round();
+    }
     if stretch.match_indices('^').any(raised) || has_plain_brackets(stretch) {
         return markup::boxes(stretch);
     }
     notation(stretch, names).unwrap_or_else(|| markup::boxes(stretch))
+}
+
+/// What one pair of brackets around a whole stretch holds.
+fn in_brackets(stretch: &str) -> Option<&str> {
+    let inside = stretch.strip_prefix('(')?.strip_suffix(')')?;
+    let mut depth = 0_i32;
+    let is_one_pair = inside.chars().all(|c| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        depth >= 0
+    });
+    // A list is set as it is typed.
+    (is_one_pair && !inside.contains(',')).then_some(inside)
 }
 
 /// Whether square brackets stand around a sum, as prints have them, and neither around a list nor behind a name.
@@ -365,8 +381,8 @@ mod tests {
     fn formulas_between_words_are_found() {
         for (sentence, expected) in [
             (
-                "outside of the range of nu, by 1/2, it fails: at nu = 5/2, tan(pi/4*z) = 1/3, mu = -1",
-                "outside of the range of ⟨ν⟩, by ⟨1/2⟩, it fails: at ⟨ν = 5/2⟩, ⟨tan(π/4z) = 1/3⟩, ⟨μ = −1⟩",
+                "the range of nu cannot be larger by 1/2: at nu = 5/2, tan(pi/4*z) = 1/3, mu = -1 it fails",
+                "the range of ⟨ν⟩ cannot be larger by ⟨1/2⟩: at ⟨ν = 5/2⟩, ⟨tan(π/4z) = 1/3⟩, ⟨μ = −1⟩ it fails",
             ),
             (
                 "a factor 4 before λ is missing, as (5.16) has it: Q_{k,1} = 0 for a point",
@@ -405,6 +421,10 @@ mod tests {
             (
                 "the product φ . φ is sin²(x) + y² of 4 mm²",
                 "the product ⟨φ ⋅ φ⟩ is ⟨sin²(x) + y²⟩ of 4 mm²",
+            ),
+            (
+                "for all integers k (k ≥ 3), i.e. 'a value of ν', G2 beta smooth",
+                "for all integers ⟨k⟩ ⟨(k ≥ 3)⟩, i.e. 'a value of ⟨ν⟩', G2 beta smooth",
             ),
             (
                 "we don't say 'one' or \"two\"",

@@ -31,9 +31,31 @@ pub(crate) struct Token<'a> {
 pub(crate) fn tokens<'a>(text: &'a str, names: &PrintedNames) -> Vec<Token<'a>> {
     let mut tokens: Vec<Token<'a>> = Vec::new();
     let mut rest = text;
-    let (mut angle, mut bar) = (false, Kind::Open);
+    let (mut angle, mut bar, mut quoted) = (false, Kind::Open, false);
     while let Some(first) = rest.chars().next() {
-        let (length, mut kind) = next(rest, first, bar, names);
+        let (mut length, mut kind) = next(rest, first, bar, names);
+        let is_first = tokens
+            .last()
+            .is_none_or(|token| matches!(token.kind, Kind::Blank | Kind::Open));
+        if first == '\'' && is_first && rest.get(1..).is_some_and(begins_with_letter) {
+            quoted = true;
+        } else if quoted && first.is_alphabetic() {
+            // The quotation mark that closes is no prime.
+            let word = rest.get(..length).unwrap_or_default();
+            let ends = rest
+                .get(length..)
+                .is_none_or(|after| !begins_with_letter(after));
+            if ends && let Some(unquoted) = word.strip_suffix('\'') {
+                (length, quoted) = (unquoted.len(), false);
+                kind = next(unquoted, first, bar, names).1;
+            }
+        }
+        let abbreviated = ABBREVIATIONS.iter().find(|word| rest.starts_with(**word));
+        if let (true, Some(word)) = (is_first, abbreviated) {
+            (length, kind) = (word.len(), Kind::Word);
+        } else if names_a_class(&tokens) && first.is_ascii_alphabetic() && length > 1 {
+            kind = Kind::Word;
+        }
         if first == '|' {
             bar = match bar {
                 Kind::Open => Kind::Close,
@@ -51,7 +73,6 @@ pub(crate) fn tokens<'a>(text: &'a str, names: &PrintedNames) -> Vec<Token<'a>> 
         } else if length == 1 && first == '>' && angle {
             (kind, angle) = (Kind::Close, false);
         }
-        let mut length = length;
         if first.is_ascii_digit() && is_of_a_figure(&tokens) {
             let end = rest.find(|c: char| !c.is_ascii_alphanumeric());
             (length, kind) = (end.unwrap_or(rest.len()), Kind::Word);
@@ -63,6 +84,26 @@ pub(crate) fn tokens<'a>(text: &'a str, names: &PrintedNames) -> Vec<Token<'a>> 
         rest = after;
     }
     tokens
+}
+
+/// Words with full stops.
+const ABBREVIATIONS: [&str; 2] = ["i.e.", "e.g."];
+
+fn begins_with_letter(text: &str) -> bool {
+    text.starts_with(char::is_alphanumeric)
+}
+
+/// Whether a class of smoothness stands right before: "beta" of "G2 beta continuity" is a word.
+fn names_a_class(tokens: &[Token<'_>]) -> bool {
+    match tokens {
+        [.., class, blank] if blank.kind == Kind::Blank => {
+            class.kind == Kind::Word
+                && class.text.len() == 2
+                && class.text.starts_with(['G', 'C'])
+                && class.text.ends_with(|c: char| c.is_ascii_digit())
+        }
+        _ => false,
+    }
 }
 
 /// Whether a number comes next that is one of a figure: `Fig. 5a`, `Figure (5b)`.

@@ -28,7 +28,7 @@ fn the_corrections_of_a_paper_are_written_in_three_forms_and_the_same_twice() {
     );
     for text in [&tex, &markdown] {
         assert!(
-            text.contains("eq. (slip)") && text.contains("One correction follows"),
+            text.contains("eq. (slip)") && text.contains("We propose one correction"),
             "{text}"
         );
         let (corrections, questions) = text.split_once("Please compare").unwrap();

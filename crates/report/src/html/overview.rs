@@ -229,9 +229,12 @@ fn corrections(out: &mut String, list: &[Corrected]) -> fmt::Result {
         }
         let resting = match (one.resting, one.falling) {
             (0, _) => "Nothing else depends on it.".to_owned(),
-            (resting, 0) => format!("Statements that depend on it: {resting}; none fails."),
+            (1, 0) => "One statement depends on it, and does not fail.".to_owned(),
+            (1, _) => "The one statement that depends on it is false too.".to_owned(),
+            (resting, 0) => format!("{resting} statements depend on it; none fails."),
+            (resting, 1) => format!("{resting} statements depend on it; one is false too."),
             (resting, falling) => {
-                format!("Statements that depend on it: {resting}; false too: {falling}.")
+                format!("{resting} statements depend on it; {falling} are false too.")
             }
         };
         let level = one

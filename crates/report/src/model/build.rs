@@ -76,11 +76,11 @@ impl Report {
             venue: visible(&paper.venue),
             source: None,
             tally: Tally::new(&paper.claims),
-            short: summary_page::summarize(&paper.claims, &builder.anchors),
-            constructions: applicability::constructions(&paper.claims, &builder.anchors),
+            short: summary_page::summarize(&paper.claims, &builder.anchors, &paper.faults),
+            constructions: applicability::constructions(paper, &builder.anchors),
             letter: letter::letter(paper, accepted),
             corrections: corrections::corrections(paper, &builder.anchors, accepted),
-            findings: findings::collect_findings(&paper.claims, &builder.anchors),
+            findings: findings::collect_findings(paper, &builder.anchors),
             unexpected: paper
                 .claims
                 .iter()

@@ -18,7 +18,7 @@ fn pdf(report: &Report, envelope: &Envelope) -> Vec<u8> {
 fn a_letter_leaves_no_refuted_statement_out_and_asks_about_slips_of_the_copy() {
     let mut sample = paper::sample();
     let whole = erratum_markdown(&Report::new(&sample, &[]), &draft());
-    assert!(whole.contains("2 corrections follow"), "{whole}");
+    assert!(whole.contains("We propose 2 corrections"), "{whole}");
     assert!(whole.contains("Theorem 4") && whole.contains("eq. (3.7)"));
     assert!(whole.contains("@misc{torse-sample"));
     for outcome in &mut sample.claims {
@@ -34,7 +34,9 @@ fn a_letter_leaves_no_refuted_statement_out_and_asks_about_slips_of_the_copy() {
     let (corrections, questions) = letter
         .split_once("## Please compare with the printed page")
         .unwrap();
-    assert!(corrections.contains("One correction follows") && !corrections.contains("eq. (3.7)"));
+    assert!(
+        corrections.contains("We propose one correction") && !corrections.contains("eq. (3.7)")
+    );
     assert!(questions.contains("eq. (3.7)"));
     assert!(
         tex.contains("\\item \\textbf{Sect. 3.2, Theorem 4.}")
@@ -87,7 +89,7 @@ fn a_fault_is_one_item_with_the_words_of_the_paper_and_what_changes_framed() {
         }],
     }];
     let letter = erratum_markdown(&Report::new(&sample, &[]), &draft());
-    assert!(letter.contains("One correction follows"), "{letter}");
+    assert!(letter.contains("We propose one correction"), "{letter}");
     assert_eq!(letter.matches("\n### ").count(), 1);
     assert!(letter.contains("The exponent is wrong."));
     assert!(letter.contains("^{\\boxed{\\scriptstyle 4}}"), "{letter}");
