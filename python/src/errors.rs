@@ -21,7 +21,12 @@ create_exception!(
 /// Adds the exceptions to the module.
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let py = module.py();
-    module.add("TorseError", py.get_type::<TorseError>())?;
+    let class = py.get_type::<TorseError>();
+    // An error without a place says so.
+    for attribute in ["file", "line", "column", "hint"] {
+        class.setattr(attribute, py.None())?;
+    }
+    module.add("TorseError", class)?;
     module.add("UndecidedError", py.get_type::<UndecidedError>())
 }
 

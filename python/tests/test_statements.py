@@ -21,6 +21,7 @@ def test_a_false_statement_has_an_exact_counterexample():
 def test_what_is_not_decided_is_neither_true_nor_false():
     found = torse.decide("(a + b)^9 == (b + a)^9", budget=1)
     assert found.is_true is None
+    assert torse.UndecidedError.line is None and torse.UndecidedError.hint is None
     with pytest.raises(torse.UndecidedError, match="undecided"):
         bool(found)
     # It needs a condition that nobody has stated.

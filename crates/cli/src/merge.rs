@@ -203,7 +203,7 @@ impl Shard {
                 "it has {passed} claims, and says that it has {claims}"
             )));
         }
-        if end.sha256 != self.lines.digest.hexadecimal() {
+        if end.sha256 != self.lines.digest.sealed(end.exit) {
             return Err(self.wrong("its lines have changed since they were written".to_owned()));
         }
         let exit = Exit::from_code(end.exit);

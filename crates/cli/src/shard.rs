@@ -52,7 +52,7 @@ pub struct ShardEnd {
     pub claims: usize,
     /// The exit code of the run.
     pub exit: u8,
-    /// The SHA-256 of all lines before this one, as hexadecimal digits.
+    /// The SHA-256 of all lines before this one and of the exit code, as hexadecimal digits.
     pub sha256: String,
 }
 
@@ -119,7 +119,7 @@ pub fn run(
     let end = ShardEnd {
         claims: claims.len(),
         exit: exit.code(),
-        sha256: written.lines.hexadecimal(),
+        sha256: written.lines.sealed(exit.code()),
     };
     written.line(&json(&end)?)?;
     Ok(exit)
@@ -182,10 +182,11 @@ impl LinesDigest {
         self.0.update(b"\n");
     }
 
-    /// The digest of the lines so far, as hexadecimal digits.
-    pub fn hexadecimal(&self) -> String {
+    /// The digest of the lines so far and of the exit code of their run, as hexadecimal digits.
+    pub fn sealed(&self, exit: u8) -> String {
         let digits = |byte: &u8| format!("{byte:02x}");
-        self.0.clone().finalize().iter().map(digits).collect()
+        let digest = self.0.clone().chain_update([exit]);
+        digest.finalize().iter().map(digits).collect()
     }
 }
 

@@ -11,6 +11,7 @@ pub mod ball;
 pub mod fault_injection;
 pub mod rational;
 pub mod scalar;
+#[cfg(feature = "stack")]
 pub mod stack;
 pub mod work;
 
