@@ -1,7 +1,7 @@
 (* Scripts of theorems of gbt-surfaces whose proofs have an idea of their own: nobody has to read them. This is no file for the
    kernel: `torse prove` reads each script by its claim and its name, and writes it below the statement. *)
 
-(* gbt-surfaces/abs.basis.b *)
+(* gbt-surfaces/abs.basis.b.basis *)
 Theorem refuted.
 Proof.
   cbv beta zeta delta [statement not f]; intro no;
@@ -426,15 +426,15 @@ Qed.
 (* gbt-surfaces/prop-3.4.b *)
 Theorem proved.
 Proof.
-  cbv beta zeta delta [statement M0 M1 S2 jump jump0 jump1 S2_ S__ jump_ f L0 L1 S_ S__ b printed_ with_own
-    tensor a1 a2 b1 c1 F pair F_ pair_ b3_true own4]; lists; intros; conjuncts; spread; ring.
+  cbv beta zeta delta [statement M0 M1 S2 jump jump0 jump1 S2_ S__ jump_ f L0 L1 S_ b printed_ tensor
+    own4]; lists; intros; conjuncts; spread; ring.
 Qed.
 
 (* gbt-surfaces/prop-3.7.2b *)
 Theorem proved.
 Proof.
   cbv beta zeta delta [statement section2 along_sections jump_section trajectory2 along_trajectories
-    jump_trajectory f section trajectory T a2 F before F_ before_ S1 S2 T1 T2 second first gap first_]; lists;
+    jump_trajectory f section trajectory T S1 S2 T1 T2 second first gap first_]; lists;
   intros; conjuncts; spread; ring.
 Qed.
 
