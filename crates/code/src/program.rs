@@ -138,6 +138,11 @@ pub(crate) enum Step {
     Return(Expr),
     /// Where it ends without a value, as by `raise`.
     Stop(Place),
+    /// It has a value only where this holds; none where the condition is not read.
+    Assert {
+        condition: Option<Expr>,
+        place: Place,
+    },
 }
 
 /// How a value is assigned.
@@ -205,7 +210,7 @@ pub(crate) fn formulas(steps: &[Step]) -> Vec<Part<'_>> {
                 found.extend(formulas(otherwise));
             }
             Step::Return(value) => found.push(plain(value)),
-            Step::Stop(_) => {}
+            Step::Stop(_) | Step::Assert { .. } => {}
         }
     }
     found
@@ -272,6 +277,7 @@ impl<'e> Replaced<'e> {
             },
             Step::Return(value) => Step::Return(self.formula(value)),
             Step::Stop(place) => Step::Stop(*place),
+            assertion @ Step::Assert { .. } => assertion.clone(),
         }
     }
 

@@ -45,6 +45,8 @@ pub struct Comparison {
     pub verdict: CodeVerdict,
     /// The conditions under which they are.
     pub conditions: Vec<String>,
+    /// What the function asserts of the symbols: without it there is no value, and nothing is compared.
+    pub asserted: Vec<String>,
     /// Why nothing is decided.
     pub reason: Option<String>,
     /// A point at which they differ: the left value is that of the code.
@@ -169,6 +171,10 @@ impl fmt::Display for Comparison {
             shown(&self.print)
         )?;
         writeln!(f, "  code   {file}:{line}, {name}: {}", shown(&self.code))?;
+        if !self.asserted.is_empty() {
+            let asserted = self.asserted.join(" and ");
+            writeln!(f, "  where  {}, as the code asserts", shown(&asserted))?;
+        }
         if let Some(witness) = &self.witness {
             let at = witness
                 .at

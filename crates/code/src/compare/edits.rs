@@ -182,7 +182,7 @@ fn targets(steps: &[Step], into: &mut BTreeSet<String>) {
                 targets(then, into);
                 targets(otherwise, into);
             }
-            Step::Return(_) | Step::Stop(_) => {}
+            Step::Return(_) | Step::Stop(_) | Step::Assert { .. } => {}
         }
     }
 }

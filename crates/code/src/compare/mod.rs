@@ -15,7 +15,7 @@ use crate::{python, rust};
 use question::Asked;
 use std::sync::Arc;
 use torse_numbers::{stack, work};
-use torse_syntax::derivation::{Claim, DerivationError, Source, Written};
+use torse_syntax::derivation::{Claim, DerivationError, Hypothesis, Provenance, Source, Written};
 use torse_syntax::formula::{Expr, Node, Place, Relation};
 use torse_syntax::notation;
 use torse_syntax::taxonomy::{Kind, Verdict};
@@ -41,15 +41,36 @@ fn compared(budget: u64, paper: &str, claim: &Claim, question: &CodeQuestion) ->
     let source = Arc::new(Source::new(&question.file, &question.text));
     let program = program(&source)?;
     let function = function(&program, &question.function)?;
-    let asked = Asked::new(claim, question)?;
+    let mut asked = Asked::new(claim, question)?;
     let setting = Setting {
         declarations: &claim.declarations,
         fixed: &asked.fixed,
         given: &asked.given,
     };
-    let code = run::formula(&program, function, setting)?;
+    let computed = run::formula(&program, function, setting)?;
+    let code = computed.formula;
+    let demanded = computed.demands.iter().map(|demand| Hypothesis {
+        formula: Written {
+            expr: demand.clone(),
+            origin: asked.origin.clone(),
+        },
+        provenance: Provenance::Stated,
+    });
+    let demanded: Vec<Hypothesis> = demanded.collect();
+    asked.hypotheses.extend(demanded);
     let outcome = decided(budget, paper, &asked, &code, &asked.printed)?;
-    let verdict = CodeVerdict::new(&outcome);
+    let mut verdict = CodeVerdict::new(&outcome);
+    let mut reason = comparison::reason(&outcome);
+    let mut witness = outcome.witness().cloned();
+    let mut difference = outcome.difference().map(|formula| formula.text.clone());
+    if let (CodeVerdict::Different, Some(place)) = (verdict, computed.unread_demand) {
+        // There the function may have no value.
+        let line = comparison::line(&source.text, place.start).0;
+        reason = Some(format!(
+            "they differ at a point that the assertion in line {line} may exclude, and it is not read"
+        ));
+        (verdict, witness, difference) = (CodeVerdict::Undecided, None, None);
+    }
     let mut comparison = Comparison {
         claim: claim.entry.id.get_ref().clone(),
         at: claim.entry.at.clone(),
@@ -65,9 +86,10 @@ fn compared(budget: u64, paper: &str, claim: &Claim, question: &CodeQuestion) ->
             .iter()
             .map(|c| c.text.clone())
             .collect(),
-        reason: comparison::reason(&outcome),
-        witness: outcome.witness().cloned(),
-        difference: outcome.difference().map(|formula| formula.text.clone()),
+        asserted: computed.demands.iter().map(notation::text).collect(),
+        reason,
+        witness,
+        difference,
         equals_other_side: false,
         code_edit: None,
         print_edit: None,

@@ -22,8 +22,14 @@ impl Reader<'_> {
     /// Reads one statement: none for what computes nothing.
     pub(super) fn step(self, node: CodeNode<'_>) -> Read<Vec<Step>> {
         match node.kind() {
-            // An assertion says for which arguments there is a value.
-            "pass_statement" | "assert_statement" => Ok(vec![]),
+            "pass_statement" => Ok(vec![]),
+            "assert_statement" => {
+                let condition = children(node).first().copied();
+                Ok(vec![Step::Assert {
+                    condition: condition.and_then(|node| self.expression(node).ok()),
+                    place: place(node),
+                }])
+            }
             "import_statement" | "import_from_statement" => {
                 let message = "names are imported outside of functions";
                 Err(self

@@ -7,6 +7,7 @@
 //! ([`Variable::is_fresh`]): a program that changes a list under two names is refused.
 
 mod arithmetic;
+mod demands;
 mod functions;
 pub(crate) mod setting;
 pub(crate) mod value;
@@ -18,7 +19,7 @@ use crate::program::{
 use setting::Setting;
 use std::collections::BTreeMap;
 use torse_numbers::rational::integer;
-use torse_numbers::stack;
+use torse_numbers::{Rational, stack};
 use torse_syntax::derivation::DerivationError;
 use torse_syntax::formula::{Connective, Expr, Node, Place, Relation};
 use value::{Term, Value};
@@ -32,9 +33,29 @@ const MAX_LEVELS: usize = 280;
 /// The most calls within calls.
 const MAX_CALLS: usize = 48;
 
+/// What a function computes, and where it has a value.
+pub(crate) struct Computed {
+    /// The formula.
+    pub(crate) formula: Expr,
+    /// What its assertions demand of the symbols.
+    pub(crate) demands: Vec<Expr>,
+    /// An assertion that is not read.
+    pub(crate) unread_demand: Option<Place>,
+}
+
 /// The formula that a function computes.
-pub(crate) fn formula(program: &Program, function: &Function, setting: Setting<'_>) -> Read<Expr> {
-    counted(program, function, setting).0
+pub(crate) fn formula(
+    program: &Program,
+    function: &Function,
+    setting: Setting<'_>,
+) -> Read<Computed> {
+    let mut runner = Runner::new(program, setting);
+    let formula = stack::deep(|| runner.result(function))?;
+    Ok(Computed {
+        formula,
+        demands: runner.demands,
+        unread_demand: runner.unread_demand,
+    })
 }
 
 /// The formula that a function computes, and the steps that it took.
@@ -43,14 +64,7 @@ pub(crate) fn counted(
     function: &Function,
     setting: Setting<'_>,
 ) -> (Read<Expr>, usize) {
-    let mut runner = Runner {
-        program,
-        setting,
-        steps: 0,
-        calls: 0,
-        escapes: 0,
-        bound: vec![],
-    };
+    let mut runner = Runner::new(program, setting);
     let value = stack::deep(|| runner.result(function));
     (value, runner.steps)
 }
@@ -84,7 +98,7 @@ struct Variable {
 }
 
 /// The variables of a call.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 struct Frame {
     variables: BTreeMap<String, Variable>,
     /// What blocks have hidden, to be restored at their ends.
@@ -120,6 +134,23 @@ struct Runner<'p> {
     escapes: usize,
     /// The indices of sums around.
     bound: Vec<String>,
+    demands: Vec<Expr>,
+    unread_demand: Option<Place>,
+}
+
+impl<'p> Runner<'p> {
+    fn new(program: &'p Program, setting: Setting<'p>) -> Self {
+        Self {
+            program,
+            setting,
+            steps: 0,
+            calls: 0,
+            escapes: 0,
+            bound: vec![],
+            demands: vec![],
+            unread_demand: None,
+        }
+    }
 }
 
 impl Runner<'_> {
@@ -284,6 +315,9 @@ impl Runner<'_> {
                     let message = "the function ends here without a value";
                     let help = "give it arguments for which it has one";
                     return Err(self.refused(*place, message, help));
+                }
+                Step::Assert { condition, place } => {
+                    self.assert(condition.as_ref(), *place, frame)?;
                 }
             }
         }
@@ -562,20 +596,24 @@ impl Runner<'_> {
                 let help = "conditions on constants are read; fix integers with `--where 'k == 2'`, or compare each branch on its own";
                 return Err(self.refused(place, message, help));
             };
-            let holds = match relation {
-                Relation::Equal => a == b,
-                Relation::Different => a != b,
-                Relation::Less => a < b,
-                Relation::AtMost => a <= b,
-                Relation::Greater => a > b,
-                Relation::AtLeast => a >= b,
-            };
-            if !holds {
+            if !holds(*relation, a, b) {
                 return Ok(false);
             }
             left = right;
         }
         Ok(true)
+    }
+}
+
+/// Whether two numbers are related so.
+fn holds(relation: Relation, a: &Rational, b: &Rational) -> bool {
+    match relation {
+        Relation::Equal => a == b,
+        Relation::Different => a != b,
+        Relation::Less => a < b,
+        Relation::AtMost => a <= b,
+        Relation::Greater => a > b,
+        Relation::AtLeast => a >= b,
     }
 }
 

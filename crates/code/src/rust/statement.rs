@@ -1,9 +1,10 @@
 //! Statements of Rust.
 
 use super::expression::Reader;
-use crate::grammar::{CodeNode, Read, children, place};
-use crate::program::{Assignment, Step, Target, call, operation};
+use crate::grammar::{CodeNode, Read, Text, children, place, tree};
+use crate::program::{Assignment, CodeLanguage, Step, Target, call, operation};
 use std::sync::Arc;
+use torse_syntax::derivation::Source;
 use torse_syntax::formula::{Expr, Node};
 
 /// What is read, for messages.
@@ -87,10 +88,11 @@ impl Reader<'_> {
             "macro_invocation" => {
                 let name = self.text.text(self.text.field(node, "macro")?);
                 match name {
-                    // An assertion says for which arguments there is a value.
-                    "assert" | "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq" => {
-                        Ok(vec![])
-                    }
+                    "assert" | "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq"
+                    | "debug_assert_ne" => Ok(vec![Step::Assert {
+                        condition: self.asserted(node, name.trim_start_matches("debug_")),
+                        place: place(node),
+                    }]),
                     "panic" | "unreachable" | "todo" | "unimplemented" => {
                         Ok(vec![Step::Stop(place(node))])
                     }
@@ -104,6 +106,48 @@ impl Reader<'_> {
                 Err(self.text.refused(node, message, READ))
             }
         }
+    }
+
+    /// What a macro asserts; none where that is not read. The arguments of a macro are a text for the parser, which is read again
+    /// as an expression.
+    fn asserted(self, node: CodeNode<'_>, name: &str) -> Option<Expr> {
+        let mut tokens = children(node).into_iter();
+        let tokens = tokens.rfind(|part| part.kind() == "token_tree")?;
+        let inside = self.text.text(tokens);
+        let inside = inside.get(1..inside.len().checked_sub(1)?)?;
+        let mut depth = 0_usize;
+        let arguments = inside.split(|sign: char| {
+            match sign {
+                '(' | '[' | '{' => depth += 1,
+                ')' | ']' | '}' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            sign == ',' && depth == 0
+        });
+        let arguments: Vec<&str> = arguments.take(2).collect();
+        let condition = match (name, arguments.as_slice()) {
+            ("assert", [condition, ..]) => format!("({condition})"),
+            ("assert_eq", [left, right]) => format!("({left}) == ({right})"),
+            ("assert_ne", [left, right]) => format!("({left}) != ({right})"),
+            _ => return None,
+        };
+        let source = Arc::new(Source::new(
+            &self.text.source.name,
+            format!("fn asserted() -> bool {{ {condition} }}"),
+        ));
+        let tree = tree(&source, CodeLanguage::Rust).ok()?;
+        let reader = Reader {
+            text: Text { source: &source },
+            ..self
+        };
+        let function = *children(tree.root_node()).first()?;
+        reader.text.check(function).ok()?;
+        let body = reader.text.field(function, "body").ok()?;
+        let mut condition = *children(body).first()?;
+        if condition.kind() == "expression_statement" {
+            condition = *children(condition).first()?;
+        }
+        reader.expression(condition).ok()
     }
 
     fn branch(self, node: CodeNode<'_>, ending: Ending) -> Read<Step> {

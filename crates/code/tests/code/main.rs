@@ -7,3 +7,4 @@ mod page;
 mod refused;
 mod slips;
 mod support;
+mod traps;
