@@ -22,7 +22,7 @@ pub enum Exit {
     /// 3: a claim that was named by its full id is undecided.
     Undecided,
     /// 1: a verdict differs from what its derivation file expects or from an earlier run, a design misses a tolerance
-    /// of its file, a drawing breaks a rule.
+    /// of its file, a drawing breaks a rule, an editor left without a word.
     Differs,
     /// 7: a program that was asked for is missing.
     Missing,

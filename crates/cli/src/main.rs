@@ -24,6 +24,7 @@ mod kernel;
 mod lint;
 mod list;
 mod listing;
+mod lsp;
 mod merge;
 mod new;
 mod proofs;
@@ -82,6 +83,7 @@ Examples:
   torse unroll DESIGN.toml --to part.dxf the cut files, one for each part
   torse lint part.dxf --thickness 2      would a cutting service accept this drawing?
   torse studio designs                   the designs of a folder in a browser, on this machine
+  torse lsp                              verdicts beside the lines of an editor, which starts it
 
 `torse help COMMAND` says more, `torse --help` lists the exit codes.";
 
@@ -104,6 +106,7 @@ Examples:
   torse unroll DESIGN.toml --to part.dxf the cut files, one for each part
   torse lint part.dxf --thickness 2      would a cutting service accept this drawing?
   torse studio designs                   the designs of a folder in a browser, on this machine
+  torse lsp                              verdicts beside the lines of an editor, which starts it
 
 Exit codes (if several apply, the first of this list):
   6  two checks of a verdict contradict each other (prover, second evaluator, replay, kernel): the
@@ -115,7 +118,8 @@ Exit codes (if several apply, the first of this list):
   8  the time limit (`--time-limit SECONDS`) ended the run, without verdicts
   7  a required program is missing (coqc)
   1  a verdict differs from its derivation file or from an earlier run; code differs from the print;
-     a flag of the audit is open; a design misses a tolerance; a drawing breaks a rule
+     a flag of the audit is open; a design misses a tolerance; a drawing breaks a rule;
+     an editor left `torse lsp` without a word
   3  a claim named by its full id, or whether code equals the print, is undecided
   0  every verdict is as expected, or nothing was expected
 
@@ -144,6 +148,7 @@ enum Command {
     Eval(design::Eval),
     Draw(design::Draw),
     Studio(studio::Studio),
+    Lsp(lsp::Lsp),
     Completions(completions::Completions),
 }
 
@@ -171,6 +176,7 @@ impl Command {
             Command::Eval(command) => command.run(),
             Command::Draw(command) => command.run(),
             Command::Studio(command) => command.run(),
+            Command::Lsp(command) => command.run(),
             Command::Completions(command) => command.run(Arguments::command()),
         }
     }

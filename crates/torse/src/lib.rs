@@ -105,6 +105,8 @@ mod decided;
 mod design;
 #[cfg(feature = "papers")]
 mod digests;
+#[cfg(feature = "papers")]
+pub mod editing;
 #[cfg(any(feature = "papers", feature = "designs"))]
 mod error;
 #[cfg(feature = "papers")]

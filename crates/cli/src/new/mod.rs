@@ -7,12 +7,19 @@ use clap::Args;
 use std::path::{Path, PathBuf};
 use torse_manuscript::{ManuscriptError, Proposal};
 use torse_report::write_file;
+use torse_syntax::derivation::schema::DERIVATION_SCHEMA;
 
 /// The files of a new folder; `NAME` stands for its name.
 const FILES: [(&str, &str); 2] = [
     ("paper.toml", include_str!("paper.toml")),
     ("claims.toml", include_str!("claims.toml")),
 ];
+
+/// The schema of derivation files, beside the folders of papers.
+const SCHEMA: &str = "schema.json";
+
+/// The line by which editors find it.
+const SCHEMA_LINE: &str = "#:schema ../schema.json\n";
 
 /// Write a folder of derivation files to start from.
 ///
@@ -21,7 +28,8 @@ const FILES: [(&str, &str); 2] = [
 /// lists what it does not understand, with line and column, and the files that the text includes, which it does not read.
 ///
 /// Without `--from`, the folder contains a basis with a shape parameter, two curves, four claims about them and a figure;
-/// comments say what to change. torse never overwrites an existing file.
+/// comments say what to change. Beside the folder torse puts the schema of these files, for editors, unless a file of that
+/// name is there. torse never overwrites an existing file.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct New {
@@ -54,7 +62,8 @@ fn name(text: &str) -> Result<String, String> {
 impl New {
     /// Writes the files and lists them.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let folder = self.derivations.place()?.join(&self.paper);
+        let derivations = self.derivations.place()?;
+        let folder = derivations.join(&self.paper);
         if folder.exists() {
             return Err(Failure::Exists { path: folder });
         }
@@ -77,8 +86,13 @@ impl New {
         let mut written = String::new();
         for (file, text) in files {
             let path = folder.join(file);
-            write_file(&path, text.as_bytes())?;
+            write_file(&path, format!("{SCHEMA_LINE}{text}").as_bytes())?;
             written.push_str(&format!("{}\n", path.display()));
+        }
+        let schema = derivations.join(SCHEMA);
+        if !schema.exists() {
+            write_file(&schema, DERIVATION_SCHEMA.as_bytes())?;
+            written.push_str(&format!("{}\n", schema.display()));
         }
         terminal::print(&format!("{written}{more}"))?;
         Ok(Exit::AsExpected)

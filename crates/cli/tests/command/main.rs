@@ -17,6 +17,7 @@ mod explain;
 mod help;
 mod hostile;
 mod list;
+mod lsp;
 mod manuscript;
 mod new;
 mod prove;

@@ -9,8 +9,8 @@ fn a_new_folder_verifies_and_all_its_claims_hold() {
     let folder = TempDir::new().unwrap();
     let ran = torse_in(folder.path(), &["new", "my-paper-2"]);
     assert_eq!(ran.code, Some(0), "{}", ran.err);
-    assert_eq!(ran.out.lines().count(), 2, "{}", ran.out);
-    for line in ran.out.lines() {
+    assert_eq!(ran.out.lines().count(), 3, "{}", ran.out);
+    for line in ran.out.lines().take(2) {
         let text = fs::read_to_string(folder.path().join(line)).unwrap();
         assert!(
             text.contains("my-paper-2") && !text.contains("NAME"),
@@ -24,6 +24,36 @@ fn a_new_folder_verifies_and_all_its_claims_hold() {
     assert_eq!(holds, 4, "{}", ran.out);
     let ran = torse_in(folder.path(), &["audit", "my-paper-2"]);
     assert_eq!(ran.code, Some(0), "{}", ran.out);
+}
+
+#[test]
+fn a_new_folder_names_its_schema_which_is_that_of_the_repository() {
+    let folder = TempDir::new().unwrap();
+    for name in ["one", "two"] {
+        let ran = torse_in(folder.path(), &["new", name]);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        for line in ran.out.lines().filter(|line| line.ends_with(".toml")) {
+            let path = folder.path().join(line);
+            let text = fs::read_to_string(&path).unwrap();
+            let named = text
+                .lines()
+                .next()
+                .unwrap()
+                .strip_prefix("#:schema ")
+                .unwrap();
+            let schema = path.parent().unwrap().join(named);
+            let ours = concat!(env!("CARGO_MANIFEST_DIR"), "/../../derivations/schema.json");
+            assert_eq!(
+                fs::read_to_string(schema).unwrap(),
+                fs::read_to_string(ours).unwrap()
+            );
+        }
+    }
+    // One that is there is left as it is.
+    let schema = folder.path().join("derivations/schema.json");
+    fs::write(&schema, "mine").unwrap();
+    assert_eq!(torse_in(folder.path(), &["new", "three"]).code, Some(0));
+    assert_eq!(fs::read_to_string(schema).unwrap(), "mine");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use super::source::{Origin, Source};
 use crate::formula::{Place, SyntaxError};
 use miette::{Diagnostic, NamedSource, SourceSpan};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A mistake in a derivation file, its place, and a hint at what would be correct.
@@ -31,6 +32,12 @@ impl DerivationError {
             label: "here".to_owned(),
             help: None,
         }
+    }
+
+    /// Returns the file of the mistake, and the bytes of its text that are wrong.
+    #[must_use]
+    pub fn source_range(&self) -> (&Arc<Source>, Range<usize>) {
+        source_range(&self.source_code, self.span)
     }
 
     /// Adds a hint at what would be correct.
@@ -88,6 +95,24 @@ impl LookAlike {
             span: origin.span(place),
         }
     }
+
+    /// Returns the file of the name, and its bytes in the text.
+    #[must_use]
+    pub fn source_range(&self) -> (&Arc<Source>, Range<usize>) {
+        source_range(&self.source_code, self.span)
+    }
+}
+
+/// A file and the bytes of a span that lie in its text.
+fn source_range(
+    source: &NamedSource<Arc<Source>>,
+    span: SourceSpan,
+) -> (&Arc<Source>, Range<usize>) {
+    let source = source.inner();
+    let length = source.text.len();
+    let start = span.offset().min(length);
+    let end = start.saturating_add(span.len()).min(length);
+    (source, start..end)
 }
 
 /// Why a folder of derivations could not be loaded.

@@ -49,6 +49,19 @@ pub fn read(folder: &Path, slug: &str, name: &str) -> Result<Arc<Source>, LoadEr
     Ok(Arc::new(Source::new(name, text)))
 }
 
+/// Takes a text for the file of this name.
+///
+/// # Errors
+/// [`LoadError::Unreadable`] for a text of more than [`MAX_BYTES`] bytes.
+pub fn unsaved(name: String, text: String) -> Result<Arc<Source>, LoadError> {
+    let bytes = text.len() as u64;
+    if bytes > MAX_BYTES {
+        let reason = format!("it has {bytes} bytes; at most {MAX_BYTES} are read");
+        return Err(LoadError::Unreadable { path: name, reason });
+    }
+    Ok(Arc::new(Source::new(name, text)))
+}
+
 /// Fails unless the name of a file with claims stays within the paper's folder, such as `claims.toml` or
 /// `part/one.toml`.
 pub fn check_name(source: &Arc<Source>, name: &Spanned<String>) -> Result<(), LoadError> {

@@ -61,6 +61,30 @@ pub fn load(folder: &Path) -> Result<Vec<Paper>, LoadError> {
 /// [`LoadError`] if the folder cannot be read or contains no paper. All other mistakes are collected in
 /// [`Loaded::errors`]: unreadable files, TOML errors, unknown fields, syntax errors, repeated ids.
 pub fn load_all(folder: &Path) -> Result<Loaded, LoadError> {
+    load_all_with(folder, |_| None)
+}
+
+/// Loads all papers below `folder` as [`load_all`] does, with texts that are not saved: `unsaved` gives the text that stands
+/// for a file, by its name with that of its paper's folder, `my-paper/claims.toml`.
+///
+/// # Errors
+/// As [`load_all`]. A text of more than [`MAX_BYTES`](super::MAX_BYTES) bytes is one of [`Loaded::errors`].
+///
+/// ```
+/// use torse_syntax::derivation::{load_all, load_all_with};
+/// # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../derivations");
+/// # let folder = std::path::Path::new(folder);
+/// # if folder.exists() {
+/// assert!(load_all(folder)?.errors.is_empty());
+/// let broken = |name: &str| (name == "torses/planes.toml").then(|| "[[claim]".to_owned());
+/// assert!(!load_all_with(folder, broken)?.errors.is_empty());
+/// # }
+/// # Ok::<(), torse_syntax::derivation::LoadError>(())
+/// ```
+pub fn load_all_with(
+    folder: &Path,
+    unsaved: impl Fn(&str) -> Option<String>,
+) -> Result<Loaded, LoadError> {
     let unreadable = |error: std::io::Error| LoadError::Unreadable {
         path: folder.display().to_string(),
         reason: error.to_string(),
@@ -85,7 +109,15 @@ pub fn load_all(folder: &Path) -> Result<Loaded, LoadError> {
     let mut reading = Reading::default();
     let papers = slugs
         .iter()
-        .filter_map(|slug| reading.paper(|name| folder::read(folder, slug, name)))
+        .filter_map(|slug| {
+            reading.paper(|name| {
+                let path = format!("{slug}/{name}");
+                match unsaved(&path) {
+                    Some(text) => folder::unsaved(path, text),
+                    None => folder::read(folder, slug, name),
+                }
+            })
+        })
         .collect();
     Ok(reading.loaded(papers))
 }

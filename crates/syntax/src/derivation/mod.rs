@@ -37,7 +37,7 @@ pub use figure::Figure;
 pub use folder::MAX_BYTES;
 pub use latex_names::latex_names;
 pub use latex_question::latex_question;
-pub use load::{Loaded, load, load_all, open, paper};
+pub use load::{Loaded, load, load_all, load_all_with, open, paper};
 pub use look_alikes::name_taken_for;
 pub use paper::Paper;
 pub use provenance::{Hypothesis, Provenance, Quote};

@@ -42,3 +42,109 @@ pub const ELEMENTARY: [&str; 8] = ["sqrt", "sin", "cos", "tan", "exp", "sinh", "
 pub fn is_function(name: &str) -> bool {
     FUNCTIONS.contains(&name)
 }
+
+/// How a function is called, and what it means, in a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FunctionDescription {
+    /// A call with the names of its arguments.
+    pub call: &'static str,
+    /// What it means.
+    pub says: &'static str,
+}
+
+/// Describes a function of the language in a line; `derivations/README.md` says more. None for other names.
+///
+/// ```
+/// use torse_syntax::formula::functions::described;
+/// assert_eq!(described("binom").map(|of| of.call), Some("binom(n, k)"));
+/// assert_eq!(described("mu"), None);
+/// ```
+#[must_use]
+pub fn described(name: &str) -> Option<FunctionDescription> {
+    let (call, says) = match name {
+        "sum" => (
+            "sum(i, low, high, term)",
+            "The sum over i, both ends included.",
+        ),
+        "product" => (
+            "product(i, low, high, factor)",
+            "The product over i, both ends included; 1 if there are no factors.",
+        ),
+        "integral" => (
+            "integral(f, x, a, b)",
+            "The integral of the formula f by x from a to b.",
+        ),
+        "D" => (
+            "D(e, x, n)",
+            "The derivative of the formula e by x, of order n (1 if left out); `D(F)` of a function is a function.",
+        ),
+        "at" => ("at(e, x, a)", "The formula e with a in place of x."),
+        "binom" => ("binom(n, k)", "The binomial coefficient n over k."),
+        "factorial" => ("factorial(n)", "The factorial of a number up to 200."),
+        "sin" => ("sin(a)", "The sine of an angle in radians."),
+        "cos" => ("cos(a)", "The cosine of an angle in radians."),
+        "tan" => (
+            "tan(a)",
+            "The tangent of an angle in radians, sin(a)/cos(a).",
+        ),
+        "exp" => ("exp(a)", "The exponential function."),
+        "cosh" => ("cosh(a)", "The hyperbolic cosine, (exp(a) + exp(-a))/2."),
+        "sinh" => ("sinh(a)", "The hyperbolic sine, (exp(a) - exp(-a))/2."),
+        "tanh" => ("tanh(a)", "The hyperbolic tangent, sinh(a)/cosh(a)."),
+        "sqrt" => ("sqrt(r)", "The root of r that is not negative."),
+        "abs" => ("abs(a)", "The absolute value, sqrt(a*a)."),
+        "dot" => ("dot(a, b)", "The scalar product of two vectors."),
+        "cross" => ("cross(a, b)", "The vector product of two vectors of space."),
+        "det" => ("det(M)", "The determinant: `det([a, b, c])` of three rows."),
+        "transpose" => ("transpose(M)", "The transposed matrix."),
+        "inverse" => (
+            "inverse(M)",
+            "The inverse matrix; that its determinant is not zero becomes a condition.",
+        ),
+        "solve" => (
+            "solve(M, b)",
+            "The solution x of M*x == b, for a vector or a matrix b.",
+        ),
+        "norm" => ("norm(v)", "The length of a vector, sqrt(dot(v, v))."),
+        "agrees" => (
+            "agrees(value, printed)",
+            "Says that printed decimals agree with the value.",
+        ),
+        "fails" => (
+            "fails(p)",
+            "Says that p is defined and false at some point of the whole domain.",
+        ),
+        "coefficients" => (
+            "coefficients([forms], [unknowns])",
+            "The matrix of linear forms: a row for each form, a column for each unknown.",
+        ),
+        "identity" => ("identity(n)", "The unit matrix with n rows, up to 16."),
+        "nonnegative" => (
+            "nonnegative(f)",
+            "Says that all functions of the basis f are not negative, for every degree.",
+        ),
+        "independent" => (
+            "independent(f)",
+            "Says that the functions of the basis f are linearly independent, for every degree.",
+        ),
+        "variation_diminishing" => (
+            "variation_diminishing(f)",
+            "Says that a curve of the basis f crosses no line more often than its polygon does.",
+        ),
+        _ => return None,
+    };
+    Some(FunctionDescription { call, says })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_function_is_described_by_a_call_of_it() {
+        for name in FUNCTIONS {
+            let call = described(name).map(|of| of.call).unwrap_or_default();
+            assert!(call.starts_with(&format!("{name}(")), "{name}: {call}");
+        }
+    }
+}

@@ -11,6 +11,9 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
+/// The JSON schema of derivation files, for editors: `derivations/schema.json`, of which this is the text.
+pub const DERIVATION_SCHEMA: &str = include_str!("schema.json");
+
 /// A text with its place in the file.
 pub type Text = Spanned<String>;
 
