@@ -273,40 +273,37 @@ impl Prove {
         unkept.map_or(Ok(failing), Err)
     }
 
-    /// Asks the kernel about theorems that it did not accept yet with this library, statement and proof: first about the sections
-    /// of those that follow from no other, then about each printed statement alone, with the accepted one that it follows from
-    /// as a premise.
+    /// Asks the kernel about theorems that it did not accept yet with this library, statement and proof. A printed
+    /// statement that follows from an accepted one is checked with that one as a premise; all others are checked with
+    /// their section.
     fn check_changed(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
         let prints = Fingerprints::of_version(&coqc.version);
-        let accepted = || Accepted::read(&self.out).filter(|old| old.coq == coqc.version);
-        let is_known = |old: &Option<Accepted>, theorem: &Theorem| {
+        let old = Accepted::read(&self.out).filter(|old| old.coq == coqc.version);
+        let known = |theorem: &Theorem| {
             let old = old.as_ref();
             old.is_some_and(|old| old.has(theorem, &prints.fingerprint(theorem)))
         };
-        let old = accepted();
-        let sections: BTreeSet<&str> = folder
-            .theorems
-            .iter()
-            .filter(|theorem| theorem.rests_on.is_none() && !is_known(&old, theorem))
-            .map(|theorem| theorem.section.as_str())
-            .collect();
-        let (mut text, mut exit) = match sections.is_empty() {
-            true => (String::new(), Exit::AsExpected),
-            false => self.check_all(coqc, &folder.of_sections(&sections))?,
-        };
-        let old = accepted();
         let proved: BTreeSet<String> = folder
             .theorems
             .iter()
-            .filter(|theorem| is_known(&old, theorem))
+            .filter(|t| known(t))
             .map(Theorem::name)
+            .collect();
+        let follows = |theorem: &Theorem| {
+            printed::proved(&theorem.section)
+                .is_some_and(|core| proved.contains(&format!("{core}.{}", theorem.module)))
+        };
+        let open = || folder.theorems.iter().filter(|theorem| !known(theorem));
+        let sections: BTreeSet<&str> = open()
+            .filter(|theorem| !follows(theorem))
+            .map(|theorem| theorem.section.as_str())
             .collect();
         let mut alone = folder.clone();
         alone.theorems.retain(|theorem| {
-            let core = printed::proved(&theorem.section);
-            core.is_some_and(|core| proved.contains(&format!("{core}.{}", theorem.module)))
-                && !proved.contains(&theorem.name())
+            !known(theorem) && follows(theorem) && !sections.contains(theorem.section.as_str())
         });
+        let mut text = String::new();
+        let mut exit = Exit::AsExpected;
         if let (false, Some(mut accepted)) = (alone.theorems.is_empty(), old) {
             accepted.coqchk = None;
             let scratch = self.compile_library(coqc)?;
@@ -339,10 +336,22 @@ impl Prove {
                 alone.theorems.len() - failing.len(),
                 failing.len()
             ));
-        } else if sections.is_empty() {
-            text.push_str("all was accepted as it stands\n");
         }
-        Ok((text, exit))
+        if sections.is_empty() {
+            if alone.theorems.is_empty() {
+                text.push_str("all was accepted as it stands\n");
+            }
+            return Ok((text, exit));
+        }
+        let (summary, found) = self.check_all(coqc, &folder.of_sections(&sections))?;
+        text.push_str(&summary);
+        Ok((
+            text,
+            match exit {
+                Exit::AsExpected => found,
+                worse => worse,
+            },
+        ))
     }
 
     /// Asks the kernel, stores the accepted theorems, and describes the result.

@@ -94,7 +94,7 @@ mod tests {
     #[test]
     fn json_that_is_no_message_does_not_hide_the_next_message() {
         let input = b"Content-Length: 3\r\n\r\n{}]content-length:2\r\nContent-Type: x\r\n\r\n[]\
-            Content-Length: 32\r\n\r\n{\"jsonrpc\":\"2.0\",\"method\":\"exit\"}";
+            Content-Length: 33\r\n\r\n{\"jsonrpc\":\"2.0\",\"method\":\"exit\"}";
         let found = all(input);
         assert!(
             matches!(
