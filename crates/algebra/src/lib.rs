@@ -12,6 +12,7 @@ pub mod jet;
 pub mod matrix;
 pub mod mersenne;
 pub mod polynomial;
+mod power;
 pub mod rational_box;
 pub mod symbol;
 

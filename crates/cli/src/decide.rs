@@ -17,10 +17,10 @@ use torse::{Decided, Verdict};
 ///
 /// `--latex` reads the statement as a paper prints it. A formula with two readings is an error that shows both.
 ///
-/// If the statement is `-`, each line of standard input is a statement, or a JSON object with `states` and, in place of `--where`, `where`. For
-/// each line torse prints a line of JSON as in `verify --format json`, or an `error`. The exit code is 0 for a
-/// statement that is true, if need be under the condition that is shown, 1 for a false one, 3 for one that is not decided, 4 for one that makes no sense; for several, the
-/// gravest.
+/// If the statement is `-`, each line of standard input is a statement, or a JSON object with `states` and, in place of
+/// `--where`, `where`. For each line torse prints a line of JSON as in `verify --format json`, or an `error`. The exit
+/// code is 0 for a statement that is true, if need be under the condition that is shown, 1 for a false one, 3 for one
+/// that is not decided, 4 for one that makes no sense; for several, the gravest.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Decide {

@@ -2,9 +2,9 @@
 
 use crate::exit::{Exit, Failure};
 use crate::format::{Format, pretty_json};
-use crate::terminal::{print, remark};
+use crate::terminal::{print, print_bytes, remark};
 use clap::{Args, ValueEnum};
-use std::io::{ErrorKind, Read, Write};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use torse_designs::eval::{EvalPlaces, csv, eval};
 use torse_designs::export::{ENDINGS, PATTERNS, bytes, ending};
@@ -246,12 +246,7 @@ pub(crate) fn setting(text: &str) -> Result<(String, f64), String> {
 /// Writes a file whole or not at all; - means standard output.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     if is_standard(path) {
-        let mut output = std::io::stdout().lock();
-        return match output.write_all(bytes).and_then(|()| output.flush()) {
-            // Whoever reads has read enough.
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-            written => written.map_err(Failure::Print),
-        };
+        return print_bytes(bytes);
     }
     write_file(path, bytes).map_err(DesignError::from)?;
     Ok(())

@@ -19,11 +19,16 @@ pub const WIDTH: u16 = 100;
 
 /// Writes a text to standard output; a closed pipe is not a failure.
 pub fn print(text: &str) -> Result<(), Failure> {
-    let mut output = anstream::stdout().lock();
-    let written = output
-        .write_all(text.as_bytes())
-        .and_then(|()| output.flush());
-    match written {
+    write_to(anstream::stdout().lock(), text.as_bytes())
+}
+
+/// Writes bytes to standard output as they are; a closed pipe is not a failure.
+pub fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
+    write_to(std::io::stdout().lock(), bytes)
+}
+
+fn write_to(mut output: impl Write, bytes: &[u8]) -> Result<(), Failure> {
+    match output.write_all(bytes).and_then(|()| output.flush()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::Print(error)),
         _ => Ok(()),
     }

@@ -201,7 +201,7 @@ fn construction(
 /// Whether a fault shows in a claim of which the files have corrected words.
 fn is_restated(outcome: &Outcome, faults: &[PaperFault]) -> bool {
     let id = &outcome.claim.id;
-    faults.iter().any(|fault| {
-        fault.shows.contains(id) && fault.changes.iter().any(|change| change.claim == *id)
-    })
+    faults
+        .iter()
+        .any(|fault| fault.shows_in(id) && fault.changes.iter().any(|change| change.claim == *id))
 }

@@ -63,31 +63,34 @@ pub(crate) fn is_refuted(outcome: &Outcome) -> bool {
 }
 
 /// Whether a claim that depends on a refuted one and is false too has a fault of its own, which the files describe apart.
-pub(crate) fn has_other_fault(id: &str, cause: &Outcome, faults: &[PaperFault]) -> bool {
-    let shows = |fault: &PaperFault, id: &str| fault.shows.iter().any(|shown| shown == id);
-    let mut own = faults.iter().filter(|fault| shows(fault, id)).peekable();
-    own.peek().is_some() && !own.any(|fault| shows(fault, &cause.claim.id))
+fn has_other_fault(id: &str, cause: &Outcome, faults: &[PaperFault]) -> bool {
+    let mut own = faults.iter().filter(|fault| fault.shows_in(id)).peekable();
+    own.peek().is_some() && !own.any(|fault| fault.shows_in(&cause.claim.id))
 }
 
-/// Counts the statements that depend on a claim, and those of them that fail by the same fault.
-fn weight(outcome: &Outcome, all: &[&Outcome], faults: &[PaperFault]) -> (usize, usize) {
-    let resting = consequences(&outcome.claim.id, all);
+/// The statements that depend on a refuted claim, and those of them that fail by the same fault.
+pub(crate) fn dependents<'p>(
+    outcome: &Outcome,
+    paper: &'p PaperOutcome,
+) -> (usize, Vec<&'p Outcome>) {
+    let all: Vec<&Outcome> = paper.claims.iter().collect();
+    let resting = consequences(&outcome.claim.id, &all);
     let falling = resting
         .iter()
-        .filter(|of| of.fate == Fate::Falls && !has_other_fault(&of.id, outcome, faults))
-        .count();
-    (resting.len(), falling)
+        .filter(|of| of.fate == Fate::Falls && !has_other_fault(&of.id, outcome, &paper.faults))
+        .filter_map(|of| paper.claims.iter().find(|claim| claim.claim.id == of.id));
+    (resting.len(), falling.collect())
 }
 
 /// Returns the positions of the refuted claims: theorems and algorithms first, of these and of the others those with most
 /// dependents, and possible artefacts of our copy last.
-pub(crate) fn ranked(claims: &[Outcome], faults: &[PaperFault]) -> Vec<(usize, (usize, usize))> {
-    let all: Vec<&Outcome> = claims.iter().collect();
-    let refuted = claims.iter().enumerate();
+pub(crate) fn ranked(paper: &PaperOutcome) -> Vec<(usize, (usize, usize))> {
+    let refuted = paper.claims.iter().enumerate();
     let refuted = refuted.filter(|(_, claim)| is_refuted(claim));
     let mut list: Vec<_> = refuted
         .map(|(position, claim)| {
-            let weight = weight(claim, &all, faults);
+            let (resting, falling) = dependents(claim, paper);
+            let weight = (resting, falling.len());
             (position, weight, rank(claim), claim.claim.garbled.is_some())
         })
         .collect();
@@ -151,8 +154,5 @@ pub(crate) fn corrections(
             falling,
         })
     };
-    ranked(claims, &paper.faults)
-        .into_iter()
-        .filter_map(view)
-        .collect()
+    ranked(paper).into_iter().filter_map(view).collect()
 }

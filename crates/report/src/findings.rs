@@ -61,13 +61,18 @@ pub(crate) fn collect_findings(paper: &PaperOutcome, anchors: &[String]) -> Vec<
 /// Returns the findings about the claims of a paper, by id, as plain text: for outputs without formulas.
 #[must_use]
 pub fn findings_in_words(paper: &PaperOutcome) -> BTreeMap<String, String> {
-    let claims = paper.claims.iter();
-    let chosen = claims.filter(|claim| REPORTED_VERDICTS.contains(&claim.verdict()));
-    let found = chosen.map(|outcome| {
-        let sentence = in_full(outcome, &paper.faults, &printed_names(outcome));
-        (visible(&outcome.claim.id), in_words(&sentence))
+    let found = paper.claims.iter().filter_map(|outcome| {
+        let words = finding_in_words(outcome, &paper.faults)?;
+        Some((visible(&outcome.claim.id), words))
     });
     found.collect()
+}
+
+/// Returns the finding about a claim as plain text; `faults` are those of its paper. None if there is nothing to know of it.
+#[must_use]
+pub fn finding_in_words(outcome: &Outcome, faults: &[PaperFault]) -> Option<String> {
+    let is_reported = REPORTED_VERDICTS.contains(&outcome.verdict());
+    is_reported.then(|| in_words(&in_full(outcome, faults, &printed_names(outcome))))
 }
 
 fn in_full(outcome: &Outcome, faults: &[PaperFault], names: &PrintedNames) -> Prose {

@@ -8,7 +8,7 @@ use crate::corrections::{is_refuted, ranked};
 use crate::glossary::plural;
 use crate::names::printed_names;
 use crate::sentence;
-use crate::text::visible;
+use crate::text::{enumeration, visible};
 use crate::view::{CorrectionView, correction};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -146,7 +146,7 @@ pub struct ItemChange {
 /// The letter about a paper.
 pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Letter {
     let claims = &paper.claims;
-    let ranks: BTreeMap<&str, usize> = ranked(claims, &paper.faults)
+    let ranks: BTreeMap<&str, usize> = ranked(paper)
         .into_iter()
         .enumerate()
         .filter_map(|(rank, (position, _))| Some((claims.get(position)?.claim.id.as_str(), rank)))
@@ -164,12 +164,7 @@ pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Lette
         let rank = rank.min().copied().unwrap_or(usize::MAX);
         placed.push((part, rank, item_of_fault(fault, &shows, &find)));
     }
-    let is_assigned = |id: &str| {
-        paper
-            .faults
-            .iter()
-            .any(|fault| fault.shows.iter().any(|of| of == id))
-    };
+    let is_assigned = |id: &str| paper.faults.iter().any(|fault| fault.shows_in(id));
     for outcome in claims
         .iter()
         .filter(|outcome| is_refuted(outcome) && !is_assigned(&outcome.claim.id))
@@ -459,16 +454,6 @@ fn salutation(authors: &str) -> String {
     match names.as_slice() {
         [] => "Dear authors,".to_owned(),
         names => format!("Dear {},", enumeration(names)),
-    }
-}
-
-/// Lists words: "a, b and c".
-fn enumeration(words: &[impl AsRef<str>]) -> String {
-    let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
-    match words.split_last() {
-        Some((last, [])) => (*last).to_owned(),
-        Some((last, others)) => format!("{} and {last}", others.join(", ")),
-        None => String::new(),
     }
 }
 

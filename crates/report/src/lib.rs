@@ -55,7 +55,7 @@ pub use dependencies::{DependencyGroup, dependency_groups};
 pub use erratum::{erratum_latex, erratum_markdown};
 pub use error::ReportError;
 pub use figure::{FigureImage, Image};
-pub use findings::{Finding, findings_in_words};
+pub use findings::{Finding, finding_in_words, findings_in_words};
 pub use gallery::gallery;
 pub use html::{html_page, landing_page};
 pub use json::{finding_json, finding_json_with_kernel, verdicts_json, verdicts_json_with_kernel};
@@ -63,7 +63,7 @@ pub use json_stream::VerdictsWriter;
 pub use letter::{Envelope, Item, ItemChange, Letter};
 #[cfg(feature = "pdf")]
 pub use manuscript::Manuscript;
-pub use sentence::{failure_in_full, point};
+pub use sentence::{failure_in_full, own_steps, point};
 pub use source::Source;
 pub use tally::{Remarks, Row, Tally};
 pub use text::counted;

@@ -135,6 +135,13 @@ fn corrected(correction: &Correction) -> String {
     format!("Correction, proved: {edits}{others}.")
 }
 
+/// Returns the steps of a decision without those that repeat what is shown of each reading.
+#[must_use]
+pub fn own_steps<'s>(steps: &'s [String], outcome: &Outcome) -> Vec<&'s String> {
+    let repeats = |step: &&String| !outcome.readings().is_empty() && step.starts_with("read as ");
+    steps.iter().filter(|step| !repeats(step)).collect()
+}
+
 /// Says where a refuted statement fails and by how much; none if nothing is known about it. A point of many symbols is
 /// left to the claim's own section.
 pub(crate) fn failure(outcome: &Outcome) -> Option<String> {

@@ -1,19 +1,19 @@
 //! A report in one minute: what holds, and the most important errors.
 
 use crate::applicability::title;
-use crate::corrections::{has_other_fault, is_refuted, ranked};
+use crate::corrections::{dependents, is_refuted, ranked};
 use crate::findings::{self, Finding};
 use crate::glossary;
 use crate::names::printed_names;
 use crate::tally::Tally;
-use crate::text::visible;
+use crate::text::{enumeration, visible};
 use crate::view::{FormulaView, correction, formula};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use torse_syntax::taxonomy::Verdict;
 use torse_typography::Prose;
-use torse_verdicts::consequences::{Fate, consequences, resting, users};
-use torse_verdicts::outcome::{Outcome, PaperFault};
+use torse_verdicts::consequences::{resting, users};
+use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
 /// Maximum number of sentences about single statements.
 const MAX_ROWS: usize = 5;
@@ -44,12 +44,9 @@ pub struct SummaryFinding {
     pub consequence: String,
 }
 
-/// Summarises `claims`; `anchors` holds their identifiers for links, by position.
-pub(crate) fn summarize(
-    claims: &[Outcome],
-    anchors: &[String],
-    faults: &[PaperFault],
-) -> SummaryPage {
+/// Summarises a paper; `anchors` holds the identifiers of its claims for links, by position.
+pub(crate) fn summarize(paper: &PaperOutcome, anchors: &[String]) -> SummaryPage {
+    let claims = &paper.claims;
     let uses = claims
         .iter()
         .map(|of| (of.claim.id.as_str(), of.claim.uses.as_slice()));
@@ -73,7 +70,7 @@ pub(crate) fn summarize(
         .iter()
         .map(|(name, count)| (name.clone(), count - 1))
         .collect();
-    let mut ranked = ranked(claims, faults);
+    let mut ranked = ranked(paper);
     // A slip in a proof says nothing against the theorem.
     ranked.sort_by_key(|(position, _)| {
         let outcome = claims.get(*position);
@@ -92,13 +89,7 @@ pub(crate) fn summarize(
         // One point for one theorem or example.
         if points.len() < MAX_ROWS && new && groups.remove(&group(claim)).is_some() {
             let more = siblings_of.get(&group(claim)).copied().unwrap_or(0);
-            points.push(point(
-                claim,
-                anchor,
-                (resting, falling, more),
-                claims,
-                faults,
-            ));
+            points.push(point(claim, anchor, (resting, falling, more), paper));
         }
     }
     let left = refuted.len() - points.len();
@@ -119,20 +110,11 @@ fn group(outcome: &Outcome) -> String {
 }
 
 /// Returns the theorems and examples with a false statement that depends on a claim.
-fn fallen(outcome: &Outcome, claims: &[Outcome], faults: &[PaperFault]) -> Vec<String> {
-    let all: Vec<&Outcome> = claims.iter().collect();
+fn fallen(outcome: &Outcome, paper: &PaperOutcome) -> Vec<String> {
     let own = title(outcome);
     let mut names: Vec<String> = Vec::new();
-    for of in consequences(&outcome.claim.id, &all) {
-        if of.fate != Fate::Falls || has_other_fault(&of.id, outcome, faults) {
-            continue;
-        }
-        let fallen = claims.iter().find(|outcome| outcome.claim.id == of.id);
-        let name = fallen.and_then(title);
-        if let Some(name) = name
-            && Some(&name) != own.as_ref()
-            && !names.contains(&name)
-        {
+    for name in dependents(outcome, paper).1.into_iter().filter_map(title) {
+        if Some(&name) != own.as_ref() && !names.contains(&name) {
             names.push(name);
         }
     }
@@ -141,23 +123,18 @@ fn fallen(outcome: &Outcome, claims: &[Outcome], faults: &[PaperFault]) -> Vec<S
 
 /// For a claim whose file has no finding, returns a theorem that depends on it and is false too, with the finding about
 /// that.
-fn theorem_on(
-    outcome: &Outcome,
-    claims: &[Outcome],
-    faults: &[PaperFault],
-) -> Option<(String, Prose)> {
+fn theorem_on(outcome: &Outcome, paper: &PaperOutcome) -> Option<(String, Prose)> {
     if outcome.claim.author_note.is_some() {
         return None;
     }
-    let all: Vec<&Outcome> = claims.iter().collect();
-    let fallen = consequences(&outcome.claim.id, &all).into_iter();
-    let mut fallen = fallen
-        .filter(|of| of.fate == Fate::Falls && !has_other_fault(&of.id, outcome, faults))
-        .filter_map(|of| claims.iter().find(|outcome| outcome.claim.id == of.id))
-        .filter(|outcome| outcome.claim.author_note.is_some());
+    let mut fallen = dependents(outcome, paper).1.into_iter();
     fallen.find_map(|outcome| {
+        outcome.claim.author_note.as_ref()?;
         let name = title(outcome).filter(|name| !name.starts_with("Example"))?;
-        Some((visible(&name), findings::about(outcome, "", faults).text))
+        Some((
+            visible(&name),
+            findings::about(outcome, "", &paper.faults).text,
+        ))
     })
 }
 
@@ -169,8 +146,7 @@ fn point(
     outcome: &Outcome,
     anchor: &str,
     weight: (usize, usize, usize),
-    claims: &[Outcome],
-    faults: &[PaperFault],
+    paper: &PaperOutcome,
 ) -> SummaryFinding {
     let (resting, falling, more) = weight;
     let names = printed_names(outcome);
@@ -182,28 +158,12 @@ fn point(
         (None, Some(parsed)) => ("as printed", Some(formula(parsed, &names))),
         (None, None) => ("", None),
     };
-    let statements = |count| glossary::plural(count, "statement");
-    let places = fallen(outcome, claims, faults);
+    let places = fallen(outcome, paper);
     let places = match places.is_empty() {
         true => String::new(),
         false => format!(" ({})", places.join(", ")),
     };
-    let consequence = match (resting, falling) {
-        (0, _) => None,
-        (1, 0) => Some("One statement depends on it, and does not fail.".to_owned()),
-        (1, _) => Some(format!(
-            "The one statement that depends on it is false too{places}."
-        )),
-        (_, 0) => Some(format!("{} depend on it; none fails.", statements(resting))),
-        (_, 1) => Some(format!(
-            "{} depend on it; one is false too{places}.",
-            statements(resting)
-        )),
-        _ => Some(format!(
-            "{} depend on it; {falling} are false too{places}.",
-            statements(resting)
-        )),
-    };
+    let consequence = glossary::dependents(resting, falling, &places);
     let others = match more {
         0 => None,
         1 => Some(format!(
@@ -217,8 +177,8 @@ fn point(
     };
     let consequence: Vec<String> = (consequence.into_iter().chain(others)).collect();
     SummaryFinding {
-        finding: findings::about(outcome, anchor, faults),
-        resting: theorem_on(outcome, claims, faults),
+        finding: findings::about(outcome, anchor, &paper.faults),
+        resting: theorem_on(outcome, paper),
         label,
         formula: formula.filter(|view| {
             let letters = view.math.as_ref().map(|math| math.text.chars().count());
@@ -270,10 +230,9 @@ fn counts(claims: &[Outcome]) -> String {
     );
     let total = glossary::plural(tally.total, "statement");
     let others = others(&tally);
-    let decided = match parts.pop() {
-        None => format!("{total}; nothing was to be decided."),
-        Some(only) if parts.is_empty() => format!("Of {total}, {only}."),
-        Some(last) => format!("Of {total}, {} and {last}.", parts.join(", ")),
+    let decided = match parts.is_empty() {
+        true => format!("{total}; nothing was to be decided."),
+        false => format!("Of {total}, {}.", enumeration(&parts)),
     };
     format!("{decided}{others}")
 }
@@ -321,10 +280,10 @@ fn others(tally: &Tally) -> String {
             _ => parts.push(format!("{count} {many}")),
         }
     }
-    match (sum, parts.pop()) {
-        (_, None) => String::new(),
-        (1, Some(only)) => format!(" One more: {only}."),
-        (_, Some(only)) if parts.is_empty() => format!(" The others: {only}."),
-        (_, Some(last)) => format!(" The other {sum}: {} and {last}.", parts.join(", ")),
+    match (sum, parts.as_slice()) {
+        (_, []) => String::new(),
+        (1, [only]) => format!(" One more: {only}."),
+        (_, [only]) => format!(" The others: {only}."),
+        (_, all) => format!(" The other {sum}: {}.", enumeration(all)),
     }
 }

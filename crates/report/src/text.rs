@@ -178,6 +178,16 @@ pub(crate) fn section_rank(title: &str) -> usize {
     }
 }
 
+/// Lists words: "a, b and c".
+pub(crate) fn enumeration(words: &[impl AsRef<str>]) -> String {
+    let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
+    match words.split_last() {
+        Some((last, [])) => (*last).to_owned(),
+        Some((last, others)) => format!("{} and {last}", others.join(", ")),
+        None => String::new(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

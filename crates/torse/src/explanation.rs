@@ -167,10 +167,10 @@ impl Cut {
         let unvisited = unvisited.into_iter().flatten();
         note.list("not tried where", unvisited.map(|part| self.cut(part)));
         note.option("kernel", kernel.then_some(ACCEPTED));
-        // What was found of each reading stands with it.
-        let steps = outcome.steps().into_iter();
-        let steps: Vec<String> = steps.filter(|step| !step.starts_with("read as ")).collect();
-        note.list("steps", counted(&steps).into_iter());
+        let steps = outcome.steps();
+        let own = torse_report::own_steps(&steps, outcome);
+        let own: Vec<String> = own.into_iter().cloned().collect();
+        note.list("steps", counted(&own).into_iter());
         note.whole()
     }
 
@@ -299,7 +299,7 @@ fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
         .author_note
         .as_deref()
         .map(torse_report::plain);
-    let shows = |fault: &&PaperFault| fault.shows.contains(&outcome.claim.id);
+    let shows = |fault: &&PaperFault| fault.shows_in(&outcome.claim.id);
     let fault = paper
         .faults
         .iter()
@@ -325,7 +325,7 @@ fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
 
 /// Returns the remarks that state the true form.
 fn true_forms(paper: &PaperOutcome, outcome: &Outcome) -> Vec<String> {
-    let shows = |fault: &&PaperFault| fault.shows.contains(&outcome.claim.id);
+    let shows = |fault: &&PaperFault| fault.shows_in(&outcome.claim.id);
     let changes = paper
         .faults
         .iter()

@@ -32,8 +32,8 @@ pub fn difference(old: &str, new: &str) -> [String; 2] {
 
 /// Counts brackets and blanks alone between two differences as part of them.
 fn unkeep_brackets(tokens: &[&str], kept: &mut [bool]) {
-    let mut differs = kept.iter().enumerate().filter(|(_, kept)| !**kept);
-    let places: Vec<usize> = differs.by_ref().map(|(place, _)| place).collect();
+    let differs = kept.iter().enumerate().filter(|(_, kept)| !**kept);
+    let places: Vec<usize> = differs.map(|(place, _)| place).collect();
     for pair in places.windows(2) {
         let between = pair[0] + 1..pair[1];
         let is_bracket = |token: &&str| "()[]{} \u{a0}".contains(*token);

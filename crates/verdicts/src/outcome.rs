@@ -40,6 +40,14 @@ pub struct PaperFault {
     pub changes: Vec<FaultChange>,
 }
 
+impl PaperFault {
+    /// Whether it shows in the claim with this id.
+    #[must_use]
+    pub fn shows_in(&self, id: &str) -> bool {
+        self.shows.iter().any(|shown| shown == id)
+    }
+}
+
 /// Words of a paper and their correction.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct FaultChange {

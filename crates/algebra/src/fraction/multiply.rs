@@ -1,6 +1,7 @@
 //! Products and powers.
 
 use super::{Fraction, merged};
+use crate::power::power;
 use crate::scalar::ExactError;
 use std::ops::Mul;
 
@@ -57,17 +58,9 @@ impl Fraction {
     /// # Errors
     /// [`ExactError::DivisionByZero`] for a negative power of zero.
     pub fn power(&self, exponent: i32) -> Result<Self, ExactError> {
-        let mut result = Self::integer(1);
-        let (mut base, mut rest) = (self.clone(), exponent.unsigned_abs());
-        while rest > 0 {
-            if rest % 2 == 1 {
-                result = &result * &base;
-            }
-            rest /= 2;
-            if rest > 0 {
-                base = &base * &base;
-            }
-        }
+        let result = power(self, exponent.unsigned_abs(), Self::integer(1), |a, b| {
+            a * b
+        });
         if exponent < 0 {
             Self::integer(1).over(&result)
         } else {

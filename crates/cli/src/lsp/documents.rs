@@ -127,7 +127,7 @@ impl Documents {
 }
 
 /// The file of an address.
-fn file_path(uri: &Uri) -> Option<PathBuf> {
+pub fn file_path(uri: &Uri) -> Option<PathBuf> {
     let url = Url::parse(uri.as_str()).ok()?;
     (url.scheme() == "file").then(|| url.to_file_path().ok())?
 }

@@ -26,10 +26,7 @@ impl<'t> Lines<'t> {
 
     /// Returns the place of a byte; of one within a letter, the place of the letter, and beyond the text its end.
     pub fn position(&self, byte: usize) -> Position {
-        let mut byte = byte.min(self.text.len());
-        while !self.text.is_char_boundary(byte) {
-            byte -= 1;
-        }
+        let byte = self.text.floor_char_boundary(byte);
         let line = self
             .starts
             .partition_point(|start| *start <= byte)

@@ -1,6 +1,6 @@
 //! The server: what is open, what was found, and answers.
 
-use super::documents::{Documents, Membership};
+use super::documents::{Documents, Membership, file_path};
 use super::frames::Frame;
 use super::lines::Lines;
 use super::messages::{Event, FolderJob, FolderRead, Job};
@@ -305,8 +305,7 @@ impl<W: FnMut(&[u8]) -> io::Result<()>> Server<W> {
             .shown
             .iter()
             .filter(|(key, (uri, _))| {
-                let path = url::Url::parse(uri.as_str()).ok();
-                let path = path.and_then(|url| url.to_file_path().ok());
+                let path = file_path(uri);
                 !now.contains_key(*key) && path.is_some_and(|path| path.starts_with(derivations))
             })
             .map(|(key, (uri, _))| (key.clone(), uri.clone()))

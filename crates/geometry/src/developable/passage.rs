@@ -47,7 +47,7 @@ const MAX_PAIRS: usize = 2_000;
 const MAX_ALL_PAIRS: usize = 20_000;
 /// Where it is not a proof that is wanted: the most pairs of intervals of two patches, the shortest intervals, those that are
 /// looked at for a meeting, and where on their rulings. A piercing lies inside of both patches.
-const PIERCING: Limits<'static> = Limits {
+const PIERCING: Limits = Limits {
     depth: 6,
     meeting_depth: 5,
     starts: &[0.5, 0.25, 0.75],
@@ -277,10 +277,10 @@ struct Search<'a, P: ?Sized, M> {
 
 /// How far a search goes.
 #[derive(Clone, Copy)]
-struct Limits<'a> {
+struct Limits {
     depth: u32,
     meeting_depth: u32,
-    starts: &'a [f64],
+    starts: &'static [f64],
     pairs: usize,
     all: usize,
 }
@@ -304,7 +304,7 @@ where
         patches: [usize; 2],
         ends: [&Ends; 2],
         joined: f64,
-        limits: Limits<'_>,
+        limits: Limits,
         wanted: impl Fn(&[[f64; 2]; 2], bool) -> bool,
     ) -> PieceIntersection {
         let apexes = ends.map(|ends| ends.apexes);

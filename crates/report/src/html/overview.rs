@@ -227,16 +227,8 @@ fn corrections(out: &mut String, list: &[Corrected]) -> fmt::Result {
                 Sentence(garbled)
             )?;
         }
-        let resting = match (one.resting, one.falling) {
-            (0, _) => "Nothing else depends on it.".to_owned(),
-            (1, 0) => "One statement depends on it, and does not fail.".to_owned(),
-            (1, _) => "The one statement that depends on it is false too.".to_owned(),
-            (resting, 0) => format!("{resting} statements depend on it; none fails."),
-            (resting, 1) => format!("{resting} statements depend on it; one is false too."),
-            (resting, falling) => {
-                format!("{resting} statements depend on it; {falling} are false too.")
-            }
-        };
+        let resting = glossary::dependents(one.resting, one.falling, "");
+        let resting = resting.unwrap_or_else(|| "Nothing else depends on it.".to_owned());
         let level = one
             .checked_by
             .map_or(String::new(), |by| format!(" Checked {by}."));

@@ -53,7 +53,7 @@ impl Report {
                 reading.sources = numbers(&reading.rests, &mut sources);
             }
             let own = steps.get(position).map_or(&[][..], Vec::as_slice);
-            let own = own_steps(own, outcome);
+            let own = sentence::own_steps(own, outcome);
             claim.proof = proof(&own, &shared, &mut recurring, &printed_names(outcome));
             let title = section_title(&claim.at);
             match sections.iter_mut().find(|section| section.title == title) {
@@ -76,7 +76,7 @@ impl Report {
             venue: visible(&paper.venue),
             source: None,
             tally: Tally::new(&paper.claims),
-            short: summary_page::summarize(&paper.claims, &builder.anchors, &paper.faults),
+            short: summary_page::summarize(paper, &builder.anchors),
             constructions: applicability::constructions(paper, &builder.anchors),
             letter: letter::letter(paper, accepted),
             corrections: corrections::corrections(paper, &builder.anchors, accepted),
@@ -357,12 +357,6 @@ fn numbers(rests: &[RestsView], entries: &mut Entries) -> Vec<usize> {
         }
     }
     numbers
-}
-
-/// Leaves out the steps that repeat what is shown of each reading.
-fn own_steps<'s>(steps: &'s [String], outcome: &Outcome) -> Vec<&'s String> {
-    let repeats = |step: &&String| !outcome.readings().is_empty() && step.starts_with("read as ");
-    steps.iter().filter(|step| !repeats(step)).collect()
 }
 
 /// Writes the dependencies of a statement, in small print. Definitions that it shares with others are in the notation

@@ -51,13 +51,9 @@ struct Scanner<'t> {
 /// Returns where the byte `place` of a text stands. A place beyond the text, or within a letter, stands at the end of what is
 /// before it.
 pub fn cursor(text: &str, place: usize) -> Cursor {
-    let mut end = place.min(text.len());
-    while !text.is_char_boundary(end) {
-        end -= 1;
-    }
     let mut scanner = Scanner {
         text,
-        end,
+        end: text.floor_char_boundary(place),
         at: 0,
         head: vec![],
         entry: None,

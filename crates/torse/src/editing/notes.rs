@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 use std::sync::Arc;
-use torse_report::{findings_in_words, glossary};
+use torse_report::{finding_in_words, glossary};
 use torse_syntax::derivation::{Claim, DerivationError, LoadError, LookAlike, Source};
 use torse_syntax::formula::Place;
 use torse_syntax::taxonomy::Verdict;
-use torse_verdicts::outcome::{Outcome, PaperOutcome};
+use torse_verdicts::outcome::Outcome;
 
 /// How a note is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,18 +58,35 @@ impl PartialEq for EditorNote {
     }
 }
 
+impl EditorNote {
+    /// A note about no verdict.
+    fn about_text(
+        (source, range): (&Arc<Source>, Range<usize>),
+        level: EditorNoteLevel,
+        rule: &'static str,
+        text: String,
+    ) -> Self {
+        Self {
+            source: Arc::clone(source),
+            range,
+            level,
+            rule,
+            text,
+            correction: None,
+        }
+    }
+}
+
 /// The note of a mistake.
 pub(super) fn mistake_note(mistake: &DerivationError) -> EditorNote {
-    let (source, range) = mistake.source_range();
     let help = miette::Diagnostic::help(mistake).map(|help| format!("\nhelp: {help}"));
-    EditorNote {
-        source: Arc::clone(source),
-        range,
-        level: EditorNoteLevel::Error,
-        rule: "mistake",
-        text: format!("{mistake}{}", help.unwrap_or_default()),
-        correction: None,
-    }
+    let text = format!("{mistake}{}", help.unwrap_or_default());
+    EditorNote::about_text(
+        mistake.source_range(),
+        EditorNoteLevel::Error,
+        "mistake",
+        text,
+    )
 }
 
 /// The note of a file that cannot be read, where another names it.
@@ -78,27 +95,19 @@ pub(super) fn unreadable_note(
     range: Range<usize>,
     error: &LoadError,
 ) -> EditorNote {
-    EditorNote {
-        source: Arc::clone(source),
-        range,
-        level: EditorNoteLevel::Error,
-        rule: "mistake",
-        text: error.to_string(),
-        correction: None,
-    }
+    let text = error.to_string();
+    EditorNote::about_text((source, range), EditorNoteLevel::Error, "mistake", text)
 }
 
 /// The note of a name that is taken for another.
 pub(super) fn name_note(name: &LookAlike) -> EditorNote {
-    let (source, range) = name.source_range();
-    EditorNote {
-        source: Arc::clone(source),
-        range,
-        level: EditorNoteLevel::Warning,
-        rule: "look-alike",
-        text: name.to_string(),
-        correction: None,
-    }
+    let text = name.to_string();
+    EditorNote::about_text(
+        name.source_range(),
+        EditorNoteLevel::Warning,
+        "look-alike",
+        text,
+    )
 }
 
 /// The note of a decided claim, at its statement; none where there is nothing to decide.
@@ -160,17 +169,7 @@ fn level(outcome: &Outcome) -> Option<(EditorNoteLevel, &'static str)> {
 fn in_words(outcome: &Outcome) -> String {
     let verdict = glossary::verdict(outcome.verdict());
     // Faults of which the authors are told are sentences about several claims: here is one.
-    let alone = PaperOutcome {
-        slug: String::new(),
-        title: String::new(),
-        authors: String::new(),
-        venue: String::new(),
-        claims: vec![outcome.clone()],
-        faults: vec![],
-        restored: vec![],
-    };
-    let found = findings_in_words(&alone);
-    let mut text = match found.into_values().next() {
+    let mut text = match finding_in_words(outcome, &[]) {
         Some(finding) => format!("{}: {finding}", verdict.label),
         None => format!(
             "{}. {}",

@@ -15,6 +15,7 @@ use super::coefficients::{Coefficients, DoubleWords, Integers, Words};
 use super::packed::{Row, widths};
 use super::quotients::Quotients;
 use super::{Polynomial, cost, dense, sparse};
+use crate::power::power;
 use crate::rational::Integer;
 use std::ops::Mul;
 use torse_numbers::work::room;
@@ -141,18 +142,8 @@ impl Polynomial {
     /// When an exponent of the result is above `u16::MAX` outside of a job: see [`torse_numbers::work`].
     #[must_use]
     pub fn power(&self, exponent: u32) -> Self {
-        let mut result = Self::constant(&crate::rational::integer(1));
-        let (mut base, mut rest) = (self.clone(), exponent);
-        while rest > 0 {
-            if rest % 2 == 1 {
-                result = &result * &base;
-            }
-            rest /= 2;
-            if rest > 0 {
-                base = &base * &base;
-            }
-        }
-        result
+        let one = Self::constant(&crate::rational::integer(1));
+        power(self, exponent, one, |a, b| a * b)
     }
 }
 
