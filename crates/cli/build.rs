@@ -19,7 +19,32 @@ fn repository() -> Option<String> {
             println!("cargo::rerun-if-changed={path}");
         }
     }
-    git(&["rev-parse", "--short=12", "HEAD"])
+    let commit = git(&["rev-parse", "--short=12", "HEAD"])?;
+    let changed = if is_changed()? { "-dirty" } else { "" };
+    Some(format!("{commit}{changed}"))
+}
+
+/// Whether sources of the program differ from those of the commit; they are looked at again whenever one of them changes.
+fn is_changed() -> Option<bool> {
+    let top = git(&["rev-parse", "--show-toplevel"])?;
+    let rooms = std::fs::read_dir(Path::new(&top).join("crates")).ok()?;
+    let mut rooms: Vec<_> = rooms.flatten().map(|room| room.path()).collect();
+    rooms.sort();
+    for room in rooms {
+        println!("cargo::rerun-if-changed={}", room.join("src").display());
+    }
+    let changed = [
+        "-C",
+        &top,
+        "diff",
+        "--name-only",
+        "HEAD",
+        "--",
+        "Cargo.lock",
+        "crates/*/Cargo.toml",
+        "crates/*/src",
+    ];
+    Some(!git(&changed)?.is_empty())
 }
 
 /// The commit that cargo writes into an archive.

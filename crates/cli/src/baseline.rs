@@ -1,6 +1,7 @@
 //! Compares verdicts with those of an earlier run: changed, new and removed ones.
 
 use crate::exit::Failure;
+use crate::input;
 use crate::terminal;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -37,8 +38,7 @@ impl Verdicts {
             path: path.to_owned(),
             reason,
         };
-        let text = std::fs::read_to_string(path).map_err(|error| unreadable(error.to_string()))?;
-        Self::parse(&text).map_err(|error| unreadable(error.to_string()))
+        Self::parse(&input::text(path)?).map_err(|error| unreadable(error.to_string()))
     }
 
     /// Parses verdicts.

@@ -1,6 +1,7 @@
 //! Finds the claims that differ from what they were: in a list of claims, or at a revision of the repository.
 
 use crate::exit::Failure;
+use crate::input::Lasting;
 use crate::listing::listed;
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -10,11 +11,12 @@ use torse::{digests, selection};
 use torse_syntax::derivation::{Paper, load_all};
 
 /// Returns the papers with those of their claims alone that differ from `since`: a file that `torse list --format json` has
-/// written, or a revision of the git repository of `folder`. A claim differs if it is new, or if its fields or the
+/// written (`-` is standard input), or a revision of the git repository of `folder`. A claim differs if it is new, or if its fields or the
 /// declarations that it sees have changed.
 pub fn changed(papers: &[Paper], since: &str, folder: &Path) -> Result<Vec<Paper>, Failure> {
-    let before: BTreeMap<String, String> = if Path::new(since).is_file() {
-        let claims = listed(Path::new(since))?;
+    let before: BTreeMap<String, String> = if since == "-" || Path::new(since).is_file() {
+        let list = Lasting::new(Path::new(since))?;
+        let claims = listed(&list)?;
         let pairs = claims.map(|claim| claim.map(|claim| (claim.id, claim.digest)));
         pairs.collect::<Result<_, _>>()?
     } else {

@@ -2,11 +2,10 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
-use crate::format::Format;
+use crate::format::{Format, json_line};
 use crate::run::Budget;
-use crate::{terminal, watchdog};
+use crate::{input, terminal, watchdog};
 use clap::{Args, ValueEnum};
-use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use torse::syntax::derivation::{Claim, Paper};
 use torse::{CodeQuestion, CodeVerdict, Comparison, MAX_CODE_BYTES, PrintedSide, selection};
@@ -23,8 +22,8 @@ pub struct Compare {
     /// The claim's id, or the beginning of ids where claims name their functions
     #[arg(value_name = "CLAIM")]
     name: String,
-    /// The function
-    #[arg(long, value_name = "FILE:FUNCTION", value_parser = file_and_function)]
+    /// The function; - as its file is standard input
+    #[arg(long, value_name = "FILE:FUNCTION", value_parser = file_and_function, allow_hyphen_values = true)]
     code: Option<(PathBuf, String)>,
     /// What a parameter stands for: a formula of the claim, or a list of such
     #[arg(long, value_name = "NAME=FORMULA", value_parser = name_and_formula, requires = "code")]
@@ -110,6 +109,7 @@ impl Compare {
     fn questions(&self, papers: &[Paper]) -> Result<Vec<(String, Claim, CodeQuestion)>, Failure> {
         if let Some((file, function)) = &self.code {
             let paper = selection::select_one(papers, &self.name)?;
+            let code = text(file)?;
             let question = CodeQuestion {
                 map: self.map.clone(),
                 conditions: conditions(&self.setting),
@@ -119,7 +119,7 @@ impl Compare {
                     Some(Side::Right) => PrintedSide::Right,
                 },
                 part: self.part,
-                ..CodeQuestion::new(file.display().to_string(), text(file)?, function)
+                ..CodeQuestion::new(code_name(file, &code), code, function)
             };
             let claims = paper.claims.into_iter();
             return Ok(claims
@@ -134,7 +134,11 @@ impl Compare {
                 let Some(mut question) = CodeQuestion::declared(&claim) else {
                     continue;
                 };
-                question.text = text(&folder.join(&paper.head.id).join(&question.file))?;
+                let path = folder.join(&paper.head.id).join(&question.file);
+                question.text = text(&path).map_err(|failure| match failure {
+                    Failure::Input { path, source } => Failure::Unread { path, source },
+                    other => other,
+                })?;
                 all.push((paper.head.id.clone(), claim, question));
             }
         }
@@ -152,12 +156,19 @@ impl Compare {
                 "{}: {comparison}",
                 terminal::heading(&comparison.claim)
             )),
-            Format::Json => {
-                let line = serde_json::to_string(comparison);
-                let line = line.map_err(|error| Failure::Print(error.into()))?;
-                Ok(format!("{line}\n"))
-            }
+            Format::Json => Ok(json_line(comparison)?),
         }
+    }
+}
+
+/// The name of a file of code, whose ending says in which language it is; that of standard input says what a line says
+/// with which only a function of Rust begins.
+fn code_name(file: &Path, code: &str) -> String {
+    let is_rust = |line: &str| line.starts_with("fn ") || line.starts_with("pub fn ");
+    match input::is_standard(file) {
+        true if code.lines().any(is_rust) => "stdin.rs".to_owned(),
+        true => "stdin.py".to_owned(),
+        false => file.display().to_string(),
     }
 }
 
@@ -169,14 +180,7 @@ fn conditions(setting: &str) -> Vec<String> {
 
 /// The text of a file of code; of one that is too long a beginning that is too long.
 fn text(path: &Path) -> Result<String, Failure> {
-    let unread = |source| Failure::Unread {
-        path: path.to_owned(),
-        source,
-    };
-    let file = std::fs::File::open(path).map_err(unread)?;
-    let mut bytes = vec![];
-    let limit = MAX_CODE_BYTES as u64 + 1;
-    file.take(limit).read_to_end(&mut bytes).map_err(unread)?;
+    let bytes = input::bytes(path, MAX_CODE_BYTES)?;
     // A letter that is cut off at the end is of a file that is too long.
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

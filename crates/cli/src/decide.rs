@@ -2,13 +2,13 @@
 
 use crate::exit::{Exit, Failure};
 use crate::explain::text;
-use crate::format::Format;
+use crate::format::{Format, json_line};
 use crate::run::Budget;
-use crate::{terminal, watchdog};
+use crate::{input, terminal, watchdog};
 use clap::Args;
-use serde::Deserialize;
-use std::io::BufRead;
-use torse::{Decided, Verdict};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use torse::{Decided, ErrorMessage, ErrorPlace, Verdict};
 
 /// Decide one statement: is it true, where is it false, what would be right?
 ///
@@ -18,9 +18,10 @@ use torse::{Decided, Verdict};
 /// `--latex` reads the statement as a paper prints it. A formula with two readings is an error that shows both.
 ///
 /// If the statement is `-`, each line of standard input is a statement, or a JSON object with `states` and, in place of
-/// `--where`, `where`. For each line torse prints a line of JSON as in `verify --format json`, or an `error`. The exit
-/// code is 0 for a statement that is true, if need be under the condition that is shown, 1 for a false one, 3 for one
-/// that is not decided, 4 for one that makes no sense; for several, the gravest.
+/// `--where`, `where`. For each line torse prints a line of JSON with the `number` of the line: the fields of `verify
+/// --format json`, or an `error` with its `mistakes`, their places and lengths. The exit code is 0 for a statement that is
+/// true, if need be under the condition that is shown, 1 for a false one, 3 for one that is not decided, 4 for one that
+/// makes no sense; for several, the gravest.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Decide {
@@ -86,21 +87,21 @@ impl Decide {
     /// Decides every line of standard input.
     fn lines(&self) -> Result<Exit, Failure> {
         let mut gravest = Exit::AsExpected;
-        for line in std::io::stdin().lock().lines() {
-            let line = line.map_err(Failure::Input)?;
+        for (index, line) in input::lines(Path::new("-"))?.enumerate() {
+            let line = line?;
             if line.trim().is_empty() {
                 continue;
             }
-            let (text, exit) = self.line(&line)?;
+            let (text, exit) = self.line(index + 1, &line)?;
             terminal::print(&text)?;
             gravest = gravest.max(exit);
         }
         Ok(gravest)
     }
 
-    fn line(&self, line: &str) -> Result<(String, Exit), Failure> {
+    fn line(&self, number: usize, line: &str) -> Result<(String, Exit), Failure> {
         let question = match line.trim_start().starts_with('{') {
-            true => serde_json::from_str(line).map_err(|error| error.to_string()),
+            true => serde_json::from_str(line).map_err(|error| Wrong::no_question(&error)),
             false => Ok(Question {
                 states: line.trim().to_owned(),
                 setting: None,
@@ -113,16 +114,58 @@ impl Decide {
                 true => verifier.decide_latex(&question.states, setting),
                 false => verifier.decide(&question.states, setting),
             };
-            decided.map_err(|error| error.to_string())
+            decided.map_err(|error| Wrong::statement(&error))
         });
-        Ok(match decided {
-            Ok(decided) => (decided.json()?, exit(&decided)),
-            Err(error) => {
-                let error = serde_json::json!({ "line": line, "error": error });
-                (format!("{error}\n"), Exit::BadData)
+        match decided {
+            Ok(decided) => {
+                let json = decided.json()?;
+                let fields = json.strip_prefix('{').unwrap_or(&json);
+                Ok((format!("{{\"number\":{number},{fields}"), exit(&decided)))
             }
-        })
+            Err(Wrong { error, mistakes }) => {
+                let answer = WrongLine {
+                    number,
+                    line,
+                    error,
+                    mistakes,
+                };
+                Ok((json_line(&answer)?, Exit::BadData))
+            }
+        }
     }
+}
+
+/// Why a line has no verdict.
+struct Wrong {
+    error: String,
+    mistakes: Vec<ErrorMessage>,
+}
+
+impl Wrong {
+    /// A line that begins as JSON and is no question.
+    fn no_question(error: &serde_json::Error) -> Self {
+        let place = ErrorPlace::new("the line", error.line(), error.column());
+        let error = error.to_string();
+        let mistakes = vec![ErrorMessage::new(Some(place), &error)];
+        Self { error, mistakes }
+    }
+
+    /// A statement that cannot be read, or makes no sense.
+    fn statement(error: &torse::Error) -> Self {
+        Self {
+            error: error.to_string(),
+            mistakes: error.messages(),
+        }
+    }
+}
+
+/// The answer to a line that has no verdict.
+#[derive(Serialize)]
+struct WrongLine<'a> {
+    number: usize,
+    line: &'a str,
+    error: String,
+    mistakes: Vec<ErrorMessage>,
 }
 
 /// The exit code of an answer.

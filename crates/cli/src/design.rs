@@ -1,18 +1,20 @@
 //! `inspect`, `fold`, `export`, `eval`, `draw`: design files in, answers and files out.
 
 use crate::exit::{Exit, Failure};
-use crate::format::{Format, pretty_json};
-use crate::terminal::{print, print_bytes, remark};
+use crate::format::{Format, json_line, pretty_json};
+use crate::input::{self, is_standard};
+use crate::terminal::{complain, print, print_bytes, remark};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use torse_designs::eval::{EvalPlaces, csv, eval};
 use torse_designs::export::{ENDINGS, PATTERNS, bytes, ending};
-use torse_designs::fold::fold_back;
+use torse_designs::fold::{fold_back, fold_text};
 use torse_designs::inspect::{DesignReport, inspect, inspect_quickly, overview, table, wrapped};
 use torse_designs::listing::{FileListing, list};
 use torse_designs::unroll::{Demand, Flattening, development_note};
-use torse_designs::{Design, DesignError, draw, load, load_with_settings};
+use torse_designs::{Design, DesignError, draw, load_with_settings};
 use torse_exchange::{FileKind, LengthUnit, MAX_FILE_BYTES, write_file};
 
 /// Measure a design: can it be made? Or list the contents of a file of another program.
@@ -44,7 +46,7 @@ pub struct Inspect {
 /// A design file, with numbers of its own set anew.
 #[derive(Args)]
 pub(crate) struct DesignFile {
-    /// The design file
+    /// The design file; - for standard input
     design: PathBuf,
     /// Set a number of [let] to another value; repeatable
     #[arg(long, value_name = "NAME=NUMBER", value_parser = setting)]
@@ -66,7 +68,7 @@ pub(crate) struct Pattern {
     allow_strain: f64,
     /// Choose how to unroll a surface that is not exactly developable: both edges keep their lengths, one of them keeps
     /// its length and curvature, or neither does
-    #[arg(long, value_name = "NAME", value_parser = development, default_value = "edges")]
+    #[arg(long, value_name = "NAME", value_parser = named(Flattening::ALL), default_value = "edges")]
     development: Flattening,
     /// Draw this many rulings of each patch
     #[arg(long, value_name = "NUMBER")]
@@ -87,18 +89,25 @@ impl Pattern {
     }
 }
 
-/// Finds a way to unroll by its name.
-fn development(name: &str) -> Result<Flattening, String> {
-    named(&Flattening::ALL, name, "there are")
+/// Takes the names of values and nothing else; help and completions list them.
+pub(crate) fn named<T: Copy + Send + Sync + 'static>(
+    all: impl IntoIterator<Item = (&'static str, T)>,
+) -> impl TypedValueParser<Value = T> {
+    let all: Vec<(&'static str, T)> = all.into_iter().collect();
+    let names = PossibleValuesParser::new(all.iter().map(|(name, _)| *name));
+    names.try_map(move |name| {
+        let found = all.iter().find(|(own, _)| *own == name);
+        found
+            .map(|(_, value)| *value)
+            .ok_or("there is no such value")
+    })
 }
 
-/// Finds a value by its name; the message lists the names after these words.
-pub(crate) fn named<T: Copy>(all: &[(&str, T)], name: &str, words: &str) -> Result<T, String> {
-    let known = all.iter().find(|(own, _)| *own == name);
-    known.map(|(_, value)| *value).ok_or_else(|| {
-        let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
-        format!("{words} {}", names.join(", "))
-    })
+/// Takes one of the endings of files.
+pub(crate) fn ending_among(
+    all: impl IntoIterator<Item = &'static str>,
+) -> impl TypedValueParser<Value = String> {
+    PossibleValuesParser::new(all)
 }
 
 /// Fold a pattern file back into space and compare it with its design.
@@ -109,7 +118,7 @@ pub(crate) fn named<T: Copy>(all: &[(&str, T)], name: &str, words: &str) -> Resu
 pub struct Fold {
     #[command(flatten)]
     file: DesignFile,
-    /// Read this pattern, a DXF or SVG file written by `unroll --for fold`
+    /// Read this pattern, a DXF or SVG file written by `unroll --for fold`; - for standard input
     #[arg(long, value_name = "FILE")]
     pattern: PathBuf,
     /// Set the format of the answer
@@ -129,7 +138,7 @@ pub struct Export {
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
     /// Set the format if the file name has no known extension
-    #[arg(long, value_name = "ENDING")]
+    #[arg(long, value_name = "ENDING", value_parser = ending_among(ENDINGS.iter().copied()), ignore_case = true)]
     r#as: Option<String>,
     #[command(flatten)]
     pattern: Pattern,
@@ -171,9 +180,12 @@ enum Table {
 pub struct Draw {
     #[command(flatten)]
     file: DesignFile,
-    /// Write the picture to this .png, .svg, .html or .gif file
+    /// Write the picture to this .png, .svg, .html or .gif file, or to standard output if it is - (with --as)
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
+    /// Set the format if the file name has no known extension
+    #[arg(long, value_name = "ENDING", value_parser = ending_among(draw::ENDINGS.iter().copied()), ignore_case = true)]
+    r#as: Option<String>,
     #[command(flatten)]
     pattern: Pattern,
 }
@@ -197,25 +209,19 @@ pub(crate) fn unit(text: &str) -> Result<LengthUnit, String> {
     LengthUnit::named(text).ok_or_else(wanted)
 }
 
-/// Whether a path stands for standard input or output.
-pub(crate) fn is_standard(path: &Path) -> bool {
-    path.as_os_str() == "-"
-}
-
 /// Reads the design of a file.
 pub(crate) fn design(path: &Path, settings: &[(String, f64)]) -> Result<Design, Failure> {
-    if is_standard(path) {
-        let input = std::io::stdin().lock();
-        return Ok(load_with_settings(Path::new("stdin"), input, settings)?);
-    }
-    if settings.is_empty() {
-        return Ok(load(path)?);
-    }
-    let file = std::fs::File::open(path).map_err(|error| DesignError::Unreadable {
-        path: path.display().to_string(),
-        reason: error.to_string(),
-    })?;
-    Ok(load_with_settings(path, file, settings)?)
+    of_stream(path, input::open(path)?, settings)
+}
+
+/// Reads a design from a stream that was opened by this path.
+fn of_stream(path: &Path, from: impl Read, settings: &[(String, f64)]) -> Result<Design, Failure> {
+    let shown = if is_standard(path) {
+        Path::new("stdin")
+    } else {
+        path
+    };
+    Ok(load_with_settings(shown, from, settings)?)
 }
 
 /// Says on standard error which faces of a file of another program have no patch.
@@ -284,42 +290,50 @@ impl Inspect {
     /// Measures the design, or each of several.
     pub fn run(&self) -> Result<Exit, Failure> {
         if let [path] = self.designs.as_slice() {
-            if let Some(listing) = self.listing(path)? {
+            let bytes = input::bytes(path, MAX_FILE_BYTES)?;
+            if let Some(listing) = self.listing(path, &bytes)? {
                 print(&match self.format {
                     Format::Text => listing.text(),
                     Format::Json => pretty_json(&listing)?,
                 })?;
                 return Ok(Exit::AsExpected);
             }
-            let report = self.report(path)?;
+            let report = self.report(path, bytes.as_slice())?;
             print(&match self.format {
                 Format::Text => table(&report),
                 Format::Json => pretty_json(&report)?,
             })?;
             return Ok(met(&report.missed));
         }
-        let mut reports = Vec::new();
+        // What is wrong with one is told where it is found, and the others are measured all the same.
+        let (mut reports, mut gravest) = (Vec::new(), Exit::AsExpected);
         for path in &self.designs {
-            reports.push(self.report(path)?);
+            match input::open(path).and_then(|from| self.report(path, from)) {
+                Ok(report) => {
+                    gravest = gravest.max(met(&report.missed));
+                    reports.push(report);
+                }
+                Err(failure) => {
+                    gravest = gravest.max(failure.exit());
+                    complain(&failure);
+                }
+            }
+        }
+        if reports.is_empty() {
+            return Ok(gravest);
         }
         print(&match self.format {
             Format::Text => overview(&reports),
             Format::Json => {
-                let lines: Result<Vec<String>, _> =
-                    reports.iter().map(serde_json::to_string).collect();
-                let lines = lines.map_err(|error| Failure::Print(error.into()))?;
-                lines.join("\n") + "\n"
+                let lines: Result<String, _> = reports.iter().map(json_line).collect();
+                lines?
             }
         })?;
-        let missed: Vec<String> = reports
-            .into_iter()
-            .flat_map(|report| report.missed)
-            .collect();
-        Ok(met(&missed))
+        Ok(gravest)
     }
 
-    fn report(&self, path: &Path) -> Result<DesignReport, Failure> {
-        let design = design(path, &self.set)?;
+    fn report(&self, path: &Path, from: impl Read) -> Result<DesignReport, Failure> {
+        let design = of_stream(path, from, &self.set)?;
         Ok(if self.quick {
             inspect_quickly(&design)?
         } else {
@@ -328,23 +342,12 @@ impl Inspect {
     }
 
     /// What is in a file of another program; nothing for a design.
-    fn listing(&self, path: &Path) -> Result<Option<FileListing>, Failure> {
-        if is_standard(path) {
+    fn listing(&self, path: &Path, bytes: &[u8]) -> Result<Option<FileListing>, Failure> {
+        let name = input::name(path);
+        if !FileKind::of_file(&name, bytes).is_read() {
             return Ok(None);
         }
-        let Ok(file) = std::fs::File::open(path) else {
-            // What is wrong with it is told where a design is read.
-            return Ok(None);
-        };
-        let most = u64::try_from(MAX_FILE_BYTES).unwrap_or(u64::MAX);
-        let mut bytes = Vec::new();
-        if file.take(most + 1).read_to_end(&mut bytes).is_err()
-            || !FileKind::of_file(&path.display().to_string(), &bytes).is_read()
-        {
-            return Ok(None);
-        }
-        let name = path.display().to_string();
-        let listing = list(&name, &bytes, self.unit.as_ref());
+        let listing = list(&name, bytes, self.unit.as_ref());
         let failed = |reason| DesignError::Listing {
             path: name.clone(),
             reason,
@@ -356,8 +359,22 @@ impl Inspect {
 impl Fold {
     /// Folds the pattern and compares.
     pub fn run(&self) -> Result<Exit, Failure> {
-        ending(&self.pattern, PATTERNS)?;
-        let report = fold_back(&self.file.open()?, &self.pattern)?;
+        let report = match is_standard(&self.pattern) {
+            true => {
+                let text = input::text(&self.pattern)?;
+                let name = match FileKind::detect(text.as_bytes()) {
+                    FileKind::Svg => "stdin.svg",
+                    _ => "stdin",
+                };
+                fold_text(&self.file.open()?, name, &text)?
+            }
+            false => {
+                ending(&self.pattern, PATTERNS)?;
+                // It is looked for before the design is read.
+                drop(input::open(&self.pattern)?);
+                fold_back(&self.file.open()?, &self.pattern)?
+            }
+        };
         print(&match self.format {
             Format::Text => report.text(),
             Format::Json => pretty_json(&report)?,
@@ -399,7 +416,7 @@ impl Eval {
 impl Draw {
     /// Writes the picture.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let ending = ending(&self.to, draw::ENDINGS)?;
+        let ending = format_of(&self.to, self.r#as.as_deref(), draw::ENDINGS)?;
         let (design, demand) = (self.file.open()?, self.pattern.demand());
         let bytes = match ending {
             "html" => draw::page(&design, &demand)?.into_bytes(),

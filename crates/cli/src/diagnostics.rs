@@ -4,7 +4,7 @@ use crate::exit::{Exit, Failure};
 use crate::terminal;
 use miette::Diagnostic;
 use std::collections::BTreeSet;
-use torse::annotations::{Annotation, AnnotationLevel};
+use torse::annotations::Annotation;
 
 /// Maximum number of mistakes that are shown. Each is shown with the lines around it, which takes time in long files.
 const MAX_SHOWN: usize = 100;
@@ -32,13 +32,7 @@ impl Diagnostics {
             return;
         }
         self.texts.push(terminal::shown(&mistake));
-        self.annotations.push(Annotation {
-            level: AnnotationLevel::Error,
-            rule: "mistake",
-            claim: None,
-            message: mistake.to_string(),
-            place: torse::diagnostic_place(&mistake),
-        });
+        self.annotations.push(Annotation::mistake(&mistake));
     }
 
     /// Returns those that are shown, with their places.

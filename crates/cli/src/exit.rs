@@ -1,5 +1,6 @@
 //! Exit codes, and the failures behind them.
 
+use crate::input::{is_standard, name};
 use miette::Diagnostic;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -30,9 +31,9 @@ pub enum Exit {
     TimeLimit,
     /// 5: an output could not be made or written.
     Output,
-    /// 4: a derivation or design file is wrong.
+    /// 4: a file is wrong.
     BadData,
-    /// 2: the command line cannot be followed; clap uses the same code.
+    /// 2: the command line cannot be followed, or a file that it names cannot be read; clap uses the same code.
     Usage,
     /// 6: levels of assurance contradict each other: the prover and the second evaluator, the checker, or the kernel.
     Contradiction,
@@ -145,8 +146,17 @@ pub enum Failure {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Library(#[from] torse::Error),
-    /// Verdicts of an earlier run that cannot be read.
-    #[error("{} holds no verdicts: {reason}", path.display())]
+    /// A file that the command line names cannot be read.
+    #[error("{} cannot be read", if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() })]
+    Input {
+        /// The path as given.
+        path: PathBuf,
+        /// Why.
+        #[source]
+        source: std::io::Error,
+    },
+    /// What stands in place of verdicts of an earlier run is none.
+    #[error("{} holds no verdicts: {reason}", name(path))]
     #[diagnostic(help("`--against` takes what `torse verify --format json` has written"))]
     Against {
         /// The path as given.
@@ -154,8 +164,12 @@ pub enum Failure {
         /// The mistakes.
         reason: String,
     },
-    /// A list of claims or of ids that cannot be read.
-    #[error("{} cannot be read: {reason}", path.display())]
+    /// Two answers would go to standard output.
+    #[error("standard output cannot be two files")]
+    #[diagnostic(help("give `--to` or `--parts` the name of a file"))]
+    BothStandard,
+    /// A line of a list of claims is none.
+    #[error("{} is no list of claims: {reason}", name(path))]
     #[diagnostic(help(
         "`torse list --format json` writes the claims with their digests, a line each"
     ))]
@@ -193,7 +207,7 @@ pub enum Failure {
         reason: String,
     },
     /// Parts of a corpus that are no whole.
-    #[error("{} cannot be merged: {reason}", path.display())]
+    #[error("{} cannot be merged: {reason}", name(path))]
     #[diagnostic(help("`torse verify --ids FILE` writes it anew"))]
     Merge {
         /// The file.
@@ -210,9 +224,9 @@ pub enum Failure {
         /// The claim.
         id: String,
     },
-    /// Standard input cannot be read, or is no text.
+    /// What an editor sends makes no sense from there on.
     #[error("standard input cannot be read")]
-    Input(#[source] std::io::Error),
+    Messages(#[source] std::io::Error),
     /// The folder of derivations could not be loaded.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -289,7 +303,7 @@ pub enum Failure {
         #[source]
         source: ExchangeError,
     },
-    /// A derivation file disappeared during the run, or a file of code is missing.
+    /// A derivation file disappeared during the run, or a file of code that a claim names is missing.
     #[error("{} cannot be read", path.display())]
     Unread {
         /// The path.
@@ -299,7 +313,7 @@ pub enum Failure {
         source: std::io::Error,
     },
     /// A manuscript is no text that can be read.
-    #[error("{}, line {line}: {reason}", path.display())]
+    #[error("{}, line {line}: {reason}", name(path))]
     #[diagnostic(help("a macro that calls itself has no end; give the text that it stands for"))]
     Manuscript {
         /// The path as given.
@@ -338,12 +352,16 @@ impl Failure {
             | Failure::NoFolder { .. }
             | Failure::NoPage { .. }
             | Failure::Exists { .. }
-            | Failure::Against { .. }
-            | Failure::List { .. }
+            | Failure::BothStandard
             | Failure::UnknownId { .. }
             | Failure::NoCode { .. }
             | Failure::Since { .. }
             | Failure::UnknownBasis { .. } => Exit::Usage,
+            Failure::Input { source, .. } => match source.kind() {
+                // It was read, and is no text.
+                std::io::ErrorKind::InvalidData => Exit::BadData,
+                _ => Exit::Usage,
+            },
             Failure::Library(error) => exit_of(error),
             Failure::Derive(error) => match **error {
                 DeriveError::UnknownBasis { .. }
@@ -357,6 +375,8 @@ impl Failure {
             | Failure::Derivation(_)
             | Failure::Slug { .. }
             | Failure::NothingDecided { .. }
+            | Failure::Against { .. }
+            | Failure::List { .. }
             | Failure::Manuscript { .. } => Exit::BadData,
             Failure::MissingCoqc => Exit::Missing,
             Failure::ReadProofs { .. }
@@ -369,7 +389,7 @@ impl Failure {
             | Failure::Step { .. }
             | Failure::Listen { .. }
             | Failure::Print(_)
-            | Failure::Input(_) => Exit::Output,
+            | Failure::Messages(_) => Exit::Output,
         }
     }
 }

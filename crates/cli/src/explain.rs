@@ -2,11 +2,13 @@
 
 use crate::derivations::{Derivations, LoadedDerivations};
 use crate::exit::{Exit, Failure};
+use crate::format::{Format, json_line};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::{terminal, watchdog};
 use clap::Args;
 use comfy_table::ColumnConstraint;
+use serde::Serialize;
 use torse::explanation::{Resting, full};
 use torse::report::glossary::{VERDICTS, verdict};
 use torse::{Explanation, selection};
@@ -24,6 +26,9 @@ pub struct Explain {
     /// Show at most this many characters of a formula
     #[arg(long, value_name = "CHARACTERS", default_value_t = 2000)]
     longest: usize,
+    /// Print text, or a line of JSON for each claim: its id, and groups of labels and texts
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    format: Format,
     #[command(flatten)]
     kernel: Kernel,
     #[command(flatten)]
@@ -36,6 +41,7 @@ const EXAMPLES: &str = "\
 Examples:
   torse explain gbt-developable/thm-4.c
   torse explain bezier
+  torse explain bezier --format json
   torse explain gbt-surfaces/thm-4 --longest 100000";
 
 impl Explain {
@@ -65,12 +71,23 @@ impl Explain {
                 watchdog::finished();
                 let kernel = kernel.contains(&outcome.claim.id);
                 let note = full(paper, outcome, resting, kernel, self.longest);
-                let id = terminal::heading(&outcome.claim.id);
-                terminal::print(&format!("{before}{id}\n\n{}", text(&note)))?;
+                let id = &outcome.claim.id;
+                terminal::print(&match self.format {
+                    Format::Text => format!("{before}{}\n\n{}", terminal::heading(id), text(&note)),
+                    Format::Json => json_line(&ExplainedClaim { id, note: &note })?,
+                })?;
             }
         }
         Ok(mistakes.tell(Exit::AsExpected))
     }
+}
+
+/// A line of JSON about a claim.
+#[derive(Serialize)]
+struct ExplainedClaim<'a> {
+    id: &'a str,
+    #[serde(flatten)]
+    note: &'a Explanation,
 }
 
 /// An explanation as a text for the terminal: verdicts in their colours.

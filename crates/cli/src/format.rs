@@ -17,6 +17,11 @@ pub fn pretty_json(value: &impl serde::Serialize) -> Result<String, ReportError>
     Ok(serde_json::to_string_pretty(value)? + "\n")
 }
 
+/// Writes a value as a line of JSON.
+pub fn json_line(value: &impl serde::Serialize) -> Result<String, ReportError> {
+    Ok(serde_json::to_string(value)? + "\n")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,9 +3,9 @@
 use crate::design::unit;
 use crate::exit::{Exit, Failure};
 use crate::format::{Format, pretty_json};
+use crate::input;
 use crate::terminal::print;
 use clap::Args;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 use torse_designs::DesignError;
 use torse_designs::lint::{LintDemand, LintRules, lint};
@@ -23,7 +23,7 @@ pub struct Lint {
     /// Set the thickness of the sheet in millimetres, on which some rules depend
     #[arg(long, value_name = "MM", value_parser = positive)]
     thickness: Option<f64>,
-    /// Check against the rules of this TOML file instead of those that torse has
+    /// Check against the rules of this TOML file (- for standard input) instead of those that torse has
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     /// Set the unit of a file that states none: mm, cm, m, in, ft, ...
@@ -40,29 +40,6 @@ fn positive(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "a positive number of millimetres is wanted".to_owned())
 }
 
-/// The bytes of a file, or of standard input; no more than are read of a drawing.
-fn bytes_of(path: &Path) -> Result<Vec<u8>, DesignError> {
-    let unreadable = |error: std::io::Error| DesignError::Unreadable {
-        path: path.display().to_string(),
-        reason: error.to_string(),
-    };
-    let most = u64::try_from(MAX_FILE_BYTES).unwrap_or(u64::MAX);
-    let mut bytes = Vec::new();
-    if path.as_os_str() == "-" {
-        let input = std::io::stdin().lock();
-        input
-            .take(most + 1)
-            .read_to_end(&mut bytes)
-            .map_err(unreadable)?;
-    } else {
-        let file = std::fs::File::open(path).map_err(unreadable)?;
-        file.take(most + 1)
-            .read_to_end(&mut bytes)
-            .map_err(unreadable)?;
-    }
-    Ok(bytes)
-}
-
 impl Lint {
     /// Prints the table of rules and the faults.
     pub fn run(&self) -> Result<Exit, Failure> {
@@ -73,8 +50,8 @@ impl Lint {
         let rules = match &self.rules {
             None => LintRules::published().map_err(|reason| wrong(Path::new("rules"), reason))?,
             Some(path) => {
-                let text =
-                    String::from_utf8(bytes_of(path)?).map_err(|e| wrong(path, e.to_string()))?;
+                let text = String::from_utf8(input::bytes(path, MAX_FILE_BYTES)?)
+                    .map_err(|e| wrong(path, e.to_string()))?;
                 LintRules::parse(&text).map_err(|reason| wrong(path, reason))?
             }
         };
@@ -82,12 +59,13 @@ impl Lint {
             thickness: self.thickness,
             unit: self.unit.clone(),
         };
-        let name = if self.file.as_os_str() == "-" {
-            "stdin".to_owned()
-        } else {
-            self.file.display().to_string()
-        };
-        let report = lint(&name, &bytes_of(&self.file)?, &rules, &demand)?;
+        let name = input::name(&self.file);
+        let report = lint(
+            &name,
+            &input::bytes(&self.file, MAX_FILE_BYTES)?,
+            &rules,
+            &demand,
+        )?;
         print(&match self.format {
             Format::Text => report.text(),
             Format::Json => pretty_json(&report)?,

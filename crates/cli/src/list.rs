@@ -2,7 +2,7 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
-use crate::format::Format;
+use crate::format::{Format, json_line};
 use crate::{terminal, watchdog};
 use clap::Args;
 use serde::Serialize;
@@ -102,12 +102,7 @@ fn claim_lines(papers: &[Paper]) -> impl Iterator<Item = ClaimLine<'_>> {
 }
 
 fn lines(items: impl Iterator<Item = impl Serialize>) -> Result<String, ReportError> {
-    let mut text = String::new();
-    for item in items {
-        text.push_str(&serde_json::to_string(&item)?);
-        text.push('\n');
-    }
-    Ok(text)
+    items.map(|item| json_line(&item)).collect()
 }
 
 fn paper_table(papers: &[Paper]) -> String {

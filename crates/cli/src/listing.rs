@@ -1,9 +1,8 @@
 //! Claims with their digests, as `torse list --format json` writes them: a line each.
 
 use crate::exit::Failure;
+use crate::input::{self, Lasting};
 use serde::Deserialize;
-use std::io::{BufRead, BufReader};
-use std::path::{Path, PathBuf};
 use torse::ClaimDigest;
 
 /// A line of a list of claims; other fields are ignored.
@@ -16,22 +15,20 @@ struct ListedClaim {
 /// The claims of a file, one after the other, so that a long list takes no memory.
 ///
 /// # Errors
-/// [`Failure::List`] for a file that cannot be read, and in place of a line that is none of a list.
-pub fn listed(path: &Path) -> Result<impl Iterator<Item = Result<ClaimDigest, Failure>>, Failure> {
-    let path = path.to_owned();
-    let file = std::fs::File::open(&path).map_err(|error| wrong(&path, error.to_string()))?;
-    let lines = BufReader::new(file).lines().enumerate();
+/// [`Failure::Input`] for a file that cannot be read, and [`Failure::List`] in place of a line that is none of a list.
+pub fn listed(
+    file: &Lasting,
+) -> Result<impl Iterator<Item = Result<ClaimDigest, Failure>>, Failure> {
+    let lines = input::lines(file.path())?.enumerate();
+    let path = file.named().to_owned();
     Ok(lines.map(move |(number, line)| {
-        let line = line.map_err(|error| wrong(&path, error.to_string()))?;
-        let read: Result<ListedClaim, _> = serde_json::from_str(&line);
+        let read: Result<ListedClaim, _> = serde_json::from_str(&line?);
         match read {
             Ok(ListedClaim { id, digest }) => Ok(ClaimDigest { id, digest }),
-            Err(error) => Err(wrong(&path, format!("line {}: {error}", number + 1))),
+            Err(error) => Err(Failure::List {
+                path: path.clone(),
+                reason: format!("line {}: {error}", number + 1),
+            }),
         }
     }))
-}
-
-fn wrong(path: &Path, reason: String) -> Failure {
-    let path: PathBuf = path.to_owned();
-    Failure::List { path, reason }
 }

@@ -20,6 +20,7 @@ mod exit;
 mod explain;
 mod figures;
 mod format;
+mod input;
 mod kernel;
 mod lint;
 mod list;
@@ -109,11 +110,12 @@ Examples:
   torse lsp                              verdicts beside the lines of an editor, which starts it
 
 Exit codes (if several apply, the first of this list):
+  101  torse itself has failed: an internal error, which is to be reported
   6  two checks of a verdict contradict each other (prover, second evaluator, replay, kernel): the
      claim is `undecided`, with \"internal contradiction\"
-  2  the command line is wrong: an unknown name, a missing folder
-  4  a derivation or design file is wrong: all mistakes are shown with file, line and column, and
-     the claims without a mistake are decided all the same
+  2  the command line is wrong: an unknown name, a file or folder that is missing or cannot be read
+  4  what a file says is wrong: all mistakes of derivations and designs are shown with file, line and
+     column, and the claims without a mistake are decided all the same
   5  an output could not be made or written
   8  the time limit (`--time-limit SECONDS`) ended the run, without verdicts
   7  a required program is missing (coqc)
@@ -238,10 +240,18 @@ fn main() -> ExitCode {
 fn internal_error(panicked: &str) -> String {
     format!(
         "internal error: torse {VERSION} has failed, and your files are not to blame\n  {}\n\
-         Please report it to the maintainers (CITATION.cff names them) with these lines, the command and the files that it \
-         read.\n",
-        panicked.replace('\n', "\n  ")
+         Please report it {} with these lines, the command and the files that it read.\n",
+        panicked.replace('\n', "\n  "),
+        address(env!("CARGO_PKG_REPOSITORY"))
     )
+}
+
+/// Where it is reported: at the repository that the package names, if it names one.
+fn address(repository: &str) -> String {
+    match repository.trim_end_matches('/') {
+        "" => "to those from whom you have torse".to_owned(),
+        repository => format!("at {repository}/issues"),
+    }
 }
 
 #[cfg(test)]
@@ -251,8 +261,10 @@ mod tests {
     #[test]
     fn an_internal_error_says_what_failed_and_where_to_report_it() {
         let message = internal_error("panicked at src/x.rs:1:2:\nwhy");
-        for part in [VERSION, "src/x.rs:1:2", "why", "CITATION.cff"] {
+        for part in [VERSION, "src/x.rs:1:2", "why", "report it"] {
             assert!(message.contains(part), "{message}");
         }
+        let address = address("https://example.org/torse/");
+        assert_eq!(address, "at https://example.org/torse/issues");
     }
 }

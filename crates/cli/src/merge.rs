@@ -1,13 +1,15 @@
 //! `torse merge`: parts of a corpus, decided apart, become what one run would have written.
 
 use crate::exit::{Exit, Failure};
+use crate::input::Lasting;
 use crate::listing::listed;
 use crate::shard::{FINDING, LinesDigest, ShardEnd, ShardHead, ShardLine};
 use crate::watchdog;
 use clap::Args;
+use std::collections::HashMap;
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, BufWriter};
-use std::path::{Path, PathBuf};
+use std::io::{self, BufRead, BufReader, BufWriter, Seek, SeekFrom};
+use std::path::PathBuf;
 use torse::ClaimDigest;
 use torse_report::{ReportError, VerdictsWriter};
 
@@ -21,10 +23,10 @@ use torse_report::{ReportError, VerdictsWriter};
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Merge {
-    /// Files that `torse verify --ids` has written
+    /// Files that `torse verify --ids` has written; - for standard input
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
-    /// All claims in their order, as `torse list --format json` has written them
+    /// All claims in their order, as `torse list --format json` has written them; - for standard input
     #[arg(long, value_name = "FILE")]
     list: PathBuf,
 }
@@ -36,55 +38,99 @@ Examples:
   torse verify --ids second.txt > second.ndjson
   torse merge first.ndjson second.ndjson --list list.ndjson > verdicts.json";
 
+/// How many files are open at a time: fewer than any system allows.
+const MAX_OPEN: usize = 64;
+
 impl Merge {
     /// Checks all files, then goes through them again and prints: nothing is printed of what is no whole.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let exit = self.walk(|_| Ok(()))?;
+        let files = self.files.iter().map(|path| Lasting::new(path));
+        let files = files.collect::<Result<Vec<Lasting>, Failure>>()?;
+        let list = Lasting::new(&self.list)?;
+        let exit = walk(&files, &list, |_| Ok(()))?;
         watchdog::finished();
         let out = BufWriter::new(io::stdout().lock());
         let mut json = VerdictsWriter::new(out).map_err(printing)?;
-        self.walk(|claim| Ok(json.add(claim).map_err(printing)?))?;
+        walk(&files, &list, |claim| {
+            Ok(json.add(claim).map_err(printing)?)
+        })?;
         json.finish().map_err(printing)?;
         Ok(exit)
     }
+}
 
-    /// Goes through the claims of all files in the order of the list; memory holds a line of each file. Returns the exit
-    /// code that they have together.
-    fn walk(&self, mut see: impl FnMut(&str) -> Result<(), Failure>) -> Result<Exit, Failure> {
-        let opened = self.files.iter().map(|path| Shard::open(path));
-        let mut shards = opened.collect::<Result<Vec<Shard>, Failure>>()?;
-        if let Some((first, others)) = shards.split_first()
-            && let Some(other) = others.iter().find(|other| other.head != first.head)
-        {
-            let ShardHead { torse, budget, .. } = &first.head;
-            let of_kernel = match first.head.kernel == other.head.kernel {
-                true => "",
-                false => ", and another list of what the kernel accepted",
+/// Goes through the claims of all files in the order of the list; memory holds a line of each file. Returns the exit code
+/// that they have together.
+fn walk(
+    files: &[Lasting],
+    list: &Lasting,
+    mut see: impl FnMut(&str) -> Result<(), Failure>,
+) -> Result<Exit, Failure> {
+    let mut readers = Readers::default();
+    let mut shards: Vec<Shard> = vec![];
+    for file in files {
+        shards.push(Shard::begin(file, shards.len(), &mut readers)?);
+    }
+    if let Some((first, others)) = shards.split_first()
+        && let Some(other) = others.iter().find(|other| other.head != first.head)
+    {
+        let ShardHead { torse, budget, .. } = &first.head;
+        let of_kernel = match first.head.kernel == other.head.kernel {
+            true => "",
+            false => ", and another list of what the kernel accepted",
+        };
+        let first = first.file.named().display();
+        return Err(other.wrong(format!(
+            "{first} was written by torse {torse} with a budget of {budget}{of_kernel}, and this was not"
+        )));
+    }
+    // The file that has a claim as its next one.
+    let mut next: HashMap<String, usize> = HashMap::new();
+    for index in 0..shards.len() {
+        enter(&shards, index, &mut next)?;
+    }
+    for claim in listed(list)? {
+        let ClaimDigest { id, digest } = claim?;
+        let found = next.remove(&id);
+        let found = found.and_then(|index| Some((index, shards.get_mut(index)?)));
+        let Some((index, shard)) = found.filter(|(_, shard)| shard.is_at(&id, &digest)) else {
+            return Err(Failure::Unmerged { id });
+        };
+        let line = shard.step(&mut readers)?;
+        match finding(&line) {
+            None | Some("null") => {}
+            Some(finding) => see(finding)?,
+        }
+        enter(&shards, index, &mut next)?;
+    }
+    let mut gravest = Exit::AsExpected;
+    for shard in shards {
+        gravest = gravest.max(shard.end(&mut readers)?);
+    }
+    Ok(gravest)
+}
+
+/// Notes which claim comes next in a file; no other file may be at it.
+fn enter(shards: &[Shard], index: usize, next: &mut HashMap<String, usize>) -> Result<(), Failure> {
+    let Some((shard, Next::Claim(line))) = shards.get(index).map(|shard| (shard, &shard.next))
+    else {
+        return Ok(());
+    };
+    let id = &line.id;
+    match next
+        .insert(id.clone(), index)
+        .and_then(|other| shards.get(other))
+    {
+        None => Ok(()),
+        Some(other) => {
+            let (first, second) = if other.index < index {
+                (other, shard)
+            } else {
+                (shard, other)
             };
-            let first = first.path.display();
-            return Err(other.wrong(format!(
-                "{first} was written by torse {torse} with a budget of {budget}{of_kernel}, and this was not"
-            )));
+            let first = first.file.named().display();
+            Err(second.wrong(format!("it has the claim `{id}`, and {first} has it too")))
         }
-        for claim in listed(&self.list)? {
-            let ClaimDigest { id, digest } = claim?;
-            let mut having = shards.iter_mut().filter(|shard| shard.is_at(&id, &digest));
-            let Some(shard) = having.next() else {
-                return Err(Failure::Unmerged { id });
-            };
-            if let Some(other) = having.next() {
-                let first = shard.path.display();
-                return Err(other.wrong(format!("it has the claim `{id}`, and {first} has it too")));
-            }
-            if let Some(finding) = shard.step()? {
-                see(&finding)?;
-            }
-        }
-        let mut gravest = Exit::AsExpected;
-        for shard in shards {
-            gravest = gravest.max(shard.end()?);
-        }
-        Ok(gravest)
     }
 }
 
@@ -98,98 +144,118 @@ fn printing(error: ReportError) -> ReportError {
     }
 }
 
+/// The files that are open, the one that was read last at the end.
+#[derive(Default)]
+struct Readers {
+    open: Vec<(usize, BufReader<File>)>,
+}
+
+impl Readers {
+    /// Reads the line of a file at a byte, with its end; none at the end of the file.
+    fn line(&mut self, shard: usize, file: &Lasting, at: u64) -> io::Result<Option<String>> {
+        let mut reader = match self.open.iter().position(|(open, _)| *open == shard) {
+            Some(place) => self.open.remove(place).1,
+            None => {
+                let mut file = File::open(file.path())?;
+                file.seek(SeekFrom::Start(at))?;
+                BufReader::new(file)
+            }
+        };
+        let mut line = String::new();
+        let read = reader.read_line(&mut line)?;
+        if self.open.len() >= MAX_OPEN {
+            self.open.remove(0);
+        }
+        self.open.push((shard, reader));
+        Ok((read > 0).then_some(line))
+    }
+}
+
 /// A file of lines, at one of them.
-struct Shard {
-    path: PathBuf,
+struct Shard<'f> {
+    file: &'f Lasting,
+    index: usize,
     head: ShardHead,
-    lines: Lines,
+    /// The byte at which the line after the one that it is at begins.
+    offset: u64,
+    /// The lines before the one that it is at.
+    digest: LinesDigest,
+    line: String,
     next: Next,
     passed: usize,
 }
 
-/// The lines of a file, and the digest of those that were read before the last one.
-struct Lines {
-    lines: io::Lines<BufReader<File>>,
-    last: Option<String>,
-    digest: LinesDigest,
-}
-
-impl Lines {
-    fn next(&mut self) -> Result<Option<&str>, String> {
-        if let Some(last) = self.last.take() {
-            self.digest.add(&last);
-        }
-        self.last = self
-            .lines
-            .next()
-            .transpose()
-            .map_err(|error| error.to_string())?;
-        Ok(self.last.as_deref())
-    }
-}
-
-/// What comes next in a file.
+/// What stands in a line.
 enum Next {
-    /// A claim and its finding; none where its formulas make no sense.
-    Claim(ShardLine, Option<String>),
+    /// A claim.
+    Claim(ShardLine),
     /// The last line.
     End(ShardEnd),
 }
 
-impl Shard {
-    fn open(path: &Path) -> Result<Self, Failure> {
-        let wrong = |reason: String| Failure::Merge {
-            path: path.to_owned(),
-            reason,
-        };
-        let file = File::open(path).map_err(|error| wrong(error.to_string()))?;
-        let mut lines = Lines {
-            lines: BufReader::new(file).lines(),
-            last: None,
-            digest: LinesDigest::default(),
-        };
-        let head = lines.next().map_err(wrong)?;
-        let head = head.ok_or_else(|| wrong("it is empty".to_owned()))?;
-        let head = serde_json::from_str(head);
+impl<'f> Shard<'f> {
+    fn begin(file: &'f Lasting, index: usize, readers: &mut Readers) -> Result<Self, Failure> {
+        let wrong = |reason: String| wrong(file, reason);
+        let read = readers.line(index, file, 0);
+        let line = read.map_err(|source| unread(file, source))?;
+        let line = line.ok_or_else(|| wrong("it is empty".to_owned()))?;
+        let head = serde_json::from_str(&line);
         let head =
             head.map_err(|error| wrong(format!("its first line is none of a part: {error}")))?;
-        let next = Next::read(&mut lines).map_err(wrong)?;
-        Ok(Self {
-            path: path.to_owned(),
+        let offset = line.len() as u64;
+        let mut shard = Self {
+            file,
+            index,
             head,
-            lines,
-            next,
+            offset,
+            digest: LinesDigest::default(),
+            line,
+            next: Next::End(ShardEnd::default()),
             passed: 0,
-        })
+        };
+        shard.advance(readers)?;
+        Ok(shard)
     }
 
     fn wrong(&self, reason: String) -> Failure {
-        Failure::Merge {
-            path: self.path.clone(),
-            reason,
-        }
+        wrong(self.file, reason)
+    }
+
+    fn read(&mut self, readers: &mut Readers) -> Result<Option<String>, Failure> {
+        let read = readers.line(self.index, self.file, self.offset);
+        let line = read.map_err(|source| unread(self.file, source))?;
+        self.offset += line.as_ref().map_or(0, |line| line.len() as u64);
+        Ok(line)
+    }
+
+    /// Goes on to the next line, and returns the one that it was at.
+    fn advance(&mut self, readers: &mut Readers) -> Result<String, Failure> {
+        let line = self.read(readers)?;
+        let line = line.ok_or_else(|| {
+            self.wrong("it has no last line: the run that wrote it has not ended".to_owned())
+        })?;
+        let next = Next::read(ended(&line)).map_err(|reason| self.wrong(reason))?;
+        self.digest.add(ended(&self.line));
+        self.next = next;
+        Ok(std::mem::replace(&mut self.line, line))
     }
 
     /// Whether its next line is that of this claim as it is now.
     fn is_at(&self, id: &str, digest: &str) -> bool {
-        matches!(&self.next, Next::Claim(line, _) if line.id == id && line.digest == digest)
+        matches!(&self.next, Next::Claim(line) if line.id == id && line.digest == digest)
     }
 
-    /// Goes on to the next line, and returns the finding of the one that it was at.
-    fn step(&mut self) -> Result<Option<String>, Failure> {
-        let next = Next::read(&mut self.lines).map_err(|reason| self.wrong(reason))?;
+    /// Passes a claim, and returns its line.
+    fn step(&mut self, readers: &mut Readers) -> Result<String, Failure> {
         self.passed += 1;
-        match std::mem::replace(&mut self.next, next) {
-            Next::Claim(_, finding) => Ok(finding),
-            Next::End(_) => Ok(None),
-        }
+        self.advance(readers)
     }
 
     /// Its exit code, if all of its claims were passed and nothing comes after them.
-    fn end(mut self) -> Result<Exit, Failure> {
+    fn end(mut self, readers: &mut Readers) -> Result<Exit, Failure> {
         let end = match &self.next {
             Next::End(end) => end,
-            Next::Claim(line, _) => {
+            Next::Claim(line) => {
                 let id = &line.id;
                 let reason = format!(
                     "it has the claim `{id}`, which the list has not, or not there, or another file has too"
@@ -203,39 +269,59 @@ impl Shard {
                 "it has {passed} claims, and says that it has {claims}"
             )));
         }
-        if end.sha256 != self.lines.digest.sealed(end.exit) {
+        if end.sha256 != self.digest.sealed(end.exit) {
             return Err(self.wrong("its lines have changed since they were written".to_owned()));
         }
         let exit = Exit::from_code(end.exit);
-        let is_last = matches!(self.lines.next(), Ok(None));
+        let is_last = matches!(self.read(readers), Ok(None));
         exit.filter(|_| is_last)
             .ok_or_else(|| self.wrong("its last line is none of a part".to_owned()))
     }
 }
 
+/// A line without its end.
+fn ended(line: &str) -> &str {
+    let line = line.strip_suffix('\n').unwrap_or(line);
+    line.strip_suffix('\r').unwrap_or(line)
+}
+
+/// The finding in the line of a claim.
+fn finding(line: &str) -> Option<&str> {
+    let (_, rest) = ended(line).split_once(FINDING)?;
+    rest.strip_suffix('}')
+}
+
+fn wrong(file: &Lasting, reason: String) -> Failure {
+    Failure::Merge {
+        path: file.named().to_owned(),
+        reason,
+    }
+}
+
+fn unread(file: &Lasting, source: io::Error) -> Failure {
+    Failure::Input {
+        path: file.named().to_owned(),
+        source,
+    }
+}
+
 impl Next {
-    fn read(lines: &mut Lines) -> Result<Self, String> {
-        let line = lines.next()?;
-        let line = line.ok_or("it has no last line: the run that wrote it has not ended")?;
-        let Some((fields, rest)) = line.split_once(FINDING) else {
+    fn read(line: &str) -> Result<Self, String> {
+        let Some((fields, _)) = line.split_once(FINDING) else {
             let end = serde_json::from_str(line);
             return Ok(Self::End(end.map_err(|error| broken(line, &error))?));
         };
         let claim = serde_json::from_str(&format!("{fields}}}"));
         let claim: ShardLine = claim.map_err(|error| broken(line, &error))?;
         // What is cut off or changed in the middle is no JSON, or another claim.
-        let finding = rest.strip_suffix('}').unwrap_or_default();
-        let id: Option<FindingId> =
-            serde_json::from_str(finding).map_err(|error| broken(line, &error))?;
+        let id: Option<FindingId> = serde_json::from_str(finding(line).unwrap_or_default())
+            .map_err(|error| broken(line, &error))?;
         match id {
-            None => Ok(Self::Claim(claim, None)),
-            Some(FindingId { id }) if id == claim.id => {
-                Ok(Self::Claim(claim, Some(finding.to_owned())))
-            }
-            Some(_) => Err(format!(
+            Some(FindingId { id }) if id != claim.id => Err(format!(
                 "the line of `{}` has another claim in it",
                 claim.id
             )),
+            _ => Ok(Self::Claim(claim)),
         }
     }
 }

@@ -2,12 +2,15 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
+use crate::format::{Format, json_line};
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
 use crate::{terminal, watchdog};
 use clap::Args;
 use rayon::prelude::*;
+use serde::Serialize;
 use std::collections::BTreeMap;
+use torse_report::ReportError;
 use torse_syntax::derivation::{Claim, Paper};
 use torse_verdicts::judged::Net;
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
@@ -30,6 +33,9 @@ pub struct RecheckCommand {
     /// List every claim with the tests made, or why it is not netted
     #[arg(long)]
     verbose: bool,
+    /// Print text, or a line of JSON for each claim
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    format: Format,
     #[command(flatten)]
     budget: Budget,
     #[command(flatten)]
@@ -48,6 +54,15 @@ impl RecheckCommand {
         let run = Run::new(&papers, self.budget, &mut mistakes);
         let judged = recheck_claims(&papers, &run.papers);
         watchdog::finished();
+        if self.format == Format::Json {
+            let lines: Result<String, ReportError> = judged.iter().map(claim_line).collect();
+            terminal::print(&lines?)?;
+            let all_agree = judged.iter().all(|(_, result)| !is_contradicted(result));
+            return Ok(mistakes.tell(match all_agree {
+                true => Exit::AsExpected,
+                false => Exit::Contradiction,
+            }));
+        }
         let mut counts = [0_usize; 4];
         let mut rows = terminal::table();
         for (id, result) in &judged {
@@ -55,7 +70,7 @@ impl RecheckCommand {
             if let Some(count) = counts.get_mut(place) {
                 *count += 1;
             }
-            if self.verbose || matches!(result, Recheck::Contradicted { .. }) {
+            if self.verbose || is_contradicted(result) {
                 rows.add_row([id.as_str(), word, detail.as_str()]);
             }
         }
@@ -85,6 +100,29 @@ impl RecheckCommand {
             _ => Exit::Contradiction,
         }))
     }
+}
+
+/// A line of JSON about a claim.
+#[derive(Serialize)]
+struct RecheckedClaim<'a> {
+    id: &'a str,
+    /// `netted`, `contradicted`, `not netted`, or `no verdict`.
+    result: &'static str,
+    /// The tests, or what contradicts the verdict.
+    detail: &'a str,
+}
+
+fn claim_line((id, result): &(String, Recheck)) -> Result<String, ReportError> {
+    let (_, result, detail) = describe(result);
+    json_line(&RecheckedClaim {
+        id,
+        result,
+        detail: &detail,
+    })
+}
+
+fn is_contradicted(result: &Recheck) -> bool {
+    matches!(result, Recheck::Contradicted { .. })
 }
 
 /// The checked claims with their ids, in file order.

@@ -8,11 +8,10 @@ use crate::exit::{Exit, Failure};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
 use crate::version::VERSION;
-use crate::{figures, terminal, watchdog};
+use crate::{figures, input, terminal, watchdog};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::Read;
 use std::path::Path;
 use torse::{ClaimDigest, digests, selection};
 use torse_report::{ReportError, finding_json_with_kernel};
@@ -45,7 +44,7 @@ pub struct ShardLine {
 }
 
 /// The last line.
-#[derive(Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ShardEnd {
     /// The number of claims.
@@ -143,17 +142,7 @@ fn own_figures(papers: Vec<Paper>, wanted: &BTreeSet<String>) -> Vec<Paper> {
 
 /// The ids of a file, or of standard input; blank lines do not count.
 fn read(path: &Path) -> Result<BTreeSet<String>, Failure> {
-    let text = match path == Path::new("-") {
-        true => {
-            let mut text = String::new();
-            let read = std::io::stdin().lock().read_to_string(&mut text);
-            read.map(|_| text).map_err(Failure::Input)?
-        }
-        false => std::fs::read_to_string(path).map_err(|error| Failure::List {
-            path: path.to_owned(),
-            reason: error.to_string(),
-        })?,
-    };
+    let text = input::text(path)?;
     let lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
     Ok(lines.map(str::to_owned).collect())
 }

@@ -1,10 +1,11 @@
 //! `unroll`: from a design to what is cut and bent.
 
 use crate::design::{
-    DesignFile, Pattern, answer, format_of, is_standard, met, named, tell_left_out, write,
+    DesignFile, Pattern, answer, ending_among, format_of, met, named, tell_left_out, write,
 };
 use crate::exit::{Exit, Failure};
 use crate::format::{Format, pretty_json};
+use crate::input::is_standard;
 use crate::terminal::remark;
 use clap::Args;
 use serde::Serialize;
@@ -34,25 +35,25 @@ pub struct Unroll {
     /// Write to this file: .dxf or .svg, for sheets of paper .pdf; - for standard output (with --as)
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
-    /// Set the format if the file name has no known extension: dxf or svg
-    #[arg(long, value_name = "EXTENSION")]
+    /// Set the format if the file name has no known extension
+    #[arg(long, value_name = "EXTENSION", value_parser = ending_among(["dxf", "svg", "pdf"]), ignore_case = true)]
     r#as: Option<String>,
     /// Set what the file is for: cut (closed contours alone), bend (the bend lines of tools too), sew (the notches of seams
     /// too), fold (one file of all pieces with every ruling and its angle, as `torse fold` reads it), bench (a sheet for the
     /// fitter with dimensions, tables and a view, PDF or SVG), paper (true size on pages, PDF)
-    #[arg(long = "for", value_name = "PURPOSE", value_parser = output, default_value = "cut")]
+    #[arg(long = "for", value_name = "PURPOSE", value_parser = named(outputs()), default_value = "cut")]
     output: Output,
-    /// Set the paper of `--for bench` and `--for paper`: a4, a3, letter
-    #[arg(long, value_name = "SIZE", value_parser = paper, default_value = "a4")]
+    /// Set the paper of `--for bench` and `--for paper`
+    #[arg(long, value_name = "SIZE", value_parser = named(PaperSize::ALL), default_value = "a4")]
     page: PaperSize,
-    /// Write a table of the parts to this file, as comma-separated values
+    /// Write a table of the parts to this file, as comma-separated values; - for standard output
     #[arg(long, value_name = "FILE")]
     parts: Option<PathBuf>,
     /// Set the width of the cut in millimetres: outlines are moved outwards by half of it, openings inwards
     #[arg(long, value_name = "MM", default_value_t = 0.0)]
     kerf: f64,
     /// Lay parts along (first ruling to last along the drawing) or across; without this, each is turned to its smallest box
-    #[arg(long, value_name = "WAY", value_parser = grain)]
+    #[arg(long, value_name = "WAY", value_parser = named(Grain::ALL))]
     grain: Option<Grain>,
     #[command(flatten)]
     pattern: Pattern,
@@ -83,21 +84,11 @@ impl Output {
     }
 }
 
-/// A purpose by its name.
-fn output(name: &str) -> Result<Output, String> {
+/// What can be written, by its names.
+fn outputs() -> impl Iterator<Item = (&'static str, Output)> {
     let drawings = Purpose::ALL.map(|(name, purpose)| (name, Output::Drawings(purpose)));
     let sheets = [("bench", Output::Bench), ("paper", Output::Paper)];
-    named(&[&drawings[..], &sheets].concat(), name, "the purposes are")
-}
-
-/// A way to lie by its name.
-fn grain(name: &str) -> Result<Grain, String> {
-    named(&Grain::ALL, name, "the ways are")
-}
-
-/// A size of paper by its name.
-fn paper(name: &str) -> Result<PaperSize, String> {
-    named(&PaperSize::ALL, name, "the sizes are")
+    drawings.into_iter().chain(sheets)
 }
 
 /// The answer for programs: the patterns, and the parts that were made of them.
@@ -149,6 +140,10 @@ impl Unroll {
     /// Writes what the purpose asks for and says what it promises.
     pub fn run(&self) -> Result<Exit, Failure> {
         let ending = format_of(&self.to, self.r#as.as_deref(), self.output.endings())?;
+        let listed_there = self.parts.as_deref().is_some_and(is_standard);
+        if listed_there && is_standard(&self.to) {
+            return Err(Failure::BothStandard);
+        }
         let design = self.file.open()?;
         let pieces = unroll(&design, &self.pattern.demand())?;
         let making = CutOptions {
@@ -295,7 +290,9 @@ impl Unroll {
                 left_out: &design.left_out,
             })?,
         };
-        answer(&self.to, &text)?;
+        // Beside a file that goes to standard output, the answer goes to standard error.
+        let beside = self.parts.as_deref().filter(|file| is_standard(file));
+        answer(beside.unwrap_or(&self.to), &text)?;
         let demand = self.pattern.demand();
         // A pattern to fold is written where a blank is refused; all other parts were made.
         let report = match self.output {

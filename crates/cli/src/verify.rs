@@ -7,10 +7,11 @@ use crate::diagnostics::Diagnostics;
 use crate::exit::{Exit, Failure};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
+use crate::version::VERSION;
 use crate::watch::Watch;
 use crate::{figures, proofs, shard, terminal, verdicts, watchdog};
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use torse::annotations::{annotations, github, sarif};
 use torse_report::{ReportError, verdicts_json_with_kernel};
 use torse_syntax::derivation::Paper;
@@ -31,12 +32,12 @@ pub struct Verify {
     /// commands of a workflow of GitHub
     #[arg(long, value_enum, default_value_t = VerifyFormat::Text)]
     format: VerifyFormat,
-    /// Show only differences from this earlier run (its JSON); the exit code is 1 if a verdict, its evidence or its
+    /// Show only differences from this earlier run (its JSON; - for standard input); the exit code is 1 if a verdict, its evidence or its
     /// conditions differ
     #[arg(long, value_name = "FILE.json")]
     against: Option<PathBuf>,
     /// Decide only the claims that are new or differ from this revision of git, or from this list (of `torse list --format
-    /// json`): in their own fields, or in the declarations that they see
+    /// json`; - for standard input): in their own fields, or in the declarations that they see
     #[arg(long, value_name = "REV|FILE", conflicts_with_all = ["against", "watch"])]
     changed_since: Option<String>,
     /// Decide exactly the claims of these ids, one a line (- reads standard input), and write each as a line of JSON, for
@@ -112,6 +113,11 @@ impl Verify {
                 "{} of {all} claims have changed\n",
                 count(&papers)
             ));
+            if self.format == VerifyFormat::Text && count(&papers) == 0 {
+                // A table of nothing says nothing.
+                watchdog::finished();
+                return Ok(mistakes.tell(Exit::AsExpected));
+            }
         }
         let before = self.against.as_deref().map(Verdicts::read).transpose()?;
         let run = Run::new(&papers, self.budget, &mut mistakes);
@@ -165,13 +171,13 @@ impl Verify {
         let mut found = mistakes.annotations().to_vec();
         found.extend(annotations(papers, run.outcomes()));
         let folder = self.derivations.find()?;
-        let here = std::env::current_dir().unwrap_or_default();
-        let folder = folder.strip_prefix(&here).unwrap_or(&folder);
+        let folder = folder.canonicalize().unwrap_or(folder);
+        let folder = folder.strip_prefix(root(&folder)).unwrap_or(&folder);
         // Separators as in the addresses of a repository.
         let parts = folder.iter().map(|part| part.to_string_lossy());
         let folder = parts.collect::<Vec<_>>().join("/").replacen("//", "/", 1);
         Ok(match self.format {
-            VerifyFormat::Sarif => sarif(&found, &folder, env!("CARGO_PKG_VERSION")),
+            VerifyFormat::Sarif => sarif(&found, &folder, VERSION),
             _ => github(&found, &folder),
         })
     }
@@ -179,6 +185,14 @@ impl Verify {
     fn json(&self, papers: &[Paper], run: &Run) -> Result<String, ReportError> {
         verdicts_json_with_kernel(run.outcomes(), &self.kernel.accepted(papers, run))
     }
+}
+
+/// The folder from which a code host names files: that of the repository; without one, where the command runs.
+fn root(folder: &Path) -> PathBuf {
+    let mut above = folder.ancestors();
+    let repository = above.find(|folder| folder.join(".git").exists());
+    let here = || std::env::current_dir().and_then(|here| here.canonicalize());
+    repository.map_or_else(|| here().unwrap_or_default(), Path::to_owned)
 }
 
 fn count(papers: &[Paper]) -> usize {

@@ -150,7 +150,12 @@ fn places(at: &EvalPlaces, patches: usize) -> Result<Vec<[f64; 2]>, DesignError>
             let count = m.saturating_add(1).saturating_mul(n.saturating_add(1));
             if *m == 0 || *n == 0 || count.saturating_mul(patches) > MAX_POINTS {
                 let range = "1, 2, .. with 2^20 points at most in all";
-                return outside("steps of the grid", *m.max(n) as f64, range);
+                let value = if *m.min(n) == 0 {
+                    0.0
+                } else {
+                    *m.max(n) as f64
+                };
+                return outside("steps of the grid", value, range);
             }
             let share = |k: usize, of: usize| k as f64 / of as f64;
             let row = |i: usize| (0..=*n).map(move |j| [share(i, *m), share(j, *n)]);

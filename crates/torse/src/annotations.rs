@@ -1,7 +1,7 @@
 //! Findings with file and line, for tools of code review.
 
-use crate::error::ErrorPlace;
-use miette::SourceCode;
+use crate::error::{ErrorMessage, ErrorPlace, diagnostic_place, message};
+use miette::{Diagnostic, SourceCode};
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -24,6 +24,7 @@ pub enum AnnotationLevel {
 
 /// A finding with its place.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct Annotation {
     /// How grave it is.
     pub level: AnnotationLevel,
@@ -33,8 +34,46 @@ pub struct Annotation {
     pub claim: Option<String>,
     /// What is found, in a sentence.
     pub message: String,
+    /// What would help, if known.
+    pub hint: Option<String>,
     /// Where; the file relative to the folder of derivations.
     pub place: Option<ErrorPlace>,
+    /// How many characters of the line from there on are meant; none where that is not known.
+    pub length: usize,
+}
+
+impl Annotation {
+    /// A mistake of a file, with its place and what would help.
+    #[must_use]
+    pub fn mistake(mistake: &dyn Diagnostic) -> Self {
+        let ErrorMessage {
+            place,
+            length,
+            text,
+            hint,
+        } = message(mistake);
+        Self {
+            level: AnnotationLevel::Error,
+            rule: "mistake",
+            claim: None,
+            message: text,
+            hint,
+            place: place.or_else(|| diagnostic_place(mistake)),
+            length,
+        }
+    }
+
+    /// The column after its last character, if that is known.
+    fn end_column(&self) -> Option<usize> {
+        let place = self.place.as_ref().filter(|_| self.length > 0)?;
+        Some(place.column + self.length)
+    }
+
+    /// What is found, and what would help.
+    fn in_words(&self) -> String {
+        let hint = self.hint.as_ref().map(|hint| format!("\nhelp: {hint}"));
+        format!("{}{}", self.message, hint.unwrap_or_default())
+    }
 }
 
 /// The findings of a run that are worth a look: contradictions and verdicts that are not as their files expect are errors;
@@ -85,7 +124,9 @@ pub fn annotations<'o>(
             rule,
             claim: Some(id.clone()),
             message,
+            hint: None,
             place,
+            length: 0,
         });
     }
     found
@@ -146,13 +187,16 @@ pub fn github(annotations: &[Annotation], folder: &str) -> String {
                 "file={file},line={},col={}",
                 place.line, place.column
             ));
+            if let Some(end) = annotation.end_column() {
+                properties.push(format!("endColumn={end}"));
+            }
         }
         let title = match &annotation.claim {
             Some(claim) => format!("{claim}: {}", annotation.rule),
             None => annotation.rule.to_owned(),
         };
         properties.push(format!("title={}", property(&title)));
-        let message = escaped(&annotation.message);
+        let message = escaped(&annotation.in_words());
         // A string takes all that is written.
         let _ = writeln!(told, "::{level} {}::{message}", properties.join(","));
     }
@@ -175,7 +219,7 @@ pub fn sarif(annotations: &[Annotation], folder: &str, version: &str) -> String 
         .iter()
         .map(|annotation| annotation.rule)
         .collect();
-    let rules: Vec<Value> = rules.iter().map(|rule| json!({ "id": rule })).collect();
+    let rules: Vec<Value> = rules.into_iter().map(rule).collect();
     let results: Vec<Value> = annotations
         .iter()
         .map(|found| result(found, folder))
@@ -192,6 +236,22 @@ pub fn sarif(annotations: &[Annotation], folder: &str, version: &str) -> String 
     format!("{log:#}\n")
 }
 
+/// A rule of SARIF with what it means.
+fn rule(id: &str) -> Value {
+    let meaning = match id {
+        "contradiction" => "Two checks of a verdict contradict each other.",
+        "unexpected" => "The verdict is not the one that its derivation file expects.",
+        "mistake" => "What a derivation file says makes no sense.",
+        key => {
+            let mut verdicts = glossary::VERDICTS.into_iter().map(glossary::verdict);
+            verdicts
+                .find(|verdict| verdict.key == key)
+                .map_or(key, |verdict| verdict.meaning)
+        }
+    };
+    json!({ "id": id, "shortDescription": { "text": meaning } })
+}
+
 /// An annotation as a result of SARIF.
 fn result(annotation: &Annotation, folder: &str) -> Value {
     let level = match annotation.level {
@@ -200,21 +260,32 @@ fn result(annotation: &Annotation, folder: &str) -> Value {
     };
     let claim = annotation.claim.as_deref();
     let message = match claim {
-        Some(claim) => format!("{claim}: {}", annotation.message),
-        None => annotation.message.clone(),
+        Some(claim) => format!("{claim}: {}", annotation.in_words()),
+        None => annotation.in_words(),
     };
     let places = annotation.place.iter().map(|place| {
+        let mut region = json!({ "startLine": place.line, "startColumn": place.column });
+        if let Some(end) = annotation.end_column() {
+            region["endColumn"] = end.into();
+        }
         json!({ "physicalLocation": {
             "artifactLocation": { "uri": path(folder, &place.file).replace(' ', "%20") },
-            "region": { "startLine": place.line, "startColumn": place.column },
+            "region": region,
         } })
     });
-    let fingerprints = claim.map(|claim| json!({ "claim/v1": claim }));
+    // Lines may move: a mistake is known by its file and its words.
+    let file = annotation.place.as_ref().map(|place| place.file.as_str());
+    let fingerprints = match claim {
+        Some(claim) => json!({ "claim/v1": claim }),
+        None => {
+            json!({ "mistake/v1": format!("{}: {}", file.unwrap_or_default(), annotation.message) })
+        }
+    };
     json!({
         "ruleId": annotation.rule,
         "level": level,
         "message": { "text": message },
         "locations": places.collect::<Vec<Value>>(),
-        "partialFingerprints": fingerprints.unwrap_or_else(|| json!({})),
+        "partialFingerprints": fingerprints,
     })
 }

@@ -264,7 +264,11 @@ impl Design {
         let count = counts[0].saturating_mul(counts[1]);
         if along == 0 || across == 0 || count > MAX_GRID_POINTS {
             #[allow(clippy::cast_precision_loss, reason = "shown in a message")]
-            let value = along.max(across) as f64;
+            let value = if along.min(across) == 0 {
+                0.0
+            } else {
+                along.max(across) as f64
+            };
             let (name, range) = ("steps of the grid", "1, 2, .. with 2^24 points at most");
             return Err(rooms::DesignError::OutOfRange { name, value, range }.into());
         }

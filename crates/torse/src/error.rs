@@ -71,17 +71,47 @@ pub struct ErrorPlace {
     pub column: usize,
 }
 
+impl ErrorPlace {
+    /// The place at a line and a column of a file.
+    #[must_use]
+    pub fn new(file: impl Into<String>, line: usize, column: usize) -> Self {
+        let file = file.into();
+        Self { file, line, column }
+    }
+}
+
 /// Something that is wrong, with its place, for where it is shown beside the text.
-#[derive(Debug, Clone, PartialEq, Eq)]
+///
+/// ```
+/// let wrong = torse::decide("x + wrong(y) == 1").unwrap_err().messages();
+/// let json = serde_json::to_value(&wrong)?;
+/// assert_eq!((&json[0]["place"]["column"], &json[0]["length"]), (&5.into(), &5.into()));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct ErrorMessage {
     /// The place, if it is in a text.
     pub place: Option<ErrorPlace>,
-    /// How many characters from there are wrong; none without a place.
+    /// How many characters of its line from there on are wrong; none without a place.
     pub length: usize,
     /// What is wrong, and why.
     pub text: String,
     /// What would help, if known.
     pub hint: Option<String>,
+}
+
+impl ErrorMessage {
+    /// What is wrong at a place, if it has one; nothing more is known.
+    #[must_use]
+    pub fn new(place: Option<ErrorPlace>, text: impl Into<String>) -> Self {
+        Self {
+            place,
+            length: 0,
+            text: text.into(),
+            hint: None,
+        }
+    }
 }
 
 impl Error {
@@ -157,15 +187,12 @@ fn line(diagnostic: &dyn Diagnostic) -> String {
 }
 
 /// One diagnostic as a message.
-fn message(diagnostic: &dyn Diagnostic) -> ErrorMessage {
+pub(crate) fn message(diagnostic: &dyn Diagnostic) -> ErrorMessage {
     let causes = std::iter::successors(diagnostic.source(), |cause| cause.source());
     let causes: String = causes.map(|cause| format!(": {cause}")).collect();
-    let place = label_place(diagnostic);
-    let label = diagnostic.labels().and_then(|mut labels| labels.next());
-    let length = label.filter(|_| place.is_some());
     ErrorMessage {
-        length: length.map_or(0, |label| label.len()),
-        place,
+        length: label_length(diagnostic).unwrap_or_default(),
+        place: label_place(diagnostic),
         text: format!("{diagnostic}{causes}"),
         hint: diagnostic.help().map(|help| help.to_string()),
     }
@@ -175,6 +202,15 @@ fn message(diagnostic: &dyn Diagnostic) -> ErrorMessage {
 #[must_use]
 pub fn diagnostic_place(diagnostic: &dyn Diagnostic) -> Option<ErrorPlace> {
     label_place(diagnostic).or_else(|| diagnostic.related()?.find_map(label_place))
+}
+
+/// How many characters the first label has on its first line.
+fn label_length(diagnostic: &dyn Diagnostic) -> Option<usize> {
+    let label = diagnostic.labels()?.next()?;
+    let read = diagnostic.source_code()?.read_span(label.inner(), 0, 0);
+    let read = read.ok()?;
+    let text = String::from_utf8_lossy(read.data());
+    Some(text.lines().next().unwrap_or_default().chars().count())
 }
 
 /// The place of the first label.

@@ -60,7 +60,7 @@ impl Lsp {
                 }
             }
         });
-        reading.map_err(Failure::Input)?;
+        reading.map_err(Failure::Messages)?;
         let jobs = worker::start(self.budget.units(), sender)?;
         let mut server = Server::new(jobs, |message: &[u8]| {
             let mut output = std::io::stdout().lock();

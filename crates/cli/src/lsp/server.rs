@@ -94,7 +94,7 @@ impl<W: FnMut(&[u8]) -> io::Result<()>> Server<W> {
     /// Takes an event: answers requests, and notes what is to be shown.
     ///
     /// # Errors
-    /// [`Failure::Input`] where the input makes no sense from there on, [`Failure::Print`] where nobody reads answers.
+    /// [`Failure::Messages`] where the input makes no sense from there on, [`Failure::Print`] where nobody reads answers.
     pub fn take(&mut self, event: Event) -> Result<(), Failure> {
         if self.ended().is_some() {
             return Ok(());
@@ -113,7 +113,7 @@ impl<W: FnMut(&[u8]) -> io::Result<()>> Server<W> {
                 self.leave();
                 Ok(())
             }
-            Event::Frame(Err(error)) => Err(Failure::Input(error)),
+            Event::Frame(Err(error)) => Err(Failure::Messages(error)),
             Event::Read(FolderRead { derivations, read }) => {
                 if let Some(folder) = self.folders.get_mut(&derivations) {
                     match read {

@@ -13,7 +13,7 @@ pub fn start(units: u64, events: Sender<Event>) -> Result<Sender<Job>, Failure> 
     let (sender, jobs) = channel();
     let thread = std::thread::Builder::new().stack_size(crate::STACK);
     let thread = thread.spawn(move || work(WorkBudget::new(units), &jobs, &events));
-    thread.map_err(Failure::Input)?;
+    thread.map_err(Failure::Messages)?;
     Ok(sender)
 }
 

@@ -2,7 +2,7 @@
 
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
-use crate::terminal;
+use crate::{input, terminal};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use torse_manuscript::{ManuscriptError, Proposal};
@@ -36,7 +36,7 @@ pub struct New {
     /// The name of the folder: lower-case letters, digits and hyphens
     #[arg(value_name = "PAPER", value_parser = name)]
     paper: String,
-    /// Read this manuscript in LaTeX
+    /// Read this manuscript in LaTeX; - for standard input
     #[arg(long, value_name = "FILE")]
     from: Option<PathBuf>,
     #[command(flatten)]
@@ -100,10 +100,7 @@ impl New {
 
     /// Reads a manuscript.
     fn propose(&self, path: &Path) -> Result<Proposal, Failure> {
-        let text = std::fs::read_to_string(path).map_err(|source| Failure::Unread {
-            path: path.to_owned(),
-            source,
-        })?;
+        let text = input::text(path)?;
         let manuscript = torse_manuscript::manuscript(&text).map_err(|error| {
             let place = match &error {
                 ManuscriptError::Expansion { place, .. } => place.start,

@@ -35,7 +35,7 @@ fn a_workflow_is_told_of_what_deserves_a_look_at_its_line() {
     let lines: Vec<&str> = ran.out.lines().collect();
     assert_eq!(lines.len(), 3, "{}", ran.out);
     let starts = [
-        "::error file=derivations/p/c.toml,line=27,col=",
+        "::error file=derivations/p/c.toml,line=27,col=15,endColumn=17,title=mistake::",
         "::error file=derivations/p/c.toml,line=9,col=7,title=p/other%3A unexpected::",
         "::warning file=derivations/p/c.toml,line=16,col=7,title=p/wrong%3A misprint::",
     ];
@@ -79,6 +79,59 @@ fn sarif_has_the_same_findings_with_their_places() {
 }
 
 #[test]
+fn a_mistake_is_told_with_its_end_and_with_what_would_help() {
+    let repository = TempDir::new().unwrap();
+    let paper = repository.path().join("derivations/p");
+    fs::create_dir_all(&paper).unwrap();
+    let head = "[paper]\nid = 'p'\ntitle = 'T'\nauthors = 'A'\nvenue = 'V'\nclaims = ['c.toml']\n";
+    fs::write(paper.join("paper.toml"), head).unwrap();
+    let claim =
+        "[[claim]]\nid = 'p/a'\nat = ''\nkind = 'identity'\nprinted = ''\nstates = 'xyz == 1'\n";
+    fs::write(paper.join("c.toml"), claim).unwrap();
+    let ran = torse_in(repository.path(), &["verify", "--format", "sarif"]);
+    let log: Value = serde_json::from_str(&ran.out).unwrap();
+    let result = &log["runs"][0]["results"][0];
+    let region = &result["locations"][0]["physicalLocation"]["region"];
+    assert_eq!(
+        (&region["startColumn"], &region["endColumn"]),
+        (&11.into(), &14.into())
+    );
+    let text = result["message"]["text"].as_str().unwrap();
+    assert!(text.contains("\nhelp: "), "{text}");
+    let mark = result["partialFingerprints"]["mistake/v1"]
+        .as_str()
+        .unwrap();
+    assert!(mark.starts_with("p/c.toml: "), "{mark}");
+    let driver = &log["runs"][0]["tool"]["driver"];
+    let meaning = driver["rules"][0]["shortDescription"]["text"].as_str();
+    assert!(meaning.unwrap().ends_with('.'), "{driver}");
+    let version = torse(&["--version"]).out;
+    let version = version.trim().strip_prefix("torse ");
+    assert_eq!(driver["version"].as_str(), version);
+    let ran = torse_in(repository.path(), &["verify", "--format", "github"]);
+    assert!(ran.out.contains("%0Ahelp: "), "{}", ran.out);
+}
+
+#[test]
+fn files_are_named_from_the_top_of_the_repository_wherever_the_command_runs() {
+    let repository = repository();
+    fs::create_dir(repository.path().join(".git")).unwrap();
+    let below = repository.path().join("paper/figures");
+    fs::create_dir_all(&below).unwrap();
+    for folder in [&[][..], &["--derivations", "../../derivations"]] {
+        let ran = torse_in(
+            &below,
+            &[&["verify", "--format", "github"], folder].concat(),
+        );
+        assert!(
+            ran.out.starts_with("::error file=derivations/p/c.toml,"),
+            "{}",
+            ran.out
+        );
+    }
+}
+
+#[test]
 fn the_version_names_the_commit_where_there_is_one() {
     let version = torse(&["--version"]).out;
     let own = concat!("torse ", env!("CARGO_PKG_VERSION"));
@@ -88,6 +141,7 @@ fn the_version_names_the_commit_where_there_is_one() {
         let commit = rest
             .strip_prefix(" (")
             .and_then(|rest| rest.strip_suffix(')'))
+            .map(|commit| commit.strip_suffix("-dirty").unwrap_or(commit))
             .unwrap();
         assert!(
             commit.len() == 12 && commit.chars().all(|c| c.is_ascii_hexdigit()),

@@ -68,7 +68,7 @@ fn code_that_is_not_read_is_an_error_of_its_file() {
         folder.path(),
         &["compare", "mine/none", "--code", "missing.py:f"],
     );
-    assert_eq!(ran.code, Some(4));
+    assert_eq!(ran.code, Some(2));
     assert!(ran.err.contains("missing.py cannot be read"), "{}", ran.err);
     let ran = torse(&["compare", "mine/none", "--code", "f.py"]);
     assert_eq!(ran.code, Some(2));

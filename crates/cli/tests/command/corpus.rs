@@ -126,6 +126,13 @@ fn what_has_changed_since_a_list_or_a_revision_is_decided_and_nothing_else() {
     let before = written.path().join("before.ndjson");
     fs::write(&before, list(derivations)).unwrap();
     for since in [before.to_str().unwrap(), "HEAD"] {
+        let table = on(derivations, &["verify", "--changed-since", since]);
+        assert_eq!(
+            (table.code, table.out.as_str()),
+            (Some(0), ""),
+            "{}",
+            table.err
+        );
         let since = |names: &[&str]| {
             let command = ["verify", "--format", "json", "--changed-since", since];
             on(derivations, &[&command, names].concat())
@@ -153,17 +160,20 @@ fn what_has_changed_since_a_list_or_a_revision_is_decided_and_nothing_else() {
     edit(derivations, "x + == 1", RIGHT);
     let command = ["verify", "--format", "json", "--changed-since", "HEAD"];
     assert_eq!(decided(&on(derivations, &command)), ["mini/right"]);
-    for (since, reason) in [
-        ("no-such-revision", "there is no such file"),
-        ("--help", "there is no such file"),
-        (
-            derivations.join("mini/claims.toml").to_str().unwrap(),
-            "line 1",
-        ),
+    let no_list = derivations.join("mini/claims.toml");
+    for (since, code, reason) in [
+        ("no-such-revision", 2, "there is no such file"),
+        ("--help", 2, "there is no such file"),
+        (no_list.to_str().unwrap(), 4, "line 1"),
     ] {
         let since = format!("--changed-since={since}");
         let ran = on(derivations, &["verify", &since]);
-        assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""), "{}", ran.err);
+        assert_eq!(
+            (ran.code, ran.out.as_str()),
+            (Some(code), ""),
+            "{}",
+            ran.err
+        );
         assert!(ran.err.contains(reason), "{}", ran.err);
     }
 }

@@ -152,6 +152,14 @@ fn each_line_of_standard_input_gives_a_line_of_json() {
         [Some("holds"), Some("holds"), None, None, Some("false")]
     );
     assert_eq!(answers[2]["line"], "x ==");
+    let numbers: Vec<u64> = answers
+        .iter()
+        .map(|answer| answer["number"].as_u64().unwrap())
+        .collect();
+    assert_eq!(numbers, [1, 3, 4, 5, 6]);
+    let mistake = &answers[2]["mistakes"][0];
+    assert_eq!(mistake["place"]["column"], 5);
+    assert!(answers[3]["mistakes"][0]["place"]["column"].is_u64());
     assert!(
         answers[3]["error"]
             .as_str()

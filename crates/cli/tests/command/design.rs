@@ -233,11 +233,11 @@ fn unknown_formats_and_names_are_mistakes_of_the_command_line() {
 }
 
 #[test]
-fn a_missing_or_wrong_design_ends_with_four_and_all_its_mistakes() {
+fn a_missing_design_ends_with_two_and_a_wrong_one_with_four_and_all_its_mistakes() {
     let folder = folder("[points]\nA = [0, 0]\nB = [1, \"q\", 2]\n[patches.p]\ncone = \"rim\"\n");
     let missing = run(folder.path(), &["inspect", "nothing.toml"]);
-    assert_eq!(missing.code, 4);
-    assert!(missing.error.contains("cannot read nothing.toml"));
+    assert_eq!(missing.code, 2);
+    assert!(missing.error.contains("nothing.toml cannot be read"));
     for command in [
         ["inspect"].as_slice(),
         &["export", "--to", "x.stl"],

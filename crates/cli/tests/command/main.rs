@@ -16,6 +16,7 @@ mod exit_codes;
 mod explain;
 mod help;
 mod hostile;
+mod input;
 mod list;
 mod lsp;
 mod manuscript;

@@ -377,5 +377,5 @@ fn a_manuscript_whose_macros_have_no_end_is_an_error_with_its_line() {
     );
     assert!(!folder.path().join("derivations").exists());
     let ran = run(folder.path(), &["new", "loop", "--from", "none.tex"]);
-    assert_eq!(ran.code, Some(4), "{}", ran.out);
+    assert_eq!(ran.code, Some(2), "{}", ran.out);
 }

@@ -1,6 +1,7 @@
 //! Running the binary, and folders of derivations to run it on.
 
 use std::ffi::OsStr;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::mpsc;
@@ -51,6 +52,26 @@ pub fn measured(folder: &Path, command: &[&str]) -> (Ran, u64) {
 pub fn timed(folder: &Path, command: &[&str]) -> (Ran, u64, f64) {
     let mut torse = Command::new(env!("CARGO_BIN_EXE_torse"));
     watched(torse.args(command).arg("--derivations").arg(folder))
+}
+
+/// Runs `torse` with these arguments in this folder, with this text as its standard input.
+pub fn torse_fed(folder: &Path, input: &str, arguments: &[&str]) -> Ran {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_torse"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // Whoever needs no input does not read it.
+    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
+    let output = child.wait_with_output().unwrap();
+    Ran {
+        code: output.status.code(),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    }
 }
 
 /// Runs `torse` with these arguments in this folder, measured like [`measured`].

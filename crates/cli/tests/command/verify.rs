@@ -277,7 +277,7 @@ fn what_differs_from_an_earlier_run_is_told_and_fails() {
 
     fs::write(&before, "{}").unwrap();
     let none = against(folder.path(), &[]);
-    assert_eq!(none.code, Some(2));
+    assert_eq!(none.code, Some(4));
     assert!(none.err.contains("holds no verdicts"), "{}", none.err);
 }
 

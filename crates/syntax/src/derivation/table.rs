@@ -116,7 +116,15 @@ fn kind(source: &Arc<Source>, range: Range<usize>, wanted: &str) -> LoadError {
 
 fn wrong(source: &Arc<Source>, error: &Error, default_range: Range<usize>) -> LoadError {
     let range = error.span().unwrap_or(default_range);
-    complaint(source, range, error.message().to_owned())
+    let twice = match error.message() {
+        "duplicate key" => source.text.get(range.clone()),
+        _ => None,
+    };
+    let message = match twice {
+        Some(name) => format!("`{name}` is there twice"),
+        None => error.message().to_owned(),
+    };
+    complaint(source, range, message)
 }
 
 /// Makes an error about a range of a file; at least one character is shown.
