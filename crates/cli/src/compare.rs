@@ -4,6 +4,7 @@ use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::format::{Format, json_line};
 use crate::run::Budget;
+use crate::standard::is_standard;
 use crate::{input, terminal, watchdog};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -165,7 +166,7 @@ impl Compare {
 /// with which only a function of Rust begins.
 fn code_name(file: &Path, code: &str) -> String {
     let is_rust = |line: &str| line.starts_with("fn ") || line.starts_with("pub fn ");
-    match input::is_standard(file) {
+    match is_standard(file) {
         true if code.lines().any(is_rust) => "stdin.rs".to_owned(),
         true => "stdin.py".to_owned(),
         false => file.display().to_string(),

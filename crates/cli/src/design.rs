@@ -2,7 +2,8 @@
 
 use crate::exit::{Exit, Failure};
 use crate::format::{Format, json_line, pretty_json};
-use crate::input::{self, is_standard};
+use crate::input;
+use crate::standard::{self, is_standard};
 use crate::terminal::{complain, print, print_bytes, remark};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -343,7 +344,7 @@ impl Inspect {
 
     /// What is in a file of another program; nothing for a design.
     fn listing(&self, path: &Path, bytes: &[u8]) -> Result<Option<FileListing>, Failure> {
-        let name = input::name(path);
+        let name = standard::name(path);
         if !FileKind::of_file(&name, bytes).is_read() {
             return Ok(None);
         }

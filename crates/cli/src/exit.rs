@@ -1,6 +1,6 @@
 //! Exit codes, and the failures behind them.
 
-use crate::input::{is_standard, name};
+use crate::standard::{is_standard, name};
 use miette::Diagnostic;
 use std::path::PathBuf;
 use std::process::ExitCode;

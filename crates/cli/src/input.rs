@@ -1,24 +1,12 @@
 //! Files that the command line names. `-` is standard input for every one of them, and is read by one of them at most.
 
 use crate::exit::Failure;
+use crate::standard::is_standard;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use tempfile::NamedTempFile;
-
-/// Whether a path stands for standard input or output.
-pub fn is_standard(path: &Path) -> bool {
-    path.as_os_str() == "-"
-}
-
-/// What a file is called in answers and messages.
-pub fn name(path: &Path) -> String {
-    match is_standard(path) {
-        true => "stdin".to_owned(),
-        false => path.display().to_string(),
-    }
-}
 
 /// Opens a file.
 ///

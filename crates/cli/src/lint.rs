@@ -4,6 +4,7 @@ use crate::design::unit;
 use crate::exit::{Exit, Failure};
 use crate::format::{Format, pretty_json};
 use crate::input;
+use crate::standard;
 use crate::terminal::print;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -59,7 +60,7 @@ impl Lint {
             thickness: self.thickness,
             unit: self.unit.clone(),
         };
-        let name = input::name(&self.file);
+        let name = standard::name(&self.file);
         let report = lint(
             &name,
             &input::bytes(&self.file, MAX_FILE_BYTES)?,

@@ -34,6 +34,7 @@ mod recheck;
 mod report;
 mod run;
 mod shard;
+mod standard;
 mod studio;
 mod terminal;
 mod unroll;

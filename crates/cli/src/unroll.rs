@@ -5,7 +5,7 @@ use crate::design::{
 };
 use crate::exit::{Exit, Failure};
 use crate::format::{Format, pretty_json};
-use crate::input::is_standard;
+use crate::standard::is_standard;
 use crate::terminal::remark;
 use clap::Args;
 use serde::Serialize;
