@@ -7,7 +7,7 @@ use crate::seams::{PatchEdge, Seam};
 use std::ops::Range;
 use torse_geometry::basis::BasisShape;
 use torse_geometry::pattern::BendingSheet as Metal;
-use torse_geometry::prelude::{Planes, Rail, Sheet};
+use torse_geometry::prelude::{PiecewiseRail, Planes, Point, Rail, Sheet};
 use torse_geometry::{Rails, TensorSurface};
 
 /// A design: everything in millimetres and radians.
@@ -191,6 +191,58 @@ pub enum Mark {
     Circle([f64; 2], f64),
     /// Lettering that starts at a place: the text, its height, and its direction against the ruling in radians.
     Text([f64; 2], String, f64, f64),
+    /// An opening of any shape.
+    Opening(MarkedOpening),
+}
+
+/// An opening of any closed shape, as a file gives it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum MarkedOpening {
+    /// A plane curve on the flat sheet.
+    OnSheet {
+        /// The curve; it lies in the plane of x and y.
+        curve: NamedCurve,
+        /// The place `[u, v]` of its origin.
+        at: [f64; 2],
+        /// The direction of its first axis against the ruling, in radians.
+        angle: f64,
+    },
+    /// A polygon on the parameters, side by side.
+    OnParameters(Vec<ParameterSide>),
+    /// A curve in space: it lies on the piece, or is thrown on it along a direction.
+    InSpace {
+        /// The curve.
+        curve: NamedCurve,
+        /// The direction; none where the curve lies on the piece.
+        along: Option<Point>,
+    },
+    /// Where other patches pass through.
+    Passed {
+        /// The patch or the chain, as the file names it.
+        name: String,
+        /// Where the name stands in the text, in bytes.
+        place: Range<usize>,
+        /// The indices of its patches.
+        patches: Vec<usize>,
+    },
+}
+
+/// A curve with its name in the file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NamedCurve {
+    /// The name.
+    pub name: String,
+    /// The curve.
+    pub curve: PiecewiseRail,
+}
+
+/// A side of a polygon on the parameters of a patch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ParameterSide {
+    /// How many patches after the one that is marked it lies: of an entry with curves of several pieces.
+    pub after: isize,
+    /// The places `[u, v]` of its ends.
+    pub ends: [[f64; 2]; 2],
 }
 
 /// Patches in a row.

@@ -2,13 +2,13 @@
 
 use crate::design::{Design, DesignPiece, Tensor};
 use crate::error::DesignError;
-use crate::holes::{SpaceHole, holes};
 use crate::inspect::side_changes_at_joint;
+use crate::openings::{SpaceOpening, openings_in_space};
 use crate::unroll::{Demand, drawing, unroll};
 use std::path::Path;
 use torse_exchange::{
-    CadModel, ExchangeError, Mesh, Opening, approximate_tensor, convert, dxf, glb, iges, obj, ply,
-    step, stl, svg, three_mf,
+    CadModel, ExchangeError, Mesh, approximate_tensor, convert, dxf, glb, iges, obj, ply, step, stl,
+    svg, three_mf,
 };
 use torse_geometry::Surface;
 use torse_geometry::prelude::GeometryError;
@@ -94,7 +94,7 @@ pub fn bytes(design: &Design, ending: &str, demand: &Demand) -> Result<Vec<u8>, 
 pub fn model(design: &Design) -> Result<CadModel, DesignError> {
     let limits = &design.tolerances;
     let mut model = CadModel::new(&design.name, limits.gap)?;
-    let holes = holes(design)?;
+    let openings = openings_in_space(design)?;
     for (index, patch) in design.patches.iter().enumerate() {
         let converted = convert(&patch.sheet, limits.surface)?;
         let certificate = patch.sheet.certify(64).map_err(ExchangeError::from)?;
@@ -106,15 +106,15 @@ pub fn model(design: &Design) -> Result<CadModel, DesignError> {
         };
         let several = converted.patches.len() > 1;
         model.add(&patch.name, converted)?;
-        for hole in holes.iter().filter(|hole| hole.patch == index) {
-            if several || hole.is_clipped() {
+        for opening in openings.iter().filter(|opening| opening.patch == index) {
+            if several || opening.is_clipped() {
                 return Err(DesignError::Mark {
                     patch: patch.name.clone(),
                     reason: "a hole over a joint of faces has no form in CAD files: export a mesh"
                         .to_owned(),
                 });
             }
-            model.open(&hole.around(&patch.sheet)?)?;
+            model.open(&opening.around(&patch.sheet)?)?;
         }
     }
     for surface in &design.surfaces {
@@ -133,9 +133,9 @@ pub fn model(design: &Design) -> Result<CadModel, DesignError> {
 pub fn mesh(design: &Design) -> Result<Mesh, DesignError> {
     let limits = &design.tolerances;
     let mut whole = Mesh::default();
-    let holes = holes(design)?;
+    let openings = openings_in_space(design)?;
     for piece in design.pieces() {
-        let sheet = surface(design, &piece, &holes)?;
+        let sheet = surface(design, &piece, &openings)?;
         let part = match design.metal {
             Some(metal) => sheet.thickened(metal.sheet.thickness())?,
             None => sheet,
@@ -197,7 +197,11 @@ fn steps(surface: &Tensor, within: f64) -> Result<[usize; 2], GeometryError> {
     }
 }
 
-fn surface(design: &Design, piece: &DesignPiece, holes: &[SpaceHole]) -> Result<Mesh, DesignError> {
+fn surface(
+    design: &Design,
+    piece: &DesignPiece,
+    openings: &[SpaceOpening],
+) -> Result<Mesh, DesignError> {
     let mut surface = Mesh::default();
     let patches: Vec<_> = piece
         .patches
@@ -218,21 +222,12 @@ fn surface(design: &Design, piece: &DesignPiece, holes: &[SpaceHole]) -> Result<
             over = over != turned;
         }
         let within = design.tolerances.surface;
-        let own: Vec<&SpaceHole> = holes.iter().filter(|hole| hole.patch == *index).collect();
-        let mesh = if own.is_empty() {
+        let own = openings.iter().filter(|opening| opening.patch == *index);
+        let borders: Vec<Vec<[f64; 2]>> = own.flat_map(|own| own.borders.clone()).collect();
+        let mesh = if borders.is_empty() {
             Mesh::ruled(&patch.sheet, within)?
         } else {
-            let across: Vec<_> = own.iter().map(|hole| |x: f64| hole.across(x)).collect();
-            let openings: Vec<Opening<'_>> = own
-                .iter()
-                .zip(&across)
-                .map(|(hole, across)| Opening {
-                    range: hole.range,
-                    rulings: hole.rulings(within),
-                    across,
-                })
-                .collect();
-            Mesh::ruled_with_openings(&patch.sheet, within, &openings)?
+            Mesh::ruled_with_openings(&patch.sheet, within, &borders)?
         };
         surface.append(&if over { flipped(&mesh)? } else { mesh })?;
         before = Some(*patch);

@@ -11,7 +11,7 @@ use crate::inspect::{number, wrapped};
 use crate::unroll::{Demand, unroll};
 use serde::Serialize;
 use std::path::Path;
-use torse_exchange::{Drawing, Layer, Path as DrawnPath};
+use torse_exchange::{Drawing, Layer, Path as DrawnPath, text_of_file};
 use torse_geometry::pattern::{FlatPattern, FlatRuling, PatternError, Segment, deviation, fold};
 
 /// The largest pattern file that is read, in bytes.
@@ -89,7 +89,8 @@ pub fn fold_back(design: &Design, path: &Path) -> Result<FoldReport, DesignError
     if size > MAX_BYTES {
         return Err(unreadable(format!("it is longer than {MAX_BYTES} bytes")));
     }
-    let text = std::fs::read_to_string(path).map_err(|e| unreadable(e.to_string()))?;
+    let bytes = std::fs::read(path).map_err(|e| unreadable(e.to_string()))?;
+    let text = text_of_file(&bytes).map_err(|e| unreadable(e.to_string()))?;
     fold_text(design, &shown, &text)
 }
 

@@ -41,6 +41,7 @@
 pub mod audit;
 pub mod bench;
 mod bending;
+mod chords;
 mod covers;
 mod design;
 pub mod draw;
@@ -50,11 +51,11 @@ pub mod export;
 mod faces;
 mod file;
 pub mod fold;
-mod holes;
 pub mod inspect;
 pub mod lint;
 pub mod listing;
 pub mod movable;
+pub mod openings;
 mod polygon;
 mod seams;
 mod segment_crossings;
@@ -64,8 +65,8 @@ pub mod unroll;
 pub use bending::{Bending, DesignedSurface, NeutralLine};
 pub use covers::{CoveringStrip, SurfaceCover};
 pub use design::{
-    Chain, ChainLayout, Design, DesignPiece, DesignPoint, DesignView, LeftOut, Mark, Material,
-    Patch, PatchEnds, Smoothness, Tolerances,
+    Chain, ChainLayout, Design, DesignPiece, DesignPoint, DesignView, LeftOut, Mark, MarkedOpening,
+    Material, NamedCurve, ParameterSide, Patch, PatchEnds, Smoothness, Tolerances,
 };
 pub use error::{DesignError, Ending};
 pub use file::{

@@ -50,10 +50,10 @@ pub use cad::{
 pub use drawing::{BendLine, Drawing, Layer, Path, Text, Vertex};
 pub use error::{ExchangeError, Result};
 pub use formats::{dxf, glb, iges, obj, ply, step, stl, svg, three_mf};
-pub use mesh::{MAX_VERTICES, Mesh, Opening};
+pub use mesh::{MAX_VERTICES, Mesh};
 pub use read::{
     CurveShape, FileKind, FilePlace, Imported, ImportedCurve, ImportedFace, ImportedMesh,
     LengthUnit, MAX_FILE_BYTES, MAX_IMPORTED_CURVES, ReadError, ReadResult, SplineSurface,
-    SurfaceFrame, SurfaceShape, UnitSource, read,
+    SurfaceFrame, SurfaceShape, UnitSource, read, text_of_file,
 };
 pub use write::write_file;

@@ -167,21 +167,12 @@ pub(super) fn part_lines(figure: &mut PaperFigure, drawn: &Drawn<'_>, to: ToPape
     if let Some(seam_line) = &part.seam_line {
         figure.chain(PaperStyle::Seam, seam_line, true, to);
     }
-    for ([x, y], radius) in &part.openings {
-        let half = |from: f64, end: f64| Segment {
-            from: [x + from * radius, *y],
-            to: [x + end * radius, *y],
-            bulge: 1.0,
-        };
-        figure.chain(
-            PaperStyle::Outline,
-            &[half(1.0, -1.0), half(-1.0, 1.0)],
-            true,
-            to,
-        );
-        let arm = radius + 1.5 / to.scale;
-        figure.line(PaperStyle::Mark, [[x - arm, *y], [x + arm, *y]], to);
-        figure.line(PaperStyle::Mark, [[*x, y - arm], [*x, y + arm]], to);
+    for opening in &part.openings {
+        figure.chain(PaperStyle::Outline, &opening.shape.contour(), true, to);
+        let ([x, y], [low, high]) = (opening.shape.middle(), opening.shape.bounds());
+        let [wide, tall] = [0, 1].map(|i| 0.5 * (high[i] - low[i]) + 1.5 / to.scale);
+        figure.line(PaperStyle::Mark, [[x - wide, y], [x + wide, y]], to);
+        figure.line(PaperStyle::Mark, [[x, y - tall], [x, y + tall]], to);
     }
     let bends = part.bends.iter().map(|bend| (bend.line, bend.angle));
     for (line, angle) in bends.chain(part.sharp.iter().map(|fold| (fold.line, fold.angle))) {
@@ -272,9 +263,11 @@ pub(super) fn labels(figure: &mut PaperFigure, drawn: &Drawn<'_>, to: ToPaper) {
             figure.bold(at, [x, y], SIZE + 0.3, &side.mark());
         }
     }
-    for (k, (centre, radius)) in drawn.part.openings.iter().enumerate() {
-        let away = (radius * to.scale * FRAC_1_SQRT_2).max(1.0) + 1.8;
-        let [x, y] = to.point(*centre);
+    for (k, opening) in drawn.part.openings.iter().enumerate() {
+        let [low, high] = opening.shape.bounds();
+        let half = 0.5 * (high[0] - low[0]).max(high[1] - low[1]);
+        let away = (half * to.scale * FRAC_1_SQRT_2).max(1.0) + 1.8;
+        let [x, y] = to.point(opening.shape.middle());
         figure.text(
             [x + away + 1.0, y - away],
             [1.0, 0.0],

@@ -16,6 +16,7 @@ pub use tiles::{PaperTile, TiledPart};
 
 use crate::design::Design;
 use crate::error::DesignError;
+use crate::openings::OpeningShape;
 use crate::inspect::at_most;
 use crate::unroll::{Blank, FlatPiece, Part, blank};
 use forming::forming;
@@ -262,17 +263,22 @@ fn sheet(
 }
 
 fn openings(part: &Part) -> BenchTable {
-    let rows = part
-        .openings
-        .iter()
-        .enumerate()
-        .map(|(k, ([x, y], radius))| {
-            let diameter = format!("⌀ {}", length(2.0 * radius));
-            vec![format!("H{}", k + 1), diameter, length(*x), length(*y)]
-        });
+    let all = part.openings.iter().enumerate();
+    let rows = all.map(|(k, opening)| {
+        let size = match &opening.shape {
+            OpeningShape::Round(_, radius) => format!("⌀ {}", length(2.0 * radius)),
+            OpeningShape::Contour(_) => {
+                let [low, high] = opening.shape.bounds();
+                let [width, height] = [0, 1].map(|i| length(high[i] - low[i]));
+                format!("{width} × {height}")
+            }
+        };
+        let [x, y] = opening.shape.middle().map(length);
+        vec![format!("H{}", k + 1), size, x, y]
+    });
     BenchTable {
         title: "Openings".to_owned(),
-        head: strings(&["hole", "diameter", "x", "y"]),
+        head: strings(&["hole", "size", "x", "y"]),
         rows: rows.collect(),
     }
 }

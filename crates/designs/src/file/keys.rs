@@ -139,7 +139,9 @@ pub const HERMITE: &[&str] = &[
 /// Strips that cover a surface.
 pub const STRIPS: &[&str] = &["surface", "along", "within"];
 /// A mark.
-pub const MARK: &[&str] = &["line", "hole", "text", "at", "radius", "height", "angle"];
+pub const MARK: &[&str] = &[
+    "line", "hole", "text", "at", "radius", "height", "angle", "opening", "along", "passes",
+];
 /// `[chains.NAME]`.
 pub const CHAIN: &[&str] = &["patches", "continuity", "closed", "layout", "radius"];
 

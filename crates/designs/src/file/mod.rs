@@ -12,6 +12,7 @@ mod formula;
 mod imports;
 mod joints;
 pub mod keys;
+mod passages;
 mod patches;
 mod pieces;
 mod placement;
@@ -352,11 +353,12 @@ fn sections(
     parts.families = planes::families(reader, take("families"), &parts.planes);
     parts.surfaces = surfaces::surfaces(reader, take("surfaces"), &parts);
     let ReadPatches {
-        patches,
+        mut patches,
         groups,
         covers,
     } = patches::patches(reader, take("patches"), &parts);
     let chains = chains::chains(reader, take("chains"), &patches, &groups);
+    passages::resolved(reader, &mut patches, &chains);
     let seams = seams::seams(reader, take("seams"), &patches, &groups);
     let surfaces = parts.surfaces;
     if patches.is_empty() && surfaces.is_empty() {

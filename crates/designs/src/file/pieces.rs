@@ -1,6 +1,6 @@
 //! Patches over curves of several pieces: one for each piece of the common refinement, and the marks of each.
 
-use crate::design::Mark;
+use crate::design::{Mark, MarkedOpening, ParameterSide};
 use torse_geometry::Coordinate;
 use torse_geometry::prelude::{GeometryError, Panel, PiecewiseRail, Rail};
 use torse_geometry::vector::{norm, sub};
@@ -115,19 +115,56 @@ pub fn distributed(marks: Vec<Mark>, cells: &PatchIntervals) -> Vec<Vec<Mark>> {
                     list.extend(runs(&places, interval).into_iter().map(Mark::Line));
                 }
             }
-            Mark::Hole(at, _) | Mark::Circle(at, _) | Mark::Text(at, ..) => {
+            Mark::Opening(MarkedOpening::OnParameters(sides)) => {
+                let cut = sides.iter().flat_map(|side| {
+                    let places = side.ends;
+                    let parts = intervals().enumerate().flat_map(move |(index, interval)| {
+                        let parts = runs(&places, interval).into_iter();
+                        parts.filter_map(move |run| match run.as_slice() {
+                            [from, to] => Some((index, [*from, *to])),
+                            _ => None,
+                        })
+                    });
+                    let mut parts: Vec<(usize, [[f64; 2]; 2])> = parts.collect();
+                    if places[1][0] < places[0][0] {
+                        parts.reverse();
+                    }
+                    parts
+                });
+                let cut: Vec<(usize, [[f64; 2]; 2])> = cut.collect();
+                let owner = cut.first().map_or(0, |(index, _)| *index);
+                let sides = cut.iter().map(|(index, ends)| ParameterSide {
+                    after: index.cast_signed() - owner.cast_signed(),
+                    ends: *ends,
+                });
+                let opening = MarkedOpening::OnParameters(sides.collect());
+                if let Some(list) = all.get_mut(owner) {
+                    list.push(Mark::Opening(opening));
+                }
+            }
+            // They go over all patches of their piece.
+            Mark::Opening(MarkedOpening::InSpace { .. } | MarkedOpening::Passed { .. }) => {
+                if let Some(list) = all.first_mut() {
+                    list.push(mark);
+                }
+            }
+            Mark::Hole(at, _)
+            | Mark::Circle(at, _)
+            | Mark::Text(at, ..)
+            | Mark::Opening(MarkedOpening::OnSheet { at, .. }) => {
                 let later = intervals()
                     .skip(1)
                     .take_while(|[from, _]| *from <= at[0])
                     .count();
                 let [from, to] = intervals().nth(later).unwrap_or([0.0, 1.0]);
-                let local = [((at[0] - from) / (to - from)).clamp(0.0, 1.0), at[1]];
-                let moved = match mark {
-                    Mark::Circle(_, radius) => Mark::Circle(local, radius),
-                    Mark::Text(_, text, height, angle) => Mark::Text(local, text, height, angle),
-                    Mark::Hole(_, radius) => Mark::Hole(local, radius),
-                    Mark::Line(places) => Mark::Line(places),
-                };
+                let mut moved = mark;
+                if let Mark::Hole(at, _)
+                | Mark::Circle(at, _)
+                | Mark::Text(at, ..)
+                | Mark::Opening(MarkedOpening::OnSheet { at, .. }) = &mut moved
+                {
+                    at[0] = ((at[0] - from) / (to - from)).clamp(0.0, 1.0);
+                }
                 if let Some(list) = all.get_mut(later) {
                     list.push(moved);
                 }

@@ -3,8 +3,10 @@
 use super::FlatPiece;
 use super::lettering::{self, Drawn, LetteringPlace};
 use super::marks::{FlatMark, flat_marks};
-use crate::design::{Design, Mark, Patch};
+use super::part::vertices_of;
+use crate::design::{Design, Patch};
 use crate::error::DesignError;
+use crate::openings::{OpeningShape, openings};
 use torse_exchange::{Drawing, Layer, Text};
 use torse_geometry::pattern::FlatPattern;
 
@@ -28,7 +30,7 @@ pub fn development_note(design: &Design) -> Option<String> {
 /// Draws the pieces: what is cut, bent and marked, each with its name, and notes of how exact it is.
 ///
 /// # Errors
-/// [`DesignError::Mark`] for a hole, a circle or lettering that leaves the sheet and for holes that overlap,
+/// [`DesignError::Mark`] for an opening, a circle or lettering that leaves the sheet and for openings that overlap,
 /// [`DesignError::Exchange`].
 pub fn drawing(design: &Design, pieces: &[FlatPiece]) -> Result<Drawing, DesignError> {
     let mut drawing = Drawing::default();
@@ -45,10 +47,14 @@ pub fn drawing(design: &Design, pieces: &[FlatPiece]) -> Result<Drawing, DesignE
         drawing.note(&format!("piece {}", piece.name))?;
         drawing.add_pattern(flat, REACH * size)?;
         let before = (drawing.paths().len(), drawing.texts().len());
-        let mut holes = Vec::new();
         for index in &piece.patches {
             if let Some(patch) = design.patches.get(*index) {
-                marks(&mut drawing, design, patch, flat, &mut holes)?;
+                marks(&mut drawing, design, patch, flat)?;
+            }
+        }
+        for opening in openings(design, piece, flat)? {
+            if let OpeningShape::Contour(segments) = &opening.shape {
+                drawing.path(Layer::Outline, &vertices_of(segments), true)?;
             }
         }
         name(&mut drawing, before, &piece.name, flat, size)?;
@@ -97,34 +103,17 @@ fn name(
     Ok(())
 }
 
-/// Draws the marks of a patch; `holes` are those that were drawn before it.
+/// Draws the marks of a patch, but for the openings that are not round.
 fn marks(
     drawing: &mut Drawing,
     design: &Design,
     patch: &Patch,
     flat: &FlatPattern,
-    holes: &mut Vec<([f64; 2], f64)>,
 ) -> Result<(), DesignError> {
-    for (own, mark) in patch.marks.iter().zip(flat_marks(design, patch, flat)?) {
+    for mark in flat_marks(design, patch, flat)? {
         match mark {
             FlatMark::Line(points) => drawing.polyline(Layer::Marks, &points)?,
-            FlatMark::Hole(at, radius) => {
-                let apart = |(other, own): &([f64; 2], f64)| {
-                    libm::hypot(other[0] - at[0], other[1] - at[1]) - own - radius
-                };
-                let nearest = holes.iter().map(apart).fold(f64::INFINITY, f64::min);
-                if let (true, Mark::Hole([u, v], _)) = (nearest <= 0.0, own) {
-                    return Err(DesignError::Mark {
-                        patch: patch.name.clone(),
-                        reason: format!(
-                            "the hole of radius {radius} mm at [{u}, {v}] overlaps another by {:.4} mm",
-                            -nearest
-                        ),
-                    });
-                }
-                holes.push((at, radius));
-                drawing.circle(Layer::Outline, at, radius)?;
-            }
+            FlatMark::Hole(at, radius) => drawing.circle(Layer::Outline, at, radius)?,
             FlatMark::Circle(at, radius) => drawing.circle(Layer::Marks, at, radius)?,
             FlatMark::Text(line, content) => drawing.text(Text {
                 layer: Layer::Marks,
@@ -133,6 +122,7 @@ fn marks(
                 angle: line.angle,
                 content,
             })?,
+            FlatMark::Opening => {}
         }
     }
     Ok(())

@@ -18,6 +18,8 @@ pub(super) enum FlatMark {
     Circle([f64; 2], f64),
     /// Lettering.
     Text(LetteringPlace, String),
+    /// An opening of any shape, which is cut with the round ones.
+    Opening,
 }
 
 /// Lays the marks of a patch on its pattern, in the order of the file.
@@ -68,6 +70,7 @@ pub(super) fn flat_marks(
                 }
                 FlatMark::Line(points)
             }
+            Mark::Opening(_) => FlatMark::Opening,
             Mark::Hole(place, radius) => FlatMark::Hole(centre("hole", *place, *radius)?, *radius),
             Mark::Circle(place, radius) => {
                 FlatMark::Circle(centre("circle", *place, *radius)?, *radius)

@@ -1,6 +1,7 @@
 //! A closed outline moved outwards, each of its segments by a distance of its own, with mitred corners.
 
-use crate::polygon::{chord_points, distance};
+use crate::chords::{chords_of, self_crossing};
+use crate::polygon::distance;
 use crate::segment_crossings::carrier_crossings;
 use std::f64::consts::PI;
 use torse_geometry::pattern::Segment;
@@ -141,41 +142,7 @@ fn crossing(outline: &[Segment]) -> Option<[f64; 2]> {
     } else {
         ARC_POINTS
     };
-    let mut chords: Vec<[[f64; 2]; 2]> = Vec::new();
-    for segment in outline {
-        let ends = chord_points(segment, steps).skip(1).chain([segment.to]);
-        chords.extend(chord_points(segment, steps).zip(ends).map(<[_; 2]>::from));
-    }
-    // Left to right: only chords that lie above one another are compared.
-    let low = |chord: &[[f64; 2]; 2]| chord[0][0].min(chord[1][0]);
-    let high = |chord: &[[f64; 2]; 2]| chord[0][0].max(chord[1][0]);
-    chords.sort_by(|a, b| low(a).total_cmp(&low(b)));
-    for (k, one) in chords.iter().enumerate() {
-        let behind = chords.iter().skip(k + 1);
-        let near = behind.take_while(|other| low(other) <= high(one));
-        for other in near {
-            if crosses(one, other) {
-                return Some(one[0]);
-            }
-        }
-    }
-    None
-}
-
-/// Returns whether two chords cross inside of both.
-fn crosses(one: &[[f64; 2]; 2], other: &[[f64; 2]; 2]) -> bool {
-    let side = |line: &[[f64; 2]; 2], p: [f64; 2]| {
-        (line[1][0] - line[0][0]) * (p[1] - line[0][1])
-            - (line[1][1] - line[0][1]) * (p[0] - line[0][0])
-    };
-    let length = |line: &[[f64; 2]; 2]| distance(line[0], line[1]);
-    // What touches within rounding does not cross.
-    let small = 1e-9 * length(one) * length(other).max(length(one));
-    let parted = |line: &[[f64; 2]; 2], of: &[[f64; 2]; 2]| {
-        let (p, q) = (side(line, of[0]), side(line, of[1]));
-        p.abs() > small && q.abs() > small && (p > 0.0) != (q > 0.0)
-    };
-    parted(one, other) && parted(other, one)
+    self_crossing(&chords_of(outline, steps))
 }
 
 #[cfg(test)]

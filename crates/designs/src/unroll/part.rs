@@ -7,12 +7,13 @@ use super::marks::{FlatMark, flat_marks};
 use super::notches::notches;
 use super::offset::moved_outwards;
 use super::{FlatPiece, drawing, position};
-use crate::design::{Design, Mark};
+use crate::design::Design;
 use crate::error::DesignError;
 use crate::inspect::at_most;
+use crate::openings::{Opening, OpeningShape, openings};
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 use torse_exchange::{BendLine, Drawing, Layer, Vertex};
-use torse_geometry::pattern::{PatternPlace, Placement, Segment};
+use torse_geometry::pattern::{Placement, Segment};
 
 /// What a pattern file is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,8 +90,8 @@ pub struct Part {
     pub outline: Vec<Segment>,
     /// The outline without allowances, along which it is sewn, welded or glued, where it has some.
     pub seam_line: Option<Vec<Segment>>,
-    /// The round openings: centre and radius.
-    pub openings: Vec<([f64; 2], f64)>,
+    /// The openings.
+    pub openings: Vec<Opening>,
     /// What the file marks on it.
     pub marks: Vec<PartMark>,
     /// The bends that tools make.
@@ -103,7 +104,7 @@ pub struct Part {
     pub notches: Vec<[[f64; 2]; 2]>,
     /// Width and height of the box.
     pub size: [f64; 2],
-    /// No point of the outline, without allowances, is farther from that of the exact part.
+    /// No point of the outline, without allowances, nor of an opening is farther from that of the exact part.
     pub error: f64,
     /// What whoever opens the file should know: what it is, of which sheet, and how exact.
     pub notes: Vec<String>,
@@ -115,14 +116,14 @@ impl Part {
     /// Returns the area, without the openings.
     #[must_use]
     pub fn area(&self) -> f64 {
-        let open = self.openings.iter().map(|(_, radius)| PI * radius * radius);
+        let open = self.openings.iter().map(|opening| opening.shape.area());
         self.outline.iter().map(Segment::area).sum::<f64>() - open.sum::<f64>()
     }
 
     /// Returns the length of the cut, around the openings too.
     #[must_use]
     pub fn cut_length(&self) -> f64 {
-        let around = self.openings.iter().map(|(_, radius)| 2.0 * PI * radius);
+        let around = self.openings.iter().map(|opening| opening.shape.length());
         self.outline.iter().map(Segment::length).sum::<f64>() + around.sum::<f64>()
     }
 
@@ -150,8 +151,15 @@ impl Part {
             drawing.note(note)?;
         }
         drawing.path(Layer::Outline, &vertices_of(&self.outline), true)?;
-        for (centre, radius) in &self.openings {
-            drawing.circle(Layer::Outline, *centre, *radius)?;
+        for opening in &self.openings {
+            match &opening.shape {
+                OpeningShape::Round(centre, radius) => {
+                    drawing.circle(Layer::Outline, *centre, *radius)?;
+                }
+                OpeningShape::Contour(segments) => {
+                    drawing.path(Layer::Outline, &vertices_of(segments), true)?;
+                }
+            }
         }
         if matches!(purpose, Purpose::Bend | Purpose::Sew) {
             for mark in &self.marks {
@@ -246,7 +254,8 @@ pub fn parts_with(
     all.map(|piece| part(design, piece, making)).collect()
 }
 
-fn vertices_of(outline: &[Segment]) -> Vec<Vertex> {
+/// Returns the vertices of a closed contour.
+pub(super) fn vertices_of(outline: &[Segment]) -> Vec<Vertex> {
     let vertex = |segment: &Segment| Vertex {
         point: segment.from,
         bulge: segment.bulge,
@@ -332,17 +341,8 @@ fn part(design: &Design, piece: &FlatPiece, making: CutOptions) -> Result<Part, 
         None => to_smallest_box(&outline),
         Some(grain) => turned_to(&outline, direction(piece, &blank, grain)),
     };
-    let openings = openings(design, piece, |patch, centre, radius| {
-        blank.place(patch, centre, radius)
-    })?;
+    let openings = openings_on_blank(design, piece, &blank, 0.5 * making.kerf)?;
     let marks = part_marks(design, piece, &blank, &placement)?;
-    let half_kerf = 0.5 * making.kerf;
-    if let Some((_, radius)) = openings.iter().find(|(_, radius)| *radius <= half_kerf) {
-        return Err(DesignError::Blank {
-            piece: piece.piece.name.clone(),
-            reason: format!("an opening of radius {radius} mm is narrower than the kerf"),
-        });
-    }
     let notches = notches(design, piece, &blank)?.into_iter();
     let notches = notches.map(|notch| match &allowances {
         Some(allowances) => into_allowance(notch, &blank.outline, allowances),
@@ -352,7 +352,8 @@ fn part(design: &Design, piece: &FlatPiece, making: CutOptions) -> Result<Part, 
     let place = |ends: [[f64; 2]; 2]| ends.map(point);
     let [low, high] = bounds(&outline, &placement);
     let moved = outline.iter().map(moved_on_grid).fold(0.0_f64, f64::max);
-    let error = blank.error + off + moved;
+    let open = openings.iter().fold(0.0_f64, |m, opening| m.max(opening.error));
+    let error = (blank.error + off).max(open) + moved;
     let mut notes = vec![format!("{}: {}", design.name, design.title)];
     if let Some(metal) = design.metal {
         notes.push(format!("a sheet {} mm thick", metal.sheet.thickness()));
@@ -392,7 +393,15 @@ fn part(design: &Design, piece: &FlatPiece, making: CutOptions) -> Result<Part, 
         seam_line: seam_line.map(|seam_line| placed(&seam_line)),
         openings: openings
             .into_iter()
-            .map(|(centre, radius)| (point(centre), radius - half_kerf))
+            .map(|opening| Opening {
+                shape: match &opening.shape {
+                    OpeningShape::Round(centre, radius) => {
+                        OpeningShape::Round(point(*centre), *radius)
+                    }
+                    OpeningShape::Contour(segments) => OpeningShape::Contour(placed(segments)),
+                },
+                ..opening
+            })
             .collect(),
         marks,
         bends: blank
@@ -500,7 +509,7 @@ fn part_marks(
         };
         for mark in flat_marks(design, patch, flat)? {
             found.push(match mark {
-                FlatMark::Hole(..) => continue,
+                FlatMark::Hole(..) | FlatMark::Opening => continue,
                 FlatMark::Line(points) => {
                     let points = points.into_iter().map(|point| on_part(point, 0.0));
                     PartMark::Line(points.collect::<Result<_, _>>()?)
@@ -524,36 +533,75 @@ fn on_grid_point(point: [f64; 2]) -> [f64; 2] {
     point.map(on_grid)
 }
 
-/// Returns the openings of a piece, on its blank.
-fn openings(
+/// Lengths that differ by less, as a share, are equal.
+const SAME_LENGTH: f64 = 1e-9;
+
+/// Returns the openings of a piece on its blank, smaller by half of the kerf.
+fn openings_on_blank(
     design: &Design,
-    FlatPiece { piece, flat }: &FlatPiece,
-    place: impl Fn(usize, [f64; 2], f64) -> Option<[f64; 2]>,
-) -> Result<Vec<([f64; 2], f64)>, DesignError> {
+    piece: &FlatPiece,
+    blank: &Blank,
+    half_kerf: f64,
+) -> Result<Vec<Opening>, DesignError> {
+    let refused = |reason: String| DesignError::Blank {
+        piece: piece.piece.name.clone(),
+        reason,
+    };
     let mut found = Vec::new();
-    let patches = piece.patches.iter();
-    for patch in patches.filter_map(|index| design.patches.get(*index)) {
-        for mark in &patch.marks {
-            let Mark::Hole([x, v], radius) = mark else {
-                continue;
-            };
-            let on_pattern = position(flat, patch).and_then(|piece| {
-                let at = PatternPlace {
-                    piece,
-                    x: *x,
-                    v: *v,
-                };
-                Some((piece, flat.flatten(at)?))
-            });
-            let centre = on_pattern.and_then(|(piece, at)| place(piece, at, *radius));
-            let Some(centre) = centre else {
-                return Err(DesignError::Mark {
-                    patch: patch.name.clone(),
-                    reason: format!("the hole of radius {radius} mm at [{x}, {v}] lies in a bend"),
-                });
-            };
-            found.push((centre, *radius));
-        }
+    for opening in openings(design, &piece.piece, &piece.flat)? {
+        let shape = on_blank(piece, blank, &opening);
+        let shape = shape.ok_or_else(|| refused(format!("{} lies in a bend", opening.name)))?;
+        let shape = match shape {
+            OpeningShape::Round(_, radius) if radius <= half_kerf => {
+                let reason = format!("an opening of radius {radius} mm is narrower than the kerf");
+                return Err(refused(reason));
+            }
+            OpeningShape::Round(centre, radius) => OpeningShape::Round(centre, radius - half_kerf),
+            OpeningShape::Contour(segments) if half_kerf > 0.0 => {
+                // Clockwise the opening is on the right.
+                let turned: Vec<Segment> = segments.iter().rev().map(Segment::reversed).collect();
+                let distances = vec![half_kerf; turned.len()];
+                let snap = 0.5 * design.tolerances.outline;
+                let moved = moved_outwards(&turned, &distances, snap);
+                let moved = moved.map_err(|reason| {
+                    refused(format!("the kerf does not fit {}: {reason}", opening.name))
+                })?;
+                OpeningShape::Contour(moved.iter().rev().map(Segment::reversed).collect())
+            }
+            contour @ OpeningShape::Contour(_) => contour,
+        };
+        found.push(Opening { shape, ..opening });
     }
     Ok(found)
+}
+
+/// Returns an opening on the blank; `None` where a bend takes a part of it.
+fn on_blank(piece: &FlatPiece, blank: &Blank, opening: &Opening) -> Option<OpeningShape> {
+    match &opening.shape {
+        OpeningShape::Round(centre, radius) => {
+            let centre = blank.place(opening.patch, *centre, *radius)?;
+            Some(OpeningShape::Round(centre, *radius))
+        }
+        OpeningShape::Contour(segments) if blank.bends.is_empty() => {
+            Some(OpeningShape::Contour(segments.clone()))
+        }
+        OpeningShape::Contour(segments) => {
+            let place = |point: [f64; 2], room: f64| {
+                let at = piece.flat.locate(point)?;
+                blank.place(at.piece, point, room)
+            };
+            let moved = segments.iter().map(|segment| {
+                let room = segment.sagitta();
+                let moved = Segment {
+                    from: place(segment.from, room)?,
+                    to: place(segment.to, room)?,
+                    bulge: segment.bulge,
+                };
+                let length = segment.chord_length();
+                let same = (moved.chord_length() - length).abs() <= SAME_LENGTH * (1.0 + length);
+                same.then_some(moved)
+            });
+            moved.collect::<Option<_>>().map(OpeningShape::Contour)
+        }
+    }
 }

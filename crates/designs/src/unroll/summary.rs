@@ -1,10 +1,10 @@
 //! What a pattern promises, in numbers.
 
 use super::FlatPiece;
-use crate::design::{Design, Mark};
+use crate::design::Design;
 use crate::inspect::{at_most, number, wrapped};
+use crate::openings::openings;
 use serde::Serialize;
-use std::f64::consts::PI;
 use torse_geometry::pattern::{Flattening, PatternEvidence, bends};
 
 /// The patterns of a design in numbers; lengths in millimetres, angles in degrees.
@@ -27,9 +27,9 @@ pub struct PieceSummary {
     pub is_blank: bool,
     /// Width and height of the box around it.
     pub size: [f64; 2],
-    /// The area inside the outline, without the holes.
+    /// The area inside the outline, without the openings.
     pub area: f64,
-    /// The length of the cut, around the holes too.
+    /// The length of the cut, around the openings too.
     pub cut: f64,
     /// How many lines and arcs the outline has.
     pub segments: usize,
@@ -183,17 +183,10 @@ fn summary(design: &Design, FlatPiece { piece, flat }: &FlatPiece) -> PieceSumma
             (rows.collect(), None)
         }
     };
-    let patches = piece.patches.iter();
-    let radii: Vec<f64> = patches
-        .filter_map(|index| design.patches.get(*index))
-        .flat_map(|patch| &patch.marks)
-        .filter_map(|mark| match mark {
-            Mark::Hole(_, radius) => Some(*radius),
-            _ => None,
-        })
-        .collect();
-    let open: f64 = radii.iter().map(|radius| PI * radius * radius).sum();
-    let around: f64 = radii.iter().map(|radius| 2.0 * PI * radius).sum();
+    // What is refused has no drawing either.
+    let openings = openings(design, piece, flat).unwrap_or_default();
+    let open: f64 = openings.iter().map(|opening| opening.shape.area()).sum();
+    let around: f64 = openings.iter().map(|opening| opening.shape.length()).sum();
     PieceSummary {
         name: piece.name.clone(),
         patches: piece.patches.iter().filter_map(name).collect(),

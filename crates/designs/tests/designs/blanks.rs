@@ -154,7 +154,7 @@ fn each_edge_loses_its_setbacks_and_gains_its_allowance() {
     assert!((angles[0] - 90.0).abs() < 1e-9 && (angles[1] - 60.0).abs() < 1e-9);
     assert!(part.bends[0].angle * part.bends[1].angle > 0.0);
     // The hole keeps its distance from the bend beside it: half of the base, less its setback, from the end of the strip.
-    let (hole, _) = part.openings[0];
+    let hole = part.openings[0].shape.middle();
     let line = |index: usize| part.bends[index].line[0][0];
     let near = (hole[0] - line(0)).abs();
     let expected = 25.0 - 4.0 + 0.5 * FRAC_PI_2 * 3.88;

@@ -19,6 +19,7 @@ mod joints;
 mod kinds;
 mod lint;
 mod mistakes;
+mod openings;
 mod patterns;
 mod points;
 mod rails;

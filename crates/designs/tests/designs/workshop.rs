@@ -6,6 +6,7 @@ use torse_designs::fold::fold_text;
 use torse_designs::inspect::inspect;
 use torse_designs::lint::{LintDemand, LintRules, lint};
 use torse_designs::load;
+use torse_designs::openings::openings;
 use torse_designs::unroll::{Demand, Purpose, drawing, parts, unroll};
 use torse_exchange::dxf;
 
@@ -90,6 +91,41 @@ fn a_tent_of_eight_gores_goes_the_whole_way() {
 }
 
 #[test]
+fn a_branch_pipe_with_its_saddle_goes_the_whole_way_and_fits_its_hole() {
+    assert_eq!(whole_way("saddle-branch"), 2);
+    let design = load(&path("saddle-branch")).unwrap();
+    let pieces = unroll(&design, &Demand::default()).unwrap();
+    let main = pieces.iter().find(|piece| piece.piece.name == "main").unwrap();
+    let holes = openings(&design, &main.piece, &main.flat).unwrap();
+    let [hole] = holes.as_slice() else {
+        panic!("{holes:?}")
+    };
+    assert!(hole.proved && hole.error <= design.tolerances.outline);
+    let contour = hole.shape.contour();
+    // The saddle edge of the branch in space, laid on the pattern of the main pipe, is the contour of its hole.
+    let mut seen = 0;
+    for patch in design.patches.iter().filter(|patch| patch.name.starts_with("branch")) {
+        for k in 0..8 {
+            let point = patch.sheet.point(f64::from(k) / 8.0, 1.0).unwrap();
+            let place = main.flat.locate_in_space(point, design.tolerances.gap).unwrap();
+            let point = main.flat.flatten(place).unwrap();
+            let near = contour.iter().map(|segment| segment.distance(point));
+            let near = near.fold(f64::INFINITY, f64::min);
+            assert!(near <= hole.error + 2.0 * design.tolerances.gap, "{near}");
+            seen += 1;
+        }
+    }
+    assert_eq!(seen, 128);
+    // Of the closed form: r^2 times the integral of cos^2/sqrt(1 - (r/R)^2 sin^2).
+    let steps = 512;
+    let angle = |k: i32| 2.0 * std::f64::consts::PI * f64::from(k) / f64::from(steps);
+    let share = |t: f64| libm::cos(t).powi(2) / (1.0 - (0.5 * libm::sin(t)).powi(2)).sqrt();
+    let mean = (0..steps).map(|k| share(angle(k))).sum::<f64>() / f64::from(steps);
+    let area = 625.0 * 2.0 * std::f64::consts::PI * mean;
+    assert!((hole.shape.area() - area).abs() < 0.5, "{} {area}", hole.shape.area());
+}
+
+#[test]
 fn every_design_of_the_workshop_is_tested() {
     let folder = path("x").parent().unwrap().to_owned();
     let files = std::fs::read_dir(folder).unwrap();
@@ -97,5 +133,5 @@ fn every_design_of_the_workshop_is_tested() {
         let path = file.as_ref().unwrap().path();
         path.extension().is_some_and(|e| e == "toml")
     });
-    assert_eq!(designs.count(), 5);
+    assert_eq!(designs.count(), 6);
 }

@@ -120,41 +120,30 @@ impl CadModel {
         Ok(())
     }
 
-    /// Cuts an opening into the face that was added last: a closed curve through these points at equal steps of its
-    /// parameter, eight at least, run so that the face is on its left. It is as smooth as cubics with the tangents of
-    /// five points are.
+    /// Cuts an opening into the face that was added last: smooth parts that meet in corners, each through points at equal steps of
+    /// its parameter, eight steps at least, run so that the face is on its left; each part ends where the next begins, and one
+    /// part alone is smooth all around. Each is as smooth as cubics with the tangents of five points are.
     ///
     /// # Errors
     /// [`ExchangeError::Empty`] without a face or with too few points.
-    pub fn open(&mut self, points: &[[f64; 3]]) -> Result<()> {
-        let count = points.len();
-        if count < 8 || self.faces.is_empty() {
+    pub fn open(&mut self, parts: &[Vec<[f64; 3]>]) -> Result<()> {
+        if parts.is_empty() || self.faces.is_empty() || parts.iter().any(|part| part.len() < 9) {
             return Err(ExchangeError::Empty { what: "opening" });
         }
-        let at = |k: usize| points.get(k % count).copied().unwrap_or_default();
-        // The derivative by five points, for a step of one.
-        let tangent = |k: usize| -> [f64; 3] {
-            let (near, far) = (
-                sub(&at(k + 1), &at(k + count - 1)),
-                sub(&at(k + 2), &at(k + count - 2)),
-            );
-            std::array::from_fn(|i| (8.0 * near[i] - far[i]) / 12.0)
-        };
-        let third = |k: usize, sign: f64| -> [f64; 3] {
-            let (point, slope) = (at(k), tangent(k));
-            std::array::from_fn(|i| point[i] + sign * slope[i] / 3.0)
-        };
-        let half = count / 2;
+        let is_round = parts.len() == 1;
         let mut edges = Vec::new();
-        for (from, to) in [(0, half), (half, count)] {
-            let mut control = vec![at(from)];
-            for k in from..to {
-                control.extend([third(k, 1.0), third(k + 1, -1.0), at(k + 1)]);
+        for part in parts {
+            let tangents = tangents(part, is_round);
+            let last = part.len() - 1;
+            // A closed curve is two edges.
+            let middle = if is_round { last / 2 } else { last };
+            for (from, to) in [(0, middle), (middle, last)] {
+                if from < to {
+                    let (points, tangents) = (part.get(from..=to), tangents.get(from..=to));
+                    let curve = cubics(points.unwrap_or_default(), tangents.unwrap_or_default());
+                    edges.push(self.edge(curve));
+                }
             }
-            #[allow(clippy::cast_precision_loss)]
-            let breaks = (0..=to - from).map(|k| k as f64 / (to - from) as f64);
-            let knots = Knots::clamped(3, breaks.collect(), 3);
-            edges.push(self.edge(BsplineCurve::new(3, knots, control, None)));
         }
         if let Some(face) = self.faces.last_mut() {
             face.openings.push(edges);
@@ -217,4 +206,56 @@ impl CadModel {
             self.vertices.len() - 1
         })
     }
+}
+
+/// The derivatives at points of equal steps of one, by five points; `around` if the last point is the first.
+fn tangents(points: &[[f64; 3]], around: bool) -> Vec<[f64; 3]> {
+    let last = points.len() - 1;
+    let at = |k: usize| points.get(k).copied().unwrap_or_default();
+    let sum = |start: usize, weights: [f64; 5]| -> [f64; 3] {
+        std::array::from_fn(|i| {
+            let terms = weights.iter().zip(start..);
+            terms.map(|(w, k)| w * at(k % points.len())[i]).sum::<f64>() / 12.0
+        })
+    };
+    let inner = [1.0, -8.0, 0.0, 8.0, -1.0];
+    let [first, second] = [[-25.0, 48.0, -36.0, 16.0, -3.0], [-3.0, -10.0, 18.0, -6.0, 1.0]];
+    let backwards = |weights: [f64; 5]| {
+        let [a, b, c, d, e] = weights;
+        [-e, -d, -c, -b, -a]
+    };
+    (0..=last)
+        .map(|k| match k {
+            _ if around => {
+                let near = |by: usize| at((k + by) % last);
+                let (next, before) = (near(1), near(last - 1));
+                let (far, behind) = (near(2), near(last - 2));
+                std::array::from_fn(|i| {
+                    (8.0 * (next[i] - before[i]) - (far[i] - behind[i])) / 12.0
+                })
+            }
+            0 => sum(0, first),
+            1 => sum(0, second),
+            k if k == last => sum(last - 4, backwards(first)),
+            k if k + 1 == last => sum(last - 4, backwards(second)),
+            k => sum(k - 2, inner),
+        })
+        .collect()
+}
+
+/// The curve of cubics with these points and tangents, for steps of one.
+fn cubics(points: &[[f64; 3]], tangents: &[[f64; 3]]) -> BsplineCurve {
+    let mut control: Vec<[f64; 3]> = points.first().copied().into_iter().collect();
+    let pairs = points.windows(2).zip(tangents.windows(2));
+    for (point, slope) in pairs {
+        let third = |k: usize, sign: f64| -> [f64; 3] {
+            std::array::from_fn(|i| point[k][i] + sign * slope[k][i] / 3.0)
+        };
+        control.extend([third(0, 1.0), third(1, -1.0), point[1]]);
+    }
+    let steps = points.len().saturating_sub(1);
+    #[allow(clippy::cast_precision_loss)]
+    let breaks = (0..=steps).map(|k| k as f64 / steps as f64);
+    let knots = Knots::clamped(3, breaks.collect(), 3);
+    BsplineCurve::new(3, knots, control, None)
 }

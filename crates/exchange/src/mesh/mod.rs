@@ -4,8 +4,6 @@ mod grid;
 mod openings;
 mod solid;
 
-pub use openings::Opening;
-
 use crate::error::{ExchangeError, Result};
 use std::collections::HashMap;
 use torse_geometry::vector::{add, cross, dot, norm, scale, sub, unit};

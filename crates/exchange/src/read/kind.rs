@@ -12,7 +12,7 @@ pub enum FileKind {
     Step,
     /// An IGES file of 80 columns.
     Iges,
-    /// A DXF drawing, as text.
+    /// A DXF drawing, as text or binary.
     Dxf,
     /// An SVG drawing.
     Svg,
@@ -47,6 +47,11 @@ impl FileKind {
     /// ```
     #[must_use]
     pub fn detect(bytes: &[u8]) -> Self {
+        let decoded = utf8(bytes);
+        let bytes = decoded.as_ref();
+        if bytes.starts_with(b"AutoCAD Binary DXF") {
+            return Self::Dxf;
+        }
         if let Some((_, name)) = SIGNATURES
             .iter()
             .find(|(start, _)| bytes.starts_with(start))
@@ -127,7 +132,6 @@ impl fmt::Display for FileKind {
 
 /// How files of other kinds begin.
 const SIGNATURES: &[(&[u8], &str)] = &[
-    (b"AutoCAD Binary DXF", "a binary DXF drawing"),
     (b"AC10", "a DWG drawing"),
     (b"3D Geometry File Format", "a Rhino model"),
     (b"**ABCDEFGHIJKLMNOPQRSTUVWXYZ", "a Parasolid model"),
@@ -156,6 +160,24 @@ fn is_binary_stl(bytes: &[u8]) -> bool {
     };
     let size = u64::from(u32::from_le_bytes(count)) * 50 + 84;
     u64::try_from(bytes.len()) == Ok(size)
+}
+
+/// The bytes of a text in UTF-8: as they are, unless they begin with the mark of UTF-16. What is no character of that is shown as
+/// one that is missing, and a last byte without its other half is dropped.
+pub(super) fn utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let units = |from: fn([u8; 2]) -> u16| {
+        let pairs = bytes.chunks_exact(2).skip(1);
+        let units = pairs.filter_map(|pair| Some(from(pair.try_into().ok()?)));
+        let text: String = char::decode_utf16(units)
+            .map(|unit| unit.unwrap_or(char::REPLACEMENT_CHARACTER))
+            .collect();
+        Cow::Owned(text.into_bytes())
+    };
+    match bytes {
+        [0xff, 0xfe, ..] => units(u16::from_le_bytes),
+        [0xfe, 0xff, ..] => units(u16::from_be_bytes),
+        _ => Cow::Borrowed(bytes),
+    }
 }
 
 /// A text whose lines end as they do today, not in a carriage return as on old machines.

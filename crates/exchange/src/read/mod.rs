@@ -68,24 +68,41 @@ pub fn read(name: &str, bytes: &[u8], unit: Option<&LengthUnit>) -> ReadResult<I
         });
     }
     let kind = FileKind::of_file(name, bytes);
-    let text = || {
-        let text = String::from_utf8_lossy(bytes);
-        kind::unix_lines(text.strip_prefix('\u{feff}').unwrap_or(&text)).into_owned()
-    };
+    let text = || text_of_file(bytes);
     let stem = std::path::Path::new(name)
         .file_stem()
         .unwrap_or_default()
         .to_string_lossy();
     match kind {
-        FileKind::Csv => csv::read(&stem, &text(), unit),
-        FileKind::Svg => svg::read(&text(), unit),
-        FileKind::Dxf => dxf::read(&text(), unit),
-        FileKind::Step => step::read(&text(), unit),
-        FileKind::Iges => iges::read(&text(), unit),
-        FileKind::Obj => obj::read(&stem, &text(), unit),
+        FileKind::Csv => csv::read(&stem, &text()?, unit),
+        FileKind::Svg => svg::read(&text()?, unit),
+        FileKind::Dxf => dxf::read(&text()?, unit),
+        FileKind::Step => step::read(&text()?, unit),
+        FileKind::Iges => iges::read(&text()?, unit),
+        FileKind::Obj => obj::read(&stem, &text()?, unit),
         FileKind::Stl => stl::read(&stem, bytes, unit),
         kind => Err(ReadError::Kind { kind }),
     }
+}
+
+/// Returns the text of a file: UTF-8, UTF-16 with its mark, or the groups of a binary DXF drawing as lines. Lines end in a line
+/// feed; bytes that are no text are shown as characters that are missing.
+///
+/// # Errors
+/// [`ReadError::Wrong`] for a binary DXF drawing that is damaged.
+///
+/// ```
+/// use torse_exchange::text_of_file;
+/// assert_eq!(text_of_file(b"\xff\xfex\x00,\x00y\x00\r\x00\n\x00")?, "x,y\n");
+/// # Ok::<(), torse_exchange::ReadError>(())
+/// ```
+pub fn text_of_file(bytes: &[u8]) -> ReadResult<String> {
+    if bytes.starts_with(dxf::binary::SENTINEL) {
+        return dxf::binary::text_of(bytes);
+    }
+    let bytes = kind::utf8(bytes);
+    let text = String::from_utf8_lossy(&bytes);
+    Ok(kind::unix_lines(text.strip_prefix('\u{feff}').unwrap_or(&text)).into_owned())
 }
 
 /// Where the unit comes from.

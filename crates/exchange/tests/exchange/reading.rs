@@ -1043,3 +1043,79 @@ fn a_unit_whose_name_and_flag_contradict_each_other_is_refused() {
         "{solid}"
     );
 }
+
+#[test]
+fn a_binary_dxf_drawing_has_the_curves_of_the_same_drawing_as_text() {
+    // Both written by ezdxf 1.4: codes of one byte.
+    let (text, binary) = (opened("plate.dxf"), opened("plate_binary.dxf"));
+    assert_eq!(FileKind::detect(&file("plate_binary.dxf")), FileKind::Dxf);
+    assert_eq!(text.curves.len(), 4);
+    assert_eq!(text.curves.len(), binary.curves.len());
+    for (one, other) in text.curves.iter().zip(&binary.curves) {
+        assert_eq!((&one.name, &one.layer), (&other.name, &other.layer));
+        assert_eq!(one.shape.rail().unwrap(), other.shape.rail().unwrap());
+    }
+}
+
+#[test]
+fn codes_of_two_bytes_and_cut_binary_drawings_are_read_or_told() {
+    let mut wide = b"AutoCAD Binary DXF\r\n\x1a\0".to_vec();
+    let group = |code: i16, value: &[u8]| [&code.to_le_bytes()[..], value].concat();
+    let text = |code: i16, value: &str| group(code, &[value.as_bytes(), &[0]].concat());
+    let number = |code: i16, value: f64| group(code, &value.to_le_bytes());
+    for part in [
+        text(0, "SECTION"),
+        text(2, "HEADER"),
+        text(9, "$INSUNITS"),
+        group(70, &4_i16.to_le_bytes()),
+        text(0, "ENDSEC"),
+        text(0, "SECTION"),
+        text(2, "ENTITIES"),
+        text(0, "LINE"),
+        text(8, "cut"),
+        group(310, &[3, 0, 0, 9]),
+        group(420, &(-7_i32).to_le_bytes()),
+        group(290, &[1]),
+        number(10, 1.5),
+        number(20, 0.1),
+        number(11, -2.0),
+        number(21, 1e-3),
+        text(0, "ENDSEC"),
+        text(0, "EOF"),
+    ] {
+        wide.extend(part);
+    }
+    let found = read("a.dxf", &wide, None).unwrap();
+    let rail = found.curves[0].shape.rail().unwrap();
+    assert_eq!(rail.point(0.0).unwrap(), [1.5, 0.1, 0.0]);
+    assert_eq!(rail.point(1.0).unwrap(), [-2.0, 1e-3, 0.0]);
+    assert_eq!(found.unit.to_string(), "mm, stated by the file");
+    for cut in 23..wide.len() - 5 {
+        assert!(read("a.dxf", &wide[..cut], None).is_err(), "{cut}");
+    }
+    let middle = read("a.dxf", &wide[..wide.len() - 40], None).unwrap_err().to_string();
+    assert!(middle.starts_with("line "), "{middle}");
+    wide[22 + 2 + 8] = 0xe7;
+    wide[22 + 2 + 9] = 0x03;
+    let unknown = read("a.dxf", &wide, None).unwrap_err().to_string();
+    assert!(!unknown.is_empty());
+}
+
+#[test]
+fn text_in_utf_16_is_read_as_the_same_text() {
+    for name in ["rails_poly.dxf", "offsets.csv", "rails.svg", "plate.dxf"] {
+        let text = String::from_utf8(file(name)).unwrap();
+        let plain = opened(name);
+        for (mark, bytes) in [
+            ([0xff, 0xfe], u16::to_le_bytes as fn(u16) -> [u8; 2]),
+            ([0xfe, 0xff], u16::to_be_bytes),
+        ] {
+            let wide: Vec<u8> = mark
+                .into_iter()
+                .chain(text.encode_utf16().flat_map(bytes))
+                .collect();
+            let found = read(name, &wide, None).unwrap();
+            assert_eq!(found.curves, plain.curves, "{name}");
+        }
+    }
+}

@@ -388,14 +388,14 @@ impl Scalar for ChebyshevModel {
     }
 
     /// Of a linear function `m + h t`: the interpolant, which is off by at most the 17th derivative over `17! 2^16`,
-    /// and the rounding of its values.
+    /// and the rounding of its values. Of any other by its residual.
     fn quarter_turn(&self) -> Result<(Self, Self), ExactError> {
         let none = || ExactError::NoExactTurn {
             argument: format!("{:?}", self.range()),
         };
         let step = self.coefficients[1].abs();
         if self.degree > 1 || !(step <= 0.5 && self.coefficients[0].abs() <= 2.0) {
-            return Err(none());
+            return self.turn_of_any_degree().ok_or_else(none);
         }
         // (pi/4)^17/(17! 2^16) < 1e-21; values within two units in the last place; 17 coefficients, each a sum of
         // differences of values times weights, of which the absolute ones add up to two.

@@ -6,8 +6,12 @@
 //! | `y = sqrt(g)` | interpolant | `abs(y - sqrt(g)) <= max abs(y^2 - g) / (min y + sqrt(min g))` |
 //! | `z = exp(i theta)` | interpolant | `abs(z - exp(i theta)) <= width * max abs(z' - i theta' z)`, where both start alike |
 
-use super::{ChebyshevModel, up};
+use super::{ChebyshevModel, rounding, up};
 use crate::chebyshev::NODES;
+use std::f64::consts::PI;
+
+/// Angles beyond so many quarter turns have no sine here: their rounding grows with them.
+const MOST_TURNS: f64 = 8.0;
 
 impl ChebyshevModel {
     /// `self/divisor`; `None` where the divisor may vanish.
@@ -77,5 +81,29 @@ impl ChebyshevModel {
         radius
             .is_finite()
             .then(|| [c, s].map(|f| f.widened(radius)))
+    }
+
+    /// The sine and the cosine of this many quarter turns, of a polynomial of any degree: its derivative turns a unit
+    /// vector from the angle at the left end on.
+    pub(super) fn turn_of_any_degree(&self) -> Option<(Self, Self)> {
+        let start = self.polynomial().at(-1.0);
+        if start.is_nan() || start.abs() > MOST_TURNS {
+            return None;
+        }
+        let quarter = Self::exact(0.5 * PI).widened(f64::EPSILON);
+        let turn = self.slope_of_polynomial(1.0) * quarter;
+        let [c, s] = Self::direction(&turn, 1.0)?;
+        let angle = 0.5 * PI * start;
+        let (sine, cosine) = libm::sincos(angle);
+        // The angle at the left end, what the polynomial of the derivative misses over the whole width, and the radius.
+        let begun = 2.0 * rounding(NODES + 2) * self.size() + 4.0 * f64::EPSILON * (1.0 + angle.abs());
+        let off = up(begun + 2.0 * turn.radius + 0.5 * PI * self.radius);
+        let [sine, cosine] = [sine, cosine].map(|value| Self::exact(value).widened(f64::EPSILON));
+        off.is_finite().then(|| {
+            (
+                (s * cosine + c * sine).widened(off),
+                (c * cosine - s * sine).widened(off),
+            )
+        })
     }
 }

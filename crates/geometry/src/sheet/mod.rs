@@ -11,7 +11,7 @@
 //! | you want | take |
 //! |---|---|
 //! | a space curve | [`Rail::bezier`], [`Rail::gbt`], [`Rail::hermite`], [`Rail::weighted`] |
-//! | its box, its point nearest to another, its parts | [`Rail::bounding_box`], [`Rail::nearest`], [`Rail::split`] |
+//! | its box, its point nearest to another, its parts, a polygon | [`Rail::bounding_box`], [`Rail::nearest`], [`Rail::split`], [`Rail::polygon`] |
 //! | a developable between two free curves | [`Sheet::between`]; with fans from end to end [`Sheet::panels`] |
 //! | developable strips that cover a surface | [`StripCover`] |
 //! | the envelope of planes | [`Planes`], [`Sheet::envelope`], [`Sheet::tangent`] |
@@ -19,6 +19,7 @@
 //! | the next piece of a chain | [`Joint`], [`Planes::next`], [`Rail::next`] |
 //! | to know whether it can be made | [`Sheet::certify`], [`Sheet::enclose`], [`Sheet::prove_regular`], [`Sheet::inspect`] |
 //! | to know how smooth a joint is | [`Planes::joint_with`], [`Rail::joint_with`], [`Sheet::joint_with`] |
+//! | where a curve lies on sheets, where rulings pierce them | [`SheetTracer`] |
 //! | the flat pattern | [`Sheet::unroll`] |
 //!
 //! A developable between two free rails:
@@ -105,12 +106,14 @@ mod pieces;
 mod piecewise;
 mod plane_triangles;
 mod planes;
+mod polygon;
 mod rail;
 mod rails;
 mod split;
 mod strips;
 mod surface;
 mod swept;
+mod trace;
 
 pub use crate::basis::BasisShape;
 pub use crate::developable::{
@@ -128,6 +131,7 @@ pub use rail::{Rail, RailCurve};
 pub use strips::{MAX_STRIPS, StripCover, StripDirection, StripError, SurfaceStrip};
 pub use surface::{ConnectedSheets, Construction, Sheet};
 pub use swept::{ConePatch, CylinderPatch, SweptEdge};
+pub use trace::{PiercingReach, SheetArc, SheetTracer, TraceError};
 
 /// A point or vector of space.
 pub type Point = [f64; 3];

@@ -24,4 +24,5 @@ mod singular;
 mod splines;
 mod support;
 mod surfaces;
+mod traces;
 mod ulps;

@@ -155,7 +155,7 @@ fn patch(
     });
     let marks = entries
         .take("marks")
-        .map_or(Some(Vec::new()), |value| marks(reader, value));
+        .map_or(Some(Vec::new()), |value| marks(reader, value, parts));
     let mut given = KINDS.iter().filter(|kind| entries.has(kind));
     let (Some(kind), None) = (given.next().copied(), given.next()) else {
         let help = format!("one of `{}`", KINDS.join("`, `"));

@@ -1,8 +1,9 @@
-//! DXF as text: lines, arcs, circles, ellipses, polylines with bulges, splines, and blocks that are inserted.
+//! DXF, as text or binary: lines, arcs, circles, ellipses, polylines with bulges, splines, and blocks that are inserted.
 //!
 //! Group codes are those of Autodesk's DXF reference. The unit is `$INSUNITS` of the header; older files have none, nor
 //! have files that say zero. Entities of the paper space are passed over.
 
+pub(super) mod binary;
 mod entities;
 mod groups;
 
