@@ -164,7 +164,9 @@ impl MarkedPatch<'_> {
             shape: OpeningShape::Contour(segments),
             name: name.to_owned(),
             error: self.flat.errors().point + distance + off,
-            proved: self.flat.evidence() == PatternEvidence::Proved,
+            // Of sheets that are only nearly developable, the second derivative in space is no bound for that on the pattern.
+            proved: self.flat.evidence() == PatternEvidence::Proved
+                && self.flat.flattening().is_none(),
             patch: position(self.flat, self.patch).unwrap_or(0),
         })
     }

@@ -22,6 +22,10 @@ pub struct SheetArc {
 const STEEPEST: f64 = 512.0;
 /// The most chords of an arc.
 const MAX_CHORDS: f64 = 65536.0;
+/// Shares of an arc at which it is looked whether a place leaves the sheet.
+const LOOKS: u32 = 512;
+/// A place that leaves the sheet by more, as a share of it, is on the next one.
+const BEYOND: f64 = 1e-6;
 
 impl SheetArc {
     /// Returns the arc of these polynomials; `None` where the sheet has no models there.
@@ -31,12 +35,15 @@ impl SheetArc {
         place: [ChebyshevModel; 2],
         off: f64,
     ) -> Option<Self> {
-        let bend = bend(sheet, &place)?;
-        (bend.is_finite() && off.is_finite()).then_some(Self {
+        let bounds = bounds(sheet, &place)?;
+        // Places are moved back to the edge of the sheet; what that moves counts.
+        let moved = [0, 1].map(|i| Some(beyond(&place[i], bounds.seconds[i])? * bounds.speeds[i]));
+        let off = off + moved[0]? + moved[1]?;
+        (bounds.bend.is_finite() && off.is_finite()).then_some(Self {
             sheet: index,
             place,
             off,
-            bend,
+            bend: bounds.bend,
         })
     }
 
@@ -80,8 +87,38 @@ impl SheetArc {
     }
 }
 
-/// Returns a bound of the second derivative of `S(u, v)` by the share of the arc.
-fn bend(sheet: &Sheet<ChebyshevModel>, [u, v]: &[ChebyshevModel; 2]) -> Option<f64> {
+/// Bounds for an arc on a sheet.
+struct ArcBounds {
+    /// Of the second derivative of `S(u, v)` by the share of the arc.
+    bend: f64,
+    /// Of the second derivatives of `u` and `v` by the share.
+    seconds: [f64; 2],
+    /// Of the derivatives of `S` by `u` and by `v`.
+    speeds: [f64; 2],
+}
+
+/// Returns how far a polynomial leaves [0, 1]: between two looks it exceeds the larger of both by no more than `h^2/8` times
+/// its second derivative. `None` if it is far outside.
+fn beyond(model: &ChebyshevModel, second: f64) -> Option<f64> {
+    let between = second / (8.0 * f64::from(LOOKS) * f64::from(LOOKS));
+    let looks = (0..=LOOKS).map(|k| model.at(2.0 * f64::from(k) / f64::from(LOOKS) - 1.0));
+    let (low, high) = looks.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+        (low.min(value), high.max(value))
+    });
+    let rounded = 64.0 * f64::EPSILON;
+    let room = between + rounded;
+    let far = (high + room - 1.0).max(room - low).max(0.0);
+    (far - room <= BEYOND).then_some(far)
+}
+
+/// Returns an upper bound of the length of a vector.
+fn largest(vector: &[ChebyshevModel; 3]) -> f64 {
+    let squares = vector.map(|c| c.sharply_largest().powi(2));
+    squares.iter().sum::<f64>().sqrt() * (1.0 + 1e-12)
+}
+
+/// Returns bounds for an arc; `None` where the sheet has no models.
+fn bounds(sheet: &Sheet<ChebyshevModel>, [u, v]: &[ChebyshevModel; 2]) -> Option<ArcBounds> {
     let slopes = |model: &ChebyshevModel| {
         let first = model.slope_of_polynomial(0.5);
         let second = first.slope_of_polynomial(0.5);
@@ -112,6 +149,9 @@ fn bend(sheet: &Sheet<ChebyshevModel>, [u, v]: &[ChebyshevModel; 2]) -> Option<f
         scale(&v2, &ruling),
     ];
     let sum = terms.iter().skip(1).fold(terms[0], |sum, term| add(&sum, term));
-    let squares = sum.map(|c| c.sharply_largest().powi(2));
-    Some(squares.iter().sum::<f64>().sqrt() * (1.0 + 1e-12))
+    Some(ArcBounds {
+        bend: largest(&sum),
+        seconds: [u2.sharply_largest(), v2.sharply_largest()],
+        speeds: [largest(&along), largest(&ruling)],
+    })
 }
