@@ -27,7 +27,11 @@ pub fn chords_of(contour: &[Segment], arc_chords: u32) -> Vec<Chord> {
 fn chords(contour: &[Segment], parts: impl Fn(&Segment) -> f64) -> Vec<Chord> {
     let mut all = Vec::with_capacity(contour.len());
     for segment in contour {
-        let count = if segment.is_line() { 1.0 } else { parts(segment) };
+        let count = if segment.is_line() {
+            1.0
+        } else {
+            parts(segment)
+        };
         let (mut k, mut from) = (1.0, segment.from);
         while k <= count {
             let to = segment.point(k / count);

@@ -7,8 +7,8 @@ use crate::openings::{SpaceOpening, openings_in_space};
 use crate::unroll::{Demand, drawing, unroll};
 use std::path::Path;
 use torse_exchange::{
-    CadModel, ExchangeError, Mesh, approximate_tensor, convert, dxf, glb, iges, obj, ply, step, stl,
-    svg, three_mf,
+    CadModel, ExchangeError, Mesh, approximate_tensor, convert, dxf, glb, iges, obj, ply, step,
+    stl, svg, three_mf,
 };
 use torse_geometry::Surface;
 use torse_geometry::prelude::GeometryError;

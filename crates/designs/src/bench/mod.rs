@@ -16,8 +16,8 @@ pub use tiles::{PaperTile, TiledPart};
 
 use crate::design::Design;
 use crate::error::DesignError;
-use crate::openings::OpeningShape;
 use crate::inspect::at_most;
+use crate::openings::OpeningShape;
 use crate::unroll::{Blank, FlatPiece, Part, blank};
 use forming::forming;
 use layout::{Drawn, drawing, layout};

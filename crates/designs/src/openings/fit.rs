@@ -157,7 +157,11 @@ mod tests {
         let wave: Vec<[f64; 2]> = (0..=400)
             .map(|k| [0.25 * f64::from(k), 3.0 * libm::sin(0.05 * f64::from(k))])
             .collect();
-        let polygon: Vec<[f64; 2]> = wave.iter().copied().chain([[100.0, 40.0], [0.0, 40.0]]).collect();
+        let polygon: Vec<[f64; 2]> = wave
+            .iter()
+            .copied()
+            .chain([[100.0, 40.0], [0.0, 40.0]])
+            .collect();
         let (segments, off) = fitted(&polygon, &[0, 400, 401, 402], 0.01);
         assert!(off <= 0.01);
         for point in &polygon {

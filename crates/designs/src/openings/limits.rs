@@ -75,9 +75,7 @@ impl MarkedPatch<'_> {
             corner.is_some_and(|corner| is_within(&starts(outer), corner))
         };
         if holds(&theirs, own) || holds(own, &theirs) {
-            return Err(self.failed(format!(
-                "{name} and {their_name} lie one within the other"
-            )));
+            return Err(self.failed(format!("{name} and {their_name} lie one within the other")));
         }
         let (room, at) = nearest_points(own, &theirs);
         if room > 2.0 * chord + opening.error + other.error {

@@ -60,7 +60,11 @@ fn on_sheet(
 ) -> Result<FinePolygon, String> {
     let piece = position(marked.flat, marked.patch);
     let flat = |v: f64| {
-        let place = PatternPlace { piece: piece?, x: u, v };
+        let place = PatternPlace {
+            piece: piece?,
+            x: u,
+            v,
+        };
         marked.flat.flatten(place)
     };
     let (Some(origin), Some(from), Some(to)) = (flat(v), flat(0.0), flat(1.0)) else {
@@ -121,9 +125,7 @@ fn in_space(
     };
     let rails = curve.curve.rails().map_err(|error| error.to_string())?;
     let edges = [SweptEdge::Share(0.0), SweptEdge::Share(1.0)];
-    let lines = rails
-        .iter()
-        .map(|rail| Sheet::cylinder(rail, along, edges));
+    let lines = rails.iter().map(|rail| Sheet::cylinder(rail, along, edges));
     let lines: Vec<Sheet> = lines
         .collect::<Result<_, _>>()
         .map_err(|error| error.to_string())?;

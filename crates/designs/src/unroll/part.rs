@@ -352,7 +352,9 @@ fn part(design: &Design, piece: &FlatPiece, making: CutOptions) -> Result<Part, 
     let place = |ends: [[f64; 2]; 2]| ends.map(point);
     let [low, high] = bounds(&outline, &placement);
     let moved = outline.iter().map(moved_on_grid).fold(0.0_f64, f64::max);
-    let open = openings.iter().fold(0.0_f64, |m, opening| m.max(opening.error));
+    let open = openings
+        .iter()
+        .fold(0.0_f64, |m, opening| m.max(opening.error));
     let error = (blank.error + off).max(open) + moved;
     let mut notes = vec![format!("{}: {}", design.name, design.title)];
     if let Some(metal) = design.metal {

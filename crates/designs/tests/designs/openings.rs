@@ -10,7 +10,6 @@ use torse_designs::unroll::{
 use torse_designs::{Design, DesignError, read};
 use torse_exchange::{dxf, step};
 
-
 /// A pipe of radius 50 along x in two halves, seams at the sides; curves, marks of its upper half, and patches.
 fn pipe(curves: &str, marks: &str, patches: &str) -> Design {
     let text = format!(
@@ -57,7 +56,9 @@ fn refusal(design: &Design) -> String {
 /// The mean of a periodic function times its period: exact but for rounding.
 fn around(f: impl Fn(f64) -> f64) -> f64 {
     let steps = 256;
-    let sum: f64 = (0..steps).map(|k| f(2.0 * PI * f64::from(k) / f64::from(steps))).sum();
+    let sum: f64 = (0..steps)
+        .map(|k| f(2.0 * PI * f64::from(k) / f64::from(steps)))
+        .sum();
     sum * 2.0 * PI / f64::from(steps)
 }
 
@@ -75,14 +76,28 @@ fn the_saddle_of_two_cylinders_is_the_curve_of_the_textbooks() {
     // Unrolled: x = r cos t along the pipe, y = R asin(r/R sin t) around it, about the middle of the contour.
     let (big, small) = (50.0, 20.0);
     let [mx, my] = saddle.shape.middle();
-    let exact = |t: f64| [small * libm::cos(t), big * libm::asin(small / big * libm::sin(t))];
+    let exact = |t: f64| {
+        [
+            small * libm::cos(t),
+            big * libm::asin(small / big * libm::sin(t)),
+        ]
+    };
     // Which way the pattern lies is found by its box: 40 along the pipe, more around it.
     let [low, high] = saddle.shape.bounds();
     let [width, height] = [high[0] - low[0], high[1] - low[1]];
     let tall = 2.0 * big * libm::asin(small / big);
     let along_x = (width - 2.0 * small).abs() < 0.02;
-    assert!(along_x && (height - tall).abs() < 0.02 || (width - tall).abs() < 0.02 && (height - 40.0).abs() < 0.02);
-    let place = |[a, b]: [f64; 2]| if along_x { [mx + a, my + b] } else { [mx + b, my + a] };
+    assert!(
+        along_x && (height - tall).abs() < 0.02
+            || (width - tall).abs() < 0.02 && (height - 40.0).abs() < 0.02
+    );
+    let place = |[a, b]: [f64; 2]| {
+        if along_x {
+            [mx + a, my + b]
+        } else {
+            [mx + b, my + a]
+        }
+    };
     for k in 0..720 {
         let point = place(exact(2.0 * PI * f64::from(k) / 720.0));
         let near = segments.iter().map(|segment| segment.distance(point));
@@ -91,7 +106,9 @@ fn the_saddle_of_two_cylinders_is_the_curve_of_the_textbooks() {
         assert!(near <= 2.0 * saddle.error, "{near} {}", saddle.error);
     }
     // And the other way: each point of the contour is on the curve.
-    let curve: Vec<[f64; 2]> = (0..20_000).map(|k| place(exact(2.0 * PI * f64::from(k) / 2e4))).collect();
+    let curve: Vec<[f64; 2]> = (0..20_000)
+        .map(|k| place(exact(2.0 * PI * f64::from(k) / 2e4)))
+        .collect();
     for segment in segments {
         for k in 0..5 {
             let [x, y] = segment.point(0.2 * f64::from(k));
@@ -107,17 +124,22 @@ fn the_saddle_of_two_cylinders_is_the_curve_of_the_textbooks() {
     let length = around(|t| small * libm::hypot(libm::sin(t), libm::cos(t) / root(t)));
     let off = (saddle.shape.area() - area).abs();
     assert!(off <= saddle.error * length, "{off} {area}");
-    assert!((saddle.shape.length() - length).abs() < 0.05, "{} {length}", saddle.shape.length());
+    assert!(
+        (saddle.shape.length() - length).abs() < 0.05,
+        "{} {length}",
+        saddle.shape.length()
+    );
     // Few arcs, no fine polygon.
     assert!(segments.len() <= 48, "{}", segments.len());
     let part = made(&design, CutOptions::default()).unwrap();
     assert!((part.area() - (PI * 100.0 * 200.0 - area)).abs() < 1.0);
     assert!((part.cut_length() - (2.0 * (200.0 + PI * 100.0) + length)).abs() < 0.1);
-    let summary = PatternSummary::new(
-        &design,
-        &unroll(&design, &Demand::default()).unwrap(),
-    );
-    let pipe = summary.pieces.iter().find(|piece| piece.name == "pipe").unwrap();
+    let summary = PatternSummary::new(&design, &unroll(&design, &Demand::default()).unwrap());
+    let pipe = summary
+        .pieces
+        .iter()
+        .find(|piece| piece.name == "pipe")
+        .unwrap();
     assert!((pipe.area - part.area()).abs() < 1.0 && (pipe.cut - part.cut_length()).abs() < 0.1);
 }
 
@@ -140,7 +162,13 @@ fn what_is_open_on_the_pattern_is_open_in_cut_files_meshes_and_step() {
     assert_eq!(cut.matches("LWPOLYLINE").count(), 2, "{cut}");
     let text = step(&model(&design).unwrap()).unwrap();
     assert_eq!(text.matches("FACE_BOUND(").count(), 1);
-    assert_eq!(step(&model(&whole).unwrap()).unwrap().matches("FACE_BOUND(").count(), 0);
+    assert_eq!(
+        step(&model(&whole).unwrap())
+            .unwrap()
+            .matches("FACE_BOUND(")
+            .count(),
+        0
+    );
 }
 
 #[test]
@@ -166,7 +194,11 @@ fn a_curve_on_the_sheet_is_cut_as_it_is_drawn() {
     );
     let found = found(&design).unwrap();
     let shape = &found[0].shape;
-    assert!((shape.area() - (160.0 + 16.0 * PI)).abs() < 8e-3 * 66.0, "{}", shape.area());
+    assert!(
+        (shape.area() - (160.0 + 16.0 * PI)).abs() < 8e-3 * 66.0,
+        "{}",
+        shape.area()
+    );
     let OpeningShape::Contour(segments) = shape else {
         panic!()
     };
@@ -175,16 +207,27 @@ fn a_curve_on_the_sheet_is_cut_as_it_is_drawn() {
     let line = segments.iter().find(|segment| segment.is_line()).unwrap();
     let way = libm::atan2(line.to[1] - line.from[1], line.to[0] - line.from[0]);
     let turned = libm::fmod(way + 4.0 * PI, 0.5 * PI).to_degrees();
-    assert!((turned - 30.0).abs() < 0.1 || (turned - 60.0).abs() < 0.1, "{turned}");
+    assert!(
+        (turned - 30.0).abs() < 0.1 || (turned - 60.0).abs() < 0.1,
+        "{turned}"
+    );
 }
 
 #[test]
 fn a_polygon_on_the_parameters_is_straight_where_the_rulings_are() {
-    let design = pipe("", "{ opening = [[0.4, 0.25], [0.6, 0.25], [0.6, 0.75], [0.4, 0.75]] }", "");
+    let design = pipe(
+        "",
+        "{ opening = [[0.4, 0.25], [0.6, 0.25], [0.6, 0.75], [0.4, 0.75]] }",
+        "",
+    );
     let found = found(&design).unwrap();
     // A fifth of the half circle, half of the length.
     let area = 0.2 * 50.0 * PI * 100.0;
-    assert!((found[0].shape.area() - area).abs() < 1e-6, "{}", found[0].shape.area());
+    assert!(
+        (found[0].shape.area() - area).abs() < 1e-6,
+        "{}",
+        found[0].shape.area()
+    );
     let OpeningShape::Contour(segments) = &found[0].shape else {
         panic!()
     };
@@ -215,24 +258,45 @@ fn a_curve_in_space_lies_on_the_sheet_or_is_thrown_on_it() {
     let design = pipe(lying, "{ opening = \"ring\" }", "");
     let found = found(&design).unwrap();
     let area = 40.0 * 50.0 * 2.0 * libm::asin(0.6);
-    assert!((found[0].shape.area() - area).abs() < 1e-3, "{} {area}", found[0].shape.area());
+    assert!(
+        (found[0].shape.area() - area).abs() < 1e-3,
+        "{} {area}",
+        found[0].shape.area()
+    );
 }
 
 #[test]
 fn openings_that_leave_the_sheet_or_meet_are_refused_with_place() {
     let square = |at: &str| format!("{{ opening = \"square\", at = {at} }}");
-    let curve = "square = { polyline = [[-8, -8, 0], [8, -8, 0], [8, 8, 0], [-8, 8, 0], [-8, -8, 0]] }";
+    let curve =
+        "square = { polyline = [[-8, -8, 0], [8, -8, 0], [8, 8, 0], [-8, 8, 0], [-8, -8, 0]] }";
     let with = |marks: &str| pipe(curve, marks, "");
     assert!(made(&with(&square("[0.5, 0.5]")), CutOptions::default()).is_ok());
     let edge = refusal(&with(&square("[0.5, 0.97]")));
-    assert!(edge.contains("the opening `square` at [0.5, 0.97] leaves the sheet near"), "{edge}");
+    assert!(
+        edge.contains("the opening `square` at [0.5, 0.97] leaves the sheet near"),
+        "{edge}"
+    );
     let seam = refusal(&with(&square("[0.02, 0.5]")));
     assert!(seam.contains("leaves the sheet"), "{seam}");
-    let both = refusal(&with(&format!("{}, {}", square("[0.5, 0.5]"), square("[0.55, 0.52]"))));
-    assert!(both.contains("meets the opening `square` at [0.5, 0.5] near ["), "{both}");
-    let round = refusal(&with(&format!("{}, {{ at = [0.5, 0.54], radius = 5 }}", square("[0.5, 0.5]"))));
+    let both = refusal(&with(&format!(
+        "{}, {}",
+        square("[0.5, 0.5]"),
+        square("[0.55, 0.52]")
+    )));
+    assert!(
+        both.contains("meets the opening `square` at [0.5, 0.5] near ["),
+        "{both}"
+    );
+    let round = refusal(&with(&format!(
+        "{}, {{ at = [0.5, 0.54], radius = 5 }}",
+        square("[0.5, 0.5]")
+    )));
     assert!(round.contains("meets"), "{round}");
-    let within = refusal(&with(&format!("{}, {{ at = [0.5, 0.5], radius = 2 }}", square("[0.5, 0.5]"))));
+    let within = refusal(&with(&format!(
+        "{}, {{ at = [0.5, 0.5], radius = 2 }}",
+        square("[0.5, 0.5]")
+    )));
     assert!(within.contains("lie one within the other"), "{within}");
     let eight = refusal(&pipe(
         "square = { polyline = [[-8, -8, 0], [8, 8, 0], [8, -8, 0], [-8, 12, 0], [-8, -8, 0]] }",
@@ -252,10 +316,16 @@ fn what_does_not_pass_is_refused_with_its_reason() {
         ))
     };
     // Beside the pipe, too short, over its end, wider than it.
-    let far = BRANCH.replace("[10, 0, 90], from = [30, 0, 90]", "[10, 200, 90], from = [30, 200, 90]");
+    let far = BRANCH.replace(
+        "[10, 0, 90], from = [30, 0, 90]",
+        "[10, 200, 90], from = [30, 200, 90]",
+    );
     assert!(passing(&far, "[0, 0, -80]").contains("meets no point of the sheet"));
     assert!(passing(BRANCH, "[0, 0, -30]").contains("ends before"));
-    let over = BRANCH.replace("[10, 0, 90], from = [30, 0, 90]", "[90, 0, 90], from = [110, 0, 90]");
+    let over = BRANCH.replace(
+        "[10, 0, 90], from = [30, 0, 90]",
+        "[90, 0, 90], from = [110, 0, 90]",
+    );
     let over = passing(&over, "[0, 0, -80]");
     assert!(over.contains("leaves the sheet at ("), "{over}");
     let wide = BRANCH.replace("from = [30, 0, 90]", "from = [70, 0, 90]");
@@ -269,12 +339,18 @@ fn what_does_not_pass_is_refused_with_its_reason() {
 
 #[test]
 fn a_kerf_makes_openings_of_any_shape_narrower() {
-    let curve = "square = { polyline = [[-8, -8, 0], [8, -8, 0], [8, 8, 0], [-8, 8, 0], [-8, -8, 0]] }";
+    let curve =
+        "square = { polyline = [[-8, -8, 0], [8, -8, 0], [8, 8, 0], [-8, 8, 0], [-8, -8, 0]] }";
     let design = pipe(curve, "{ opening = \"square\", at = [0.5, 0.5] }", "");
     let making = |kerf: f64| CutOptions { kerf, grain: None };
     let part = made(&design, making(0.4)).unwrap();
     assert!((part.openings[0].shape.area() - 15.6 * 15.6).abs() < 1e-6);
-    assert!(made(&design, making(16.5)).unwrap_err().to_string().contains("kerf"));
+    assert!(
+        made(&design, making(16.5))
+            .unwrap_err()
+            .to_string()
+            .contains("kerf")
+    );
 }
 
 #[test]
@@ -285,11 +361,13 @@ fn an_opening_over_the_joint_of_two_patches_is_one_on_the_pattern_and_open_in_th
     let design = pipe(side, "{ passes = \"branch\" }", patches);
     let found = found(&design).unwrap();
     let k = 15.0 / 50.0;
-    let area = around(|t| {
-        225.0 * libm::cos(t).powi(2) / (1.0 - (k * libm::sin(t)).powi(2)).sqrt()
-    });
+    let area = around(|t| 225.0 * libm::cos(t).powi(2) / (1.0 - (k * libm::sin(t)).powi(2)).sqrt());
     assert_eq!(found.len(), 1);
-    assert!((found[0].shape.area() - area).abs() < 0.5, "{} {area}", found[0].shape.area());
+    assert!(
+        (found[0].shape.area() - area).abs() < 0.5,
+        "{} {area}",
+        found[0].shape.area()
+    );
     let whole = pipe(side, "", patches);
     let difference = mesh(&whole).unwrap().area() - mesh(&design).unwrap().area();
     assert!((difference - area).abs() < 1.0, "{difference} {area}");
@@ -313,13 +391,25 @@ fn marks_that_make_no_opening_are_refused_where_they_stand() {
     };
     for (marks, message) in [
         ("{ opening = \"bow\", at = [0.5, 0.5] }", "does not close"),
-        ("{ opening = \"tilted\", at = [0.5, 0.5] }", "does not lie in the plane z = 0"),
-        ("{ opening = \"a\", at = [0.5, 0.5], along = [0, 0, 1] }", "placed in one way"),
+        (
+            "{ opening = \"tilted\", at = [0.5, 0.5] }",
+            "does not lie in the plane z = 0",
+        ),
+        (
+            "{ opening = \"a\", at = [0.5, 0.5], along = [0, 0, 1] }",
+            "placed in one way",
+        ),
         ("{ opening = \"none\" }", "no curve above is called `none`"),
-        ("{ passes = \"plat\" }", "no patch and no chain is called `plat`"),
+        (
+            "{ passes = \"plat\" }",
+            "no patch and no chain is called `plat`",
+        ),
         ("{ passes = \"plate\" }", "does not pass through"),
         ("{ opening = [[0.1, 0.1], [0.2, 0.2]] }", "at least 3"),
-        ("{ opening = \"a\", radius = 3 }", "means nothing for an opening"),
+        (
+            "{ opening = \"a\", radius = 3 }",
+            "means nothing for an opening",
+        ),
     ] {
         let told = wrong(marks);
         assert!(told.contains(message), "{marks}: {told}");
@@ -340,7 +430,8 @@ fn an_opening_of_lines_and_arcs_is_as_long_as_its_sides() {
     // The uniform cubic B-spline over a square of half diagonal 8: its area is 8^2 (11/15 + ..) by its pieces.
     let opening = &part.openings[0];
     let point = |k: i32, t: f64| -> [f64; 2] {
-        let corner = |k: i32| [[8.0, 0.0], [0.0, 8.0], [-8.0, 0.0], [0.0, -8.0]][k.rem_euclid(4) as usize];
+        let corner =
+            |k: i32| [[8.0, 0.0], [0.0, 8.0], [-8.0, 0.0], [0.0, -8.0]][k.rem_euclid(4) as usize];
         let weights = [
             (1.0 - t).powi(3) / 6.0,
             (3.0 * t.powi(3) - 6.0 * t * t + 4.0) / 6.0,

@@ -95,7 +95,10 @@ fn a_branch_pipe_with_its_saddle_goes_the_whole_way_and_fits_its_hole() {
     assert_eq!(whole_way("saddle-branch"), 2);
     let design = load(&path("saddle-branch")).unwrap();
     let pieces = unroll(&design, &Demand::default()).unwrap();
-    let main = pieces.iter().find(|piece| piece.piece.name == "main").unwrap();
+    let main = pieces
+        .iter()
+        .find(|piece| piece.piece.name == "main")
+        .unwrap();
     let holes = openings(&design, &main.piece, &main.flat).unwrap();
     let [hole] = holes.as_slice() else {
         panic!("{holes:?}")
@@ -104,10 +107,17 @@ fn a_branch_pipe_with_its_saddle_goes_the_whole_way_and_fits_its_hole() {
     let contour = hole.shape.contour();
     // The saddle edge of the branch in space, laid on the pattern of the main pipe, is the contour of its hole.
     let mut seen = 0;
-    for patch in design.patches.iter().filter(|patch| patch.name.starts_with("branch")) {
+    for patch in design
+        .patches
+        .iter()
+        .filter(|patch| patch.name.starts_with("branch"))
+    {
         for k in 0..8 {
             let point = patch.sheet.point(f64::from(k) / 8.0, 1.0).unwrap();
-            let place = main.flat.locate_in_space(point, design.tolerances.gap).unwrap();
+            let place = main
+                .flat
+                .locate_in_space(point, design.tolerances.gap)
+                .unwrap();
             let point = main.flat.flatten(place).unwrap();
             let near = contour.iter().map(|segment| segment.distance(point));
             let near = near.fold(f64::INFINITY, f64::min);
@@ -122,7 +132,11 @@ fn a_branch_pipe_with_its_saddle_goes_the_whole_way_and_fits_its_hole() {
     let share = |t: f64| libm::cos(t).powi(2) / (1.0 - (0.5 * libm::sin(t)).powi(2)).sqrt();
     let mean = (0..steps).map(|k| share(angle(k))).sum::<f64>() / f64::from(steps);
     let area = 625.0 * 2.0 * std::f64::consts::PI * mean;
-    assert!((hole.shape.area() - area).abs() < 0.5, "{} {area}", hole.shape.area());
+    assert!(
+        (hole.shape.area() - area).abs() < 0.5,
+        "{} {area}",
+        hole.shape.area()
+    );
 }
 
 #[test]

@@ -219,7 +219,10 @@ fn tangents(points: &[[f64; 3]], around: bool) -> Vec<[f64; 3]> {
         })
     };
     let inner = [1.0, -8.0, 0.0, 8.0, -1.0];
-    let [first, second] = [[-25.0, 48.0, -36.0, 16.0, -3.0], [-3.0, -10.0, 18.0, -6.0, 1.0]];
+    let [first, second] = [
+        [-25.0, 48.0, -36.0, 16.0, -3.0],
+        [-3.0, -10.0, 18.0, -6.0, 1.0],
+    ];
     let backwards = |weights: [f64; 5]| {
         let [a, b, c, d, e] = weights;
         [-e, -d, -c, -b, -a]
@@ -230,9 +233,7 @@ fn tangents(points: &[[f64; 3]], around: bool) -> Vec<[f64; 3]> {
                 let near = |by: usize| at((k + by) % last);
                 let (next, before) = (near(1), near(last - 1));
                 let (far, behind) = (near(2), near(last - 2));
-                std::array::from_fn(|i| {
-                    (8.0 * (next[i] - before[i]) - (far[i] - behind[i])) / 12.0
-                })
+                std::array::from_fn(|i| (8.0 * (next[i] - before[i]) - (far[i] - behind[i])) / 12.0)
             }
             0 => sum(0, first),
             1 => sum(0, second),

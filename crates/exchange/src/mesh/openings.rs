@@ -54,7 +54,10 @@ impl Mesh {
         borders: &[Vec<[f64; 2]>],
     ) -> Result<Self> {
         let mut places = ruling_parameters(patch, tolerance)?;
-        for (name, axis) in [("ruling of an opening", 0), ("share of a ruling in an opening", 1)] {
+        for (name, axis) in [
+            ("ruling of an opening", 0),
+            ("share of a ruling in an opening", 1),
+        ] {
             let mut values = borders.iter().flatten().map(|place| place[axis]);
             if let Some(value) = values.find(|value| !(0.0..=1.0).contains(value)) {
                 let range = "[0, 1]";

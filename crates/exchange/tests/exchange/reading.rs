@@ -1093,7 +1093,9 @@ fn codes_of_two_bytes_and_cut_binary_drawings_are_read_or_told() {
     for cut in 23..wide.len() - 5 {
         assert!(read("a.dxf", &wide[..cut], None).is_err(), "{cut}");
     }
-    let middle = read("a.dxf", &wide[..wide.len() - 40], None).unwrap_err().to_string();
+    let middle = read("a.dxf", &wide[..wide.len() - 40], None)
+        .unwrap_err()
+        .to_string();
     assert!(middle.starts_with("line "), "{middle}");
     wide[22 + 2 + 8] = 0xe7;
     wide[22 + 2 + 9] = 0x03;

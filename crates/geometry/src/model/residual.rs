@@ -96,7 +96,8 @@ impl ChebyshevModel {
         let angle = 0.5 * PI * start;
         let (sine, cosine) = libm::sincos(angle);
         // The angle at the left end, what the polynomial of the derivative misses over the whole width, and the radius.
-        let begun = 2.0 * rounding(NODES + 2) * self.size() + 4.0 * f64::EPSILON * (1.0 + angle.abs());
+        let begun =
+            2.0 * rounding(NODES + 2) * self.size() + 4.0 * f64::EPSILON * (1.0 + angle.abs());
         let off = up(begun + 2.0 * turn.radius + 0.5 * PI * self.radius);
         let [sine, cosine] = [sine, cosine].map(|value| Self::exact(value).widened(f64::EPSILON));
         off.is_finite().then(|| {

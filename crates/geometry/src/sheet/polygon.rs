@@ -63,7 +63,11 @@ impl Rail {
             }
             let mut k = 1.0;
             while k <= count {
-                let x = if k < count { from + width * k / count } else { to };
+                let x = if k < count {
+                    from + width * k / count
+                } else {
+                    to
+                };
                 corners.push(self.point(x)?);
                 k += 1.0;
             }

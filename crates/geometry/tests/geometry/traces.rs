@@ -19,7 +19,11 @@ fn pipe() -> [Sheet; 2] {
 
 fn branch(centre: Point, radius: f64, way: Point) -> Sheet {
     // Across the way.
-    let side = if way[2] == 0.0 { [0.0, 0.0, radius] } else { [radius, 0.0, 0.0] };
+    let side = if way[2] == 0.0 {
+        [0.0, 0.0, radius]
+    } else {
+        [radius, 0.0, 0.0]
+    };
     let from = [0, 1, 2].map(|i| centre[i] + side[i]);
     let edges = [SweptEdge::Share(0.0), SweptEdge::Share(1.0)];
     Sheet::cylinder(&arc(centre, from, way, 360.0), way, edges).unwrap()
@@ -30,7 +34,9 @@ fn a_saddle_is_followed_around_within_its_bound() {
     let halves = pipe();
     let tracer = SheetTracer::new(&[&halves[0], &halves[1]]).unwrap();
     let through = branch([1.0, 0.5, 9.0], 2.0, [0.0, 0.0, -9.0]);
-    let found = tracer.pierced(&[&through], PiercingReach::Ruling, 1e-6).unwrap();
+    let found = tracer
+        .pierced(&[&through], PiercingReach::Ruling, 1e-6)
+        .unwrap();
     let [saddle] = found.as_slice() else {
         panic!("{} curves", found.len())
     };
@@ -56,7 +62,9 @@ fn a_curve_over_a_joint_goes_from_sheet_to_sheet_and_back() {
     let tracer = SheetTracer::new(&[&halves[0], &halves[1]]).unwrap();
     // From the side at which both halves meet.
     let through = branch([0.0, 9.0, 0.0], 2.0, [0.0, -9.0, 0.0]);
-    let found = tracer.pierced(&[&through], PiercingReach::Ruling, 1e-6).unwrap();
+    let found = tracer
+        .pierced(&[&through], PiercingReach::Ruling, 1e-6)
+        .unwrap();
     let sheets: Vec<usize> = found[0].iter().map(SheetArc::sheet).collect();
     assert!(sheets.contains(&0) && sheets.contains(&1), "{sheets:?}");
     let length: f64 = found[0]
@@ -80,7 +88,12 @@ fn a_curve_over_a_joint_goes_from_sheet_to_sheet_and_back() {
         let (s, c) = libm::sincos(t);
         (4.0 + (4.0 * s * c).powi(2) / (25.0 - 4.0 * s * s)).sqrt()
     };
-    let exact: f64 = (0..512).map(|k| speed(2.0 * PI * f64::from(k) / 512.0)).sum::<f64>() * 2.0 * PI / 512.0;
+    let exact: f64 = (0..512)
+        .map(|k| speed(2.0 * PI * f64::from(k) / 512.0))
+        .sum::<f64>()
+        * 2.0
+        * PI
+        / 512.0;
     assert!((length - exact).abs() < 1e-3, "{length} {exact}");
 }
 
@@ -89,9 +102,13 @@ fn both_walls_are_pierced_and_the_first_alone_where_that_is_asked() {
     let halves = pipe();
     let tracer = SheetTracer::new(&[&halves[0], &halves[1]]).unwrap();
     let through = branch([0.0, 0.0, 9.0], 2.0, [0.0, 0.0, -18.0]);
-    let both = tracer.pierced(&[&through], PiercingReach::Ruling, 1e-6).unwrap();
+    let both = tracer
+        .pierced(&[&through], PiercingReach::Ruling, 1e-6)
+        .unwrap();
     assert_eq!(both.len(), 2);
-    let first = tracer.pierced(&[&through], PiercingReach::First, 1e-6).unwrap();
+    let first = tracer
+        .pierced(&[&through], PiercingReach::First, 1e-6)
+        .unwrap();
     assert_eq!(first.len(), 1);
     let [u, v] = first[0][0].place(0.0);
     assert!(halves[first[0][0].sheet()].point(u, v).unwrap()[2] > 0.0);
@@ -103,17 +120,31 @@ fn what_is_not_pierced_all_around_is_refused() {
     let tracer = SheetTracer::new(&[&halves[0], &halves[1]]).unwrap();
     let refused = |centre, radius, way| {
         let through = branch(centre, radius, way);
-        tracer.pierced(&[&through], PiercingReach::Ruling, 1e-6).unwrap_err()
+        tracer
+            .pierced(&[&through], PiercingReach::Ruling, 1e-6)
+            .unwrap_err()
     };
     let down = [0.0, 0.0, -9.0];
-    assert!(matches!(refused([0.0, 40.0, 9.0], 2.0, down), TraceError::Misses { .. }));
-    assert!(matches!(refused([0.0, 0.0, 9.0], 2.0, [0.0, 0.0, -2.0]), TraceError::TooShort { .. }));
-    assert!(matches!(refused([20.0, 0.0, 9.0], 2.0, down), TraceError::Leaves { .. } | TraceError::Uneven { .. }));
+    assert!(matches!(
+        refused([0.0, 40.0, 9.0], 2.0, down),
+        TraceError::Misses { .. }
+    ));
+    assert!(matches!(
+        refused([0.0, 0.0, 9.0], 2.0, [0.0, 0.0, -2.0]),
+        TraceError::TooShort { .. }
+    ));
+    assert!(matches!(
+        refused([20.0, 0.0, 9.0], 2.0, down),
+        TraceError::Leaves { .. } | TraceError::Uneven { .. }
+    ));
     // As wide as the pipe: it touches its sides.
     let touching = refused([0.0, 0.0, 9.0], 5.0, down);
     assert!(!matches!(touching, TraceError::Geometry(_)), "{touching}");
     // Partly beside the pipe.
-    assert!(!matches!(refused([0.0, 4.0, 9.0], 2.0, down), TraceError::Geometry(_)));
+    assert!(!matches!(
+        refused([0.0, 4.0, 9.0], 2.0, down),
+        TraceError::Geometry(_)
+    ));
 }
 
 #[test]
@@ -122,13 +153,23 @@ fn a_rail_lies_on_a_sheet_or_is_refused_with_its_point() {
     let tracer = SheetTracer::new(&[&halves[0], &halves[1]]).unwrap();
     // The ellipse in which the plane z = x + 3.. cuts the pipe leaves it nowhere; lifted a little it does not lie on it.
     let ellipse = |lift: f64| {
-        let arc = EllipticHelix::new([0.0, 0.0, lift], [5.0, 0.0, 5.0], [0.0, 5.0, 0.0], [0.0; 3], [0.0, 4.0]).unwrap();
+        let arc = EllipticHelix::new(
+            [0.0, 0.0, lift],
+            [5.0, 0.0, 5.0],
+            [0.0, 5.0, 0.0],
+            [0.0; 3],
+            [0.0, 4.0],
+        )
+        .unwrap();
         PiecewiseRail::from(Rail::from(arc))
     };
     let arcs = tracer.lying(&ellipse(0.0), 1e-6).unwrap();
     assert!(arcs.iter().all(|arc| arc.off() < 1e-6));
     let error = tracer.lying(&ellipse(0.5), 1e-3).unwrap_err();
-    assert!(matches!(error, TraceError::NotOnSheet { distance, .. } if distance > 0.1 && distance < 0.6), "{error}");
+    assert!(
+        matches!(error, TraceError::NotOnSheet { distance, .. } if distance > 0.1 && distance < 0.6),
+        "{error}"
+    );
 }
 
 #[test]
@@ -139,8 +180,15 @@ fn lines_that_are_straight_in_the_parameters_have_the_bound_of_their_bend() {
     // A helix: radius 5 by a quarter turn in all.
     let bend: f64 = 5.0 * (PI / 2.0).powi(2);
     let exact = bend / 8.0;
-    let total: f64 = arcs.iter().map(|arc| arc.chord_distance(1).sqrt()).sum::<f64>().powi(2);
-    assert!(total >= exact * (1.0 - 1e-9) && total < 1.2 * exact, "{total} {exact}");
+    let total: f64 = arcs
+        .iter()
+        .map(|arc| arc.chord_distance(1).sqrt())
+        .sum::<f64>()
+        .powi(2);
+    assert!(
+        total >= exact * (1.0 - 1e-9) && total < 1.2 * exact,
+        "{total} {exact}"
+    );
     let along = tracer.straight(1, [0.5, 0.2], [0.5, 0.9]).unwrap();
     assert!(along.iter().all(|arc| arc.chords(1e-9) == Some(1)));
 }
@@ -148,10 +196,26 @@ fn lines_that_are_straight_in_the_parameters_have_the_bound_of_their_bend() {
 #[test]
 fn polygons_on_rails_are_as_near_as_they_say() {
     let rails = [
-        Rail::bezier(&[[0.0, 0.0, 0.0], [2.0, 9.0, 1.0], [-3.0, 4.0, 2.0], [6.0, 0.0, 0.0]]).unwrap(),
-        Rail::gbt(0.5, -0.3, &[[0.0, 0.0, 0.0], [1.0, 5.0, 0.0], [3.0, 2.0, 4.0]]).unwrap(),
+        Rail::bezier(&[
+            [0.0, 0.0, 0.0],
+            [2.0, 9.0, 1.0],
+            [-3.0, 4.0, 2.0],
+            [6.0, 0.0, 0.0],
+        ])
+        .unwrap(),
+        Rail::gbt(
+            0.5,
+            -0.3,
+            &[[0.0, 0.0, 0.0], [1.0, 5.0, 0.0], [3.0, 2.0, 4.0]],
+        )
+        .unwrap(),
         arc([0.0; 3], [3.0, 0.0, 0.0], [0.0, 0.0, 1.0], 300.0),
-        Rail::weighted(BasisShape::Bernstein, &[[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]], &[1.0, 0.7, 1.0]).unwrap(),
+        Rail::weighted(
+            BasisShape::Bernstein,
+            &[[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+            &[1.0, 0.7, 1.0],
+        )
+        .unwrap(),
     ];
     for rail in &rails {
         for within in [1e-1, 1e-3] {
@@ -164,7 +228,10 @@ fn polygons_on_rails_are_as_near_as_they_say() {
                     let square: f64 = way.iter().map(|c| c * c).sum();
                     let share = way.iter().zip(&arm).map(|(a, b)| a * b).sum::<f64>() / square;
                     let share = share.clamp(0.0, 1.0);
-                    (0..3).map(|i| (arm[i] - share * way[i]).powi(2)).sum::<f64>().sqrt()
+                    (0..3)
+                        .map(|i| (arm[i] - share * way[i]).powi(2))
+                        .sum::<f64>()
+                        .sqrt()
                 });
                 let near = near.fold(f64::INFINITY, f64::min);
                 assert!(near <= within, "{near} {within}");

@@ -41,7 +41,11 @@ fn mark(reader: &mut Reader, value: Value<'_>, parts: &Parts) -> Option<Mark> {
         let help = "`{ line = [[u, v], ..] }`, `{ at = [u, v], radius = r }` for a hole, \
                     `{ at = [u, v], text = \"..\", height = h }`, `{ opening = \"CURVE\", at = [u, v] }` or \
                     `{ passes = \"PATCH\" }`";
-        reader.complain(&span, "a mark is a line, a hole, a text or an opening", help);
+        reader.complain(
+            &span,
+            "a mark is a line, a hole, a text or an opening",
+            help,
+        );
         return None;
     };
     if let Some(value) = entries.take("radius") {
@@ -69,11 +73,7 @@ fn mark(reader: &mut Reader, value: Value<'_>, parts: &Parts) -> Option<Mark> {
 }
 
 /// Returns an opening of any shape.
-fn opening(
-    reader: &mut Reader,
-    entries: &mut Entries<'_>,
-    parts: &Parts,
-) -> Option<MarkedOpening> {
+fn opening(reader: &mut Reader, entries: &mut Entries<'_>, parts: &Parts) -> Option<MarkedOpening> {
     let span = entries.span.clone();
     let (shape, passes) = (entries.take("opening"), entries.take("passes"));
     let at = entries.take("at");

@@ -127,14 +127,15 @@ fn bounds(sheet: &Sheet<ChebyshevModel>, [u, v]: &[ChebyshevModel; 2]) -> Option
     };
     let ([u1, u2], [v1, v2]) = (slopes(u), slopes(v));
     let [p, q] = sheet.rail_jets(u, 2).ok()?;
-    let derivative = |jets: &[Jet<ChebyshevModel>; 3], order: usize| -> Option<[ChebyshevModel; 3]> {
-        let factor = ChebyshevModel::exact(if order == 2 { 2.0 } else { 1.0 });
-        let mut all = [factor; 3];
-        for (slot, jet) in all.iter_mut().zip(jets) {
-            *slot = factor * *jet.coefficients().get(order)?;
-        }
-        Some(all)
-    };
+    let derivative =
+        |jets: &[Jet<ChebyshevModel>; 3], order: usize| -> Option<[ChebyshevModel; 3]> {
+            let factor = ChebyshevModel::exact(if order == 2 { 2.0 } else { 1.0 });
+            let mut all = [factor; 3];
+            for (slot, jet) in all.iter_mut().zip(jets) {
+                *slot = factor * *jet.coefficients().get(order)?;
+            }
+            Some(all)
+        };
     let on = |order: usize| -> Option<[[ChebyshevModel; 3]; 2]> {
         let (a, b) = (derivative(&p, order)?, derivative(&q, order)?);
         let ruling = sub(&b, &a);
@@ -148,7 +149,10 @@ fn bounds(sheet: &Sheet<ChebyshevModel>, [u, v]: &[ChebyshevModel; 2]) -> Option
         scale(&(two * u1 * v1), &turning),
         scale(&v2, &ruling),
     ];
-    let sum = terms.iter().skip(1).fold(terms[0], |sum, term| add(&sum, term));
+    let sum = terms
+        .iter()
+        .skip(1)
+        .fold(terms[0], |sum, term| add(&sum, term));
     Some(ArcBounds {
         bend: largest(&sum),
         seconds: [u2.sharply_largest(), v2.sharply_largest()],

@@ -1,8 +1,8 @@
 //! Following a curve around, arc by arc, from sheet to sheet.
 
-use super::source::TracedSource;
 use super::super::Sheet;
 use super::search::{Hit, nearest};
+use super::source::TracedSource;
 use super::{LEAST_STEP, SheetArc, SheetTracer, TraceError, Traced};
 use crate::chebyshev::{NODES, nodes};
 use crate::model::ChebyshevModel;
@@ -76,7 +76,11 @@ impl SheetTracer<'_> {
         let (mut y, mut width) = (0.0, LONGEST);
         let mut changes = 0;
         while y < 1.0 {
-            let to = if y + width > 1.0 - 1e-12 { 1.0 } else { y + width };
+            let to = if y + width > 1.0 - 1e-12 {
+                1.0
+            } else {
+                y + width
+            };
             match self.arc(source, hit, [y, to])? {
                 Followed::Arc(arc, at) => {
                     arcs.push(arc);

@@ -77,7 +77,10 @@ pub enum TraceError {
         distance: f64,
     },
     /// The curve turns back, or touches, where nothing is proved.
-    #[error("it was followed as far as {}, where it touches the sheet or turns back", point(at))]
+    #[error(
+        "it was followed as far as {}, where it touches the sheet or turns back",
+        point(at)
+    )]
     Undecided {
         /// How far it was followed.
         at: Point,

@@ -46,7 +46,8 @@ pub fn meetings(sheet: &Sheet, from: &Point, way: &Point) -> Vec<[f64; 3]> {
     let mut add = |x: f64| {
         if let Some(([v, w], off)) = apart(sheet, x, from, way) {
             let size = norm(way) * w.abs().max(1.0);
-            if off <= NOTHING * size && found.iter().all(|[known, ..]| (known - x).abs() > NOTHING) {
+            if off <= NOTHING * size && found.iter().all(|[known, ..]| (known - x).abs() > NOTHING)
+            {
                 found.push([x, v, w]);
             }
         }

@@ -174,7 +174,8 @@ impl TracedSource for Piercing<'_> {
         let way = sub(&to, &from);
         let (point, along, across) = with_slopes(sheet, &u, &v)?;
         let off = sub(&point, &add(&from, &scale(&w, &way)));
-        let columns = [along, across, way.map(|c| -c)].map(|column| column.map(|c| c.approximate()));
+        let columns =
+            [along, across, way.map(|c| -c)].map(|column| column.map(|c| c.approximate()));
         let mut inverse = [[0.0; 3]; 3];
         for k in 0..3 {
             let mut unit = [0.0; 3];
@@ -200,7 +201,9 @@ impl TracedSource for Piercing<'_> {
             });
             if stays {
                 // By the mean value theorem on the box.
-                return Some((length(&along) * room[0] + length(&across) * room[1]) * (1.0 + 1e-12));
+                return Some(
+                    (length(&along) * room[0] + length(&across) * room[1]) * (1.0 + 1e-12),
+                );
             }
             let most = missed.into_iter().fold(0.0, f64::max);
             room = [16.0 * most + LEAST_ROOM; 3];
