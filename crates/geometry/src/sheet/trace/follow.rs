@@ -18,7 +18,7 @@ const HALVINGS: u32 = 60;
 /// What became of a range.
 enum Followed {
     /// An arc, and the solution at its end.
-    Arc(SheetArc, [f64; 3]),
+    Arc(Box<SheetArc>, [f64; 3]),
     /// The solution leaves the rulings of the sheet between these parameters, the first of which has this solution.
     Beyond([f64; 2], [f64; 3]),
     /// Nothing is proved.
@@ -83,7 +83,7 @@ impl SheetTracer<'_> {
             };
             match self.arc(source, hit, [y, to])? {
                 Followed::Arc(arc, at) => {
-                    arcs.push(arc);
+                    arcs.push(*arc);
                     (y, hit.at) = (to, at);
                     width = (2.0 * width).min(LONGEST);
                 }
@@ -91,7 +91,7 @@ impl SheetTracer<'_> {
                     let (border, at) = self.border(source, hit, [before, after], at)?;
                     if border - y > 1e-12 {
                         match self.arc(source, hit, [y, border])? {
-                            Followed::Arc(arc, _) => arcs.push(arc),
+                            Followed::Arc(arc, _) => arcs.push(*arc),
                             _ => {
                                 width = self.halved(source, y, width)?;
                                 continue;
@@ -150,7 +150,7 @@ impl SheetTracer<'_> {
         let arc = source
             .proved(model, range, &rows)
             .and_then(|off| SheetArc::new(model, hit.sheet, place, off));
-        Ok(arc.map_or(Followed::Nothing, |arc| Followed::Arc(arc, at)))
+        Ok(arc.map_or(Followed::Nothing, |arc| Followed::Arc(Box::new(arc), at)))
     }
 
     /// Returns the parameter at which the first or the last ruling of the sheet is reached, and the solution there.
