@@ -3,6 +3,7 @@
 
 use crate::polygon::{chord_points, distance, hull};
 use std::f64::consts::PI;
+use torse_exchange::Vertex;
 use torse_geometry::pattern::{Placement, Segment};
 
 /// The most segments that become one.
@@ -15,6 +16,15 @@ const SMALLER: f64 = 1e-9;
 const MAX_DIRECTIONS: usize = 1024;
 /// Points that stand for an arc when the directions of the sides of boxes are chosen.
 const ARC_POINTS: u32 = 16;
+
+/// Returns the vertices of a closed contour.
+pub(super) fn vertices_of(outline: &[Segment]) -> Vec<Vertex> {
+    let vertex = |segment: &Segment| Vertex {
+        point: segment.from,
+        bulge: segment.bulge,
+    };
+    outline.iter().map(vertex).collect()
+}
 
 /// Returns a closed contour with as few segments as lie within a distance of it, and how far they are from it at most:
 /// a bound, not a sample.

@@ -1,9 +1,9 @@
 //! The drawing of the pieces: patterns, marks, lettering, notes.
 
 use super::FlatPiece;
+use super::contour::vertices_of;
 use super::lettering::{self, Drawn, LetteringPlace};
 use super::marks::{FlatMark, flat_marks};
-use super::part::vertices_of;
 use crate::design::{Design, Patch};
 use crate::error::DesignError;
 use crate::openings::{OpeningShape, openings};

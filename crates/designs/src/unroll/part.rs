@@ -2,7 +2,7 @@
 
 use super::allowance::allowances;
 use super::blank::{Blank, Rolled, SharpFold, ToolBend, blank};
-use super::contour::{bounds, simplified, to_smallest_box, turned_to};
+use super::contour::{bounds, simplified, to_smallest_box, turned_to, vertices_of};
 use super::marks::{FlatMark, flat_marks};
 use super::notches::notches;
 use super::offset::moved_outwards;
@@ -12,7 +12,7 @@ use crate::error::DesignError;
 use crate::inspect::at_most;
 use crate::openings::{Opening, OpeningShape, openings};
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
-use torse_exchange::{BendLine, Drawing, Layer, Vertex};
+use torse_exchange::{BendLine, Drawing, Layer};
 use torse_geometry::pattern::{Placement, Segment};
 
 /// What a pattern file is for.
@@ -252,15 +252,6 @@ pub fn parts_with(
     }
     let all = pieces.iter();
     all.map(|piece| part(design, piece, making)).collect()
-}
-
-/// Returns the vertices of a closed contour.
-pub(super) fn vertices_of(outline: &[Segment]) -> Vec<Vertex> {
-    let vertex = |segment: &Segment| Vertex {
-        point: segment.from,
-        bulge: segment.bulge,
-    };
-    outline.iter().map(vertex).collect()
 }
 
 /// What is cut: the outline of a blank with its allowances and half of the kerf, and, of a part with allowances, how

@@ -5,7 +5,7 @@ use torse_geometry::curve::EllipticHelix;
 use torse_geometry::prelude::*;
 
 fn arc(centre: Point, from: Point, axis: Point, angle: f64) -> Rail {
-    Rail::from(EllipticHelix::about(centre, from, axis, angle, 0.0).unwrap())
+    Rail::from(EllipticHelix::about(centre, axis, from, angle, 0.0).unwrap())
 }
 
 /// A pipe of radius 5 along x in two halves that meet at its sides.
@@ -42,7 +42,8 @@ fn a_saddle_is_followed_around_within_its_bound() {
     };
     let mut seen = 0;
     for piece in saddle {
-        assert!(piece.off() < 1e-9, "{:e}", piece.off());
+        // A quarter of the rim at a time: a polynomial of degree 16 misses it by 1e-9, which is proved.
+        assert!(piece.off() < 2e-9, "{:e}", piece.off());
         let chords = piece.chords(1e-3).unwrap();
         assert!(piece.chord_distance(chords) <= 1e-3 && chords < 200);
         for k in 0..=20 {
@@ -186,7 +187,7 @@ fn lines_that_are_straight_in_the_parameters_have_the_bound_of_their_bend() {
         .sum::<f64>()
         .powi(2);
     assert!(
-        total >= exact * (1.0 - 1e-9) && total < 1.2 * exact,
+        total >= exact * (1.0 - 1e-9) && total < 1.1 * exact,
         "{total} {exact}"
     );
     let along = tracer.straight(1, [0.5, 0.2], [0.5, 0.9]).unwrap();
@@ -240,4 +241,30 @@ fn polygons_on_rails_are_as_near_as_they_say() {
     }
     assert!(rails[0].polygon(0.0).is_err() && rails[0].polygon(f64::NAN).is_err());
     assert!(rails[0].polygon(1e-15).is_err());
+}
+
+#[test]
+fn a_wall_in_front_of_a_part_of_the_curve_is_told() {
+    let square = |z: f64, from: f64, to: f64| {
+        let side = |y: f64| Rail::bezier(&[[from, y, z], [to, y, z]]).unwrap();
+        Sheet::ruled(side(-9.0), side(9.0))
+    };
+    let (floor, shelf) = (square(0.0, -9.0, 9.0), square(4.0, -1.3, -0.4));
+    let through = branch([0.0, 0.0, 9.0], 2.0, [0.0, 0.0, -9.0]);
+    let alone = SheetTracer::new(&[&floor]).unwrap();
+    let found = alone.pierced(&[&through], PiercingReach::First, 1e-6);
+    assert_eq!(found.unwrap().len(), 1);
+    // The rulings at each quarter of the way around pass by the shelf.
+    let both = SheetTracer::new(&[&floor, &shelf]).unwrap();
+    let refused = |reach| both.pierced(&[&through], reach, 1e-6).unwrap_err();
+    let front = refused(PiercingReach::First);
+    assert!(
+        matches!(front, TraceError::Hidden { at: [x, _, z] } if z == 4.0 && -1.3 < x && x < -0.4),
+        "{front}"
+    );
+    let uneven = refused(PiercingReach::Ruling);
+    assert!(
+        matches!(uneven, TraceError::Uneven { counts: [1, 2], .. }),
+        "{uneven}"
+    );
 }

@@ -3,7 +3,7 @@
 use super::super::Sheet;
 use crate::model::ChebyshevModel;
 use crate::surface::Rails;
-use crate::vector::{add, scale, sub};
+use crate::vector::{add, dot, scale, sub};
 use torse_algebra::Jet;
 
 /// A smooth arc of a curve on a sheet: a place `[u, v]` for each share of the arc, by polynomials.
@@ -111,10 +111,13 @@ fn beyond(model: &ChebyshevModel, second: f64) -> Option<f64> {
     (far - room <= BEYOND).then_some(far)
 }
 
-/// Returns an upper bound of the length of a vector.
+/// Returns an upper bound of the length of a vector: that of the largest coordinates, or of its square as one polynomial,
+/// which does not take the largest of each at different places.
 fn largest(vector: &[ChebyshevModel; 3]) -> f64 {
     let squares = vector.map(|c| c.sharply_largest().powi(2));
-    squares.iter().sum::<f64>().sqrt() * (1.0 + 1e-12)
+    let apart = squares.iter().sum::<f64>();
+    let square = dot(vector, vector).sharply_largest();
+    apart.min(square).sqrt() * (1.0 + 1e-12)
 }
 
 /// Returns bounds for an arc; `None` where the sheet has no models.

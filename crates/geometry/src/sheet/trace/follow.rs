@@ -150,7 +150,17 @@ impl SheetTracer<'_> {
         let arc = source
             .proved(model, range, &rows)
             .and_then(|off| SheetArc::new(model, hit.sheet, place, off));
-        Ok(arc.map_or(Followed::Nothing, |arc| Followed::Arc(Box::new(arc), at)))
+        let Some(arc) = arc else {
+            return Ok(Followed::Nothing);
+        };
+        for (k, y) in nodes(range[0], range[1]).into_iter().enumerate() {
+            // The ends may lie on a border.
+            if k % 2 == 1 {
+                let at = rows.map(|row| row[k]);
+                source.confirmed(self, y, Hit { at, ..hit })?;
+            }
+        }
+        Ok(Followed::Arc(Box::new(arc), at))
     }
 
     /// Returns the parameter at which the first or the last ruling of the sheet is reached, and the solution there.

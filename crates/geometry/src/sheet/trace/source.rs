@@ -31,6 +31,9 @@ pub trait TracedSource {
     /// Refuses a solution that does not count.
     fn check(&self, sheet: &Sheet, y: f64, at: [f64; 3]) -> Traced<()>;
 
+    /// Refuses a place at which the curves are not those that were found at the start.
+    fn confirmed(&self, tracer: &SheetTracer<'_>, y: f64, hit: Hit) -> Traced<()>;
+
     /// Returns a bound for the distance in space of the exact solutions from those through these values at the nodes of a
     /// range, if it is proved that there is one for each parameter.
     fn proved(&self, sheet: &Sheet<Model>, range: [f64; 2], nodes: &[Row; 3]) -> Option<f64>;
@@ -42,6 +45,8 @@ pub struct Piercing<'a> {
     models: Sheet<Model>,
     reach: PiercingReach,
     joined: f64,
+    /// How often each ruling pierces the sheets.
+    count: usize,
 }
 
 impl<'a> Piercing<'a> {
@@ -51,7 +56,13 @@ impl<'a> Piercing<'a> {
             models: lines.over(&|x| Model::exact(*x))?,
             reach,
             joined,
+            count: 0,
         })
+    }
+
+    /// Returns the same rulings, each of which pierces the sheets so often.
+    pub fn counted(self, count: usize) -> Self {
+        Self { count, ..self }
     }
 
     /// Returns the first end of a ruling.
@@ -165,6 +176,24 @@ impl TracedSource for Piercing<'_> {
         Err(TraceError::TooShort { at })
     }
 
+    /// What is followed has to be among what is found again, and the first where the first alone counts: elsewhere another
+    /// part of the sheets is in front of it.
+    fn confirmed(&self, tracer: &SheetTracer<'_>, y: f64, hit: Hit) -> Traced<()> {
+        let (from, way) = self.line(y)?;
+        let found = self.hits(tracer, y)?;
+        if found.len() != self.count {
+            let counts = [self.count, found.len()];
+            return Err(TraceError::Uneven { counts, at: from });
+        }
+        let is_same = |other: &Hit| (other.at[2] - hit.at[2]).abs() * norm(&way) <= self.joined;
+        if found.iter().any(is_same) {
+            return Ok(());
+        }
+        let nearest = found.first().map_or(hit.at[2], |first| first.at[2]);
+        let at = add(&from, &scale(&nearest, &way));
+        Err(TraceError::Hidden { at })
+    }
+
     fn proved(&self, sheet: &Sheet<Model>, range: [f64; 2], nodes: &[Row; 3]) -> Option<f64> {
         let [u, v, w] = nodes.each_ref().map(Model::through);
         let [from, to] = self
@@ -192,17 +221,18 @@ impl TracedSource for Piercing<'_> {
             let (wide_u, wide_v) = (u.widened(room[0]), v.widened(room[1]));
             let (_, along, across) = with_slopes(sheet, &wide_u, &wide_v)?;
             let over = [along, across, way.map(|c| -c)];
-            let stays = (0..3).all(|i| {
-                let reach = (0..3).fold(missed[i], |sum, j| {
+            // The image of the box, in which the solutions lie if it is within the box.
+            let reach: [f64; 3] = std::array::from_fn(|i| {
+                let sum = (0..3).fold(missed[i], |sum, j| {
                     let unit = Model::exact(if i == j { 1.0 } else { 0.0 });
                     sum + (unit - dot(&rows[i], &over[j])).largest() * room[j]
                 });
-                reach * (1.0 + 1e-12) < room[i]
+                sum * (1.0 + 1e-12)
             });
-            if stays {
+            if (0..3).all(|i| reach[i] < room[i]) {
                 // By the mean value theorem on the box.
                 return Some(
-                    (length(&along) * room[0] + length(&across) * room[1]) * (1.0 + 1e-12),
+                    (length(&along) * reach[0] + length(&across) * reach[1]) * (1.0 + 1e-12),
                 );
             }
             let most = missed.into_iter().fold(0.0, f64::max);
@@ -286,6 +316,10 @@ impl TracedSource for Lying<'_> {
             return Ok(());
         }
         Err(TraceError::NotOnSheet { at, distance })
+    }
+
+    fn confirmed(&self, _: &SheetTracer<'_>, _: f64, _: Hit) -> Traced<()> {
+        Ok(())
     }
 
     fn proved(&self, sheet: &Sheet<Model>, range: [f64; 2], nodes: &[Row; 3]) -> Option<f64> {
