@@ -283,7 +283,7 @@ impl Unroll {
     ) -> Result<Exit, Failure> {
         let text = match self.format {
             Format::Text if self.output == Output::Drawings(Purpose::Fold) => summary.text(),
-            Format::Text => list.text() + &summary.text(),
+            Format::Text => list.text(summary),
             Format::Json => pretty_json(&Answer {
                 summary,
                 parts: list,

@@ -37,8 +37,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mut text = table(&inspect(&design)?);
         text.push('\n');
         let pieces = unroll(&design, &demand)?;
-        text.push_str(&PatternSummary::new(&design, &pieces).text());
-        text.push_str(&PartsList::new(&design, &parts(&design, &pieces)?).text());
+        let patterns = PatternSummary::new(&design, &pieces);
+        text.push_str(&PartsList::new(&design, &parts(&design, &pieces)?).text(&patterns));
         write_file(&path.with_extension("txt"), text.as_bytes())?;
         write_file(
             &path.with_extension("dxf"),

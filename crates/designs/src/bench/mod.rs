@@ -23,7 +23,6 @@ use forming::forming;
 use layout::{Drawn, drawing, layout};
 use serde::Serialize;
 use sides::{Side, letter, pair, sides};
-use torse_geometry::pattern::PatternEvidence;
 use words::length;
 
 /// A table of a sheet.
@@ -215,7 +214,6 @@ fn sheet(
     if !part.openings.is_empty() {
         tables.push(openings(part));
     }
-    let proved = piece.flat.evidence() == PatternEvidence::Proved;
     let mut notes = forming.notes;
     notes.push(format!(
         "{} is farther than {} mm from the exact part ({}); {} mm were allowed.",
@@ -225,7 +223,7 @@ fn sheet(
             "No cut line"
         },
         at_most(part.error.max(LEAST)),
-        if proved {
+        if part.proved {
             "proved"
         } else {
             "measured, not proved"

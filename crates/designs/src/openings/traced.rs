@@ -70,7 +70,8 @@ fn on_sheet(
     let (Some(origin), Some(from), Some(to)) = (flat(v), flat(0.0), flat(1.0)) else {
         return Err(format!("[{u}, {v}] is outside the patch"));
     };
-    let turn = libm::atan2(to[1] - from[1], to[0] - from[0]) + angle;
+    let ruling = [to[0] - from[0], to[1] - from[1]];
+    let turn = libm::atan2(ruling[1], ruling[0]) + angle;
     let (sine, cosine) = libm::sincos(turn);
     let place = |[x, y, _]: Point| {
         [
@@ -80,11 +81,16 @@ fn on_sheet(
     };
     let rails = curve.curve.rails().map_err(|error| error.to_string())?;
     let mut runs = Vec::with_capacity(rails.len());
+    let mut reach = 0.0_f64;
     for rail in &rails {
         let corners = rail.polygon(within).map_err(|error| error.to_string())?;
+        let far = corners.iter().map(|[x, y, _]| libm::hypot(*x, *y));
+        reach = reach.max(far.fold(0.0, f64::max) + within);
         runs.push(corners.into_iter().map(place).collect());
     }
-    Ok(joined(runs, within))
+    // The ruling is turned by what its ends are off, and what is drawn along it with it.
+    let turned = 2.0 * marked.flat.errors().point / libm::hypot(ruling[0], ruling[1]);
+    Ok(joined(runs, within + 2.0 * turned * reach))
 }
 
 /// Returns the polygon of sides that are straight in the parameters.

@@ -1,6 +1,7 @@
 //! The list of parts: what is cut, how large it is, and how it is formed.
 
 use super::part::Part;
+use super::summary::{PatternSummary, PieceSummary};
 use crate::design::Design;
 use crate::inspect::{at_most, number, wrapped};
 use serde::Serialize;
@@ -29,8 +30,10 @@ pub struct PartRow {
     pub marks: usize,
     /// Whether it has allowances, which the outline has and the seam line has not.
     pub allowance: bool,
-    /// No point of the outline, without allowances, is farther from that of the exact part.
+    /// No point of the outline, without allowances, nor of an opening is farther from that of the exact part.
     pub error: f64,
+    /// Whether that is proved; it is measured otherwise.
+    pub proved: bool,
     /// The bends over tools.
     pub bends: Vec<ToolBendRow>,
     /// Edges without a radius.
@@ -138,10 +141,15 @@ impl PartsList {
         text
     }
 
-    /// Returns the list for people, in lines of at most 100 columns.
+    /// Returns the list for people, in lines of at most 100 columns, with what has to be said of the patterns that the parts
+    /// are made from: which development, and how far it is strained. Sizes are those of the parts alone.
     #[must_use]
-    pub fn text(&self) -> String {
-        self.parts.iter().map(|part| part.text()).collect()
+    pub fn text(&self, patterns: &PatternSummary) -> String {
+        let of_part = |part: &PartRow| {
+            let pattern = patterns.pieces.iter().find(|piece| piece.name == part.name);
+            part.text(pattern)
+        };
+        self.parts.iter().map(of_part).collect()
     }
 }
 
@@ -154,10 +162,14 @@ fn field(text: &str) -> String {
 }
 
 impl PartRow {
-    fn text(&self) -> String {
+    fn text(&self, pattern: Option<&PieceSummary>) -> String {
+        let exact = match pattern.and_then(|piece| piece.development) {
+            Some(name) => format!("the development that is made (`{name}`)"),
+            None => "the exact part".to_owned(),
+        };
         let [width, height] = self.size.map(|length| format!("{length:.3}"));
         let mut words = format!(
-            "{width} x {height} mm, area {} mm2, cut {} mm of {} lines and arcs{}, {} farther than {} mm from the exact part",
+            "{width} x {height} mm, area {} mm2, cut {} mm of {} lines and arcs{}, {} farther than {} mm from {exact}{}",
             number(self.area),
             number(self.cut_length),
             self.segments,
@@ -171,8 +183,17 @@ impl PartRow {
             } else {
                 "nowhere"
             },
-            at_most(self.error)
+            at_most(self.error),
+            if self.proved {
+                ""
+            } else {
+                " (measured, not proved)"
+            }
         );
+        if let Some(pattern) = pattern {
+            words += &pattern.beside_others(self.error + pattern.ambiguity);
+            words += &pattern.strain_told();
+        }
         for bend in &self.bends {
             let _ = write!(
                 words,
@@ -239,6 +260,7 @@ fn row(part: &Part) -> PartRow {
         marks: part.marks.len(),
         allowance: part.seam_line.is_some(),
         error: part.error,
+        proved: part.proved,
         bends: part
             .bends
             .iter()

@@ -13,7 +13,7 @@ use crate::inspect::at_most;
 use crate::openings::{Opening, OpeningShape, openings};
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 use torse_exchange::{BendLine, Drawing, Layer};
-use torse_geometry::pattern::{Placement, Segment};
+use torse_geometry::pattern::{PatternEvidence, Placement, Segment};
 
 /// What a pattern file is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -106,6 +106,8 @@ pub struct Part {
     pub size: [f64; 2],
     /// No point of the outline, without allowances, nor of an opening is farther from that of the exact part.
     pub error: f64,
+    /// Whether that is proved; it is measured otherwise.
+    pub proved: bool,
     /// What whoever opens the file should know: what it is, of which sheet, and how exact.
     pub notes: Vec<String>,
     /// The motion from the pattern, before its bends were given their lengths, to the part.
@@ -347,19 +349,22 @@ fn part(design: &Design, piece: &FlatPiece, making: CutOptions) -> Result<Part, 
         .iter()
         .fold(0.0_f64, |m, opening| m.max(opening.error));
     let error = (blank.error + off).max(open) + moved;
+    let proved = piece.flat.evidence() == PatternEvidence::Proved
+        && openings.iter().all(|opening| opening.proved);
     let mut notes = vec![format!("{}: {}", design.name, design.title)];
     if let Some(metal) = design.metal {
         notes.push(format!("a sheet {} mm thick", metal.sheet.thickness()));
     }
     notes.push(format!(
-        "part {}, outline{} within {} mm of the exact part",
+        "part {}, outline{} within {} mm of the exact part{}",
         piece.piece.name,
         if allowances.is_some() {
             " without its allowances"
         } else {
             ""
         },
-        at_most(error)
+        at_most(error),
+        if proved { "" } else { ", measured, not proved" }
     ));
     if making.kerf > 0.0 {
         notes.push(format!("moved by half of a kerf of {} mm", making.kerf));
@@ -417,6 +422,7 @@ fn part(design: &Design, piece: &FlatPiece, making: CutOptions) -> Result<Part, 
         notches: notches.map(place).collect(),
         size: [high[0] - low[0], high[1] - low[1]].map(on_grid),
         error,
+        proved,
         notes,
         placement,
     })

@@ -3,8 +3,9 @@
 use super::FlatPiece;
 use crate::design::Design;
 use crate::inspect::{at_most, number, wrapped};
-use crate::openings::openings;
+use crate::openings::{Opening, OpeningShape, openings};
 use serde::Serialize;
+use std::f64::consts::PI;
 use torse_geometry::pattern::{Flattening, PatternEvidence, bends};
 
 /// The patterns of a design in numbers; lengths in millimetres, angles in degrees.
@@ -48,9 +49,9 @@ pub struct PieceSummary {
     pub point_error: f64,
     /// No angle between rulings is off by more, in degrees.
     pub angle_error: f64,
-    /// The length of the cut is not off by more.
+    /// The length of the outline is not off by more; for that around openings which are not round no bound is known.
     pub length_error: f64,
-    /// The area is not off by more.
+    /// The area is not off by more, that of openings included.
     pub area_error: f64,
     /// No line is stretched or shortened by a larger share of its length.
     pub strain: f64,
@@ -104,29 +105,11 @@ impl PatternSummary {
                 at_most(piece.outline_error - piece.ambiguity),
                 piece.exact_outline()
             );
-            if piece.development.is_some() {
-                let longest = piece
-                    .shortened
-                    .iter()
-                    .flatten()
-                    .fold(0.0_f64, |m, s| m.max(*s));
-                words += &format!(
-                    ", nor than {} mm from any other of no greater strain; lines change by at most {} of their length, \
-                     edges by {} mm",
-                    at_most(piece.outline_error),
-                    at_most(piece.strain),
-                    at_most(longest)
-                );
-            }
+            words += &piece.beside_others(piece.outline_error);
             if let Some(radius) = piece.radius {
                 words += &format!("; smallest radius {} mm", number(radius));
             }
-            if piece.strained {
-                words += &format!(
-                    "; STRAINED: lines change by up to {} of their length",
-                    at_most(piece.strain)
-                );
-            }
+            words += &piece.strain_told();
             let label = if piece.is_blank {
                 format!("{}: ", piece.name)
             } else {
@@ -139,6 +122,32 @@ impl PatternSummary {
 }
 
 impl PieceSummary {
+    /// Returns, of a piece that is not exactly developable, how far its pattern is from others that could be made, of which
+    /// none is farther than this.
+    pub(super) fn beside_others(&self, farthest: f64) -> String {
+        if self.development.is_none() {
+            return String::new();
+        }
+        let longest = self.shortened.iter().flatten();
+        let longest = longest.fold(0.0_f64, |m, s| m.max(*s));
+        format!(
+            ", nor than {} mm from any other of no greater strain; lines change by at most {} of their length, edges by \
+             {} mm",
+            at_most(farthest),
+            at_most(self.strain),
+            at_most(longest)
+        )
+    }
+
+    /// Returns the remark on a strain that is more than counts as developable.
+    pub(super) fn strain_told(&self) -> String {
+        if !self.strained {
+            return String::new();
+        }
+        let strain = at_most(self.strain);
+        format!("; STRAINED: lines change by up to {strain} of their length")
+    }
+
     /// Returns what the outline is compared with.
     fn exact_outline(&self) -> String {
         let of = match self.development {
@@ -149,6 +158,19 @@ impl PieceSummary {
             of
         } else {
             format!("{of} (measured, not proved)")
+        }
+    }
+}
+
+/// Returns how far the area of an opening may be from that of the exact one. The exact curve, moved straight onto this one,
+/// stays within its error of this one: so only points so near to it can be inside of the one and outside of the other.
+/// That is a band of twice the error along it. The centre of a round one is off, and not its radius.
+fn area_error(opening: &Opening) -> f64 {
+    match &opening.shape {
+        OpeningShape::Round(..) => 0.0,
+        OpeningShape::Contour(_) => {
+            let error = opening.error;
+            error * (2.0 * opening.shape.length() + PI * error)
         }
     }
 }
@@ -205,7 +227,7 @@ fn summary(design: &Design, FlatPiece { piece, flat }: &FlatPiece) -> PieceSumma
         point_error: errors.point,
         angle_error: errors.angle.to_degrees(),
         length_error: errors.length,
-        area_error: errors.area,
+        area_error: errors.area + openings.iter().map(area_error).sum::<f64>(),
         strain: flat.strain(),
         strained: flat.is_strained(),
         radius: finite(flat.smallest_radius()),

@@ -290,11 +290,13 @@ cone = "rim"
 apex = [0, 0, 40]
 "#;
     let design = read("x.toml", cone).unwrap();
-    let made = parts(&design, &unroll(&design, &Demand::default()).unwrap()).unwrap();
+    let pieces = unroll(&design, &Demand::default()).unwrap();
+    let made = parts(&design, &pieces).unwrap();
     let rolled = &made[0].rolled[0];
     // The slant is 50 for a radius of 30, and the normal curvature of the rim is (1/30)(40/50).
     assert!(rolled.apex && rolled.radii.iter().all(|r| (r - 37.5).abs() < 1e-9));
-    let text = torse_designs::unroll::PartsList::new(&design, &made).text();
+    let patterns = torse_designs::unroll::PatternSummary::new(&design, &pieces);
+    let text = torse_designs::unroll::PartsList::new(&design, &made).text(&patterns);
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         text.ends_with("roll to radius 37.5 mm at the wide end, towards 0 at the apex"),

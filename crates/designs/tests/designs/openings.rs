@@ -5,7 +5,7 @@ use torse_designs::export::{mesh, model};
 use torse_designs::lint::{LintDemand, LintRules, lint};
 use torse_designs::openings::{Opening, OpeningShape, openings};
 use torse_designs::unroll::{
-    CutOptions, Demand, Part, PatternSummary, Purpose, parts, parts_with, unroll,
+    CutOptions, Demand, Part, PartsList, PatternSummary, Purpose, parts, parts_with, unroll,
 };
 use torse_designs::{Design, DesignError, read};
 use torse_exchange::{dxf, step};
@@ -141,6 +141,10 @@ fn the_saddle_of_two_cylinders_is_the_curve_of_the_textbooks() {
         .find(|piece| piece.name == "pipe")
         .unwrap();
     assert!((pipe.area - part.area()).abs() < 1.0 && (pipe.cut - part.cut_length()).abs() < 0.1);
+    // The bound of the area holds with the opening, of which it is the larger part.
+    let off = (pipe.area - (PI * 100.0 * 200.0 - area)).abs();
+    let room = 2.0 * saddle.error * length;
+    assert!(off <= pipe.area_error && pipe.area_error >= room && pipe.area_error < 2.0 * room);
 }
 
 #[test]
@@ -328,6 +332,16 @@ fn what_does_not_pass_is_refused_with_its_reason() {
     );
     let over = passing(&over, "[0, 0, -80]");
     assert!(over.contains("leaves the sheet at ("), "{over}");
+    // One that ends with the pipe, or a hair beyond it, is not cut short.
+    for hair in ["", ".00000001", ".0001"] {
+        let centre = format!("[80{hair}, 0, 90], from = [100{hair}, 0, 90]");
+        let touching = BRANCH.replace("[10, 0, 90], from = [30, 0, 90]", &centre);
+        let touching = passing(&touching, "[0, 0, -80]");
+        assert!(
+            touching.contains("leaves the sheet") || touching.contains("of the edge of the sheet"),
+            "{touching}"
+        );
+    }
     let wide = BRANCH.replace("from = [30, 0, 90]", "from = [70, 0, 90]");
     let wide = passing(&wide, "[0, 0, -80]");
     assert!(wide.contains("cannot be cut"), "{wide}");
@@ -453,4 +467,37 @@ fn an_opening_of_lines_and_arcs_is_as_long_as_its_sides() {
     assert!((opening.shape.area() - area).abs() <= opening.error * length + 1e-4);
     assert!((opening.shape.length() - length).abs() < 0.02);
     assert!(opening.error <= 0.01);
+}
+
+#[test]
+fn an_opening_of_a_sheet_that_is_only_nearly_developable_is_measured() {
+    let plank = |lift: f64| {
+        let text = format!(
+            r#"
+            [curves]
+            a = {{ bezier = [[0, 0, 0], [300, 0, 0]] }}
+            b = {{ bezier = [[0, 80, 0], [300, 80, {lift}]] }}
+            [patches.plank]
+            ruled = ["a", "b"]
+            marks = [{{ opening = [[0.4, 0.3], [0.6, 0.3], [0.5, 0.7]] }}]
+            "#
+        );
+        let design = read("plank.toml", &text).unwrap();
+        let demand = Demand {
+            allow_strain: 0.1,
+            ..Demand::default()
+        };
+        let pieces = unroll(&design, &demand).unwrap();
+        let parts = parts(&design, &pieces).unwrap();
+        let text = PartsList::new(&design, &parts).text(&PatternSummary::new(&design, &pieces));
+        (parts[0].proved, text, parts[0].notes.join("; "))
+    };
+    let (flat, twisted) = (plank(0.0), plank(1.0));
+    assert!(flat.0 && !flat.1.contains("measured") && !flat.2.contains("measured"));
+    assert!(!twisted.0 && twisted.1.contains("(measured, not"));
+    assert!(
+        twisted
+            .2
+            .contains("of the exact part, measured, not proved")
+    );
 }

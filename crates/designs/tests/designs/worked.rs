@@ -58,8 +58,9 @@ fn worked_designs_meet_their_tolerances_and_the_committed_files_are_theirs() {
             assert!((inside - piece.flat.area()).abs() <= errors.area);
         }
         text.push('\n');
-        text.push_str(&PatternSummary::new(&design, &pieces).text());
-        text.push_str(&PartsList::new(&design, &parts(&design, &pieces).unwrap()).text());
+        let patterns = PatternSummary::new(&design, &pieces);
+        let list = PartsList::new(&design, &parts(&design, &pieces).unwrap());
+        text.push_str(&list.text(&patterns));
         let committed = |ending: &str| {
             let path = folder().join(&design.name).with_extension(ending);
             std::fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
