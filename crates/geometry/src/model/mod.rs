@@ -176,6 +176,15 @@ impl ChebyshevModel {
             .min(up(FACTOR * (largest + rounded) + self.radius))
     }
 
+    /// An upper bound of the length of a vector: that of the largest coordinates, or of its square as one polynomial, which
+    /// does not take the largest of each at different places.
+    pub(crate) fn largest_length(vector: &[Self; 3]) -> f64 {
+        let squares = vector.map(|c| c.sharply_largest().powi(2));
+        let apart = squares.iter().sum::<f64>();
+        let square = crate::vector::dot(vector, vector).sharply_largest();
+        apart.min(square).sqrt() * (1.0 + 1e-12)
+    }
+
     /// A lower bound of the absolute values; zero where the sign is not known.
     #[must_use]
     pub fn least(&self) -> f64 {

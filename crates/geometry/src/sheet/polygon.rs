@@ -82,11 +82,10 @@ fn second_derivative(rail: &Rail<ChebyshevModel>, [from, to]: [f64; 2]) -> Optio
     let jets = rail
         .space_jet(&ChebyshevModel::identity(from, to), 2)
         .ok()?;
-    let mut sum = 0.0;
-    for jet in &jets {
-        let second = jet.coefficients().get(2)?;
-        sum += (2.0 * second.largest()).powi(2);
+    let mut second = [ChebyshevModel::exact(0.0); 3];
+    for (slot, jet) in second.iter_mut().zip(&jets) {
+        *slot = ChebyshevModel::exact(2.0) * *jet.coefficients().get(2)?;
     }
-    let bend = sum.sqrt() * (1.0 + 1e-12);
+    let bend = ChebyshevModel::largest_length(&second);
     bend.is_finite().then_some(bend)
 }

@@ -3,7 +3,7 @@
 use super::super::Sheet;
 use crate::model::ChebyshevModel;
 use crate::surface::Rails;
-use crate::vector::{add, dot, scale, sub};
+use crate::vector::{add, scale, sub};
 use torse_algebra::Jet;
 
 /// A smooth arc of a curve on a sheet: a place `[u, v]` for each share of the arc, by polynomials.
@@ -111,15 +111,6 @@ fn beyond(model: &ChebyshevModel, second: f64) -> Option<f64> {
     (far - room <= BEYOND).then_some(far)
 }
 
-/// Returns an upper bound of the length of a vector: that of the largest coordinates, or of its square as one polynomial,
-/// which does not take the largest of each at different places.
-fn largest(vector: &[ChebyshevModel; 3]) -> f64 {
-    let squares = vector.map(|c| c.sharply_largest().powi(2));
-    let apart = squares.iter().sum::<f64>();
-    let square = dot(vector, vector).sharply_largest();
-    apart.min(square).sqrt() * (1.0 + 1e-12)
-}
-
 /// Returns bounds for an arc; `None` where the sheet has no models.
 fn bounds(sheet: &Sheet<ChebyshevModel>, [u, v]: &[ChebyshevModel; 2]) -> Option<ArcBounds> {
     let slopes = |model: &ChebyshevModel| {
@@ -157,8 +148,11 @@ fn bounds(sheet: &Sheet<ChebyshevModel>, [u, v]: &[ChebyshevModel; 2]) -> Option
         .skip(1)
         .fold(terms[0], |sum, term| add(&sum, term));
     Some(ArcBounds {
-        bend: largest(&sum),
+        bend: ChebyshevModel::largest_length(&sum),
         seconds: [u2.sharply_largest(), v2.sharply_largest()],
-        speeds: [largest(&along), largest(&ruling)],
+        speeds: [
+            ChebyshevModel::largest_length(&along),
+            ChebyshevModel::largest_length(&ruling),
+        ],
     })
 }
