@@ -1,12 +1,16 @@
 //! A design from a file of another program: each face with rulings between two of its edges is a patch.
 
+mod loops;
+
 use crate::DesignUnit;
 use crate::audit::FaceAudit;
 use crate::bending::Bending;
 use crate::design::{
-    Chain, ChainLayout, Design, DesignView, LeftOut, Patch, PatchEnds, Tolerances, USUAL_RULINGS,
+    Chain, ChainLayout, Design, DesignView, LeftOut, Mark, Patch, PatchEnds, Tolerances,
+    USUAL_RULINGS,
 };
 use crate::error::DesignError;
+use loops::sheets_with_openings;
 use std::path::Path;
 use torse_exchange::{CurveShape, Imported, ImportedFace, SurfaceShape};
 use torse_geometry::prelude::{GeometryError, PiecewiseRail, Point, Rail, Sheet, SweptEdge};
@@ -59,7 +63,7 @@ pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, Design
     };
     let mut left_out: Vec<LeftOut> = Vec::new();
     for face in &imported.faces {
-        match sheets(face, imported) {
+        match sheets_with_openings(face, imported, |face| sheets(face, imported)) {
             Ok(found) => add(&mut design, face, found),
             Err(reason) => {
                 let verdict = FaceAudit::of_surface(face).map(|audit| audit.words);
@@ -96,6 +100,12 @@ struct FaceSheets {
     closed: bool,
     /// What was made equal.
     note: Option<String>,
+    /// The loops that do not bound it.
+    openings: Vec<Mark>,
+}
+
+fn words(error: GeometryError) -> String {
+    error.to_string()
 }
 
 fn add(design: &mut Design, face: &ImportedFace, found: FaceSheets) {
@@ -103,6 +113,7 @@ fn add(design: &mut Design, face: &ImportedFace, found: FaceSheets) {
         sheets,
         closed,
         note,
+        mut openings,
     } = found;
     let first = design.patches.len();
     let several = sheets.len() > 1;
@@ -122,7 +133,7 @@ fn add(design: &mut Design, face: &ImportedFace, found: FaceSheets) {
                 rails: None,
                 part: [0.0, 1.0],
             },
-            marks: Vec::new(),
+            marks: std::mem::take(&mut openings),
             bend: false,
             edges: Vec::new(),
             allowances: Vec::new(),
@@ -143,7 +154,6 @@ fn add(design: &mut Design, face: &ImportedFace, found: FaceSheets) {
 
 /// Returns the sheets of a face, or why it has none.
 fn sheets(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String> {
-    let words = |error: GeometryError| error.to_string();
     let border = border(face, imported)?;
     match border {
         Border::Apex(rail, apex) => {
@@ -158,6 +168,7 @@ fn sheets(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String
                 sheets: cones,
                 closed: is_closed(&rail, tolerance).map_err(words)?,
                 note: None,
+                openings: Vec::new(),
             })
         }
         Border::Between([first, second]) => {
@@ -193,6 +204,7 @@ fn sheets(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String
                 sheets,
                 closed,
                 note,
+                openings: Vec::new(),
             })
         }
     }
@@ -277,7 +289,6 @@ fn is_closed(rail: &PiecewiseRail, tolerance: f64) -> Result<bool, GeometryError
 
 /// Returns two edges between which rulings may run, passed side by side.
 fn border(face: &ImportedFace, imported: &Imported) -> Result<Border, String> {
-    let words = |error: GeometryError| error.to_string();
     let shape = |index: usize| imported.curves.get(index).map(|curve| &curve.shape);
     let all: Vec<(usize, bool)> = face.loops.iter().flatten().copied().collect();
     // The seam of a closed surface is passed twice.
@@ -370,7 +381,6 @@ fn untrimmed(
     own: [PiecewiseRail; 2],
     tolerance: f64,
 ) -> Result<[PiecewiseRail; 2], String> {
-    let words = |error: GeometryError| error.to_string();
     let same = |a: &PiecewiseRail, b: &PiecewiseRail| -> Result<bool, String> {
         for k in 0..=SAMPLES {
             let x = f64::from(k) / f64::from(SAMPLES);
@@ -399,7 +409,6 @@ fn untrimmed(
 
 /// Returns whether rulings of these sheets lie on the surface of a face, as far as samples show.
 fn on_surface(face: &ImportedFace, sheets: &[Sheet], tolerance: f64) -> Result<(), String> {
-    let words = |error: GeometryError| error.to_string();
     for sheet in sheets {
         for k in 0..=SAMPLES {
             let u = f64::from(k) / f64::from(SAMPLES);

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use torse_designs::audit::FaceAudit;
 use torse_designs::inspect::{Assurance, inspect};
 use torse_designs::listing::list;
-use torse_designs::unroll::{Demand, unroll};
+use torse_designs::unroll::{Demand, parts, unroll};
 use torse_designs::{DesignError, Ending, load};
 use torse_exchange::{FilePlace, ImportedFace, SplineSurface, SurfaceFrame, SurfaceShape};
 use torse_numbers::rational::{Rational, integer, ratio};
@@ -200,4 +200,45 @@ fn faces_without_a_pattern_are_left_out_by_name_and_reason() {
     let error = load(&path).unwrap_err();
     assert!(matches!(error, DesignError::Listing { .. }), "{error}");
     assert!(error.to_string().contains("line "), "{error}");
+}
+
+/// OpenCASCADE made the files, and says how large each face is and how long all of its edges are together, the seam twice.
+#[test]
+fn the_openings_of_the_faces_of_a_step_file_are_cut() {
+    for (name, openings, area, around) in [
+        ("plate_holes.step", 2, 8_896.433_659_53, 550.247_779_607),
+        ("pipe_hole.step", 1, 61_548.352_277_75, 1_155.339_759_319),
+        ("cone_hole.step", 1, 29_043.168_838_29, 851.670_770_694),
+    ] {
+        let design = load(&file(name)).unwrap();
+        assert!(design.left_out.is_empty(), "{:?}", design.left_out);
+        let pieces = unroll(&design, &Demand::default()).unwrap();
+        let made = parts(&design, &pieces).unwrap();
+        let [part] = made.as_slice() else {
+            panic!("{name}: {} parts", made.len())
+        };
+        assert_eq!(part.openings.len(), openings, "{name}");
+        assert!(part.error <= 0.01, "{name}: {}", part.error);
+        let room = part.error * part.cut_length();
+        let off = (part.area() - area).abs();
+        assert!(off <= room, "{name}: {} {area}", part.area());
+        let longer = (part.cut_length() - around).abs();
+        assert!(longer < 0.02, "{name}: {} {around}", part.cut_length());
+    }
+}
+
+#[test]
+fn a_loop_beside_its_face_is_refused_with_its_place() {
+    let step = std::fs::read_to_string(file("plate_holes.step")).unwrap();
+    // The round hole, at (30, 10), goes over the edge of the plate, which ends at x = 60.
+    let moved = step.replace("(30.,10.,1.)", "(55.,10.,1.)");
+    assert_ne!(step, moved);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("plate.step");
+    std::fs::write(&path, moved).unwrap();
+    let design = load(&path).unwrap();
+    let pieces = unroll(&design, &Demand::default()).unwrap();
+    let error = parts(&design, &pieces).unwrap_err().to_string();
+    assert!(error.contains("the opening `loop"), "{error}");
+    assert!(error.contains("leaves the sheet"), "{error}");
 }
