@@ -2,7 +2,8 @@
 
 use crate::design::{Design, Patch};
 use crate::error::DesignError;
-use crate::unroll::{Demand, position, unroll};
+use crate::position::position;
+use crate::unroll::{Demand, unroll};
 use serde::Serialize;
 use std::fmt::Write;
 use torse_geometry::Surface;

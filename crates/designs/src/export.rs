@@ -3,7 +3,7 @@
 use crate::design::{Design, DesignPiece, Tensor};
 use crate::error::DesignError;
 use crate::inspect::side_changes_at_joint;
-use crate::openings::{SpaceOpening, openings_in_space};
+use crate::space_openings::{SpaceOpening, openings_in_space};
 use crate::unroll::{Demand, drawing, unroll};
 use std::path::Path;
 use torse_exchange::{

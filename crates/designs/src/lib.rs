@@ -57,8 +57,10 @@ pub mod listing;
 pub mod movable;
 pub mod openings;
 mod polygon;
+mod position;
 mod seams;
 mod segment_crossings;
+mod space_openings;
 mod unit;
 pub mod unroll;
 

@@ -7,8 +7,9 @@ use crate::design::Design;
 use crate::error::DesignError;
 use crate::inspect::number;
 use crate::inspect::numbers::without_trailing_zeros;
+use crate::position::position;
 use crate::seams::PatchEdge;
-use crate::unroll::{FlatPiece, Part, position};
+use crate::unroll::{FlatPiece, Part};
 
 /// Rulings at which the radii of a patch are measured.
 const RULINGS: u32 = 64;

@@ -5,7 +5,7 @@ use super::shape::{Opening, OpeningShape};
 use crate::chords::{Chord, chords_within, mutual_crossing, nearest_points};
 use crate::error::DesignError;
 use crate::polygon::is_within;
-use crate::unroll::position;
+use crate::position::position;
 
 /// The part of the tolerance of an outline by which chords stand for arcs.
 const CHORDS: f64 = 0.1;

@@ -7,16 +7,14 @@
 mod fit;
 mod limits;
 mod shape;
-mod space;
 mod traced;
 
 pub use shape::{Opening, OpeningShape};
-pub use space::{SpaceOpening, openings_in_space};
 
 use crate::chords::{chords_within, self_crossing};
 use crate::design::{Design, DesignPiece, Mark, MarkedOpening, Patch};
 use crate::error::DesignError;
-use crate::unroll::position;
+use crate::position::position;
 use fit::fitted;
 use torse_geometry::pattern::{FlatPattern, PatternEvidence, PatternPlace, Segment};
 use traced::{FinePolygon, polygons};

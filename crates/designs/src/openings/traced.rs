@@ -2,7 +2,7 @@
 
 use super::MarkedPatch;
 use crate::design::{MarkedOpening, NamedCurve, ParameterSide};
-use crate::unroll::position;
+use crate::position::position;
 use torse_geometry::pattern::PatternPlace;
 use torse_geometry::prelude::{
     PiercingReach, Point, Sheet, SheetArc, SheetTracer, SweptEdge, TraceError,

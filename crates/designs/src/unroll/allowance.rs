@@ -2,9 +2,9 @@
 
 use super::FlatPiece;
 use super::blank::Blank;
-use super::position;
 use crate::design::Design;
 use crate::polygon::chord_points;
+use crate::position::position;
 use crate::seams::PatchEdge;
 use torse_geometry::pattern::Segment;
 

@@ -1,10 +1,10 @@
 //! Where the marks of a patch lie on its pattern.
 
 use super::lettering::{self, LetteringPlace};
-use super::position;
 use crate::design::{Design, Mark, Patch};
 use crate::error::DesignError;
 use crate::polygon::is_within;
+use crate::position::position;
 use torse_geometry::pattern::{FlatPattern, PatternError, PatternPlace};
 
 /// A mark on the pattern.

@@ -19,9 +19,9 @@ pub use part::{CutOptions, Grain, Part, PartMark, Purpose, parts, parts_with};
 pub use summary::{BendRow, PatternSummary, PieceSummary};
 pub use torse_geometry::pattern::Flattening;
 
-use crate::design::{Design, DesignPiece, Patch};
+use crate::design::{Design, DesignPiece};
 use crate::error::DesignError;
-use torse_geometry::pattern::{FlatPattern, PatternError, PatternPlace, Unrolling, side_by_side};
+use torse_geometry::pattern::{FlatPattern, PatternError, Unrolling, side_by_side};
 
 /// A strain that no patch of a sheet has.
 const ANY_STRAIN: f64 = 0.9;
@@ -179,23 +179,4 @@ fn flattened(
         given: 0,
         needed: 1,
     })
-}
-
-/// Returns the index of a patch in the chain of its pattern, which may be passed the other way round.
-pub fn position(flat: &FlatPattern, patch: &Patch) -> Option<usize> {
-    let distance = |index: usize| {
-        [[0.0, 0.0], [0.5, 1.0], [1.0, 0.0], [1.0, 1.0]]
-            .into_iter()
-            .map(|[x, v]| {
-                let place = PatternPlace { piece: index, x, v };
-                let (Some(there), Ok(here)) = (flat.space(place), patch.sheet.point(x, v)) else {
-                    return f64::INFINITY;
-                };
-                torse_geometry::vector::norm(&torse_geometry::vector::sub(&here, &there))
-            })
-            .fold(0.0, f64::max)
-    };
-    let all = (0..flat.pieces()).map(|index| (distance(index), index));
-    let nearest = all.min_by(|a, b| a.0.total_cmp(&b.0));
-    nearest.map(|(_, index)| index)
 }

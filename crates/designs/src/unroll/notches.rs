@@ -1,12 +1,13 @@
 //! Notches on edges that meet: one at a third of the seam, two at two thirds, so that neither end can be taken for the
 //! other.
 
+use super::FlatPiece;
 use super::blank::Blank;
-use super::{FlatPiece, position};
 use crate::design::Design;
 use crate::error::DesignError;
 use crate::inspect::is_passed_backwards;
 use crate::polygon::{chord_points, is_within};
+use crate::position::position;
 use crate::seams::{EdgeName, PatchEdge};
 use torse_geometry::pattern::{PatternPlace, Segment};
 

@@ -6,11 +6,12 @@ use super::contour::{bounds, simplified, to_smallest_box, turned_to, vertices_of
 use super::marks::{FlatMark, flat_marks};
 use super::notches::notches;
 use super::offset::moved_outwards;
-use super::{FlatPiece, drawing, position};
+use super::{FlatPiece, drawing};
 use crate::design::Design;
 use crate::error::DesignError;
 use crate::inspect::at_most;
 use crate::openings::{Opening, OpeningShape, openings};
+use crate::position::position;
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 use torse_exchange::{BendLine, Drawing, Layer};
 use torse_geometry::pattern::{PatternEvidence, Placement, Segment};

@@ -9,10 +9,11 @@
 mod bends;
 mod strip;
 
-use super::{FlatPiece, position};
+use super::FlatPiece;
 use crate::bending::DesignedSurface;
 use crate::design::{Design, Patch};
 use crate::error::DesignError;
+use crate::position::position;
 use bends::{FoldBend, RulingJoint, joint_bend, patch_bend, radii, rolled};
 use strip::{Side, closed};
 use torse_geometry::pattern::{FlatPattern, Segment};

@@ -1,9 +1,10 @@
 //! Openings in space: the part of each that lies on a patch, for meshes and CAD files.
 
-use super::{Opening, openings};
 use crate::design::{Design, Mark, Patch};
 use crate::error::DesignError;
-use crate::unroll::{Demand, drawing, position, unroll};
+use crate::openings::{Opening, openings};
+use crate::position::position;
+use crate::unroll::{Demand, drawing, unroll};
 use torse_geometry::pattern::{FlatPattern, PatternPlace, Segment};
 use torse_geometry::prelude::{Point, Sheet};
 
