@@ -31,6 +31,10 @@ Definition c1 (mu1 : R) (n : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3) * (2 * (IZR n - 4) + 3 * PI * (1 + mu1)).
 Definition own4 (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) + b z1 1%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
+Definition first (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) : R :=
+  own4 A B mu mu1 nu nu1 z 0.
+Definition second (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) : R :=
+  own4 A B mu mu1 nu nu1 z 1.
 End Definitions.
 Import Definitions.
 
@@ -724,7 +728,7 @@ Module ex_3_3_curves.
 (* gbt-surfaces/ex-3.3.curves, Sect. 3.3, Example 3.3, first line
    printed: Let F_{4,l}(z,μ_1,ν_1) (l = 0, 1) be two GBT-Bézier curves of degree 4 in a 3-dimensional space
    read as: The two curves, both with the shape parameters mu_1 and nu_1, against the guide lines of (19), which have a pair each; those of the first are mu and nu here.
-   stated: own4(z, 0) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*A[k]) and own4(z, 1) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*B[k]) *)
+   stated: first(z) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*A[k]) and second(z) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*B[k]) *)
 Definition statement : Prop :=
 forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -732,14 +736,14 @@ forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (-1) <= nu <= 1 ->
   (-1) <= nu1 <= 1 ->
   0 <= z <= 1 ->
-  own4 A B mu mu1 nu nu1 z 0 = sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * A k) /\ own4 A B mu mu1 nu nu1 z 1 = sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
+  first A B mu mu1 nu nu1 z = sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * A k) /\ second A B mu mu1 nu nu1 z = sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
 End ex_3_3_curves.
 
 Module ex_3_3_curves_corrected.
 (* gbt-surfaces/ex-3.3.curves (corrected), Sect. 3.3, Example 3.3, first line
    printed: Let F_{4,l}(z,μ_1,ν_1) (l = 0, 1) be two GBT-Bézier curves of degree 4 in a 3-dimensional space
    read as: The two curves, both with the shape parameters mu_1 and nu_1, against the guide lines of (19), which have a pair each; those of the first are mu and nu here.
-   stated: own4(z, 0) == sum(k, 0, 4, f[k,4](z, mu, nu)*A[k]) and own4(z, 1) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*B[k]) *)
+   stated: first(z) == sum(k, 0, 4, f[k,4](z, mu, nu)*A[k]) and second(z) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*B[k]) *)
 Definition statement : Prop :=
 forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -747,7 +751,7 @@ forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (-1) <= nu <= 1 ->
   (-1) <= nu1 <= 1 ->
   0 <= z <= 1 ->
-  own4 A B mu mu1 nu nu1 z 0 = sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) /\ own4 A B mu mu1 nu nu1 z 1 = sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
+  first A B mu mu1 nu nu1 z = sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) /\ second A B mu mu1 nu nu1 z = sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
 Definition instance : Prop :=
 exists (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (-1) <= mu <= 1 /\

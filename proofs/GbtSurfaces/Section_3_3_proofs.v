@@ -181,15 +181,15 @@ End alg_3_b.
 Module ex_3_3_curves.
 Import GbtSurfaces.Section_3_3.ex_3_3_curves.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement b f own4] in no; refuting (no (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else if (Z.eqb i0 (4))%bool then (1) else 0) (fun i0 => 0) (1) (1) (1) (0) (1/2)). Qed.
+Proof. intro no; cbv beta zeta delta [statement b f own4 first second] in no; refuting (no (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else if (Z.eqb i0 (4))%bool then (1) else 0) (fun i0 => 0) (1) (1) (1) (0) (1/2)). Qed.
 End ex_3_3_curves.
 
 Module ex_3_3_curves_corrected.
 Import GbtSurfaces.Section_3_3.ex_3_3_curves_corrected.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement b f own4]; identity. Qed.
+Proof. cbv beta zeta delta [statement b f own4 first second]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance b f own4]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance b f own4 first second]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End ex_3_3_curves_corrected.
 
 Module eq_19_literal.

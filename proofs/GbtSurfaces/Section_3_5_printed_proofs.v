@@ -161,6 +161,14 @@ Theorem met : instance.
 Proof. follows GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_true.met. Qed.
 End ex_3_5_c2_trajectories_true.
 
+Module ex_3_5_c2_trajectories_moved.
+Import GbtSurfaces.Section_3_5_printed.ex_3_5_c2_trajectories_moved.
+Theorem proved : statement.
+Proof. follows GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_moved.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_moved.met. Qed.
+End ex_3_5_c2_trajectories_moved.
+
 Module ex_3_5_contiguous_each_with_its_own.
 Import GbtSurfaces.Section_3_5_printed.ex_3_5_contiguous_each_with_its_own.
 Theorem refuted : ~ statement.

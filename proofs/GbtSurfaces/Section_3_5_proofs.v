@@ -2,6 +2,7 @@
 From Torse Require Import Defs Series Theory Bounds Tactics Exponentials Signs Sums Combinations Unknowns Stages Rationals Solved Forms Consequences Radicals Bernstein Mixed Smooth Planes Ends Joins Hermite Positive.
 From GbtSurfaces Require Section_3_5.
 Import GbtSurfaces.Section_3_5.Definitions.
+From GbtSurfaces Require Import Section_3_5_closed.
 Open Scope R_scope.
 
 Module eq_27.
@@ -161,6 +162,14 @@ Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => v
 Theorem met : instance.
 Proof. let rows_added := fun F M => assert (forall mu nu, F mu nu M = fun z => vadd (vadd (vadd (vscale (f z mu nu 0%Z 3%Z) (row M 1)) (vscale (f z mu nu 1%Z 3%Z) (row M 2))) (vscale (f z mu nu 2%Z 3%Z) (row M 3))) (vscale (f z mu nu 3%Z 3%Z) (row M 4))) by (intros; apply FunctionalExtensionality.functional_extensionality; intro; cbv beta delta [F M]; written_out; parts; ring) in cbv beta zeta delta [instance gap]; exists 0, (- 2 / (2 + PI)), (- 2 / (2 + PI)), (2 + 8 / (2 + PI)); pose proof PI_RGT_0; conjuncts; first [ lra | intros; lia | rows_added first T1; rows_added second T2; repeat match goal with E : forall _, _ |- _ => rewrite !E; clear E end; cbv beta delta [f T1 T2]; orders; cbn [row nth pred]; written_out; ends_of_sums; parts; field; lra ]. Qed.
 End ex_3_5_c2_trajectories_true.
+
+Module ex_3_5_c2_trajectories_moved.
+Import GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories_moved.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement]; stage value; stage T1; stage moved; stage f; stage second; stage first; stage gap; staged_goal jump; unstaged; prepared; known (x) (8) (1); known (y) (3) (1); known (z3) (0) (1); put_known; Solved.concluded. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance]; stage value; stage T1; stage moved; stage f; stage second; stage first; stage gap; staged_goal jump; unstaged; first [(exists ((-1) / 3), ((8) / (1)), ((3) / (1)), ((0) / (1)); met) | (exists (0), ((8) / (1)), ((3) / (1)), ((0) / (1)); met) | (exists ((-1) / 3), ((8) / (1)), ((3) / (1)), ((0) / (1)); met) | (exists ((-1) / 3), ((8) / (1)), ((3) / (1)), ((0) / (1)); met) | (exists ((-1) / 3), ((8) / (1)), ((3) / (1)), ((0) / (1)); met)]. Qed.
+End ex_3_5_c2_trajectories_moved.
 
 Module ex_3_5_contiguous_each_with_its_own.
 Import GbtSurfaces.Section_3_5.ex_3_5_contiguous_each_with_its_own.

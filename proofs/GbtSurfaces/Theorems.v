@@ -904,6 +904,8 @@ Check (GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_c2_sections.met : GbtSurfac
 Check (GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_c2_trajectories.refuted : ~ GbtSurfaces.Section_3_5_printed.ex_3_5_c2_trajectories.statement).
 Check (GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_c2_trajectories_true.proved : GbtSurfaces.Section_3_5_printed.ex_3_5_c2_trajectories_true.statement).
 Check (GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_c2_trajectories_true.met : GbtSurfaces.Section_3_5_printed.ex_3_5_c2_trajectories_true.instance).
+Check (GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_c2_trajectories_moved.proved : GbtSurfaces.Section_3_5_printed.ex_3_5_c2_trajectories_moved.statement).
+Check (GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_c2_trajectories_moved.met : GbtSurfaces.Section_3_5_printed.ex_3_5_c2_trajectories_moved.instance).
 Check (GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_contiguous_each_with_its_own.refuted : ~ GbtSurfaces.Section_3_5_printed.ex_3_5_contiguous_each_with_its_own.statement).
 Check (GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_contiguous_one_trajectory.proved : GbtSurfaces.Section_3_5_printed.ex_3_5_contiguous_one_trajectory.statement).
 Check (GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_contiguous_one_trajectory.met : GbtSurfaces.Section_3_5_printed.ex_3_5_contiguous_one_trajectory.instance).
@@ -948,6 +950,8 @@ Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_sections.met : GbtSurfaces.Secti
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories.refuted : ~ GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories.statement).
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_true.proved : GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories_true.statement).
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_true.met : GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories_true.instance).
+Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_moved.proved : GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories_moved.statement).
+Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_moved.met : GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories_moved.instance).
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_contiguous_each_with_its_own.refuted : ~ GbtSurfaces.Section_3_5.ex_3_5_contiguous_each_with_its_own.statement).
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_contiguous_one_trajectory.proved : GbtSurfaces.Section_3_5.ex_3_5_contiguous_one_trajectory.statement).
 Check (GbtSurfaces.Section_3_5_proofs.ex_3_5_contiguous_one_trajectory.met : GbtSurfaces.Section_3_5.ex_3_5_contiguous_one_trajectory.instance).
@@ -1947,6 +1951,8 @@ let _ := GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_c2_sections.met in
 let _ := GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_c2_trajectories.refuted in
 let _ := GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_c2_trajectories_true.proved in
 let _ := GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_c2_trajectories_true.met in
+let _ := GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_c2_trajectories_moved.proved in
+let _ := GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_c2_trajectories_moved.met in
 let _ := GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_contiguous_each_with_its_own.refuted in
 let _ := GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_contiguous_one_trajectory.proved in
 let _ := GbtSurfaces.Section_3_5_printed_proofs.ex_3_5_contiguous_one_trajectory.met in
@@ -1991,6 +1997,8 @@ let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_sections.met in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories.refuted in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_true.proved in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_true.met in
+let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_moved.proved in
+let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_c2_trajectories_moved.met in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_contiguous_each_with_its_own.refuted in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_contiguous_one_trajectory.proved in
 let _ := GbtSurfaces.Section_3_5_proofs.ex_3_5_contiguous_one_trajectory.met in

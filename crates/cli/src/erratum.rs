@@ -99,8 +99,9 @@ impl Erratum {
             date: self.date.clone(),
         };
         let mut written = String::new();
-        for paper in &run.papers {
-            let report = Report::with_kernel(paper, &[], &accepted);
+        for (paper, files) in run.papers.iter().zip(&papers) {
+            let source = self.derivations.source(&files.head)?;
+            let report = Report::with_kernel(paper, &[], &accepted).from_source(source);
             if report.letter.scope.decided == 0 {
                 let paper = paper.slug.clone();
                 return Err(Failure::NothingDecided { paper });

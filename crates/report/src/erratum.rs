@@ -25,9 +25,16 @@ fn is_draft(report: &Report, envelope: &Envelope) -> bool {
     report.letter.salutation.is_some() && envelope.sender.is_none()
 }
 
+/// The digital object identifier of the paper.
+fn doi(report: &Report) -> Option<&str> {
+    report.source.as_ref()?.doi.as_deref()
+}
+
 /// Writes the verification as an entry of a bibliography.
 fn bibliography(report: &Report) -> String {
-    let from = [&report.authors, &report.venue].map(|text| line(text.trim()));
+    let doi = doi(report).map(|doi| format!("doi:{doi}"));
+    let doi = doi.unwrap_or_default();
+    let from = [&report.authors, &report.venue, &doi].map(|text| line(text.trim()));
     let from: Vec<String> = from.into_iter().filter(|text| !text.is_empty()).collect();
     let scope = report.letter.scope;
     format!(
@@ -75,7 +82,9 @@ fn markdown(out: &mut String, report: &Report, envelope: &Envelope) -> fmt::Resu
     if report.letter.salutation.is_some() {
         write!(out, "To: {}\n\n", escaped(&report.authors))?;
         if !report.venue.trim().is_empty() {
-            write!(out, "Paper: *{}*\n\n", escaped(&report.venue))?;
+            let doi = doi(report).map(|doi| format!(", doi:{}", escaped(doi)));
+            let doi = doi.unwrap_or_default();
+            write!(out, "Paper: *{}*{doi}\n\n", escaped(&report.venue))?;
         }
     }
     if let Some(sender) = &envelope.sender {
@@ -206,7 +215,10 @@ fn latex(out: &mut String, report: &Report, envelope: &Envelope) -> fmt::Result 
     if report.letter.salutation.is_some() {
         write!(out, "To: {}\n\n", latex_words(&report.authors))?;
         if !report.venue.trim().is_empty() {
-            write!(out, "Paper: \\textit{{{}}}\n\n", latex_words(&report.venue))?;
+            let doi = doi(report).map(|doi| format!(", doi:{}", latex_words(doi)));
+            let doi = doi.unwrap_or_default();
+            let venue = latex_words(&report.venue);
+            write!(out, "Paper: \\textit{{{venue}}}{doi}\n\n")?;
         }
     }
     if let Some(sender) = &envelope.sender {

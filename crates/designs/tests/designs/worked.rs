@@ -94,6 +94,17 @@ fn worked_designs_meet_their_tolerances_and_the_committed_files_are_theirs() {
 }
 
 #[test]
+fn the_moving_picture_of_the_first_page_is_that_of_its_design() {
+    let path = folder().join("square-to-round");
+    let design = load(&path.with_extension("toml")).unwrap();
+    let made = draw::bending(&design, &Demand::default()).unwrap();
+    assert!(
+        made == std::fs::read(path.with_extension("gif")).unwrap(),
+        "torse draw designs/square-to-round.toml --to designs/square-to-round.gif"
+    );
+}
+
+#[test]
 fn worked_designs_are_written_in_every_format() {
     for design in designs() {
         for ending in ENDINGS {

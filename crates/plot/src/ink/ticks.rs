@@ -25,16 +25,26 @@ impl Ticks {
         let raw = (b - a) / wanted;
         let decade = libm::log10(raw).floor() as i32;
         let power = 10f64.powi(decade);
-        // The roundest step near the raw one: at most a third more ticks than wanted, and one.
-        let factor = [1.0, 2.0, 5.0, 10.0]
-            .into_iter()
-            .find(|f| f * power >= raw * 0.75)
-            .unwrap_or(10.0);
+        // The roundest step near the raw one: at most a third more ticks than wanted, and one. Two ticks do not show a scale
+        // where there is room for more.
+        let slack = 1e-9 * (b - a);
+        let range = |step: f64| {
+            let first = ((a - slack) / step).ceil();
+            (first, ((b + slack) / step).floor() - first)
+        };
+        let steps = [1.0, 2.0, 5.0, 10.0];
+        let near = steps.iter().position(|f| f * power >= raw * 0.75);
+        let near = near.unwrap_or(steps.len() - 1);
+        let finer = near.checked_sub(1).filter(|_| wanted >= 3.0);
+        let chosen = match finer {
+            Some(finer) if range(steps[near] * power).1 < 2.0 => finer,
+            _ => near,
+        };
+        let factor = steps[chosen];
         let decimals = if factor == 10.0 { -decade - 1 } else { -decade }.clamp(0, 15) as usize;
         let step = factor * power;
-        let slack = 1e-9 * (b - a);
-        let first = ((a - slack) / step).ceil();
-        let count = (((b + slack) / step).floor() - first).clamp(0.0, 40.0) as usize;
+        let (first, count) = range(step);
+        let count = count.clamp(0.0, 40.0) as usize;
         let values: Vec<f64> = (0..=count).map(|k| (first + k as f64) * step).collect();
         let back = |x: f64| x * 10f64.powi(exponent / 2) * 10f64.powi(exponent - exponent / 2);
         Ticks {
@@ -84,6 +94,14 @@ mod tests {
     }
 
     #[test]
+    fn where_there_is_room_for_three_ticks_there_are_three() {
+        assert_eq!(
+            Ticks::new(-3.0, 7.0, 3.0).labels,
+            ["−2", "0", "2", "4", "6"]
+        );
+    }
+
+    #[test]
     fn zero_has_no_sign_and_minus_is_the_mathematical_one() {
         assert_eq!(Ticks::new(-1.0, 1.0, 2.0).labels, ["−1", "0", "1"]);
     }
@@ -94,6 +112,7 @@ mod tests {
             let s = 10f64.powi(scale);
             let (low, high) = (low * s, (low + span) * s);
             let ticks = Ticks::new(low, high, n as f64);
+            prop_assert!(n < 3 || ticks.at.len() > 2, "{:?}", ticks);
             prop_assert!(!ticks.at.is_empty() && 3 * ticks.at.len() <= 4 * n + 4, "{:?}", ticks);
             prop_assert!(ticks.at.iter().all(|x| (low..=high).contains(x)));
             prop_assert!(ticks.at.windows(2).all(|w| w[0] < w[1]), "{:?}", ticks);

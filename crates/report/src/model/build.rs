@@ -19,7 +19,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use torse_prove::Witness;
 use torse_syntax::notation::Formula;
 use torse_syntax::taxonomy::{Kind, Verdict};
-use torse_typography::{PrintedNames, Prose, Span, plain, spans};
+use torse_typography::{PrintedNames, Prose, Span, in_words, plain, spans};
 use torse_verdicts::claim_record::{Assumed, HypothesisSource, Role};
 use torse_verdicts::consequences::consequences;
 use torse_verdicts::dependencies::Defined;
@@ -418,18 +418,19 @@ fn notation(claims: &[Outcome]) -> Vec<Prose> {
         let names = printed_names(outcome);
         let table = &outcome.claim.table;
         for of in table.definitions.iter().filter(|of| !of.own) {
-            if seen.insert((of.head.text.clone(), of.body.text.clone())) {
-                let mut line = defined(of, &names);
-                let bodies = users.get(of.head.text.as_str());
-                // What is defined in several ways says where.
-                if let Some(bodies) = bodies.filter(|bodies| bodies.len() > 1) {
-                    let using = bodies.get(of.body.text.as_str()).into_iter().flatten();
-                    let using: Vec<&str> = using.copied().collect();
-                    line.push(Span::Words(" in ".to_owned()));
-                    line.push(Span::Code(visible(&using.join(", "))));
-                }
-                list.push(line);
+            let mut line = defined(of, &names);
+            let (head, shown) = (shown_head(of, &names), in_words(&line));
+            if !seen.insert((head.clone(), shown.clone())) {
+                continue;
             }
+            // What readers see defined in several ways says where.
+            if let Some(lines) = users.get(&head).filter(|lines| lines.len() > 1) {
+                let using = lines.get(&shown).into_iter().flatten();
+                let using: Vec<&str> = using.copied().collect();
+                line.push(Span::Words(" in ".to_owned()));
+                line.push(Span::Code(visible(&using.join(", "))));
+            }
+            list.push(line);
         }
         for family in &table.bases {
             let seeds: Vec<String> = (family.seeds.iter())
@@ -456,13 +457,22 @@ fn notation(claims: &[Outcome]) -> Vec<Prose> {
     list
 }
 
-/// For each defined name, the names of the claims that use it, by its definitions.
-fn users(claims: &[Outcome]) -> BTreeMap<&str, BTreeMap<&str, Vec<&str>>> {
-    let mut users: BTreeMap<&str, BTreeMap<&str, Vec<&str>>> = BTreeMap::new();
+/// The name that a definition has for readers: different names of the files may be printed alike.
+fn shown_head(definition: &Defined, names: &PrintedNames) -> String {
+    in_words(&spans(
+        &visible(&format!("`{}`", definition.head.text)),
+        names,
+    ))
+}
+
+/// For each name as readers see it, the claims that use it, by the definition that they see.
+fn users(claims: &[Outcome]) -> BTreeMap<String, BTreeMap<String, Vec<&str>>> {
+    let mut users: BTreeMap<String, BTreeMap<String, Vec<&str>>> = BTreeMap::new();
     for outcome in claims {
+        let names = printed_names(outcome);
         for of in outcome.claim.table.definitions.iter().filter(|of| !of.own) {
-            let bodies = users.entry(&of.head.text).or_default();
-            let using = bodies.entry(&of.body.text).or_default();
+            let lines = users.entry(shown_head(of, &names)).or_default();
+            let using = lines.entry(in_words(&defined(of, &names))).or_default();
             using.push(name(&outcome.claim.id));
         }
     }

@@ -1,7 +1,7 @@
 //! Letters of corrections.
 
 use crate::paper;
-use torse_report::{Envelope, Manuscript, erratum_latex, erratum_markdown, model::Report};
+use torse_report::{Envelope, Manuscript, Source, erratum_latex, erratum_markdown, model::Report};
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::{FaultChange, PaperFault};
 
@@ -63,7 +63,12 @@ fn the_authors_are_addressed_and_a_letter_without_a_sender_is_a_draft() {
         sender: Some("A. Reader".to_owned()),
         date: Some("1 May 2026".to_owned()),
     };
+    assert!(!letter.contains("doi:"));
+    let report = report.from_source(Source::new("sample", Some("10.1000/1_2"), "00"));
     let letter = erratum_markdown(&report, &sent);
+    assert!(letter.contains(", doi:10.1000/1"), "{letter}");
+    assert!(letter.contains("doi:10.1000/1\\_2: "), "{letter}");
+    assert!(pdf(&report, &sent).starts_with(b"%PDF-1."));
     assert!(!letter.contains("Draft"));
     assert!(letter.contains("From: A. Reader") && letter.contains("Date: 1 May 2026"));
     assert!(letter.contains("Yours sincerely,\n\nA. Reader"));
