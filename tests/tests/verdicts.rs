@@ -403,6 +403,47 @@ fn the_numbers_of_the_readme_are_the_computed_ones() {
 }
 
 #[test]
+fn the_verdicts_that_a_policy_changed_are_counted() {
+    let page = std::fs::read_to_string(root().join("derivations/CHANGES.md")).unwrap();
+    let (_, page) = page.split_once("## One policy for every paper").unwrap();
+    let mut policies: Vec<(&str, Vec<(String, usize)>)> = vec![];
+    let mut rows = 0;
+    for line in page.lines().filter(|line| line.starts_with("| ")) {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let [_, id, then, now, why, ..] = cells.as_slice() else {
+            panic!("{line}")
+        };
+        if *id == "id" {
+            continue;
+        }
+        rows += 1;
+        let policy = why.split(':').next().unwrap();
+        let known = policies.iter().position(|(name, _)| *name == policy);
+        let place = known.unwrap_or_else(|| {
+            policies.push((policy, vec![]));
+            policies.len() - 1
+        });
+        let change = format!("from `{then}` to `{now}`");
+        let counts = &mut policies[place].1;
+        match counts.iter_mut().find(|(name, _)| *name == change) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((change, 1)),
+        }
+    }
+    let lines = policies.iter().map(|(policy, counts)| {
+        let counts = counts
+            .iter()
+            .map(|(change, count)| format!("{count} {change}"));
+        format!("- {policy}: {}\n", counts.collect::<Vec<_>>().join(", "))
+    });
+    let list = format!(
+        "By policy, {rows} verdicts:\n\n{}\n",
+        lines.collect::<String>()
+    );
+    assert!(page.contains(&list), "{list}");
+}
+
+#[test]
 fn the_verdicts_that_changed_are_listed_as_they_are_now() {
     let page = std::fs::read_to_string(root().join("derivations/CHANGES.md")).unwrap();
     let verdict = |id: &str| {
