@@ -1,5 +1,6 @@
 //! The list of parts: what is cut, how large it is, and how it is formed.
 
+use super::beside::{BesideBend, beside_bends};
 use super::part::Part;
 use super::summary::{PatternSummary, PieceSummary};
 use crate::design::Design;
@@ -36,6 +37,8 @@ pub struct PartRow {
     pub proved: bool,
     /// The bends over tools.
     pub bends: Vec<ToolBendRow>,
+    /// The openings that are so near to a bend that it may pull them out of shape.
+    pub beside_bends: Vec<BesideBend>,
     /// Edges without a radius.
     pub sharp: Vec<SharpRow>,
     /// Patches that are rolled.
@@ -110,7 +113,7 @@ impl PartsList {
         Self {
             design: design.name.clone(),
             thickness: design.metal.map(|metal| metal.sheet.thickness()),
-            parts: parts.iter().map(row).collect(),
+            parts: parts.iter().map(|part| row(design, part)).collect(),
         }
     }
 
@@ -206,6 +209,13 @@ impl PartRow {
                 number(bend.k_factor)
             );
         }
+        for near in &self.beside_bends {
+            let _ = write!(
+                words,
+                "; {} is {:.3} mm from the line of bend {}, which may pull it out of shape: {:.3} mm are usual",
+                near.opening, near.distance, near.bend, near.wanted
+            );
+        }
         for fold in &self.sharp {
             let _ = write!(
                 words,
@@ -247,7 +257,7 @@ fn radii_of(rows: &[&RolledRow]) -> Option<String> {
     })
 }
 
-fn row(part: &Part) -> PartRow {
+fn row(design: &Design, part: &Part) -> PartRow {
     PartRow {
         name: part.name.clone(),
         file: None,
@@ -275,6 +285,9 @@ fn row(part: &Part) -> PartRow {
                 line: bend.line,
             })
             .collect(),
+        beside_bends: design.metal.map_or(Vec::new(), |metal| {
+            beside_bends(metal.sheet.thickness(), &part.openings, &part.bends)
+        }),
         sharp: part
             .sharp
             .iter()

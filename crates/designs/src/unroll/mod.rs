@@ -1,6 +1,7 @@
 //! Flat patterns of designs: every piece that is cut, with what is marked on it.
 
 mod allowance;
+mod beside;
 mod blank;
 mod contour;
 mod drawing;
@@ -12,6 +13,7 @@ mod offset;
 mod part;
 mod summary;
 
+pub use beside::BesideBend;
 pub use blank::{Blank, Rolled, SharpFold, ToolBend, blank};
 pub use drawing::{development_note, drawing};
 pub use listing::{PartRow, PartsList, RolledRow, SharpRow, ToolBendRow};

@@ -374,3 +374,42 @@ fn what_cannot_be_cut_is_missed() {
             .replace("k-factor", "surface = \"outside\"\nk-factor"),
     );
 }
+
+#[test]
+fn an_opening_beside_a_bend_is_told_with_its_distance() {
+    use torse_designs::unroll::{PartsList, PatternSummary};
+    // The base is 36.5 mm long to where the bend begins; 2.5 thicknesses and the radius are 5.75 mm.
+    let half_bend = 0.25 * PI * (2.0 + 0.42 * 1.5);
+    for (mark, distance) in [
+        (
+            "{ at = [0.85, 0.5], radius = 3 }",
+            36.5 * 0.15 - 3.0 + half_bend,
+        ),
+        (
+            "{ opening = [[0.6, 0.2], [0.9, 0.4], [0.6, 0.6]] }",
+            3.65 + half_bend,
+        ),
+        ("{ at = [0.8, 0.5], radius = 3 }", f64::NAN),
+    ] {
+        let base = r#"p1 = { ruled = ["base", "base2"]"#;
+        let marked = bracket("k-factor = 0.42", 0.5, [1.5, 2.0]);
+        let marked = marked.replace(base, &format!("{base}, marks = [{mark}]"));
+        let design = read("x.toml", &marked).unwrap();
+        let pieces = unroll(&design, &Demand::default()).unwrap();
+        let list = PartsList::new(&design, &parts(&design, &pieces).unwrap());
+        let text = list.text(&PatternSummary::new(&design, &pieces));
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let told = &list.parts[0].beside_bends;
+        if distance.is_nan() {
+            assert!(told.is_empty() && !text.contains("out of shape"), "{text}");
+            continue;
+        }
+        assert_eq!((told.len(), told[0].bend.as_str()), (1, "p2"));
+        assert!((told[0].distance - distance).abs() < 1e-6, "{told:?}");
+        assert!((told[0].wanted - 5.75).abs() < 1e-9);
+        let words = format!(
+            "is {distance:.3} mm from the line of bend p2, which may pull it out of shape: 5.750 mm are usual"
+        );
+        assert!(text.contains(&words), "{text}");
+    }
+}

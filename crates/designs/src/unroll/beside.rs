@@ -1,0 +1,58 @@
+//! Openings beside bends: what is cut too near to a bend line is pulled out of shape when it is bent.
+
+use super::blank::ToolBend;
+use crate::chords::nearest_points;
+use crate::openings::{Opening, OpeningShape};
+use serde::Serialize;
+use torse_geometry::pattern::Segment;
+
+/// From the bend line to the edge of an opening there should be so many thicknesses and the inside radius: a rule of thumb
+/// that many shops print, some with 2, some with 3 thicknesses.
+const THICKNESSES: f64 = 2.5;
+/// Chords that stand for an opening are no farther from it, in millimetres.
+const CHORD: f64 = 1e-3;
+
+/// An opening that is nearer to a bend than is good for it; lengths in millimetres.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BesideBend {
+    /// The opening.
+    pub opening: String,
+    /// The bend.
+    pub bend: String,
+    /// How far its edge is from the bend line.
+    pub distance: f64,
+    /// How far it should be.
+    pub wanted: f64,
+}
+
+/// Returns the openings of a part that are too near to its bends, each with each.
+pub(super) fn beside_bends(
+    thickness: f64,
+    openings: &[Opening],
+    bends: &[ToolBend],
+) -> Vec<BesideBend> {
+    let mut found = Vec::new();
+    for opening in openings {
+        for bend in bends {
+            let wanted = THICKNESSES * thickness + bend.inside_radius;
+            let distance = distance(&opening.shape, bend.line);
+            if distance < wanted {
+                found.push(BesideBend {
+                    opening: opening.name.clone(),
+                    bend: bend.name.clone(),
+                    distance,
+                    wanted,
+                });
+            }
+        }
+    }
+    found
+}
+
+/// Returns the distance of an opening from a bend line.
+fn distance(shape: &OpeningShape, [from, to]: [[f64; 2]; 2]) -> f64 {
+    match shape {
+        OpeningShape::Round(centre, radius) => Segment::line(from, to).distance(*centre) - radius,
+        OpeningShape::Contour(_) => nearest_points(&shape.chords(CHORD), &[[from, to]]).0,
+    }
+}
