@@ -41,8 +41,8 @@ fn is_changed() -> Option<bool> {
         "HEAD",
         "--",
         "Cargo.lock",
-        "crates/*/Cargo.toml",
-        "crates/*/src",
+        ":(glob)crates/*/Cargo.toml",
+        ":(glob)crates/*/src/**",
     ];
     Some(!git(&changed)?.is_empty())
 }
