@@ -617,13 +617,12 @@ fn sums(old: &[MathBox], new: &[MathBox]) -> Pair {
             paired += 1;
         }
         let (a, b) = (slice(a, paired, a.len()), slice(b, paired, b.len()));
-        let same_sign = matches!((first_sign(a), first_sign(b)), (Some(a), Some(b)) if a == b);
-        for (list, shown, mark) in [
-            (a, &mut shown_old, MathChange::Removed),
-            (b, &mut shown_new, MathChange::Added),
+        for (list, others, shown, mark) in [
+            (a, b, &mut shown_old, MathChange::Removed),
+            (b, a, &mut shown_new, MathChange::Added),
         ] {
             marked += list.iter().map(size).sum::<usize>();
-            shown.extend(framed_terms(mark, list, same_sign));
+            shown.extend(framed_terms(mark, list, others));
         }
     };
     let (mut i, mut j) = (0, 0);
@@ -651,29 +650,36 @@ fn nodes(term: &MathBox) -> &[MathBox] {
     }
 }
 
-/// The sign with which the first of some terms begins.
-fn first_sign(terms: &[MathBox]) -> Option<&MathBox> {
-    let first = nodes(terms.first()?).first()?;
-    matches!(first, MathBox::Sign('+' | '−')).then_some(first)
+/// The sign with which a term begins, and what is behind it.
+fn signed(term: &MathBox) -> Option<(&MathBox, &[MathBox])> {
+    match nodes(term) {
+        [sign @ MathBox::Sign('+' | '−'), rest @ ..] if !rest.is_empty() => Some((sign, rest)),
+        _ => None,
+    }
 }
 
-/// Frames terms that follow one another, with the signs before and between them, as one: behind a sign a frame around a sum
-/// would read as a bracket. The sign before a single term has a frame of its own, so that it keeps its distance, and none if
-/// it is `kept`; a comma before them has none.
-fn framed_terms(mark: MathChange, terms: &[MathBox], kept: bool) -> Vec<MathBox> {
+/// Frames each of some terms, and the sign before it in a frame of its own: a frame around a sum would read as a bracket.
+/// A sign that the term in the same place of the `others` has, too, has no frame. An equation behind a comma has one.
+fn framed_terms(mark: MathChange, terms: &[MathBox], others: &[MathBox]) -> Vec<MathBox> {
     let all = MathBox::row(terms.iter().flat_map(nodes).cloned());
-    let (before, rest) = match nodes(&all) {
-        [comma @ MathBox::Sign(','), rest @ ..] => (Some(comma.clone()), rest),
-        rest if terms.len() > 1 => (None, rest),
-        [sign @ MathBox::Sign('+' | '−'), rest @ ..] if kept => (Some(sign.clone()), rest),
-        [sign @ MathBox::Sign('+' | '−'), rest @ ..] => {
-            let framed = MathBox::Marked(mark, Box::new(sign.clone()));
-            (Some(framed), rest)
-        }
-        rest => (None, rest),
-    };
-    let rest = (!rest.is_empty()).then(|| whole(mark, &MathBox::row(rest.iter().cloned())));
-    before.into_iter().chain(rest).collect()
+    if let [comma @ MathBox::Sign(','), equation @ ..] = nodes(&all) {
+        let equation = MathBox::row(equation.iter().cloned());
+        return vec![comma.clone(), whole(mark, &equation)];
+    }
+    let mut framed = vec![];
+    for (place, term) in terms.iter().enumerate() {
+        let Some((sign, rest)) = signed(term) else {
+            framed.push(whole(mark, term));
+            continue;
+        };
+        let other = others.get(place).and_then(signed);
+        framed.push(match other.is_some_and(|(other, _)| other == sign) {
+            true => sign.clone(),
+            false => MathBox::Marked(mark, Box::new(sign.clone())),
+        });
+        framed.push(whole(mark, &MathBox::row(rest.iter().cloned())));
+    }
+    framed
 }
 
 /// Counts the visible boxes in a box.
@@ -759,16 +765,21 @@ mod tests {
     }
 
     #[test]
-    fn of_sums_with_other_terms_the_terms_are_framed_together_with_their_signs() {
+    fn of_sums_with_other_terms_whole_terms_are_framed_and_signs_that_stay_are_not() {
         let [old, new] = shown(
             "det(A) = −2176 k^5 + 4336 k^4 − 2160 k^3",
             "det(A) = −16 k^4 + 16 k^3",
         );
         assert!(
-            old.ends_with("= \\boxed{- 2176 k^5 + 4336 k^4 - 2160 k^3}"),
+            old.ends_with(
+                "= - \\boxed{2176 k^5} + \\boxed{4336 k^4} \\mathbin{\\boxed{-}} \\boxed{2160 k^3}"
+            ),
             "{old}"
         );
-        assert!(new.ends_with("= \\boxed{- 16 k^4 + 16 k^3}"), "{new}");
+        assert!(
+            new.ends_with("= - \\boxed{16 k^4} + \\boxed{16 k^3}"),
+            "{new}"
+        );
         assert!(new.starts_with("\\det"), "{new}");
     }
 
