@@ -59,8 +59,11 @@ pub fn beyond(outcome: &Outcome) -> Vec<Point> {
         Some((name.to_owned(), value.to_owned()))
     };
     let said = |step: &String| {
-        let rest = step.strip_prefix("outside of the range of ")?;
-        let (_, point) = rest.split_once("it fails: at ")?;
+        let (_, rest) = step
+            .strip_prefix("the range of ")?
+            .split_once(" cannot be larger by ")?;
+        let (_, point) = rest.split_once(": at ")?;
+        let point = point.strip_suffix(" it fails")?;
         point.split(", ").map(pair).collect()
     };
     outcome.steps().iter().filter_map(said).collect()
