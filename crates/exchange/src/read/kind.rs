@@ -162,8 +162,8 @@ fn is_binary_stl(bytes: &[u8]) -> bool {
     u64::try_from(bytes.len()) == Ok(size)
 }
 
-/// The bytes of a text in UTF-8: as they are, unless they begin with the mark of UTF-16. What is no character of that is shown as
-/// one that is missing, and a last byte without its other half is dropped.
+/// Converts a text that begins with the mark of UTF-16 to UTF-8, and returns all other bytes as they are. Units that encode no
+/// character become the replacement character; an odd last byte is dropped.
 pub(super) fn utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
     let units = |from: fn([u8; 2]) -> u16| {
         let pairs = bytes.chunks_exact(2).skip(1);

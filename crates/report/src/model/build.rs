@@ -409,30 +409,67 @@ fn defined(definition: &Defined, names: &PrintedNames) -> Prose {
     spans(&visible(&text), names)
 }
 
+/// A definition that a claim shares with others, as readers see it.
+struct SharedDefinition<'c> {
+    /// The name of the claim.
+    claim: &'c str,
+    /// What is defined: different names of the files may be printed alike.
+    head: String,
+    /// The definition in words.
+    words: String,
+    /// The definition.
+    line: Prose,
+}
+
+impl<'c> SharedDefinition<'c> {
+    fn new(outcome: &'c Outcome, definition: &Defined, names: &PrintedNames) -> Self {
+        let line = defined(definition, names);
+        let head = format!("`{}`", definition.head.text);
+        Self {
+            claim: name(&outcome.claim.id),
+            head: in_words(&spans(&visible(&head), names)),
+            words: in_words(&line),
+            line,
+        }
+    }
+}
+
 /// Returns the definitions and families that statements share, each once, in the order of use.
 fn notation(claims: &[Outcome]) -> Vec<Prose> {
+    let shared = claims.iter().map(|outcome| {
+        let names = printed_names(outcome);
+        let definitions = outcome.claim.table.definitions.iter();
+        let definitions = definitions.filter(|of| !of.own);
+        let shared: Vec<SharedDefinition<'_>> = definitions
+            .map(|of| SharedDefinition::new(outcome, of, &names))
+            .collect();
+        (&outcome.claim.table.bases, names, shared)
+    });
+    let shared: Vec<_> = shared.collect();
+    // For each name that readers see, the claims that use it, by the definition that they see.
+    let mut users: BTreeMap<&str, BTreeMap<&str, Vec<&str>>> = BTreeMap::new();
+    for of in shared.iter().flat_map(|(.., definitions)| definitions) {
+        let lines = users.entry(&of.head).or_default();
+        lines.entry(&of.words).or_default().push(of.claim);
+    }
     let mut seen = BTreeSet::new();
     let mut list = Vec::new();
-    let users = users(claims);
-    for outcome in claims {
-        let names = printed_names(outcome);
-        let table = &outcome.claim.table;
-        for of in table.definitions.iter().filter(|of| !of.own) {
-            let mut line = defined(of, &names);
-            let (head, shown) = (shown_head(of, &names), in_words(&line));
-            if !seen.insert((head.clone(), shown.clone())) {
+    for (bases, names, definitions) in &shared {
+        for of in definitions {
+            if !seen.insert((of.head.clone(), of.words.clone())) {
                 continue;
             }
+            let mut line = of.line.clone();
             // What readers see defined in several ways says where.
-            if let Some(lines) = users.get(&head).filter(|lines| lines.len() > 1) {
-                let using = lines.get(&shown).into_iter().flatten();
+            if let Some(lines) = users.get(of.head.as_str()).filter(|lines| lines.len() > 1) {
+                let using = lines.get(of.words.as_str()).into_iter().flatten();
                 let using: Vec<&str> = using.copied().collect();
                 line.push(Span::Words(" in ".to_owned()));
                 line.push(Span::Code(visible(&using.join(", "))));
             }
             list.push(line);
         }
-        for family in &table.bases {
+        for family in *bases {
             let seeds: Vec<String> = (family.seeds.iter())
                 .map(|seed| format!("`{}`", seed.text))
                 .collect();
@@ -450,33 +487,11 @@ fn notation(claims: &[Outcome]) -> Vec<Prose> {
                 family.head.text, family.degree
             );
             if seen.insert((family.head.text.clone(), text.clone())) {
-                list.push(spans(&visible(&text), &names));
+                list.push(spans(&visible(&text), names));
             }
         }
     }
     list
-}
-
-/// The name that a definition has for readers: different names of the files may be printed alike.
-fn shown_head(definition: &Defined, names: &PrintedNames) -> String {
-    in_words(&spans(
-        &visible(&format!("`{}`", definition.head.text)),
-        names,
-    ))
-}
-
-/// For each name as readers see it, the claims that use it, by the definition that they see.
-fn users(claims: &[Outcome]) -> BTreeMap<String, BTreeMap<String, Vec<&str>>> {
-    let mut users: BTreeMap<String, BTreeMap<String, Vec<&str>>> = BTreeMap::new();
-    for outcome in claims {
-        let names = printed_names(outcome);
-        for of in outcome.claim.table.definitions.iter().filter(|of| !of.own) {
-            let lines = users.entry(shown_head(of, &names)).or_default();
-            let using = lines.entry(in_words(&defined(of, &names))).or_default();
-            using.push(name(&outcome.claim.id));
-        }
-    }
-    users
 }
 
 fn reading(reading: &ReadingOutcome) -> ReadingView {
