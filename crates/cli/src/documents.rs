@@ -11,7 +11,9 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
-use torse_report::{Manuscript, ReportError, digest, write_file};
+#[cfg(feature = "pdf")]
+use torse_report::{Manuscript, digest};
+use torse_report::{ReportError, write_file};
 
 /// The list in the folder of a report.
 const LIST: &str = "documents.json";
@@ -21,6 +23,7 @@ pub enum Made {
     /// The file itself.
     Bytes(Vec<u8>),
     /// A manuscript, to be set.
+    #[cfg(feature = "pdf")]
     Manuscript(Manuscript),
 }
 
@@ -29,6 +32,7 @@ impl Made {
     pub fn bytes(self) -> Result<Vec<u8>, ReportError> {
         match self {
             Made::Bytes(bytes) => Ok(bytes),
+            #[cfg(feature = "pdf")]
             Made::Manuscript(manuscript) => manuscript.typeset()?.pdf(),
         }
     }
@@ -98,34 +102,46 @@ fn read_list(folder: &Path) -> List {
 }
 
 /// Writes the document unless it is up to date; returns its entry, if it was made from a manuscript.
+#[cfg_attr(not(feature = "pdf"), allow(unused_variables))]
 fn write_unless_kept(
     folder: &Path,
     document: &Document,
     known: Option<&Known>,
 ) -> Result<Option<Known>, Failure> {
     let path = folder.join(&document.name);
-    let manuscript = match (document.made)()? {
+    match (document.made)()? {
         Made::Bytes(bytes) => {
             write_file(&path, &bytes)?;
-            return Ok(None);
+            Ok(None)
         }
-        Made::Manuscript(manuscript) => manuscript,
-    };
+        #[cfg(feature = "pdf")]
+        Made::Manuscript(manuscript) => set_unless_kept(&path, manuscript, known).map(Some),
+    }
+}
+
+/// Sets a manuscript unless its document is up to date; returns its entry.
+#[cfg(feature = "pdf")]
+fn set_unless_kept(
+    path: &Path,
+    manuscript: Manuscript,
+    known: Option<&Known>,
+) -> Result<Known, Failure> {
     let fingerprint = manuscript.fingerprint();
-    let kept = known
-        .filter(|known| known.manuscript == fingerprint && known.file == digest_of_file(&path));
+    let kept =
+        known.filter(|known| known.manuscript == fingerprint && known.file == digest_of_file(path));
     if let Some(known) = kept {
-        return Ok(Some(known.clone()));
+        return Ok(known.clone());
     }
     let bytes = manuscript.typeset()?.pdf()?;
-    write_file(&path, &bytes)?;
-    Ok(Some(Known {
+    write_file(path, &bytes)?;
+    Ok(Known {
         manuscript: fingerprint,
         file: digest::digest([bytes.as_slice()]),
-    }))
+    })
 }
 
 /// The digest of a file; that of no bytes at all where there is none, which no PDF has.
+#[cfg(feature = "pdf")]
 fn digest_of_file(path: &Path) -> String {
     let bytes = std::fs::read(path).unwrap_or_default();
     digest::digest([bytes.as_slice()])

@@ -9,10 +9,10 @@ use crate::{terminal, watchdog};
 use clap::Args;
 use std::path::PathBuf;
 use torse::selection;
+#[cfg(feature = "pdf")]
+use torse_report::Manuscript;
 use torse_report::model::Report;
-use torse_report::{
-    Envelope, Manuscript, ReportError, erratum_latex, erratum_markdown, glossary, write_file,
-};
+use torse_report::{Envelope, ReportError, erratum_latex, erratum_markdown, glossary, write_file};
 use torse_syntax::derivation::Paper;
 
 /// Write the corrections of a paper as TeX, PDF and Markdown, ready to be sent to its authors or journal.
@@ -56,10 +56,11 @@ Examples:
 type Letter = fn(&Report, &Envelope) -> Result<Made, ReportError>;
 
 /// The files of a letter: their endings, and what makes them.
-pub const LETTERS: [(&str, Letter); 3] = [
+pub const LETTERS: &[(&str, Letter)] = &[
     ("tex", |report, envelope| {
         Ok(Made::Bytes(erratum_latex(report, envelope).into_bytes()))
     }),
+    #[cfg(feature = "pdf")]
     ("pdf", |report, envelope| {
         Manuscript::erratum(report, envelope).map(Made::Manuscript)
     }),

@@ -24,7 +24,7 @@ pub fn listed(
     Ok(lines.map(move |(number, line)| {
         let read: Result<ListedClaim, _> = serde_json::from_str(&line?);
         match read {
-            Ok(ListedClaim { id, digest }) => Ok(ClaimDigest { id, digest }),
+            Ok(ListedClaim { id, digest }) => Ok(ClaimDigest::new(id, digest)),
             Err(error) => Err(Failure::List {
                 path: path.clone(),
                 reason: format!("line {}: {error}", number + 1),

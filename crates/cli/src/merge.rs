@@ -90,7 +90,7 @@ fn walk(
         enter(&shards, index, &mut next)?;
     }
     for claim in listed(list)? {
-        let ClaimDigest { id, digest } = claim?;
+        let ClaimDigest { id, digest, .. } = claim?;
         let found = next.remove(&id);
         let found = found.and_then(|index| Some((index, shards.get_mut(index)?)));
         let Some((index, shard)) = found.filter(|(_, shard)| shard.is_at(&id, &digest)) else {

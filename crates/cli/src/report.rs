@@ -13,9 +13,11 @@ use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use torse::selection;
+#[cfg(feature = "pdf")]
+use torse_report::Manuscript;
 use torse_report::model::Report as Model;
 use torse_report::{
-    Envelope, FigureImage, Manuscript, Source, gallery, html_page, landing_page, verdict_lines,
+    Envelope, FigureImage, Source, gallery, html_page, landing_page, verdict_lines,
     verdicts_json_with_kernel,
 };
 use torse_syntax::derivation::Paper;
@@ -155,6 +157,7 @@ impl Report {
             let Some(report) = reports.iter().find(|report| report.slug == paper.slug) else {
                 continue;
             };
+            #[cfg(feature = "pdf")]
             documents.push(Document::new(format!("{}.pdf", paper.slug), || {
                 Manuscript::paper(report, figures).map(Made::Manuscript)
             }));
@@ -169,6 +172,7 @@ impl Report {
             }
         }
         if self.papers.is_empty() {
+            #[cfg(feature = "pdf")]
             documents.push(Document::new("summary.pdf", || {
                 Manuscript::summary(reports).map(Made::Manuscript)
             }));

@@ -100,7 +100,7 @@ pub fn run(
             .outcomes()
             .map(|outcome| (outcome.claim.id.as_str(), outcome))
             .collect();
-        for ClaimDigest { id, digest } in pending {
+        for ClaimDigest { id, digest, .. } in pending {
             let (id, digest) = (id.clone(), digest.clone());
             let finding = match outcomes.get(id.as_str()) {
                 Some(outcome) => finding_json_with_kernel(outcome, &accepted)?,

@@ -10,15 +10,18 @@ use crate::terminal::remark;
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+#[cfg(feature = "pdf")]
 use torse_designs::bench::{PaperSize, bench_sheets, tiled_parts};
 use torse_designs::export::PATTERNS;
 use torse_designs::inspect::{inspect_for, inspect_unrolled, missed_line, wrapped};
+#[cfg(feature = "pdf")]
+use torse_designs::unroll::FlatPiece;
 use torse_designs::unroll::{
-    CutOptions, FlatPiece, Grain, Part, PartsList, PatternSummary, Purpose, drawing, parts_with,
-    unroll,
+    CutOptions, Grain, Part, PartsList, PatternSummary, Purpose, drawing, parts_with, unroll,
 };
 use torse_designs::{Design, DesignError, LeftOut};
 use torse_exchange::{Drawing, dxf, svg};
+#[cfg(feature = "pdf")]
 use torse_report::Manuscript;
 
 /// Unroll a design into cut files, DXF or SVG.
@@ -44,6 +47,7 @@ pub struct Unroll {
     #[arg(long = "for", value_name = "PURPOSE", value_parser = named(outputs()), default_value = "cut")]
     output: Output,
     /// Set the paper of `--for bench` and `--for paper`
+    #[cfg(feature = "pdf")]
     #[arg(long, value_name = "SIZE", value_parser = named(PaperSize::ALL), default_value = "a4")]
     page: PaperSize,
     /// Write a table of the parts to this file, as comma-separated values; - for standard output
@@ -68,26 +72,45 @@ enum Output {
     /// Drawings for a purpose.
     Drawings(Purpose),
     /// A sheet for the fitter.
+    #[cfg(feature = "pdf")]
     Bench,
     /// True size on pages.
+    #[cfg(feature = "pdf")]
     Paper,
 }
 
 impl Output {
+    /// What its drawings are for; nothing for sheets and pages, which show everything.
+    fn purpose(self) -> Option<Purpose> {
+        match self {
+            Self::Drawings(purpose) => Some(purpose),
+            #[cfg(feature = "pdf")]
+            Self::Bench | Self::Paper => None,
+        }
+    }
+
     /// The endings of its files.
     fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Drawings(_) => PATTERNS,
+            #[cfg(feature = "pdf")]
             Self::Bench => &["pdf", "svg"],
+            #[cfg(feature = "pdf")]
             Self::Paper => &["pdf"],
         }
     }
 }
 
+/// Files with their bytes.
+type Files = Vec<(PathBuf, Vec<u8>)>;
+
 /// What can be written, by its names.
 fn outputs() -> impl Iterator<Item = (&'static str, Output)> {
     let drawings = Purpose::ALL.map(|(name, purpose)| (name, Output::Drawings(purpose)));
+    #[cfg(feature = "pdf")]
     let sheets = [("bench", Output::Bench), ("paper", Output::Paper)];
+    #[cfg(not(feature = "pdf"))]
+    let sheets: [(&str, Output); 0] = [];
     drawings.into_iter().chain(sheets)
 }
 
@@ -168,7 +191,13 @@ impl Unroll {
         if ending != "pdf" {
             self.check_names(&design, &list)?;
         }
-        let files = self.files(&design, &pieces, &made, ending)?;
+        let files = match self.output {
+            Output::Drawings(purpose) => self.drawings(purpose, &made, ending)?,
+            #[cfg(feature = "pdf")]
+            Output::Bench => self.bench(&design, &pieces, &made, ending)?,
+            #[cfg(feature = "pdf")]
+            Output::Paper => self.tiles(&design, &pieces, &made)?,
+        };
         for (file, bytes) in &files {
             write(file, bytes)?;
         }
@@ -181,7 +210,7 @@ impl Unroll {
         if let Some(file) = &self.parts {
             write(file, list.csv().as_bytes())?;
         }
-        if let Output::Drawings(purpose) = self.output {
+        if let Some(purpose) = self.output.purpose() {
             for part in &made {
                 let where_else = match (part.marks_left_out(purpose), purpose) {
                     (0, _) => continue,
@@ -203,47 +232,56 @@ impl Unroll {
         self.end(&design, &summary, &list)
     }
 
-    /// The files with their bytes.
-    fn files(
+    /// The files of drawings with their bytes.
+    fn drawings(&self, purpose: Purpose, made: &[Part], ending: &str) -> Result<Files, Failure> {
+        let mut files = Files::new();
+        for part in made {
+            let text = text_of(&part.drawing(purpose)?, ending)?;
+            let file = file_of(&self.to, &part.name, made.len() > 1);
+            files.push((file, text.into_bytes()));
+        }
+        Ok(files)
+    }
+
+    /// The files of sheets for the fitter with their bytes.
+    #[cfg(feature = "pdf")]
+    fn bench(
         &self,
         design: &Design,
         pieces: &[FlatPiece],
         made: &[Part],
         ending: &str,
-    ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-        let file = |part: &str| file_of(&self.to, part, made.len() > 1);
-        let mut files = Vec::new();
-        match self.output {
-            Output::Drawings(purpose) => {
-                for part in made {
-                    let text = text_of(&part.drawing(purpose)?, ending)?;
-                    files.push((file(&part.name), text.into_bytes()));
-                }
-            }
-            Output::Bench => {
-                let sheets = bench_sheets(design, pieces, made, self.page)?;
-                if ending == "pdf" {
-                    let set = Manuscript::bench(&design.name, &sheets)?.typeset()?;
-                    return Ok(vec![(self.to.clone(), set.pdf()?)]);
-                }
-                for sheet in &sheets {
-                    let set = Manuscript::bench(&design.name, std::slice::from_ref(sheet))?;
-                    let set = set.typeset()?;
-                    // What does not fit on the first page of a part goes on in further files.
-                    for page in 0..set.page_count() {
-                        let name = format!("{}", page + 1);
-                        let file = file_of(&file(&sheet.part), &name, page > 0);
-                        files.push((file, set.page_svg(page)?.into_bytes()));
-                    }
-                }
-            }
-            Output::Paper => {
-                let tiled = tiled_parts(design, pieces, made, self.page)?;
-                let set = Manuscript::tiles(&design.name, &tiled)?.typeset()?;
-                files.push((self.to.clone(), set.pdf()?));
+    ) -> Result<Files, Failure> {
+        let sheets = bench_sheets(design, pieces, made, self.page)?;
+        if ending == "pdf" {
+            let set = Manuscript::bench(&design.name, &sheets)?.typeset()?;
+            return Ok(vec![(self.to.clone(), set.pdf()?)]);
+        }
+        let mut files = Files::new();
+        for sheet in &sheets {
+            let set = Manuscript::bench(&design.name, std::slice::from_ref(sheet))?;
+            let set = set.typeset()?;
+            let file = file_of(&self.to, &sheet.part, made.len() > 1);
+            // What does not fit on the first page of a part goes on in further files.
+            for page in 0..set.page_count() {
+                let file = file_of(&file, &format!("{}", page + 1), page > 0);
+                files.push((file, set.page_svg(page)?.into_bytes()));
             }
         }
         Ok(files)
+    }
+
+    /// The file of pages in true size with its bytes.
+    #[cfg(feature = "pdf")]
+    fn tiles(
+        &self,
+        design: &Design,
+        pieces: &[FlatPiece],
+        made: &[Part],
+    ) -> Result<Files, Failure> {
+        let tiled = tiled_parts(design, pieces, made, self.page)?;
+        let set = Manuscript::tiles(&design.name, &tiled)?.typeset()?;
+        Ok(vec![(self.to.clone(), set.pdf()?)])
     }
 
     /// Several parts have several files: no standard output, and no two of one name.

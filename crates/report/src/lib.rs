@@ -18,7 +18,6 @@
 //! Every output is a function of its arguments alone: the same bytes on every run.
 
 pub mod applicability;
-mod base64;
 pub mod corrections;
 mod dependencies;
 #[cfg(all(test, feature = "pdf"))]

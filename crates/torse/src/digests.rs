@@ -7,12 +7,22 @@ use torse_syntax::derivation::Paper;
 
 /// A claim and the digest of what it rests on.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[non_exhaustive]
 pub struct ClaimDigest {
     /// The claim.
     pub id: String,
     /// The SHA-256 of its fields, of the declarations of its paper and its file, and of the other printed values of its
     /// example, as hexadecimal digits. Comments and layout do not count, and neither do places in the file.
     pub digest: String,
+}
+
+impl ClaimDigest {
+    /// The digest of a claim, as it was written down before.
+    #[must_use]
+    pub fn new(id: impl Into<String>, digest: impl Into<String>) -> Self {
+        let (id, digest) = (id.into(), digest.into());
+        Self { id, digest }
+    }
 }
 
 /// Digests what each claim rests on, in file order. A claim with the digest that it had before has the finding that it had

@@ -4,6 +4,7 @@
 //! the end of a word: `gbt-developable/thm-4` matches `thm-4.a`, `thm-4.b` and `thm-4.c`, but not `thm-40`.
 
 use crate::error::Error;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_syntax::derivation::{Claim, Paper};
 
@@ -46,8 +47,9 @@ pub fn select(
 /// Returns the papers with the claims of these ids alone.
 #[must_use]
 pub fn only(papers: &[Paper], ids: &[&str]) -> Vec<Paper> {
+    let ids: BTreeSet<&str> = ids.iter().copied().collect();
     let kept = papers.iter().map(|paper| {
-        let wanted = |claim: &&Claim| ids.contains(&claim.entry.id.get_ref().as_str());
+        let wanted = |claim: &&Claim| ids.contains(claim.entry.id.get_ref().as_str());
         Paper {
             source: Arc::clone(&paper.source),
             head: paper.head.clone(),

@@ -20,7 +20,7 @@ use torse_verdicts::restore::restore;
 
 /// Maximum work on a claim, in products of coefficients. A claim that needs more is undecided, with that reason: a
 /// verdict is the same on every machine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 pub struct WorkBudget(u64);
 
 impl WorkBudget {

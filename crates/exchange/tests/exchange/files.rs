@@ -87,7 +87,23 @@ fn obj_and_ply_vertices_read_back_exactly() {
 
 #[test]
 fn three_mf_calls_a_closed_mesh_a_model_and_an_open_one_a_surface() {
-    let text = |mesh: &Mesh| String::from_utf8_lossy(&three_mf(mesh).unwrap()).into_owned();
+    // The parts of an archive, one after the other, unpacked.
+    let text = |mesh: &Mesh| {
+        let file = three_mf(mesh).unwrap();
+        let word = |at: usize| u32::from_le_bytes(file[at..at + 4].try_into().unwrap()) as usize;
+        let half = |at: usize| u16::from_le_bytes(file[at..at + 2].try_into().unwrap()) as usize;
+        let (mut at, mut text) = (0, String::new());
+        while file[at..].starts_with(b"PK\x03\x04") {
+            assert_eq!(half(at + 8), 8, "deflated");
+            let begin = at + 30 + half(at + 26) + half(at + 28);
+            let end = begin + word(at + 18);
+            let part = miniz_oxide::inflate::decompress_to_vec(&file[begin..end]).unwrap();
+            assert_eq!(part.len(), word(at + 22));
+            text += &String::from_utf8(part).unwrap();
+            at = end;
+        }
+        text
+    };
     assert!(text(&mesh()).contains("type=\"surface\""));
     let solid = text(&mesh().thickened(0.1).unwrap());
     assert!(solid.contains("type=\"model\"") && solid.contains("unit=\"millimeter\""));

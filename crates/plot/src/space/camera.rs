@@ -1,10 +1,8 @@
 //! The direction of the view, and the projection onto the page.
 //!
-//! The projection is plotters' (`ProjectionMatrixBuilder`: a rotation by yaw and pitch). plotters' vertical axis
-//! is its second one, so our (x, y, z) enters as (x, z, -y), a rotation, which keeps right-handed frames right-handed;
-//! its third coordinate is then the distance from the viewer.
-
-use plotters::coord::ranged3d::ProjectionMatrixBuilder;
+//! The projection is that of plotters (`ProjectionMatrixBuilder`: a rotation by yaw and pitch), with sines that have the same
+//! bits on every platform. plotters' vertical axis is its second one, so our (x, y, z) is its (x, z, -y), a rotation, which
+//! keeps right-handed frames right-handed; its third coordinate is then the distance from the viewer.
 
 use crate::ink::scene::Rect;
 use crate::space::vector::{V3, dot, sub};
@@ -95,12 +93,13 @@ pub(crate) struct Axes {
 impl Axes {
     /// From angles in degrees.
     pub(crate) fn new(azimuth: f64, elevation: f64) -> Axes {
-        let mut builder = ProjectionMatrixBuilder::new();
-        builder.yaw = (azimuth + 90.0).to_radians();
-        builder.pitch = elevation.to_radians();
-        let matrix = builder.into_matrix();
-        let [right, down, away, _] = matrix.as_ref().map(|[x, y, z, _]| [x, -z, y]);
-        Axes { right, down, away }
+        let (a, e) = (azimuth.to_radians(), elevation.to_radians());
+        let ([sa, ca], [se, ce]) = ([libm::sin(a), libm::cos(a)], [libm::sin(e), libm::cos(e)]);
+        Axes {
+            right: [-sa, ca, 0.0],
+            down: [se * ca, se * sa, -ce],
+            away: [-ce * ca, -ce * sa, -se],
+        }
     }
 }
 
@@ -160,6 +159,7 @@ mod tests {
     use crate::space::vector::cross;
     use plotters::coord::CoordTranslate;
     use plotters::coord::cartesian::Cartesian3d;
+    use plotters::coord::ranged3d::ProjectionMatrixBuilder;
     use plotters::coord::types::RangedCoordf64;
 
     #[test]
@@ -177,6 +177,24 @@ mod tests {
             // Right, up and towards the viewer are a right-handed frame: nothing is mirrored.
             let up = axes.down.map(|c| -c);
             assert!((dot(cross(axes.right, up), axes.away) + 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn the_axes_are_those_of_plotters_up_to_rounding() {
+        for (azimuth, elevation) in [(-60.0, 25.0), (30.0, 60.0), (135.0, -20.0), (0.0, 90.0)] {
+            let mut builder = ProjectionMatrixBuilder::new();
+            builder.yaw = f64::to_radians(azimuth + 90.0);
+            builder.pitch = f64::to_radians(elevation);
+            let matrix = builder.into_matrix();
+            let [right, down, away, _] = matrix.as_ref().map(|[x, y, z, _]| [x, -z, y]);
+            let ours = Axes::new(azimuth, elevation);
+            for (theirs, own) in [(right, ours.right), (down, ours.down), (away, ours.away)] {
+                assert!(
+                    (0..3).all(|k| (theirs[k] - own[k]).abs() < 1e-15),
+                    "{theirs:?} {own:?}"
+                );
+            }
         }
     }
 

@@ -19,7 +19,9 @@ mod torse;
 
 use crate::glossary::{self, KINDS, Term};
 use crate::model::Report;
-use crate::{FigureImage, Image, ReportError, base64};
+use crate::{FigureImage, Image, ReportError};
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use drawing::{Drawing, Files, Shelf};
 pub use landing::landing_page;
 use pack::Pack;
@@ -86,7 +88,7 @@ fn style() -> String {
 
 /// Returns a rule that makes a font known.
 fn face(family: &str, font: &[u8], style: &str) -> String {
-    let font = base64::encode(font);
+    let font = STANDARD.encode(font);
     format!(
         "@font-face {{ font-family: \"{family}\"; {style}; src: url(data:font/woff2;base64,{font}) format(\"woff2\"); }}\n"
     )

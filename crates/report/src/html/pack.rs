@@ -3,7 +3,9 @@
 //!
 //! Without the script a claim opens to its printed sentence; the script inserts the rest on demand.
 
-use crate::{ReportError, base64};
+use crate::ReportError;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 
 /// Compression of the highest level: pages are written once and read often.
 const LEVEL: u8 = 9;
@@ -27,7 +29,7 @@ impl Pack {
     pub fn written(&self) -> Result<String, ReportError> {
         let list = serde_json::to_vec(&self.0)?;
         let packed = miniz_oxide::deflate::compress_to_vec(&list, LEVEL);
-        let text = base64::encode(&packed);
+        let text = STANDARD.encode(&packed);
         Ok(format!(
             "<script type=\"application/octet-stream\" id=\"packed\">{text}</script>\n"
         ))
@@ -45,7 +47,7 @@ mod tests {
         assert_eq!(pack.add("</script>\"".to_owned()), 1);
         let element = pack.written().unwrap();
         let text = element.split(['>', '<']).nth(2).unwrap();
-        let packed = base64::decode(text).unwrap();
+        let packed = STANDARD.decode(text).unwrap();
         let list = miniz_oxide::inflate::decompress_to_vec(&packed).unwrap();
         let list: Vec<String> = serde_json::from_slice(&list).unwrap();
         assert_eq!(list, ["<dt>α</dt>", "</script>\""]);

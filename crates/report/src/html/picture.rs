@@ -1,6 +1,8 @@
 //! Pictures as `data:` addresses.
 
-use crate::{Image, base64};
+use crate::Image;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 
 /// The picture as a `data:` address, for use in a quoted attribute.
 ///
@@ -10,7 +12,7 @@ pub(super) fn data_uri(image: &Image) -> String {
     let media_type = image.media_type();
     match image {
         Image::Svg(text) => format!("data:{media_type},{}", escaped(text)),
-        Image::Png(bytes) => format!("data:{media_type};base64,{}", base64::encode(bytes)),
+        Image::Png(bytes) => format!("data:{media_type};base64,{}", STANDARD.encode(bytes)),
     }
 }
 

@@ -8,7 +8,8 @@
 mod path;
 mod pixels;
 
-use crate::base64;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use path::{rounded, tenths};
 use pixels::Pixels;
 use rayon::prelude::*;
@@ -193,7 +194,7 @@ impl Drawing {
         let file = attribute(line, "href")?.strip_prefix("data:image/png;base64,")?;
         let corner = |name| attribute(line, name)?.parse::<u32>().ok()?.checked_mul(2);
         let [x, y] = [corner("x")?, corner("y")?];
-        if let Some(([left, top], pixels)) = Pixels::read(&base64::decode(file)?)?.cropped() {
+        if let Some(([left, top], pixels)) = Pixels::read(&STANDARD.decode(file).ok()?)?.cropped() {
             let place = [x.checked_add(left)?, y.checked_add(top)?];
             self.elements.push(Element::Image { place, pixels });
         }
@@ -246,7 +247,7 @@ impl Drawing {
                     let [w, h] = pixels.size().map(|c| tenths(i64::from(c) * 5));
                     let file = files
                         .next()
-                        .map(|file| base64::encode(file))
+                        .map(|file| STANDARD.encode(file))
                         .unwrap_or_default();
                     write!(
                         out,
