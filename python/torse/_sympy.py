@@ -17,7 +17,7 @@ from fractions import Fraction
 # Names of the notation: a symbol that is called so would be read as something else.
 RESERVED = {
     "pi", "inf", "and", "or", "not", "implies", "in", "exists", "forall", "D", "at", "sum", "product", "integral", "binom",
-    "factorial", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh", "sqrt", "abs", "dot", "cross", "det", "transpose",
+    "factorial", "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "sqrt", "abs", "dot", "cross", "det", "transpose",
     "inverse", "solve", "norm", "agrees", "fails", "coefficients", "identity", "nonnegative", "independent",
     "variation_diminishing",
 }

@@ -263,6 +263,11 @@ def called(head, arguments, names):
             return root(sum(v * v for v in value(a, names)))
         case ("sin" | "cos" | "exp" | "cosh" | "sinh" | "tanh", a):
             return getattr(sympy, name)(value(a, names))
+        case ("log", a):
+            v = value(a, names)
+            if v.is_number and not v.is_positive:
+                raise Undefined("a logarithm")
+            return sympy.log(v)
         case ("tan", a):
             v = value(a, names)
             return divided(sympy.sin(v), sympy.cos(v))

@@ -171,7 +171,7 @@ fn enclosures_contain_the_values_of_another_library() {
         .map(|number| dump::ball::line(SEED, number).to_string())
         .collect();
     let report = content("enclosures.py", &[], &lines);
-    for operation in ["quotient", "root", "sine", "exponential", "pi"] {
+    for operation in ["quotient", "root", "sine", "exponential", "logarithm", "pi"] {
         assert!(count(&report, operation) > 50, "{report}");
     }
     // A value that is moved by one part in a hundred is seen.
@@ -215,9 +215,14 @@ fn deliberate_mistakes_of_reading_and_rounding_are_seen() {
             "{fault:?}"
         );
     }
-    let lines: Vec<String> = with(InjectedFault::RoundedInward, || {
-        let lines = (0..400).map(|number| dump::ball::line(SEED, number).to_string());
-        lines.collect()
-    });
-    assert!(!judged("enclosures.py", &[], &lines).0);
+    for fault in [
+        InjectedFault::RoundedInward,
+        InjectedFault::LogarithmRoundedDown,
+    ] {
+        let lines: Vec<String> = with(fault, || {
+            let lines = (0..400).map(|number| dump::ball::line(SEED, number).to_string());
+            lines.collect()
+        });
+        assert!(!judged("enclosures.py", &[], &lines).0, "{fault:?}");
+    }
 }

@@ -7,8 +7,10 @@
 //! of one another, of the variables and of their sines and cosines, which are exponentials of imaginary multiples (Ax
 //! 1971: if exponents are linearly independent over the rationals modulo constants, their exponentials are
 //! algebraically independent over the rational functions). The number e, which is the exponential without variables,
-//! is transcendental; whether it is independent of pi is not known. So a zero normal form also proves an identity
-//! between e and pi, but a nonzero normal form in e and pi alone refutes nothing until an enclosure excludes zero.
+//! is transcendental; whether it is independent of pi is not known. The logarithms of the primes are linearly
+//! independent over the rationals, since integers factor in one way; whether they are algebraically independent is not
+//! known. So a zero normal form also proves an identity between e, pi and logarithms, but a nonzero normal form in these
+//! alone refutes nothing until an enclosure excludes zero.
 
 use crate::affine::Affine;
 use std::fmt;
@@ -120,6 +122,8 @@ pub enum Symbol {
     Named(Arc<str>),
     /// The positive square root of a prime.
     Root(u32),
+    /// The natural logarithm of a prime.
+    Log(u32),
     /// The number pi.
     Pi,
     /// The sine of an angle of the named variable.
@@ -150,15 +154,15 @@ impl Symbol {
             Self::Named(name) | Self::Sin(name, _) | Self::Cos(name, _) => &**name == variable,
             Self::Indexed(_, index) => index.iter().any(|i| i.multiple_of(variable) != 0),
             Self::Exp(exponent) => exponent.powers.iter().any(|(name, _)| &**name == variable),
-            Self::Root(_) | Self::Pi => false,
+            Self::Root(_) | Self::Log(_) | Self::Pi => false,
         }
     }
 
-    /// Whether the symbol is a constant number: pi, a root of a prime, or a root of e.
+    /// Whether the symbol is a constant number: pi, the root or the logarithm of a prime, or a root of e.
     #[must_use]
     pub fn is_number(&self) -> bool {
         match self {
-            Self::Pi | Self::Root(_) => true,
+            Self::Pi | Self::Root(_) | Self::Log(_) => true,
             Self::Exp(exponent) => exponent.powers.is_empty(),
             _ => false,
         }
@@ -168,7 +172,7 @@ impl Symbol {
     pub fn names(&self) -> impl Iterator<Item = &Arc<str>> {
         let angle_variable = match self {
             Self::Named(name) | Self::Sin(name, _) | Self::Cos(name, _) => Some(name),
-            Self::Exp(_) | Self::Indexed(..) | Self::Root(_) | Self::Pi => None,
+            Self::Exp(_) | Self::Indexed(..) | Self::Root(_) | Self::Log(_) | Self::Pi => None,
         };
         let many = match self {
             Self::Exp(exponent) => exponent.powers(),
@@ -202,6 +206,7 @@ impl fmt::Display for Symbol {
                 write!(f, "{name}[{}]", index.join(","))
             }
             Self::Root(prime) => write!(f, "sqrt({prime})"),
+            Self::Log(prime) => write!(f, "log({prime})"),
             Self::Pi => f.write_str("pi"),
             Self::Sin(name, a) => write!(f, "sin({})", angle(name, *a)),
             Self::Cos(name, a) => write!(f, "cos({})", angle(name, *a)),

@@ -47,4 +47,6 @@ pub enum Source {
     Given,
     /// No field: the hypothesis defines the symbol of a root, see [`Claim::rooted`].
     Root,
+    /// No field: the hypothesis defines the symbol of a logarithm, see [`Claim::rooted`].
+    Logarithm,
 }

@@ -236,6 +236,8 @@ pub enum BuiltIn {
     Cosine,
     /// `exp(a)`, the number e to the power a.
     Exponential,
+    /// `log(a)`, the natural logarithm; undefined for numbers that are not positive.
+    Logarithm,
     /// `dot(a, b)`.
     Dot,
     /// `cross(a, b)` of two vectors of 3.

@@ -94,6 +94,14 @@ pub enum InjectedFault {
     OpenEndClosed,
     /// The upper end of a root is rounded down.
     RoundedInward,
+    /// The upper end of a logarithm is rounded down.
+    LogarithmRoundedDown,
+    /// The Taylor coefficients of a logarithm lack the products with earlier ones.
+    LogarithmWithoutEarlier,
+    /// The logarithm of a product lacks the logarithm of its last factor.
+    LogarithmFactorForgotten,
+    /// Of two exponentials the one with the smaller exponent is taken for the larger.
+    ExponentsReversed,
     /// The term of a sum does not see the index of the sum.
     IndexNotSeen,
     /// The values substituted by `at` are ignored.

@@ -41,6 +41,12 @@ pub enum ExactError {
         /// The exponent as text.
         argument: String,
     },
+    /// The logarithm is not a number of this kind.
+    #[error("the logarithm of {argument} has no value here")]
+    NoLogarithm {
+        /// The argument as text.
+        argument: String,
+    },
     /// Pi is not a number of this kind.
     #[error("pi is not a number of this kind")]
     NoPi,

@@ -18,6 +18,7 @@ pub mod evidence;
 pub mod existential;
 pub mod formula;
 pub mod ideal;
+pub mod logarithms;
 pub mod probabilistic_refuter;
 pub mod roots;
 mod split;

@@ -63,14 +63,14 @@ fn prepared<T>(
     let evaluator = Evaluator::with(Rc::clone(&elaborator));
     let asks = |own: &core::Statement| has_root_in_empty_sum(own, &evaluator);
     if asks(&core.statement) || core.hypotheses.iter().any(|own| asks(&own.statement)) {
-        let what = "a root in a sum that may be empty";
+        let what = "a root or a logarithm in a sum that may be empty";
         return Err(Fault::limit(Place::default(), what).within(&statement.origin));
     }
     let rooted = core
         .rooted(&statement.origin)
         .map_err(|fault| fault.within(&statement.origin))?;
     let mut declarations = None;
-    for (name, _) in rooted.roots() {
+    for (name, _) in rooted.implicit() {
         let set = rooted.symbols.get(name).cloned();
         let known = declarations.take();
         let known = known.unwrap_or_else(|| Declarations::clone(&claim.declarations));
@@ -80,7 +80,7 @@ fn prepared<T>(
         });
     }
     let (core, elaborator) = match &declarations {
-        None => (core, elaborator),
+        None => (rooted, elaborator),
         Some(more) => {
             let elaborator = Rc::new(Elaborator::new(more));
             let core = elaborator.claim(claim, statement)?;

@@ -16,7 +16,8 @@ const MAX_DIVISORS: usize = 64;
 const MAX_SUMMANDS: i64 = 8;
 const MAX_BINDERS: usize = 16;
 
-/// The values of the divisors of a statement, and of the roots in it, as far as they are formulas: those with the index of a sum of symbolic
+/// The values of the divisors of a statement, and of the roots in it, as far as they are formulas (that the argument of a
+/// logarithm has a value is part of its being positive): those with the index of a sum of symbolic
 /// length, and those in integrals, are left out.
 pub(crate) fn term_divisors(
     statement: &core::Statement,
@@ -59,12 +60,17 @@ pub(crate) fn divides_in_empty_sum(statement: &core::Statement, evaluator: &Eval
     stands_in_empty_sum(statement, evaluator, &divides)
 }
 
-/// Whether a root stands in a sum or a product that may be empty, which then asks for no root.
+/// Whether a root or a logarithm stands in a sum or a product that may be empty, which then asks for none.
 pub(crate) fn has_root_in_empty_sum(
     statement: &core::Statement,
     evaluator: &Evaluator<'_>,
 ) -> bool {
-    let is_root = |node: &Node| matches!(node, Node::Apply(BuiltIn::SquareRoot, _));
+    let is_root = |node: &Node| {
+        matches!(
+            node,
+            Node::Apply(BuiltIn::SquareRoot | BuiltIn::Logarithm, _)
+        )
+    };
     stands_in_empty_sum(statement, evaluator, &is_root)
 }
 

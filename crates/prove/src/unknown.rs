@@ -5,7 +5,7 @@ use torse_algebra::{Fraction, Symbol};
 /// A number of a claim's points that may be any number, as far as its declared set goes: a declared symbol, a member of a
 /// family, a coordinate, or a derivative of an arbitrary function at a place.
 ///
-/// Sines, cosines, exponentials, square roots of numbers and pi are none: their values are those of what stands in them, so
+/// Sines, cosines, exponentials, square roots and logarithms of numbers and pi are none: their values are those of what stands in them, so
 /// that an equation which says what one of them is says something of that. There is no way to make one of them an unknown.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Unknown(Symbol);
@@ -23,9 +23,12 @@ impl Unknown {
     pub fn new(symbol: Symbol) -> Option<Self> {
         match symbol {
             Symbol::Named(_) | Symbol::Indexed(..) => Some(Self(symbol)),
-            Symbol::Root(_) | Symbol::Pi | Symbol::Sin(..) | Symbol::Cos(..) | Symbol::Exp(_) => {
-                None
-            }
+            Symbol::Root(_)
+            | Symbol::Log(_)
+            | Symbol::Pi
+            | Symbol::Sin(..)
+            | Symbol::Cos(..)
+            | Symbol::Exp(_) => None,
         }
     }
 

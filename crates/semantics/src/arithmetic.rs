@@ -88,6 +88,13 @@ pub trait Arithmetic {
     /// [`NoValue::Unknown`] if the result cannot be expressed.
     fn exponential(&self, a: &Self::Number) -> Result<Self::Number, NoValue>;
 
+    /// The natural logarithm of a.
+    ///
+    /// # Errors
+    /// [`NoValue::Undefined`] for numbers that are not positive, [`NoValue::Unknown`] if the sign is not known or the
+    /// result cannot be expressed.
+    fn logarithm(&self, a: &Self::Number) -> Result<Self::Number, NoValue>;
+
     /// Whether the number is zero; `None` if that is not known.
     fn is_zero(&self, a: &Self::Number) -> Option<bool>;
 

@@ -366,6 +366,15 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
         self.chain(power.clone(), &power, a)
     }
 
+    fn logarithm(&self, a: &Self::Number) -> Outcome<A> {
+        let logarithm = self.base.logarithm(&a.value)?;
+        if a.change.is_none() {
+            return Ok(Gradient::constant(logarithm));
+        }
+        let rate = self.base.over(&self.base.integer(1), &a.value)?;
+        self.chain(logarithm, &rate, a)
+    }
+
     /// Whether the value is zero for all values of the variables; `None` if it is zero at this point only.
     fn is_zero(&self, a: &Self::Number) -> Option<bool> {
         match self.base.is_zero(&a.value) {

@@ -56,6 +56,8 @@ impl Judgement {
         join: impl Fn(Option<bool>, Option<bool>) -> Option<bool>,
     ) -> Self {
         match (self, other) {
+            // Of divisors it is asked whether they are zero where everything else has a value.
+            (Self::Undefined(Undefined::ZeroDivisor), Self::Undefined(why)) => Self::Undefined(why),
             (Self::Undefined(why), _) | (_, Self::Undefined(why)) => Self::Undefined(why),
             (Self::Unknown(why), _) | (_, Self::Unknown(why)) => Self::Unknown(why),
             (a, b) => Self::from_truth(join(a.decided(), b.decided())),

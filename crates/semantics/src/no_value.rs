@@ -24,6 +24,9 @@ pub enum Undefined {
     /// The root of a negative number.
     #[error("the root of a negative number")]
     NegativeRoot,
+    /// The logarithm of a number that is not positive.
+    #[error("the logarithm of a number that is not positive")]
+    NoLogarithm,
     /// An index, degree, order or exponent that is not an integer.
     #[error("{what} that is not an integer")]
     NoInteger {

@@ -443,6 +443,24 @@ impl Arithmetic for Reals<'_> {
         Ok(power.into())
     }
 
+    fn logarithm(&self, a: &Real) -> Result<Real, NoValue> {
+        self.work.spend(32)?;
+        if matches!(a.sign(), Some(Ordering::Less | Ordering::Equal)) {
+            return Err(if self.near && a.ball(self.bits).is_within(SLACK_BITS) {
+                Unknown::Precision.into()
+            } else {
+                Undefined::NoLogarithm.into()
+            });
+        }
+        if a.as_rational().is_some_and(Rational::is_one) {
+            return Ok(Rational::zero().into());
+        }
+        let logarithm = a.ball(self.bits).ln();
+        logarithm
+            .map(Real::from)
+            .map_err(|_| Unknown::Precision.into())
+    }
+
     fn is_zero(&self, a: &Real) -> Option<bool> {
         a.is_zero()
     }

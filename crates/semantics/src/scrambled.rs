@@ -2,7 +2,7 @@
 //!
 //! Two readings of a text mean the same term if they have equal values at random numbers. For this no equation needs
 //! to hold and no root needs to exist: where both readings apply a root, any function will do if both use the same
-//! one. So the root, sine and cosine, and the exponential are fixed pseudo-random functions here. Their power series
+//! one. So the root, sine and cosine, the exponential and the logarithm are fixed pseudo-random functions here. Their power series
 //! follow from the value by the usual rules, and an integral is a fixed linear combination of two values of the
 //! integrand.
 
@@ -48,12 +48,13 @@ pub struct Scrambled<'a> {
 }
 
 /// Constants that make the functions different from one another.
-const SALTS: [u64; 5] = [
+const SALTS: [u64; 6] = [
     0x9e37_79b9_7f4a_7c15,
     0xc2b2_ae3d_27d4_eb4f,
     0x1656_67b1_9e37_79f9,
     0x27d4_eb2f_1656_67c5,
     0x8525_0000_1234_5677,
+    0xd6e8_feb8_6659_fd93,
 ];
 
 /// The final mixing step of `SplitMix64`.
@@ -120,6 +121,11 @@ impl Arithmetic for Scrambled<'_> {
     fn exponential(&self, a: &Class) -> Result<Class, NoValue> {
         self.work.spend(1)?;
         Ok(scrambled(*a, SALTS[3]))
+    }
+
+    fn logarithm(&self, a: &Class) -> Result<Class, NoValue> {
+        self.work.spend(1)?;
+        Ok(scrambled(*a, SALTS[5]))
     }
 
     fn is_zero(&self, a: &Class) -> Option<bool> {

@@ -311,6 +311,33 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         Ok(Self::powers(level, powers))
     }
 
+    /// The logarithm l of a series f, from `l' f = f'`.
+    pub fn logarithm<A: Arithmetic<Number = N>>(&self, a: &A) -> Outcome<N> {
+        let (level, terms) = match self {
+            Self::Number(x) => return Ok(Self::Number(a.logarithm(x)?)),
+            Self::Powers { level, terms } => (*level, terms),
+        };
+        let first = terms.first().ok_or(Unknown::Precision)?;
+        let mut logarithms = vec![first.logarithm(a)?];
+        for k in 1..terms.len() {
+            // k f_k is the sum of j l_j f_(k-j) for j from 1 to k.
+            let mut rest = terms.get(k).ok_or(Unknown::Precision)?.clone();
+            for j in 1..k {
+                let (Some(own), Some(f)) = (logarithms.get(j), terms.get(k - j)) else {
+                    continue;
+                };
+                let share = Rational::new(
+                    i64::try_from(j).unwrap_or(i64::MAX).into(),
+                    i64::try_from(k).unwrap_or(i64::MAX).into(),
+                );
+                let known = own.times(&Self::rational(&share, a), a)?;
+                rest = rest.minus(&known.times(f, a)?, a)?;
+            }
+            logarithms.push(rest.over(first, a)?);
+        }
+        Ok(Self::powers(level, logarithms))
+    }
+
     /// Whether every coefficient is zero; `None` if that is not known.
     pub fn is_zero<A: Arithmetic<Number = N>>(&self, a: &A) -> Option<bool> {
         match self {

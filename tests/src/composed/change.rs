@@ -170,6 +170,7 @@ pub fn derivative(scene: &Scene, term: &Part, by: &str) -> Option<Part> {
                 Function::Sine => applied(Function::Cosine),
                 Function::Cosine => Term::minus(&applied(Function::Sine)),
                 Function::Exponential => Arc::clone(term),
+                Function::Logarithm => Term::binary(Operation::Divide, &Term::int(1), a),
                 Function::Root => {
                     let below = times(&Term::int(2), term);
                     Term::binary(Operation::Divide, &Term::int(1), &below)

@@ -15,6 +15,8 @@ pub enum Feature {
     Angle,
     /// Exponentials.
     Exponential,
+    /// Logarithms.
+    Logarithm,
     /// Roots and absolute values.
     Root,
     /// Smooth functions.
@@ -39,10 +41,11 @@ pub enum Feature {
 
 impl Feature {
     /// All of them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Quotient,
         Self::Angle,
         Self::Exponential,
+        Self::Logarithm,
         Self::Root,
         Self::Smooth,
         Self::Rate,
@@ -62,6 +65,7 @@ impl Feature {
             Self::Quotient => "quotient",
             Self::Angle => "angle",
             Self::Exponential => "exponential",
+            Self::Logarithm => "logarithm",
             Self::Root => "root",
             Self::Smooth => "smooth",
             Self::Rate => "rate",
@@ -287,6 +291,19 @@ impl<'a> Maker<'a> {
                 Arc::new(Term::Apply(function, self.linear()))
             }
             Feature::Exponential => Arc::new(Term::Apply(Function::Exponential, self.linear())),
+            Feature::Logarithm => {
+                let inner = match self.stream.below(6) {
+                    0 | 1 => self.symbol(),
+                    2 => {
+                        let square = Arc::new(Term::Power(self.term(depth - 1), Term::int(2)));
+                        Term::binary(Operation::Add, &square, &Term::int(1))
+                    }
+                    3 => Arc::new(Term::Power(self.symbol(), Term::int(2))),
+                    4 => Arc::new(Term::Apply(Function::Exponential, self.linear())),
+                    _ => Term::binary(Operation::Multiply, &self.symbol(), &self.symbol()),
+                };
+                Arc::new(Term::Apply(Function::Logarithm, inner))
+            }
             Feature::Root => {
                 let inner = match self.stream.below(4) {
                     0 => self.symbol(),

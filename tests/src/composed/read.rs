@@ -67,6 +67,7 @@ fn term(expr: &Expr) -> Option<Part> {
                 "sin" => Function::Sine,
                 "cos" => Function::Cosine,
                 "exp" => Function::Exponential,
+                "log" => Function::Logarithm,
                 "sqrt" => Function::Root,
                 "abs" => Function::Size,
                 smooth => {

@@ -190,6 +190,20 @@ fn applied(function: Function, a: &Part) -> Option<Part> {
             let [b, c] = [b, c].map(|part| apply(function, part));
             Some(Term::binary(Multiply, &b, &c))
         }
+        (Function::Exponential, Term::Apply(Function::Logarithm, b))
+        | (Function::Logarithm, Term::Apply(Function::Exponential, b)) => Some(Arc::clone(b)),
+        (Function::Logarithm, Term::Binary(sign @ (Multiply | Divide), b, c)) => {
+            let [b, c] = [b, c].map(|part| apply(function, part));
+            let sign = if *sign == Multiply { Add } else { Subtract };
+            Some(Term::binary(sign, &b, &c))
+        }
+        (Function::Logarithm, Term::Power(b, n)) => {
+            let size = match **n {
+                Term::Number(2, 1) => apply(Function::Size, b),
+                _ => Arc::clone(b),
+            };
+            Some(Term::binary(Multiply, n, &apply(function, &size)))
+        }
         (Function::Sine, Term::Binary(Add, b, c)) => {
             let product = |f, g| Term::binary(Multiply, &apply(f, b), &apply(g, c));
             let one = product(Function::Sine, Function::Cosine);

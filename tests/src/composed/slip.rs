@@ -43,6 +43,7 @@ fn slip(stream: &mut Stream, term: &Part) -> Option<Part> {
         Term::Apply(function, a) => {
             let other = match function {
                 Function::Sine | Function::Exponential => Function::Cosine,
+                Function::Logarithm => Function::Size,
                 Function::Cosine => Function::Sine,
                 Function::Root => Function::Size,
                 Function::Size => return Some(Arc::clone(a)),

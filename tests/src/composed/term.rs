@@ -15,6 +15,8 @@ pub enum Function {
     Cosine,
     /// `exp`
     Exponential,
+    /// `log`
+    Logarithm,
     /// `sqrt`
     Root,
     /// `abs`
@@ -232,6 +234,7 @@ impl Term {
                     Function::Sine => "sin",
                     Function::Cosine => "cos",
                     Function::Exponential => "exp",
+                    Function::Logarithm => "log",
                     Function::Root => "sqrt",
                     Function::Size => "abs",
                 };

@@ -348,6 +348,13 @@ fn applied(function: Function, a: &Jet) -> Option<Jet> {
         Function::Sine => Some(turned(x, k).sin()),
         Function::Cosine => Some(turned(x, k).cos()),
         Function::Exponential => Some(x.exp()),
+        Function::Logarithm if x <= 1e-6 => None,
+        Function::Logarithm if k == 0 => Some(x.ln()),
+        // (-1)^(k-1) (k-1)! / x^k
+        Function::Logarithm => {
+            let falling = (1..k).map(|j| -(j as f64)).product::<f64>();
+            Some(falling / x.powi(i32::try_from(k).ok()?))
+        }
         Function::Root => {
             let falling = (0..k).map(|j| 0.5 - j as f64).product::<f64>();
             let fits = x > 1e-6 || k == 0 && x >= 0.0;

@@ -5,7 +5,7 @@ use crate::random::seed::Stream;
 use serde_json::{Value, json};
 use torse_numbers::{Ball, Rational, Scalar, rational};
 
-const OPERATIONS: [&str; 11] = [
+const OPERATIONS: [&str; 12] = [
     "pi",
     "sum",
     "difference",
@@ -16,6 +16,7 @@ const OPERATIONS: [&str; 11] = [
     "sine",
     "cosine",
     "exponential",
+    "logarithm",
     "quarter",
 ];
 
@@ -42,6 +43,7 @@ pub fn line(seed: u64, number: u64) -> Value {
         "sine" => Some(one.sin_cos().0),
         "cosine" => Some(one.sin_cos().1),
         "exponential" => one.exp().ok(),
+        "logarithm" => one.ln().ok(),
         _ => one.quarter_turn().ok().map(|(sine, _)| sine),
     };
     let ends = |ball: &Ball| json!([ball.lower().to_string(), ball.upper().to_string()]);

@@ -25,14 +25,32 @@ impl Polynomial {
     /// ```
     ///
     /// # Errors
-    /// [`ExactError::NoExponential`] if pi, roots, sines or members of families occur in the exponent, and for
-    /// multiples above 64 or more than 64 parts.
+    /// [`ExactError::NoExponential`] if pi, roots, sines or members of families occur in the exponent, logarithms
+    /// otherwise than as an integer multiple of one, and for multiples above 64 or more than 64 parts.
     pub fn exponential(&self) -> Result<Fraction, ExactError> {
         let refused = || ExactError::NoExponential {
             argument: self.to_string(),
         };
         let (mut above, mut below) = (Self::integer(1), Self::integer(1));
         for term in self.terms() {
+            // exp(n log(p)) = p^n
+            if let [(Symbol::Log(prime), 1)] = term.powers.as_slice() {
+                let times = term
+                    .coefficient
+                    .is_integer()
+                    .then(|| term.coefficient.numer());
+                let times = times.and_then(ToPrimitive::to_i64);
+                let times = times.filter(|n| n.unsigned_abs() <= MAX_MULTIPLE);
+                let times = times.ok_or_else(refused)?;
+                let power = Self::integer(i64::from(*prime))
+                    .power(times.unsigned_abs().try_into().map_err(|_| refused())?);
+                if times < 0 {
+                    below = &below * &power;
+                } else {
+                    above = &above * &power;
+                }
+                continue;
+            }
             let powers = term.powers.iter().map(|(symbol, power)| match symbol {
                 Symbol::Named(name) => Some((name.clone(), *power)),
                 _ => None,

@@ -8,7 +8,7 @@
 //! **Theorem.** A polynomial is the zero function if and only if its normal form has no terms.
 //!
 //! One operation is one file: [`add`], [`multiply`], `reduce` (the relations), [`divide`], [`gcd`],
-//! [`calculus`], [`evaluate`], [`trigonometry`], [`exponential`]; `cost` counts their work.
+//! [`calculus`], [`evaluate`], [`trigonometry`], [`exponential`], [`logarithm`]; `cost` counts their work.
 
 pub mod add;
 pub mod angles;
@@ -21,9 +21,11 @@ pub mod divide;
 pub mod evaluate;
 pub mod exponential;
 pub mod gcd;
+pub mod logarithm;
 mod modular;
 pub mod multiply;
 mod packed;
+mod primes;
 mod quotients;
 mod reduce;
 mod sparse;

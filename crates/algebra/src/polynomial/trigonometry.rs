@@ -6,16 +6,14 @@
 //! degrees are exact.
 
 use super::Polynomial;
+use super::primes::prime_factors;
 use crate::fault_injection::{InjectedFault, injected};
 use crate::rational::{Rational, integer, ratio, remainder};
 use crate::scalar::{ExactError, Scalar, ZeroTest};
 use crate::symbol::{Angle, Symbol, Unit};
-use dashu_int::ops::BitTest;
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::sync::Arc;
 
-/// The largest number of bits of a radicand, numerator and denominator together.
-const MAX_RADICAND_BITS: usize = 1 << 14;
 /// The largest multiple of the angle of a variable that is expanded, and the largest number of parts.
 pub(super) const MAX_MULTIPLE: u64 = 64;
 
@@ -143,40 +141,14 @@ impl Polynomial {
             return Err(refused());
         }
         // sqrt(a/b) = sqrt(a b) / b
-        let bits = radicand.numer().bit_len() + radicand.denom().bit_len();
-        if bits > MAX_RADICAND_BITS {
-            return Err(ExactError::TooLarge {
-                bits,
-                limit: MAX_RADICAND_BITS,
-            });
-        }
-        let mut rest = radicand.numer() * radicand.denom();
-        let mut root = Self::constant(&Rational::new(1.into(), radicand.denom().clone()));
-        if rest.is_zero() {
+        let root = Self::constant(&Rational::new(1.into(), radicand.denom().clone()));
+        if radicand.is_zero() {
             return Ok(Self::zero());
         }
-        let two = crate::Integer::from(2);
-        let mut prime = two.clone();
-        let limit = crate::Integer::from(1_000_000);
-        while &prime * &prime <= rest && prime <= limit {
-            let mut exponent = 0;
-            while (&rest % &prime).is_zero() {
-                rest /= &prime;
-                exponent += 1;
-            }
-            if exponent > 0 {
-                root = &root * &root_factor(&prime, exponent).ok_or_else(refused)?;
-            }
-            // After 2 only odd numbers are tried.
-            prime += if prime == two { 1 } else { 2 };
-        }
-        if !rest.is_one() {
-            if &prime * &prime <= rest {
-                return Err(refused());
-            }
-            root = &root * &root_factor(&rest, 1).ok_or_else(refused)?;
-        }
-        Ok(root)
+        let factors = prime_factors(&(radicand.numer() * radicand.denom()))?.ok_or_else(refused)?;
+        factors.iter().try_fold(root, |root, (prime, exponent)| {
+            Ok(&root * &root_factor(prime, *exponent).ok_or_else(refused)?)
+        })
     }
 }
 

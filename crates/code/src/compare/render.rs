@@ -196,8 +196,9 @@ impl Writer<'_> {
             (None, [argument])
                 if is_rust && torse_syntax::formula::functions::is_function(name) =>
             {
+                let method = if name == "log" { "ln" } else { name };
                 (
-                    format!("{}.{name}()", self.write(argument, ATOM, true)),
+                    format!("{}.{method}()", self.write(argument, ATOM, true)),
                     ATOM,
                 )
             }

@@ -158,7 +158,9 @@ fn meaning(module: &str, name: &str) -> Option<Meaning> {
 
 /// Functions that have the same name everywhere.
 fn elementary(name: &str) -> Option<&'static str> {
-    let all = ["sin", "cos", "tan", "exp", "sinh", "cosh", "tanh", "sqrt"];
+    let all = [
+        "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "sqrt",
+    ];
     all.into_iter().find(|known| *known == name)
 }
 

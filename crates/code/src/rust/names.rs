@@ -66,5 +66,8 @@ pub(super) fn elementary(method: &str) -> Option<&'static str> {
     let all = [
         "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh", "sqrt", "abs",
     ];
-    all.into_iter().find(|known| *known == method)
+    match method {
+        "ln" => Some("log"),
+        _ => all.into_iter().find(|known| *known == method),
+    }
 }

@@ -1,4 +1,4 @@
-//! Roots of formulas as symbols.
+//! Roots and logarithms of formulas as symbols.
 //!
 //! `sqrt(r)` is the number w with `w^2 == r` and `w >= 0`; for r < 0 there is none. So a claim in which `sqrt(r)`
 //! occurs is equivalent to the claim in which a new symbol w of the set `[0, inf)` replaces it, under the hypothesis
@@ -6,16 +6,18 @@
 //! w, and conversely. [`Claim::rooted`] makes the second claim. `norm(v)` is the root of `dot(v, v)`. Roots of the
 //! same radicand become the same symbol.
 //!
-//! **Under a derivative** the radicand changes with the variable. By Taylor's theorem a derivative of order n at u
-//! depends on the root through its first n derivatives there, so the root becomes the polynomial
-//! `c_0 + c_1 (x - u) + ... + c_n (x - u)^n` with `c_0 = w = sqrt(r(u))` and, since its square is r up to order n,
-//! `c_k = (r_k - sum of c_j c_(k-j) for 0 < j < k)/(2 c_0)`, where `r_k` is the k-th derivative of r at u over k!. So
-//! the derivative is defined where r(u) > 0.
+//! Likewise `log(r)` is the number w with `exp(w) == r`; for r <= 0 there is none. A new symbol w of the set of all
+//! numbers replaces it, under the hypotheses `r > 0` and `exp(w) == r`, of which the second implies the first.
 //!
-//! A root whose radicand contains no symbol is a number and is not replaced.
+//! **Under a derivative** the argument changes with the variable. By Taylor's theorem a derivative of order n at u
+//! depends on the function through its first n derivatives there, so it becomes the polynomial
+//! `c_0 + c_1 (x - u) + ... + c_n (x - u)^n` with h = x - u (module `taylor`).
+//!
+//! A root or logarithm whose argument contains no symbol is a number and is not replaced.
 
 mod name;
 mod part;
+mod taylor;
 
 use super::{BuiltIn, Claim, Hypothesis, Node, Set, Source, Statement, Term, Variable};
 use part::{key, mentions, replaced};
@@ -27,26 +29,26 @@ use torse_syntax::derivation::declarations::{Bound, Interval};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Operator, Place, Relation};
 
-/// The number of the first variable made here; the variables of texts have smaller numbers.
-const FIRST_VARIABLE: u32 = u32::MAX / 2;
-/// The largest number of roots of one claim.
-const MAX_ROOTS: usize = 24;
-/// The largest order of a derivative of a root.
-const MAX_ORDER: u32 = 4;
+/// The largest number of roots and logarithms of one claim.
+const MAX_MADE: usize = 24;
 /// The largest number of terms that are visited.
 const MAX_NODES: usize = 200_000;
 
 impl Claim {
-    /// Replaces each root of a formula by a symbol and adds the hypotheses that define these symbols; `origin` is the
-    /// origin of the statement.
+    /// Replaces each root and each logarithm of a formula by a symbol and adds the hypotheses that define these symbols;
+    /// `origin` is the origin of the statement.
     ///
     /// # Errors
-    /// [`Fault`] for a root that depends on the index of a sum, for more than 24 roots, and for radicands that are
-    /// too large.
+    /// [`Fault`] for one that depends on the index of a sum or the variable of an integral, for a logarithm in a `fails(p)` that
+    /// is joined to other statements, for more than 24 of them, and for arguments that are too large.
     pub fn rooted(&self, origin: &Origin) -> Result<Self, Fault> {
-        let applies = |s: &Statement| s.terms().into_iter().any(has_root);
+        let applies = |s: &Statement| s.terms().into_iter().any(has_implicit);
         if !applies(&self.statement) && !self.hypotheses.iter().any(|h| applies(&h.statement)) {
             return Ok(self.clone());
+        }
+        if matches!(self.statement, Statement::Join(..)) && fails_with_logarithm(&self.statement) {
+            let what = "a logarithm in `fails(...)` beside other statements";
+            return Err(Fault::limit(Place::default(), what));
         }
         let mut work = Work::default();
         let mut hypotheses = vec![];
@@ -59,9 +61,9 @@ impl Claim {
         }
         let statement = work.statement(&self.statement)?;
         let mut symbols = self.symbols.clone();
-        for root in work.roots {
-            symbols.insert(Arc::clone(&root.name), nonnegative());
-            hypotheses.push(root.hypothesis(origin));
+        for made in work.made {
+            symbols.insert(Arc::clone(&made.name), made.function.set());
+            hypotheses.extend(made.hypotheses(origin));
         }
         Ok(Self {
             symbols,
@@ -74,6 +76,18 @@ impl Claim {
     /// The symbols that stand for roots, with their radicands. A root that occurs in the radicand of another comes first.
     pub fn roots(&self) -> impl Iterator<Item = (&Arc<str>, &Term)> {
         self.hypotheses.iter().filter_map(Hypothesis::root)
+    }
+
+    /// The symbols that stand for roots and logarithms, with their arguments. One that occurs in the argument of another
+    /// comes first.
+    pub fn implicit(&self) -> impl Iterator<Item = (&Arc<str>, &Term)> {
+        let hypotheses = self.hypotheses.iter();
+        hypotheses.filter_map(|h| h.root().or_else(|| h.logarithm()))
+    }
+
+    /// The symbols that stand for logarithms, with their arguments. One that occurs in the argument of another comes first.
+    pub fn logarithms(&self) -> impl Iterator<Item = (&Arc<str>, &Term)> {
+        self.hypotheses.iter().filter_map(Hypothesis::logarithm)
     }
 }
 
@@ -92,44 +106,128 @@ impl Hypothesis {
             _ => None,
         }
     }
-}
 
-/// The set of nonnegative numbers.
-fn nonnegative() -> Set {
-    let zero = Bound {
-        value: rational::integer(0).into(),
-        closed: true,
-    };
-    Set::Real(Box::new(Interval {
-        lower: Some(zero),
-        ..Interval::default()
-    }))
-}
-
-fn has_root(term: &Term) -> bool {
-    term.applies(BuiltIn::SquareRoot) || term.applies(BuiltIn::Norm)
-}
-
-/// The symbol of a root, and its radicand.
-struct Root {
-    name: Arc<str>,
-    radicand: Term,
-}
-
-impl Root {
-    /// `w^2 == r`.
-    fn hypothesis(self, origin: &Origin) -> Hypothesis {
-        let place = self.radicand.place;
-        let two = made(Node::Number(integer(2)), place);
-        let symbol = made(Node::Symbol(self.name), place);
-        Hypothesis {
-            statement: Statement::Compare {
-                relation: Relation::Equal,
-                left: made(Node::Binary(Operator::Power, symbol, two), place),
-                right: self.radicand,
+    /// The symbol of a logarithm and its argument, if this hypothesis defines one.
+    #[must_use]
+    pub fn logarithm(&self) -> Option<(&Arc<str>, &Term)> {
+        let Statement::Compare {
+            relation: Relation::Equal,
+            left,
+            right,
+        } = &self.statement
+        else {
+            return None;
+        };
+        let Node::Apply(BuiltIn::Exponential, items) = &*left.node else {
+            return None;
+        };
+        match (self.source, items.as_slice()) {
+            (Source::Logarithm, [symbol]) => match &*symbol.node {
+                Node::Symbol(name) => Some((name, right)),
+                _ => None,
             },
-            source: Source::Root,
+            _ => None,
+        }
+    }
+}
+
+/// The functions that symbols stand for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Implicit {
+    /// The number w >= 0 with `w^2 == r`.
+    Root,
+    /// The number w with `exp(w) == r`.
+    Logarithm,
+}
+
+impl Implicit {
+    /// The set of all values.
+    fn set(self) -> Set {
+        let zero = || Bound {
+            value: rational::integer(0).into(),
+            closed: true,
+        };
+        Set::Real(Box::new(Interval {
+            lower: (self == Self::Root).then(zero),
+            ..Interval::default()
+        }))
+    }
+
+    fn built_in(self) -> BuiltIn {
+        match self {
+            Self::Root => BuiltIn::SquareRoot,
+            Self::Logarithm => BuiltIn::Logarithm,
+        }
+    }
+
+    /// What it is called in messages.
+    fn noun(self) -> &'static str {
+        match self {
+            Self::Root => "a root",
+            Self::Logarithm => "a logarithm",
+        }
+    }
+}
+
+/// Whether a logarithm occurs in a part `fails(p)`: where it has no value says nothing of the other parts.
+fn fails_with_logarithm(statement: &Statement) -> bool {
+    match statement {
+        Statement::Not(inner) => {
+            let mut terms = inner.terms().into_iter();
+            terms.any(|term| term.applies(BuiltIn::Logarithm))
+        }
+        Statement::Join(_, a, b) => fails_with_logarithm(a) || fails_with_logarithm(b),
+        _ => false,
+    }
+}
+
+/// Whether a root or a logarithm occurs in a term.
+fn has_implicit(term: &Term) -> bool {
+    let all = [BuiltIn::SquareRoot, BuiltIn::Norm, BuiltIn::Logarithm];
+    all.into_iter().any(|function| term.applies(function))
+}
+
+/// The symbol of a root or a logarithm, and its argument.
+struct Made {
+    function: Implicit,
+    name: Arc<str>,
+    argument: Term,
+}
+
+impl Made {
+    /// `w^2 == r`, or `r > 0` and `exp(w) == r`.
+    fn hypotheses(self, origin: &Origin) -> Vec<Hypothesis> {
+        let place = self.argument.place;
+        let symbol = made(Node::Symbol(self.name), place);
+        let number = |n: i64| made(Node::Number(integer(n)), place);
+        let compared = |relation, left, right, source| Hypothesis {
+            statement: Statement::Compare {
+                relation,
+                left,
+                right,
+            },
+            source,
             origin: origin.clone(),
+        };
+        match self.function {
+            Implicit::Root => {
+                let square = binary(Operator::Power, symbol, number(2));
+                vec![compared(
+                    Relation::Equal,
+                    square,
+                    self.argument,
+                    Source::Root,
+                )]
+            }
+            Implicit::Logarithm => {
+                let power = Node::Apply(BuiltIn::Exponential, vec![symbol]);
+                let (power, argument) = (made(power, place), self.argument);
+                let source = Source::Logarithm;
+                vec![
+                    compared(Relation::Greater, argument.clone(), number(0), source),
+                    compared(Relation::Equal, power, argument, source),
+                ]
+            }
         }
     }
 }
@@ -152,10 +250,11 @@ type Scope = BTreeMap<u32, Binder>;
 
 #[derive(Default)]
 struct Work {
-    roots: Vec<Root>,
-    /// The symbols of the roots, by the keys of their radicands.
-    names: BTreeMap<String, Arc<str>>,
-    made: u32,
+    made: Vec<Made>,
+    /// The symbols, by their functions and the keys of their arguments.
+    names: BTreeMap<(BuiltIn, String), Arc<str>>,
+    /// The number of variables made.
+    variables: u32,
     nodes: usize,
 }
 
@@ -177,28 +276,38 @@ impl Work {
         statement.try_mapped(&|term| work.borrow_mut().term(term, &Scope::new()))
     }
 
-    /// Replaces the roots in a term by symbols. Roots that depend on the variable of an enclosing derivative are left
-    /// unchanged; the derivative expands them.
+    /// Replaces the roots and logarithms in a term by symbols. Those that depend on the variable of an enclosing derivative
+    /// are left unchanged; the derivative expands them.
     fn term(&mut self, term: &Term, scope: &Scope) -> Result<Term, Fault> {
-        if !has_root(term) {
+        if !has_implicit(term) {
             return Ok(term.clone());
         }
         self.nodes += 1;
         if self.nodes > MAX_NODES {
-            return Err(Fault::limit(term.place, "a formula with too many roots"));
+            return Err(Fault::limit(
+                term.place,
+                "a formula with too many roots or logarithms",
+            ));
         }
         match &*term.node {
-            Node::Apply(BuiltIn::SquareRoot, items) if items.len() == 1 => {
+            Node::Apply(function @ (BuiltIn::SquareRoot | BuiltIn::Logarithm), items)
+                if items.len() == 1 =>
+            {
                 let items = self.all(items, scope)?;
-                let radicand = items.into_iter().next();
-                let radicand = radicand.ok_or_else(|| nothing(term.place))?;
-                self.root(radicand, term.place, scope)
+                let argument = items.into_iter().next();
+                let argument = argument.ok_or_else(|| nothing(term.place))?;
+                let function = match function {
+                    BuiltIn::Logarithm => Implicit::Logarithm,
+                    _ => Implicit::Root,
+                };
+                self.symbol(function, argument, term.place, scope)
             }
             Node::Apply(BuiltIn::Norm, items) if items.len() == 1 => {
                 let items = self.all(items, scope)?;
                 let pair = items.first().cloned().into_iter().chain(items);
                 let square = Node::Apply(BuiltIn::Dot, pair.collect());
-                self.root(made(square, term.place), term.place, scope)
+                let square = made(square, term.place);
+                self.symbol(Implicit::Root, square, term.place, scope)
             }
             Node::Let {
                 variable,
@@ -288,57 +397,91 @@ impl Work {
         items.iter().map(|item| self.term(item, scope)).collect()
     }
 
-    /// The symbol of the root of a radicand in which roots have been replaced already.
-    fn root(&mut self, radicand: Term, place: Place, scope: &Scope) -> Result<Term, Fault> {
-        let radicand = named(&radicand, scope);
+    /// The symbol of a function of an argument in which roots and logarithms have been replaced already.
+    fn symbol(
+        &mut self,
+        function: Implicit,
+        argument: Term,
+        place: Place,
+        scope: &Scope,
+    ) -> Result<Term, Fault> {
+        let argument = named(&argument, scope);
+        let noun = function.noun();
         let bound = |kind: fn(&Binder) -> bool| {
             let of_kind = scope.iter().filter(|(_, binder)| kind(binder));
             let mut numbers = of_kind.map(|(number, _)| *number);
-            numbers.any(|number| mentions(&radicand, number))
+            numbers.any(|number| mentions(&argument, number))
         };
         if bound(|binder| matches!(binder, Binder::Index)) {
-            let what = "a root that depends on the index of a sum";
+            let what = format!("{noun} that depends on the index of a sum");
             return Err(Fault::limit(place, what));
         }
         if bound(|binder| matches!(binder, Binder::Integration)) {
-            let what = "a root that depends on the variable of an integral: write it without the root, and integrate that";
+            let what = match function {
+                Implicit::Root => format!(
+                    "{noun} that depends on the variable of an integral: write it without the root, and integrate that"
+                ),
+                Implicit::Logarithm => {
+                    format!("{noun} that depends on the variable of an integral")
+                }
+            };
             return Err(Fault::limit(place, what));
         }
         let moves = bound(|binder| matches!(binder, Binder::Differential));
-        if moves || part::is_number(&radicand) {
-            let node = Node::Apply(BuiltIn::SquareRoot, vec![radicand]);
+        if moves || part::is_number(&argument) {
+            let node = Node::Apply(function.built_in(), vec![argument]);
             return Ok(made(node, place));
         }
-        let key = key(&radicand).ok_or_else(|| Fault::limit(place, "so large a radicand"))?;
+        let key = key(&argument).ok_or_else(|| {
+            let what = match function {
+                Implicit::Root => "so large a radicand",
+                Implicit::Logarithm => "so large an argument of a logarithm",
+            };
+            Fault::limit(place, what)
+        })?;
+        let key = (function.built_in(), key);
         if let Some(name) = self.names.get(&key) {
             return Ok(made(Node::Symbol(Arc::clone(name)), place));
         }
-        if self.roots.len() >= MAX_ROOTS {
-            let what = format!("more than {MAX_ROOTS} different roots");
+        if self.made.len() >= MAX_MADE {
+            let what = format!("more than {MAX_MADE} different roots and logarithms");
             return Err(Fault::limit(place, what));
         }
-        let taken = |name: &str| self.roots.iter().any(|root| *root.name == *name);
-        let name = name::root_text(&radicand).filter(|name| !taken(name));
-        let name = name.unwrap_or_else(|| format!("\u{221a}{}", self.roots.len() + 1));
+        let taken = |name: &str| self.made.iter().any(|made| *made.name == *name);
+        let (text, sign) = match function {
+            Implicit::Root => (name::root_text(&argument), '\u{221a}'),
+            Implicit::Logarithm => (name::logarithm_text(&argument), '\u{2113}'),
+        };
+        let name = text.filter(|name| !taken(name));
+        let name = name.unwrap_or_else(|| format!("{sign}{}", self.made.len() + 1));
         let name: Arc<str> = name.into();
         self.names.insert(key, Arc::clone(&name));
-        self.roots.push(Root {
+        self.made.push(Made {
+            function,
             name: Arc::clone(&name),
-            radicand,
+            argument,
         });
         Ok(made(Node::Symbol(name), place))
     }
 
-    /// The body of a derivative, in which roots that depend on its variable are replaced by their Taylor polynomials.
+    /// The body of a derivative, in which roots and logarithms that depend on its variable are replaced by their Taylor
+    /// polynomials.
     fn expanded(&mut self, term: &Term, around: &Around<'_>) -> Result<Term, Fault> {
-        if !term.applies(BuiltIn::SquareRoot) || !mentions(term, around.variable.number()) {
+        if !has_implicit(term) || !mentions(term, around.variable.number()) {
             return Ok(term.clone());
         }
         match &*term.node {
             Node::Apply(BuiltIn::SquareRoot, items) => match items.as_slice() {
                 [radicand] => {
                     let moved = self.expanded(radicand, around)?;
-                    self.series(radicand, &moved, around)
+                    self.series(Implicit::Root, radicand, &moved, around)
+                }
+                _ => Err(nothing(term.place)),
+            },
+            Node::Apply(BuiltIn::Logarithm, items) => match items.as_slice() {
+                [argument] => {
+                    let moved = self.expanded(argument, around)?;
+                    self.series(Implicit::Logarithm, argument, &moved, around)
                 }
                 _ => Err(nothing(term.place)),
             },
@@ -374,72 +517,6 @@ impl Work {
             _ => term.with_parts(&mut |part| self.expanded(part, around)),
         }
     }
-
-    /// The Taylor polynomial of a root; `expanded` is the radicand with its own roots expanded.
-    fn series(
-        &mut self,
-        radicand: &Term,
-        expanded: &Term,
-        around: &Around<'_>,
-    ) -> Result<Term, Fault> {
-        let place = radicand.place;
-        let order = around.order.filter(|order| *order <= MAX_ORDER);
-        let order = order.ok_or_else(|| {
-            let what =
-                format!("a root under a derivative that is not of an order up to {MAX_ORDER}");
-            Fault::limit(place, what)
-        })?;
-        let number = |n: u32| made(Node::Number(integer(i64::from(n))), place);
-        let at_point = replaced(radicand, around.variable.number(), around.at);
-        let at_point = self.term(&at_point, around.scope)?;
-        let mut coefficients = vec![self.root(at_point, place, around.scope)?];
-        let twice = binary(
-            Operator::Multiply,
-            number(2),
-            coefficients_first(&coefficients)?,
-        );
-        let mut factorial = 1;
-        for k in 1..=order {
-            factorial *= k;
-            let rate = self.rate(expanded, k, around);
-            let mut left = binary(Operator::Divide, rate, number(factorial));
-            let before = coefficients.iter().skip(1);
-            for (a, b) in before.clone().zip(before.rev()) {
-                let product = binary(Operator::Multiply, a.clone(), b.clone());
-                left = binary(Operator::Subtract, left, product);
-            }
-            coefficients.push(binary(Operator::Divide, left, twice.clone()));
-        }
-        let variable = made(Node::Variable(around.variable.clone()), place);
-        let step = binary(Operator::Subtract, variable, around.at.clone());
-        let mut terms = coefficients.into_iter().zip(0..);
-        let first = terms.next().ok_or_else(|| nothing(place))?.0;
-        Ok(terms.fold(first, |sum, (coefficient, k)| {
-            let power = binary(Operator::Power, step.clone(), number(k));
-            let product = binary(Operator::Multiply, coefficient, power);
-            binary(Operator::Add, sum, product)
-        }))
-    }
-
-    /// The derivative of the radicand of the given order at the point.
-    fn rate(&mut self, radicand: &Term, order: u32, around: &Around<'_>) -> Term {
-        let place = radicand.place;
-        let variable = Variable {
-            number: FIRST_VARIABLE.saturating_add(self.made),
-            name: Arc::clone(&around.variable.name),
-        };
-        self.made += 1;
-        let own = made(Node::Variable(variable.clone()), place);
-        let body = replaced(radicand, around.variable.number(), &own);
-        let node = Node::Derivative {
-            order: made(Node::Number(integer(i64::from(order))), place),
-            closed: body.is_closed_but_for(variable.number()),
-            variable,
-            body,
-            at: around.at.clone(),
-        };
-        made(node, place)
-    }
 }
 
 /// A derivative whose body is being expanded.
@@ -452,14 +529,8 @@ struct Around<'s> {
     scope: &'s Scope,
 }
 
-fn coefficients_first(all: &[Term]) -> Result<Term, Fault> {
-    all.first()
-        .cloned()
-        .ok_or_else(|| nothing(Place::default()))
-}
-
 fn nothing(place: Place) -> Fault {
-    Fault::limit(place, "a root of nothing")
+    Fault::limit(place, "a function of nothing")
 }
 
 /// Replaces the variables that abbreviate terms by these terms.

@@ -1,4 +1,4 @@
-//! Names of roots: the text of the root, if it can be written in the symbols of the claim.
+//! Names of roots and logarithms: their texts, if these can be written in the symbols of the claim.
 
 use crate::{BuiltIn, Node, Term};
 use std::collections::BTreeMap;
@@ -31,6 +31,13 @@ pub(super) fn root_text(radicand: &Term) -> Option<String> {
 
 /// The terms that variables abbreviate.
 type Names = BTreeMap<u32, Expr>;
+
+/// The text of `log(a)`, as for a root.
+pub(super) fn logarithm_text(argument: &Term) -> Option<String> {
+    let argument = Writer { parts: 0 }.written(argument, &BTreeMap::new())?;
+    let text = notation::text(&call("log", vec![argument]));
+    (text.len() <= MAX_NAME).then_some(text)
+}
 
 struct Writer {
     parts: usize,
@@ -129,6 +136,7 @@ fn head(function: BuiltIn) -> &'static str {
         BuiltIn::Sine => "sin",
         BuiltIn::Cosine => "cos",
         BuiltIn::Exponential => "exp",
+        BuiltIn::Logarithm => "log",
         BuiltIn::Dot => "dot",
         BuiltIn::Cross => "cross",
         BuiltIn::Norm => "norm",

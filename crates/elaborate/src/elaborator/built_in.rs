@@ -248,6 +248,7 @@ impl Elaborator<'_> {
             ("sin", [_]) => BuiltIn::Sine,
             ("cos", [_]) => BuiltIn::Cosine,
             ("exp", [_]) => BuiltIn::Exponential,
+            ("log", [_]) => BuiltIn::Logarithm,
             ("sqrt", [_]) => BuiltIn::SquareRoot,
             ("dot", [_, _]) => BuiltIn::Dot,
             ("cross", [_, _]) => BuiltIn::Cross,

@@ -7,6 +7,7 @@
 //! the meaning of nothing.
 
 mod given;
+mod logarithms;
 mod roots;
 
 pub use given::solve_given;
@@ -208,6 +209,7 @@ impl<'a> ProofContext<'a> {
             roots = ground.resolve(roots)?;
         }
         ground.constrain_roots(&roots)?;
+        ground.take_logarithms(claim)?;
         Ok(ground)
     }
 

@@ -106,14 +106,22 @@ impl Domain<'_> {
         inside(&self.interval(symbol.symbol()), value)
     }
 
-    /// The values of a symbol in its interval that equations such as `2*w^2 == 3` leave.
-    pub(crate) fn roots_of(
+    /// Whether a symbol is a root or a logarithm, which the others determine.
+    pub(crate) fn is_implicit(&self, symbol: &Symbol) -> bool {
+        let is_root = self.roots.iter().any(|root| root.symbol == *symbol);
+        is_root || self.logarithms.iter().any(|log| log.symbol == *symbol)
+    }
+
+    /// The values of a root or a logarithm in its interval that equations such as `2*w^2 == 3` and `exp(w) == 3` leave.
+    pub(crate) fn implicit_values(
         &self,
         symbol: &Symbol,
         constraints: &[(Fraction, Relation)],
     ) -> Vec<Fraction> {
         let interval = self.interval(symbol);
-        let mut values = roots(symbol, constraints.iter().map(|(value, r)| (value, *r)));
+        let equations = || constraints.iter().map(|(value, r)| (value, *r));
+        let mut values = roots(symbol, equations());
+        values.extend(logarithms(symbol, equations()));
         values.retain(|value| inside(&interval, value));
         values.dedup();
         values
@@ -142,6 +150,36 @@ fn roots<'c>(
     let roots = equations.filter_map(|(value, _)| square(value));
     roots
         .flat_map(|root| [Fraction::from(root.clone()), Fraction::from(-root)])
+        .collect()
+}
+
+/// The values of a symbol that equations such as `2*exp(w) == 3` leave.
+fn logarithms<'c>(
+    symbol: &Symbol,
+    constraints: impl Iterator<Item = (&'c Fraction, Relation)>,
+) -> Vec<Fraction> {
+    let equations = constraints.filter(|(_, relation)| *relation == Relation::Equal);
+    let value = |value: &Fraction| {
+        let polynomial = value.numerator();
+        let own = match polynomial.symbols() {
+            [own @ Symbol::Exp(exponent)] if exponent.parts() == 1 => own,
+            _ => return None,
+        };
+        let mut names = own.names();
+        let alone = names.next().cloned().map(Symbol::Named) == Some(symbol.clone());
+        if !alone || names.next().is_some() {
+            return None;
+        }
+        match polynomial.coefficients_in(own).as_slice() {
+            [constant, slope] => {
+                let power = -constant.as_constant()? / slope.as_constant()?;
+                Polynomial::logarithm(&power).ok().map(Fraction::from)
+            }
+            _ => None,
+        }
+    };
+    equations
+        .filter_map(|(equation, _)| value(equation))
         .collect()
 }
 

@@ -137,9 +137,8 @@ pub fn near(
         return None;
     }
     bounding_integers(&mut symbols, domain);
-    // Roots last: the others determine them.
-    let is_root = |s: &Symbol| domain.roots.iter().any(|root| root.symbol == *s);
-    symbols.sort_by_key(is_root);
+    // Roots and logarithms last: the others determine them.
+    symbols.sort_by_key(|symbol| domain.is_implicit(symbol));
     let candidates: Vec<(Symbol, Vec<Fraction>)> = symbols
         .into_iter()
         .map(|s| {
@@ -238,8 +237,8 @@ impl Search<'_> {
         if constraints.iter().any(fails) {
             return false;
         }
-        let own = match self.domain.roots.iter().any(|root| root.symbol == *symbol) {
-            true => self.domain.roots_of(symbol, constraints),
+        let own = match self.domain.is_implicit(symbol) {
+            true => self.domain.implicit_values(symbol, constraints),
             false => values.clone(),
         };
         for at in &own {
@@ -283,7 +282,7 @@ impl Search<'_> {
             own.len() > 1 && own.contains(symbol)
         };
         self.domain.is_integer(symbol)
-            || self.domain.roots.iter().any(|root| root.symbol == *symbol)
+            || self.domain.is_implicit(symbol)
             || free_symbols(&[value]).contains(symbol)
             || constraints.iter().any(ties)
     }

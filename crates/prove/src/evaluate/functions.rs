@@ -49,6 +49,10 @@ impl Evaluator<'_> {
                 let power = power.map_err(|e| Fault::exact(argument.place, e))?;
                 Ok(self.at_sample(power).into())
             }
+            (BuiltIn::Logarithm, [argument]) => {
+                let value = self.number(argument, bound)?.logarithm();
+                Ok(value.map_err(|e| Fault::exact(argument.place, e))?.into())
+            }
             (BuiltIn::SquareRoot, [radicand]) => {
                 let value = self.number(radicand, bound)?;
                 square_root(&value, radicand.place).map(Value::from)

@@ -221,6 +221,7 @@ impl Writer<'_> {
                 let radicand = self.number(first, scope)?;
                 premises.add(relation(&Code::atom("0"), "<=", &radicand));
             }
+            "log" => return Err(Untranslatable::Theory("logarithms")),
             "abs" => {
                 let x = self.number(first, scope)?;
                 let square = Code::infix(&x, "*", &x, Level::Product);

@@ -425,6 +425,7 @@ impl Writer<'_> {
             ("sin", [Number]) => ("sin", Number),
             ("cos", [Number]) => ("cos", Number),
             ("exp", [Number]) => ("exp", Number),
+            ("log", _) => return Err(Untranslatable::Theory("logarithms")),
             ("dot", [Vector(n), Vector(m)]) if n == m => ("dot", Number),
             ("cross", [Vector(3), Vector(3)]) => ("cross", Vector(3)),
             ("norm", [Vector(_)]) => ("norm", Number),

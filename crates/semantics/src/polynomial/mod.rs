@@ -145,6 +145,18 @@ impl Arithmetic for Polynomials<'_> {
         exponential::exponential_quotient(a, self.work)
     }
 
+    /// Supports one only.
+    fn logarithm(&self, a: &Quotient) -> Result<Quotient, NoValue> {
+        match a.as_constant() {
+            Some(number) if !number.is_positive() => Err(Undefined::NoLogarithm.into()),
+            Some(number) if number == integer(1) => Ok(Sum::default().into()),
+            _ => Err(Unknown::NotCovered {
+                what: "the logarithm of this formula",
+            }
+            .into()),
+        }
+    }
+
     fn is_zero(&self, a: &Quotient) -> Option<bool> {
         Some(a.above.is_zero())
     }

@@ -172,6 +172,14 @@ impl Arithmetic for Residues<'_> {
         }
     }
 
+    /// Supports one only.
+    fn logarithm(&self, a: &Residue) -> Result<Residue, NoValue> {
+        match a.class()? {
+            1 => Ok(Residue::Class(0)),
+            _ => Err(missing()),
+        }
+    }
+
     fn is_zero(&self, a: &Residue) -> Option<bool> {
         match a {
             Residue::Class(class) => Some(*class == 0),

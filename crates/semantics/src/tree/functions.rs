@@ -89,6 +89,7 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                 Value::Number(sine.over(&cosine, a)?)
             }
             ("exp", [x]) => Value::Number(number(x)?.exponential(a)?),
+            ("log", [x]) => Value::Number(number(x)?.logarithm(a)?),
             ("cosh" | "sinh" | "tanh", [x]) => Value::Number(self.hyperbolic(name, &number(x)?)?),
             ("binom", [n, j]) => {
                 let what = "the lower number of a binomial coefficient";

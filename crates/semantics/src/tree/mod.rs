@@ -24,6 +24,7 @@ mod jets;
 mod judge;
 mod memory;
 mod outline;
+mod outside;
 mod property;
 mod remembered;
 mod slips;

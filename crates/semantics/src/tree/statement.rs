@@ -58,6 +58,9 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         match self.meaning(tree, place) {
             Ok(Meaning::Statement(judgement)) => judgement,
             Ok(Meaning::Value(_)) => NoValue::shape("a number where a statement is needed").into(),
+            Err(NoValue::Undefined(Undefined::ZeroDivisor)) => {
+                self.divides_by_zero(tree, place).into()
+            }
             Err(gap) => gap.into(),
         }
     }

@@ -1,7 +1,7 @@
 //! The names of the functions of the language. What each means is in SEMANTICS.md.
 
 /// All of them.
-pub const FUNCTIONS: [&str; 30] = [
+pub const FUNCTIONS: [&str; 31] = [
     "sum",
     "product",
     "integral",
@@ -13,6 +13,7 @@ pub const FUNCTIONS: [&str; 30] = [
     "cos",
     "tan",
     "exp",
+    "log",
     "cosh",
     "sinh",
     "tanh",
@@ -35,7 +36,9 @@ pub const FUNCTIONS: [&str; 30] = [
 ];
 
 /// Those of one number whose values are mostly not rational.
-pub const ELEMENTARY: [&str; 8] = ["sqrt", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"];
+pub const ELEMENTARY: [&str; 9] = [
+    "sqrt", "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh",
+];
 
 /// Whether a name is that of a function of the language.
 #[must_use]

@@ -105,8 +105,8 @@ fn product(number: &str, name: &str, next: Option<&Token>) -> String {
 }
 
 /// Functions that papers print without brackets.
-const FUNCTIONS: [&str; 9] = [
-    "sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "sqrt", "det",
+const FUNCTIONS: [&str; 10] = [
+    "sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "det",
 ];
 
 /// Describes a formula that can never be a function; `None` if it may be one.
@@ -128,9 +128,13 @@ pub fn name(unknown: &str) -> Option<&'static str> {
         "sec" => "`sec` is not in the language: write `1/cos(x)`",
         "csc" => "`csc` is not in the language: write `1/sin(x)`",
         "coth" => "`coth` is not in the language: write `cosh(x)/sinh(x)`",
-        "ln" | "log" | "arcsin" | "arccos" | "arctan" | "asin" | "acos" | "atan" | "atan2"
-        | "min" | "max" | "floor" | "ceil" | "gamma" | "lim" => {
-            "this function is not in the language: its functions are rational, sqrt, abs, sin, cos, tan, exp, sinh, cosh and tanh"
+        "ln" => "the natural logarithm is written `log(x)`",
+        "log2" | "log10" => {
+            "a logarithm to another base is written as a quotient: `log(x)/log(10)`"
+        }
+        "arcsin" | "arccos" | "arctan" | "asin" | "acos" | "atan" | "atan2" | "min" | "max"
+        | "floor" | "ceil" | "gamma" | "lim" => {
+            "this function is not in the language: its functions are rational, sqrt, abs, sin, cos, tan, exp, log, sinh, cosh and tanh"
         }
         "e" => "the base of natural logarithms is written `exp(1)`",
         "inf" | "infinity" => "formulas have no infinity; `inf` is an end of an interval",

@@ -13,8 +13,8 @@ use crate::formula::{Expr, Node, Operator, Place};
 use std::sync::Arc;
 
 /// The functions of the language that papers write so.
-const FUNCTIONS: [&str; 10] = [
-    "sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "exp",
+const FUNCTIONS: [&str; 12] = [
+    "sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "exp", "log", "ln",
 ];
 
 impl Reader<'_> {
@@ -35,7 +35,7 @@ impl Reader<'_> {
             }
             let error = LatexError::new(place, format!("`{name}` is not in the language"));
             return Err(error.with_help(
-                "its functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, exp and det",
+                "its functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, exp, log, ln and det",
             ));
         }
         line.next += 1;
@@ -273,7 +273,7 @@ fn is_coefficient(expr: &Expr) -> bool {
     }
 }
 
-/// The value of a function; cotangent, secant and cosecant are quotients.
+/// The value of a function; cotangent, secant and cosecant are quotients, and `\ln` is `log`.
 fn applied(name: &str, argument: Expr, place: Place) -> Term {
     let call =
         |name: &str, argument: Expr| Term::call(name, vec![argument], place, Shape::Number).expr;
@@ -288,6 +288,10 @@ fn applied(name: &str, argument: Expr, place: Place) -> Term {
         "cot" => over(call("cos", argument.clone()), call("sin", argument)),
         "sec" => over(one(), call("cos", argument)),
         "csc" => over(one(), call("sin", argument)),
+        "ln" => Term {
+            expr: call("log", argument),
+            shape: Shape::Number,
+        },
         _ => Term {
             expr: call(name, argument),
             shape: Shape::Number,

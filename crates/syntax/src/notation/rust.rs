@@ -145,9 +145,10 @@ impl Notation for Doubles<'_> {
         let name = plain_name(head).unwrap_or_default();
         match (name, arguments) {
             (
-                "sqrt" | "sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" | "exp" | "ln" | "abs",
+                "sqrt" | "sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" | "exp" | "log" | "abs",
                 [x],
             ) => {
+                let name = if name == "log" { "ln" } else { name };
                 let object = match &x.node {
                     Node::Number { .. } => format!("{}_f64", self.write(x).text),
                     _ => self.operand(x, Level::Atom),

@@ -41,6 +41,7 @@ impl Terms<'_> {
             (BuiltIn::Sine, [angle]) => Value::Number(number(angle)?.sine_cosine(a)?.0),
             (BuiltIn::Cosine, [angle]) => Value::Number(number(angle)?.sine_cosine(a)?.1),
             (BuiltIn::Exponential, [x]) => Value::Number(number(x)?.exponential(a)?),
+            (BuiltIn::Logarithm, [x]) => Value::Number(number(x)?.logarithm(a)?),
             (BuiltIn::Dot, [x, y]) => Value::Number(dot(&entries(x)?, &entries(y)?, a)?),
             (BuiltIn::Norm, [v]) => {
                 let entries = entries(v)?;

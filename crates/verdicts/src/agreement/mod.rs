@@ -6,9 +6,10 @@
 //! same value, and connectives and relations must be the same. Comparing truth values would not suffice, and no
 //! equation has to be solved.
 //!
-//! **Names made by the engine.** In core terms, the derivative of a smooth function at a place and the root of a
-//! formula are symbols. The value of such a symbol is the value of its *text*; the value of a root is the root of its
-//! square, as the claim defines it, and if its name is a text as well, both must agree.
+//! **Names made by the engine.** In core terms, the derivative of a smooth function at a place and the root or logarithm
+//! of a formula are symbols. The value of such a symbol is the value of its *text*; the value of a root is the root of its
+//! square and that of a logarithm the logarithm of its exponential, as the claim defines them, and if its name is a text
+//! as well, both must agree.
 //!
 //! An assignment counts if both readings have a value. If none of the first ten does, the claim is not compared, and
 //! not netted. But if one reading never has a value and the other always has one, they differ.
@@ -115,9 +116,9 @@ struct Case<'a> {
 impl Case<'_> {
     /// Checks that every symbol has its declared set.
     fn declared(&self) -> Result<(), String> {
-        let roots: BTreeSet<&Arc<str>> = self.core.roots().map(|(name, _)| name).collect();
+        let made: BTreeSet<&Arc<str>> = self.core.implicit().map(|(name, _)| name).collect();
         for (name, set) in &self.core.symbols {
-            if roots.contains(name) {
+            if made.contains(name) {
                 continue;
             }
             let declared = self.claim.declarations.symbol(name);
@@ -168,8 +169,18 @@ impl Case<'_> {
                 note(same.map_err(|()| wrong())?);
             }
         }
+        for (name, argument) in self.core.logarithms() {
+            if let Some(Some(tree)) = self.made.get(name) {
+                let value = plain.value(argument).and_then(|value| value.number());
+                let value = value.and_then(|x| x.logarithm(&arithmetic));
+                let same = both.same(&trees.value(tree), &value.map(Value::Number));
+                let wrong = || format!("the logarithm `{name}` is not what its name says");
+                note(same.map_err(|()| wrong())?);
+            }
+        }
         let own = self.core.hypotheses.iter();
-        let own = own.filter(|h| h.source != core::Source::Root);
+        let is_made = |source| matches!(source, core::Source::Root | core::Source::Logarithm);
+        let own = own.filter(|h| !is_made(h.source));
         let own: Vec<CoreOutline<'_>> = own.map(|h| outline(&h.statement, &plain)).collect();
         let mut texts = trees.hypotheses();
         let written = texts.len();

@@ -46,8 +46,15 @@ impl Numbers<'_, '_> {
         value.as_number().copied()
     }
 
-    /// Returns the value of a name that the engine made: the root of its square, or the value of its text.
+    /// Returns the value of a name that the engine made: the root of its square, the logarithm of its exponential, or the
+    /// value of its text.
     fn made_value(&self, name: &Arc<str>) -> Option<Value<Class>> {
+        if let Some((_, argument)) = self.core.logarithms().find(|(own, _)| *own == name) {
+            let values = |name: &Name| self.number(name);
+            let argument = Terms::new(self.arithmetic, &values, None).value(argument);
+            let logarithm = argument.ok()?.number().ok()?.logarithm(self.arithmetic);
+            return logarithm.ok().map(Value::Number);
+        }
         if let Some((_, radicand)) = self.core.roots().find(|(own, _)| *own == name) {
             let values = |name: &Name| self.number(name);
             let radicand = Terms::new(self.arithmetic, &values, None).value(radicand);

@@ -38,7 +38,7 @@ step = ['1 - x', 'x']
 "#;
 
 /// A fault, the fields of a claim that uses the construct, and a part of what is said of it.
-const CASES: [(InjectedFault, &str, &str); 12] = [
+const CASES: [(InjectedFault, &str, &str); 13] = [
     (
         InjectedFault::OrdersByMaximum,
         "states = 'D(D(f(u*v), v), u) == 0'",
@@ -68,6 +68,11 @@ const CASES: [(InjectedFault, &str, &str); 12] = [
         InjectedFault::SeedOverlooked,
         "states = 'sqrt(B[0,1](x)) == at(sqrt(B[0,1](x)), m, 2)'",
         "one reading has no value",
+    ),
+    (
+        InjectedFault::LogarithmWithoutEarlier,
+        "states = 'D(log(b), b, 2) == 0'",
+        "`D(log(b), b, 2)`",
     ),
     (
         InjectedFault::DenialOfBoth,

@@ -276,6 +276,18 @@ const CASES: &[PreparedClaim] = &[
         Conditional,
         Caught::Net,
     ),
+    case(
+        InjectedFault::LogarithmFactorForgotten,
+        "states = 'log(a) + log(a^2) == log(a)'",
+        False,
+        Caught::Net,
+    ),
+    case(
+        InjectedFault::ExponentsReversed,
+        "assume = ['a > 2']\nstates = 'log(a) < log(2)'",
+        False,
+        Caught::Net,
+    ),
 ];
 
 /// What the prover alone says.

@@ -189,6 +189,12 @@ impl<'a> Branch<'a> {
         self.domain
             .roots
             .retain(|root| root.symbol != *symbol && !mentions(&root.radicand, &root.symbol));
+        for logarithm in &mut self.domain.logarithms {
+            logarithm.argument = put(&logarithm.argument)?;
+        }
+        self.domain.logarithms.retain(|logarithm| {
+            logarithm.symbol != *symbol && !mentions(&logarithm.argument, &logarithm.symbol)
+        });
         for pivot in &mut self.domain.pivots {
             *pivot = put(&pivot.clone().into())?.numerator().clone();
         }

@@ -5,6 +5,7 @@ pub mod branch;
 use crate::decide::interval::{Bound, Interval, Part};
 use crate::decide::order::order;
 use crate::decide::root::Root;
+use crate::logarithms::Logarithm;
 use std::cmp::Ordering;
 use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::rational::integer;
@@ -85,6 +86,8 @@ pub struct Domain<'a> {
     pub defined: Vec<Constraint>,
     /// The roots that have no value in other symbols, those first of which others are made.
     pub roots: Vec<Root>,
+    /// The logarithms that have no value in other symbols, those first of which others are made.
+    pub logarithms: Vec<Logarithm>,
     /// The roots that were found to be positive, in this order, each with its radicand as it was then.
     pub positive_roots: Vec<(Symbol, Polynomial)>,
     /// The part of the domain that is looked at, see [`Domain::parts`].
@@ -104,6 +107,7 @@ impl<'a> Domain<'a> {
             divisors: vec![],
             defined: vec![],
             roots: vec![],
+            logarithms: vec![],
             positive_roots: vec![],
             part: vec![],
         }
@@ -121,6 +125,7 @@ impl<'a> Domain<'a> {
             divisors: self.divisors.clone(),
             defined: self.defined.clone(),
             roots: self.roots.clone(),
+            logarithms: self.logarithms.clone(),
             positive_roots: self.positive_roots.clone(),
             part: self.part.clone(),
         }
@@ -225,7 +230,9 @@ impl Domain<'_> {
             Symbol::Sin(name, angle) => self.range_of_turn(name, *angle, true),
             Symbol::Cos(name, angle) => self.range_of_turn(name, *angle, false),
             Symbol::Exp(exponent) => self.range_of_power(exponent),
-            Symbol::Indexed(..) | Symbol::Root(_) | Symbol::Pi => Interval::default(),
+            Symbol::Indexed(..) | Symbol::Root(_) | Symbol::Log(_) | Symbol::Pi => {
+                Interval::default()
+            }
         }
     }
 

@@ -30,6 +30,7 @@ impl Rounded {
                 match symbol {
                     Symbol::Pi => coefficient *= std::f64::consts::PI.powi(exponent),
                     Symbol::Root(n) => coefficient *= f64::from(*n).sqrt().powi(exponent),
+                    Symbol::Log(n) => coefficient *= libm::log(f64::from(*n)).powi(exponent),
                     Symbol::Exp(e) if symbol.is_number() => {
                         coefficient *= libm::exp(f64::from(e.parts()).recip()).powi(exponent);
                     }

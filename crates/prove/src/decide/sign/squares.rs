@@ -49,7 +49,10 @@ pub(super) fn squares(value: &Polynomial, domain: &Domain<'_>) -> Option<Certifi
         let mut monomial = Monomial::new();
         for (symbol, exponent) in &term.powers {
             // Numbers would have to be enclosed, and exponentials are not independent.
-            if matches!(symbol, Symbol::Pi | Symbol::Root(_) | Symbol::Exp(_)) {
+            if matches!(
+                symbol,
+                Symbol::Pi | Symbol::Root(_) | Symbol::Log(_) | Symbol::Exp(_)
+            ) {
                 return None;
             }
             monomial.insert((*symbol).clone(), *exponent);
