@@ -149,7 +149,7 @@ impl Arithmetic for Polynomials<'_> {
     fn logarithm(&self, a: &Quotient) -> Result<Quotient, NoValue> {
         match a.as_constant() {
             Some(number) if !number.is_positive() => Err(Undefined::NoLogarithm.into()),
-            Some(number) if number == integer(1) => Ok(Sum::default().into()),
+            Some(number) if number.is_one() => Ok(Sum::default().into()),
             _ => Err(Unknown::NotCovered {
                 what: "the logarithm of this formula",
             }
