@@ -284,7 +284,7 @@ const CASES: &[PreparedClaim] = &[
     ),
     case(
         InjectedFault::ExponentsReversed,
-        "assume = ['a > 2']\nstates = 'log(a) < log(2)'",
+        "assume = ['a*b > 2']\nstates = 'log(a) + log(b) < log(2)'",
         False,
         Caught::Net,
     ),
