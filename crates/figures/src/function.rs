@@ -115,6 +115,10 @@ impl Sum {
                         coefficient *= f64::from(*prime).sqrt().powi(i32::from(power));
                         continue;
                     }
+                    Symbol::Log(prime) => {
+                        coefficient *= libm::log(f64::from(*prime)).powi(i32::from(power));
+                        continue;
+                    }
                     Symbol::Exp(exponent) if symbol.is_number() => {
                         let root = libm::exp(f64::from(exponent.parts()).recip());
                         coefficient *= root.powi(i32::from(power));

@@ -64,6 +64,9 @@ fn enclosed(symbol: &Symbol, u: &Rational, v: &Rational) -> Ball {
         Symbol::Root(n) => Ball::from_rational(&ratio(i64::from(*n), 1).unwrap(), BITS)
             .sqrt()
             .unwrap(),
+        Symbol::Log(n) => Ball::from_rational(&ratio(i64::from(*n), 1).unwrap(), BITS)
+            .ln()
+            .unwrap(),
         Symbol::Sin(name, a) => angle(name, a).sin_cos().0,
         Symbol::Cos(name, a) => angle(name, a).sin_cos().1,
         Symbol::Exp(exponent) => {
