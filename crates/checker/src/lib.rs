@@ -138,8 +138,9 @@ impl Check<'_> {
         let beyond = |what| Err(Unsupported::Construct(what).into());
         match (&claim.statement, proof) {
             (Statement::Join(Connective::And, a, b), Proof::Both(first, second)) => {
-                self.proof(&stating(claim, a), first, integers)?;
-                self.proof(&stating(claim, b), second, integers)
+                let (a, b) = conjuncts(claim, a, b)?;
+                self.proof(&a, first, integers)?;
+                self.proof(&b, second, integers)
             }
             (Statement::Not(inner), Proof::Exists(refuted)) => {
                 self.refutation(&stating(claim, inner), refuted, integers)
@@ -346,6 +347,33 @@ fn stating(claim: &Claim, statement: &Statement) -> Claim {
     Claim {
         statement: statement.clone(),
         ..claim.clone()
+    }
+}
+
+/// The claims about two conjuncts. The terms of a denial do not count for where the other conjunct has a value, nor the other way
+/// round.
+fn conjuncts(claim: &Claim, a: &Statement, b: &Statement) -> Result<(Claim, Claim), CheckError> {
+    let is_denial = |part: &Statement| matches!(part, Statement::Not(_));
+    let alone = |part| stating(claim, part).needed_by([part]);
+    match (is_denial(a), is_denial(b)) {
+        (false, false) if has_denial(a) || has_denial(b) => {
+            if claim.implicit().next().is_some() {
+                let what = "roots beside a denial and several other statements";
+                return Err(Unsupported::Construct(what).into());
+            }
+            Ok((stating(claim, a), stating(claim, b)))
+        }
+        (false, false) => Ok((stating(claim, a), stating(claim, b))),
+        _ => Ok((alone(a), alone(b))),
+    }
+}
+
+/// Whether a denial is among the conjuncts of a statement.
+fn has_denial(statement: &Statement) -> bool {
+    match statement {
+        Statement::Not(_) => true,
+        Statement::Join(Connective::And, a, b) => has_denial(a) || has_denial(b),
+        _ => false,
     }
 }
 

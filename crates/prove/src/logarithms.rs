@@ -13,15 +13,6 @@ use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Integer, Polynomial, Rational, Scalar as _, Symbol};
 
-/// A logarithm that is no value of other symbols.
-#[derive(Debug, Clone)]
-pub struct Logarithm {
-    /// The symbol.
-    pub symbol: Symbol,
-    /// What it is the logarithm of.
-    pub argument: Fraction,
-}
-
 /// The most terms of an argument whose factors are looked for, and the most factors.
 const MAX_TERMS: usize = 60;
 const MAX_FACTORS: usize = 16;
@@ -212,10 +203,10 @@ fn solution(mut rows: Vec<Vec<Rational>>, unknowns: usize) -> Option<Vec<Rationa
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::decide::logarithm::Logarithm;
     use torse_syntax::derivation::declarations::Declarations;
 
-    fn domain_with(declarations: &Declarations, arguments: &[(&str, Fraction)]) -> Vec<Logarithm> {
-        let _ = declarations;
+    fn all(arguments: &[(&str, Fraction)]) -> Vec<Logarithm> {
         let log = |(name, argument): &(&str, Fraction)| Logarithm {
             symbol: Symbol::named(name),
             argument: argument.clone(),
@@ -228,10 +219,7 @@ mod tests {
         let declarations = Declarations::default();
         let (x, y) = (Fraction::named("x"), Fraction::named("y"));
         let mut domain = Domain::new(&declarations);
-        domain.logarithms = domain_with(
-            &declarations,
-            &[("lx", x.clone()), ("lxy", x.clone() * y.clone())],
-        );
+        domain.logarithms = all(&[("lx", x.clone()), ("lxy", x.clone() * y.clone())]);
         let found = resolved(&(y.clone() * y.clone()).scaled(&integer(3)), &domain).unwrap();
         assert_eq!(found.to_string(), "-2*lx + 2*lxy + log(3)");
         let quotient = x.over(&y).unwrap();
@@ -247,7 +235,7 @@ mod tests {
         let declarations = Declarations::default();
         let mut domain = Domain::new(&declarations);
         let x = Fraction::named("x");
-        domain.logarithms = domain_with(&declarations, &[("lx", x.clone())]);
+        domain.logarithms = all(&[("lx", x.clone())]);
         assert!(resolved(&-x, &domain).is_none());
     }
 }

@@ -12,6 +12,7 @@ use crate::evaluate::Evaluator;
 use crate::evidence::Witness;
 use crate::steps;
 use crate::term_divisors::has_root_in_empty_sum;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_core::{self as core, stack};
 use torse_elaborate::Elaborator;
@@ -95,9 +96,24 @@ fn prepared<T>(
     }
     case_split::spend_on_domain(core.hypotheses.len())
         .map_err(|limit| Fault::limit(Place::default(), limit.to_string()))?;
+    let domain = |claim: &core::Claim| {
+        DisjunctiveDomain::new(case_split::parts(claim), &elaborator, &statement.origin)
+    };
+    let (mut all, mut denials) = (vec![], BTreeMap::new());
+    conjuncts(&statement.expr, &core.statement, &mut all);
+    let is_denial = |part: &core::Statement| matches!(part, core::Statement::Not(_));
+    let others = all.iter().copied().filter(|part| !is_denial(part));
+    let own = core.needed_by(others);
+    if declarations.is_some() && all.len() > 1 {
+        for (number, part) in all.iter().enumerate().filter(|(_, part)| is_denial(part)) {
+            denials.insert(number, domain(&core.needed_by([*part])));
+        }
+    }
+    let parts = domain(if denials.is_empty() { &core } else { &own });
     then(&Prepared {
-        parts: DisjunctiveDomain::new(case_split::parts(&core), &elaborator, &statement.origin),
-        statement: core.statement,
+        parts,
+        denials,
+        statement: core.statement.clone(),
         written: &statement.expr,
         origin: &statement.origin,
         has_roots: declarations.is_some(),
@@ -107,6 +123,9 @@ fn prepared<T>(
 /// A statement that is ready to be decided: its domain is made once for all of its parts.
 pub struct Prepared<'a> {
     parts: DisjunctiveDomain<'a>,
+    /// The domains of the denials among several conjuncts with roots or logarithms, by their numbers: where these have
+    /// values is asked for each denial alone.
+    denials: BTreeMap<usize, DisjunctiveDomain<'a>>,
     statement: core::Statement,
     written: &'a Expr,
     origin: &'a Origin,
@@ -114,14 +133,14 @@ pub struct Prepared<'a> {
     has_roots: bool,
 }
 
-impl Prepared<'_> {
+impl<'a> Prepared<'a> {
     /// Decides the statement. Calls `tell` with the decision on each conjunct, in the order of the text, up to the first that
     /// is refuted.
     ///
     /// # Errors
     /// [`Fault`] when a formula makes no sense.
     pub fn decide(&self, tell: &mut dyn FnMut(&Decision)) -> Result<Decision, Fault> {
-        self.joined(self.written, &self.statement, tell)
+        self.joined(self.written, &self.statement, &mut 0, tell)
             .map(|decision| self.seen(decision))
             .map_err(|fault| fault.within(self.origin))
     }
@@ -135,26 +154,36 @@ impl Prepared<'_> {
         let mut all = vec![];
         conjuncts(self.written, &self.statement, &mut all);
         let part = all.get(number);
-        let decision = part.map(|part| self.parts.decide(part)).transpose();
+        let domain = self.domain(number);
+        let decision = part.map(|part| domain.decide(part)).transpose();
         decision
             .map(|decision| decision.map(|decision| self.seen(decision)))
             .map_err(|fault| fault.within(self.origin))
     }
 
+    /// The domain of the conjunct of this number.
+    fn domain(&self, number: usize) -> &DisjunctiveDomain<'a> {
+        self.denials.get(&number).unwrap_or(&self.parts)
+    }
+
+    /// Decides a statement, the first conjunct of which has this number; counts its conjuncts.
     fn joined(
         &self,
         written: &Expr,
         statement: &core::Statement,
+        number: &mut usize,
         tell: &mut dyn FnMut(&Decision),
     ) -> Result<Decision, Fault> {
         if let Some(((first, a), (second, b))) = halves(written, statement) {
-            let decision = self.joined(first, a, tell)?;
+            let decision = self.joined(first, a, number, tell)?;
             if decision.is_refuted() {
                 return Ok(decision);
             }
-            return Ok(decide::both(decision, self.joined(second, b, tell)?));
+            let other = self.joined(second, b, number, tell)?;
+            return Ok(decide::both(decision, other));
         }
-        let decision = self.parts.decide(statement)?;
+        let decision = self.domain(*number).decide(statement)?;
+        *number += 1;
         match &decision {
             Decision::Vacuous(emptiness) => {
                 tell(&self.seen(Decision::Vacuous(emptiness.clone())));

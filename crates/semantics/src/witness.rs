@@ -49,7 +49,7 @@ pub fn read<'t>(
     numbers: impl IntoIterator<Item = (&'t str, &'t str)>,
 ) -> Result<Point, Unreadable> {
     let mut values = BTreeMap::new();
-    for (name, value) in numbers.into_iter().filter(|(name, _)| !is_root(name)) {
+    for (name, value) in numbers.into_iter().filter(|(name, _)| !is_implicit(name)) {
         let unknown_name = || Unreadable::Name {
             name: name.to_owned(),
         };
@@ -68,9 +68,9 @@ pub fn read<'t>(
     })
 }
 
-/// Whether a name is that of a root, whose value the symbols determine.
-fn is_root(name: &str) -> bool {
-    let heads = ["sqrt(", "norm(", "abs(", "\u{221a}"];
+/// Whether a name is that of a root or a logarithm, whose value the symbols determine.
+fn is_implicit(name: &str) -> bool {
+    let heads = ["sqrt(", "norm(", "abs(", "\u{221a}", "log(", "log#"];
     heads.iter().any(|head| name.starts_with(head))
 }
 

@@ -16,6 +16,7 @@
 //! A root or logarithm whose argument contains no symbol is a number and is not replaced.
 
 mod name;
+mod needed;
 mod part;
 mod taylor;
 
@@ -39,16 +40,12 @@ impl Claim {
     /// `origin` is the origin of the statement.
     ///
     /// # Errors
-    /// [`Fault`] for one that depends on the index of a sum or the variable of an integral, for a logarithm in a `fails(p)` that
-    /// is joined to other statements, for more than 24 of them, and for arguments that are too large.
+    /// [`Fault`] for one that depends on the index of a sum or the variable of an integral, for more than 24 of them, and for
+    /// arguments that are too large.
     pub fn rooted(&self, origin: &Origin) -> Result<Self, Fault> {
         let applies = |s: &Statement| s.terms().into_iter().any(has_implicit);
         if !applies(&self.statement) && !self.hypotheses.iter().any(|h| applies(&h.statement)) {
             return Ok(self.clone());
-        }
-        if matches!(self.statement, Statement::Join(..)) && fails_with_logarithm(&self.statement) {
-            let what = "a logarithm in `fails(...)` beside other statements";
-            return Err(Fault::limit(Place::default(), what));
         }
         let mut work = Work::default();
         let mut hypotheses = vec![];
@@ -166,18 +163,6 @@ impl Implicit {
             Self::Root => "a root",
             Self::Logarithm => "a logarithm",
         }
-    }
-}
-
-/// Whether a logarithm occurs in a part `fails(p)`: where it has no value says nothing of the other parts.
-fn fails_with_logarithm(statement: &Statement) -> bool {
-    match statement {
-        Statement::Not(inner) => {
-            let mut terms = inner.terms().into_iter();
-            terms.any(|term| term.applies(BuiltIn::Logarithm))
-        }
-        Statement::Join(_, a, b) => fails_with_logarithm(a) || fails_with_logarithm(b),
-        _ => false,
     }
 }
 
@@ -448,9 +433,10 @@ impl Work {
             return Err(Fault::limit(place, what));
         }
         let taken = |name: &str| self.made.iter().any(|made| *made.name == *name);
+        // No text starts a name like these, so that no declared symbol has it.
         let (text, sign) = match function {
-            Implicit::Root => (name::root_text(&argument), '\u{221a}'),
-            Implicit::Logarithm => (name::logarithm_text(&argument), '\u{2113}'),
+            Implicit::Root => (name::root_text(&argument), "\u{221a}"),
+            Implicit::Logarithm => (name::logarithm_text(&argument), "log#"),
         };
         let name = text.filter(|name| !taken(name));
         let name = name.unwrap_or_else(|| format!("{sign}{}", self.made.len() + 1));

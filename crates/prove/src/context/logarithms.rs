@@ -4,9 +4,10 @@
 use super::{ProofContext, plain};
 use crate::decide::domain::Constraint;
 use crate::decide::domain::branch::{Divisors, Equation};
+use crate::decide::logarithm::Logarithm;
 use crate::decide::order::truth;
 use crate::decide::sign::{self, Sign};
-use crate::logarithms::{self, Logarithm};
+use crate::logarithms;
 use crate::unknown::{Unknown, mentions};
 use std::sync::Arc;
 use torse_algebra::fault_injection::{InjectedFault, injected};

@@ -17,6 +17,7 @@ pub mod exponential;
 pub mod family;
 pub mod instances;
 pub mod interval;
+pub mod logarithm;
 pub mod nondegenerate;
 pub mod order;
 pub mod real_symbol;

@@ -91,6 +91,7 @@ pub fn described(name: &str) -> Option<FunctionDescription> {
             "The tangent of an angle in radians, sin(a)/cos(a).",
         ),
         "exp" => ("exp(a)", "The exponential function."),
+        "log" => ("log(a)", "The natural logarithm of a positive number."),
         "cosh" => ("cosh(a)", "The hyperbolic cosine, (exp(a) + exp(-a))/2."),
         "sinh" => ("sinh(a)", "The hyperbolic sine, (exp(a) - exp(-a))/2."),
         "tanh" => ("tanh(a)", "The hyperbolic tangent, sinh(a)/cosh(a)."),

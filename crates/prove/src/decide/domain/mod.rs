@@ -3,9 +3,9 @@
 pub mod branch;
 
 use crate::decide::interval::{Bound, Interval, Part};
+use crate::decide::logarithm::Logarithm;
 use crate::decide::order::order;
 use crate::decide::root::Root;
-use crate::logarithms::Logarithm;
 use std::cmp::Ordering;
 use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::rational::integer;
