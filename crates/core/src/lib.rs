@@ -176,13 +176,14 @@ pub enum Node {
     },
     /// A built-in function.
     Apply(BuiltIn, Vec<Term>),
-    /// The body of a definition. If `closed`, no variable of an enclosing binder occurs in it.
+    /// The body of a definition. If `closed`, no variable of an enclosing binder occurs in it, and it is what the name says at
+    /// the point.
     Opened {
         /// The name of the definition.
         name: Arc<str>,
         /// The text to which the places of the body refer.
         origin: Arc<Origin>,
-        /// Whether no variable of an enclosing binder occurs in the body.
+        /// Whether no variable of an enclosing binder occurs in the body, and none was replaced in it.
         closed: bool,
         /// The body.
         body: Term,

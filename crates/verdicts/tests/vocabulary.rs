@@ -89,6 +89,12 @@ fn statements_about_logarithms_are_never_judged_wrongly() {
 }
 
 #[test]
+fn statements_about_roots_are_never_judged_wrongly() {
+    let [holds, fails] = decided("root.txt");
+    assert!(holds >= 12 && fails >= 6, "{holds} and {fails}");
+}
+
+#[test]
 fn the_truths_are_those_of_another_library() {
     let has = Command::new("python3")
         .args([
@@ -100,7 +106,7 @@ fn the_truths_are_those_of_another_library() {
         eprintln!("notice: no python3 with mpmath, nothing is judged");
         return;
     }
-    let files = ["tests/vocabulary/logarithm.txt"];
+    let files = ["logarithm.txt", "root.txt"].map(|name| format!("tests/vocabulary/{name}"));
     let judged = Command::new("python3")
         .arg("tests/judges/vocabulary.py")
         .args(files)

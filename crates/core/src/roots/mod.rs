@@ -363,13 +363,16 @@ impl Work {
                 Ok(made(node, term.place))
             }
             Node::Opened {
-                name, origin, body, ..
+                name,
+                origin,
+                closed,
+                body,
             } => {
                 let body = self.term(body, scope).map_err(|f| f.within(origin))?;
                 let node = Node::Opened {
                     name: Arc::clone(name),
                     origin: Arc::clone(origin),
-                    closed: body.is_closed(),
+                    closed: *closed && body.is_closed(),
                     body,
                 };
                 Ok(made(node, term.place))
@@ -489,13 +492,16 @@ impl Work {
                 Ok(made(node, term.place))
             }
             Node::Opened {
-                name, origin, body, ..
+                name,
+                origin,
+                closed,
+                body,
             } => {
                 let body = self.expanded(body, around)?;
                 let node = Node::Opened {
                     name: Arc::clone(name),
                     origin: Arc::clone(origin),
-                    closed: body.is_closed(),
+                    closed: *closed && body.is_closed(),
                     body,
                 };
                 Ok(made(node, term.place))

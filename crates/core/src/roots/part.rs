@@ -85,14 +85,14 @@ fn replace(term: &Term, number: u32, by: &Term, cache: &mut BTreeMap<usize, Term
         },
         _ => changed,
     };
-    // A part that was closed may not be closed after the replacement.
+    // What was put into the body of a definition is not what its name says, even if nothing of a binder is left.
     let closed = match &*changed.node {
         Node::Opened {
             name, origin, body, ..
         } => Some(Node::Opened {
             name: Arc::clone(name),
             origin: Arc::clone(origin),
-            closed: body.is_closed(),
+            closed: false,
             body: body.clone(),
         }),
         Node::Derivative {
