@@ -71,7 +71,7 @@ def decide(statement, where="", budget=None):
     """Decides one statement about real numbers.
 
     `statement` is a text in the notation of torse, or a relation of SymPy. `where` declares names and states hypotheses, with
-    semicolons between: `"x in [0, 1]; n in 0..; a > 0"`; or it is a list of such texts and relations of SymPy. Names that are
+    semicolons or commas between: `"x in [0, 1]; n in 0..; a > 0"`; or it is a list of such texts and relations of SymPy. Names that are
     not declared are real numbers. `budget` bounds the work; what needs more is undecided.
 
     >>> import torse

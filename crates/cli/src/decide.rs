@@ -13,7 +13,7 @@ use torse::{Decided, ErrorMessage, ErrorPlace, Verdict};
 /// Decide one statement: is it true, where is it false, what would be right?
 ///
 /// Undeclared names are real numbers. `--where` declares other symbols, defines functions and adds hypotheses,
-/// separated by semicolons: `x in [0, 1]`, `n in 0..`, `p: vector 3`, `f: function 1`, `H(t) := t^2`, `a > 0`.
+/// separated by semicolons or commas: `x in [0, 1]`, `n in 0..`, `p: vector 3`, `f: function 1`, `H(t) := t^2`, `a > 0`.
 ///
 /// `--latex` reads the statement as a paper prints it. A formula with two readings is an error that shows both.
 ///

@@ -33,7 +33,7 @@ pub fn decide(statement: &str) -> Result<Decided, Error> {
     decide_where(statement, "")
 }
 
-/// Decides one statement in a setting: declarations, definitions and hypotheses with semicolons between, such as
+/// Decides one statement in a setting: declarations, definitions and hypotheses with semicolons or commas between, such as
 /// `x in [0, 1]; n in 0..; p: vector 3; f: function 1; H(t) := t^2; a > 0`.
 ///
 /// # Errors

@@ -1,7 +1,8 @@
 //! A single statement with a one-line setting, read as a paper of one claim, for users without a folder of
 //! derivations.
 //!
-//! The setting is a list with semicolons between its entries:
+//! The setting is a list with semicolons or commas between its entries; a comma inside brackets or behind bare names
+//! (`x, y in [0, 1]`) is part of an entry:
 //!
 //! | entry | meaning |
 //! |---|---|
@@ -130,6 +131,35 @@ impl<'t> Typed<'t> {
         })
     }
 
+    /// The entries of a setting: what stands between semicolons, and between commas outside of brackets that do not
+    /// follow bare names.
+    fn entries(self) -> Vec<Self> {
+        let mut entries = vec![];
+        let (mut start, mut depth) = (0, 0_usize);
+        for (at, letter) in self.text.char_indices() {
+            let before = self.part(start, at);
+            match letter {
+                '(' | '[' => depth += 1,
+                ')' | ']' => depth = depth.saturating_sub(1),
+                ',' if depth > 0 || before.split(',').all(Self::is_name) => {}
+                ';' | ',' => {
+                    entries.push(before.trim());
+                    (start, depth) = (at + 1, 0);
+                }
+                _ => {}
+            }
+        }
+        entries.push(self.part(start, self.text.len()).trim());
+        entries.retain(|entry| !entry.text.is_empty());
+        entries
+    }
+
+    fn is_name(self) -> bool {
+        let mut letters = self.text.chars();
+        letters.next().is_some_and(char::is_alphabetic)
+            && letters.all(|c| c.is_alphanumeric() || c == '_')
+    }
+
     fn split_once(self, sign: &str) -> Option<(Self, Self)> {
         let at = self.text.find(sign)?;
         let before = self.part(0, at);
@@ -247,7 +277,7 @@ impl<'t> Setting<'t> {
     /// later.
     fn read(setting: Typed<'t>) -> Self {
         let mut read = Self::default();
-        for entry in setting.split(';').filter(|entry| !entry.text.is_empty()) {
+        for entry in setting.entries() {
             if let Some(definition) = entry.split_once(":=") {
                 read.definitions.push(definition);
             } else if let Some((names, set)) = declared(entry, " in ").or(declared(entry, ":")) {
@@ -304,12 +334,7 @@ fn declared<'t>(
     sign: &str,
 ) -> Option<(impl Iterator<Item = Typed<'t>>, Typed<'t>)> {
     let (names, set) = entry.split_once(sign)?;
-    let is_name = |name: Typed<'_>| {
-        let mut letters = name.text.chars();
-        letters.next().is_some_and(char::is_alphabetic)
-            && letters.all(|c| c.is_alphanumeric() || c == '_')
-    };
-    let is_declaration = names.split(',').all(is_name);
+    let is_declaration = names.split(',').all(Typed::is_name);
     is_declaration.then(|| (names.split(','), set))
 }
 
@@ -406,6 +431,19 @@ mod tests {
     }
 
     #[test]
+    fn commas_outside_of_brackets_separate_entries_but_for_those_behind_names() {
+        let paper = question(
+            "x + y + f(z) + n == m",
+            "x, y in (0, inf), n, m in 0.., f: function 1, H(s, t) := s*t, z > 0, x*(y + 1) == 2; a >= 0,",
+        );
+        let claim = &paper.unwrap().claims[0];
+        assert_eq!(claim.assumptions.len(), 3);
+        for name in ["x", "y", "n", "m", "f"] {
+            assert!(claim.declarations.symbol(name).is_some(), "{name}");
+        }
+    }
+
+    #[test]
     fn what_is_wrong_is_an_error_with_its_place_in_what_was_typed() {
         for (states, setting, wrong, line, column) in [
             ("x ==", "", "the statement", 1, 5),
@@ -415,6 +453,7 @@ mod tests {
             ("x == 1", "n in 0..; y >", "the setting", 1, 14),
             ("x == 1", "n in 0..1/2; a > 0", "the setting", 1, 6),
             ("x == 1", "x: vector 3000", "the setting", 1, 4),
+            ("x == 1", "x in [0, 1], y >", "the setting", 1, 17),
             ("x == 1", "ä in [0, 1];\nx := x + *", "the setting", 2, 10),
             ("x == 1", "x in [0, 1]; x in [2, 3]", "the setting", 1, 14),
             ("x == 1", "H(t) := t; H(t) := 2*t", "the setting", 1, 12),
