@@ -108,13 +108,18 @@ pub(crate) fn ranked(paper: &PaperOutcome) -> Vec<(usize, (usize, usize))> {
         .collect()
 }
 
+/// Whether a claim is of a theorem, proposition or algorithm itself, and not of its proof or of a line after it.
+pub(crate) fn is_named(outcome: &Outcome) -> bool {
+    let at = &outcome.claim.at;
+    let named = ["Theorem", "Proposition", "Algorithm"];
+    named.iter().any(|word| at.contains(word))
+        && !["proof of", "after ", "before "].iter().any(|word| at.contains(word))
+}
+
 /// Theorems and algorithms come first; among other statements with equally many dependents, formulas come before remarks.
 fn rank(outcome: &Outcome) -> usize {
-    let named = ["Theorem", "Proposition", "Algorithm"];
-    let named = named.iter().any(|word| outcome.claim.at.contains(word))
-        && !outcome.claim.at.contains("proof of");
     match outcome.claim.kind {
-        _ if named => 0,
+        _ if is_named(outcome) => 0,
         Kind::Construction | Kind::Property | Kind::Identity | Kind::Inequality => 1,
         Kind::Value | Kind::Definition => 2,
         _ => 3,

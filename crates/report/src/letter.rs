@@ -4,14 +4,16 @@
 //! A refuted statement to which no fault is assigned has an item of its own, so that none is left out. What may be a slip of the
 //! copy at hand is asked, and not claimed; conditions that the text should state have a part of their own.
 
-use crate::corrections::{is_refuted, ranked};
+use crate::corrections::{dependents, is_named, is_refuted};
 use crate::glossary::plural;
 use crate::names::printed_names;
 use crate::sentence;
 use crate::text::{enumeration, visible};
 use crate::view::{CorrectionView, correction};
 use serde::Serialize;
-use std::collections::{BTreeMap, BTreeSet};
+use std::cmp::Reverse;
+use std::collections::BTreeSet;
+use torse_syntax::derivation::LetterPart;
 use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_typography::{PrintedNames, Prose, compared, in_words, plain, quotation, spans};
 use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome, Restored};
@@ -146,37 +148,25 @@ pub struct ItemChange {
 /// The letter about a paper.
 pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Letter {
     let claims = &paper.claims;
-    let ranks: BTreeMap<&str, usize> = ranked(paper)
-        .into_iter()
-        .enumerate()
-        .filter_map(|(rank, (position, _))| Some((claims.get(position)?.claim.id.as_str(), rank)))
-        .collect();
     let find = |id: &String| claims.iter().find(|outcome| outcome.claim.id == *id);
-    let mut placed: Vec<(Part, usize, Item)> = vec![];
+    let mut placed: Vec<(Part, Weight, Item)> = vec![];
     for fault in &paper.faults {
         let shows: Vec<&Outcome> = fault.shows.iter().filter_map(find).collect();
-        let Some(part) = part(&shows) else {
-            continue;
-        };
-        let rank = shows
-            .iter()
-            .filter_map(|outcome| ranks.get(outcome.claim.id.as_str()));
-        let rank = rank.min().copied().unwrap_or(usize::MAX);
-        placed.push((part, rank, item_of_fault(fault, &shows, &find)));
+        if let Some(part) = fault_part(fault, &shows) {
+            let item = item_of_fault(fault, &shows, &find);
+            placed.push((part, Weight::new(&shows, paper), item));
+        }
     }
     let is_assigned = |id: &str| paper.faults.iter().any(|fault| fault.shows_in(id));
     for outcome in claims
         .iter()
         .filter(|outcome| is_refuted(outcome) && !is_assigned(&outcome.claim.id))
     {
-        let rank = ranks
-            .get(outcome.claim.id.as_str())
-            .copied()
-            .unwrap_or(usize::MAX);
         let part = part(&[outcome]).unwrap_or(Part::Correction);
-        placed.push((part, rank, item_without_fault(outcome)));
+        let item = item_without_fault(outcome);
+        placed.push((part, Weight::new(&[outcome], paper), item));
     }
-    placed.sort_by_key(|(part, rank, _)| (*part, *rank));
+    placed.sort_by(|(part, weight, _), (other, other_weight, _)| (part, weight).cmp(&(other, other_weight)));
     let take = |wanted: Part| -> Vec<Item> {
         let of = placed.iter().filter(|(part, ..)| *part == wanted);
         of.map(|(.., item)| item.clone()).collect()
@@ -217,6 +207,52 @@ enum Part {
     Question,
 }
 
+/// What makes one fault come before another in a part of a letter: theorems, propositions and algorithms first, then the
+/// faults that concern most statements, then the order of the paper.
+#[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Weight {
+    is_unnamed: bool,
+    concerned: Reverse<usize>,
+    position: usize,
+}
+
+impl Weight {
+    fn new(shows: &[&Outcome], paper: &PaperOutcome) -> Self {
+        let mut concerned = BTreeSet::new();
+        for claim in shows.iter().filter(|claim| is_limited(claim) || is_refuted(claim)) {
+            concerned.insert(claim.claim.id.as_str());
+            let (_, falling) = dependents(claim, paper);
+            concerned.extend(falling.iter().map(|other| other.claim.id.as_str()));
+        }
+        let position = paper.claims.iter().position(|claim| {
+            let mut shown = shows.iter();
+            shown.any(|shown| shown.claim.id == claim.claim.id)
+        });
+        Self {
+            is_unnamed: !shows.iter().any(|claim| is_named(claim)),
+            concerned: Reverse(concerned.len()),
+            position: position.unwrap_or(usize::MAX),
+        }
+    }
+}
+
+/// The part that the files name, or else that the verdicts ask for; none if all is true in which the fault is said to show.
+fn fault_part(fault: &PaperFault, shows: &[&Outcome]) -> Option<Part> {
+    match fault.part {
+        Some(LetterPart::Correction) if !shows.is_empty() => Some(Part::Correction),
+        Some(LetterPart::Condition) if !shows.is_empty() => Some(Part::Condition),
+        _ => part(shows),
+    }
+}
+
+/// What has conditions or readings, and words of which nothing is to be decided.
+fn is_limited(claim: &Outcome) -> bool {
+    matches!(
+        claim.verdict(),
+        Verdict::Conditional | Verdict::Depends | Verdict::Underspecified | Verdict::OutOfScope
+    )
+}
+
 /// Where a fault belongs; nowhere if all is true in which it is said to show.
 fn part(shows: &[&Outcome]) -> Option<Part> {
     let mut refuted = shows.iter().filter(|claim| is_refuted(claim)).peekable();
@@ -231,14 +267,8 @@ fn part(shows: &[&Outcome]) -> Option<Part> {
     if !shows.is_empty() && shows.iter().all(|outcome| outcome.claim.garbled.is_some()) {
         return Some(Part::Question);
     }
-    // What has conditions or readings, and words of which nothing is to be decided.
-    let limited = |claim: &&Outcome| {
-        matches!(
-            claim.verdict(),
-            Verdict::Conditional | Verdict::Depends | Verdict::Underspecified | Verdict::OutOfScope
-        )
-    };
-    shows.iter().any(limited).then_some(Part::Condition)
+    let is_condition = shows.iter().any(|claim| is_limited(claim));
+    is_condition.then_some(Part::Condition)
 }
 
 fn item_of_fault<'a>(

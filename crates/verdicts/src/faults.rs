@@ -39,6 +39,7 @@ pub fn faults(
         Ok(PaperFault {
             id: of.id.clone(),
             at: of.at.clone(),
+            part: of.part,
             says: says(of)?,
             shows: of.shows.clone(),
             changes: of.changes.iter().map(change).collect(),

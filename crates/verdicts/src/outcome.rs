@@ -3,6 +3,7 @@
 pub use crate::finding::{Outcome, ReadingOutcome};
 use serde::Serialize;
 use torse_prove::evidence::Evidence;
+use torse_syntax::derivation::LetterPart;
 use torse_syntax::notation::Formula;
 use torse_syntax::taxonomy::Verdict;
 
@@ -32,6 +33,8 @@ pub struct PaperFault {
     pub id: String,
     /// The place in the paper, if it is not that of the first claim.
     pub at: Option<String>,
+    /// The part of a letter that lists it, if not the one that the verdicts of its claims ask for.
+    pub part: Option<LetterPart>,
     /// The fault, in one sentence.
     pub says: String,
     /// The ids of the claims in which it shows.

@@ -84,6 +84,7 @@ fn a_fault_is_one_item_with_the_words_of_the_paper_and_what_changes_framed() {
     sample.faults = vec![PaperFault {
         id: "sample/corrigendum.one".to_owned(),
         at: None,
+        part: None,
         says: "the exponent is wrong".to_owned(),
         shows: shows.to_vec(),
         changes: vec![FaultChange {

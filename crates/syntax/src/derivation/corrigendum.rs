@@ -10,7 +10,7 @@ use super::declarations::Declarations;
 use super::definitions::add_definitions;
 use super::error::{DerivationError, LoadError};
 use super::provenance::{Hypothesis, Provenance, Quote};
-use super::schema::corrigendum::{ChangeEntry, CorrigendumEntry};
+use super::schema::corrigendum::{ChangeEntry, CorrigendumEntry, LetterPart};
 use super::source::{Origin, Source, whole};
 use super::table::Errors;
 use super::written::written;
@@ -26,6 +26,8 @@ pub struct Corrigendum {
     pub id: String,
     /// Its place in the paper, if that is not the place of the first claim.
     pub at: Option<String>,
+    /// The part of a letter that lists it, if not the one that the verdicts of its claims ask for.
+    pub part: Option<LetterPart>,
     /// The error in one sentence; formulas in it are evaluated in the first claim.
     pub says: AuthorNote,
     /// The ids of the claims in which the error shows.
@@ -165,6 +167,7 @@ pub(super) fn corrigenda(
         Corrigendum {
             id: entry.id.get_ref().clone(),
             at: entry.at.clone(),
+            part: entry.part,
             says: says.unwrap_or(AuthorNote { pieces: vec![] }),
             shows: entry.shows.iter().map(|id| id.get_ref().clone()).collect(),
             changes,

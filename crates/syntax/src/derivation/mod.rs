@@ -31,6 +31,7 @@ mod written;
 pub use author_note::{AuthorNote, Form, Piece};
 pub use claim::{Answer, Claim, Reading};
 pub use corrigendum::{CorrectedClaim, Corrigendum, Rewording};
+pub use schema::corrigendum::LetterPart;
 pub use error::{DerivationError, LoadError, LookAlike};
 pub use existential::Existential;
 pub use figure::Figure;

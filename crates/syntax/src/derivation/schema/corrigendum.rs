@@ -1,7 +1,7 @@
 //! Corrigenda as TOML: the errors of a paper, as they are reported to its authors.
 
 use super::Text;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// An error of the paper, wherever it shows.
@@ -12,6 +12,8 @@ pub struct CorrigendumEntry {
     pub id: Text,
     /// Its place in the paper; by default the place of the first claim.
     pub at: Option<String>,
+    /// The part of a letter that lists it; by default the part that the verdicts of its claims ask for.
+    pub part: Option<LetterPart>,
     /// The error in one sentence.
     pub says: Text,
     /// The claims in which the error shows.
@@ -22,6 +24,16 @@ pub struct CorrigendumEntry {
     /// The corrected wording.
     #[serde(default, rename = "change")]
     pub changes: Vec<ChangeEntry>,
+}
+
+/// A part of a letter to the authors.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum LetterPart {
+    /// What is wrong, though no formula in it is refuted: a sentence that says nothing, or is true under one reading alone.
+    Correction,
+    /// What the text should state more exactly.
+    Condition,
 }
 
 /// A passage of the paper, and its corrected wording.
