@@ -113,7 +113,9 @@ pub(crate) fn is_named(outcome: &Outcome) -> bool {
     let at = &outcome.claim.at;
     let named = ["Theorem", "Proposition", "Algorithm"];
     named.iter().any(|word| at.contains(word))
-        && !["proof of", "after ", "before "].iter().any(|word| at.contains(word))
+        && !["proof of", "after ", "before "]
+            .iter()
+            .any(|word| at.contains(word))
 }
 
 /// Theorems and algorithms come first; among other statements with equally many dependents, formulas come before remarks.

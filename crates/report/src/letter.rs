@@ -166,7 +166,9 @@ pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Lette
         let item = item_without_fault(outcome);
         placed.push((part, Weight::new(&[outcome], paper), item));
     }
-    placed.sort_by(|(part, weight, _), (other, other_weight, _)| (part, weight).cmp(&(other, other_weight)));
+    placed.sort_by(|(part, weight, _), (other, other_weight, _)| {
+        (part, weight).cmp(&(other, other_weight))
+    });
     let take = |wanted: Part| -> Vec<Item> {
         let of = placed.iter().filter(|(part, ..)| *part == wanted);
         of.map(|(.., item)| item.clone()).collect()
@@ -219,7 +221,10 @@ struct Weight {
 impl Weight {
     fn new(shows: &[&Outcome], paper: &PaperOutcome) -> Self {
         let mut concerned = BTreeSet::new();
-        for claim in shows.iter().filter(|claim| is_limited(claim) || is_refuted(claim)) {
+        for claim in shows
+            .iter()
+            .filter(|claim| is_limited(claim) || is_refuted(claim))
+        {
             concerned.insert(claim.claim.id.as_str());
             let (_, falling) = dependents(claim, paper);
             concerned.extend(falling.iter().map(|other| other.claim.id.as_str()));
@@ -510,8 +515,12 @@ fn opening(
     let named: Vec<String> = open.iter().map(|outcome| named(outcome)).collect();
     text.push_str(&match named.as_slice() {
         [] => ".".to_owned(),
-        [one] => format!("; one is open, {one}."),
-        several => format!("; {} are open: {}.", several.len(), several.join("; ")),
+        [one] => format!("; one more is not decided, {one}."),
+        several => format!(
+            "; {} more are not decided: {}.",
+            several.len(),
+            several.join("; ")
+        ),
     });
     text.push_str(&match corrections {
         0 if scope.decided == 0 => String::new(),
@@ -538,7 +547,9 @@ fn opening(
 
 /// The words of a statement and its place, for a sentence.
 fn named(outcome: &Outcome) -> String {
-    let words = outcome.claim.printed.replace("...", " ");
+    // Words that are left out are marked, but for those before and after the quotation.
+    let quoted = outcome.claim.printed.trim_matches(['.', ' ']);
+    let words = quoted.replace("...", "[…]");
     let words: Vec<&str> = words.split_whitespace().collect();
     let at = plain(&outcome.claim.at);
     visible(&format!("“{}” ({at})", words.join(" ")))

@@ -2,6 +2,7 @@
 
 use crate::paper;
 use torse_report::{Envelope, Manuscript, Source, erratum_latex, erratum_markdown, model::Report};
+use torse_syntax::derivation::LetterPart;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::{FaultChange, PaperFault};
 
@@ -129,4 +130,46 @@ fn hostile_strings_do_not_act_in_a_letter() {
     assert!(!letter.contains("\n#panic"), "{letter}");
     assert!(!tex.contains(" # ") && !tex.contains(" & "));
     pdf(&report, &hostile);
+}
+
+#[test]
+fn a_fault_is_listed_where_the_files_say_and_those_that_concern_most_statements_come_first() {
+    let mut sample = paper::sample();
+    let with = |verdicts: &[Verdict]| -> Vec<String> {
+        let claims = sample.claims.iter();
+        let with = claims.filter(|outcome| verdicts.contains(&outcome.verdict()));
+        with.map(|outcome| outcome.claim.id.clone()).collect()
+    };
+    let refuted = with(&[Verdict::False, Verdict::Misprint]);
+    let limited = with(&[Verdict::Conditional, Verdict::Depends, Verdict::OutOfScope]);
+    let (rare, common) = (&refuted[..1], [&refuted[1..2], &limited[..1]].concat());
+    let fault = |id: &str, part, shows: &[String]| PaperFault {
+        id: format!("sample/corrigendum.{id}"),
+        at: Some(format!("place of {id}")),
+        part,
+        says: format!("the fault {id}"),
+        shows: shows.to_vec(),
+        changes: vec![],
+    };
+    sample.faults = vec![fault("rare", None, rare), fault("common", None, &common)];
+    for outcome in &mut sample.claims {
+        outcome.claim.at = outcome.claim.at.replace("Theorem", "Section");
+    }
+    let letter = erratum_markdown(&Report::new(&sample, &[]), &draft());
+    let place = |text: &str| {
+        letter
+            .find(text)
+            .unwrap_or_else(|| panic!("{text}: {letter}"))
+    };
+    assert!(
+        place("place of common") < place("place of rare"),
+        "{letter}"
+    );
+    assert!(!letter.contains("state more exactly"), "{letter}");
+    sample.faults[1].part = Some(LetterPart::Condition);
+    let letter = erratum_markdown(&Report::new(&sample, &[]), &draft());
+    let (corrections, conditions) = letter
+        .split_once("## What the text should state more exactly")
+        .unwrap();
+    assert!(corrections.contains("place of rare") && conditions.contains("place of common"));
 }
