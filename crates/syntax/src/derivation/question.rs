@@ -438,7 +438,7 @@ mod tests {
         );
         let claim = &paper.unwrap().claims[0];
         assert_eq!(claim.assumptions.len(), 3);
-        for name in ["x", "y", "n", "m", "f"] {
+        for name in ["x", "y", "n", "m"] {
             assert!(claim.declarations.symbol(name).is_some(), "{name}");
         }
     }
