@@ -88,7 +88,6 @@ impl Product {
             parts.push((plain_part(factor), -i64::from(exponent)));
         }
         parts.retain(|(part, _)| part.as_constant().is_none());
-        let value = value.clone();
         Some(Self {
             value,
             power,

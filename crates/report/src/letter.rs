@@ -244,9 +244,10 @@ impl Weight {
 /// The part that the files name, or else that the verdicts ask for; none if all is true in which the fault is said to show.
 fn fault_part(fault: &PaperFault, shows: &[&Outcome]) -> Option<Part> {
     match fault.part {
-        Some(LetterPart::Correction) if !shows.is_empty() => Some(Part::Correction),
-        Some(LetterPart::Condition) if !shows.is_empty() => Some(Part::Condition),
-        _ => part(shows),
+        _ if shows.is_empty() => None,
+        Some(LetterPart::Correction) => Some(Part::Correction),
+        Some(LetterPart::Condition) => Some(Part::Condition),
+        None => part(shows),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Which roots and logarithms a part of a statement asks for.
 //!
-//! In `q and fails(p)` the terms of p do not count for where q is defined, nor those of q for where p is. So the symbols of roots
-//! and logarithms that stand in p alone are no part of the claim about q.
+//! In `q and fails(p)` the terms of p do not count for where q is defined, nor those of q for where p is. So the claim about q
+//! leaves out the symbols of the roots and logarithms that p alone contains.
 
 use crate::{Claim, Hypothesis, Source, Statement};
 use std::collections::BTreeSet;
@@ -33,10 +33,10 @@ impl Claim {
                 }
             }
             // That the argument of a logarithm is positive comes right before its equation.
-            if is_made(hypothesis) && !is_needed {
-                continue;
-            }
             if is_made(hypothesis) {
+                if !is_needed {
+                    continue;
+                }
                 hypothesis.statement.declared_names(&mut |name| {
                     names.insert(Arc::clone(name));
                 });

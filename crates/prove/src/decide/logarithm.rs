@@ -2,7 +2,7 @@
 
 use torse_algebra::{Fraction, Symbol};
 
-/// A logarithm that is no value of other symbols.
+/// A logarithm whose value was not found in other symbols.
 #[derive(Debug, Clone)]
 pub struct Logarithm {
     /// The symbol.
