@@ -4,13 +4,13 @@ use crate::findings::{self, Finding};
 use crate::glossary;
 use crate::names::printed_names;
 use crate::sentence;
+use crate::statements::{dependents, is_named, is_refuted};
 use crate::text::visible;
 use crate::view::{CorrectionView, FormulaView, correction, formula};
 use serde::Serialize;
 use std::collections::BTreeSet;
-use torse_syntax::taxonomy::{Kind, Verdict};
+use torse_syntax::taxonomy::Kind;
 use torse_typography::{Prose, compared, spans};
-use torse_verdicts::consequences::{Fate, consequences};
 use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
 
 /// A statement that is false as printed.
@@ -56,32 +56,6 @@ pub(crate) fn reworded(outcome: &Outcome, faults: &[PaperFault]) -> Option<Rewor
     Some(Reworded { printed, reads })
 }
 
-/// Whether a claim of the paper is false as printed.
-pub(crate) fn is_refuted(outcome: &Outcome) -> bool {
-    matches!(outcome.verdict(), Verdict::False | Verdict::Misprint)
-        && outcome.claim.kind != Kind::Remark
-}
-
-/// Whether a claim that depends on a refuted one and is false too has a fault of its own, which the files describe apart.
-fn has_other_fault(id: &str, cause: &Outcome, faults: &[PaperFault]) -> bool {
-    let mut own = faults.iter().filter(|fault| fault.shows_in(id)).peekable();
-    own.peek().is_some() && !own.any(|fault| fault.shows_in(&cause.claim.id))
-}
-
-/// The statements that depend on a refuted claim, and those of them that fail by the same fault.
-pub(crate) fn dependents<'p>(
-    outcome: &Outcome,
-    paper: &'p PaperOutcome,
-) -> (usize, Vec<&'p Outcome>) {
-    let all: Vec<&Outcome> = paper.claims.iter().collect();
-    let resting = consequences(&outcome.claim.id, &all);
-    let falling = resting
-        .iter()
-        .filter(|of| of.fate == Fate::Falls && !has_other_fault(&of.id, outcome, &paper.faults))
-        .filter_map(|of| paper.claims.iter().find(|claim| claim.claim.id == of.id));
-    (resting.len(), falling.collect())
-}
-
 /// Returns the positions of the refuted claims: theorems and algorithms first, of these and of the others those with most
 /// dependents, and possible artefacts of our copy last.
 pub(crate) fn ranked(paper: &PaperOutcome) -> Vec<(usize, (usize, usize))> {
@@ -106,16 +80,6 @@ pub(crate) fn ranked(paper: &PaperOutcome) -> Vec<(usize, (usize, usize))> {
     list.into_iter()
         .map(|(position, weight, ..)| (position, weight))
         .collect()
-}
-
-/// Whether a claim is of a theorem, proposition or algorithm itself, and not of its proof or of a line after it.
-pub(crate) fn is_named(outcome: &Outcome) -> bool {
-    let at = &outcome.claim.at;
-    let named = ["Theorem", "Proposition", "Algorithm"];
-    named.iter().any(|word| at.contains(word))
-        && !["proof of", "after ", "before "]
-            .iter()
-            .any(|word| at.contains(word))
 }
 
 /// Theorems and algorithms come first; among other statements with equally many dependents, formulas come before remarks.

@@ -1,10 +1,11 @@
 //! A report in one minute: what holds, and the most important errors.
 
 use crate::applicability::title;
-use crate::corrections::{dependents, is_refuted, ranked};
+use crate::corrections::ranked;
 use crate::findings::{self, Finding};
 use crate::glossary;
 use crate::names::printed_names;
+use crate::statements::{dependents, is_refuted};
 use crate::tally::Tally;
 use crate::text::{enumeration, visible};
 use crate::view::{FormulaView, correction, formula};
