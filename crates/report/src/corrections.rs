@@ -1,129 +1,97 @@
-//! Errors and their corrections, most consequential first.
+//! Faults of a paper with their corrections, in the order of its letter.
 
-use crate::findings::{self, Finding};
-use crate::glossary;
+use crate::faults::{FaultPart, PlacedFault, faults};
+use crate::glossary::{self, Term};
+use crate::letter::{Item, item};
 use crate::names::printed_names;
-use crate::sentence;
-use crate::statements::{dependents, is_named, is_refuted};
-use crate::text::visible;
-use crate::view::{CorrectionView, FormulaView, correction, formula};
+use crate::statements::is_refuted;
+use crate::text::{name, visible};
 use serde::Serialize;
-use std::collections::BTreeSet;
-use torse_syntax::taxonomy::Kind;
-use torse_typography::{Prose, compared, spans};
-use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
+use std::collections::{BTreeMap, BTreeSet};
+use torse_typography::{Prose, spans};
+use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
-/// A statement that is false as printed.
+/// A fault: what the letter says of it, and the statements in which it shows.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Corrected {
-    /// Its number, its print, and the finding.
-    pub finding: Finding,
-    /// The words of the paper and their correction, if a file describes the fault.
-    pub reworded: Option<Reworded>,
-    /// The corrected statement, if a correction or a true form is proved.
-    pub correction: Option<CorrectionView>,
-    /// The statement as understood, if there is no correction.
-    pub stated: Option<FormulaView>,
-    /// Where it fails, and by how much.
-    pub why: Option<Prose>,
-    /// The same with the whole point.
-    pub why_in_full: Option<Prose>,
+    /// What the letter says of it.
+    pub item: Item,
+    /// The statements in which it shows.
+    pub shows: Vec<ShownIn>,
+    /// The verdict on the first false one of these.
+    pub verdict: Term,
     /// What in it may be an artefact of our copy of the paper.
     pub garbled: Option<Prose>,
-    /// What checked it beside the prover, for a sentence; none if nothing did.
+    /// What checked all false ones of them beside the prover, for a sentence; none if nothing did, or not all in the same way.
     pub checked_by: Option<&'static str>,
-    /// How many statements depend on it.
+    /// How many other statements depend on them.
     pub resting: usize,
-    /// How many of them fail too.
+    /// How many of those are false by this fault too.
     pub falling: usize,
 }
 
-/// Words of the paper and their correction, with the differences marked.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Reworded {
-    /// As printed.
-    pub printed: Prose,
-    /// Corrected.
-    pub reads: Prose,
-}
-
-/// The description of a claim's fault in the files.
-pub(crate) fn reworded(outcome: &Outcome, faults: &[PaperFault]) -> Option<Reworded> {
-    let mut changes = faults.iter().flat_map(|fault| &fault.changes);
-    let change = changes.find(|change| change.claim == outcome.claim.id)?;
-    let names = printed_names(outcome);
-    let [printed, reads] = compared(&visible(&change.printed), &visible(&change.reads), &names);
-    Some(Reworded { printed, reads })
-}
-
-/// Returns the positions of the refuted claims: theorems and algorithms first, of these and of the others those with most
-/// dependents, and possible artefacts of our copy last.
-pub(crate) fn ranked(paper: &PaperOutcome) -> Vec<(usize, (usize, usize))> {
-    let refuted = paper.claims.iter().enumerate();
-    let refuted = refuted.filter(|(_, claim)| is_refuted(claim));
-    let mut list: Vec<_> = refuted
-        .map(|(position, claim)| {
-            let (resting, falling) = dependents(claim, paper);
-            let weight = (resting, falling.len());
-            (position, weight, rank(claim), claim.claim.garbled.is_some())
-        })
-        .collect();
-    list.sort_by_key(|(position, weight, rank, garbled)| {
-        (
-            *garbled,
-            *rank > 0,
-            std::cmp::Reverse(weight.0),
-            *rank,
-            *position,
-        )
-    });
-    list.into_iter()
-        .map(|(position, weight, ..)| (position, weight))
-        .collect()
-}
-
-/// Theorems and algorithms come first; among other statements with equally many dependents, formulas come before remarks.
-fn rank(outcome: &Outcome) -> usize {
-    match outcome.claim.kind {
-        _ if is_named(outcome) => 0,
-        Kind::Construction | Kind::Property | Kind::Identity | Kind::Inequality => 1,
-        Kind::Value | Kind::Definition => 2,
-        _ => 3,
+impl Corrected {
+    /// Whether it shows in the claim with this identifier for links.
+    pub(crate) fn shows_at(&self, anchor: &str) -> bool {
+        self.shows.iter().any(|shown| shown.anchor == anchor)
     }
 }
 
-/// Collects the corrections of a paper.
+/// A statement in which a fault shows.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct ShownIn {
+    /// The id without the paper's slug.
+    pub name: String,
+    /// The claim's identifier for links.
+    pub anchor: String,
+    /// The verdict on it.
+    pub verdict: Term,
+}
+
+/// Collects the faults of one part of the letter. `anchors` holds the claims' identifiers for links, by position, and
+/// `accepted` the ids of the claims whose proofs the kernel accepted.
 pub(crate) fn corrections(
     paper: &PaperOutcome,
+    part: FaultPart,
     anchors: &[String],
     accepted: &BTreeSet<String>,
 ) -> Vec<Corrected> {
-    let claims = &paper.claims;
-    let view = |(position, (resting, falling)): (usize, (usize, usize))| {
-        let claim = claims.get(position)?;
-        let names = printed_names(claim);
-        let prose = |text: &str| spans(&visible(text), &names);
-        let parsed = claim.parsed();
-        Some(Corrected {
-            finding: findings::about(claim, anchors.get(position)?, &paper.faults),
-            reworded: reworded(claim, &paper.faults),
-            correction: (claim.correction()).map(|repair| correction(parsed, repair, &names)),
-            stated: match claim.correction() {
-                Some(_) => None,
-                None => parsed.map(|of| formula(of, &names)),
-            },
-            // Without a finding and a correction, the sentence says where the statement fails.
-            why: (claim.claim.author_note.is_some() || claim.correction().is_some())
-                .then(|| sentence::failure(claim))
-                .flatten()
-                .map(|text| prose(&sentence::capital(&text))),
-            why_in_full: sentence::failure_in_full(claim).map(|text| prose(&text)),
-            garbled: claim.claim.garbled.as_deref().map(prose),
-            checked_by: glossary::level(claim, accepted.contains(&claim.claim.id))
-                .and_then(glossary::checked_by),
-            resting,
-            falling,
+    let claims = paper.claims.iter().map(|outcome| outcome.claim.id.as_str());
+    let anchors: BTreeMap<&str, &String> = claims.zip(anchors).collect();
+    let of_part = faults(paper).into_iter().filter(|fault| fault.part == part);
+    of_part
+        .filter_map(|fault| {
+            let lead = fault.lead()?;
+            let shown = |outcome: &&Outcome| {
+                Some(ShownIn {
+                    name: visible(name(&outcome.claim.id)),
+                    anchor: (*anchors.get(outcome.claim.id.as_str())?).clone(),
+                    verdict: glossary::verdict(outcome.verdict()),
+                })
+            };
+            let garbled = fault.shows.iter();
+            let garbled = garbled.filter_map(|of| Some((of, of.claim.garbled.as_deref()?)));
+            Some(Corrected {
+                item: item(&fault, paper)?,
+                shows: fault.shows.iter().filter_map(shown).collect(),
+                verdict: glossary::verdict(lead.verdict()),
+                garbled: (garbled.map(|(of, text)| spans(&visible(text), &printed_names(of))))
+                    .next(),
+                checked_by: checked_by(&fault, accepted),
+                resting: fault.resting,
+                falling: fault.falling,
+            })
         })
-    };
-    ranked(paper).into_iter().filter_map(view).collect()
+        .collect()
+}
+
+/// What checked all false statements of a fault; none if they were not all checked in the same way.
+fn checked_by(fault: &PlacedFault<'_>, accepted: &BTreeSet<String>) -> Option<&'static str> {
+    let refuted = fault.shows.iter().filter(|claim| is_refuted(claim));
+    let mut ways = refuted.map(|claim| {
+        let level = glossary::level(claim, accepted.contains(&claim.claim.id));
+        level.and_then(glossary::checked_by)
+    });
+    let first = ways.next()??;
+    ways.all(|way| way == Some(first)).then_some(first)
 }

@@ -15,6 +15,54 @@ pub(crate) struct PlacedFault<'p> {
     pub described: Option<&'p PaperFault>,
     /// The statements in which it shows, in the order of the files; never empty.
     pub shows: Vec<&'p Outcome>,
+    /// How many other statements depend on the false and limited ones of these.
+    pub resting: usize,
+    /// How many of those are false by this fault too.
+    pub falling: usize,
+    weight: FaultWeight,
+}
+
+impl<'p> PlacedFault<'p> {
+    fn new(
+        part: FaultPart,
+        described: Option<&'p PaperFault>,
+        shows: Vec<&'p Outcome>,
+        paper: &'p PaperOutcome,
+    ) -> Self {
+        let (mut own, mut resting, mut falling) =
+            (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+        for claim in shows.iter().filter(|of| is_limited(of) || is_refuted(of)) {
+            own.insert(claim.claim.id.as_str());
+            let found = dependents(claim, paper);
+            resting.extend(found.resting);
+            falling.extend(found.falling.iter().map(|other| other.claim.id.as_str()));
+        }
+        falling.retain(|id| !own.contains(id));
+        resting.retain(|id| !shows.iter().any(|shown| shown.claim.id == *id));
+        let position = paper.claims.iter().position(|claim| {
+            let mut shown = shows.iter();
+            shown.any(|shown| shown.claim.id == claim.claim.id)
+        });
+        Self {
+            resting: resting.len(),
+            falling: falling.len(),
+            weight: FaultWeight {
+                is_unnamed: !shows.iter().any(|claim| is_named(claim)),
+                concerned: Reverse(own.len() + falling.len()),
+                position: position.unwrap_or(usize::MAX),
+            },
+            part,
+            described,
+            shows,
+        }
+    }
+
+    /// The first false statement in which it shows, or else the first of all.
+    pub(crate) fn lead(&self) -> Option<&'p Outcome> {
+        let mut shows = self.shows.iter();
+        let refuted = shows.find(|claim| is_refuted(claim));
+        refuted.or(self.shows.first()).copied()
+    }
 }
 
 /// Returns the faults of a paper, part by part, the weightiest of a part first.
@@ -26,23 +74,19 @@ pub(crate) fn faults(paper: &PaperOutcome) -> Vec<PlacedFault<'_>> {
     let find = |id: &String| claims.iter().find(|outcome| outcome.claim.id == *id);
     let described = paper.faults.iter().filter_map(|fault| {
         let shows: Vec<&Outcome> = fault.shows.iter().filter_map(find).collect();
-        Some(PlacedFault {
-            part: fault_part(fault, &shows)?,
-            described: Some(fault),
-            shows,
-        })
+        let part = fault_part(fault, &shows)?;
+        Some(PlacedFault::new(part, Some(fault), shows, paper))
     });
     let is_assigned = |id: &str| paper.faults.iter().any(|fault| fault.shows_in(id));
     let alone = claims
         .iter()
         .filter(|outcome| is_refuted(outcome) && !is_assigned(&outcome.claim.id))
-        .map(|outcome| PlacedFault {
-            part: part(&[outcome]).unwrap_or(FaultPart::Correction),
-            described: None,
-            shows: vec![outcome],
+        .map(|outcome| {
+            let part = part(&[outcome]).unwrap_or(FaultPart::Correction);
+            PlacedFault::new(part, None, vec![outcome], paper)
         });
     let mut list: Vec<PlacedFault<'_>> = described.chain(alone).collect();
-    list.sort_by_cached_key(|fault| (fault.part, FaultWeight::new(&fault.shows, paper)));
+    list.sort_by_key(|fault| (fault.part, fault.weight));
     list
 }
 
@@ -56,34 +100,11 @@ pub(crate) enum FaultPart {
 
 /// What makes one fault come before another in a part of a letter: theorems, propositions and algorithms first, then the
 /// faults that concern most statements, then the order of the paper.
-#[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct FaultWeight {
     is_unnamed: bool,
     concerned: Reverse<usize>,
     position: usize,
-}
-
-impl FaultWeight {
-    fn new(shows: &[&Outcome], paper: &PaperOutcome) -> Self {
-        let mut concerned = BTreeSet::new();
-        for claim in shows
-            .iter()
-            .filter(|claim| is_limited(claim) || is_refuted(claim))
-        {
-            concerned.insert(claim.claim.id.as_str());
-            let (_, falling) = dependents(claim, paper);
-            concerned.extend(falling.iter().map(|other| other.claim.id.as_str()));
-        }
-        let position = paper.claims.iter().position(|claim| {
-            let mut shown = shows.iter();
-            shown.any(|shown| shown.claim.id == claim.claim.id)
-        });
-        Self {
-            is_unnamed: !shows.iter().any(|claim| is_named(claim)),
-            concerned: Reverse(concerned.len()),
-            position: position.unwrap_or(usize::MAX),
-        }
-    }
 }
 
 /// The part that the files name, or else that the verdicts ask for; none if all is true in which the fault is said to show.

@@ -193,17 +193,16 @@ pub(crate) fn plural(count: usize, noun: &str) -> String {
     }
 }
 
-/// Says what becomes of the statements that depend on a refuted one; `places` stands behind those that fail. None if there are
-/// none.
-pub(crate) fn dependents(resting: usize, falling: usize, places: &str) -> Option<String> {
+/// Says what becomes of the statements that depend on a fault. None if there are none.
+pub(crate) fn dependents(resting: usize, falling: usize) -> Option<String> {
     let all = plural(resting, "statement");
     Some(match (resting, falling) {
         (0, _) => return None,
         (1, 0) => "One statement depends on it, and does not fail.".to_owned(),
-        (1, _) => format!("The one statement that depends on it is false too{places}."),
+        (1, _) => "The one statement that depends on it is false too.".to_owned(),
         (_, 0) => format!("{all} depend on it; none fails."),
-        (_, 1) => format!("{all} depend on it; one is false too{places}."),
-        _ => format!("{all} depend on it; {falling} are false too{places}."),
+        (_, 1) => format!("{all} depend on it; one is false too."),
+        _ => format!("{all} depend on it; {falling} are false too."),
     })
 }
 

@@ -29,7 +29,7 @@ pub(crate) fn short_sentence(outcome: &Outcome, faults: &[PaperFault]) -> String
     let found = own.or_else(|| {
         let shown = |fault: &&PaperFault| fault.shows == [outcome.claim.id.as_str()];
         let fault = faults.iter().find(shown)?;
-        Some(sentence(first_sentence(&fault.says)))
+        Some(fault_in_short(&fault.says))
     });
     match outcome.verdict() {
         Verdict::Misprint | Verdict::False => found
@@ -65,6 +65,11 @@ pub(crate) fn short_sentence(outcome: &Outcome, faults: &[PaperFault]) -> String
             None => "Not decided.".to_owned(),
         },
     }
+}
+
+/// Returns the first sentence of what is said of a fault.
+pub(crate) fn fault_in_short(says: &str) -> String {
+    sentence(first_sentence(says))
 }
 
 /// Whether for every condition a point is known at which it fails and the statement with it. Only then does the

@@ -28,18 +28,26 @@ pub(crate) fn is_named(outcome: &Outcome) -> bool {
             .any(|word| at.contains(word))
 }
 
-/// The statements that depend on a refuted claim, and those of them that fail by the same fault.
-pub(crate) fn dependents<'p>(
-    outcome: &Outcome,
-    paper: &'p PaperOutcome,
-) -> (usize, Vec<&'p Outcome>) {
+/// What depends on a statement.
+pub(crate) struct Dependents<'p> {
+    /// The ids of all statements that do, directly or through others.
+    pub resting: Vec<String>,
+    /// Those of them that fail by the same fault.
+    pub falling: Vec<&'p Outcome>,
+}
+
+/// Finds what depends on a statement.
+pub(crate) fn dependents<'p>(outcome: &Outcome, paper: &'p PaperOutcome) -> Dependents<'p> {
     let all: Vec<&Outcome> = paper.claims.iter().collect();
     let resting = consequences(&outcome.claim.id, &all);
     let falling = resting
         .iter()
         .filter(|of| of.fate == Fate::Falls && !has_other_fault(&of.id, outcome, &paper.faults))
         .filter_map(|of| paper.claims.iter().find(|claim| claim.claim.id == of.id));
-    (resting.len(), falling.collect())
+    Dependents {
+        falling: falling.collect(),
+        resting: resting.iter().map(|of| of.id.clone()).collect(),
+    }
 }
 
 /// Whether a claim that depends on a refuted one and is false too has a fault of its own, which the files describe apart.

@@ -68,14 +68,12 @@ fn card(out: &mut String, report: &Report) -> fmt::Result {
         usable(report),
         Text(&report.short.counts)
     )?;
-    for point in report.short.points.iter().take(POINTS) {
-        let finding = &point.finding;
+    for (point, number) in report.short.points.iter().take(POINTS).zip(1..) {
         write!(
             out,
-            "<li><a href=\"{slug}.html#{}\">{}</a>: {}",
-            finding.anchor,
-            Text(&finding.at),
-            Sentence(&finding.text)
+            "<li><a href=\"{slug}.html#correction-{number}\">{}</a>: {}",
+            Sentence(&point.heading),
+            Sentence(&point.text)
         )?;
         if let Some(view) = &point.formula {
             write!(

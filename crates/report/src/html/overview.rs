@@ -7,6 +7,7 @@ use super::text::{Sentence, Text, badge, formula};
 use crate::Tally;
 use crate::applicability::{NamedResult, Usability};
 use crate::corrections::Corrected;
+use crate::erratum::PARTS;
 use crate::findings::Finding;
 use crate::glossary::{self, DECIDED, EVIDENCE, KERNEL, NETTED, RULES, VERDICTS};
 use crate::model::Report;
@@ -58,10 +59,15 @@ pub(super) fn write(out: &mut String, report: &Report, moving: &[usize]) -> fmt:
     in_short(out, report)?;
     interactive(out, report, moving)?;
     usable(out, &report.constructions)?;
-    corrections(out, &report.corrections)?;
-    let others: Vec<&Finding> = (report.findings.iter())
-        .filter(|finding| !matches!(finding.verdict.key, "false" | "misprint"))
-        .collect();
+    corrections(out, report)?;
+    // What is false is among the corrections, unless a file has put its fault among the conditions.
+    let is_told = |finding: &Finding| {
+        let mut faults = report.corrections.iter().chain(&report.questions);
+        matches!(finding.verdict.key, "false" | "misprint")
+            && faults.any(|fault| fault.shows_at(&finding.anchor))
+    };
+    let others = report.findings.iter().filter(|finding| !is_told(finding));
+    let others: Vec<&Finding> = others.collect();
     findings(out, &others)
 }
 
@@ -72,29 +78,21 @@ fn in_short(out: &mut String, report: &Report) -> fmt::Result {
         "<section id=\"in-short\" class=\"short\"><h2>In short</h2>\n<p>{}</p>\n<ol>",
         Text(&short.counts)
     )?;
-    for point in &short.points {
-        let finding = &point.finding;
+    for (point, number) in short.points.iter().zip(1..) {
         write!(
             out,
-            "<li><strong>{}</strong>: {}",
-            Text(&finding.at),
-            Sentence(&finding.text),
+            "<li><a href=\"#correction-{number}\"><strong>{}</strong></a>: {} <span class=\"meta\">{}</span>",
+            Sentence(&point.heading),
+            Sentence(&point.text),
+            Text(&point.consequence),
         )?;
-        if let Some((theorem, found)) = &point.resting {
+        if let Some(reads) = &point.reads {
             write!(
                 out,
-                " {} depends on it, and is false too: {}",
-                Text(theorem),
-                Sentence(found)
+                "<p class=\"meta\">should read</p><blockquote>{}</blockquote>",
+                Sentence(reads)
             )?;
         }
-        write!(
-            out,
-            " <span class=\"meta\">{} <a href=\"#{}\"><code>{}</code></a></span>",
-            Text(&point.consequence),
-            finding.anchor,
-            Text(&finding.name),
-        )?;
         if let Some(view) = &point.formula {
             write!(
                 out,
@@ -177,64 +175,91 @@ fn usable(out: &mut String, constructions: &[NamedResult]) -> fmt::Result {
     Ok(())
 }
 
-fn corrections(out: &mut String, list: &[Corrected]) -> fmt::Result {
+fn corrections(out: &mut String, report: &Report) -> fmt::Result {
     out.push_str("<section id=\"corrections\" class=\"corrections\"><h2>Corrections</h2>\n");
-    if list.is_empty() {
-        out.push_str("<p>No statement was found false as printed.</p></section>\n");
-        return Ok(());
+    match report.corrections.is_empty() {
+        true => out.push_str("<p>No statement was found false as printed.</p>\n"),
+        false => {
+            out.push_str(
+                "<p>The faults of the letter, in its order: the most consequential first. Changes are framed.</p>\n",
+            );
+            faults(out, "correction", &report.corrections)?;
+        }
     }
-    out.push_str(
-        "<p>Errors and corrections, most consequential first. Changes are framed.</p>\n<ol>",
-    );
-    for one in list {
-        let finding = &one.finding;
+    if !report.questions.is_empty() {
+        writeln!(out, "<h3>{}</h3>", PARTS[2])?;
+        faults(out, "question", &report.questions)?;
+    }
+    out.push_str("</section>\n");
+    Ok(())
+}
+
+/// Writes faults as a list; an entry has the anchor `kind`, a hyphen and its number.
+fn faults(out: &mut String, kind: &str, list: &[Corrected]) -> fmt::Result {
+    out.push_str("<ol>");
+    for (one, number) in list.iter().zip(1..) {
+        let item = &one.item;
         writeln!(
             out,
-            "<li><p class=\"place\"><strong>{}</strong> <a href=\"#{}\"><code>{}</code></a> {}</p>",
-            Text(&finding.at),
-            finding.anchor,
-            Text(&finding.name),
-            badge(finding.verdict),
+            "<li id=\"{kind}-{number}\"><p class=\"place\"><strong>{}</strong> {}</p>\n<p>{}</p>",
+            Sentence(&item.heading),
+            badge(one.verdict),
+            Sentence(&item.says),
         )?;
-        let quote = |out: &mut String, words: &Prose| {
-            write!(
-                out,
-                "<blockquote class=\"printed v-{}\">{}</blockquote>",
-                finding.verdict.key,
-                Sentence(words)
-            )
-        };
-        match (&one.reworded, &one.correction) {
-            (Some(reworded), _) => {
-                quote(out, &reworded.printed)?;
-                out.push_str("<p class=\"meta\">should read</p>");
-                quote(out, &reworded.reads)?;
+        for change in &item.changes {
+            if let Some(at) = &change.at {
+                write!(out, "<p class=\"meta\">{}</p>", Sentence(at))?;
             }
-            (None, Some(repair)) => {
-                quote(out, &finding.printed)?;
+            let quote = |out: &mut String, words: &Prose| {
+                write!(
+                    out,
+                    "<blockquote class=\"printed v-{}\">{}</blockquote>",
+                    one.verdict.key,
+                    Sentence(words)
+                )
+            };
+            quote(out, &change.printed)?;
+            if let Some(reads) = &change.reads {
+                out.push_str("<p class=\"meta\">should read</p>");
+                quote(out, reads)?;
+            }
+            if let Some(repair) = &change.formula {
                 correction(out, repair)?;
             }
-            (None, None) => quote(out, &finding.printed)?,
         }
-        write!(out, "<p>{}", Sentence(&finding.text))?;
-        if let (Some(_), Some(why)) = (&one.correction, &one.why) {
-            write!(out, " {}.", Sentence(why))?;
+        if let Some(why) = &item.why {
+            write!(
+                out,
+                "<p><em>{}:</em> {}.</p>",
+                item.why_label(),
+                Sentence(why)
+            )?;
         }
         if let Some(garbled) = &one.garbled {
             write!(
                 out,
-                " <em>Our copy of the paper may be at fault:</em> {}",
+                "<p><em>Our copy of the paper may be at fault:</em> {}</p>",
                 Sentence(garbled)
             )?;
         }
-        let resting = glossary::dependents(one.resting, one.falling, "");
+        out.push_str("<p class=\"meta\">Shows in ");
+        for (shown, number) in one.shows.iter().zip(0..) {
+            let comma = if number > 0 { ", " } else { "" };
+            let name = Text(&shown.name);
+            write!(
+                out,
+                "{comma}<a href=\"#{}\"><code>{name}</code></a>",
+                shown.anchor
+            )?;
+        }
+        let resting = glossary::dependents(one.resting, one.falling);
         let resting = resting.unwrap_or_else(|| "Nothing else depends on it.".to_owned());
         let level = one
             .checked_by
             .map_or(String::new(), |by| format!(" Checked {by}."));
-        writeln!(out, "</p><p class=\"meta\">{resting}{level}</p></li>")?;
+        writeln!(out, ". {resting}{level}</p></li>")?;
     }
-    out.push_str("</ol></section>\n");
+    out.push_str("</ol>\n");
     Ok(())
 }
 

@@ -1,13 +1,14 @@
 //! An item of a letter: where a fault is, what is printed there, and what is to be read instead.
 
 use super::counterexample::{counterexample, is_about_a_letter, is_in_one_coordinate};
+use crate::faults::PlacedFault;
 use crate::names::printed_names;
 use crate::sentence;
 use crate::text::visible;
 use crate::view::{CorrectionView, correction};
 use serde::Serialize;
 use torse_typography::{PrintedNames, Prose, compared, in_words, quotation, spans};
-use torse_verdicts::outcome::{Outcome, PaperFault};
+use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
 
 /// A fault.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -49,11 +50,19 @@ pub struct ItemChange {
     pub formula: Option<CorrectionView>,
 }
 
-pub(super) fn item_of_fault<'a>(
-    fault: &PaperFault,
-    shows: &[&'a Outcome],
-    find: &impl Fn(&String) -> Option<&'a Outcome>,
-) -> Item {
+/// The item of a fault, the same in a letter and in a report; none of a fault that shows nowhere.
+pub(crate) fn item(fault: &PlacedFault<'_>, paper: &PaperOutcome) -> Option<Item> {
+    match fault.described {
+        Some(described) => Some(item_of_fault(described, &fault.shows, paper)),
+        None => fault
+            .shows
+            .first()
+            .map(|outcome| item_without_fault(outcome)),
+    }
+}
+
+fn item_of_fault(fault: &PaperFault, shows: &[&Outcome], paper: &PaperOutcome) -> Item {
+    let find = |id: &String| paper.claims.iter().find(|outcome| outcome.claim.id == *id);
     let mut names = shows
         .first()
         .map(|claim| printed_names(claim))
@@ -132,7 +141,7 @@ pub(super) fn item_of_fault<'a>(
 }
 
 /// The item of a refuted statement to which no fault is assigned.
-pub(super) fn item_without_fault(outcome: &Outcome) -> Item {
+fn item_without_fault(outcome: &Outcome) -> Item {
     let names = printed_names(outcome);
     let formula = (outcome.correction()).map(|repair| correction(outcome.parsed(), repair, &names));
     let change = match (

@@ -9,6 +9,7 @@ mod counterexample;
 mod item;
 mod opening;
 
+pub(crate) use item::item;
 pub use item::{Item, ItemChange};
 pub use opening::Scope;
 pub(crate) use opening::is_example;
@@ -16,7 +17,6 @@ pub(crate) use opening::is_example;
 use crate::faults::{FaultPart, faults};
 use crate::text::visible;
 use closing::closing;
-use item::{item_of_fault, item_without_fault};
 use opening::{example, opening, salutation};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -66,15 +66,8 @@ pub struct Letter {
 /// The letter about a paper.
 pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Letter {
     let claims = &paper.claims;
-    let find = |id: &String| claims.iter().find(|outcome| outcome.claim.id == *id);
-    let placed: Vec<(FaultPart, Item)> = (faults(paper).into_iter())
-        .filter_map(|fault| {
-            let item = match fault.described {
-                Some(described) => item_of_fault(described, &fault.shows, &find),
-                None => item_without_fault(fault.shows.first()?),
-            };
-            Some((fault.part, item))
-        })
+    let placed: Vec<(FaultPart, Item)> = (faults(paper).iter())
+        .filter_map(|fault| Some((fault.part, item(fault, paper)?)))
         .collect();
     let take = |wanted: FaultPart| -> Vec<Item> {
         let of = placed.iter().filter(|(part, _)| *part == wanted);

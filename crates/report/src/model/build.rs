@@ -6,6 +6,7 @@ use super::{
     RestsView, Section, Side, WitnessView,
 };
 use crate::dependencies::{concerns, describe_source};
+use crate::faults::FaultPart;
 use crate::glossary;
 use crate::names::printed_names;
 use crate::source::Source;
@@ -69,6 +70,7 @@ impl Report {
         for (section, number) in sections.iter_mut().zip(1..) {
             section.anchor = format!("section-{number}");
         }
+        let faults_of = |part| corrections::corrections(paper, part, &builder.anchors, accepted);
         Report {
             slug: visible(&paper.slug),
             title: visible(&paper.title),
@@ -76,10 +78,11 @@ impl Report {
             venue: visible(&paper.venue),
             source: None,
             tally: Tally::new(&paper.claims),
-            short: summary_page::summarize(paper, &builder.anchors),
+            short: summary_page::summarize(paper),
             constructions: applicability::constructions(paper, &builder.anchors),
             letter: letter::letter(paper, accepted),
-            corrections: corrections::corrections(paper, &builder.anchors, accepted),
+            corrections: faults_of(FaultPart::Correction),
+            questions: faults_of(FaultPart::Question),
             findings: findings::collect_findings(paper, &builder.anchors),
             unexpected: paper
                 .claims

@@ -44,8 +44,10 @@ pub struct Report {
     pub constructions: Vec<NamedResult>,
     /// The letter to its authors.
     pub letter: Letter,
-    /// Errors and corrections, most consequential first.
+    /// Errors and corrections: the faults of the letter, in its order.
     pub corrections: Vec<Corrected>,
+    /// What may be right in print, and a slip of the copy at hand.
+    pub questions: Vec<Corrected>,
     /// The findings, in plain words.
     pub findings: Vec<Finding>,
     /// How many verdicts differ from those that the derivation files expect.

@@ -108,17 +108,22 @@ fn findings_name_the_relation_that_fails_and_by_how_much() {
 }
 
 #[test]
-fn the_first_page_tells_what_most_rests_on_first_and_what_can_be_used() {
+fn the_first_page_tells_the_first_corrections_and_what_can_be_used() {
     let sample = paper::sample();
     let report = Report::new(&sample, &[]);
-    let points: Vec<&str> = (report.short.points.iter())
-        .map(|point| point.finding.name.as_str())
+    let points: Vec<(String, &str)> = (report.short.points.iter())
+        .map(|point| (in_words(&point.heading), point.consequence.as_str()))
         .collect();
-    // On the misprint the false theorem rests, which is told with it.
-    assert_eq!(points, ["eq-3.7"]);
+    // A theorem comes first.
     assert_eq!(
-        report.short.points[0].consequence,
-        "The one statement that depends on it is false too (Theorem 4)."
+        points,
+        [
+            ("Sect. 3.2, Theorem 4".to_owned(), ""),
+            (
+                "Sect. 2.2, eq. (3.7), second line".to_owned(),
+                "The one statement that depends on it is false too."
+            )
+        ]
     );
     assert_eq!(
         report.short.counts,

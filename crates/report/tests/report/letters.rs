@@ -1,7 +1,10 @@
 //! Letters of corrections.
 
 use crate::paper;
-use torse_report::{Envelope, Manuscript, Source, erratum_latex, erratum_markdown, model::Report};
+use torse_report::{
+    Envelope, Manuscript, Source, erratum_latex, erratum_markdown, html_page, in_words,
+    model::Report,
+};
 use torse_syntax::derivation::LetterPart;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::{FaultChange, PaperFault};
@@ -102,6 +105,62 @@ fn a_fault_is_one_item_with_the_words_of_the_paper_and_what_changes_framed() {
     assert!(letter.contains("^{\\boxed{\\scriptstyle 4}}"), "{letter}");
     assert!(letter.contains("^{\\boxed{\\scriptstyle 3}}"), "{letter}");
     assert!(letter.contains("This also concerns: "), "{letter}");
+}
+
+/// What stands between two signs, wherever the first one is.
+fn between<'a>(text: &'a str, open: &str, close: &str) -> Vec<&'a str> {
+    let parts = text.split(open).skip(1);
+    let parts = parts.filter_map(|part| Some(part.split_once(close)?.0));
+    parts.collect()
+}
+
+#[test]
+fn letter_report_and_first_page_have_the_same_faults_in_the_same_order() {
+    let mut sample = paper::sample();
+    for (outcome, number) in sample.claims.iter_mut().zip(10..) {
+        outcome.finding = paper::refuted(None);
+        outcome.claim.at = match number % 3 {
+            0 => format!("Theorem {number}"),
+            _ => format!("place {number}"),
+        };
+    }
+    let refuted = sample.claims.iter().filter(|outcome| {
+        let kind = outcome.claim.kind;
+        kind != torse_syntax::taxonomy::Kind::Remark
+    });
+    let ids: Vec<String> = refuted.map(|outcome| outcome.claim.id.clone()).collect();
+    let fault = |id: &str, shows: &[String]| PaperFault {
+        id: format!("sample/corrigendum.{id}"),
+        at: Some(format!("place of {id}")),
+        part: None,
+        says: format!("the fault {id}"),
+        shows: shows.to_vec(),
+        changes: vec![],
+    };
+    sample.faults = vec![fault("two", &ids[7..9]), fault("three", &ids[2..5])];
+    let report = Report::new(&sample, &[]);
+    let letter = erratum_markdown(&report, &draft());
+    let told = between(&letter, "\n### ", "\n");
+    let told = told.iter().map(|line| line.split_once(". ").unwrap().1);
+    let told: Vec<&str> = told.collect();
+    assert_eq!(told.len(), ids.len() - 3);
+    let page = html_page(&report, &[]).unwrap();
+    let listed = between(&page, "<li id=\"correction-", "</li>");
+    let listed = listed.iter().map(|one| between(one, "<strong>", "</strong>")[0]);
+    assert_eq!(listed.collect::<Vec<&str>>(), told);
+    let points = report.short.points.iter();
+    let points: Vec<String> = points.map(|point| in_words(&point.heading)).collect();
+    assert_eq!(points, told[..5]);
+    assert_eq!(
+        report.short.rest.as_deref(),
+        Some(format!("{} more corrections are proposed.", told.len() - 5).as_str())
+    );
+    // A fault says in which statements it shows.
+    let sizes = report.corrections.iter().map(|fault| fault.shows.len());
+    assert_eq!(sizes.sum::<usize>(), ids.len());
+    assert!(pdf(&report, &draft()).starts_with(b"%PDF-1."));
+    let document = Manuscript::paper(&report, &[]).unwrap().typeset().unwrap();
+    assert!(document.pdf().unwrap().starts_with(b"%PDF-1."));
 }
 
 #[test]
