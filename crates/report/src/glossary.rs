@@ -449,6 +449,7 @@ pub const fn flag(of: Flag) -> &'static str {
         Flag::AddsNumber => "adds-number",
         Flag::AddsName => "adds-name",
         Flag::AddsRelation => "adds-relation",
+        Flag::ReadsOtherwise => "reads-otherwise",
         Flag::AssumedConclusion => "assumed-conclusion",
         Flag::ShortConjunction => "short-conjunction",
         Flag::OneDegree => "one-degree",

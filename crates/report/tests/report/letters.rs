@@ -146,7 +146,9 @@ fn letter_report_and_first_page_have_the_same_faults_in_the_same_order() {
     assert_eq!(told.len(), ids.len() - 3);
     let page = html_page(&report, &[]).unwrap();
     let listed = between(&page, "<li id=\"correction-", "</li>");
-    let listed = listed.iter().map(|one| between(one, "<strong>", "</strong>")[0]);
+    let listed = listed
+        .iter()
+        .map(|one| between(one, "<strong>", "</strong>")[0]);
     assert_eq!(listed.collect::<Vec<&str>>(), told);
     let points = report.short.points.iter();
     let points: Vec<String> = points.map(|point| in_words(&point.heading)).collect();
