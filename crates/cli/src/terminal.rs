@@ -9,7 +9,7 @@ use comfy_table::{ContentArrangement, Table, presets};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, ThemeCharacters, ThemeStyles};
 use owo_colors::{OwoColorize, Style};
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::time::Duration;
 use torse_report::glossary;
 use torse_syntax::taxonomy::Verdict;
@@ -38,6 +38,23 @@ fn write_to(mut output: impl Write, bytes: &[u8]) -> Result<(), Failure> {
 pub fn remark(text: &str) {
     // If standard error is closed, the text is lost.
     let _ = anstream::stderr().write_all(text.as_bytes());
+}
+
+/// Says on standard error how long a run took, to a reader at a terminal: what is written to a file or a pipe is the same on
+/// every run.
+pub fn tell_time(time: Duration) {
+    if std::io::stderr().is_terminal() {
+        remark(&format!("done in {}\n", in_minutes(time)));
+    }
+}
+
+/// Writes a time in whole seconds, and in minutes from one minute on; a shorter one with a decimal.
+fn in_minutes(time: Duration) -> String {
+    match time.as_secs() {
+        0..10 => format!("{:.1} s", time.as_secs_f64()),
+        seconds @ 10..60 => format!("{seconds} s"),
+        seconds => format!("{} min {} s", seconds / 60, seconds % 60),
+    }
 }
 
 /// Shows a failure on standard error.
@@ -172,5 +189,20 @@ impl Progress {
         if self.0.is_hidden() && self.0.elapsed() > LONG {
             self.0.set_draw_target(ProgressDrawTarget::stderr());
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_minutes;
+    use std::time::Duration;
+
+    #[test]
+    fn a_time_is_told_in_the_units_of_a_reader() {
+        let told = [400, 9_940, 10_000, 59_999, 60_000, 252_000].map(Duration::from_millis);
+        assert_eq!(
+            told.map(in_minutes),
+            ["0.4 s", "9.9 s", "10 s", "59 s", "1 min 0 s", "4 min 12 s"]
+        );
     }
 }

@@ -12,6 +12,7 @@ use crate::watch::Watch;
 use crate::{figures, proofs, shard, terminal, verdicts, watchdog};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 use torse::annotations::{annotations, github, sarif};
 use torse_report::{ReportError, verdicts_json_with_kernel};
 use torse_syntax::derivation::Paper;
@@ -105,6 +106,7 @@ impl Verify {
         if let Some(ids) = &self.ids {
             return shard::run(ids, self.budget, &self.kernel, &self.derivations);
         }
+        let begun = Instant::now();
         let (mut papers, mut mistakes) = self.derivations.select(&self.names)?;
         if let Some(since) = &self.changed_since {
             let all = count(&papers);
@@ -158,7 +160,9 @@ impl Verify {
         if self.timings {
             terminal::remark(&slowest(&run));
         }
-        Ok(mistakes.tell(exit))
+        let exit = mistakes.tell(exit);
+        terminal::tell_time(begun.elapsed());
+        Ok(exit)
     }
 
     /// What deserves a look.
