@@ -7,9 +7,10 @@ use std::process::Command;
 use std::sync::LazyLock;
 use torse_report::model::Report;
 use torse_report::{Envelope, erratum_latex, erratum_markdown, findings_in_words};
-use torse_syntax::derivation::{Paper, load};
-use torse_syntax::taxonomy::Verdict;
+use torse_syntax::derivation::{Paper, Rewording, load};
+use torse_syntax::taxonomy::{Flag, Verdict};
 use torse_verdicts::PaperOutcome;
+use torse_verdicts::audit::audit;
 use torse_verdicts::engine::{STANDARD_WORK, run};
 use torse_verdicts::restore::restore;
 
@@ -238,6 +239,85 @@ fn a_claim_whose_correction_is_false_is_named_as_not_repaired() {
     let checked = letter.split_once("How this was checked").unwrap().1;
     let says = "1 is not repaired, and cannot stay as printed (Sect. 5.3, Theorem 4, eq. (5.16), third line)";
     assert!(checked.contains(says), "{checked}");
+}
+
+/// What the audit sees at a claim of a paper whose corrected words, or those of other claims, were changed by `edit`.
+fn seen_at(id: &str, edit: impl Fn(&mut Rewording)) -> Vec<String> {
+    let slug = id.split_once('/').unwrap().0;
+    let mut papers = LOADED.iter().zip(PAPERS.iter());
+    let (paper, outcome) = papers.find(|(paper, _)| paper.head.id == slug).unwrap();
+    let mut papers = vec![paper.clone()];
+    let changes = papers[0]
+        .corrigenda
+        .iter_mut()
+        .flat_map(|of| &mut of.changes);
+    changes.filter(|change| change.claim == id).for_each(edit);
+    let claim = paper
+        .claims
+        .iter()
+        .find(|c| c.entry.id.get_ref() == id)
+        .unwrap();
+    let found = outcome.claims.iter().find(|of| of.claim.id == id).unwrap();
+    let audited = audit(&papers, &[(claim, found)], || ()).remove(0);
+    let open = audited.open.into_iter();
+    let open = open.filter(|raised| raised.flag == Flag::ReadsOtherwise);
+    open.map(|raised| raised.evidence).collect()
+}
+
+#[test]
+fn a_slip_in_the_words_of_a_correction_alone_is_flagged() {
+    let slips = [
+        // A sign.
+        (
+            "gbt-developable/sec-3.2.psi-z",
+            "a1 a'_2 − a2 a'_1",
+            "a1 a'_2 + a2 a'_1",
+            "signs",
+        ),
+        (
+            "gbt-developable/sec-3.4.m0-r3.c2",
+            "(1 − ν + 2μ)",
+            "(1 − ν − 2μ)",
+            "signs",
+        ),
+        (
+            "gbt-surfaces/thm-2.b3",
+            "(1 + μ_1 - ν_1)",
+            "(1 - μ_1 - ν_1)",
+            "signs",
+        ),
+        // A number, a name, a relation.
+        (
+            "gbt-developable/sec-3.4.m0-r3.c2",
+            "2(8 k_1",
+            "2(7 k_1",
+            "numbers",
+        ),
+        (
+            "hermite-developable/eq-3.6.det",
+            "16 k^3",
+            "17 k^3",
+            "numbers",
+        ),
+        ("gbt-developable/eq-2.3", "(R_{i+1}", "λ (R_{i+1}", "names"),
+        (
+            "gbt-developable/ex-4.1.c1.e",
+            "the ending generator",
+            "the ending generator ≠ 0",
+            "relations",
+        ),
+    ];
+    for (id, words, slip, family) in slips {
+        assert_eq!(seen_at(id, |_| ()), Vec::<String>::new(), "{id}");
+        let seen = seen_at(id, |change| {
+            assert!(change.reads.contains(words), "{id}: {}", change.reads);
+            change.reads = change.reads.replacen(words, slip, 1);
+        });
+        assert!(
+            seen.iter().any(|words| words.contains(family)),
+            "{id}, {slip}: {seen:?}"
+        );
+    }
 }
 
 #[test]

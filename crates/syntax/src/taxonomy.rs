@@ -84,6 +84,8 @@ pub enum Flag {
     AddsName,
     /// A relation in the statement is not printed.
     AddsRelation,
+    /// The words of a correction and the statement that is decided with it have different numbers, names, relations or signs.
+    ReadsOtherwise,
     /// The conclusion is among the hypotheses.
     AssumedConclusion,
     /// The statement has fewer parts than the sentence.

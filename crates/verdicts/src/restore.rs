@@ -7,7 +7,7 @@ use crate::engine::decide_claim_within;
 use crate::outcome::{Outcome, PaperOutcome, Restored};
 use rayon::prelude::*;
 use torse_syntax::derivation::{
-    Claim, DerivationError, Hypothesis, Origin, Paper, Provenance, Written,
+    Claim, CorrectedClaim, DerivationError, Hypothesis, Origin, Paper, Provenance, Written,
 };
 use torse_syntax::formula::parse;
 use torse_syntax::notation::Formula;
@@ -28,13 +28,7 @@ pub fn restore(
     let listed = paper.corrigenda.iter().flat_map(|of| &of.corrected);
     let listed = listed.filter(|of| of.claim.statement.is_some() || !of.claim.readings.is_empty());
     let mut corrected: Vec<Claim> = listed
-        .map(|of| {
-            let id = of.claim.entry.id.get_ref();
-            match (of.restated, found(id)) {
-                (false, Some(outcome)) => repaired(&of.claim, outcome),
-                _ => of.claim.clone(),
-            }
-        })
+        .map(|of| in_force(of, found(of.claim.entry.id.get_ref())))
         .collect();
     let is_listed = |id: &String| paper.corrigenda.iter().any(|of| of.shows.contains(id));
     corrected.extend(paper.claims.iter().filter_map(|claim| {
@@ -52,6 +46,14 @@ pub fn restore(
         })
     };
     corrected.par_iter().map(decide).collect()
+}
+
+/// Returns a claim as it is decided again: restated by the files, or with the correction that was found.
+pub(crate) fn in_force(corrected: &CorrectedClaim, outcome: Option<&Outcome>) -> Claim {
+    match (corrected.restated, outcome) {
+        (false, Some(outcome)) => repaired(&corrected.claim, outcome),
+        _ => corrected.claim.clone(),
+    }
 }
 
 /// Returns the claim with its corrected statement, and the conditions of the correction as assumptions.

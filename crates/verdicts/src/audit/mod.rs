@@ -14,6 +14,7 @@ mod occurrences;
 mod parts;
 mod print;
 mod quotes;
+mod reads;
 mod setting;
 mod sides;
 mod slips;
@@ -102,13 +103,17 @@ fn flags<'a>(
     setting: &Setting<'a>,
     of_all_parts: Option<usize>,
 ) -> Vec<RaisedFlag> {
+    let printed = subject(claim, claim, outcome, setting, of_all_parts);
     let mut flags = match claim.readings.is_empty() {
-        true => flags_of_reading(claim, claim, outcome, setting, of_all_parts),
+        true => flags_of_reading(&printed),
         false => vec![],
     };
+    flags.extend(reads::differing_corrections(
+        claim, outcome, setting, &printed,
+    ));
     for (reading, found) in claim.readings.iter().zip(outcome.readings()) {
-        for raised in flags_of_reading(&reading.claim, claim, &found.outcome, setting, of_all_parts)
-        {
+        let read = subject(&reading.claim, claim, &found.outcome, setting, of_all_parts);
+        for raised in flags_of_reading(&read) {
             let evidence = format!("read as `{}`: {}", reading.name, raised.evidence);
             flags.push(RaisedFlag { evidence, ..raised });
         }
@@ -118,49 +123,54 @@ fn flags<'a>(
     flags
 }
 
-/// Returns the flags at a claim, or at a reading of it.
-fn flags_of_reading<'a>(
-    claim: &'a Claim,
-    reading: &'a Claim,
-    outcome: &Outcome,
-    setting: &Setting<'a>,
+/// What is looked at: a claim, or a reading of it.
+fn subject<'s>(
+    claim: &'s Claim,
+    whole: &'s Claim,
+    outcome: &'s Outcome,
+    setting: &Setting<'s>,
     of_all_parts: Option<usize>,
-) -> Vec<RaisedFlag> {
-    if claim.entry.kind == Kind::Figure {
-        return vec![];
-    }
-    let subject = Subject {
+) -> Subject<'s> {
+    Subject {
         claim,
         outcome,
         formulas: Formulas::new(claim),
         print: Print::from_text(&claim.entry.printed),
-        context: Print::from_text(&setting.prints(reading)),
-        rests_on: setting.rests_on(reading),
+        context: Print::from_text(&setting.prints(whole)),
+        rests_on: setting.rests_on(whole),
         relations_of_all_parts: of_all_parts.unwrap_or_else(|| parts::relations_of(claim)),
-    };
+    }
+}
+
+/// Returns the flags at a claim, or at a reading of it.
+fn flags_of_reading(subject: &Subject<'_>) -> Vec<RaisedFlag> {
+    let claim = subject.claim;
+    if claim.entry.kind == Kind::Figure {
+        return vec![];
+    }
     let mut flags = vec![];
     let mut add = |found: Vec<RaisedFlag>| flags.extend(found);
-    add(unstated::unstated_relations(&subject));
-    add(garbled::unfounded_excuses(&subject));
+    add(unstated::unstated_relations(subject));
+    add(garbled::unfounded_excuses(subject));
     if claim.statement.is_none() {
         return flags;
     }
-    add(sides::equations_with_equal_sides(&subject));
-    add(subject::nothing_of_the_paper(&subject));
-    add(conclusion::assumed(&subject));
-    add(slips::unfalsifiable_equations(&subject));
-    add(hypotheses::unneeded(&subject));
+    add(sides::equations_with_equal_sides(subject));
+    add(subject::nothing_of_the_paper(subject));
+    add(conclusion::assumed(subject));
+    add(slips::unfalsifiable_equations(subject));
+    add(hypotheses::unneeded(subject));
     // The words of a remark are ours, so there is no print to differ from.
     if claim.entry.kind != Kind::Remark {
-        add(occurrences::numbers(&subject));
-        add(occurrences::names(&subject));
-        add(occurrences::relations(&subject));
-        add(parts::missing_relations(&subject));
-        add(instance::fixed_degrees(&subject));
-        add(instance::single_coordinates(&subject));
-        add(instance::fixed_values(&subject));
-        add(unstated::unstated_names_of_reading(&subject));
-        add(quotes::mismatched_quotations(&subject));
+        add(occurrences::numbers(subject));
+        add(occurrences::names(subject));
+        add(occurrences::relations(subject));
+        add(parts::missing_relations(subject));
+        add(instance::fixed_degrees(subject));
+        add(instance::single_coordinates(subject));
+        add(instance::fixed_values(subject));
+        add(unstated::unstated_names_of_reading(subject));
+        add(quotes::mismatched_quotations(subject));
     }
     flags
 }

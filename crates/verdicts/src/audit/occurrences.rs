@@ -15,8 +15,37 @@ fn everywhere(number: &Rational) -> bool {
     [0, 1, 2].map(integer).contains(number)
 }
 
-/// Returns the numbers of the print that no formula has, and the numbers of the claim that the print lacks.
+/// What one of print and statement has and the other has not, in words.
+pub(super) struct Differing {
+    /// Printed, and not stated.
+    pub lacks: Vec<String>,
+    /// Stated, and not printed.
+    pub adds: Vec<String>,
+}
+
+impl Differing {
+    /// Leaves out what differs there too.
+    pub fn beside(mut self, other: &Self) -> Self {
+        self.lacks.retain(|thing| !other.lacks.contains(thing));
+        self.adds.retain(|thing| !other.adds.contains(thing));
+        self
+    }
+}
+
+/// Flags the numbers of the print that no formula has, and the numbers of the claim that the print lacks.
 pub(super) fn numbers(subject: &Subject<'_>) -> Vec<RaisedFlag> {
+    let Differing { lacks, adds } = differing_numbers(subject);
+    let mut flags = one_flag_for(Flag::LacksNumber, "printed and not stated", lacks);
+    flags.extend(one_flag_for(
+        Flag::AddsNumber,
+        "stated and not printed",
+        adds,
+    ));
+    flags
+}
+
+/// Returns the numbers of the print that no formula has, and the numbers of the claim that the print lacks.
+pub(super) fn differing_numbers(subject: &Subject<'_>) -> Differing {
     let mut reached = BTreeSet::new();
     for expr in &subject.formulas.reached {
         visit_parts(expr, &mut |part| reached.extend(value(part)));
@@ -52,13 +81,10 @@ pub(super) fn numbers(subject: &Subject<'_>) -> Vec<RaisedFlag> {
         .iter()
         .filter(|n| !parts(n) && !degrees.contains(*n))
         .collect();
-    let mut flags = one_flag_for(Flag::LacksNumber, "printed and not stated", shown(lacks));
-    flags.extend(one_flag_for(
-        Flag::AddsNumber,
-        "stated and not printed",
-        shown(adds),
-    ));
-    flags
+    Differing {
+        lacks: shown(lacks),
+        adds: shown(adds),
+    }
 }
 
 /// Returns the numbers of a formula that are neither indices nor orders of derivatives.
@@ -118,9 +144,17 @@ fn bounds(subject: &Subject<'_>) -> Vec<Rational> {
     bounds
 }
 
+/// Flags printed names that are declared and do not occur, and free numbers of the statement that the print does not name.
+pub(super) fn names(subject: &Subject<'_>) -> Vec<RaisedFlag> {
+    let Differing { lacks, adds } = differing_names(subject);
+    let mut flags = one_flag_for(Flag::LacksName, "printed and not stated", lacks);
+    flags.extend(one_flag_for(Flag::AddsName, "stated and not printed", adds));
+    flags
+}
+
 /// Returns printed names that are declared and do not occur, and free numbers of the statement that the print does not
 /// name.
-pub(super) fn names(subject: &Subject<'_>) -> Vec<RaisedFlag> {
+pub(super) fn differing_names(subject: &Subject<'_>) -> Differing {
     let declarations = &subject.claim.declarations;
     // Names bound by sums and derivatives count too, and so do printed forms of names.
     let written = subject.formulas.reached.iter().flat_map(|e| e.names());
@@ -149,10 +183,10 @@ pub(super) fn names(subject: &Subject<'_>) -> Vec<RaisedFlag> {
         free && !printed(stem(name)) && !shown.any(|letters| letters.len() == 1 && printed(letters))
     });
     let shown = |name: &str| format!("`{name}`");
-    let (lacks, adds) = (lacks.map(shown).collect(), adds.map(shown).collect());
-    let mut flags = one_flag_for(Flag::LacksName, "printed and not stated", lacks);
-    flags.extend(one_flag_for(Flag::AddsName, "stated and not printed", adds));
-    flags
+    Differing {
+        lacks: lacks.map(shown).collect(),
+        adds: adds.map(shown).collect(),
+    }
 }
 
 /// Returns the names of a formula, except places where functions are evaluated and variables of derivatives and sums.
@@ -216,8 +250,26 @@ const DENIAL: [&str; 27] = [
     "fluctuat", "adjust", "amend", "disturb", "control", "variou", "benefit",
 ];
 
-/// Returns relations of the print that are not stated, and stated relations that are not printed.
+/// Flags relations of the print that are not stated, and stated relations that are not printed.
 pub(super) fn relations(subject: &Subject<'_>) -> Vec<RaisedFlag> {
+    let Differing { lacks, adds } = differing_relations(subject);
+    let lacks = lacks.into_iter().map(|what| {
+        raised(
+            Flag::LacksRelation,
+            format!("{what} is printed and not stated"),
+        )
+    });
+    let adds = adds.into_iter().map(|what| {
+        raised(
+            Flag::AddsRelation,
+            format!("{what} is stated and not printed"),
+        )
+    });
+    lacks.chain(adds).collect()
+}
+
+/// Returns relations of the print that are not stated, and stated relations that are not printed.
+pub(super) fn differing_relations(subject: &Subject<'_>) -> Differing {
     let statement = subject.claim.statement.iter().map(|w| &w.expr);
     let stated = Kinds::of_formulas(statement);
     let mut reached = Kinds::of_formulas(subject.formulas.reached.iter().copied());
@@ -235,42 +287,37 @@ pub(super) fn relations(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     let mut defined = defined.filter(|n| subject.claim.declarations.definition(n).is_some());
     reached.equal |= defined.next().is_some() || !subject.claim.given.is_empty();
     let print = &subject.print;
-    let mut flags = vec![];
-    let mut lacks = |is: bool, what: &str| {
-        if is {
-            flags.push(raised(
-                Flag::LacksRelation,
-                format!("{what} is printed and not stated"),
-            ));
-        }
-    };
-    lacks(
-        print.equal && !reached.equal && !reached.property,
-        "an equation",
-    );
-    lacks(
-        print.order && !reached.order && !reached.property,
-        "an inequality",
-    );
-    lacks(
-        print.different && !reached.different,
-        "that something differs",
-    );
-    let mut adds = |is: bool, what: &str| {
-        if is {
-            flags.push(raised(
-                Flag::AddsRelation,
-                format!("{what} is stated and not printed"),
-            ));
-        }
-    };
-    adds(
-        stated.order && !print.order && !print.range && !print.has_word_beginning_with(&ORDER),
-        "an inequality",
-    );
     let denied = print.different || print.has_word_beginning_with(&DENIAL) || print.order;
-    adds(stated.different && !denied, "that something differs");
-    flags
+    let seen = |list: &[(bool, &str)]| -> Vec<String> {
+        let seen = list.iter().filter(|(is, _)| *is);
+        seen.map(|(_, what)| (*what).to_owned()).collect()
+    };
+    Differing {
+        lacks: seen(&[
+            (
+                print.equal && !reached.equal && !reached.property,
+                "an equation",
+            ),
+            (
+                print.order && !reached.order && !reached.property,
+                "an inequality",
+            ),
+            (
+                print.different && !reached.different,
+                "that something differs",
+            ),
+        ]),
+        adds: seen(&[
+            (
+                stated.order
+                    && !print.order
+                    && !print.range
+                    && !print.has_word_beginning_with(&ORDER),
+                "an inequality",
+            ),
+            (stated.different && !denied, "that something differs"),
+        ]),
+    }
 }
 
 /// Whether a function states a property that the print expresses by a word.

@@ -1,12 +1,23 @@
 //! The surroundings of a claim: the print of the claims that it rests on.
 
 use std::collections::{BTreeMap, BTreeSet};
-use torse_syntax::derivation::{Claim, Paper};
+use torse_syntax::derivation::{Claim, CorrectedClaim, Paper, Rewording};
 use torse_syntax::taxonomy::Kind;
 
 /// The claims of papers by id; the parts of a sentence by the id of the sentence too.
 pub(super) struct Setting<'a> {
     claims: BTreeMap<&'a str, Vec<&'a Claim>>,
+    papers: &'a [Paper],
+}
+
+/// The correction of a claim.
+pub(super) struct Correction<'a> {
+    /// The claim with all corrections in force.
+    pub corrected: &'a CorrectedClaim,
+    /// The corrected words of its print.
+    pub reads: Vec<&'a str>,
+    /// The corrected words of other claims for the same fault.
+    pub beside: Vec<&'a str>,
 }
 
 impl<'a> Setting<'a> {
@@ -19,7 +30,27 @@ impl<'a> Setting<'a> {
                 claims.entry(id).or_default().push(claim);
             }
         }
-        Self { claims }
+        Self { claims, papers }
+    }
+
+    /// Returns the correction of the claim with this id; none if the files have none.
+    pub fn correction(&self, id: &str) -> Option<Correction<'a>> {
+        let mut corrigenda = self.papers.iter().flat_map(|paper| &paper.corrigenda);
+        corrigenda.find_map(|of| {
+            let mut all = of.corrected.iter();
+            let corrected = all.find(|of| of.claim.entry.id.get_ref() == id)?;
+            let changes = of.changes.iter();
+            let (own, others): (Vec<_>, Vec<_>) = changes.partition(|change| change.claim == id);
+            let reads = |changes: Vec<&'a Rewording>| {
+                let reads = changes.into_iter().map(|change| change.reads.as_str());
+                reads.collect()
+            };
+            Some(Correction {
+                corrected,
+                reads: reads(own),
+                beside: reads(others),
+            })
+        })
     }
 
     fn named(&self, id: &str) -> impl Iterator<Item = &&'a Claim> {
