@@ -58,7 +58,7 @@ impl Elaborator<'_> {
                     let refused = existential::refuse(existentials, &hypothesis.statement.terms());
                     refused.map_err(|f| f.within(&hypothesis.origin))?;
                 }
-                existential::instantiate(self, claim, statement)?
+                existential::instantiate(self, claim, &hypotheses, statement)?
             }
         };
         let mut names: Vec<Arc<str>> = vec![];

@@ -2,29 +2,32 @@
 //!
 //! "For all values of the other symbols there is an r in its interval for which p(r) is true" follows from the claim
 //! "p(w), and w is in the interval" for any formula w in the other symbols that has a value at every point of the
-//! domain. [`instantiate`] makes that claim. It has no `exists` and is decided, checked at points and replayed like
-//! any other; if it is false, other witnesses may still exist. Of all parts that a witness may contain, only
+//! domain and at which the statement is defined. [`instantiate`] makes that claim. It has no `exists` and is decided, checked at
+//! points and replayed like any other; if it is false, other witnesses may still exist. Of all parts that a witness may contain, only
 //! quotients can be undefined somewhere, and their divisors become conditions of the verdict: see
-//! [`may_lack_a_value`].
+//! [`may_lack_a_value`]. So do the divisors of the statement; its roots and logarithms have values by the way they are written, or
+//! the claim is refused: see [`Signs`].
 //!
 //! In `q implies p(r)` only the conclusion is instantiated; where q is false every r of the interval works.
 
+use crate::definedness::Signs;
 use crate::elaborator::Elaborator;
 use num_traits::Signed;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use torse_core::{BuiltIn, Node, Statement, Term};
+use torse_core::{BuiltIn, Hypothesis, Node, Statement, Term};
 use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Bound, Interval, SymbolKind};
 use torse_syntax::derivation::{Claim, Existential, Written};
 use torse_syntax::fault::Fault;
-use torse_syntax::formula::{Connective, Operator, Place, Relation};
+use torse_syntax::formula::{self, Connective, Operator, Place, Relation};
 
 /// The statement with a witness in the place of each existential symbol.
 pub(super) fn instantiate(
     elaborator: &Elaborator<'_>,
     claim: &Claim,
+    hypotheses: &[Hypothesis],
     statement: &Written,
 ) -> Result<Statement, Fault> {
     let mut witnesses = vec![];
@@ -57,6 +60,18 @@ pub(super) fn instantiate(
             "`fails`, or a property of a basis, in an existential claim: state it for each point";
         return Err(within(Fault::limit(statement.expr.place, what)));
     }
+    let signs = Signs::new(
+        elaborator.declarations(),
+        hypotheses.iter().map(|own| &own.statement),
+    );
+    let premise = free_premise(elaborator, claim, statement);
+    let signs = match &premise {
+        Some(premise) => signs.with(premise),
+        None => signs,
+    };
+    signs
+        .require_values(&body, witnesses.len(), premise.is_some())
+        .map_err(within)?;
     let mut members = vec![];
     let mut inhabited = true;
     for (existential, (_, witness)) in claim.existentials.iter().zip(&witnesses) {
@@ -76,11 +91,11 @@ pub(super) fn instantiate(
         return Ok(body);
     };
     Ok(match body {
-        Statement::Join(Connective::Implies, premise, conclusion)
-            if inhabited && premise_is_free(elaborator, claim, statement) =>
+        Statement::Join(Connective::Implies, before, conclusion)
+            if inhabited && premise.is_some() =>
         {
             let conclusion = Box::new(both(members, *conclusion));
-            Statement::Join(Connective::Implies, premise, conclusion)
+            Statement::Join(Connective::Implies, before, conclusion)
         }
         body => both(members, body),
     })
@@ -105,13 +120,18 @@ pub(super) fn refuse(existential: &[Existential], terms: &[&Term]) -> Result<(),
     Ok(())
 }
 
-/// Whether no existential symbol occurs in the premise of the implication.
-fn premise_is_free(elaborator: &Elaborator<'_>, claim: &Claim, statement: &Written) -> bool {
-    let torse_syntax::formula::Node::Join(_, premise, _) = &statement.expr.node else {
-        return false;
+/// The premise of an implication in which no existential symbol occurs.
+fn free_premise(
+    elaborator: &Elaborator<'_>,
+    claim: &Claim,
+    statement: &Written,
+) -> Option<Statement> {
+    let formula::Node::Join(Connective::Implies, premise, _) = &statement.expr.node else {
+        return None;
     };
-    let premise = elaborator.statement(premise);
-    premise.is_ok_and(|premise| refuse(&claim.existentials, &premise.terms()).is_ok())
+    let premise = elaborator.statement(premise).ok()?;
+    refuse(&claim.existentials, &premise.terms()).ok()?;
+    Some(premise)
 }
 
 fn denies(statement: &Statement) -> bool {

@@ -6,6 +6,7 @@
 #![warn(missing_docs)]
 
 mod claim;
+mod definedness;
 mod elaborator;
 mod existential;
 

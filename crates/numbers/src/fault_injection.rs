@@ -92,6 +92,8 @@ pub enum InjectedFault {
     HypothesisLeftOut,
     /// An open end of an interval is taken for a closed one.
     OpenEndClosed,
+    /// A root or a logarithm with a witness in it is taken to have a value.
+    WitnessValueAssumed,
     /// The upper end of a root is rounded down.
     RoundedInward,
     /// The upper end of a logarithm is rounded down.

@@ -11,7 +11,7 @@ use crate::decide::{self, Decision};
 use crate::evaluate::Evaluator;
 use crate::evidence::Witness;
 use crate::steps;
-use crate::term_divisors::has_root_in_empty_sum;
+use crate::term_divisors::{has_root_in_empty_sum, has_too_many_divisors};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use torse_core::{self as core, stack};
@@ -65,6 +65,12 @@ fn prepared<T>(
     let asks = |own: &core::Statement| has_root_in_empty_sum(own, &evaluator);
     if asks(&core.statement) || core.hypotheses.iter().any(|own| asks(&own.statement)) {
         let what = "a root or a logarithm in a sum that may be empty";
+        return Err(Fault::limit(Place::default(), what).within(&statement.origin));
+    }
+    // With a witness in place a divisor that is not looked at would be a condition that is not stated.
+    if !claim.existentials.is_empty() && has_too_many_divisors(&core.statement, &evaluator) {
+        let what =
+            "a statement that divides more often, or within more binders, than can be looked at";
         return Err(Fault::limit(Place::default(), what).within(&statement.origin));
     }
     let rooted = core

@@ -49,6 +49,19 @@ pub(crate) fn term_divisors(
     all
 }
 
+/// Whether the statement has more divisors than are looked at.
+pub(crate) fn has_too_many_divisors(
+    statement: &core::Statement,
+    evaluator: &Evaluator<'_>,
+) -> bool {
+    let mut found = Found::new(evaluator);
+    statement
+        .terms()
+        .into_iter()
+        .for_each(|term| found.visit(term, &[]));
+    found.is_cut
+}
+
 /// Whether something that divides stands in a sum or a product that may be empty: then it is not known where the statement has a value.
 pub(crate) fn divides_in_empty_sum(statement: &core::Statement, evaluator: &Evaluator<'_>) -> bool {
     let divides = |node: &Node| match node {
@@ -117,6 +130,8 @@ struct Found<'f, 'e> {
     names: BTreeSet<Arc<str>>,
     /// Closed terms that were visited.
     seen: Visited,
+    /// Whether there were more divisors, or binders around one, than are looked at.
+    is_cut: bool,
 }
 
 impl<'f, 'e> Found<'f, 'e> {
@@ -126,6 +141,7 @@ impl<'f, 'e> Found<'f, 'e> {
             divisors: vec![],
             names: BTreeSet::new(),
             seen: Visited::default(),
+            is_cut: false,
         }
     }
 
@@ -145,7 +161,8 @@ impl<'f, 'e> Found<'f, 'e> {
     }
 
     fn visit(&mut self, term: &Term, bound: &[Bound<'_>]) {
-        if self.divisors.len() >= MAX_DIVISORS || bound.len() > MAX_BINDERS {
+        if self.divisors.len() > MAX_DIVISORS || bound.len() > MAX_BINDERS {
+            self.is_cut = true;
             return;
         }
         if bound.is_empty() && !self.seen.is_new(term) {

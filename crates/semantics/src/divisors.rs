@@ -1,7 +1,7 @@
 //! The parts of a domain at which a divisor of the statement is zero: a verdict without a condition is wrong there.
 //!
 //! Divisors are read from the text: the right sides of quotients, bases of powers with a negative number as exponent, the
-//! cosine of `tan`, determinants of matrices that are inverted. Definitions are opened, their parameters and bound names
+//! cosine of `tan`, determinants of matrices that are inverted; those of witnesses too, which stand in the places of existential numbers. Definitions are opened, their parameters and bound names
 //! replaced: the index of a sum by the numbers of a short range, the variable of `at` by its point, that of an integral by
 //! both ends. Such a formula is only a place to look: the statement itself is judged at the points that are found, so a
 //! formula that means something else costs an attempt and says nothing.
@@ -37,6 +37,13 @@ pub(crate) fn divisors(reading: &Reading<'_>) -> Vec<Branch> {
         looks: Cell::new(MAX_LOOKS),
     };
     search.visit(reading.tree(), MAX_OPENED, &mut found);
+    let witnesses: Vec<(&str, &Expr)> = reading.witnesses().collect();
+    for divisor in &mut found {
+        *divisor = replaced(divisor, &witnesses);
+    }
+    for (_, witness) in &witnesses {
+        search.visit(witness, MAX_OPENED, &mut found);
+    }
     let mut all: Vec<Expr> = vec![];
     for divisor in found {
         if !divisor.names().is_empty() && !all.contains(&divisor) {

@@ -10,7 +10,7 @@ use crate::domain::set;
 use crate::domain::stream::Stream;
 use crate::judgement::Judgement;
 use crate::name::Name;
-use crate::no_value::{NoValue, Unknown};
+use crate::no_value::{NoValue, Undefined, Unknown};
 use crate::real::Real;
 use crate::series::Series;
 use crate::value::Value;
@@ -136,6 +136,12 @@ impl<'a> Reading<'a> {
     pub(super) fn existentials(&self) -> impl Iterator<Item = (&'a Existential, &[Written])> {
         let ends = self.existentials.iter().map(Vec::as_slice);
         self.claim.existentials.iter().zip(ends)
+    }
+
+    /// The existential symbols that have witnesses, with these.
+    pub(crate) fn witnesses(&self) -> impl Iterator<Item = (&'a str, &'a Expr)> {
+        let own = self.claim.existentials.iter();
+        own.filter_map(|own| Some((own.name.as_str(), &own.witness.as_ref()?.expr)))
     }
 
     pub(crate) fn seeks(&self) -> bool {
@@ -288,7 +294,7 @@ impl<'a> Reading<'a> {
             };
             match at.number(&witness.expr, &outermost) {
                 Ok(value) => inside = at.moving(&existentials.name, Part::Whole, value, &inside),
-                Err(gap) => return gap.into(),
+                Err(gap) => return self.without_value(gap, at),
             }
         }
         let mut members = Judgement::True;
@@ -306,16 +312,78 @@ impl<'a> Reading<'a> {
                 members = joined(Connective::And, members, end);
             }
         }
-        if let Node::Join(Connective::Implies, premise, conclusion) = &self.statement.node
-            && self.is_free(premise)
-            && self.existentials.iter().all(Vec::is_empty)
-        {
+        let stated = if let Some((premise, conclusion)) = self.with_free_premise() {
             let premise = at.truth(premise, &inside);
             let conclusion = at.truth(conclusion, &inside);
             let conclusion = joined(Connective::And, members, conclusion);
-            return joined(Connective::Implies, premise, conclusion);
+            joined(Connective::Implies, premise, conclusion)
+        } else {
+            joined(Connective::And, members, at.truth(self.statement, &inside))
+        };
+        match stated {
+            // The number makes the statement defined and true, or it is none of those that the claim says to exist.
+            Judgement::Undefined(Undefined::NegativeRoot | Undefined::NoLogarithm)
+                if self.is_defined_but_for_witnesses(at, self.statement) =>
+            {
+                Judgement::False
+            }
+            stated => stated,
         }
-        joined(Connective::And, members, at.truth(self.statement, &inside))
+    }
+
+    /// The premise and the conclusion of an implication of which only the conclusion is about the existential numbers.
+    fn with_free_premise(&self) -> Option<(&'a Expr, &'a Expr)> {
+        let Node::Join(Connective::Implies, premise, conclusion) = &self.statement.node else {
+            return None;
+        };
+        let is_about_conclusion =
+            self.is_free(premise) && self.existentials.iter().all(Vec::is_empty);
+        is_about_conclusion.then_some((premise, conclusion))
+    }
+
+    /// The judgement where a witness has no value: where the premise is false any number will do.
+    fn without_value<'s, A: Arithmetic>(&'s self, gap: NoValue, at: &At<'s, '_, A>) -> Judgement {
+        let premise = self.with_free_premise().map(|(premise, _)| premise);
+        match premise.map(|premise| at.truth(premise, &Environment::outermost())) {
+            Some(Judgement::False) => Judgement::Undefined(Undefined::Unasserted),
+            _ => gap.into(),
+        }
+    }
+
+    /// Whether all parts of a statement without an existential number have values; `false` if that is not known.
+    fn is_defined_but_for_witnesses<'s, A: Arithmetic>(
+        &'s self,
+        at: &At<'s, '_, A>,
+        tree: &'s Expr,
+    ) -> bool {
+        let outermost = Environment::outermost();
+        let is_defined = |tree: &'s Expr| self.is_defined_but_for_witnesses(at, tree);
+        match &tree.node {
+            Node::Compare(first, rest) => {
+                is_defined(first) && rest.iter().all(|(_, side)| is_defined(side))
+            }
+            Node::Join(_, a, b) => is_defined(a) && is_defined(b),
+            Node::Not(inner) => is_defined(inner),
+            _ if self.is_free(tree) => at.value(tree, &outermost).is_ok(),
+            Node::Negative(inner) => is_defined(inner),
+            Node::Binary(_, a, b) => is_defined(a) && is_defined(b),
+            Node::List(items) => items.iter().all(is_defined),
+            Node::Name(name) => match at.declarations.definition(name) {
+                Some(definition) => is_defined(&definition.body.expr),
+                None => true,
+            },
+            // A formula in which a name is bound may have parts whose values no point has.
+            Node::Call(head, arguments) => match &head.node {
+                Node::Name(name) => match at.built_in(name, &outermost) {
+                    // A derivative is taken where the point is.
+                    Some("D") => arguments.first().is_some_and(is_defined),
+                    None | Some("sum" | "product" | "integral" | "at" | "coefficients") => false,
+                    Some(_) => arguments.iter().all(is_defined),
+                },
+                _ => false,
+            },
+            _ => false,
+        }
     }
 
     /// Whether a tree contains no existential symbol, directly or through definitions.

@@ -2,6 +2,7 @@
 
 use crate::common;
 
+use torse_numbers::fault_injection::{InjectedFault, with};
 use torse_syntax::taxonomy::Verdict::{Conditional, False, Holds, Undecided};
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::outcome::Outcome;
@@ -121,6 +122,166 @@ fn a_witness_has_a_value_wherever_its_divisors_do_not_vanish() {
         outcome("['r == norm(p)']", "r^2 == dot(p, p)").verdict(),
         Holds
     );
+}
+
+/// With the witness in place a root or a logarithm has no value at some of the points that the claim is about.
+const UNDEFINED_SOMEWHERE: [(&str, &str); 14] = [
+    ("['r == a']", "exp(log(r)) == a"),
+    ("['r == a']", "sqrt(r)^2 == a"),
+    ("['r == a']", "log(r) == log(r) and r == a"),
+    ("['r == 1/a']", "log(a*r) == 0"),
+    ("['r == a']", "1/sqrt(r) > 0 and r == a"),
+    ("['r == a']", "norm([r, sqrt(r)]) >= 0 and r == a"),
+    ("['r == 2']", "D(log(r*a), a) == 1/a and r == 2"),
+    ("['u == a']", "log(u) == log(u) and u == a"),
+    ("['r == a']", "log(r*b) == log(r) + log(b) and r == a"),
+    ("['r == x - 1']", "log(r) <= r - 1 and r < x"),
+    ("['r == a', 's == b']", "sqrt(r*s)^2 == a*b"),
+    ("['r == a']", "a >= -1 implies sqrt(r)^2 == a"),
+    ("['r == exp(1/a)']", "log(r) == log(r) and r > 0"),
+    ("['r == x^2']", "log(r) == log(r) and r == x^2"),
+];
+
+#[test]
+fn a_root_or_a_logarithm_of_the_number_has_a_value_or_nothing_is_said() {
+    for (exists, states) in UNDEFINED_SOMEWHERE {
+        refused(exists, states, "with an existential number in it");
+    }
+    for (exists, states) in [
+        ("['r == x']", "sqrt(r)^2 == x"),
+        ("['r == x + 1']", "exp(log(r)) == x + 1"),
+        ("['r == exp(a)']", "log(r) == a"),
+        (
+            "['r == a^2 + 1']",
+            "exp(log(r)) == a^2 + 1 and 1/sqrt(r) > 0",
+        ),
+        ("['r == u']", "log(r/(1 + x)) <= 0 and r == u"),
+        ("['r == a']", "a >= 0 implies sqrt(r)^2 == a"),
+        ("['r == abs(a)']", "sqrt(r)^2 == abs(a)"),
+        // The claim is about points at which the logarithm without the number has a value.
+        ("['r == 2']", "log(a) + log(r) == log(2*a)"),
+    ] {
+        assert_eq!(
+            outcome(exists, states).verdict(),
+            Holds,
+            "{exists} {states}"
+        );
+    }
+    let assumed = "exists = ['r == a']\nassume = ['a > 1']\nstates = 'exp(log(r)) == a'";
+    let found = common::outcomes("there", SHARED, &[assumed]);
+    assert_eq!(found[0].verdict(), Holds);
+}
+
+/// A part with the number in it has no value somewhere, and no condition would say so.
+const UNDEFINED_WITHOUT_CONDITION: [(&str, &str); 16] = [
+    // A premise that is undefined is not false.
+    ("['r == a']", "1/r^2 > 0 implies a != 0"),
+    ("['r == a']", "tan(r)^2 >= 0 implies cos(a) != 0"),
+    (
+        "['r == a']",
+        "det(inverse([[r, 0], [0, 1]]))^2 > 0 implies a != 0",
+    ),
+    ("['r == a']", "b == b implies (1/r^2 > 0 implies a != 0)"),
+    ("['r == a']", "(1/r == b implies r*b == 1) and r == a"),
+    // A value that is not used.
+    ("['r == a']", "log(at(u, b, 1/r)) == log(u) and r == a"),
+    ("['r == a']", "log(first(r^2 + 1, tan(r))) == log(a^2 + 1)"),
+    (
+        "['r == a']",
+        "exp(0*inverse([[1, 1/2], [1, r]])[1,1]) == 1 and r == a",
+    ),
+    (
+        "['r == a']",
+        "inverse([[1, 1/2], [1, r]])[1,1]^0 == 1 and r == a",
+    ),
+    ("['r == a']", "exp(0*r^(0 - 1)) == 1 and r == a"),
+    ("['r == a']", "[1, r^(1 - 2)][1] == 1 and r == a"),
+    ("['r == a']", "[1, r^l][1] == 1 and r == a"),
+    ("['r == a']", "exp(0*N[0,1](t0, r)) == 1 and r == a"),
+    (
+        "['r == a']",
+        "sum(i, 0, m + 1, E[i,m+1](t0, r)) == 1 and r == a",
+    ),
+    (
+        "['r == a']",
+        "product(j, 1, m, (j + 1)/j*one(1/(r + j))) == m + 1 and r == a",
+    ),
+    (
+        "['r == a']",
+        "integral(one(1/(r - t0)), t0, 0, 1) == 1 and r == a",
+    ),
+];
+
+const BASES: &str = r#"
+[symbols]
+a = {}
+b = {}
+r = {}
+t0 = {}
+u = { in = "(0, 1)" }
+l = { integer = "-2..2" }
+m = { integer = ">= 1" }
+[define]
+"first(x, y)" = 'x'
+"one(x)" = '1'
+[basis.E]
+variable = "t0"
+parameters = ["c"]
+degree = 0
+seeds = ['1']
+step = ['1 - t0/c', 't0/c']
+[basis.N]
+variable = "t0"
+parameters = ["c"]
+degree = 1
+seeds = ['1 - t0/c', 't0/c']
+step = ['1 - t0', 't0']
+[basis.B]
+variable = "t0"
+parameters = ["c"]
+degree = 1
+seeds = ['1 - c*t0', 'c*t0']
+step = ['1 - t0', 't0']
+"#;
+
+#[test]
+fn what_may_have_no_value_is_a_condition_or_the_claim_is_refused() {
+    let decided = |exists: &str, states: &str| {
+        let lines = format!("exists = {exists}\nstates = \"{states}\"");
+        let found = common::outcomes("there", BASES, &[&lines]);
+        assert_eq!(found[0].contradiction(), None, "{lines}");
+        found[0].verdict()
+    };
+    for (exists, states) in UNDEFINED_WITHOUT_CONDITION {
+        assert_eq!(decided(exists, states), Undecided, "{exists} {states}");
+    }
+    for (states, verdict) in [
+        ("[1, 1/r][1] == 1 and r == a", Conditional),
+        ("exp(0/(r - 1)) == 1 and r == a", Conditional),
+        ("sum(j, 1, 2, 0/(r - j)) == 0 and r == a", Conditional),
+        ("B[0,1](t0, r) + B[1,1](t0, r) == 1 and r == a", Holds),
+        ("a^2 > 0 implies 1/r^2 > 0 and r == a", Holds),
+        ("(r >= 0 implies r == abs(a)) and r == a", Holds),
+    ] {
+        assert_eq!(decided("['r == a']", states), verdict, "{states}");
+    }
+    // More divisors than are looked at.
+    let many: Vec<String> = (1..=70).map(|k| format!("1/(r - {k})")).collect();
+    let many = format!("[1, {}][1] == 1 and r == a", many.join(", "));
+    assert_eq!(decided("['r == a']", &many), Undecided);
+}
+
+#[test]
+fn the_semantics_finds_a_point_at_which_the_number_leaves_a_root_without_a_value() {
+    for (exists, states) in &UNDEFINED_SOMEWHERE[..7] {
+        let lines = format!("exists = {exists}\nstates = \"{states}\"");
+        let found = with(InjectedFault::WitnessValueAssumed, || {
+            common::outcomes("there", SHARED, &[&lines])
+        });
+        assert_eq!(found[0].verdict(), Undecided, "{lines}");
+        let divides = found[0].steps().concat().contains("divides by zero");
+        assert!(found[0].contradiction().is_some() || divides, "{lines}");
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! False statements that were proved, and true ones next to them.
 
 use super::{expect, expect_one_of, expect_refuted_where, tried};
-use torse_syntax::taxonomy::Verdict::{Conditional, False, Holds, Misprint};
+use torse_syntax::taxonomy::Verdict::{Conditional, False, Holds, Misprint, Undecided};
 
 fn at_most(bound: f64) -> impl Fn(&str) -> bool {
     move |value| number(value) <= bound
@@ -93,6 +93,23 @@ fn a_derivative_by_a_parameter_is_taken_before_its_value_is_put_in() {
 fn a_denial_next_to_it_does_not_make_a_statement_one_about_some_degree() {
     let lines = "states = 'sum(j, 1, m, j) <= 3 and fails(x == 0)'";
     expect_refuted_where("denial", lines, "m", |m| number(m) >= 3.0);
+}
+
+#[test]
+fn a_denial_of_what_is_true_is_false_wherever_the_statement_beside_it_has_a_value() {
+    for states in [
+        "sqrt(-x) >= 0 and fails(sqrt(x) >= 0)",
+        "fails(sqrt(x) >= 0) and sqrt(-x) >= 0",
+        "1/x == 1/x and fails(x == x)",
+        "log(x) == log(x) and fails(x^2 >= 0)",
+    ] {
+        let lines = format!("symbols = {{ x = {{}} }}\nstates = '{states}'");
+        expect("denied", &lines, False);
+    }
+    // It says nothing where it has none.
+    let nowhere =
+        "symbols = { x = {} }\nassume = ['x == 0']\nstates = '1/x == 1/x and fails(x == x)'";
+    expect("nowhere", nowhere, Undecided);
 }
 
 #[test]

@@ -22,6 +22,8 @@
 //!
 //! **Corrections** are proofs with conditions of their own, and are checked like proofs.
 
+mod refutation;
+
 use crate::agreement::{Agreement, agreement};
 use crate::certificate::DecisionCertificate;
 use crate::elaborated_claim::ElaboratedClaim;
@@ -37,8 +39,8 @@ use torse_core as core;
 use torse_prove::{self as prove, a_point_of};
 use torse_semantics::tree::Reading;
 use torse_semantics::{
-    Identity, Judgement, Outside, SampleStatistics, Witness, Work, check_witness, identity,
-    instances, judge_samples, judge_violations,
+    Identity, Judgement, SampleStatistics, Witness, Work, check_witness, identity, instances,
+    judge_samples, judge_violations,
 };
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
@@ -492,108 +494,6 @@ impl<'a> JudgedStatement<'a> {
             }
         }
         Ok(confirmed)
-    }
-
-    /// Checks a refutation at its witness, and its correction at points of the domain.
-    fn refutation(&self, refuted: &RefutedStatement) -> Result<Net, Objection> {
-        let uncompared = self.compare_core_terms()?;
-        let mut net = self.witness(refuted)?.not_netted_because(uncompared);
-        let Some(correction) = refuted.correction() else {
-            return Ok(net);
-        };
-        let statement = condition::written(&correction.statement, &self.seed);
-        let corrected = statement
-            .as_ref()
-            .and_then(|statement| torse_elaborate::elaborate(self.claim, statement).ok());
-        let (Some(statement), Some(corrected)) = (&statement, &corrected) else {
-            net.netted = false;
-            net.why = Some("the correction cannot be read back".to_owned());
-            return Ok(net);
-        };
-        let case = JudgedStatement {
-            core: corrected,
-            statement,
-            seed: self.seed.clone(),
-            excepted: vec![],
-            denials: vec![],
-            ..*self
-        };
-        let found = case
-            .proof(&correction.conditions)
-            .map_err(|found| found.about("the correction is wrong"))?;
-        if !found.netted {
-            net.netted = false;
-            net.why = found
-                .why
-                .as_ref()
-                .map(|why| format!("the correction: {why}"));
-        }
-        net.correction = Some(Box::new(found));
-        Ok(net)
-    }
-
-    fn witness(&self, refuted: &RefutedStatement) -> Result<Net, Objection> {
-        if let core::Statement::Not(denied) = &self.core.statement {
-            return self.denial(denied);
-        }
-        let Some(witness) = &refuted.witness else {
-            return self.elsewhere("it names no point");
-        };
-        match self.place(witness, &self.statement.expr) {
-            Witness::Refutes => Ok(Net::with_refuting_point(1)),
-            Witness::Outside(Outside::Hypothesis {
-                judgement: judgement @ (Judgement::Undecided | Judgement::Unknown(_)),
-                ..
-            }) => self.elsewhere(&judgement.to_string()),
-            Witness::Outside(why) => {
-                Err(format!("its witness is outside of the domain: {why}").into())
-            }
-            Witness::Stands(judgement @ (Judgement::True | Judgement::Undefined(_))) => {
-                Err(format!("the statement is {judgement} at its witness").into())
-            }
-            Witness::Stands(judgement) => self.elsewhere(&judgement.to_string()),
-            Witness::Unreadable(why) => self.elsewhere(&why.to_string()),
-        }
-    }
-
-    /// If `fails(p)` is false, p is true at every point: a proof.
-    fn denial(&self, denied: &core::Statement) -> Result<Net, Objection> {
-        let mut core = self.core.clone();
-        core.statement = denied.clone();
-        let Node::Call(_, inner) = &self.statement.expr.node else {
-            return Ok(Net::without_points(
-                "the negated statement stands in a definition",
-            ));
-        };
-        let Some(inner) = inner.first() else {
-            return Ok(Net::without_points("no statement is negated"));
-        };
-        let statement = Written {
-            expr: inner.clone(),
-            origin: self.statement.origin.clone(),
-        };
-        let case = JudgedStatement {
-            core: &core,
-            statement: &statement,
-            seed: self.seed.clone(),
-            excepted: vec![],
-            denials: vec![],
-            ..*self
-        };
-        let found = case.proof_at_points(&[]);
-        found.map_err(|found| found.about("what it denies is not shown"))
-    }
-
-    /// Handles a refutation whose witness cannot be inserted, because it does not name every number, or is undecided
-    /// there: searches for another point at which the statement is false. Without one, only the prover says that it is.
-    fn elsewhere(&self, why: &str) -> Result<Net, Objection> {
-        let (tally, _) = self.judge_samples(&[]);
-        match tally.failing {
-            Some(_) => Ok(Net::with_refuting_point(tally.attempts)),
-            None => Err(Objection::Unconfirmed(format!(
-                "a point at which it fails was found, but could not be inserted into the text: {why}"
-            ))),
-        }
     }
 
     /// Checks a domain that is claimed to be empty.
