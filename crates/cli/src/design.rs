@@ -80,6 +80,11 @@ pub(crate) struct Pattern {
 }
 
 impl Pattern {
+    /// Whether the number of rulings is set.
+    pub(crate) fn sets_rulings(&self) -> bool {
+        self.rulings.is_some()
+    }
+
     pub(crate) fn demand(&self) -> Demand {
         Demand {
             allow_strain: self.allow_strain,

@@ -164,6 +164,28 @@ pub enum Failure {
         /// The mistakes.
         reason: String,
     },
+    /// An option that changes nothing for the purpose of a file.
+    #[error("`{option}` has no effect for `--for {purpose}`")]
+    #[diagnostic(help("leave it out, or take one of `--for {}`", purposes.join("`, `--for ")))]
+    NoEffect {
+        /// The option.
+        option: &'static str,
+        /// The purpose as given, or the usual one.
+        purpose: &'static str,
+        /// Those for which it has an effect.
+        purposes: &'static [&'static str],
+    },
+    /// A format that other purposes have.
+    #[error("this purpose has files .{}, and not .{ending}", known.join(", ."))]
+    #[diagnostic(help("for .{ending} add `--for {}`", purposes.join("` or `--for ")))]
+    OtherPurpose {
+        /// The ending of the file.
+        ending: &'static str,
+        /// Those that the purpose has.
+        known: &'static [&'static str],
+        /// The purposes that have it.
+        purposes: Vec<&'static str>,
+    },
     /// Two answers would go to standard output.
     #[error("standard output cannot be two files")]
     #[diagnostic(help("give `--to` or `--parts` the name of a file"))]
@@ -353,6 +375,8 @@ impl Failure {
             | Failure::NoPage { .. }
             | Failure::Exists { .. }
             | Failure::BothStandard
+            | Failure::NoEffect { .. }
+            | Failure::OtherPurpose { .. }
             | Failure::UnknownId { .. }
             | Failure::NoCode { .. }
             | Failure::Since { .. }

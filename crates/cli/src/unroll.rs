@@ -46,16 +46,16 @@ pub struct Unroll {
     /// fitter with dimensions, tables and a view, PDF or SVG), paper (true size on pages, PDF)
     #[arg(long = "for", value_name = "PURPOSE", value_parser = named(outputs()), default_value = "cut")]
     output: Output,
-    /// Set the paper of `--for bench` and `--for paper`
+    /// Set the paper of `--for bench` and `--for paper` [default: a4]
     #[cfg(feature = "pdf")]
-    #[arg(long, value_name = "SIZE", value_parser = named(PaperSize::ALL), default_value = "a4")]
-    page: PaperSize,
+    #[arg(long, value_name = "SIZE", value_parser = named(PaperSize::ALL))]
+    page: Option<PaperSize>,
     /// Write a table of the parts to this file, as comma-separated values; - for standard output
     #[arg(long, value_name = "FILE")]
     parts: Option<PathBuf>,
-    /// Set the width of the cut in millimetres: outlines are moved outwards by half of it, openings inwards
-    #[arg(long, value_name = "MM", default_value_t = 0.0)]
-    kerf: f64,
+    /// Set the width of the cut in millimetres [default: 0]: outlines are moved outwards by half of it, openings inwards
+    #[arg(long, value_name = "MM")]
+    kerf: Option<f64>,
     /// Lay parts along (first ruling to last along the drawing) or across; without this, each is turned to its smallest box
     #[arg(long, value_name = "WAY", value_parser = named(Grain::ALL))]
     grain: Option<Grain>,
@@ -100,6 +100,16 @@ impl Output {
         }
     }
 }
+
+/// The purposes that cut along the outline.
+const CUT: &[&str] = &["cut", "bend", "sew"];
+/// The purposes that have parts; a pattern to fold is the design's.
+const PARTED: &[&str] = &["cut", "bend", "sew", "bench", "paper"];
+/// The purposes that draw rulings.
+const RULED: &[&str] = &["fold", "bench", "paper"];
+/// The purposes that have pages.
+#[cfg(feature = "pdf")]
+const PAGED: &[&str] = &["bench", "paper"];
 
 /// Files with their bytes.
 type Files = Vec<(PathBuf, Vec<u8>)>;
@@ -162,7 +172,8 @@ fn file_of(to: &Path, part: &str, several: bool) -> PathBuf {
 impl Unroll {
     /// Writes what the purpose asks for and says what it promises.
     pub fn run(&self) -> Result<Exit, Failure> {
-        let ending = format_of(&self.to, self.r#as.as_deref(), self.output.endings())?;
+        self.check_options()?;
+        let ending = self.ending()?;
         let listed_there = self.parts.as_deref().is_some_and(is_standard);
         if listed_there && is_standard(&self.to) {
             return Err(Failure::BothStandard);
@@ -170,7 +181,7 @@ impl Unroll {
         let design = self.file.open()?;
         let pieces = unroll(&design, &self.pattern.demand())?;
         let making = CutOptions {
-            kerf: self.kerf,
+            kerf: self.kerf.unwrap_or_default(),
             grain: self.grain,
         };
         let made = parts_with(&design, &pieces, making);
@@ -232,6 +243,53 @@ impl Unroll {
         self.end(&design, &summary, &list)
     }
 
+    #[cfg(feature = "pdf")]
+    fn page(&self) -> PaperSize {
+        self.page.unwrap_or(PaperSize::A4)
+    }
+
+    /// Refuses an option that has no effect for the purpose.
+    fn check_options(&self) -> Result<(), Failure> {
+        let own = outputs().find(|(_, output)| *output == self.output);
+        let purpose = own.map_or("", |(name, _)| name);
+        let limited = [
+            ("--parts", self.parts.is_some(), PARTED),
+            ("--kerf", self.kerf.is_some(), CUT),
+            ("--grain", self.grain.is_some(), PARTED),
+            ("--rulings", self.pattern.sets_rulings(), RULED),
+            #[cfg(feature = "pdf")]
+            ("--page", self.page.is_some(), PAGED),
+        ];
+        let idle =
+            |(_, given, purposes): &&(&str, bool, &[&str])| *given && !purposes.contains(&purpose);
+        match limited.iter().find(idle) {
+            None => Ok(()),
+            Some((option, _, purposes)) => Err(Failure::NoEffect {
+                option,
+                purpose,
+                purposes,
+            }),
+        }
+    }
+
+    /// The format of the file, which the purpose has to have.
+    fn ending(&self) -> Result<&'static str, Failure> {
+        let known = self.output.endings();
+        let found = format_of(&self.to, self.r#as.as_deref(), known);
+        let anything = format_of(&self.to, self.r#as.as_deref(), &["dxf", "svg", "pdf"]);
+        match (found, anything) {
+            (Err(_), Ok(ending)) => {
+                let has = outputs().filter(|(_, output)| output.endings().contains(&ending));
+                Err(Failure::OtherPurpose {
+                    ending,
+                    known,
+                    purposes: has.map(|(name, _)| name).collect(),
+                })
+            }
+            (found, _) => found,
+        }
+    }
+
     /// The files of drawings with their bytes.
     fn drawings(&self, purpose: Purpose, made: &[Part], ending: &str) -> Result<Files, Failure> {
         let mut files = Files::new();
@@ -252,7 +310,7 @@ impl Unroll {
         made: &[Part],
         ending: &str,
     ) -> Result<Files, Failure> {
-        let sheets = bench_sheets(design, pieces, made, self.page)?;
+        let sheets = bench_sheets(design, pieces, made, self.page())?;
         if ending == "pdf" {
             let set = Manuscript::bench(&design.name, &sheets)?.typeset()?;
             return Ok(vec![(self.to.clone(), set.pdf()?)]);
@@ -279,7 +337,7 @@ impl Unroll {
         pieces: &[FlatPiece],
         made: &[Part],
     ) -> Result<Files, Failure> {
-        let tiled = tiled_parts(design, pieces, made, self.page)?;
+        let tiled = tiled_parts(design, pieces, made, self.page())?;
         let set = Manuscript::tiles(&design.name, &tiled)?.typeset()?;
         Ok(vec![(self.to.clone(), set.pdf()?)])
     }

@@ -1,7 +1,7 @@
 //! Is a face of a file developable? Decided where it can be, measured where not, with the place that says no.
 
 use crate::design::Tolerances;
-use crate::inspect::{Assurance, number};
+use crate::inspect::{Assurance, at_most, number};
 use serde::Serialize;
 use torse_exchange::{CurveShape, ImportedFace, SplineSurface, SurfaceFrame, SurfaceShape};
 use torse_geometry::prelude::{GeometryError, MeasureBudget, PiecewiseRail, Point, Sheet};
@@ -180,7 +180,8 @@ fn ruled(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<FaceAudit, Geo
     });
     let (developable, words) = if high <= limit {
         let words = format!(
-            "not exactly; within {high:.3e} degrees, proved: that much tangent planes turn along a ruling at most"
+            "not exactly; within {} degrees, proved: that much tangent planes turn along a ruling at most",
+            at_most(high)
         );
         (Assurance::Within, words)
     } else if low > limit {

@@ -1,6 +1,6 @@
 //! Files of designs: patterns, meshes, CAD patches, by the ending of the file.
 
-use crate::design::{Design, DesignPiece, Tensor};
+use crate::design::{Design, DesignPiece, FreeSurface, Tensor};
 use crate::error::DesignError;
 use crate::inspect::side_changes_at_joint;
 use crate::space_openings::{SpaceOpening, openings_in_space};
@@ -37,12 +37,12 @@ pub fn ending(path: &Path, known: &'static [&'static str]) -> Result<&'static st
     })
 }
 
-/// Returns the bytes of a file with this ending, one of [`ENDINGS`]. Patterns are made as `demand` says; meshes are
-/// solids where the design has a thickness; CAD patches are exact where they can be, else within the tolerance
+/// Returns the bytes of a file with this ending, one of [`ENDINGS`]: of the piece or the surface that `demand` names, or of
+/// all. Patterns are made as it says; meshes are solids where the design has a thickness; CAD patches are exact where they can be, else within the tolerance
 /// `surface`.
 ///
 /// # Errors
-/// As [`unroll`] for patterns, [`DesignError::Exchange`] for what a format cannot hold.
+/// As [`unroll`] for patterns, [`DesignError::NoSuch`] for a name that is not there, [`DesignError::Exchange`] for what a format cannot hold.
 ///
 /// ```
 /// use torse_designs::export::bytes;
@@ -61,6 +61,8 @@ pub fn ending(path: &Path, known: &'static [&'static str]) -> Result<&'static st
 /// # Ok::<(), torse_designs::DesignError>(())
 /// ```
 pub fn bytes(design: &Design, ending: &str, demand: &Demand) -> Result<Vec<u8>, DesignError> {
+    let mesh = || mesh_of(design, &Chosen::by(design, demand)?);
+    let model = || model_of(design, &Chosen::by(design, demand)?);
     Ok(match ending {
         "dxf" | "svg" => {
             let drawing = drawing(design, &unroll(design, demand)?)?;
@@ -71,13 +73,13 @@ pub fn bytes(design: &Design, ending: &str, demand: &Demand) -> Result<Vec<u8>, 
             };
             text.into_bytes()
         }
-        "stl" => stl(&mesh(design)?)?,
-        "obj" => obj(&mesh(design)?)?.into_bytes(),
-        "ply" => ply(&mesh(design)?)?,
-        "3mf" => three_mf(&mesh(design)?)?,
-        "glb" => glb(&mesh(design)?)?,
-        "step" | "stp" => step(&model(design)?)?.into_bytes(),
-        "iges" | "igs" => iges(&model(design)?)?.into_bytes(),
+        "stl" => stl(&mesh()?)?,
+        "obj" => obj(&mesh()?)?.into_bytes(),
+        "ply" => ply(&mesh()?)?,
+        "3mf" => three_mf(&mesh()?)?,
+        "glb" => glb(&mesh()?)?,
+        "step" | "stp" => step(&model()?)?.into_bytes(),
+        "iges" | "igs" => iges(&model()?)?.into_bytes(),
         other => {
             return Err(DesignError::Format {
                 path: other.into(),
@@ -87,15 +89,66 @@ pub fn bytes(design: &Design, ending: &str, demand: &Demand) -> Result<Vec<u8>, 
     })
 }
 
+/// What of a design a file in space has.
+#[derive(Debug)]
+struct Chosen<'d> {
+    pieces: Vec<DesignPiece>,
+    surfaces: Vec<&'d FreeSurface>,
+}
+
+impl<'d> Chosen<'d> {
+    fn all(design: &'d Design) -> Self {
+        Self {
+            pieces: design.pieces(),
+            surfaces: design.surfaces.iter().collect(),
+        }
+    }
+
+    /// Returns what a demand names, or everything.
+    ///
+    /// # Errors
+    /// [`DesignError::NoSuch`] for a name that no piece and no surface has.
+    fn by(design: &'d Design, demand: &Demand) -> Result<Self, DesignError> {
+        let mut chosen = Self::all(design);
+        let Some(name) = &demand.only else {
+            return Ok(chosen);
+        };
+        let pieces = chosen.pieces.iter().map(|piece| piece.name.clone());
+        let surfaces = chosen.surfaces.iter().map(|surface| surface.name.clone());
+        let known: Vec<String> = pieces.chain(surfaces).collect();
+        if !known.contains(name) {
+            return Err(DesignError::NoSuch {
+                what: "piece",
+                name: name.clone(),
+                known,
+            });
+        }
+        chosen.pieces.retain(|piece| piece.name == *name);
+        chosen.surfaces.retain(|surface| surface.name == *name);
+        Ok(chosen)
+    }
+
+    fn has(&self, patch: usize) -> bool {
+        self.pieces
+            .iter()
+            .any(|piece| piece.patches.contains(&patch))
+    }
+}
+
 /// Returns the patches as CAD patches with shared edges.
 ///
 /// # Errors
 /// [`DesignError::Exchange`].
 pub fn model(design: &Design) -> Result<CadModel, DesignError> {
+    model_of(design, &Chosen::all(design))
+}
+
+fn model_of(design: &Design, chosen: &Chosen<'_>) -> Result<CadModel, DesignError> {
     let limits = &design.tolerances;
     let mut model = CadModel::new(&design.name, limits.gap)?;
     let openings = openings_in_space(design)?;
-    for (index, patch) in design.patches.iter().enumerate() {
+    let patches = design.patches.iter().enumerate();
+    for (index, patch) in patches.filter(|(index, _)| chosen.has(*index)) {
         let converted = convert(&patch.sheet, limits.surface)?;
         let certificate = patch.sheet.certify(64).map_err(ExchangeError::from)?;
         let developable = certificate.is_developable_within(limits.twist.to_radians());
@@ -117,7 +170,7 @@ pub fn model(design: &Design) -> Result<CadModel, DesignError> {
             model.open(&opening.around(&patch.sheet)?)?;
         }
     }
-    for surface in &design.surfaces {
+    for surface in &chosen.surfaces {
         for part in &surface.parts {
             model.add(&surface.name, approximate_tensor(part, limits.surface)?)?;
         }
@@ -131,18 +184,22 @@ pub fn model(design: &Design) -> Result<CadModel, DesignError> {
 /// # Errors
 /// [`DesignError::Exchange`].
 pub fn mesh(design: &Design) -> Result<Mesh, DesignError> {
+    mesh_of(design, &Chosen::all(design))
+}
+
+fn mesh_of(design: &Design, chosen: &Chosen<'_>) -> Result<Mesh, DesignError> {
     let limits = &design.tolerances;
     let mut whole = Mesh::default();
     let openings = openings_in_space(design)?;
-    for piece in design.pieces() {
-        let sheet = surface(design, &piece, &openings)?;
+    for piece in &chosen.pieces {
+        let sheet = surface(design, piece, &openings)?;
         let part = match design.metal {
             Some(metal) => sheet.thickened(metal.sheet.thickness())?,
             None => sheet,
         };
         whole.append(&part)?;
     }
-    for surface in &design.surfaces {
+    for surface in &chosen.surfaces {
         let mut shape = Mesh::default();
         for part in &surface.parts {
             let [rows, columns] =

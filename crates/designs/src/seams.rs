@@ -41,6 +41,18 @@ pub struct EdgeName {
     pub edge: PatchEdge,
 }
 
+impl EdgeName {
+    /// Returns whether both have an edge of a patch in common.
+    #[must_use]
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.edge == other.edge
+            && self
+                .patches
+                .iter()
+                .any(|patch| other.patches.contains(patch))
+    }
+}
+
 /// Two edges that are sewn, welded or glued together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seam {

@@ -20,6 +20,16 @@ apex = [0, 0, 120]
 range = [1, 0.5]
 ";
 
+/// Two cones that no edge joins.
+const TWO_CONES: &str = "
+[curves]
+near = { arc = { centre = [0, 0, 0], from = [60, 0, 0], to = [0, 60, 0] } }
+far = { arc = { centre = [200, 0, 0], from = [260, 0, 0], to = [200, 60, 0] } }
+[patches]
+left = { cone = \"near\", apex = [0, 0, 120], range = [1, 0.5] }
+right = { cone = \"far\", apex = [200, 0, 120], range = [1, 0.5] }
+";
+
 const TWISTED: &str = "
 [curves]
 a = { bezier = [[0, 0, 0], [100, 0, 0]] }
@@ -208,7 +218,16 @@ fn unknown_formats_and_names_are_mistakes_of_the_command_line() {
             "--only",
             "cylinder",
         ],
-        &["unroll", "part.toml", "--to", "part.dxf", "--rulings", "1"],
+        &[
+            "unroll",
+            "part.toml",
+            "--to",
+            "part.dxf",
+            "--for",
+            "fold",
+            "--rulings",
+            "1",
+        ],
         &[
             "unroll",
             "part.toml",
@@ -231,6 +250,92 @@ fn unknown_formats_and_names_are_mistakes_of_the_command_line() {
         assert!(!wrong.error.is_empty() && wrong.output.is_empty());
     }
     assert_eq!(files(folder.path()), ["part.toml"]);
+}
+
+#[test]
+fn an_option_without_effect_is_refused_and_says_for_what_it_has_one() {
+    let folder = folder(CONE);
+    for (purpose, option, value, purposes) in [
+        (
+            "fold",
+            "--kerf",
+            "0.2",
+            "`--for cut`, `--for bend`, `--for sew`",
+        ),
+        (
+            "bench",
+            "--kerf",
+            "0.2",
+            "`--for cut`, `--for bend`, `--for sew`",
+        ),
+        (
+            "cut",
+            "--rulings",
+            "9",
+            "`--for fold`, `--for bench`, `--for paper`",
+        ),
+        ("cut", "--page", "a3", "`--for bench`, `--for paper`"),
+        (
+            "fold",
+            "--parts",
+            "parts.csv",
+            "`--for cut`, `--for bend`, `--for sew`, `--for bench`, `--for paper`",
+        ),
+    ] {
+        let arguments = [
+            "unroll",
+            "part.toml",
+            "--to",
+            "out.svg",
+            "--for",
+            purpose,
+            option,
+            value,
+        ];
+        let wrong = run(folder.path(), &arguments);
+        assert_eq!(wrong.code, 2, "{arguments:?}: {}", wrong.error);
+        let words = wrong.error.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = format!("`{option}` has no effect for `--for {purpose}`");
+        assert!(words.contains(&message), "{words}");
+        assert!(words.contains(purposes), "{words}");
+    }
+    let wrong = run(folder.path(), &["unroll", "part.toml", "--to", "part.pdf"]);
+    assert_eq!(wrong.code, 2);
+    let words = wrong.error.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        words.contains("for .pdf add `--for bench` or `--for paper`"),
+        "{words}"
+    );
+    assert_eq!(files(folder.path()), ["part.toml"]);
+}
+
+#[test]
+fn a_file_in_space_has_only_the_piece_that_is_named() {
+    let folder = folder(TWO_CONES);
+    let size = |arguments: &[&str]| {
+        let done = run(folder.path(), arguments);
+        assert_eq!(done.code, 0, "{}", done.error);
+        std::fs::metadata(folder.path().join("part.stl"))
+            .unwrap()
+            .len()
+    };
+    let all = size(&["export", "part.toml", "--to", "part.stl"]);
+    let one = size(&["export", "part.toml", "--to", "part.stl", "--only", "left"]);
+    // A header of 84 bytes, then 50 for each triangle: both cones have equally many.
+    assert_eq!(all - 84, 2 * (one - 84));
+    let wrong = run(
+        folder.path(),
+        &[
+            "export",
+            "part.toml",
+            "--to",
+            "part.stl",
+            "--only",
+            "middle",
+        ],
+    );
+    assert_eq!(wrong.code, 2);
+    assert!(wrong.error.contains("middle") && wrong.error.contains("left"));
 }
 
 #[test]
@@ -347,6 +452,8 @@ fn hostile_designs_are_refused_with_a_message_and_nothing_is_written() {
         "part.toml",
         "--to",
         "x.dxf",
+        "--for",
+        "fold",
         "--rulings",
         "999999999",
     ];

@@ -18,7 +18,7 @@ use crate::design::Design;
 use crate::error::DesignError;
 use crate::inspect::at_most;
 use crate::openings::OpeningShape;
-use crate::unroll::{Blank, FlatPiece, Part, blank};
+use crate::unroll::{Blank, FlatPiece, Part, beside_bends, blank};
 use forming::forming;
 use layout::{Drawn, drawing, layout};
 use serde::Serialize;
@@ -217,10 +217,10 @@ fn sheet(
     let mut notes = forming.notes;
     notes.push(format!(
         "{} is farther than {} mm from the exact part ({}); {} mm were allowed.",
-        if part.seam_line.is_some() {
-            "No point of the seam line"
-        } else {
-            "No cut line"
+        match (&part.seam_line, part.kerf > 0.0) {
+            (Some(_), _) => "No point of the seam line",
+            (None, true) => "No cut line, before it was moved for the kerf,",
+            (None, false) => "No cut line",
         },
         at_most(part.error.max(LEAST)),
         if part.proved {
@@ -230,6 +230,17 @@ fn sheet(
         },
         length(design.tolerances.outline)
     ));
+    if let Some(kerf) = part.kerf_words() {
+        notes.push(format!("Not the nominal part: {kerf}."));
+    }
+    if !part.bends.is_empty() {
+        notes.push("An edge that meets a bend ends at the bend line.".to_owned());
+    }
+    if let Some(metal) = design.metal {
+        let thickness = metal.sheet.thickness();
+        let near = beside_bends(thickness, &part.openings, &part.bends);
+        notes.extend(near.iter().map(|near| format!("{}.", near.words())));
+    }
     if piece.flat.is_strained() {
         notes.push(format!(
             "The surface is not developable: lines change by up to {} of their length.",

@@ -67,7 +67,7 @@ pub(super) fn sides(
         .collect();
     order.sort_unstable();
     let on_part = |place: usize, point: [f64; 2]| {
-        let point = blank.place(place, point, 0.0)?;
+        let point = blank.moved(place, point)?;
         Some(part.placement.point(point))
     };
     // The two rails of each patch: to the left of one who follows the chain, and to the right.
@@ -100,6 +100,8 @@ pub(super) fn sides(
         let shares = |rail: usize| if rail == 0 { 0.0 } else { 1.0 };
         for (side, chain) in chains.iter().enumerate() {
             let rail = if side == 0 { left } else { 1 - left };
+            // What a bend takes of an edge is on no side of the part.
+            let chain = blank.kept(*place, chain);
             let points: Vec<[f64; 2]> = chain
                 .iter()
                 .flat_map(|segment| chord_points(segment, ARC_POINTS).chain([segment.to]))
@@ -149,6 +151,7 @@ pub(super) fn sides(
     ) else {
         return Ok(Vec::new());
     };
+    let (left, right) = (to_bend_lines(left), to_bend_lines(right));
     let mut groups = grouped(design, right);
     groups.push(vec![end.turned()]);
     let back = left.iter().rev().map(DirectedEdge::turned).collect();
@@ -183,6 +186,26 @@ struct DirectedEdge {
     points: Vec<[f64; 2]>,
     length: f64,
     space: Vec<Point>,
+}
+
+/// Returns the runs of a rail, each as far as the middle of the bent strip between it and the next: its bend line.
+fn to_bend_lines(mut runs: Vec<DirectedEdge>) -> Vec<DirectedEdge> {
+    for k in 1..runs.len() {
+        let (before, after) = runs.split_at_mut(k);
+        let (Some(before), Some(after)) = (before.last_mut(), after.first_mut()) else {
+            continue;
+        };
+        let (Some(end), Some(start)) = (before.points.last(), after.points.first()) else {
+            continue;
+        };
+        let middle = [0, 1].map(|i| 0.5 * (end[i] + start[i]));
+        let half = 0.5 * polygon_length(&[*end, *start]);
+        before.points.push(middle);
+        after.points.insert(0, middle);
+        before.length += half;
+        after.length += half;
+    }
+    runs
 }
 
 fn polygon_length(points: &[[f64; 2]]) -> f64 {
@@ -295,7 +318,10 @@ pub(super) fn pair(design: &Design, parts: &mut [Vec<Side>]) {
 /// Returns whether two sides are one line in space.
 fn is_on(one: &Side, other: &Side) -> bool {
     let within = MEETING * one.length.min(other.length);
-    let lengths = (one.length - other.length).abs() <= MEETING * one.length.max(other.length);
+    let equal = |a: f64, b: f64| (a - b).abs() <= MEETING * a.max(b);
+    // A bend makes an edge of the blank shorter than it is in space.
+    let lengths =
+        equal(one.length, other.length) || equal(one.length_in_space(), other.length_in_space());
     let corner = |side: &Side, far: fn(f64, f64) -> f64| {
         side.space
             .iter()
@@ -337,6 +363,12 @@ fn distance_to_segment(point: &Point, from: &Point, to: &Point) -> f64 {
 }
 
 impl Side {
+    /// Returns the length of the chords between its points in space.
+    fn length_in_space(&self) -> f64 {
+        let pairs = self.space.windows(2);
+        pairs.map(|pair| norm(&sub(&pair[1], &pair[0]))).sum()
+    }
+
     /// Returns the label with those of the sides that it meets: `A1 to B3`.
     pub(super) fn mark(&self) -> String {
         if self.meets.is_empty() {

@@ -31,7 +31,11 @@ pub fn picture(design: &Design, demand: &Demand) -> Result<Picture, DesignError>
         caption: "in space (mm)".to_owned(),
     }];
     // What has no pattern is seen all the same.
-    if let Ok(pieces) = unroll(design, demand) {
+    let pieces = match unroll(design, demand) {
+        Err(unknown @ DesignError::NoSuch { .. }) => return Err(unknown),
+        pieces => pieces,
+    };
+    if let Ok(pieces) = pieces {
         let drawn = drawing(design, &pieces)?;
         panels.push(Panel {
             content: Content::Plot(pattern(&pieces, &drawn)),

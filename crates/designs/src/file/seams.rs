@@ -19,12 +19,36 @@ pub fn seams(
             continue;
         };
         let mut parts = parts.into_iter();
-        let mut edge = || edge(reader, parts.next()?, patches, groups);
-        let (first, second) = (edge(), edge());
+        let mut edge = || {
+            let value = parts.next()?;
+            let span = value.span();
+            Some((edge(reader, value, patches, groups)?, span))
+        };
+        let (Some((first, _)), Some((second, span))) = (edge(), edge()) else {
+            continue;
+        };
+        let joins = |seam: &Seam| {
+            let [a, b] = &seam.edges;
+            (a.overlaps(&first) && b.overlaps(&second))
+                || (a.overlaps(&second) && b.overlaps(&first))
+        };
+        let wrong = if first.overlaps(&second) {
+            Some(format!("`{}` would be sewn to itself", second.text))
+        } else if seams.iter().any(joins) {
+            let (first, second) = (&first.text, &second.text);
+            Some(format!("`{first}` is sewn to `{second}` already"))
+        } else {
+            None
+        };
+        if let Some(message) = wrong {
+            let help = "a seam has two edges, and each pair of edges one seam";
+            reader.complain(&span, message, help);
+            continue;
+        }
         let ease = parts.next().map_or(Some(0.0), |value| {
             reader.number_in(value, NumberKind::Length, "(-infinity, infinity)", |_| true)
         });
-        if let (Some(first), Some(second), Some(ease)) = (first, second, ease) {
+        if let Some(ease) = ease {
             seams.push(Seam {
                 edges: [first, second],
                 ease,

@@ -20,7 +20,7 @@ mod text;
 pub use contact::{PieceReport, PieceSpace, Piercing, SelfContact};
 pub(crate) use joint::side_changes_at_joint;
 pub use joint::{JointReport, joints};
-pub(crate) use numbers::{at_most, number};
+pub(crate) use numbers::{at_most, number, without_trailing_zeros};
 pub use report::{Assurance, DesignReport, PatchReport, ValueBounds};
 pub(crate) use seams::is_passed_backwards;
 pub use seams::{SeamReport, seams};

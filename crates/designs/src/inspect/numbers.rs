@@ -28,16 +28,28 @@ pub fn at_most(value: f64) -> String {
     if value <= 0.0 || !value.is_finite() {
         return number(value);
     }
-    let exponent = libm::floor(libm::log10(value));
-    let unit = libm::pow(10.0, exponent - 2.0);
-    let rounded = (value / unit * (1.0 - 1e-12)).ceil() * unit;
-    if (1e-3..1e6).contains(&rounded) {
-        let digits = (2.0 - exponent).clamp(0.0, 6.0);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let text = format!("{rounded:.*}", digits as usize);
-        return without_trailing_zeros(&text);
+    let nearest = format!("{value:.2e}");
+    let text = match nearest.parse::<f64>() {
+        Ok(shown) if shown < value => next_above(&nearest).unwrap_or(nearest),
+        _ => nearest,
+    };
+    match text.parse::<f64>() {
+        // The shortest form of the nearest double to a decimal is the decimal.
+        Ok(shown) if (1e-3..1e6).contains(&shown) => shown.to_string(),
+        _ => text,
     }
-    format!("{rounded:.2e}")
+}
+
+/// Returns the decimal with three digits after one such as `5.64e-9`.
+fn next_above(text: &str) -> Option<String> {
+    let (digits, exponent) = text.split_once('e')?;
+    let exponent: i32 = exponent.parse().ok()?;
+    let count: u32 = digits.replace('.', "").parse().ok()?;
+    let (count, exponent) = match count + 1 {
+        1000 => (100, exponent + 1),
+        count => (count, exponent),
+    };
+    Some(format!("{}.{:02}e{exponent}", count / 100, count % 100))
 }
 
 /// Returns a number without zeros at the end of its decimals, and without the sign of a zero.
@@ -73,5 +85,8 @@ mod tests {
             shown,
             ["0", "0.0883", "0.0883", "2.51", "124000", "1.24e-7"]
         );
+        // To the last bit, and across a power of ten.
+        let shown = [0.0883_f64.next_up(), 5.642_051e-9, 9.991e-5, 0.999_1].map(at_most);
+        assert_eq!(shown, ["0.0884", "5.65e-9", "1.00e-4", "1"]);
     }
 }

@@ -25,8 +25,19 @@ pub struct BesideBend {
     pub wanted: f64,
 }
 
+impl BesideBend {
+    /// Returns what is wrong with it in words.
+    #[must_use]
+    pub fn words(&self) -> String {
+        format!(
+            "{} is {:.3} mm from the line of bend {}, which may pull it out of shape: {:.3} mm are usual",
+            self.opening, self.distance, self.bend, self.wanted
+        )
+    }
+}
+
 /// Returns the openings of a part that are too near to its bends, each with each.
-pub(super) fn beside_bends(
+pub(crate) fn beside_bends(
     thickness: f64,
     openings: &[Opening],
     bends: &[ToolBend],

@@ -6,6 +6,7 @@ use super::lettering::{self, Drawn, LetteringPlace};
 use super::marks::{FlatMark, flat_marks};
 use crate::design::{Design, Patch};
 use crate::error::DesignError;
+use crate::inspect::at_most;
 use crate::openings::{OpeningShape, openings};
 use torse_exchange::{Drawing, Layer, Text};
 use torse_geometry::pattern::FlatPattern;
@@ -72,7 +73,7 @@ fn name(
     size: f64,
 ) -> Result<(), DesignError> {
     let content = if flat.is_strained() {
-        format!("{name} (strained up to {:.1e})", flat.strain())
+        format!("{name} (strained up to {})", at_most(flat.strain()))
     } else {
         name.to_owned()
     };

@@ -1,7 +1,7 @@
 //! The list of parts: what is cut, how large it is, and how it is formed.
 
 use super::beside::{BesideBend, beside_bends};
-use super::part::Part;
+use super::part::{Part, kerf_words};
 use super::summary::{PatternSummary, PieceSummary};
 use crate::design::Design;
 use crate::inspect::{at_most, number, wrapped};
@@ -31,7 +31,11 @@ pub struct PartRow {
     pub marks: usize,
     /// Whether it has allowances, which the outline has and the seam line has not.
     pub allowance: bool,
-    /// No point of the outline, without allowances, nor of an opening is farther from that of the exact part.
+    /// The width of the cut: the outline is moved outward by half of it, the openings inward, and the sizes are those of
+    /// the moved lines.
+    pub kerf: f64,
+    /// No point of the outline, without allowances and before it was moved for the kerf, nor of an opening is farther from
+    /// that of the exact part.
     pub error: f64,
     /// Whether that is proved; it is measured otherwise.
     pub proved: bool,
@@ -121,14 +125,14 @@ impl PartsList {
     #[must_use]
     pub fn csv(&self) -> String {
         let mut text = String::from(
-            "part,file,count,width mm,height mm,area mm2,cut length mm,openings,thickness mm,bends,error mm\n",
+            "part,file,count,width mm,height mm,area mm2,cut length mm,openings,thickness mm,bends,error mm,kerf mm\n",
         );
         for part in &self.parts {
             let thickness = self.thickness.map(|t| t.to_string()).unwrap_or_default();
             // Writing to a String cannot fail.
             let _ = writeln!(
                 text,
-                "{},{},{},{:.4},{:.4},{:.4},{:.4},{},{thickness},{},{:.2e}",
+                "{},{},{},{:.4},{:.4},{:.4},{:.4},{},{thickness},{},{},{}",
                 field(&part.name),
                 field(part.file.as_deref().unwrap_or_default()),
                 part.count,
@@ -138,7 +142,8 @@ impl PartsList {
                 part.cut_length,
                 part.openings,
                 part.bends.len() + part.sharp.len(),
-                part.error
+                at_most(part.error),
+                part.kerf
             );
         }
         text
@@ -181,10 +186,11 @@ impl PartRow {
                 1 => " and 1 opening".to_owned(),
                 count => format!(" and {count} openings"),
             },
-            if self.allowance {
-                "with allowances, the seam line nowhere"
-            } else {
-                "nowhere"
+            match (kerf_words(self.kerf), self.allowance) {
+                (None, false) => "nowhere".to_owned(),
+                (None, true) => "with allowances, the seam line nowhere".to_owned(),
+                (Some(kerf), false) => format!("{kerf}; before that nowhere"),
+                (Some(kerf), true) => format!("with allowances, {kerf}; the seam line nowhere"),
             },
             at_most(self.error),
             if self.proved {
@@ -210,11 +216,7 @@ impl PartRow {
             );
         }
         for near in &self.beside_bends {
-            let _ = write!(
-                words,
-                "; {} is {:.3} mm from the line of bend {}, which may pull it out of shape: {:.3} mm are usual",
-                near.opening, near.distance, near.bend, near.wanted
-            );
+            let _ = write!(words, "; {}", near.words());
         }
         for fold in &self.sharp {
             let _ = write!(
@@ -269,6 +271,7 @@ fn row(design: &Design, part: &Part) -> PartRow {
         openings: part.openings.len(),
         marks: part.marks.len(),
         allowance: part.seam_line.is_some(),
+        kerf: part.kerf,
         error: part.error,
         proved: part.proved,
         bends: part

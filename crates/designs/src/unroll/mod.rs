@@ -14,6 +14,7 @@ mod part;
 mod summary;
 
 pub use beside::BesideBend;
+pub(crate) use beside::beside_bends;
 pub use blank::{Blank, Rolled, SharpFold, ToolBend, blank};
 pub use drawing::{development_note, drawing};
 pub use listing::{PartRow, PartsList, RolledRow, SharpRow, ToolBendRow};

@@ -9,7 +9,7 @@ use super::offset::moved_outwards;
 use super::{FlatPiece, drawing};
 use crate::design::Design;
 use crate::error::DesignError;
-use crate::inspect::at_most;
+use crate::inspect::{at_most, without_trailing_zeros};
 use crate::openings::{Opening, OpeningShape, openings};
 use crate::position::position;
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
@@ -82,6 +82,14 @@ pub enum PartMark {
     Text([f64; 2], f64, f64, String),
 }
 
+/// Returns in words by how much lines are moved for a kerf; nothing where there is none.
+pub(super) fn kerf_words(kerf: f64) -> Option<String> {
+    (kerf > 0.0).then(|| {
+        let half = without_trailing_zeros(&format!("{:.9}", 0.5 * kerf));
+        format!("line moved outward by {half} mm, half the kerf, of openings inward")
+    })
+}
+
 /// A part to be cut.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Part {
@@ -105,7 +113,11 @@ pub struct Part {
     pub notches: Vec<[[f64; 2]; 2]>,
     /// Width and height of the box.
     pub size: [f64; 2],
-    /// No point of the outline, without allowances, nor of an opening is farther from that of the exact part.
+    /// The width of the cut in millimetres: the outline is moved outward by half of it, the openings inward; the seam line
+    /// is not.
+    pub kerf: f64,
+    /// No point of the outline, without allowances and before it was moved for the kerf, nor of an opening is farther from
+    /// that of the exact part.
     pub error: f64,
     /// Whether that is proved; it is measured otherwise.
     pub proved: bool,
@@ -116,6 +128,12 @@ pub struct Part {
 }
 
 impl Part {
+    /// Returns in words by how much its lines are moved for the kerf; nothing where they are not.
+    #[must_use]
+    pub fn kerf_words(&self) -> Option<String> {
+        kerf_words(self.kerf)
+    }
+
     /// Returns the area, without the openings.
     #[must_use]
     pub fn area(&self) -> f64 {
@@ -359,17 +377,16 @@ fn part(design: &Design, piece: &FlatPiece, making: CutOptions) -> Result<Part, 
     notes.push(format!(
         "part {}, outline{} within {} mm of the exact part{}",
         piece.piece.name,
-        if allowances.is_some() {
-            " without its allowances"
-        } else {
-            ""
+        match (allowances.is_some(), making.kerf > 0.0) {
+            (true, false) => " without its allowances",
+            (false, true) => " before it was moved for the kerf",
+            (true, true) => " without its allowances and before it was moved for the kerf",
+            (false, false) => "",
         },
         at_most(error),
         if proved { "" } else { ", measured, not proved" }
     ));
-    if making.kerf > 0.0 {
-        notes.push(format!("moved by half of a kerf of {} mm", making.kerf));
-    }
+    notes.extend(kerf_words(making.kerf));
     if piece.flat.is_strained() {
         notes.push(format!(
             "not developable: lines are strained by up to {} of their length",
@@ -422,6 +439,7 @@ fn part(design: &Design, piece: &FlatPiece, making: CutOptions) -> Result<Part, 
         rolled: blank.rolled,
         notches: notches.map(place).collect(),
         size: [high[0] - low[0], high[1] - low[1]].map(on_grid),
+        kerf: making.kerf,
         error,
         proved,
         notes,

@@ -96,10 +96,10 @@ impl PatternSummary {
         for piece in &self.pieces {
             let [width, height] = piece.size.map(number);
             let mut words = format!(
-                "{width} x {height} mm, area {} mm2 (within {:.1e}), cut {} mm of {} lines and arcs, nowhere farther than \
+                "{width} x {height} mm, area {} mm2 (within {}), cut {} mm of {} lines and arcs, nowhere farther than \
                  {} mm from {}",
                 number(piece.area),
-                piece.area_error,
+                at_most(piece.area_error),
                 number(piece.cut),
                 piece.segments,
                 at_most(piece.outline_error - piece.ambiguity),

@@ -115,6 +115,13 @@ fn a_kerf_widens_outlines_and_narrows_openings() {
     };
     assert!((radius - 5.8).abs() < 1e-12);
     assert!(part.seam_line.is_none());
+    // The bound is that of the line before it was moved, and the notes say so.
+    let notes = part.notes.join("; ");
+    assert!(
+        notes.contains("outline before it was moved for the kerf within")
+            && notes.contains("line moved outward by 0.2 mm, half the kerf"),
+        "{notes}"
+    );
     assert!(matches!(kerf(13.0), Err(DesignError::Blank { .. })));
     for wrong in [-1.0, f64::NAN, 21.0] {
         assert!(

@@ -346,3 +346,44 @@ fn a_closed_flat_ring_is_no_part_with_a_slit() {
     let refused = parts(&design, &pieces).unwrap_err().to_string();
     assert!(refused.contains("closed flat ring"), "{refused}");
 }
+
+#[test]
+fn the_edges_of_a_part_with_bends_are_all_listed_and_meet_those_of_its_seams() {
+    let design = read(
+        "tray.toml",
+        r#"
+seams = [["back.second", "side.start"]]
+[sheet]
+thickness = 1.5
+k-factor = 0.42
+[curves]
+a = { bezier = [[0, 0, 60], [0, 0, 0]] }
+a2 = { bezier = [[0, 200, 60], [0, 200, 0]] }
+b = { bezier = [[0, 0, 0], [80, 0, 0]] }
+b2 = { bezier = [[0, 200, 0], [80, 200, 0]] }
+d = { bezier = [[0, 200, 60], [80, 200, 25]] }
+d2 = { bezier = [[0, 200, 0], [80, 200, 0]] }
+[patches]
+back = { ruled = ["a", "a2"] }
+floor = { ruled = ["b", "b2"] }
+side = { ruled = ["d", "d2"] }
+[chains.tray]
+patches = ["back", "floor"]
+radius = 2
+"#,
+    )
+    .unwrap();
+    let (sheets, _, parts) = made(&design);
+    let all = edges(&sheets);
+    let tray: Vec<_> = all.iter().filter(|edge| edge.0.starts_with('A')).collect();
+    // Around the part they are as long as its outline.
+    let around: f64 = tray.iter().map(|edge| edge.2).sum();
+    let outline: f64 = parts[0].outline.iter().map(|side| side.length()).sum();
+    assert!(
+        (around - outline).abs() < 0.05,
+        "{around} {outline} {all:?}"
+    );
+    let sewn = all.iter().find(|edge| edge.1 == "back.second").unwrap();
+    let side = all.iter().find(|edge| edge.1 == "side.start").unwrap();
+    assert_eq!((&sewn.3, &side.3), (&side.0, &sewn.0));
+}

@@ -153,3 +153,21 @@ fn errors_of_toml_itself_are_told_together() {
     let found = mistakes("[a\nb = \n[c]\nd = 1 2\n");
     assert!(found.len() >= 2, "{found:?}");
 }
+
+#[test]
+fn an_edge_is_not_sewn_to_itself_and_no_pair_of_edges_twice() {
+    for (seams, message) in [
+        (
+            r#"[["p.first", "p.first"]]"#,
+            "`p.first` would be sewn to itself",
+        ),
+        (
+            r#"[["p.first", "p.second"], ["p.second", "p.first"]]"#,
+            "`p.second` is sewn to `p.first` already",
+        ),
+    ] {
+        let (found, at) = one(&format!("seams = {seams}\n"));
+        assert_eq!(found, message);
+        assert_eq!(at, "\"p.first\"");
+    }
+}

@@ -146,6 +146,33 @@ impl Blank {
         let taken = zone.taken.iter().any(|side| side.height(point) > -room);
         (!bent && !taken).then(|| zone.point(point))
     }
+
+    /// Returns where a point of the pattern, on a patch of the chain, lies on the blank; of one that a bend takes, where
+    /// its patch would have it.
+    pub(crate) fn moved(&self, patch: usize, point: [f64; 2]) -> Option<[f64; 2]> {
+        self.zones.get(patch).map(|zone| zone.point(point))
+    }
+
+    /// Returns what bends leave of a chain along a rail of a patch, on the pattern; nothing where they take all of it.
+    pub(crate) fn kept(&self, patch: usize, chain: &[Segment]) -> Vec<Segment> {
+        let taken = self
+            .zones
+            .get(patch)
+            .map_or(&[] as &[_], |zone| &zone.taken);
+        let mut kept = chain.to_vec();
+        for side in taken {
+            let (Some(first), Some(last)) = (kept.first(), kept.last()) else {
+                break;
+            };
+            let rest = if side.height(first.from) > side.height(last.to) {
+                strip::behind(&kept, &side.turned())
+            } else {
+                strip::before(&kept, side)
+            };
+            kept = rest.unwrap_or_default();
+        }
+        kept
+    }
 }
 
 /// Returns the blank of a piece.
