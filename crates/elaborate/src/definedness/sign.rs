@@ -246,6 +246,10 @@ pub(super) fn has_existential(term: &Term, scope: &Scope) -> bool {
         }
         if seen.insert(Arc::as_ptr(&term.node).addr()) {
             pending.extend(term.parts());
+            // Seeds and step may name the number themselves.
+            if let Node::Basis { family, .. } = &*term.node {
+                pending.extend(family.formulas());
+            }
         }
     }
     false

@@ -173,7 +173,7 @@ fn a_root_or_a_logarithm_of_the_number_has_a_value_or_nothing_is_said() {
 }
 
 /// A part with the number in it has no value somewhere, and no condition would say so.
-const UNDEFINED_WITHOUT_CONDITION: [(&str, &str); 16] = [
+const UNDEFINED_WITHOUT_CONDITION: [(&str, &str); 18] = [
     // A premise that is undefined is not false.
     ("['r == a']", "1/r^2 > 0 implies a != 0"),
     ("['r == a']", "tan(r)^2 >= 0 implies cos(a) != 0"),
@@ -198,6 +198,9 @@ const UNDEFINED_WITHOUT_CONDITION: [(&str, &str); 16] = [
     ("['r == a']", "[1, r^(1 - 2)][1] == 1 and r == a"),
     ("['r == a']", "[1, r^l][1] == 1 and r == a"),
     ("['r == a']", "exp(0*N[0,1](t0, r)) == 1 and r == a"),
+    // Seeds that name the number.
+    ("['r == a']", "log(M[1,1](1)) == log(M[1,1](1)) and r == a"),
+    ("['r == a']", "exp(0*Q[1,1](1)) == 1 and r == a"),
     (
         "['r == a']",
         "sum(i, 0, m + 1, E[i,m+1](t0, r)) == 1 and r == a",
@@ -235,6 +238,16 @@ variable = "t0"
 parameters = ["c"]
 degree = 1
 seeds = ['1 - t0/c', 't0/c']
+step = ['1 - t0', 't0']
+[basis.M]
+variable = "t0"
+degree = 1
+seeds = ['1 - r*t0', 'r*t0']
+step = ['1 - t0', 't0']
+[basis.Q]
+variable = "t0"
+degree = 1
+seeds = ['1 - t0/r', 't0/r']
 step = ['1 - t0', 't0']
 [basis.B]
 variable = "t0"
