@@ -60,18 +60,6 @@ pub(super) fn instantiate(
             "`fails`, or a property of a basis, in an existential claim: state it for each point";
         return Err(within(Fault::limit(statement.expr.place, what)));
     }
-    let signs = Signs::new(
-        elaborator.declarations(),
-        hypotheses.iter().map(|own| &own.statement),
-    );
-    let premise = free_premise(elaborator, claim, statement);
-    let signs = match &premise {
-        Some(premise) => signs.with(premise),
-        None => signs,
-    };
-    signs
-        .require_values(&body, witnesses.len(), premise.is_some())
-        .map_err(within)?;
     let mut members = vec![];
     let mut inhabited = true;
     for (existential, (_, witness)) in claim.existentials.iter().zip(&witnesses) {
@@ -85,15 +73,26 @@ pub(super) fn instantiate(
             members.push(statement.map_err(|f| f.within(&relation.origin))?);
         }
     }
+    refuse_functions(elaborator, claim, statement).map_err(within)?;
+    let premise = free_premise(elaborator, claim, statement).filter(|_| inhabited);
+    let signs = Signs::new(
+        elaborator.declarations(),
+        hypotheses.iter().map(|own| &own.statement),
+    );
+    let signs = match &premise {
+        Some(premise) => signs.with(premise),
+        None => signs,
+    };
+    signs
+        .require_values(&body, witnesses.len(), premise.is_some())
+        .map_err(within)?;
     let both =
         |a: Statement, b: Statement| Statement::Join(Connective::And, Box::new(a), Box::new(b));
     let Some(members) = members.into_iter().reduce(both) else {
         return Ok(body);
     };
     Ok(match body {
-        Statement::Join(Connective::Implies, before, conclusion)
-            if inhabited && premise.is_some() =>
-        {
+        Statement::Join(Connective::Implies, before, conclusion) if premise.is_some() => {
             let conclusion = Box::new(both(members, *conclusion));
             Statement::Join(Connective::Implies, before, conclusion)
         }
@@ -118,6 +117,29 @@ pub(super) fn refuse(existential: &[Existential], terms: &[&Term]) -> Result<(),
         }
     }
     Ok(())
+}
+
+/// Fails if a smooth function stands at a place with an existential symbol in it: with the witness in place its value is another
+/// symbol, of which nothing says that it was chosen.
+fn refuse_functions(
+    elaborator: &Elaborator<'_>,
+    claim: &Claim,
+    statement: &Written,
+) -> Result<(), Fault> {
+    let plain = elaborator.statement(&statement.expr)?;
+    let mut found = false;
+    plain.declared_names(&mut |name: &Arc<str>| {
+        let mut words = name.split(|c: char| !(c.is_alphanumeric() || c == '_'));
+        let is_existential = |word: &str| claim.existentials.iter().any(|own| own.name == word);
+        found |= name.contains('(') && words.any(is_existential);
+    });
+    match found {
+        true => Err(Fault::limit(
+            statement.expr.place,
+            "a function at a place with an existential number in it",
+        )),
+        false => Ok(()),
+    }
 }
 
 /// The premise of an implication in which no existential symbol occurs.

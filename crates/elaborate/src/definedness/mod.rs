@@ -121,6 +121,17 @@ impl Signs<'_> {
                     )),
                 }
             }
+            // What a root stands for is no hypothesis here, so nothing in it may lack a value.
+            Node::Apply(BuiltIn::Norm, arguments) => {
+                let has_value = |own: &Term| self.sign(own, scope, false).is_some();
+                match arguments.iter().all(has_value) {
+                    true => Ok(()),
+                    false => Err(refused(
+                        term,
+                        "a length with an existential number in it, which may have no value by the way it is written",
+                    )),
+                }
+            }
             Node::Apply(
                 BuiltIn::Inverse
                 | BuiltIn::Solve
@@ -178,6 +189,13 @@ impl Signs<'_> {
                 within(at)?;
                 self.require_free(order, scope)?;
                 let inside = self.inside(variable.number(), at, scope);
+                let roots = [BuiltIn::SquareRoot, BuiltIn::Norm, BuiltIn::Logarithm];
+                if has_existential(body, &inside) && roots.iter().any(|own| body.applies(*own)) {
+                    return Err(refused(
+                        term,
+                        "the derivative of a root or a logarithm with an existential number in it",
+                    ));
+                }
                 self.require(body, &inside, divisors)
             }
             Node::Sum {

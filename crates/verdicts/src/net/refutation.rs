@@ -55,17 +55,20 @@ impl JudgedStatement<'_> {
             let why = "the negated statement stands in a definition";
             return Ok(Net::without_points(why));
         }
+        let denials = || {
+            let shown = denied.iter().map(|denied| self.denial(denied));
+            let first = |kept: Result<Net, Objection>, next| if kept.is_ok() { kept } else { next };
+            shown.reduce(first)
+        };
         if others.is_empty() {
-            let mut shown = denied.iter().map(|denied| self.denial(denied));
-            let first = shown.next();
-            return first.unwrap_or_else(|| Ok(Net::without_points("no statement is negated")));
+            return denials().unwrap_or_else(|| Ok(Net::without_points("no statement is negated")));
         }
         self.at_witness(refuted).or_else(|objection| {
-            let mut shown = denied.iter().map(|denied| {
-                self.require_value(&others)?;
-                self.denial(denied)
-            });
-            shown.find_map(Result::ok).ok_or(objection)
+            if denied.is_empty() {
+                return Err(objection);
+            }
+            self.require_value(&others)?;
+            denials().and_then(Result::ok).ok_or(objection)
         })
     }
 
@@ -106,7 +109,11 @@ impl JudgedStatement<'_> {
             None => Ok(()),
             Some(joined) => self.about(&joined, |case| {
                 let (tally, _) = case.judge_samples(&[]);
-                case.require_defined_point(&tally)
+                match case.require_defined_point(&tally) {
+                    // It is false at a point, and so it has a value there.
+                    Err(Objection::Contradiction(_)) => Ok(()),
+                    found => found,
+                }
             }),
         }
     }

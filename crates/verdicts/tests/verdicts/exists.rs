@@ -173,7 +173,30 @@ fn a_root_or_a_logarithm_of_the_number_has_a_value_or_nothing_is_said() {
 }
 
 /// A part with the number in it has no value somewhere, and no condition would say so.
-const UNDEFINED_WITHOUT_CONDITION: [(&str, &str); 18] = [
+const UNDEFINED_WITHOUT_CONDITION: [(&str, &str); 29] = [
+    // Where the premise is false the set may be empty.
+    ("['e == a']", "a > 0 implies exp(log(e)) == e"),
+    ("['e == a']", "a >= 0 implies sqrt(e)^2 == e"),
+    // The value of a function at the number.
+    ("['r == 0']", "exp(log(f(r))) == f(r) and r == 0"),
+    ("['r == a']", "sqrt(f'(r))^2 == f'(r) and r == a"),
+    ("['r == 0']", "1/f(r)^2 > 0 implies r == 0"),
+    // Derivatives and lengths that are not used, or whose root says where they are defined.
+    (
+        "['r == a']",
+        "[1, D(log(1 + abs(r)), r)][1] == 1 and r == a",
+    ),
+    (
+        "['r == a']",
+        "norm([1, tan(r)])^2 == 1 + tan(r)^2 and r == a",
+    ),
+    ("['r == a']", "0*norm([r/r, tan(r)]) == 0 and r == a"),
+    (
+        "['r == a']",
+        "[1, norm([1, D(abs(r), r)])][1] == 1 and r == a",
+    ),
+    ("['r == a']", "[1, Q[1,1](u)][1] == 1 and r == a"),
+    ("['r == a']", "agrees(0*Q[1,1](u), 0) and r == a"),
     // A premise that is undefined is not false.
     ("['r == a']", "1/r^2 > 0 implies a != 0"),
     ("['r == a']", "tan(r)^2 >= 0 implies cos(a) != 0"),
@@ -222,6 +245,8 @@ b = {}
 r = {}
 t0 = {}
 u = { in = "(0, 1)" }
+e = { in = "[0, a]" }
+f = { function = 1 }
 l = { integer = "-2..2" }
 m = { integer = ">= 1" }
 [define]
@@ -275,6 +300,8 @@ fn what_may_have_no_value_is_a_condition_or_the_claim_is_refused() {
         ("B[0,1](t0, r) + B[1,1](t0, r) == 1 and r == a", Holds),
         ("a^2 > 0 implies 1/r^2 > 0 and r == a", Holds),
         ("(r >= 0 implies r == abs(a)) and r == a", Holds),
+        ("norm([r, a])^2 == 2*a^2 and r == a", Holds),
+        ("f(a) + r == f(a) + a and r == a", Holds),
     ] {
         assert_eq!(decided("['r == a']", states), verdict, "{states}");
     }

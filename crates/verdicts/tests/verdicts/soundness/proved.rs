@@ -102,14 +102,22 @@ fn a_denial_of_what_is_true_is_false_wherever_the_statement_beside_it_has_a_valu
         "fails(sqrt(x) >= 0) and sqrt(-x) >= 0",
         "1/x == 1/x and fails(x == x)",
         "log(x) == log(x) and fails(x^2 >= 0)",
+        "fails(x == 1) and fails(x == x)",
+        "fails(x == x) and fails(x == 1)",
     ] {
         let lines = format!("symbols = {{ x = {{}} }}\nstates = '{states}'");
         expect("denied", &lines, False);
     }
     // It says nothing where it has none.
-    let nowhere =
-        "symbols = { x = {} }\nassume = ['x == 0']\nstates = '1/x == 1/x and fails(x == x)'";
-    expect("nowhere", nowhere, Undecided);
+    for (assumed, states) in [
+        ("x == 0", "1/x == 1/x and fails(x == x)"),
+        ("x <= 0", "exp(log(x)) == x and fails(x == x)"),
+        ("x == x", "sqrt(-1 - x^2) == 1 and fails(x == x)"),
+    ] {
+        let head = "symbols = { x = {} }\n";
+        let lines = format!("{head}assume = ['{assumed}']\nstates = '{states}'");
+        expect("nowhere", &lines, Undecided);
+    }
 }
 
 #[test]
