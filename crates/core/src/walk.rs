@@ -189,6 +189,16 @@ impl Term {
         false
     }
 
+    /// The integer that the term is written as, a numeral with any number of minus signs, if it fits.
+    #[must_use]
+    pub fn as_integer(&self) -> Option<i64> {
+        match &*self.node {
+            Node::Number(number) if number.is_integer() => number.to_integer().try_into().ok(),
+            Node::Negative(inner) => inner.as_integer()?.checked_neg(),
+            _ => None,
+        }
+    }
+
     /// Whether no variable of an enclosing binder occurs. Shared parts are visited once.
     #[must_use]
     pub fn is_closed(&self) -> bool {

@@ -11,4 +11,5 @@ mod elaborator;
 mod existential;
 
 pub use claim::elaborate;
+pub use definedness::MAX_SUMMANDS;
 pub use elaborator::{Elaborator, Lambda, Meaning};

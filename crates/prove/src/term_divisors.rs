@@ -9,11 +9,11 @@ use std::sync::Arc;
 use torse_algebra::Polynomial;
 use torse_algebra::rational::integer;
 use torse_core::{self as core, BuiltIn, Node, Term, Variable, Visited};
+use torse_elaborate::MAX_SUMMANDS;
 use torse_syntax::formula::Operator;
 
-/// The most divisors of one statement, the most terms of a sum that are looked at one by one, and the most binders around a divisor.
+/// The most divisors of one statement, and the most binders around a divisor.
 const MAX_DIVISORS: usize = 64;
-const MAX_SUMMANDS: i64 = 8;
 const MAX_BINDERS: usize = 16;
 
 /// The values of the divisors of a statement, and of the roots in it, as far as they are formulas (that the argument of a
@@ -24,11 +24,7 @@ pub(crate) fn term_divisors(
     claim: &core::Claim,
     evaluator: &Evaluator<'_>,
 ) -> Vec<Polynomial> {
-    let mut found = Found::new(evaluator);
-    statement
-        .terms()
-        .into_iter()
-        .for_each(|term| found.visit(term, &[]));
+    let mut found = Found::visited(statement, evaluator);
     // A root that occurs in the radicand of another comes first.
     let roots: Vec<_> = claim.roots().collect();
     for (name, radicand) in roots.into_iter().rev() {
@@ -54,18 +50,13 @@ pub(crate) fn has_too_many_divisors(
     statement: &core::Statement,
     evaluator: &Evaluator<'_>,
 ) -> bool {
-    let mut found = Found::new(evaluator);
-    statement
-        .terms()
-        .into_iter()
-        .for_each(|term| found.visit(term, &[]));
-    found.is_cut
+    Found::visited(statement, evaluator).is_cut
 }
 
 /// Whether something that divides stands in a sum or a product that may be empty: then it is not known where the statement has a value.
 pub(crate) fn divides_in_empty_sum(statement: &core::Statement, evaluator: &Evaluator<'_>) -> bool {
     let divides = |node: &Node| match node {
-        Node::Binary(Operator::Divide, _, divisor) => whole(divisor).is_none_or(|n| n == 0),
+        Node::Binary(Operator::Divide, _, divisor) => divisor.as_integer().is_none_or(|n| n == 0),
         Node::Binary(Operator::Power, _, exponent) => is_negative(exponent),
         Node::Apply(BuiltIn::Inverse | BuiltIn::Solve | BuiltIn::Factorial, _) => true,
         _ => false,
@@ -145,9 +136,18 @@ impl<'f, 'e> Found<'f, 'e> {
         }
     }
 
+    /// What the terms of a statement divide by.
+    fn visited(statement: &core::Statement, evaluator: &'f Evaluator<'e>) -> Self {
+        let mut found = Self::new(evaluator);
+        let terms = statement.terms().into_iter();
+        terms.for_each(|term| found.visit(term, &[]));
+        found
+    }
+
     /// The integer that a closed term is, if it is one for all values of its symbols.
     fn integer(&self, term: &Term) -> Option<i64> {
-        whole(term).or_else(|| self.evaluator.integer_form(term)?.as_number())
+        term.as_integer()
+            .or_else(|| self.evaluator.integer_form(term)?.as_number())
     }
 
     /// Whether a range of integers may be empty.
@@ -263,16 +263,16 @@ fn closed(term: &Term, bound: &[Bound<'_>]) -> Term {
 fn is_negative(exponent: &Term) -> bool {
     match &*exponent.node {
         Node::Number(number) => *number < integer(0),
-        Node::Negative(inner) => matches!(&*inner.node, Node::Number(n) if *n > integer(0)),
+        Node::Negative(inner) => is_positive(inner),
         _ => false,
     }
 }
 
-/// The integer that a term is written as.
-fn whole(term: &Term) -> Option<i64> {
-    match &*term.node {
-        Node::Number(number) if number.is_integer() => number.to_integer().try_into().ok(),
-        Node::Negative(inner) => whole(inner)?.checked_neg(),
-        _ => None,
+/// Whether an exponent is a positive number.
+fn is_positive(exponent: &Term) -> bool {
+    match &*exponent.node {
+        Node::Number(number) => *number > integer(0),
+        Node::Negative(inner) => is_negative(inner),
+        _ => false,
     }
 }

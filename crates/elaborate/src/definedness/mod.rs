@@ -19,8 +19,9 @@ use torse_syntax::formula::{Connective, Operator};
 
 pub(crate) use sign::Signs;
 
-/// The most terms of a sum whose divisors are conditions, one by one.
-const MAX_SUMMANDS: i64 = 8;
+/// The most terms of a sum whose divisors are conditions, one by one: those that the prover reads there, so that none is
+/// taken for a condition here which is not stated.
+pub const MAX_SUMMANDS: i64 = 8;
 
 /// What becomes of a divisor that may be zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -151,20 +152,15 @@ impl Signs<'_> {
             }
             Node::Binary(Operator::Power, base, exponent) => {
                 within(base)?;
-                match &*exponent.node {
-                    Node::Number(q) if q.is_integer() && *q >= integer(0) => Ok(()),
-                    Node::Number(q) if q.is_integer() => {
-                        self.require_divisor(base, scope, divisors)
-                    }
-                    Node::Negative(q) if matches!(&*q.node, Node::Number(q) if q.is_integer()) => {
-                        self.require_divisor(base, scope, divisors)
-                    }
-                    _ if is_free(exponent)
+                match exponent.as_integer() {
+                    Some(0..) => Ok(()),
+                    Some(_) => self.require_divisor(base, scope, divisors),
+                    None if is_free(exponent)
                         && self.sign(exponent, scope, false) >= Some(Sign::Nonnegative) =>
                     {
                         Ok(())
                     }
-                    _ => Err(refused(
+                    None => Err(refused(
                         term,
                         "a power with an existential number in it whose exponent may be negative",
                     )),
@@ -212,7 +208,7 @@ impl Signs<'_> {
             } => {
                 self.require_free(low, scope)?;
                 self.require_free(high, scope)?;
-                let divisors = match (whole(low), whole(high)) {
+                let divisors = match (low.as_integer(), high.as_integer()) {
                     (Some(low), Some(high)) if high.saturating_sub(low) < MAX_SUMMANDS => divisors,
                     _ => Divisors::Refused,
                 };
@@ -312,15 +308,6 @@ fn taking_values(variable: u32, scope: &Scope) -> Scope {
     };
     inside.insert(variable, bound);
     inside
-}
-
-/// The integer that a term is written as.
-fn whole(term: &Term) -> Option<i64> {
-    match &*term.node {
-        Node::Number(number) if number.is_integer() => number.to_integer().try_into().ok(),
-        Node::Negative(inner) => whole(inner)?.checked_neg(),
-        _ => None,
-    }
 }
 
 /// Whether the value of a node is a formula in those of its parts.
