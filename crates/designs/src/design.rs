@@ -141,6 +141,8 @@ pub struct Patch {
     pub kind: &'static str,
     /// The surface, trimmed.
     pub sheet: Sheet,
+    /// The closed curve in space that bounds it, where its rails and end rulings do not: of a plane face of a file.
+    pub border: Option<NamedCurve>,
     /// What is joined at its ends.
     pub ends: PatchEnds,
     /// What is marked on it.

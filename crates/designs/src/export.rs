@@ -3,7 +3,7 @@
 use crate::design::{Design, DesignPiece, FreeSurface, Tensor};
 use crate::error::DesignError;
 use crate::inspect::side_changes_at_joint;
-use crate::space_openings::{SpaceOpening, openings_in_space};
+use crate::space_openings::{OpenSide, SpaceOpening, openings_in_space};
 use crate::unroll::{Demand, drawing, unroll};
 use std::path::Path;
 use torse_exchange::{
@@ -158,8 +158,16 @@ fn model_of(design: &Design, chosen: &Chosen<'_>) -> Result<CadModel, DesignErro
             converted
         };
         let several = converted.patches.len() > 1;
-        model.add(&patch.name, converted)?;
-        for opening in openings.iter().filter(|opening| opening.patch == index) {
+        let own = openings.iter().filter(|opening| opening.patch == index);
+        let (borders, own): (Vec<_>, Vec<_>) =
+            own.partition(|opening| opening.open == OpenSide::Outside);
+        match borders.first() {
+            Some(border) => {
+                model.add_within(&patch.name, converted, &border.around(&patch.sheet)?)?
+            }
+            None => model.add(&patch.name, converted)?,
+        }
+        for opening in own {
             if several || opening.is_clipped() {
                 return Err(DesignError::Mark {
                     patch: patch.name.clone(),
@@ -280,7 +288,7 @@ fn surface(
         }
         let within = design.tolerances.surface;
         let own = openings.iter().filter(|opening| opening.patch == *index);
-        let borders: Vec<Vec<[f64; 2]>> = own.flat_map(|own| own.borders.clone()).collect();
+        let borders: Vec<Vec<[f64; 2]>> = own.flat_map(SpaceOpening::bounds).collect();
         let mesh = if borders.is_empty() {
             Mesh::ruled(&patch.sheet, within)?
         } else {

@@ -56,6 +56,7 @@ pub mod lint;
 pub mod listing;
 pub mod movable;
 pub mod openings;
+mod plane_contour;
 mod polygon;
 mod position;
 mod seams;

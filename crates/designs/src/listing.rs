@@ -1,6 +1,7 @@
 //! What a file of another program holds: its curves, faces and meshes in a table.
 
 use crate::audit::FaceAudit;
+use crate::faces::openings_of_face;
 use crate::inspect::{columns, number, wrapped};
 use serde::Serialize;
 use std::path::Path;
@@ -64,6 +65,8 @@ pub struct ListedFace {
     pub degrees: Option<[usize; 2]>,
     /// Whether its surface is developable; none beyond the first [`MAX_AUDITED`] faces, and where its data say nothing.
     pub audit: Option<FaceAudit>,
+    /// How many of its loops are openings; none where it has no pattern, and beyond the first [`MAX_AUDITED`] faces.
+    pub openings: Option<usize>,
     /// The names of the curves at its border, loop by loop.
     pub edges: Vec<Vec<String>>,
 }
@@ -169,6 +172,9 @@ fn faces(found: &Imported) -> Vec<ListedFace> {
             audit: (index < MAX_AUDITED)
                 .then(|| FaceAudit::of_surface(face).ok())
                 .flatten(),
+            openings: (index < MAX_AUDITED)
+                .then(|| openings_of_face(face, found))
+                .flatten(),
             name: face.name.clone(),
             place: place(&face.place),
             surface: face.surface.words().to_owned(),
@@ -215,7 +221,14 @@ impl FileListing {
         let heads = ["curve", "shape", "degree", "length", "from", "to"];
         let (edges, wires): (Vec<_>, Vec<_>) = self.curves.iter().partition(|curve| curve.edge);
         table(&mut text, &heads, &wires, |curve| row(curve));
-        let heads = ["face", "surface", "degrees", "developable", "edges"];
+        let heads = [
+            "face",
+            "surface",
+            "degrees",
+            "developable",
+            "openings",
+            "edges",
+        ];
         table(&mut text, &heads, &self.faces, |face| {
             vec![
                 face.name.clone(),
@@ -225,6 +238,8 @@ impl FileListing {
                 face.audit
                     .as_ref()
                     .map_or("-".to_owned(), |audit| audit.developable.words().to_owned()),
+                face.openings
+                    .map_or("-".to_owned(), |count| count.to_string()),
                 face.edges
                     .iter()
                     .map(|edges| edges.join(" "))

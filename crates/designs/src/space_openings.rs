@@ -1,18 +1,29 @@
-//! Openings in space: the part of each that lies on a patch, for meshes and CAD files.
+//! Openings in space, and borders of plane patches: the part of each that lies on a patch, for meshes, CAD files and pictures.
 
 use crate::design::{Design, Mark, Patch};
 use crate::error::DesignError;
-use crate::openings::{Opening, openings};
+use crate::openings::{Opening, OpeningShape, openings};
 use crate::position::position;
 use crate::unroll::{Demand, drawing, unroll};
 use torse_geometry::pattern::{FlatPattern, PatternPlace, Segment};
 use torse_geometry::prelude::{Point, Sheet};
 
-/// The part of an opening that lies on a patch.
+/// Which side of a closed curve on a patch is open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OpenSide {
+    /// What is inside of it: an opening.
+    Inside,
+    /// What is outside of it: the border of the patch.
+    Outside,
+}
+
+/// The part of an opening that lies on a patch, or its border.
 #[derive(Debug, Clone)]
 pub struct SpaceOpening {
     /// The index of the patch.
     pub patch: usize,
+    /// Which side is open.
+    pub open: OpenSide,
     /// Polygons of places `[u, v]` that bound what is open: one that is closed, or several that begin and end on the first or
     /// the last ruling.
     pub borders: Vec<Vec<[f64; 2]>>,
@@ -34,7 +45,7 @@ const HALVINGS: u32 = 50;
 const MAX_DEPTH: u32 = 24;
 
 /// Returns the openings of all patches: those that are marked on them, and what of the openings of a neighbour reaches
-/// onto them.
+/// onto them; and the borders of patches that have one of their own.
 ///
 /// # Errors
 /// As [`unroll`] and [`drawing`]: openings that leave the sheet, or overlap, are refused.
@@ -49,7 +60,7 @@ pub fn openings_in_space(design: &Design) -> Result<Vec<SpaceOpening>, DesignErr
             .collect();
         if !patches
             .iter()
-            .any(|(_, patch)| patch.marks.iter().any(is_opening))
+            .any(|(_, patch)| patch.border.is_some() || patch.marks.iter().any(is_opening))
         {
             continue;
         }
@@ -68,7 +79,20 @@ pub fn openings_in_space(design: &Design) -> Result<Vec<SpaceOpening>, DesignErr
             .iter()
             .filter_map(|(index, patch)| Some((position(flat, patch)?, *index)))
             .collect();
-        for opening in openings(design, &piece, flat)? {
+        let border = patches
+            .first()
+            .and_then(|(_, patch)| patch.border.as_ref())
+            .map(|border| Opening {
+                shape: OpeningShape::Contour(flat.outline().segments().to_vec()),
+                name: border.name.clone(),
+                error: flat.errors().outline,
+                proved: false,
+                patch: 0,
+            });
+        let found = openings(design, &piece, flat)?.into_iter();
+        let found = found.map(|opening| (OpenSide::Inside, opening));
+        let all_curves = found.chain(border.map(|border| (OpenSide::Outside, border)));
+        for (open, opening) in all_curves {
             let lost = || DesignError::Mark {
                 patch: piece.name.clone(),
                 reason: format!("{} is not found in space", opening.name),
@@ -86,6 +110,7 @@ pub fn openings_in_space(design: &Design) -> Result<Vec<SpaceOpening>, DesignErr
                 };
                 all.push(SpaceOpening {
                     patch: *patch,
+                    open,
                     borders,
                     runs,
                     name: opening.name.clone(),
@@ -97,6 +122,16 @@ pub fn openings_in_space(design: &Design) -> Result<Vec<SpaceOpening>, DesignErr
 }
 
 impl SpaceOpening {
+    /// Returns polygons of places that bound what is open: for a border the rails too, beyond which nothing is.
+    #[must_use]
+    pub fn bounds(&self) -> Vec<Vec<[f64; 2]>> {
+        let mut bounds = self.borders.clone();
+        if self.open == OpenSide::Outside {
+            bounds.extend([0.0, 1.0].map(|v| vec![[0.0, v], [1.0, v]]));
+        }
+        bounds
+    }
+
     /// Returns whether it goes on beyond the patch.
     #[must_use]
     pub fn is_clipped(&self) -> bool {
@@ -117,7 +152,7 @@ impl SpaceOpening {
             .map(|(a, b)| a[0] * b[1] - a[1] * b[0])
             .sum();
         let mut runs = self.runs.clone();
-        if turned > 0.0 {
+        if (turned > 0.0) == (self.open == OpenSide::Inside) {
             runs.reverse();
             for run in &mut runs {
                 run.reverse();

@@ -2,16 +2,15 @@
 
 use super::sides::Side;
 use crate::design::Design;
-use crate::draw::{lines, samples};
+use crate::draw::{PatchStyle, lines, solids};
 use crate::error::DesignError;
 use crate::position::position;
+use crate::space_openings::openings_in_space;
 use crate::unroll::{FlatPiece, Part};
 use torse_geometry::pattern::PatternPlace;
 use torse_geometry::prelude::Point;
 use torse_geometry::vector::{norm, sub};
-use torse_plot::{
-    Camera, Colour, Grid, Legend, Paint, Picture, Place, Size, Solid, Stage, Surface, View,
-};
+use torse_plot::{Camera, Colour, Legend, Paint, Picture, Place, Size, Solid, Stage, View};
 
 /// Steps of the grid of a patch.
 const ALONG: usize = 64;
@@ -37,8 +36,8 @@ pub(super) fn view(
     if let Some([azimuth, elevation]) = design.view.angles {
         view = view.camera(Camera::Angles { azimuth, elevation });
     }
+    let openings = openings_in_space(design)?;
     for (index, patch) in design.patches.iter().enumerate() {
-        let grid = Grid::new(ALONG + 1, ACROSS + 1, samples(patch, ALONG, ACROSS)?)?;
         let own = piece.piece.patches.contains(&index);
         let place = position(&piece.flat, patch).filter(|_| own);
         let paint = match place.map(|place| shows_front(piece, part, place)) {
@@ -52,8 +51,15 @@ pub(super) fn view(
             },
             None => Paint::plain(OTHERS),
         };
-        let rulings = if own { lines(design).min(8) } else { 0 };
-        view = view.surface(Surface::new(grid).paint(paint).lines(rulings, 0));
+        let style = PatchStyle {
+            steps: [ALONG, ACROSS],
+            lines: if own { lines(design).min(8) } else { 0 },
+            paint,
+        };
+        let open: Vec<_> = openings.iter().filter(|on| on.patch == index).collect();
+        for solid in solids(patch, &open, &style)? {
+            view = view.solid(solid);
+        }
     }
     for side in sides {
         if let Some(at) = middle(&side.space) {

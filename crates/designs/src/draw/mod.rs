@@ -1,5 +1,6 @@
 //! Pictures: the patches in space and, beside them, their pattern; the sheet as it bends.
 
+mod bands;
 mod bending;
 mod page;
 mod picture;
@@ -7,6 +8,8 @@ mod picture;
 pub use bending::{MAX_GIF_BYTES, bending};
 pub use page::page;
 pub use picture::picture;
+
+pub(crate) use bands::{PatchStyle, solids};
 
 use crate::design::{Design, FreeSurface, Patch, Tensor};
 use crate::error::DesignError;

@@ -1,8 +1,9 @@
 //! A picture of a design, as SVG and PNG.
 
-use super::{lines, samples};
+use super::{PatchStyle, lines, solids};
 use crate::design::Design;
 use crate::error::DesignError;
+use crate::space_openings::openings_in_space;
 use crate::unroll::{Demand, FlatPiece, drawing, unroll};
 use torse_exchange::{Drawing, Layer as Sheet};
 use torse_plot::Aspect;
@@ -60,14 +61,23 @@ fn view(design: &Design) -> Result<View, DesignError> {
     if let Some([azimuth, elevation]) = design.view.angles {
         view = view.camera(Camera::Angles { azimuth, elevation });
     }
+    // An opening that cannot be cut is refused where a pattern is made.
+    let openings = openings_in_space(design).unwrap_or_default();
     for (index, patch) in design.patches.iter().enumerate() {
-        let grid = Grid::new(ALONG + 1, ACROSS + 1, samples(patch, ALONG, ACROSS)?)?;
+        let own: Vec<_> = openings.iter().filter(|own| own.patch == index).collect();
         let paint = if design.patches.len() == 1 {
             Paint::default()
         } else {
             Paint::nth(index)
         };
-        view = view.surface(Surface::new(grid).paint(paint).lines(lines(design), 0));
+        let style = PatchStyle {
+            steps: [ALONG, ACROSS],
+            lines: lines(design),
+            paint,
+        };
+        for solid in solids(patch, &own, &style)? {
+            view = view.solid(solid);
+        }
     }
     let colours = design.patches.len()..;
     for (index, surface) in colours.zip(&design.surfaces) {

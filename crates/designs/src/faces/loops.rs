@@ -44,15 +44,9 @@ pub(super) fn sheets_with_openings(
         if let Ok(found) = bounded(&face) {
             let mut inner: Vec<_> = inner.iter().collect();
             inner.sort_by_key(|(_, index, _)| *index);
-            let openings = inner.into_iter().map(|(_, index, curve)| {
-                Mark::Opening(MarkedOpening::InSpace {
-                    curve: NamedCurve {
-                        name: format!("loop {}", index + 1),
-                        curve: curve.clone(),
-                    },
-                    along: None,
-                })
-            });
+            let openings = inner
+                .into_iter()
+                .map(|(_, index, curve)| opening(*index, curve.clone()));
             return Ok(FaceSheets {
                 openings: openings.collect(),
                 ..found
@@ -62,8 +56,24 @@ pub(super) fn sheets_with_openings(
     whole
 }
 
+/// Returns a loop with its name, by its index.
+pub(super) fn named(index: usize, curve: PiecewiseRail) -> NamedCurve {
+    NamedCurve {
+        name: format!("loop {}", index + 1),
+        curve,
+    }
+}
+
+/// Returns a loop as an opening.
+pub(super) fn opening(index: usize, curve: PiecewiseRail) -> Mark {
+    Mark::Opening(MarkedOpening::InSpace {
+        curve: named(index, curve),
+        along: None,
+    })
+}
+
 /// Returns the edges of a loop as one curve.
-fn curve_of(edges: &[FaceEdge], imported: &Imported) -> Result<PiecewiseRail, String> {
+pub(super) fn curve_of(edges: &[FaceEdge], imported: &Imported) -> Result<PiecewiseRail, String> {
     let mut curves = Vec::with_capacity(edges.len());
     for (edge, forward) in edges {
         let curve = imported.curves.get(*edge);

@@ -1,16 +1,18 @@
 //! A design from a file of another program: each face with rulings between two of its edges is a patch.
 
 mod loops;
+mod plane;
 
 use crate::DesignUnit;
 use crate::audit::FaceAudit;
 use crate::bending::Bending;
 use crate::design::{
-    Chain, ChainLayout, Design, DesignView, LeftOut, Mark, Patch, PatchEnds, Tolerances,
-    USUAL_RULINGS,
+    Chain, ChainLayout, Design, DesignView, LeftOut, Mark, NamedCurve, Patch, PatchEnds,
+    Tolerances, USUAL_RULINGS,
 };
 use crate::error::DesignError;
 use loops::sheets_with_openings;
+use plane::{plane_of_net, plane_sheet};
 use std::path::Path;
 use torse_exchange::{CurveShape, Imported, ImportedFace, SurfaceShape};
 use torse_geometry::prelude::{GeometryError, PiecewiseRail, Point, Rail, Sheet, SweptEdge};
@@ -63,7 +65,7 @@ pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, Design
     };
     let mut left_out: Vec<LeftOut> = Vec::new();
     for face in &imported.faces {
-        match sheets_with_openings(face, imported, |face| sheets(face, imported)) {
+        match sheets_of_face(face, imported) {
             Ok(found) => add(&mut design, face, found),
             Err(reason) => {
                 let verdict = FaceAudit::of_surface(face).map(|audit| audit.words);
@@ -93,6 +95,28 @@ pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, Design
     Ok(design)
 }
 
+/// Returns how many loops of a face are openings; `None` where it is not unrolled.
+pub(crate) fn openings_of_face(face: &ImportedFace, imported: &Imported) -> Option<usize> {
+    let found = sheets_of_face(face, imported);
+    found.ok().map(|found| found.openings.len())
+}
+
+/// Returns what is unrolled of a face, or why nothing is.
+fn sheets_of_face(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String> {
+    if let SurfaceShape::Plane(frame) = &face.surface {
+        return plane_sheet(face, frame, imported);
+    }
+    let found = sheets_with_openings(face, imported, |face| sheets(face, imported));
+    match (&found, &face.surface) {
+        // One that is plane all the same, within edges between which its rulings do not run.
+        (Err(_), SurfaceShape::Spline(surface)) => match plane_of_net(surface) {
+            Some(frame) => plane_sheet(face, &frame, imported),
+            None => found,
+        },
+        _ => found,
+    }
+}
+
 /// What is unrolled of a face.
 struct FaceSheets {
     sheets: Vec<Sheet>,
@@ -100,6 +124,8 @@ struct FaceSheets {
     closed: bool,
     /// What was made equal.
     note: Option<String>,
+    /// What bounds it, where its sheet reaches beyond.
+    border: Option<NamedCurve>,
     /// The loops that do not bound it.
     openings: Vec<Mark>,
 }
@@ -113,6 +139,7 @@ fn add(design: &mut Design, face: &ImportedFace, found: FaceSheets) {
         sheets,
         closed,
         note,
+        mut border,
         mut openings,
     } = found;
     let first = design.patches.len();
@@ -128,6 +155,7 @@ fn add(design: &mut Design, face: &ImportedFace, found: FaceSheets) {
             name,
             kind: "face",
             sheet,
+            border: border.take(),
             ends: PatchEnds {
                 planes: None,
                 rails: None,
@@ -168,6 +196,7 @@ fn sheets(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String
                 sheets: cones,
                 closed: is_closed(&rail, tolerance).map_err(words)?,
                 note: None,
+                border: None,
                 openings: Vec::new(),
             })
         }
@@ -204,6 +233,7 @@ fn sheets(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String
                 sheets,
                 closed,
                 note,
+                border: None,
                 openings: Vec::new(),
             })
         }

@@ -4,9 +4,11 @@ use super::contact::SelfContact;
 use super::ends::{EndsJudged, Judged, judged};
 use super::numbers::number;
 use super::report::{Assurance, PatchReport, ValueBounds};
-use crate::design::{Design, Patch};
+use crate::design::{Design, NamedCurve, Patch};
+use crate::plane_contour::PlaneFrame;
 use torse_geometry::Rails;
 use torse_geometry::developable::{EnclosedCertificate, PatchCertificate, Singularity};
+use torse_geometry::pattern::Segment;
 use torse_geometry::prelude::{Construction, GeometryError, MeasureBudget, Sheet};
 use torse_geometry::vector::{norm, sub};
 
@@ -145,6 +147,10 @@ pub(super) fn measured(
         Some(_) if regular.holds() => SelfContact::inspect(own),
         _ => SelfContact::Unknown,
     };
+    let area = match &patch.border {
+        Some(border) => area_within(patch, border, design).unwrap_or(whole.area),
+        None => whole.area,
+    };
     let report = PatchReport {
         name: patch.name.clone(),
         kind: patch.kind,
@@ -162,7 +168,7 @@ pub(super) fn measured(
         },
         radius,
         inside_radius,
-        area: Some(whole.area),
+        area: Some(area),
         apexes,
         space,
         notes,
@@ -181,6 +187,16 @@ pub(super) fn measured(
         what: "a measure of the patch",
         at: torse_geometry::Place::Whole,
     })
+}
+
+/// Returns the area of a plane patch within its border; `None` where that is no curve in the plane, as `unroll` says.
+fn area_within(patch: &Patch, border: &NamedCurve, design: &Design) -> Option<f64> {
+    let limits = &design.tolerances;
+    let frame = PlaneFrame::of_sheet(&patch.sheet)?;
+    let contour = frame
+        .contour(&border.curve, limits.outline, limits.gap)
+        .ok()?;
+    Some(contour.segments.iter().map(Segment::area).sum())
 }
 
 /// How near an apex a sheet of metal is bent too tightly.

@@ -75,12 +75,17 @@ pub(super) fn pieces(design: &Design, reports: &[PatchReport]) -> Vec<PieceRepor
         .collect()
 }
 
-/// Two pieces each that are proved to pass through each other.
+/// Two pieces each that are proved to pass through each other. Patches with a border of their own are not asked: their
+/// rulings reach beyond it.
 pub(super) fn piercings(design: &Design, reports: &[PatchReport]) -> Vec<Piercing> {
     let pieces = design.pieces();
     let patches: Vec<Vec<&Patch>> = pieces
         .iter()
-        .map(|piece| regular(design, reports, &piece.patches).0)
+        .map(|piece| {
+            let (mut patches, _) = regular(design, reports, &piece.patches);
+            patches.retain(|patch| patch.border.is_none());
+            patches
+        })
         .collect();
     let sheets: Vec<Vec<&Sheet>> = patches
         .iter()

@@ -22,12 +22,24 @@ pub fn fitted(polygon: &[[f64; 2]], corners: &[usize], within: f64) -> (Vec<Segm
     let (mut segments, mut off) = (Vec::new(), 0.0_f64);
     let mut at = 0;
     for end in ends {
-        while at < end {
-            let (to, segment, distance) = longest(&turned, at, end, within);
-            segments.push(segment);
-            off = off.max(distance);
-            at = to;
-        }
+        let (more, distance) = fitted_run(turned.get(at..=end).unwrap_or_default(), within);
+        segments.extend(more);
+        off = off.max(distance);
+        at = end;
+    }
+    (segments, off)
+}
+
+/// As [`fitted`], of a polygon from its first corner to its last, without corners between.
+pub fn fitted_run(polygon: &[[f64; 2]], within: f64) -> (Vec<Segment>, f64) {
+    let (mut segments, mut off) = (Vec::new(), 0.0_f64);
+    let end = polygon.len().saturating_sub(1);
+    let mut at = 0;
+    while at < end {
+        let (to, segment, distance) = longest(polygon, at, end, within);
+        segments.push(segment);
+        off = off.max(distance);
+        at = to;
     }
     (segments, off)
 }

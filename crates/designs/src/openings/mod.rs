@@ -12,9 +12,12 @@ mod traced;
 pub use shape::{Opening, OpeningShape};
 
 use crate::chords::{chords_within, self_crossing};
-use crate::design::{Design, DesignPiece, Mark, MarkedOpening, Patch};
+use crate::design::{Design, DesignPiece, Mark, MarkedOpening, NamedCurve, Patch};
 use crate::error::DesignError;
+use crate::plane_contour::{PlaneFrame, on_pattern};
 use crate::position::position;
+pub(crate) use fit::fitted_run;
+
 use fit::fitted;
 use torse_geometry::pattern::{FlatPattern, PatternEvidence, PatternPlace, Segment};
 use traced::{FinePolygon, polygons};
@@ -125,12 +128,44 @@ impl MarkedPatch<'_> {
                 format!("the opening through which `{name}` passes")
             }
         };
+        if let MarkedOpening::InSpace { curve, along: None } = opening
+            && let Some(frame) = PlaneFrame::of_sheet(&self.patch.sheet)
+            && self.piece.patches.len() == 1
+        {
+            return Ok(vec![self.in_plane(&frame, curve, &name)?]);
+        }
         let polygons = polygons(self, opening)
             .map_err(|reason| self.failed(format!("{name} cannot be cut: {reason}")))?;
         let contours = polygons
             .into_iter()
             .map(|polygon| self.contour(polygon, &name));
         contours.collect()
+    }
+
+    /// Returns the opening in a plane patch: lines and arcs are what they are.
+    fn in_plane(
+        &self,
+        frame: &PlaneFrame,
+        curve: &NamedCurve,
+        name: &str,
+    ) -> Result<Opening, DesignError> {
+        let limits = &self.design.tolerances;
+        let contour = frame.contour(&curve.curve, limits.outline, limits.gap);
+        let contour = contour
+            .and_then(|contour| on_pattern(self.flat, &contour))
+            .map_err(|reason| self.failed(format!("{name} cannot be cut: {reason}")))?;
+        if let Some(at) = self_crossing(&chords_within(&contour.segments, 0.1 * limits.outline)) {
+            let place = self.place(at);
+            return Err(self.failed(format!("{name} crosses itself at {place}")));
+        }
+        Ok(Opening {
+            shape: OpeningShape::Contour(contour.segments),
+            name: name.to_owned(),
+            error: contour.distance + self.flat.errors().point,
+            // The distance is a bound also where the length is measured.
+            proved: self.flat.evidence() == PatternEvidence::Proved,
+            patch: 0,
+        })
     }
 
     /// Returns the opening of a fine polygon.

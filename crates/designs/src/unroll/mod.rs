@@ -22,8 +22,9 @@ pub use part::{CutOptions, Grain, Part, PartMark, Purpose, parts, parts_with};
 pub use summary::{BendRow, PatternSummary, PieceSummary};
 pub use torse_geometry::pattern::Flattening;
 
-use crate::design::{Design, DesignPiece};
+use crate::design::{Design, DesignPiece, NamedCurve, Patch, Tolerances};
 use crate::error::DesignError;
+use crate::plane_contour::{PlaneFrame, on_pattern};
 use torse_geometry::pattern::{FlatPattern, PatternError, Unrolling, side_by_side};
 
 /// A strain that no patch of a sheet has.
@@ -155,6 +156,25 @@ fn largest_strain(design: &Design, pieces: &[DesignPiece], demand: &Demand) -> f
         .fold(0.0, f64::max)
 }
 
+/// Returns the pattern of a plane patch, cut along its border.
+fn cut_to_border(
+    flat: FlatPattern,
+    patch: &Patch,
+    border: &NamedCurve,
+    limits: &Tolerances,
+) -> Result<FlatPattern, PatternError> {
+    let refused = |what| {
+        let at = torse_geometry::Place::Whole;
+        PatternError::Geometry(torse_geometry::GeometryError::NoValue { what, at })
+    };
+    let frame = PlaneFrame::of_sheet(&patch.sheet).ok_or_else(|| refused("plane of a border"))?;
+    let contour = frame
+        .contour(&border.curve, limits.outline, limits.gap)
+        .and_then(|contour| on_pattern(&flat, &contour))
+        .map_err(|_| refused("border in a plane"))?;
+    flat.cut_to(contour)
+}
+
 /// Returns the pattern of a piece, its patches attached.
 fn flattened(
     design: &Design,
@@ -171,7 +191,10 @@ fn flattened(
     let unrolling = asked.within_tolerance(limits.outline / count);
     let mut chain: Option<FlatPattern> = None;
     for patch in patches {
-        let next = patch.sheet.unroll_with(&unrolling)?;
+        let mut next = patch.sheet.unroll_with(&unrolling)?;
+        if let Some(border) = &patch.border {
+            next = cut_to_border(next, patch, border, limits)?;
+        }
         chain = Some(match chain {
             None => next,
             Some(chain) => chain.append(&next, limits.gap)?,

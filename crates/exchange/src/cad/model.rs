@@ -120,6 +120,56 @@ impl CadModel {
         Ok(())
     }
 
+    /// Adds a patch under a name whose face ends along a closed curve on it: smooth parts as of [`CadModel::open`].
+    ///
+    /// # Errors
+    /// As [`CadModel::add`] and [`CadModel::open`]; [`ExchangeError::TooMany`] for a surface of several patches.
+    ///
+    /// ```
+    /// use torse_exchange::{CadModel, ExactForm, step};
+    /// use torse_geometry::{Bernstein, Curve, RuledSurface};
+    /// let rail = |y: f64| Curve::new(Bernstein, vec![[-2., y, 0.], [2., y, 0.]]);
+    /// let square = RuledSurface::new(rail(-2.)?, rail(2.)?);
+    /// let around = (0..=32).map(|k| (std::f64::consts::TAU * f64::from(k) / 32.0).sin_cos());
+    /// let disc: Vec<[f64; 3]> = around.map(|(s, c)| [c, s, 0.0]).collect();
+    /// let mut model = CadModel::new("disc", 1e-9)?;
+    /// model.add_within("disc", square.exact_form()?, &[disc])?;
+    /// assert_eq!(step(&model)?.matches("=EDGE_CURVE(").count(), 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn add_within(
+        &mut self,
+        name: &str,
+        surface: Converted,
+        border: &[Vec<[f64; 3]>],
+    ) -> Result<()> {
+        check_text(name)?;
+        let given = surface.patches.len();
+        let [patch] =
+            <[BsplinePatch; 1]>::try_from(surface.patches).map_err(|_| ExchangeError::TooMany {
+                what: "patches within one border",
+                given,
+                most: 1,
+            })?;
+        let given = self.faces.len().saturating_add(1);
+        if given > MAX_FACES {
+            return Err(ExchangeError::TooMany {
+                what: "faces",
+                given,
+                most: MAX_FACES,
+            });
+        }
+        let boundary = self.around(border)?;
+        self.faces.push(Face {
+            name: name.to_owned(),
+            patch,
+            boundary,
+            openings: Vec::new(),
+        });
+        self.error = self.error.max(surface.error);
+        Ok(())
+    }
+
     /// Cuts an opening into the face that was added last: smooth parts that meet in corners, each through points at equal steps of
     /// its parameter, eight steps at least, run so that the face is on its left; each part ends where the next begins, and one
     /// part alone is smooth all around. Each is as smooth as cubics with the tangents of five points are.
@@ -127,7 +177,19 @@ impl CadModel {
     /// # Errors
     /// [`ExchangeError::Empty`] without a face or with too few points.
     pub fn open(&mut self, parts: &[Vec<[f64; 3]>]) -> Result<()> {
-        if parts.is_empty() || self.faces.is_empty() || parts.iter().any(|part| part.len() < 9) {
+        if self.faces.is_empty() {
+            return Err(ExchangeError::Empty { what: "opening" });
+        }
+        let edges = self.around(parts)?;
+        if let Some(face) = self.faces.last_mut() {
+            face.openings.push(edges);
+        }
+        Ok(())
+    }
+
+    /// Returns the edges along a closed curve.
+    fn around(&mut self, parts: &[Vec<[f64; 3]>]) -> Result<Vec<(usize, bool)>> {
+        if parts.is_empty() || parts.iter().any(|part| part.len() < 9) {
             return Err(ExchangeError::Empty { what: "opening" });
         }
         let is_round = parts.len() == 1;
@@ -145,10 +207,7 @@ impl CadModel {
                 }
             }
         }
-        if let Some(face) = self.faces.last_mut() {
-            face.openings.push(edges);
-        }
-        Ok(())
+        Ok(edges)
     }
 
     /// The name.

@@ -14,7 +14,8 @@ impl FlatPattern {
     /// this chain and the start of `next` come first.
     ///
     /// # Errors
-    /// [`PatternError::OutOfRange`] unless `within > 0`; [`PatternError::NoCommonRuling`];
+    /// [`PatternError::OutOfRange`] unless `within > 0`; [`PatternError::NoCommonRuling`], also of a sheet that is cut along a
+    /// contour and has no end rulings;
     /// [`PatternError::CrossesItself`] when the patterns overlap: cut the chain elsewhere.
     ///
     /// ```
@@ -33,6 +34,10 @@ impl FlatPattern {
     pub fn append(&self, next: &Self, within: f64) -> PatternResult<Self> {
         positive("distance of end rulings", within)?;
         let mut nearest = f64::INFINITY;
+        if self.contour.is_some() || next.contour.is_some() {
+            let (distance, limit) = (nearest, within);
+            return Err(PatternError::NoCommonRuling { distance, limit });
+        }
         for (turn_self, turn_next) in [(false, false), (true, false), (false, true), (true, true)] {
             let mut pieces = passed(&self.pieces, turn_self);
             let added = passed(&next.pieces, turn_next);

@@ -1,5 +1,6 @@
 //! The flat pattern of a patch or of a chain of patches.
 
+use super::contour::PatternContour;
 use super::crossing::crossing;
 use super::error::{PatternError, PatternResult};
 use super::flattening::Flattening;
@@ -75,6 +76,8 @@ pub struct PatternErrors {
 #[derive(Debug, Clone, PartialEq)]
 pub struct FlatPattern {
     pub(super) pieces: Vec<Piece>,
+    /// What is cut in place of rails and end rulings, of one plane patch.
+    pub(super) contour: Option<PatternContour>,
     outline: PatternOutline,
     rulings: Vec<FlatRuling>,
     errors: PatternErrors,
@@ -117,6 +120,7 @@ impl FlatPattern {
             crate::parallel::join(|| rulings(&pieces), bounded);
         let flat = Self {
             pieces,
+            contour: None,
             outline,
             rulings,
             errors,
@@ -124,6 +128,29 @@ impl FlatPattern {
             tolerance,
         };
         (flat, found)
+    }
+
+    /// The pattern of one plane patch, cut along this contour.
+    pub(super) fn with_contour(self, contour: PatternContour) -> Self {
+        let outline = PatternOutline::new(contour.segments.clone());
+        let (PatternErrors { point, .. }, cut) = (self.errors, outline.length());
+        #[allow(clippy::cast_precision_loss)]
+        let ends = contour.segments.len() as f64;
+        let rounding = 16.0 * f64::EPSILON * cut;
+        let errors = PatternErrors {
+            outline: point + contour.distance,
+            // Both ends of a segment are off by so much, and an arc is up to twice as long as its chord.
+            length: contour.length_error + 4.0 * ends * point + rounding,
+            area: contour.area_error + 2.0 * cut * point + cut * rounding,
+            ..self.errors
+        };
+        Self {
+            contour: Some(contour),
+            outline,
+            rulings: Vec::new(),
+            errors,
+            ..self
+        }
     }
 
     /// The closed outline: along the rails, across at the first and the last ruling. It is simple: it does not meet
@@ -170,7 +197,10 @@ impl FlatPattern {
     #[must_use]
     pub fn evidence(&self) -> PatternEvidence {
         let each = self.pieces.iter().map(|p| p.development.evidence);
-        each.min().unwrap_or(PatternEvidence::Measured)
+        let contour = self.contour.iter().map(|contour| contour.evidence);
+        each.chain(contour)
+            .min()
+            .unwrap_or(PatternEvidence::Measured)
     }
 
     /// By how much the flat edges of a patch of the chain are shorter than its edges in space, at most: zero for what
@@ -195,9 +225,13 @@ impl FlatPattern {
         self.strain() > self.developable
     }
 
-    /// The area of the development, by integration over the patch and not from the outline.
+    /// The area of the development, by integration over the patch and not from the outline; of a sheet that is cut along a
+    /// contour, that inside of the contour.
     #[must_use]
     pub fn area(&self) -> f64 {
+        if self.contour.is_some() {
+            return self.outline.area();
+        }
         self.pieces.iter().map(|p| p.development.area).sum()
     }
 
@@ -272,7 +306,11 @@ impl FlatPattern {
     pub fn placed(&self, placement: &Placement) -> Self {
         let place = |piece: &Piece| piece.clone().moved(placement, [0.0; 2]);
         let pieces = self.pieces.iter().map(place).collect();
-        Self::seen(pieces, self.developable, self.tolerance, |_| ()).0
+        let placed = Self::seen(pieces, self.developable, self.tolerance, |_| ()).0;
+        match &self.contour {
+            Some(contour) => placed.with_contour(contour.placed(placement)),
+            None => placed,
+        }
     }
 }
 

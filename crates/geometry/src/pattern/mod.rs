@@ -12,6 +12,7 @@
 mod bending;
 mod bent;
 mod chain;
+mod contour;
 mod crossing;
 mod development;
 mod edges;
@@ -34,6 +35,7 @@ mod unroll;
 pub use bending::{Bend, BendingSheet, bends, is_bendable};
 pub use bent::BentSheet;
 pub use chain::side_by_side;
+pub use contour::PatternContour;
 pub use error::{PatternError, PatternResult};
 pub use flat::{FlatPattern, FlatRuling, PatternErrors};
 pub use flattening::Flattening;

@@ -98,6 +98,7 @@ pub(super) fn trimmed(
         name,
         kind,
         sheet,
+        border: None,
         ends: PatchEnds {
             planes: raw.planes,
             rails: raw.rails,
