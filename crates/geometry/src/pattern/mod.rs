@@ -30,6 +30,7 @@ mod piece;
 mod placement;
 mod segment;
 mod source;
+mod trimmed;
 mod unroll;
 
 pub use bending::{Bend, BendingSheet, bends, is_bendable};
