@@ -1,6 +1,6 @@
 //! Files of designs: patterns, meshes, CAD patches, by the ending of the file.
 
-use crate::design::{Design, DesignPiece, FreeSurface, Tensor};
+use crate::design::{Design, DesignPiece, FreeSurface, Patch, Tensor};
 use crate::error::DesignError;
 use crate::inspect::side_changes_at_joint;
 use crate::space_openings::{OpenSide, SpaceOpening, openings_in_space};
@@ -12,7 +12,7 @@ use torse_exchange::{
 };
 use torse_geometry::Surface;
 use torse_geometry::prelude::GeometryError;
-use torse_geometry::vector::norm;
+use torse_geometry::vector::{norm, sub};
 
 /// The endings of all formats.
 pub const ENDINGS: &[&str] = &[
@@ -297,10 +297,27 @@ fn surface(
         surface.append(&if over { flipped(&mesh)? } else { mesh })?;
         before = Some(*patch);
     }
-    if patches.len() < 2 {
+    let is_seamless = match patches.as_slice() {
+        [patch] => !is_closed_around(patch, design.tolerances.gap)?,
+        all => all.is_empty(),
+    };
+    if is_seamless {
         return Ok(surface);
     }
     Ok(surface.welded(design.tolerances.gap)?)
+}
+
+/// Returns whether the last ruling of a patch is its first one.
+fn is_closed_around(patch: &Patch, within: f64) -> Result<bool, DesignError> {
+    let ruling = |u: f64| {
+        let ends = patch.sheet.ruling(u);
+        ends.map_err(|reason| DesignError::Patch {
+            patch: patch.name.clone(),
+            reason,
+        })
+    };
+    let (first, last) = (ruling(0.0)?, ruling(1.0)?);
+    Ok((0..2).all(|i| norm(&sub(&last[i], &first[i])) <= within))
 }
 
 /// Returns the mesh seen from its other side.

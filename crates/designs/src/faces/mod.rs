@@ -1,5 +1,6 @@
 //! A design from a file of another program: each face with rulings between two of its edges is a patch.
 
+mod around;
 mod loops;
 mod plane;
 
@@ -11,6 +12,7 @@ use crate::design::{
     Tolerances, USUAL_RULINGS,
 };
 use crate::error::DesignError;
+use around::{between_planes, has_opening_over_seam};
 use loops::sheets_with_openings;
 use plane::{plane_of_net, plane_sheet};
 use std::path::Path;
@@ -113,6 +115,14 @@ fn sheets_of_face(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets
             Some(frame) => plane_sheet(face, &frame, imported),
             None => found,
         },
+        (Err(_), SurfaceShape::Cylinder(..) | SurfaceShape::Cone(..)) => {
+            between_planes(face, imported).or(found)
+        }
+        (Ok(sheets), SurfaceShape::Cylinder(..) | SurfaceShape::Cone(..))
+            if !sheets.openings.is_empty() && has_opening_over_seam(face, imported) =>
+        {
+            between_planes(face, imported).or(found)
+        }
         _ => found,
     }
 }

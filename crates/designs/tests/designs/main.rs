@@ -25,6 +25,7 @@ mod plane_faces;
 mod points;
 mod rails;
 mod random;
+mod round_faces;
 mod schema;
 mod seams;
 mod space;
