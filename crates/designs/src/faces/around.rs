@@ -127,13 +127,9 @@ fn chains(
     let mut closed = Vec::new();
     while !open.is_empty() {
         let mut run = vec![open.remove(0)];
-        loop {
-            let (Some(first), Some(last)) = (run.first(), run.last()) else {
-                break;
-            };
-            if apart(last, first)? <= tolerance {
-                break;
-            }
+        while let (Some(first), Some(last)) = (run.first(), run.last())
+            && apart(last, first)? > tolerance
+        {
             let mut next = None;
             for (index, other) in open.iter().enumerate() {
                 if apart(last, other)? <= tolerance {

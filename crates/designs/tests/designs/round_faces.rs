@@ -81,7 +81,7 @@ fn a_cylinder_cut_obliquely_has_the_area_of_its_mean_height() {
 fn a_cone_cut_obliquely_has_the_area_of_its_shadow_over_the_sine_of_its_half_angle() {
     let mut text = StepText::new();
     let frame = text.frame([0.0; 3], Z, X);
-    let half = 0.5_f64.atan();
+    let half = libm::atan(0.5);
     let surface = text.entity(&format!("CONICAL_SURFACE('',#{frame},30.,{half:?})"));
     // At z the radius is 30 + z/2; it is cut at z = -40 and by z = 20 + x/2, where x^2 + y^2 = (40 + x/4)^2.
     let share = 1.0 - 1.0 / 16.0;
@@ -103,14 +103,14 @@ fn a_cone_cut_obliquely_has_the_area_of_its_shadow_over_the_sine_of_its_half_ang
     let border = closed_loop(&mut text, [low, high], ends, vertices);
     text.face("cone", surface, &[border]);
     let part = part(&design(&text.finish()));
-    let area = PI * (a * b - 100.0) / half.sin();
+    let area = PI * (a * b - 100.0) / libm::sin(half);
     let room = part.error * part.cut_length();
     assert!(
         part.error <= 0.01 && (part.area() - area).abs() < room,
         "{} {area}",
         part.area()
     );
-    let side = f64::hypot(top[0] - 10.0, top[2] + 40.0);
+    let side = libm::hypot(top[0] - 10.0, top[2] + 40.0);
     let around = 20.0 * PI + 2.0 * side + perimeter(a * slope, b);
     assert!(
         (part.cut_length() - around).abs() < 0.01,
@@ -133,7 +133,7 @@ fn window_over_seam(kind: SeamOpening) -> String {
     let mut text = StepText::new();
     let frame = text.frame([0.0; 3], Z, X);
     let surface = text.entity(&format!("CYLINDRICAL_SURFACE('',#{frame},20.)"));
-    let at = |angle: f64, z: f64| [20.0 * angle.cos(), 20.0 * angle.sin(), z];
+    let at = |angle: f64, z: f64| [20.0 * libm::cos(angle), 20.0 * libm::sin(angle), z];
     let heights = [0.0, 15.0, 30.0, 50.0];
     let seam = heights.map(|z| text.vertex(at(0.0, z)));
     let circles = heights.map(|z| {
