@@ -41,34 +41,21 @@ pub(crate) fn solids(
         let surface = Surface::new(grid).paint(style.paint.clone());
         return Ok(vec![Solid::Surface(surface.lines(style.lines, 0))]);
     }
-    #[allow(clippy::cast_precision_loss)]
-    let share = |k: usize, of: usize| k as f64 / of as f64;
-    let lines: Vec<Vec<[f64; 2]>> = openings.iter().flat_map(|own| own.bounds()).collect();
-    let mut places: Vec<f64> = (0..=along).map(|k| share(k, along)).collect();
-    places.extend(lines.iter().flatten().map(|place| place[0]));
-    places.sort_by(f64::total_cmp);
-    places.dedup_by(|a, b| (*a - *b).abs() <= SAME);
     let mut solids = Vec::new();
-    for band in bands(&places, &lines) {
-        let mut points: Vec<Point> = Vec::new();
-        for (k, [low, high]) in band.rows.iter().enumerate() {
-            let x = places.get(band.first + k).copied().unwrap_or(1.0);
-            let [p, q] = patch.sheet.ruling(x).map_err(failed)?;
-            for j in 0..=across {
-                let v = low + share(j, across) * (high - low);
-                points.push(lerp(&p, &q, &v));
-            }
-        }
-        let grid = Grid::new(band.rows.len(), across + 1, points)?;
-        let at = |k: usize| places.get(k).copied().unwrap_or(1.0);
-        let width = at(band.first + band.rows.len() - 1) - at(band.first);
+    for PatchGrid {
+        rows,
+        columns,
+        points,
+        width,
+    } in grids(patch, openings, style.steps)?
+    {
         #[allow(
             clippy::cast_precision_loss,
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss
         )]
         let parts = (width * style.lines as f64).round().max(0.0) as usize;
-        let surface = Surface::new(grid).paint(style.paint.clone());
+        let surface = Surface::new(Grid::new(rows, columns, points)?).paint(style.paint.clone());
         let surface = surface.border(Border::Hidden).lines(parts, 0);
         solids.push(Solid::Surface(surface));
     }
@@ -97,6 +84,61 @@ pub(crate) fn solids(
         });
     }
     Ok(solids)
+}
+
+/// Points on a part of a patch, ruling by ruling.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct PatchGrid {
+    pub rows: usize,
+    pub columns: usize,
+    pub points: Vec<Point>,
+    /// How much of the parameter its rulings take.
+    pub width: f64,
+}
+
+/// Returns grids that cover a patch without its openings and what is beyond its border: at so many steps of the parameter, and
+/// wherever a border has a corner; across each part so many steps.
+///
+/// # Errors
+/// [`DesignError::Patch`] for a ruling that is not found.
+pub(crate) fn grids(
+    patch: &Patch,
+    openings: &[&SpaceOpening],
+    [along, across]: [usize; 2],
+) -> Result<Vec<PatchGrid>, DesignError> {
+    let lines: Vec<Vec<[f64; 2]>> = openings.iter().flat_map(|own| own.bounds()).collect();
+    let mut places: Vec<f64> = (0..=along).map(|k| share(k, along)).collect();
+    places.extend(lines.iter().flatten().map(|place| place[0]));
+    places.sort_by(f64::total_cmp);
+    places.dedup_by(|a, b| (*a - *b).abs() <= SAME);
+    let at = |k: usize| places.get(k).copied().unwrap_or(1.0);
+    let mut grids = Vec::new();
+    for band in bands(&places, &lines) {
+        let mut points: Vec<Point> = Vec::with_capacity(band.rows.len() * (across + 1));
+        for (k, [low, high]) in band.rows.iter().enumerate() {
+            let ruling = patch.sheet.ruling(at(band.first + k));
+            let [p, q] = ruling.map_err(|reason| DesignError::Patch {
+                patch: patch.name.clone(),
+                reason,
+            })?;
+            for j in 0..=across {
+                let v = low + share(j, across) * (high - low);
+                points.push(lerp(&p, &q, &v));
+            }
+        }
+        grids.push(PatchGrid {
+            rows: band.rows.len(),
+            columns: across + 1,
+            points,
+            width: at(band.first + band.rows.len() - 1) - at(band.first),
+        });
+    }
+    Ok(grids)
+}
+
+#[allow(clippy::cast_precision_loss)]
+fn share(k: usize, of: usize) -> f64 {
+    k as f64 / of as f64
 }
 
 /// A part of a patch between two lines that run from ruling to ruling.

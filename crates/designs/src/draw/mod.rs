@@ -9,7 +9,7 @@ pub use bending::{MAX_GIF_BYTES, bending};
 pub use page::page;
 pub use picture::picture;
 
-pub(crate) use bands::{PatchStyle, solids};
+pub(crate) use bands::{PatchStyle, grids, solids};
 
 use crate::design::{Design, FreeSurface, Patch, Tensor};
 use crate::error::DesignError;

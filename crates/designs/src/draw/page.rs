@@ -1,9 +1,10 @@
 //! A page with the patches to turn and their pattern beside them: one file, no network.
 
-use super::{lines, samples};
+use super::{grids, lines, samples};
 use crate::design::Design;
 use crate::error::DesignError;
 use crate::inspect::{inspect, table};
+use crate::space_openings::openings_in_space;
 use crate::unroll::{Demand, PatternSummary, drawing, unroll};
 use serde::Serialize;
 use torse_exchange::svg;
@@ -50,7 +51,21 @@ struct PageShape<'d> {
 pub fn page(design: &Design, demand: &Demand) -> Result<String, DesignError> {
     let every = (ALONG / lines(design)).max(1);
     let mut shapes = Vec::new();
-    for patch in &design.patches {
+    let openings = openings_in_space(design).unwrap_or_default();
+    for (index, patch) in design.patches.iter().enumerate() {
+        let own: Vec<_> = openings.iter().filter(|own| own.patch == index).collect();
+        if !own.is_empty() {
+            let parts = grids(patch, &own, [ALONG, ACROSS])?.into_iter();
+            shapes.extend(parts.map(|part| PageShape {
+                name: &patch.name,
+                rows: part.rows,
+                columns: part.columns,
+                // Where it begins and ends.
+                every: part.rows,
+                points: part.points.iter().map(|p| p.map(rounded)).collect(),
+            }));
+            continue;
+        }
         let points = samples(patch, ALONG, ACROSS)?;
         shapes.push(PageShape {
             name: &patch.name,

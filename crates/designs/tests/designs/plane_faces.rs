@@ -2,6 +2,7 @@
 
 use crate::step_text::{StepEdge, StepText};
 use std::f64::consts::PI;
+use torse_designs::bench::{PaperSize, bench_sheets, tiled_parts};
 use torse_designs::export::{bytes, mesh};
 use torse_designs::inspect::{Assurance, inspect};
 use torse_designs::listing::list;
@@ -156,6 +157,35 @@ fn openings_of_faces_are_counted() {
     let text = disc_with_holes();
     let listing = list("disc.step", text.as_bytes(), None).unwrap();
     assert_eq!(listing.faces[0].openings, Some(2));
+}
+
+#[test]
+fn a_disc_has_a_sheet_for_the_fitter_pages_and_pictures() {
+    let design = design(&disc_with_holes());
+    let pieces = unroll(&design, &Demand::default()).unwrap();
+    let made = parts(&design, &pieces).unwrap();
+    let sheets = bench_sheets(&design, &pieces, &made, PaperSize::A4).unwrap();
+    assert_eq!(sheets.len(), 1);
+    let tiled = tiled_parts(&design, &pieces, &made, PaperSize::A4).unwrap();
+    assert_eq!(tiled.len(), 1);
+    let html = torse_designs::draw::page(&design, &Demand::default()).unwrap();
+    // No point of the rectangle around the disc is drawn.
+    let start = html.find("[{\"name\":\"disc\"").unwrap();
+    let end = start + html[start..].find("}]").unwrap();
+    let numbers = html[start..end]
+        .split("[[")
+        .skip(1)
+        .flat_map(|shape| shape.split("],["));
+    let mut count = 0;
+    for triple in numbers {
+        let clean = triple.trim_matches(|c: char| !c.is_ascii_digit() && c != '-');
+        let clean = clean.split(']').next().unwrap();
+        let parsed: Vec<f64> = clean.split(',').map(|c| c.parse().unwrap()).collect();
+        let square: f64 = (0..3).map(|i| (parsed[i] - ORIGIN[i]).powi(2)).sum();
+        assert!(square.sqrt() < 40.05, "{parsed:?}");
+        count += 1;
+    }
+    assert!(count > 200, "{count}");
 }
 
 #[test]
