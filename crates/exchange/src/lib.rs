@@ -52,8 +52,8 @@ pub use error::{ExchangeError, Result};
 pub use formats::{dxf, glb, iges, obj, ply, step, stl, svg, three_mf};
 pub use mesh::{MAX_VERTICES, Mesh};
 pub use read::{
-    CurveShape, FileKind, FilePlace, Imported, ImportedCurve, ImportedFace, ImportedMesh,
-    LengthUnit, MAX_FILE_BYTES, MAX_IMPORTED_CURVES, ReadError, ReadResult, SplineSurface,
-    SurfaceFrame, SurfaceShape, UnitSource, read, text_of_file,
+    CurveShape, FaceBorder, FileKind, FilePlace, Imported, ImportedCurve, ImportedFace,
+    ImportedMesh, LengthUnit, MAX_FILE_BYTES, MAX_IMPORTED_CURVES, ReadError, ReadResult,
+    SplineSurface, SurfaceFrame, SurfaceShape, UnitSource, read, text_of_file,
 };
 pub use write::write_file;

@@ -2,7 +2,7 @@
 
 use super::{FaceSheets, words};
 use crate::design::{Mark, MarkedOpening, NamedCurve};
-use torse_exchange::{Imported, ImportedFace};
+use torse_exchange::{FaceBorder, Imported, ImportedFace};
 use torse_geometry::prelude::PiecewiseRail;
 
 /// The most loops that bound a face.
@@ -13,9 +13,9 @@ const ACCURACY: f64 = 1e-3;
 /// An edge of a face, and whether it is passed forward.
 type FaceEdge = (usize, bool);
 
-/// Returns the sheets of a face, or why it has none. If its loops all together do not bound it, the longest, or the two
-/// longest, do, and the others are openings: that they lie on the sheet and within its outline is found out where they are
-/// cut.
+/// Returns the sheets of a face, or why it has none. If its loops all together do not bound it, the loop that the file names
+/// does, with another one if need be; where it names none, the longest, or the two longest; where the surface bounds itself,
+/// none. The others are openings: that they lie on the sheet and within its outline is found out where they are cut.
 pub(super) fn sheets_with_openings(
     face: &ImportedFace,
     imported: &Imported,
@@ -23,6 +23,15 @@ pub(super) fn sheets_with_openings(
 ) -> Result<FaceSheets, String> {
     let whole = bounded(face);
     let count = face.loops.len();
+    if face.border == FaceBorder::OwnOfSurface {
+        let mut found = whole?;
+        for (index, edges) in face.loops.iter().enumerate() {
+            found
+                .openings
+                .push(opening(index, curve_of(edges, imported)?));
+        }
+        return Ok(found);
+    }
     if whole.is_ok() || count < 2 {
         return whole;
     }
@@ -33,6 +42,10 @@ pub(super) fn sheets_with_openings(
         curves.push((length, index, curve));
     }
     curves.sort_by(|a, b| b.0.total_cmp(&a.0));
+    // The one that is named comes first, however long the others are.
+    if let FaceBorder::Loop(named) = face.border {
+        curves.sort_by_key(|(_, index, _)| *index != named);
+    }
     for outer in 1..=MAX_OUTER.min(count - 1) {
         let (border, inner) = curves.split_at(outer);
         let loops = border.iter();

@@ -16,14 +16,18 @@ use around::{between_planes, has_opening_over_seam};
 use loops::sheets_with_openings;
 use plane::{plane_of_net, plane_sheet};
 use std::path::Path;
-use torse_exchange::{CurveShape, Imported, ImportedFace, SurfaceShape};
+use torse_exchange::{CurveShape, FaceBorder, Imported, ImportedFace, SurfaceShape};
 use torse_geometry::prelude::{GeometryError, PiecewiseRail, Point, Rail, Sheet, SweptEdge};
 use torse_geometry::vector::{cross, dot, norm, sub};
+use torse_geometry::{AffineMap, Coordinate, Rational};
 
 /// Points of a file that are nearer than this share of the size of a face are one, unless it states an uncertainty.
 const SAME: f64 = 1e-6;
 /// Rulings at which a patch is compared with the surface of its face.
 const SAMPLES: u32 = 9;
+
+/// What is said of a face of which not all edges are there.
+const NOT_READ: &str = "a part of its border is not read";
 
 /// What the edges of a face are to its rulings.
 enum Border {
@@ -105,6 +109,13 @@ pub(crate) fn openings_of_face(face: &ImportedFace, imported: &Imported) -> Opti
 
 /// Returns what is unrolled of a face, or why nothing is.
 fn sheets_of_face(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String> {
+    match face.border {
+        FaceBorder::NotRead => return Err(NOT_READ.to_owned()),
+        FaceBorder::OwnOfSurface => {
+            return sheets_with_openings(face, imported, |face| sheets(face, imported));
+        }
+        FaceBorder::Loop(_) | FaceBorder::Unstated => {}
+    }
     if let SurfaceShape::Plane(frame) = &face.surface {
         return plane_sheet(face, frame, imported);
     }
@@ -327,8 +338,42 @@ fn is_closed(rail: &PiecewiseRail, tolerance: f64) -> Result<bool, GeometryError
     Ok(norm(&sub(&rail.point(0.0)?, &rail.point(1.0)?)) <= tolerance)
 }
 
+/// Returns the border that a surface has of itself.
+fn own_border(surface: &SurfaceShape) -> Result<Border, String> {
+    if let SurfaceShape::Spline(spline) = surface {
+        let sides = spline.rails().map_err(words)?;
+        for [rail, other] in sides.iter().flat_map(|[a, b]| [[a, b], [b, a]]) {
+            let mut points = other.points().iter();
+            let apex = points.next().filter(|first| points.all(|p| p == *first));
+            if let Some(apex) = apex {
+                let rail = PiecewiseRail::spline(rail).map_err(words)?;
+                return Ok(Border::Apex(
+                    rail,
+                    apex.each_ref().map(Coordinate::approximate),
+                ));
+            }
+        }
+    }
+    if let SurfaceShape::Extruded(curve, vector) = surface {
+        let mut shift = AffineMap::stretch(&Rational::from(1));
+        shift.shift = vector.map(torse_geometry::exact);
+        let rails = [curve.rail(), curve.mapped(&shift).rail()].map(|rail| rail.map_err(words));
+        let [first, second] = rails;
+        return Ok(Border::Between([first?, second?]));
+    }
+    let rails = own_rails(surface).map_err(words)?;
+    rails.map(Border::Between).ok_or_else(|| {
+        let kind = surface.words();
+        format!("the file gives it no outer border, and a {kind} surface has none of its own between rulings")
+    })
+}
+
 /// Returns two edges between which rulings may run, passed side by side.
 fn border(face: &ImportedFace, imported: &Imported) -> Result<Border, String> {
+    match face.border {
+        FaceBorder::OwnOfSurface => return own_border(&face.surface),
+        FaceBorder::NotRead | FaceBorder::Loop(_) | FaceBorder::Unstated => {}
+    }
     let shape = |index: usize| imported.curves.get(index).map(|curve| &curve.shape);
     let all: Vec<(usize, bool)> = face.loops.iter().flatten().copied().collect();
     // The seam of a closed surface is passed twice.

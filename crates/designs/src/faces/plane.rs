@@ -1,10 +1,10 @@
 //! Plane faces, with any outline: a rectangle around the face that is cut along its border.
 
 use super::loops::{curve_of, named, opening};
-use super::{FaceSheets, SAME, words};
+use super::{FaceSheets, NOT_READ, SAME, words};
 use crate::design::Mark;
 use crate::plane_contour::PlaneFrame;
-use torse_exchange::{Imported, ImportedFace, SplineSurface, SurfaceFrame};
+use torse_exchange::{FaceBorder, Imported, ImportedFace, SplineSurface, SurfaceFrame};
 use torse_geometry::prelude::{PiecewiseRail, Point, Rail, Sheet, SweptEdge};
 use torse_geometry::vector::{add, cross, dot, norm, scale, sub, unit};
 use torse_geometry::{Coordinate, Rational};
@@ -16,7 +16,8 @@ const FLAT: f64 = 1e-12;
 /// How far the rectangle reaches beyond the face, as a share of its size.
 const MARGIN: f64 = 0.05;
 
-/// Returns the sheet of a plane face, or why it has none: the loop around the largest area bounds it, the others are openings.
+/// Returns the sheet of a plane face, or why it has none: the loop that the file names bounds it, or else the one around the
+/// largest area; the others are openings.
 /// That they lie within it, and that no loop leaves the plane by more than the tolerance `gap`, is found out where they are
 /// cut.
 pub(super) fn plane_sheet(
@@ -47,7 +48,13 @@ pub(super) fn plane_sheet(
             largest = Some((area, index));
         }
     }
-    let (_, outer) = largest.ok_or("it has no loop")?;
+    let outer = match face.border {
+        FaceBorder::Loop(index) => Some(index),
+        FaceBorder::Unstated => largest.map(|(_, index)| index),
+        FaceBorder::OwnOfSurface => return Err("the file gives it no outer border".to_owned()),
+        FaceBorder::NotRead => return Err(NOT_READ.to_owned()),
+    };
+    let outer = outer.ok_or("it has no loop")?;
     let border = curves.get(outer).ok_or("it has no loop")?;
     let sheet = rectangle(&places(border, frame, &axes)?, frame, &axes)?;
     let size = sheet.ruling(0.0).map_err(words)?;

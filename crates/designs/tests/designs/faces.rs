@@ -5,8 +5,10 @@ use torse_designs::audit::FaceAudit;
 use torse_designs::inspect::{Assurance, inspect};
 use torse_designs::listing::list;
 use torse_designs::unroll::{Demand, parts, unroll};
-use torse_designs::{DesignError, Ending, load};
-use torse_exchange::{FilePlace, ImportedFace, SplineSurface, SurfaceFrame, SurfaceShape};
+use torse_designs::{DesignError, Ending, export, load, read};
+use torse_exchange::{
+    FaceBorder, FilePlace, ImportedFace, SplineSurface, SurfaceFrame, SurfaceShape,
+};
 use torse_numbers::rational::{Rational, integer, ratio};
 
 fn file(name: &str) -> PathBuf {
@@ -20,6 +22,7 @@ fn face(surface: SurfaceShape) -> FaceAudit {
         place: FilePlace::line(1),
         surface,
         loops: Vec::new(),
+        border: FaceBorder::OwnOfSurface,
         forward: true,
     };
     FaceAudit::of_surface(&face).unwrap()
@@ -241,4 +244,94 @@ fn a_loop_beside_its_face_is_refused_with_its_place() {
     let error = parts(&design, &pieces).unwrap_err().to_string();
     assert!(error.contains("the opening `loop"), "{error}");
     assert!(error.contains("leaves the sheet"), "{error}");
+}
+
+/// The area of the parts of a file with this text.
+fn area_of(name: &str, text: &[u8]) -> Result<f64, DesignError> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    std::fs::write(&path, text).unwrap();
+    let design = load(&path)?;
+    assert!(design.left_out.is_empty(), "{:?}", design.left_out);
+    let made = parts(&design, &unroll(&design, &Demand::default())?)?;
+    Ok(made.iter().map(|part| part.area()).sum())
+}
+
+#[test]
+fn a_trimmed_surface_without_an_outer_curve_is_cut_along_its_own_border() {
+    // Half a pipe of radius 50 and length 100; a window of 60 degrees by 40.
+    let text = std::fs::read(file("half_pipe_inner_border.igs")).unwrap();
+    let found = area_of("pipe.igs", &text).unwrap();
+    let area = std::f64::consts::PI * 50.0 * (100.0 - 40.0 / 3.0);
+    assert!((found - area).abs() < 1e-3, "{found} {area}");
+    // A loop of which a curve is not read leaves no part that would do for the face.
+    let text = String::from_utf8(text)
+        .unwrap()
+        .replace("142,0,3,0,15,2;", "142,0,3,0,9,2; ");
+    let refused = area_of("pipe.igs", text.as_bytes())
+        .unwrap_err()
+        .to_string();
+    assert!(
+        refused.contains("a part of its border is not read"),
+        "{refused}"
+    );
+}
+
+#[test]
+fn files_with_openings_are_read_back_with_the_area_of_their_design() {
+    let corner = |k: u32, shift: f64| {
+        let up = if k.is_multiple_of(2) { 20.0 } else { -20.0 };
+        format!("[{}, {}, 0], ", 4.5 * f64::from(k) - 45.0, up + shift)
+    };
+    let there: String = (0..=20).map(|k| corner(k, 1.0)).collect();
+    let back: String = (0..=20).rev().map(|k| corner(k, -1.0)).collect();
+    let design = read(
+        "parts.toml",
+        &format!(
+            "[curves]\nrim = {{ arc = {{ centre = [0, 0, 0], from = [60, 0, 0], axis = [0, 0, 1], angle = 120 }} }}\n\
+             a = {{ bezier = [[100, 0, 0], [200, 0, 0]] }}\nb = {{ bezier = [[100, 80, 0], [200, 80, 0]] }}\n\
+             slot = {{ polyline = [{there}{back}[-45, 21, 0]] }}\n[patches]\n\
+             cyl = {{ cylinder = \"rim\", direction = [0, 0, 100], marks = [{{ at = [0.5, 0.5], radius = 5 }}] }}\n\
+             plate = {{ ruled = [\"a\", \"b\"], marks = [{{ opening = \"slot\", at = [0.5, 0.5], angle = 90 }}] }}\n"
+        ),
+    )
+    .unwrap();
+    let made = parts(&design, &unroll(&design, &Demand::default()).unwrap()).unwrap();
+    // The slot is longer around than the plate.
+    assert!(made[1].openings[0].shape.length() > 360.0);
+    let area: f64 = made.iter().map(|part| part.area()).sum();
+    let around: f64 = made.iter().map(|part| part.cut_length()).sum();
+    for ending in ["iges", "step"] {
+        let bytes = export::bytes(&design, ending, &Demand::default()).unwrap();
+        let found = area_of(&format!("parts.{ending}"), &bytes).unwrap();
+        // Cubics stand for the openings there.
+        assert!(
+            (found - area).abs() < 1e-3 * around,
+            "{ending}: {found} {area}"
+        );
+    }
+}
+
+#[test]
+fn a_face_whose_border_is_not_read_has_no_pattern() {
+    let step = std::fs::read_to_string(file("plate_holes.step")).unwrap();
+    let bound = step.find("FACE_BOUND").expect("a bound");
+    let start = bound + step[bound..].find('#').unwrap() + 1;
+    let digits: String = step[start..]
+        .chars()
+        .take_while(char::is_ascii_digit)
+        .collect();
+    let text = step.replacen(
+        &format!("#{digits} = EDGE_LOOP"),
+        &format!("#{digits} = POLY_LOOP"),
+        1,
+    );
+    assert_ne!(text, step);
+    let refused = area_of("plate.step", text.as_bytes())
+        .unwrap_err()
+        .to_string();
+    assert!(
+        refused.contains("a part of its border is not read"),
+        "{refused}"
+    );
 }

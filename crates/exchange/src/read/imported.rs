@@ -193,8 +193,25 @@ pub struct ImportedFace {
     pub surface: SurfaceShape,
     /// Its edges: indices of curves, loop by loop, and whether each is passed forward.
     pub loops: Vec<Vec<(usize, bool)>>,
+    /// What of it is its outer border.
+    pub border: FaceBorder,
     /// Whether its normal is that of the surface.
     pub forward: bool,
+}
+
+/// What bounds a face on its outside, as far as its file says so.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FaceBorder {
+    /// The loop of this index, as FACE_OUTER_BOUND of STEP or entity 144 of IGES with an outer curve. Of a surface that is closed,
+    /// another loop may bound it too.
+    Loop(usize),
+    /// The border of the surface itself, as entity 144 of IGES without an outer curve, or a surface without any loop: every
+    /// loop is an opening.
+    OwnOfSurface,
+    /// One of the loops; the file does not say which.
+    Unstated,
+    /// A loop, or an edge of one, is not read: those that are left do not show what bounds it.
+    NotRead,
 }
 
 /// Axes of an analytic surface: a place, the main direction, a direction across it; unit vectors.

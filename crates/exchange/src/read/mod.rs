@@ -42,8 +42,8 @@ mod unit;
 
 pub use error::{FilePlace, ReadError, ReadResult};
 pub use imported::{
-    CurveShape, Imported, ImportedCurve, ImportedFace, ImportedMesh, SplineSurface, SurfaceFrame,
-    SurfaceShape,
+    CurveShape, FaceBorder, Imported, ImportedCurve, ImportedFace, ImportedMesh, SplineSurface,
+    SurfaceFrame, SurfaceShape,
 };
 pub use kind::FileKind;
 pub use unit::{LengthUnit, UnitSource};

@@ -11,8 +11,8 @@ use super::imported::{Imported, PassedOver};
 use super::trim::{Base, Trim, between};
 use super::turned::turned;
 use super::{
-    CurveShape, Drafts, FileKind, ImportedFace, LengthUnit, SplineSurface, SurfaceFrame,
-    SurfaceShape, check_unit,
+    CurveShape, Drafts, FaceBorder, FileKind, ImportedFace, LengthUnit, SplineSurface,
+    SurfaceFrame, SurfaceShape, check_unit,
 };
 use records::{Entity, File, parse};
 use std::cell::Cell;
@@ -60,23 +60,24 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
         };
         if let Some(shape) = reader.curve(entity, 0)? {
             drafts.curve(&name, entity.place(), shape.mapped(&reader.map))?;
-        } else if let Some((surface, loops)) = reader.face(entity)? {
-            let mut borders = Vec::new();
+        } else if let Some((surface, loops, border)) = reader.face(entity)? {
+            let mut drafted = Vec::new();
             for edges in loops {
-                let mut border = Vec::new();
+                let mut loop_edges = Vec::new();
                 for (id, place, shape) in edges {
                     let shape = shape.mapped(&reader.map);
                     let index = drafts.curve(&id.to_string(), place, shape)?;
                     drafts.mark_edge(index);
-                    border.push((index, true));
+                    loop_edges.push((index, true));
                 }
-                borders.push(border);
+                drafted.push(loop_edges);
             }
             let face = ImportedFace {
                 name: String::new(),
                 place: entity.place(),
                 surface: surface.moved(&reader.map, reader.factor),
-                loops: borders,
+                loops: drafted,
+                border,
                 forward: true,
             };
             drafts.face(&name, face);
@@ -149,8 +150,8 @@ fn stated(file: &File<'_>) -> ReadResult<Option<LengthUnit>> {
     }
 }
 
-/// The curves of a border, with their entities.
-type Border = Vec<(usize, super::FilePlace, CurveShape)>;
+/// The curves of a loop, with their entities.
+type LoopCurves = Vec<(usize, super::FilePlace, CurveShape)>;
 
 struct Reader<'t, 'f> {
     file: &'f File<'t>,
@@ -304,54 +305,73 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// The surface that an entity is, with its borders where it has some; nothing for another kind.
-    fn face(&self, entity: &Entity<'t>) -> ReadResult<Option<(SurfaceShape, Vec<Border>)>> {
+    fn face(
+        &self,
+        entity: &Entity<'t>,
+    ) -> ReadResult<Option<(SurfaceShape, Vec<LoopCurves>, FaceBorder)>> {
         let surface = match entity.kind {
             144 | 143 => self.file.pointed(entity, usize::from(entity.kind == 143))?,
-            _ => return Ok(self.surface(entity)?.map(|surface| (surface, Vec::new()))),
+            _ => {
+                let whole = self.surface(entity)?;
+                return Ok(whole.map(|surface| (surface, Vec::new(), FaceBorder::OwnOfSurface)));
+            }
         };
         let Some(shape) = self.surface(surface)? else {
             return Ok(None);
         };
-        let mut borders = Vec::new();
+        let mut loops = Vec::new();
+        let mut border = FaceBorder::Unstated;
         if entity.kind == 144 {
             // The outer border, unless it is that of the surface itself, then the inner ones.
             let outer = usize::from(entity.whole(1)? != 0);
+            border = match outer {
+                0 => FaceBorder::OwnOfSurface,
+                _ => FaceBorder::Loop(0),
+            };
             let inner = entity.count(2)?;
             let first = if outer == 1 { 3 } else { 4 };
             for k in first..first + outer + inner {
                 let on = self.file.pointed(entity, k)?;
-                borders.push(self.border(self.file.pointed(on, 3)?, 0)?);
+                loops.push(self.border(self.file.pointed(on, 3)?, 0)?);
             }
         } else {
             for k in 0..entity.count(2)? {
                 let boundary = self.file.pointed(entity, 3 + k)?;
-                let mut border = Vec::new();
+                let mut curves = Some(LoopCurves::new());
                 let mut index = 4;
                 for _ in 0..boundary.count(3)? {
-                    border.extend(self.border(self.file.pointed(boundary, index)?, 0)?);
+                    extend(
+                        &mut curves,
+                        self.border(self.file.pointed(boundary, index)?, 0)?,
+                    );
                     index += 3 + boundary.count(index + 2)?;
                 }
-                borders.push(border);
+                loops.push(curves);
             }
         }
-        Ok(Some((shape, borders)))
+        if loops.iter().any(Option::is_none) {
+            border = FaceBorder::NotRead;
+        }
+        Ok(Some((shape, loops.into_iter().flatten().collect(), border)))
     }
 
-    /// The curves of a border: those of a composite curve one by one.
-    fn border(&self, entity: &Entity<'t>, depth: usize) -> ReadResult<Border> {
+    /// The curves of a loop, those of a composite curve one by one; nothing if one of them is of a kind that is not read.
+    fn border(&self, entity: &Entity<'t>, depth: usize) -> ReadResult<Option<LoopCurves>> {
         self.guard(entity, depth)?;
         if entity.kind == 102 && entity.matrix == 0 {
-            let mut all = Vec::new();
+            let mut all = Some(LoopCurves::new());
             for k in 1..=entity.count(0)? {
-                all.extend(self.border(self.file.pointed(entity, k)?, depth + 1)?);
+                let part = self.file.pointed(entity, k)?;
+                // Points may stand among the curves.
+                if part.kind != 116 {
+                    extend(&mut all, self.border(part, depth + 1)?);
+                }
             }
             return Ok(all);
         }
         Ok(self
             .curve(entity, depth)?
-            .map(|shape| (entity.id, entity.place(), shape))
-            .into_iter()
-            .collect())
+            .map(|shape| vec![(entity.id, entity.place(), shape)]))
     }
 
     fn surface(&self, entity: &Entity<'t>) -> ReadResult<Option<SurfaceShape>> {
@@ -450,6 +470,14 @@ impl<'t> Reader<'t, '_> {
         SplineSurface::new(degrees, knots, net, weights)
             .map(SurfaceShape::Spline)
             .map_err(refused(&place))
+    }
+}
+
+/// Adds curves to a loop; one in which a curve is not read is none.
+fn extend(curves: &mut Option<LoopCurves>, more: Option<LoopCurves>) {
+    match (curves.as_mut(), more) {
+        (Some(all), Some(more)) => all.extend(more),
+        _ => *curves = None,
     }
 }
 

@@ -12,7 +12,7 @@ mod values;
 
 use super::error::{ReadError, ReadResult, at};
 use super::imported::{Imported, PassedOver};
-use super::{Drafts, FileKind, ImportedFace, LengthUnit, UnitSource, check_unit};
+use super::{Drafts, FaceBorder, FileKind, ImportedFace, LengthUnit, UnitSource, check_unit};
 use curves::Curves;
 use part21::{Data, Instance, Value, parse};
 use std::collections::{HashMap, HashSet};
@@ -258,6 +258,7 @@ impl<'t, 'd> Reader<'t, 'd> {
                         place: item.place(),
                         surface: surface.moved(&setting.map, setting.factor),
                         loops: Vec::new(),
+                        border: FaceBorder::OwnOfSurface,
                         forward: true,
                     };
                     self.drafts.face(&name, face);
@@ -299,6 +300,7 @@ impl<'t, 'd> Reader<'t, 'd> {
     ) -> ReadResult<()> {
         let geometry = self.resolver.instance(item, values.get(2))?;
         let mut loops = Vec::new();
+        let (mut outer, mut all_read) = (Vec::new(), true);
         for bound in self.resolver.instances(item, values.get(1))? {
             let values = bound.parts.first().map_or(&[][..], |(_, values)| values);
             if !matches!(bound.keyword(), "FACE_BOUND" | "FACE_OUTER_BOUND") {
@@ -307,9 +309,15 @@ impl<'t, 'd> Reader<'t, 'd> {
             let edges = self.resolver.instance(bound, values.get(1))?;
             if edges.part("EDGE_LOOP").is_none() {
                 self.passed.add(&format!("bound by {}", edges.keyword()));
+                // A vertex bounds nothing: it is the apex of a cone, or lies within the face.
+                all_read &= edges.part("VERTEX_LOOP").is_some();
                 continue;
             }
-            let mut edges = self.loop_of(edges, setting)?;
+            let (mut edges, whole) = self.loop_of(edges, setting)?;
+            all_read &= whole;
+            if bound.keyword() == "FACE_OUTER_BOUND" {
+                outer.push(loops.len());
+            }
             if !truth(values.get(2)) {
                 edges.reverse();
                 for (_, forward) in &mut edges {
@@ -327,6 +335,11 @@ impl<'t, 'd> Reader<'t, 'd> {
             place: item.place(),
             surface: surface.moved(&setting.map, setting.factor),
             loops,
+            border: match outer.as_slice() {
+                _ if !all_read => FaceBorder::NotRead,
+                [outer] => FaceBorder::Loop(*outer),
+                _ => FaceBorder::Unstated,
+            },
             forward: truth(values.get(3)),
         };
         let name = self.name(item);
@@ -334,14 +347,14 @@ impl<'t, 'd> Reader<'t, 'd> {
         Ok(())
     }
 
-    /// The edges of a loop; those whose curve is not read are left out, and counted.
+    /// The edges of a loop, and whether they are all: those whose curve is not read are left out, and counted.
     fn loop_of(
         &mut self,
         item: &'d Instance<'t>,
         setting: &Setting<'t, 'd>,
-    ) -> ReadResult<Vec<(usize, bool)>> {
+    ) -> ReadResult<(Vec<(usize, bool)>, bool)> {
         let values = self.resolver.part(item, "EDGE_LOOP")?;
-        let mut edges = Vec::new();
+        let (mut edges, mut whole) = (Vec::new(), true);
         for oriented in list(item, values.get(1))? {
             let oriented = self.resolver.instance(item, Some(oriented))?;
             let (edge, forward) = match oriented.part("ORIENTED_EDGE") {
@@ -351,11 +364,12 @@ impl<'t, 'd> Reader<'t, 'd> {
                 ),
                 None => (oriented, true),
             };
-            if let Some(index) = self.edge(edge, setting)? {
-                edges.push((index, forward));
+            match self.edge(edge, setting)? {
+                Some(index) => edges.push((index, forward)),
+                None => whole = false,
             }
         }
-        Ok(edges)
+        Ok((edges, whole))
     }
 
     fn edge(
