@@ -1,4 +1,4 @@
-//! Contours as chords: where they cross themselves or one another, and how far they are apart.
+//! Contours as chords: where they cross one another, and how far they are apart.
 
 use crate::polygon::distance;
 use torse_geometry::pattern::Segment;
@@ -19,11 +19,6 @@ pub fn chords_within(contour: &[Segment], within: f64) -> Vec<Chord> {
     chords(contour, parts)
 }
 
-/// Returns the chords of a contour, so many for each arc.
-pub fn chords_of(contour: &[Segment], arc_chords: u32) -> Vec<Chord> {
-    chords(contour, |_| f64::from(arc_chords))
-}
-
 fn chords(contour: &[Segment], parts: impl Fn(&Segment) -> f64) -> Vec<Chord> {
     let mut all = Vec::with_capacity(contour.len());
     for segment in contour {
@@ -40,12 +35,6 @@ fn chords(contour: &[Segment], parts: impl Fn(&Segment) -> f64) -> Vec<Chord> {
         }
     }
     all
-}
-
-/// Returns a place at which chords of a contour cross one another.
-pub fn self_crossing(contour: &[Chord]) -> Option<[f64; 2]> {
-    let all = contour.iter().map(|chord| (*chord, ()));
-    first_crossing(all.collect(), |(), ()| true)
 }
 
 /// Returns a place at which chords of one contour cross those of another.

@@ -61,6 +61,7 @@ mod polygon;
 mod position;
 mod seams;
 mod segment_crossings;
+mod simple_contour;
 mod space_openings;
 mod unit;
 pub mod unroll;

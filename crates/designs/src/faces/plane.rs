@@ -4,6 +4,7 @@ use super::loops::{curve_of, named, opening};
 use super::{FaceSheets, NOT_READ, SAME, words};
 use crate::design::Mark;
 use crate::plane_contour::PlaneFrame;
+use crate::simple_contour::{goes_around_once, self_contact};
 use torse_exchange::{FaceBorder, Imported, ImportedFace, SplineSurface, SurfaceFrame};
 use torse_geometry::prelude::{PiecewiseRail, Point, Rail, Sheet, SweptEdge};
 use torse_geometry::vector::{add, cross, dot, norm, scale, sub, unit};
@@ -61,9 +62,13 @@ pub(super) fn plane_sheet(
     let within = (SAME * norm(&sub(&size[1], &size[0]))).max(imported.uncertainty.unwrap_or(0.0));
     // What is no closed curve in the plane is left out, and not found out later.
     let plane = PlaneFrame::of_sheet(&sheet).ok_or("its plane has no axes")?;
-    plane
+    let contour = plane
         .contour(border, within, within)
         .map_err(|reason| format!("its border is no outline: {reason}"))?;
+    let meets_itself = self_contact(&contour.segments, 2.0 * contour.distance).is_some();
+    if meets_itself || !goes_around_once(&contour.segments) {
+        return Err("its border is no outline: it crosses itself or touches itself".to_owned());
+    }
     let inner = curves.iter().enumerate();
     let inner = inner.filter(|(index, _)| *index != outer);
     let openings: Vec<Mark> = inner

@@ -11,11 +11,11 @@ mod traced;
 
 pub use shape::{Opening, OpeningShape};
 
-use crate::chords::{chords_within, self_crossing};
 use crate::design::{Design, DesignPiece, Mark, MarkedOpening, NamedCurve, Patch};
 use crate::error::DesignError;
 use crate::plane_contour::{PlaneFrame, on_pattern};
 use crate::position::position;
+use crate::simple_contour::{goes_around_once, self_contact};
 pub(crate) use fit::fitted_run;
 
 use fit::fitted;
@@ -154,10 +154,7 @@ impl MarkedPatch<'_> {
         let contour = contour
             .and_then(|contour| on_pattern(self.flat, &contour))
             .map_err(|reason| self.failed(format!("{name} cannot be cut: {reason}")))?;
-        if let Some(at) = self_crossing(&chords_within(&contour.segments, 0.1 * limits.outline)) {
-            let place = self.place(at);
-            return Err(self.failed(format!("{name} crosses itself at {place}")));
-        }
+        self.check_simple(&contour.segments, 2.0 * contour.distance, name)?;
         Ok(Opening {
             shape: OpeningShape::Contour(contour.segments),
             name: name.to_owned(),
@@ -166,6 +163,25 @@ impl MarkedPatch<'_> {
             proved: self.flat.evidence() == PatternEvidence::Proved,
             patch: 0,
         })
+    }
+
+    /// Refuses a contour that comes within a distance of itself, or goes around twice.
+    fn check_simple(
+        &self,
+        contour: &[Segment],
+        within: f64,
+        name: &str,
+    ) -> Result<(), DesignError> {
+        if let Some(at) = self_contact(contour, within) {
+            let place = self.place(at);
+            return Err(self.failed(format!(
+                "{name} crosses itself at {place}, or touches itself there"
+            )));
+        }
+        if !goes_around_once(contour) {
+            return Err(self.failed(format!("{name} goes around more than once")));
+        }
+        Ok(())
     }
 
     /// Returns the opening of a fine polygon.
@@ -186,13 +202,11 @@ impl MarkedPatch<'_> {
             corners.sort_unstable();
         }
         let (segments, off) = fitted(&points, &corners, FITTED * within);
-        if let Some(at) = self_crossing(&chords_within(&segments, 0.1 * within)) {
-            let place = self.place(at);
-            return Err(self.failed(format!("{name} crosses itself at {place}")));
-        }
         if segments.len() < 2 || area == 0.0 {
             return Err(self.failed(format!("{name} has no area")));
         }
+        // Both sides may be off by what the polygon and its lines and arcs are.
+        self.check_simple(&segments, 2.0 * (distance + off), name)?;
         Ok(Opening {
             shape: OpeningShape::Contour(segments),
             name: name.to_owned(),

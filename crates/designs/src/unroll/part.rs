@@ -294,8 +294,7 @@ fn cut_outline(
         Some(all) => all.iter().map(|by| by + half).collect(),
         None => vec![half; blank.outline.len()],
     };
-    let snap = 0.5 * design.tolerances.outline;
-    let moved = moved_outwards(&blank.outline, &distances, snap);
+    let moved = moved_outwards(&blank.outline, &distances);
     let what = match &allowances {
         Some(_) => "allowance",
         None => "kerf",
@@ -579,8 +578,7 @@ fn openings_on_blank(
                 // Clockwise the opening is on the right.
                 let turned: Vec<Segment> = segments.iter().rev().map(Segment::reversed).collect();
                 let distances = vec![half_kerf; turned.len()];
-                let snap = 0.5 * design.tolerances.outline;
-                let moved = moved_outwards(&turned, &distances, snap);
+                let moved = moved_outwards(&turned, &distances);
                 let moved = moved.map_err(|reason| {
                     refused(format!("the kerf does not fit {}: {reason}", opening.name))
                 })?;
