@@ -32,18 +32,24 @@ pub(super) fn moved_outwards(
 ) -> Result<Vec<Segment>, String> {
     let size = outline.iter().map(Segment::length).sum::<f64>();
     let mut live: Vec<Moved> = Vec::with_capacity(outline.len());
+    let mut narrow = None;
     for (index, (segment, by)) in outline.iter().zip(distances).enumerate() {
-        if let Some(moved) = shifted(segment, *by) {
-            live.push(Moved {
+        match shifted(segment, *by) {
+            Some(moved) => live.push(Moved {
                 index,
                 own: *segment,
                 by: *by,
                 moved,
-            });
+            }),
+            None => narrow = narrow.or(Some((segment.radius(), *by))),
         }
     }
+    let narrow = narrow.map(|(radius, by)| {
+        format!("an inward curve of radius {radius:.3} mm is narrower than {by} mm")
+    });
     let joined = loop {
-        let joints = joints(&live, outline.len(), size)?;
+        let joints = joints(&live, outline.len(), size);
+        let joints = joints.map_err(|reason| narrow.clone().unwrap_or(reason))?;
         let parts = live.iter().enumerate().map(|(k, part)| {
             let before = joints.get((k + joints.len() - 1) % joints.len().max(1));
             let [from, to] = [before?.after, joints.get(k)?.before];
@@ -130,7 +136,9 @@ fn joint(a: &Moved, b: &Moved, count: usize, size: f64) -> Result<Joint, String>
     } else {
         f64::INFINITY
     };
-    match met.filter(|point| distance(*point, corner) <= reach) {
+    // Two outer corners with a narrow hollow between them have no corner in common.
+    let is_hollow = !is_next && turn > PARALLEL;
+    match met.filter(|point| !is_hollow && distance(*point, corner) <= reach) {
         Some(point) => Ok(one(point)),
         None if is_step => Ok(bridge),
         None => Err(format!(
