@@ -87,6 +87,7 @@ pub fn openings_in_space(design: &Design) -> Result<Vec<SpaceOpening>, DesignErr
                 name: border.name.clone(),
                 error: flat.errors().outline,
                 proved: false,
+                finished: None,
                 patch: 0,
             });
         let found = openings(design, &piece, flat)?.into_iter();

@@ -122,7 +122,7 @@ fn bends(part: &Part) -> BenchTable {
             length(bend.inside_radius),
             place_of(bend.line),
             length(bend.allowance),
-            length(bend.deduction),
+            bend.deduction.map_or_else(|| "-".to_owned(), length),
             without_trailing_zeros(&format!("{:.3}", bend.k_factor)),
         ]
     });

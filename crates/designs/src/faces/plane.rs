@@ -1,7 +1,7 @@
 //! Plane faces, with any outline: a rectangle around the face that is cut along its border.
 
 use super::loops::{curve_of, named, opening};
-use super::{FaceSheets, NOT_READ, SAME, words};
+use super::{FaceSheets, SAME, words};
 use crate::design::Mark;
 use crate::plane_contour::PlaneFrame;
 use crate::simple_contour::{goes_around_once, self_contact};
@@ -51,9 +51,9 @@ pub(super) fn plane_sheet(
     }
     let outer = match face.border {
         FaceBorder::Loop(index) => Some(index),
-        FaceBorder::Unstated => largest.map(|(_, index)| index),
-        FaceBorder::OwnOfSurface => return Err("the file gives it no outer border".to_owned()),
-        FaceBorder::NotRead => return Err(NOT_READ.to_owned()),
+        FaceBorder::Unstated | FaceBorder::OwnOfSurface | FaceBorder::NotRead => {
+            largest.map(|(_, index)| index)
+        }
     };
     let outer = outer.ok_or("it has no loop")?;
     let border = curves.get(outer).ok_or("it has no loop")?;

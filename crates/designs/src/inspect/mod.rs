@@ -22,7 +22,7 @@ pub(crate) use joint::side_changes_at_joint;
 pub use joint::{JointReport, joints};
 pub(crate) use numbers::{at_most, number, without_trailing_zeros};
 pub use report::{Assurance, DesignReport, PatchReport, ValueBounds};
-pub(crate) use seams::is_passed_backwards;
+pub(crate) use seams::{SeamPassage, passage};
 pub use seams::{SeamReport, seams};
 pub use surface::SurfaceReport;
 pub(crate) use text::columns;

@@ -4,7 +4,7 @@ use crate::design::Design;
 use crate::seams::{EdgeName, PatchEdge, Seam};
 use serde::Serialize;
 use torse_geometry::prelude::{GeometryError, Point};
-use torse_geometry::vector::{norm, sub};
+use torse_geometry::vector::{dot, norm, sub};
 
 /// Steps in which the rail of a patch is passed when its length is measured.
 const STEPS: u32 = 1024;
@@ -29,6 +29,8 @@ pub struct SeamReport {
     pub apart: [f64; 2],
     /// Whether the second edge was passed backwards for that.
     pub backwards: bool,
+    /// The share of the length of the second edge at which the first begins: zero unless both are closed.
+    pub offset: f64,
 }
 
 /// Measures the seams of a design; what differs is said in `missed`.
@@ -72,35 +74,86 @@ struct Passed {
 
 fn measured(design: &Design, Seam { edges, ease }: &Seam) -> Result<SeamReport, GeometryError> {
     let [one, other] = [passed(design, &edges[0])?, passed(design, &edges[1])?];
-    let distance = |share: f64, back: bool| {
-        let other_share = if back { 1.0 - share } else { share };
-        norm(&sub(&one.at(share), &other.at(other_share)))
-    };
     let shares = || (0..=PLACES).map(|k| f64::from(k) / f64::from(PLACES));
-    let farthest = |back: bool| {
+    let farthest = |way: SeamPassage| {
         shares()
-            .map(|share| [distance(share, back), share])
+            .map(|share| {
+                [
+                    norm(&sub(&one.at(share), &other.at(way.share(share)))),
+                    share,
+                ]
+            })
             .fold(
                 [0.0, 0.0],
                 |far, next| if next[0] > far[0] { next } else { far },
             )
     };
-    let (forward, back) = (farthest(false), farthest(true));
-    let backwards = back[0] < forward[0];
+    // Closed edges may begin at different places.
+    let gap = design.tolerances.gap;
+    let mut offsets = vec![0.0];
+    if one.is_closed(gap) && other.is_closed(gap) {
+        let near = other.share_near(&one.at(0.0));
+        offsets.extend(Some(near).filter(|share| *share > 0.0 && *share < 1.0));
+    }
+    let ways = offsets
+        .into_iter()
+        .flat_map(|offset| [false, true].map(|backwards| SeamPassage { backwards, offset }));
+    let mut best: Option<([f64; 2], SeamPassage)> = None;
+    for way in ways {
+        let apart = farthest(way);
+        // Another beginning has to be nearer than rounding makes it.
+        let room = if way.offset == 0.0 { 0.0 } else { gap };
+        if best.is_none_or(|(least, _)| apart[0] + room < least[0]) {
+            best = Some((apart, way));
+        }
+    }
+    let (apart, way) = best.unwrap_or((
+        [f64::NAN; 2],
+        SeamPassage {
+            backwards: false,
+            offset: 0.0,
+        },
+    ));
     Ok(SeamReport {
         edges: [0, 1].map(|i| edges[i].text.clone()),
         lengths: [one.length, other.length],
         ease: *ease,
         difference: one.length - other.length - ease,
         length_error: one.error + other.error,
-        apart: if backwards { back } else { forward },
-        backwards,
+        apart,
+        backwards: way.backwards,
+        offset: way.offset,
     })
 }
 
-/// Returns whether the second edge of a seam runs against the first, as its places in space show.
-pub fn is_passed_backwards(design: &Design, seam: &Seam) -> Result<bool, GeometryError> {
-    measured(design, seam).map(|report| report.backwards)
+/// How the second edge of a seam is passed beside the first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SeamPassage {
+    /// Whether it runs against the first.
+    pub backwards: bool,
+    /// The share of its length at which the first begins; zero unless both are closed.
+    pub offset: f64,
+}
+
+impl SeamPassage {
+    /// Returns the share of the second edge that meets a share of the first.
+    pub fn share(self, of_first: f64) -> f64 {
+        let share = self.offset + if self.backwards { -of_first } else { of_first };
+        match (self.offset == 0.0, self.backwards) {
+            (true, false) => share,
+            (true, true) => 1.0 + share,
+            (false, _) => share.rem_euclid(1.0),
+        }
+    }
+}
+
+/// Returns how the second edge of a seam is passed, as its places in space show.
+pub fn passage(design: &Design, seam: &Seam) -> Result<SeamPassage, GeometryError> {
+    let report = measured(design, seam)?;
+    Ok(SeamPassage {
+        backwards: report.backwards,
+        offset: report.offset,
+    })
 }
 
 fn passed(design: &Design, edge: &EdgeName) -> Result<Passed, GeometryError> {
@@ -153,6 +206,33 @@ fn passed(design: &Design, edge: &EdgeName) -> Result<Passed, GeometryError> {
 }
 
 impl Passed {
+    /// Returns whether its ends are no farther apart than this.
+    fn is_closed(&self, gap: f64) -> bool {
+        let ends = [self.points.first(), self.points.last()];
+        matches!(ends, [Some(a), Some(b)] if norm(&sub(a, b)) <= gap && self.length > 4.0 * gap)
+    }
+
+    /// Returns the share of the length at which it is nearest to a point.
+    fn share_near(&self, point: &Point) -> f64 {
+        let whole = self.lengths.last().copied().unwrap_or(0.0);
+        let mut best = (f64::INFINITY, 0.0);
+        for (ends, lengths) in self.points.windows(2).zip(self.lengths.windows(2)) {
+            let (way, arm) = (sub(&ends[1], &ends[0]), sub(point, &ends[0]));
+            let square = dot(&way, &way);
+            let part = if square > 0.0 {
+                (dot(&arm, &way) / square).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            let off: Point = std::array::from_fn(|i| arm[i] - part * way[i]);
+            let off = norm(&off);
+            if off < best.0 {
+                best = (off, lengths[0] + part * (lengths[1] - lengths[0]));
+            }
+        }
+        best.1 / whole
+    }
+
     /// Returns the point at a share of the length.
     fn at(&self, share: f64) -> Point {
         let whole = self.lengths.last().copied().unwrap_or(0.0);

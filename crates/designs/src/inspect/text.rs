@@ -164,7 +164,11 @@ fn row(patch: &PatchReport) -> Vec<String> {
 fn seam(seam: &SeamReport) -> Vec<String> {
     let [one, other] = &seam.edges;
     vec![
-        format!("{one} - {other}"),
+        if seam.offset == 0.0 {
+            format!("{one} - {other}")
+        } else {
+            format!("{one} - {other} from {:.4} of its length", seam.offset)
+        },
         format!(
             "{} and {}",
             number(seam.lengths[0]),

@@ -112,6 +112,7 @@ impl MarkedPatch<'_> {
             name: format!("the hole of radius {radius} mm at [{u}, {v}]"),
             error: flat.errors().point,
             proved: flat.evidence() == PatternEvidence::Proved,
+            finished: None,
             patch: place.map_or(0, |place| place.piece),
         })
     }
@@ -161,6 +162,7 @@ impl MarkedPatch<'_> {
             error: contour.distance + self.flat.errors().point,
             // The distance is a bound also where the length is measured.
             proved: self.flat.evidence() == PatternEvidence::Proved,
+            finished: None,
             patch: 0,
         })
     }
@@ -214,6 +216,7 @@ impl MarkedPatch<'_> {
             // Of sheets that are only nearly developable, the second derivative in space is no bound for that on the pattern.
             proved: self.flat.evidence() == PatternEvidence::Proved
                 && self.flat.flattening().is_none(),
+            finished: None,
             patch: position(self.flat, self.patch).unwrap_or(0),
         })
     }

@@ -26,6 +26,8 @@ pub struct Opening {
     pub error: f64,
     /// Whether that is proved; measured otherwise.
     pub proved: bool,
+    /// The shape of the hole in the finished part, where that of the cut is smaller by the kerf.
+    pub(crate) finished: Option<OpeningShape>,
     /// The patch of the pattern that it is marked on.
     pub(crate) patch: usize,
 }

@@ -10,6 +10,8 @@ use torse_geometry::pattern::Segment;
 
 /// Points of an edge that stand for an arc of it.
 const ARC_POINTS: u32 = 8;
+/// Distances that differ by no more, as a share of the length around, are equal.
+const SAME: f64 = 1e-9;
 
 /// Returns the allowance of each segment of the outline of a blank: that of the edge on which its middle lies. `None`
 /// where no edge has one.
@@ -18,14 +20,19 @@ pub(super) fn allowances(design: &Design, piece: &FlatPiece, blank: &Blank) -> O
     if edges.iter().all(|(_, by)| *by == 0.0) {
         return None;
     }
-    let of = |segment: &Segment| {
+    let size: f64 = blank.outline.iter().map(Segment::length).sum();
+    let allowance = |segment: &Segment| {
         let middle = segment.point(0.5);
-        let near = edges
-            .iter()
-            .min_by(|(a, _), (b, _)| distance(a, middle).total_cmp(&distance(b, middle)));
-        near.map_or(0.0, |(_, by)| *by)
+        let away = edges.iter().map(|(edge, by)| (distance(edge, middle), *by));
+        let least = away
+            .clone()
+            .map(|(off, _)| off)
+            .fold(f64::INFINITY, f64::min);
+        // The strip of a bend lies between two edges: the wider allowance is that of both.
+        let near = away.filter(|(off, _)| *off <= least + SAME * size);
+        near.map(|(_, by)| by).fold(0.0, f64::max)
     };
-    Some(blank.outline.iter().map(of).collect())
+    Some(blank.outline.iter().map(allowance).collect())
 }
 
 /// Returns the edges of the patches of a piece on its blank as polygons, with their allowances.
@@ -42,9 +49,13 @@ fn edges(
     let last = flat.pieces().saturating_sub(1);
     let mut edges = Vec::new();
     for (place, patch) in placed {
-        let on = |points: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
-            let points = points.into_iter();
-            points.filter_map(|p| blank.place(place, p, 0.0)).collect()
+        // Up to where bends take the patch; points of a bend have a place too.
+        let on = |chain: &[Segment]| -> Vec<[f64; 2]> {
+            let kept = blank.kept(place, chain);
+            let points = kept
+                .iter()
+                .flat_map(|segment| chord_points(segment, ARC_POINTS).chain([segment.to]));
+            points.filter_map(|p| blank.moved(place, p)).collect()
         };
         let allowance = |edge: PatchEdge| {
             let own = patch.allowances.iter().find(|(known, _)| *known == edge);
@@ -55,10 +66,7 @@ fn edges(
             .enumerate()
         {
             let rail = flat.rail(place, side).unwrap_or_default();
-            let points = rail
-                .iter()
-                .flat_map(|segment| chord_points(segment, ARC_POINTS).chain([segment.to]));
-            edges.push((on(points.collect()), allowance(edge)));
+            edges.push((on(&rail), allowance(edge)));
         }
         let backward = flat.is_backward(place).unwrap_or_default();
         let [start, end] = flat.end_rulings(place).unwrap_or_default();
@@ -67,12 +75,16 @@ fn edges(
         } else {
             [PatchEdge::Start, PatchEdge::End]
         };
+        let ruling = |ends: [[f64; 2]; 2]| -> Vec<[f64; 2]> {
+            let ends = ends.into_iter();
+            ends.filter_map(|p| blank.moved(place, p)).collect()
+        };
         // Where patches are attached there is no edge.
         if place == 0 {
-            edges.push((on(start.to_vec()), allowance(names[0])));
+            edges.push((ruling(start), allowance(names[0])));
         }
         if place == last {
-            edges.push((on(end.to_vec()), allowance(names[1])));
+            edges.push((ruling(end), allowance(names[1])));
         }
     }
     edges

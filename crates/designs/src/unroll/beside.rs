@@ -46,7 +46,9 @@ pub(crate) fn beside_bends(
     for opening in openings {
         for bend in bends {
             let wanted = THICKNESSES * thickness + bend.inside_radius;
-            let distance = distance(&opening.shape, bend.line);
+            // That of the hole in the sheet, wherever the line of the cut is.
+            let hole = opening.finished.as_ref().unwrap_or(&opening.shape);
+            let distance = distance(hole, bend.line);
             if distance < wanted {
                 found.push(BesideBend {
                     opening: opening.name.clone(),

@@ -64,8 +64,8 @@ pub struct ToolBendRow {
     pub k_factor: f64,
     /// The length of the neutral line.
     pub allowance: f64,
-    /// What the blank falls short of both outer flanges.
-    pub deduction: f64,
+    /// What the blank falls short of both outer flanges; `null` from 180 degrees on, where their outer faces do not meet.
+    pub deduction: Option<f64>,
     /// The ends of the bend line in the drawing.
     pub line: [[f64; 2]; 2],
 }

@@ -5,7 +5,7 @@ use super::FlatPiece;
 use super::blank::Blank;
 use crate::design::Design;
 use crate::error::DesignError;
-use crate::inspect::is_passed_backwards;
+use crate::inspect::{SeamPassage, passage};
 use crate::polygon::{chord_points, is_within};
 use crate::position::position;
 use crate::seams::{EdgeName, PatchEdge};
@@ -36,20 +36,30 @@ pub(super) fn notches(
         .collect();
     let mut found = Vec::new();
     for seam in &design.seams {
-        let backwards = is_passed_backwards(design, seam).map_err(|reason| DesignError::Patch {
+        let second = passage(design, seam).map_err(|reason| DesignError::Patch {
             patch: seam.edges[1].text.clone(),
             reason,
         })?;
-        for (edge, back) in seam.edges.iter().zip([false, backwards]) {
+        let first = SeamPassage {
+            backwards: false,
+            offset: 0.0,
+        };
+        for (edge, way) in seam.edges.iter().zip([first, second]) {
             let Some(segments) = edge_on_pattern(design, piece, edge) else {
                 continue;
             };
             let whole: f64 = segments.iter().map(|(_, segment)| segment.length()).sum();
             for (share, count) in NOTCHES {
-                let share = if back { 1.0 - share } else { share };
+                let share = way.share(share);
                 for k in 0..count {
                     let aside = (f64::from(k) - 0.5 * f64::from(count - 1)) * PAIR;
                     let at = share * whole + aside;
+                    // A closed edge goes on where it begins.
+                    let at = if way.offset == 0.0 {
+                        at
+                    } else {
+                        at.rem_euclid(whole)
+                    };
                     found.extend(notch(&segments, at, blank, &outline));
                 }
             }
@@ -101,7 +111,11 @@ fn notch(
             continue;
         }
         let share = (left / length).clamp(0.0, 1.0);
-        let on_blank = |share: f64| blank.place(*place, segment.point(share), 0.0);
+        let on_blank = |share: f64| {
+            let point = segment.point(share);
+            let placed = blank.place(*place, point, 0.0);
+            placed.or_else(|| blank.in_bend(*place, point))
+        };
         let point = on_blank(share)?;
         let (a, b) = (
             on_blank((share - 0.01).max(0.0))?,

@@ -409,6 +409,7 @@ fn part(design: &Design, piece: &FlatPiece, making: CutOptions) -> Result<Part, 
         openings: openings
             .into_iter()
             .map(|opening| Opening {
+                finished: opening.finished.map(|hole| hole.placed(&placement)),
                 shape: match &opening.shape {
                     OpeningShape::Round(centre, radius) => {
                         OpeningShape::Round(point(*centre), *radius)
@@ -568,6 +569,7 @@ fn openings_on_blank(
     for opening in openings(design, &piece.piece, &piece.flat)? {
         let shape = on_blank(piece, blank, &opening);
         let shape = shape.ok_or_else(|| refused(format!("{} lies in a bend", opening.name)))?;
+        let finished = (half_kerf > 0.0).then(|| shape.clone());
         let shape = match shape {
             OpeningShape::Round(_, radius) if radius <= half_kerf => {
                 let reason = format!("an opening of radius {radius} mm is narrower than the kerf");
@@ -586,7 +588,11 @@ fn openings_on_blank(
             }
             contour @ OpeningShape::Contour(_) => contour,
         };
-        found.push(Opening { shape, ..opening });
+        found.push(Opening {
+            shape,
+            finished,
+            ..opening
+        });
     }
     Ok(found)
 }

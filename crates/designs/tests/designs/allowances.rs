@@ -250,3 +250,64 @@ fn parts_without_allowances_are_as_they_were() {
     );
     assert!(usual[0].seam_line.is_none());
 }
+
+#[test]
+fn edges_of_chains_with_bends_have_their_own_allowances() {
+    // Two flanges, 40 and 30 long and 60 wide.
+    let chain = |base: &str, wall: &str, more: &str| {
+        format!(
+            r#"
+[sheet]
+thickness = 1
+[curves]
+a = {{ bezier = [[0, 0, 0], [40, 0, 0]] }}
+a2 = {{ bezier = [[0, 60, 0], [40, 60, 0]] }}
+b = {{ bezier = [[40, 0, 0], [40, 0, 30]] }}
+b2 = {{ bezier = [[40, 60, 0], [40, 60, 30]] }}
+[patches]
+A = {{ ruled = ["a", "a2"], allowance = {{ {base} }} }}
+B = {{ ruled = ["b", "b2"], allowance = {{ {wall} }} }}
+[chains.ch]
+patches = ["A", "B"]
+{more}
+"#
+        )
+    };
+    for more in ["", "radius = 2"] {
+        let size = |base: &str, wall: &str| {
+            let made = made(&chain(base, wall, more), CutOptions::default()).unwrap();
+            made[0].size
+        };
+        let plain = size("first = 0", "first = 0");
+        for (base, wall, longer, wider) in [
+            (
+                "first = 10, second = 10",
+                "first = 10, second = 10",
+                0.0,
+                20.0,
+            ),
+            ("first = 8", "second = 5, end = 3", 3.0, 13.0),
+            ("start = 7", "end = 3", 10.0, 0.0),
+        ] {
+            let [length, width] = size(base, wall);
+            let sides = [plain[0] + longer, plain[1] + wider];
+            let [long, short] = [sides[0].max(sides[1]), sides[0].min(sides[1])];
+            assert!(
+                (length - long).abs() < 1e-6 && (width - short).abs() < 1e-6,
+                "{more} {base} {wall}: {length} x {width}, {sides:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn corners_are_mitred_whatever_the_tolerance_is() {
+    let text = panel("", "").replace("[design]", "[tolerances]\noutline = 0.5\n[design]");
+    let making = CutOptions {
+        kerf: 0.3,
+        ..CutOptions::default()
+    };
+    let part = made(&text, making).unwrap().remove(0);
+    assert!((part.size[0] - 100.3).abs() < 1e-8 && (part.size[1] - 50.3).abs() < 1e-8);
+    assert!((area(&part.outline) - 100.3 * 50.3).abs() < 1e-6);
+}

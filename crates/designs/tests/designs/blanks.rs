@@ -1,7 +1,7 @@
 //! Blanks: bends as long as the formulas of the trade say, against numbers worked out by hand.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use torse_designs::unroll::{Demand, Part, parts, unroll};
+use torse_designs::unroll::{CutOptions, Demand, Part, parts, parts_with, unroll};
 use torse_designs::{DesignError, read};
 
 fn made(text: &str) -> Result<Vec<Part>, DesignError> {
@@ -93,7 +93,7 @@ fn bends_of_the_standard_are_as_long_as_its_formula_says() {
         .unwrap()
         .remove(0);
     assert!((part.size[0] - (65.0 + v)).abs() < 1e-9, "{:?}", part.size);
-    assert!((part.bends[0].deduction + v).abs() < 1e-9);
+    assert!((part.bends[0].deduction.unwrap() + v).abs() < 1e-9);
     // A table between its rows, and beside them.
     let table = "k-factor = [[1, 0.33], [3, 0.43]]";
     let part = made(&bracket(table, 0.5, [2.0, 4.0])).unwrap().remove(0);
@@ -397,6 +397,19 @@ fn an_opening_beside_a_bend_is_told_with_its_distance() {
         let design = read("x.toml", &marked).unwrap();
         let pieces = unroll(&design, &Demand::default()).unwrap();
         let list = PartsList::new(&design, &parts(&design, &pieces).unwrap());
+        // The hole in the sheet is where it is, whatever the kerf.
+        let kerf = CutOptions {
+            kerf: 0.8,
+            ..CutOptions::default()
+        };
+        let cut = PartsList::new(&design, &parts_with(&design, &pieces, kerf).unwrap());
+        let distances = |list: &PartsList| -> Vec<f64> {
+            let all = list.parts[0].beside_bends.iter();
+            all.map(|near| near.distance).collect()
+        };
+        let pairs = distances(&cut).into_iter().zip(distances(&list));
+        assert_eq!(distances(&cut).len(), distances(&list).len());
+        assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-8));
         let text = list.text(&PatternSummary::new(&design, &pieces));
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         let told = &list.parts[0].beside_bends;
@@ -411,5 +424,47 @@ fn an_opening_beside_a_bend_is_told_with_its_distance() {
             "is {distance:.3} mm from the line of bend p2, which may pull it out of shape: 5.750 mm are usual"
         );
         assert!(text.contains(&words), "{text}");
+    }
+}
+
+#[test]
+fn what_is_no_arc_of_a_circle_is_no_bend_however_few_rulings_are_shown() {
+    // Its radius is 11.906 mm at both ends and in the middle, and 8.42 mm between.
+    let text = |curve: &str, rulings: usize| {
+        format!(
+            r#"
+[sheet]
+thickness = 2
+k-factor = 0.4
+[view]
+rulings = {rulings}
+[curves]
+a = {{ bezier = [[0, 0, 0], [40, 0, 0]] }}
+a2 = {{ bezier = [[0, 60, 0], [40, 60, 0]] }}
+arc = {{ {curve} }}
+[patches]
+A = {{ ruled = ["a", "a2"] }}
+B = {{ cylinder = "arc", direction = [0, 60, 0], bend = true }}
+[chains.ch]
+patches = ["A", "B"]
+"#
+        )
+    };
+    let x = 52.599_210_498_948_73;
+    let cubic = format!("bezier = [[40, 0, 0], [{x}, 0, 0], [{x}, 0, 20], [40, 0, 20]]");
+    for rulings in [3, 5, 33] {
+        let refused = made(&text(&cubic, rulings)).unwrap_err().to_string();
+        assert!(
+            refused.contains("no arc of a circular cylinder"),
+            "{refused}"
+        );
+    }
+    // A half turn has no corner, and no deduction.
+    for (angle, has_deduction) in [(179.0, true), (180.0, false), (200.0, false)] {
+        let arc = format!(
+            "arc = {{ centre = [40, 0, 5], from = [40, 0, 0], axis = [0, -1, 0], angle = {angle} }}"
+        );
+        let part = made(&text(&arc, 3)).unwrap().remove(0);
+        assert_eq!(part.bends[0].deduction.is_some(), has_deduction, "{angle}");
     }
 }

@@ -170,3 +170,92 @@ fn the_gores_of_an_elbow_meet_along_all_their_mitres() {
         );
     }
 }
+
+#[test]
+fn notches_of_closed_edges_that_begin_at_different_places_meet_in_space() {
+    // Two pipes on one another, their seams a quarter of a turn apart.
+    let pipes = |from: &str| {
+        let text = format!(
+            r#"
+            seams = [["low.second", "high.first"]]
+            [curves]
+            r1 = {{ arc = {{ centre = [0, 0, 0], from = [50, 0, 0], axis = [0, 0, 1], angle = 360 }} }}
+            r2 = {{ arc = {{ centre = [0, 0, 40], from = {from}, axis = [0, 0, 1], angle = 360 }} }}
+            [patches]
+            low = {{ cylinder = "r1", direction = [0, 0, 40] }}
+            high = {{ cylinder = "r2", direction = [0, 0, 40] }}
+            "#
+        );
+        read("x.toml", &text).unwrap()
+    };
+    for (from, quarter) in [("[50, 0, 40]", 0.0), ("[0, -50, 40]", 0.25)] {
+        let design = pipes(from);
+        let report = inspect(&design).unwrap();
+        let [seam] = report.seams.as_slice() else {
+            panic!("{:?}", report.seams)
+        };
+        assert!(
+            seam.apart[0] < 1e-3 && (seam.offset - quarter).abs() < 1e-6,
+            "{seam:?}"
+        );
+        let pieces = unroll(&design, &Demand::default()).unwrap();
+        let made = parts(&design, &pieces).unwrap();
+        // Where the notches are around the pipe, as shares of a turn.
+        let around = |index: usize, start: f64| {
+            let width = made[index].size[0];
+            let mut all: Vec<f64> = made[index]
+                .notches
+                .iter()
+                .map(|[from, _]| {
+                    let point = made[index].placement.point_back(*from);
+                    let at = pieces[index].flat.locate(point).expect("on the pattern");
+                    (at.x + start).rem_euclid(1.0)
+                })
+                .collect();
+            assert!(width > 314.0);
+            all.sort_by(f64::total_cmp);
+            all
+        };
+        // The second begins three quarters of a turn behind the first.
+        let (low, high) = (around(0, 0.0), around(1, -quarter));
+        assert_eq!((low.len(), high.len()), (3, 3));
+        for (a, b) in low.iter().zip(&high) {
+            assert!((a - b).abs() < 1e-4, "{low:?} {high:?}");
+        }
+    }
+}
+
+#[test]
+fn notches_within_a_bend_are_on_its_strip() {
+    let design = read(
+        "x.toml",
+        r#"
+        seams = [["A.first", "E.second"]]
+        [sheet]
+        thickness = 1
+        [curves]
+        a = { bezier = [[0, 0, 0], [12, 0, 0]] }
+        a2 = { bezier = [[0, 60, 0], [12, 60, 0]] }
+        b = { bezier = [[12, 0, 0], [12, 0, 30]] }
+        b2 = { bezier = [[12, 60, 0], [12, 60, 30]] }
+        e1 = { bezier = [[0, 0, 0], [12, 0, 0]] }
+        e2 = { bezier = [[0, -30, 0], [12, -30, 0]] }
+        [patches]
+        A = { ruled = ["a", "a2"] }
+        B = { ruled = ["b", "b2"] }
+        E = { ruled = ["e2", "e1"] }
+        [chains.ch]
+        patches = ["A", "B"]
+        radius = 6
+        "#,
+    )
+    .unwrap();
+    let made = parts(&design, &unroll(&design, &Demand::default()).unwrap()).unwrap();
+    for part in &made {
+        assert_eq!(part.notches.len(), 3, "{}", part.name);
+        for [from, _] in &part.notches {
+            let off = part.outline.iter().map(|side| side.distance(*from));
+            assert!(off.fold(f64::INFINITY, f64::min) < 1e-6, "{from:?}");
+        }
+    }
+}

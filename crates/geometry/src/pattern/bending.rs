@@ -18,6 +18,9 @@ use super::error::positive;
 use super::error::{PatternError, PatternResult};
 use super::flat::FlatPattern;
 
+/// Angles that differ from a half turn by no more, as a share, are half turns.
+const HALF_TURN: f64 = 1e-9;
+
 /// A sheet to bend: thickness and K-factor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BendingSheet {
@@ -37,9 +40,11 @@ impl BendingSheet {
     /// let right = std::f64::consts::FRAC_PI_2;
     /// // A right angle over an inside radius of 3: the neutral axis has the radius 3.8.
     /// assert!((sheet.bend_allowance(right, 3.0) - right * 3.8).abs() < 1e-15);
-    /// assert!((sheet.bend_deduction(right, 3.0) - (10.0 - right * 3.8)).abs() < 1e-14);
+    /// let deduction = sheet.bend_deduction(right, 3.0).ok_or("no corner")?;
+    /// assert!((deduction - (10.0 - right * 3.8)).abs() < 1e-14);
+    /// assert_eq!(sheet.bend_deduction(2.0 * right, 3.0), None);
     /// assert!(BendingSheet::new(-1.0, 0.4).is_err());
-    /// # Ok::<(), torse_geometry::pattern::PatternError>(())
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn new(thickness: f64, k_factor: f64) -> PatternResult<Self> {
         positive("thickness", thickness)?;
@@ -74,16 +79,20 @@ impl BendingSheet {
         angle.abs() * (inside_radius + self.k_factor * self.thickness)
     }
 
-    /// The distance from the tangent point of a bend to its outer corner.
+    /// The distance from the tangent point of a bend to its outer corner; `None` from 180 degrees on, where the outer faces
+    /// meet in no corner.
     #[must_use]
-    pub fn setback(&self, angle: f64, inside_radius: f64) -> f64 {
-        libm::tan(0.5 * angle.abs()) * (inside_radius + self.thickness)
+    pub fn setback(&self, angle: f64, inside_radius: f64) -> Option<f64> {
+        // An angle that is a half turn but for rounding is one.
+        let has_corner = angle.abs() < std::f64::consts::PI * (1.0 - HALF_TURN);
+        has_corner.then(|| libm::tan(0.5 * angle.abs()) * (inside_radius + self.thickness))
     }
 
-    /// What the flat length falls short of the sum of the two outer flanges.
+    /// What the flat length falls short of the sum of the two outer flanges; `None` as of [`BendingSheet::setback`].
     #[must_use]
-    pub fn bend_deduction(&self, angle: f64, inside_radius: f64) -> f64 {
-        2.0 * self.setback(angle, inside_radius) - self.bend_allowance(angle, inside_radius)
+    pub fn bend_deduction(&self, angle: f64, inside_radius: f64) -> Option<f64> {
+        let setback = self.setback(angle, inside_radius)?;
+        Some(2.0 * setback - self.bend_allowance(angle, inside_radius))
     }
 
     /// The inside radius of a sheet whose middle is bent to this radius; negative when it cannot be.

@@ -94,6 +94,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod circular;
 mod cut;
 mod exact;
 mod inspect;
@@ -120,6 +121,7 @@ pub use crate::developable::{
     BranchReason, EnclosedCertificate, PatchCertificate, PieceIntersection, RailGap, Regularity,
     SelfIntersection, SheetPiercing, Singularity, Worst,
 };
+pub use circular::CircularCylinder;
 pub use cut::Cut;
 pub use inspect::{Inspection, SheetJoint};
 pub use measure_budget::MeasureBudget;

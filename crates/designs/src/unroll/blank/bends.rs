@@ -5,7 +5,7 @@ use super::{Rolled, ToolBend};
 use crate::design::{Design, Material, Patch};
 use torse_geometry::pattern::{BendingSheet, FlatPattern};
 
-/// Rulings whose radii differ by no more, as a share, are those of a circular cylinder.
+/// What is farther from a circular cylinder, as a share of its radius, is none.
 const SAME_RADIUS: f64 = 1e-6;
 /// Rulings that turn by no more, in radians, are parallel.
 const PARALLEL: f64 = 1e-9;
@@ -160,15 +160,23 @@ pub(super) fn patch_bend(
         .iter()
         .filter(|ruling| ruling.piece == place)
         .collect();
-    let [low, high] = radii(flat, place);
     let no_cylinder =
         || format!("`{name}` is said to be a bend, and is no arc of a circular cylinder");
-    if !(high.is_finite() && high - low <= SAME_RADIUS * low) {
-        return Err(format!(
-            "{}: its radius goes from {low:.4} to {high:.4} mm",
-            no_cylinder()
-        ));
-    }
+    // By its control points: rulings may have one radius by chance.
+    let cylinder = patch.sheet.circular_cylinder();
+    let round = cylinder.filter(|found| found.off <= SAME_RADIUS * found.radius);
+    let Some(cylinder) = round else {
+        let [low, high] = radii(flat, place);
+        let shown = if high.is_finite() && high - low > SAME_RADIUS * low {
+            format!("its radius goes from {low:.4} to {high:.4} mm")
+        } else {
+            match cylinder {
+                Some(found) => format!("it may be {:.2e} mm beside one of radius {:.4} mm", found.off, found.radius),
+                None => "its edges are neither arcs nor Bezier curves with parallel rulings between them".to_owned(),
+            }
+        };
+        return Err(format!("{}: {shown}", no_cylinder()));
+    };
     let [first, last] = flat.end_rulings(place).ok_or_else(no_cylinder)?;
     let start = Side::ahead(first).ok_or_else(no_cylinder)?;
     let heights = last.map(|end| start.height(end));
@@ -189,7 +197,7 @@ pub(super) fn patch_bend(
         return Err(format!("`{name}` is a bend: ask for 3 rulings or more"));
     }
     let metal = metal(design, name)?;
-    let radius = 0.5 * (low + high);
+    let radius = cylinder.radius;
     let angle = width / radius;
     let inside_radius = radius - design.bending.surface.share() * metal.sheet.thickness();
     if inside_radius < 0.0 {

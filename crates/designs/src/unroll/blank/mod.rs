@@ -33,8 +33,8 @@ pub struct ToolBend {
     pub k_factor: f64,
     /// The length of the neutral line in the bend.
     pub allowance: f64,
-    /// What the blank falls short of the two outer flanges.
-    pub deduction: f64,
+    /// What the blank falls short of the two outer flanges; `None` from 180 degrees on, where their outer faces do not meet.
+    pub deduction: Option<f64>,
     /// By how much the blank is longer than the pattern; negative where it is shorter.
     pub growth: f64,
 }
@@ -84,7 +84,23 @@ struct PatchMotion {
     shift: [f64; 2],
     stretch: Option<Stretch>,
     /// The strips at both ends that a bend takes.
-    taken: Vec<Side>,
+    taken: Vec<TakenStrip>,
+}
+
+/// The strip of a patch that a bend takes: where it is, and by which factor its half of the bend is wider on the blank.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct TakenStrip {
+    side: Side,
+    factor: f64,
+}
+
+impl TakenStrip {
+    fn new(side: Side, bend: &FoldBend) -> Self {
+        Self {
+            side,
+            factor: 0.5 * bend.tool.allowance / bend.setback,
+        }
+    }
 }
 
 /// Lengths across a line, on the side that its normal points to, times a factor.
@@ -143,7 +159,10 @@ impl Blank {
     pub fn place(&self, patch: usize, point: [f64; 2], room: f64) -> Option<[f64; 2]> {
         let zone = self.zones.get(patch)?;
         let bent = zone.stretch.is_some() && room > 0.0;
-        let taken = zone.taken.iter().any(|side| side.height(point) > -room);
+        let taken = zone
+            .taken
+            .iter()
+            .any(|strip| strip.side.height(point) > -room);
         (!bent && !taken).then(|| zone.point(point))
     }
 
@@ -153,6 +172,17 @@ impl Blank {
         self.zones.get(patch).map(|zone| zone.point(point))
     }
 
+    /// Returns where a point of the pattern that a bend takes lies on the strip of the bend, its distances across the bend
+    /// line in proportion; `None` of any other.
+    pub(crate) fn in_bend(&self, patch: usize, point: [f64; 2]) -> Option<[f64; 2]> {
+        let zone = self.zones.get(patch)?;
+        let mut strips = zone.taken.iter();
+        let strip = strips.find(|strip| strip.side.height(point) > 0.0)?;
+        let height = strip.side.height(point);
+        let start = zone.point(strip.side.along(point, -height));
+        Some(strip.side.along(start, strip.factor * height))
+    }
+
     /// Returns what bends leave of a chain along a rail of a patch, on the pattern; nothing where they take all of it.
     pub(crate) fn kept(&self, patch: usize, chain: &[Segment]) -> Vec<Segment> {
         let taken = self
@@ -160,7 +190,7 @@ impl Blank {
             .get(patch)
             .map_or(&[] as &[_], |zone| &zone.taken);
         let mut kept = chain.to_vec();
-        for side in taken {
+        for TakenStrip { side, .. } in taken {
             let (Some(first), Some(last)) = (kept.first(), kept.last()) else {
                 break;
             };
@@ -277,7 +307,9 @@ impl<'d> Builder<'d> {
                 before.check(&patch.name, side, 0.0)?;
                 *side = strip::behind(side, &before.side.turned())?;
             }
-            zone.taken.push(before.side);
+            let strip = opened.as_ref();
+            zone.taken
+                .extend(strip.map(|(bend, _)| TakenStrip::new(before.side, bend)));
         }
         let radii = radii(self.flat, place);
         let mut bent = None;
@@ -302,7 +334,7 @@ impl<'d> Builder<'d> {
                 taken.check(&patch.name, whole, other)?;
                 *side = strip::before(side, &fold.start)?;
             }
-            zone.taken.push(fold.start);
+            zone.taken.push(TakenStrip::new(fold.start, fold));
         }
         if let Some((mut tool, middle)) = bent {
             let [left, right] = [

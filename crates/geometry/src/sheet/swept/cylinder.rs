@@ -95,6 +95,12 @@ impl CylinderPatch<f64> {
         })
     }
 
+    /// Returns the direction of the rulings, of any length.
+    #[must_use]
+    pub fn direction(&self) -> Point {
+        self.direction
+    }
+
     /// Returns both edges as curves of their own, with rounded control points.
     ///
     /// # Errors
