@@ -7,6 +7,7 @@ use torse_syntax::derivation::declarations::{Bound, SymbolKind};
 use torse_syntax::formula::{Expr, parse};
 use torse_syntax::notation;
 use torse_verdicts::Outcome;
+use torse_verdicts::words;
 
 /// The formulas that a verdict prints.
 fn formulas(outcome: &Outcome) -> Vec<&str> {
@@ -46,7 +47,7 @@ pub fn widened(outcome: &Outcome) -> Vec<(String, String)> {
         let (name, rest) = rest.split_once(" may be widened to ")?;
         Some((name.to_owned(), rest.split_once(':')?.0.to_owned()))
     };
-    outcome.steps().iter().filter_map(said).collect()
+    words::steps(&outcome).iter().filter_map(said).collect()
 }
 
 /// Numbers by name, as printed.
@@ -66,7 +67,7 @@ pub fn beyond(outcome: &Outcome) -> Vec<Point> {
         let point = point.strip_suffix(" it fails")?;
         point.split(", ").map(pair).collect()
     };
-    outcome.steps().iter().filter_map(said).collect()
+    words::steps(&outcome).iter().filter_map(said).collect()
 }
 
 /// What the semantics finds of a claim on such a wider range; nothing if the name is none of the file, or the end lies inside.

@@ -15,6 +15,7 @@ use torse_verdicts::Outcome;
 use torse_verdicts::PaperOutcome;
 use torse_verdicts::audit::audit;
 use torse_verdicts::consequences::{Fate, consequences};
+use torse_verdicts::words;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -145,7 +146,7 @@ fn what_holds_rests_on_a_proof_and_what_is_refuted_shows_a_witness() {
             Verdict::False => assert!(outcome.witness().is_some(), "{}", outcome.claim.id),
             Verdict::Undecided | Verdict::OutOfScope | Verdict::Underspecified => {
                 assert!(
-                    !outcome.steps().is_empty(),
+                    !words::steps(&outcome).is_empty(),
                     "{} says no reason",
                     outcome.claim.id
                 );

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use torse_report::{Tally, findings_in_words, glossary, is_worked_example};
 use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
+use torse_verdicts::words;
 
 /// Writes the verdicts of `papers`, publications before worked examples, and a summary at the end.
 pub fn text(papers: &[PaperOutcome]) -> String {
@@ -180,7 +181,8 @@ fn in_full<'a>(
             text += &terminal::paragraph(0, &format!("{id}  {}", outcome.claim.at));
             text += &terminal::paragraph(4, finding);
             // The first step of an undecided claim is the reason.
-            if let (Verdict::Undecided, Some(reason)) = (outcome.verdict(), outcome.steps().first())
+            if let (Verdict::Undecided, Some(reason)) =
+                (outcome.verdict(), words::steps(outcome).first())
             {
                 text += &terminal::paragraph(4, &format!("Reason: {reason}."));
             }

@@ -109,10 +109,7 @@ impl<'a> DisjunctiveDomain<'a> {
         let defined = literals.iter().map(|literal| self.definedness(literal));
         Ok(match defined.collect::<Option<Vec<_>>>() {
             Some(conditions) => Decision::Proven(proof.within(conditions.concat())),
-            None => Decision::Open {
-                reason: "it is not known where the alternatives have values".to_owned(),
-                tried: vec![],
-            },
+            None => Decision::open("it is not known where the alternatives have values", &[]),
         })
     }
 
@@ -184,10 +181,10 @@ impl<'a> DisjunctiveDomain<'a> {
                 _ => {}
             }
         }
-        Ok(Decision::Open {
-            reason: "no alternative is proved on the whole domain".to_owned(),
-            tried: vec!["each alternative on its own, and where the others fail".to_owned()],
-        })
+        Ok(Decision::open(
+            "no alternative is proved on the whole domain",
+            &["each alternative on its own, and where the others fail"],
+        ))
     }
 
     /// A statement that is decided as it is, on every part.
@@ -265,10 +262,7 @@ impl<'a> DisjunctiveDomain<'a> {
                 _ => Decision::Proven(Proof::Nowhere(emptiness)),
             },
             Ok(decision) => decision,
-            Err(fault) if fault.is_limit() => Decision::Open {
-                reason: fault.problem.to_string(),
-                tried: vec![],
-            },
+            Err(fault) if fault.is_limit() => Decision::open(fault.problem.to_string(), &[]),
             Err(fault) => return Err(fault),
         }))
     }
@@ -312,7 +306,7 @@ fn conjoined(
                 proofs.push(Proof::Nowhere(emptiness.clone()));
                 empty = Some(emptiness);
             }
-            undecided @ Decision::Open { .. } => {
+            undecided @ Decision::Open(_) => {
                 open.get_or_insert(undecided);
             }
         }
@@ -327,9 +321,6 @@ fn conjoined(
             }
         }),
         (None, false, Some(emptiness)) => Decision::Vacuous(emptiness),
-        (None, false, None) => Decision::Open {
-            reason: "no part of the domain".to_owned(),
-            tried: vec![],
-        },
+        (None, false, None) => Decision::open("no part of the domain", &[]),
     })
 }

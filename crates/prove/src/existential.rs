@@ -9,6 +9,7 @@ use crate::evaluate::linear::{linear_form, solve_for};
 use crate::evaluate::value::Statement;
 use crate::formula;
 use crate::unknown::Unknown;
+use serde::Serialize;
 use std::collections::BTreeMap;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
@@ -17,22 +18,31 @@ use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::derivation::{Claim, Existential, Written};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Connective, Place, Relation};
-use torse_syntax::notation;
+use torse_syntax::notation::{self, Formula};
 
-/// A claim with a witness for everything that it seeks, and what was found for it, in words.
+/// A claim with a witness for every number that it says there is.
 #[derive(Debug)]
-pub struct Found {
+pub struct Instantiated {
     /// The claim.
     pub claim: Claim,
-    /// What there is.
-    pub steps: Vec<String>,
+    /// The witnesses that the claim did not give.
+    pub witnesses: Vec<FoundWitness>,
+}
+
+/// A number for one that a claim says there is and for which it gives no witness.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct FoundWitness {
+    /// The name of the number in the claim.
+    pub name: String,
+    /// Its value, a formula in the symbols of the claim.
+    pub value: Formula,
 }
 
 /// The claim with the witnesses that it gives and those that are found; `None` if it seeks nothing without one.
 ///
 /// # Errors
 /// [`Fault`] when a formula makes no sense, and a limit where no witness is found.
-pub fn witnessed(claim: &Claim, statement: &Written) -> Result<Option<Found>, Fault> {
+pub fn find_witnesses(claim: &Claim, statement: &Written) -> Result<Option<Instantiated>, Fault> {
     let open: Vec<&Existential> = claim
         .existentials
         .iter()
@@ -72,7 +82,7 @@ pub fn witnessed(claim: &Claim, statement: &Written) -> Result<Option<Found>, Fa
         }
     }
     let mut found = claim.clone();
-    let mut steps = vec![];
+    let mut witnesses = vec![];
     for existential in &mut found.existentials {
         if existential.witness.is_some() {
             continue;
@@ -82,19 +92,18 @@ pub fn witnessed(claim: &Claim, statement: &Written) -> Result<Option<Found>, Fa
             return Err(Fault::limit(Place::default(), what).within(&existential.origin));
         };
         let expr = formula::expression(value);
-        steps.push(format!(
-            "there is {} = {}",
-            existential.name,
-            notation::text(&expr)
-        ));
+        witnesses.push(FoundWitness {
+            name: existential.name.clone(),
+            value: notation::formula(&expr),
+        });
         existential.witness = Some(Written {
             expr,
             origin: existential.origin.clone(),
         });
     }
-    Ok(Some(Found {
+    Ok(Some(Instantiated {
         claim: found,
-        steps,
+        witnesses,
     }))
 }
 

@@ -2,8 +2,8 @@
 //!
 //! [`context`] collects the hypotheses of a claim; [`evaluate`] turns core terms into exact values (normal forms, and
 //! series of symbolic degree); [`decide`] has the procedures that decide one kind of statement; [`combination`] derives
-//! equations from given ones without solving these; [`statement`] runs all of it for a claim. [`steps`] puts a
-//! certificate into words, and [`formula`] writes an exact value as one would write it by hand.
+//! equations from given ones without solving these; [`statement`] runs all of it for a claim.
+//! [`formula`] writes an exact value as one would write it by hand.
 #![warn(missing_docs)]
 
 mod case_split;
@@ -23,7 +23,6 @@ pub mod probabilistic_refuter;
 pub mod roots;
 mod split;
 pub mod statement;
-pub mod steps;
 mod term_divisors;
 pub mod unknown;
 

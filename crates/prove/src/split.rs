@@ -48,7 +48,7 @@ impl Decider<'_> {
         }
         let sides = match &decision {
             Decision::Proven(_) => decision.conditions().unwrap_or_default(),
-            Decision::Open { .. } => splits,
+            Decision::Open(_) => splits,
             Decision::Refuted(_) | Decision::Vacuous(_) => vec![],
         };
         let nowhere = matches!(&decision, Decision::Proven(proof) if is_nowhere(proof));
@@ -70,7 +70,7 @@ impl Decider<'_> {
                     all_empty &= is_nowhere(&zero);
                     decision = parted(pivot, nonzero, ZeroSide::Proved(zero));
                 }
-                (Decision::Open { .. }, refuted @ Decision::Refuted(_)) => return refuted,
+                (Decision::Open(_), refuted @ Decision::Refuted(_)) => return refuted,
                 (_, refuted @ Decision::Refuted(_)) if nowhere => return refuted,
                 (Decision::Proven(nonzero), Decision::Refuted(refutation)) => {
                     decision = parted(pivot, nonzero, ZeroSide::Fails(refutation.refuted));
@@ -83,11 +83,10 @@ impl Decider<'_> {
             (true, Some(conditions), Some(why)) if all_empty && conditions.is_empty() => {
                 Decision::Vacuous(why)
             }
-            (true, Some(conditions), _) if !conditions.is_empty() => Decision::Open {
-                reason: "there are no points but where a divisor of an elimination vanishes"
-                    .to_owned(),
-                tried: vec![],
-            },
+            (true, Some(conditions), _) if !conditions.is_empty() => Decision::open(
+                "there are no points but where a divisor of an elimination vanishes",
+                &[],
+            ),
             _ => decision,
         }
     }
@@ -101,7 +100,7 @@ impl Decider<'_> {
     ) -> Result<Decision, Fault> {
         let found = self.at_zero(statement, instance, zero);
         let open = match &found {
-            Ok(decision) => matches!(decision, Decision::Open { .. }),
+            Ok(decision) => matches!(decision, Decision::Open(_)),
             Err(fault) => fault.is_limit(),
         };
         if !open || !instance.is_empty() {

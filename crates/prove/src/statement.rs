@@ -6,11 +6,9 @@
 
 use crate::case_split;
 use crate::connectives::DisjunctiveDomain;
-use crate::decide::value::plain;
 use crate::decide::{self, Decision};
 use crate::evaluate::Evaluator;
 use crate::evidence::Witness;
-use crate::steps;
 use crate::term_divisors::{has_root_in_empty_sum, has_too_many_divisors};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -203,10 +201,10 @@ impl<'a> Prepared<'a> {
     /// undefined at all of them.
     fn seen(&self, decision: Decision) -> Decision {
         match decision {
-            Decision::Vacuous(emptiness) if self.has_roots => Decision::Open {
-                reason: steps::emptiness(&emptiness.map(&plain)),
-                tried: vec!["a point at which all roots are defined".to_owned()],
-            },
+            Decision::Vacuous(_) if self.has_roots => Decision::open(
+                "there is no point of the domain at which all roots are defined",
+                &[],
+            ),
             decision => decision,
         }
     }

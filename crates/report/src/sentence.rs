@@ -13,6 +13,8 @@ use torse_typography::expression;
 use torse_verdicts::correction::Correction;
 use torse_verdicts::judged::{ConditionCheck, Net};
 use torse_verdicts::outcome::{Outcome, PaperFault};
+use torse_verdicts::statement::RefutedStatement;
+use torse_verdicts::words;
 
 /// Longer exact values are written as decimals.
 const MAX_EXACT_VALUE_LENGTH: usize = 24;
@@ -140,11 +142,14 @@ fn corrected(correction: &Correction) -> String {
     format!("Correction, proved: {edits}{others}.")
 }
 
-/// Returns the steps of a decision without those that repeat what is shown of each reading.
+/// Describes the steps of a decision; none for a sentence with readings, of which each has its own.
 #[must_use]
-pub fn own_steps<'s>(steps: &'s [String], outcome: &Outcome) -> Vec<&'s String> {
-    let repeats = |step: &&String| !outcome.readings().is_empty() && step.starts_with("read as ");
-    steps.iter().filter(|step| !repeats(step)).collect()
+pub fn own_steps(outcome: &Outcome) -> Vec<String> {
+    if outcome.readings().is_empty() {
+        words::steps(outcome)
+    } else {
+        vec![]
+    }
 }
 
 /// Says where a refuted statement fails and by how much; none if nothing is known about it. A point of many symbols is
@@ -164,7 +169,7 @@ fn failure_with(outcome: &Outcome, longest_point: usize) -> Option<String> {
         return Some(denied);
     }
     let witness = outcome.witness()?;
-    let statement = failing(outcome).and_then(|text| expression(&text));
+    let statement = failing(outcome).and_then(|formula| expression(&formula.text));
     let relation = statement
         .as_ref()
         .and_then(|statement| match &statement.node {
@@ -183,15 +188,10 @@ fn failure_with(outcome: &Outcome, longest_point: usize) -> Option<String> {
     })
 }
 
-/// Returns the statement that fails: of a conjunction, the part that the steps name.
-fn failing(outcome: &Outcome) -> Option<String> {
-    let part = |step: &String| {
-        let rest = step.strip_prefix("the part `")?;
-        let (part, after) = rest.split_once('`')?;
-        after.starts_with(" fails").then(|| part.to_owned())
-    };
-    let part = outcome.steps().iter().find_map(part);
-    part.or_else(|| outcome.parsed().map(|formula| formula.text.clone()))
+/// Returns the statement that fails: of a conjunction, its part.
+fn failing(outcome: &Outcome) -> Option<&Formula> {
+    let part = outcome.refuted().and_then(RefutedStatement::failing_part);
+    part.or_else(|| outcome.parsed())
 }
 
 /// Describes the relation that fails, with the values of both sides.
@@ -324,13 +324,11 @@ fn significant(number: f64) -> String {
 
 /// For a refuted denial: says that the denied statement holds everywhere.
 pub(crate) fn denied(outcome: &Outcome) -> Option<String> {
-    const INSTANCE: &str = "the instance ";
     if !glossary::denied(outcome) {
         return None;
     }
-    let steps = outcome.steps();
-    let place = match steps.iter().find_map(|step| step.strip_prefix(INSTANCE)) {
-        Some(values) => format!("at {values} "),
+    let place = match outcome.refuted().and_then(RefutedStatement::instance) {
+        Some(integers) => format!("at {} ", words::certificate::values(integers)),
         None => String::new(),
     };
     let statement = outcome.parsed().and_then(|of| expression(&of.text))?;

@@ -5,7 +5,7 @@ use crate::text::visible;
 use serde::Serialize;
 use torse_syntax::notation::Formula;
 use torse_typography::{MathBox, Mathematics, PrintedNames, Prose, changed, read, spans};
-use torse_verdicts::Correction;
+use torse_verdicts::{Correction, words};
 
 /// A formula on lines of its own.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -66,7 +66,7 @@ pub(crate) fn correction(
             formula(&repair.statement, names),
         ),
     };
-    let edits = repair.in_words();
+    let edits = words::correction(repair);
     CorrectionView {
         printed,
         statement,

@@ -10,6 +10,7 @@ use torse_report::{failure_in_full, glossary};
 use torse_syntax::derivation::Paper;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
+use torse_verdicts::words;
 
 /// How grave an annotation is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -139,7 +140,7 @@ fn noteworthy(outcome: &Outcome) -> Option<(AnnotationLevel, &'static str, Strin
         let message = format!("internal contradiction: {contradiction}");
         return Some((AnnotationLevel::Error, "contradiction", message));
     }
-    let why = failure_in_full(outcome).or_else(|| outcome.steps().first().cloned());
+    let why = failure_in_full(outcome).or_else(|| words::steps(outcome).first().cloned());
     let why = why.map(|why| format!(": {why}")).unwrap_or_default();
     match outcome.claim.expect {
         Some(expected) if expected != outcome.verdict() => {

@@ -14,6 +14,7 @@ use torse_syntax::derivation::{
 use torse_syntax::formula::parse;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
+use torse_verdicts::words;
 
 /// Decides one statement about real numbers: is it true for all values for which it has a meaning?
 ///
@@ -196,7 +197,7 @@ impl Decided {
     /// The steps of the decision, in words.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
-        self.outcome.steps()
+        words::steps(&self.outcome)
     }
 
     /// All of it, labelled.

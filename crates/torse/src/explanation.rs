@@ -13,6 +13,7 @@ use torse_verdicts::claim_record::Role;
 use torse_verdicts::consequences::{consequences, resting, users};
 use torse_verdicts::correction::Correction;
 use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
+use torse_verdicts::words;
 
 /// The meaning of the level *kernel*.
 const ACCEPTED: &str = "accepted: Rocq has proofs of the statements of this verdict (`torse prove --check` asks it again).";
@@ -134,7 +135,7 @@ impl Cut {
         note.option("derived", derived(outcome.derived()));
         if let Some(data) = outcome.data() {
             note.gap();
-            note.list("right if", data.in_words().into_iter());
+            note.list("right if", words::data_correction(data).into_iter());
         }
         note.gap();
         note.list(resting.label, resting.rows.into_iter());
@@ -167,9 +168,7 @@ impl Cut {
         let unvisited = unvisited.into_iter().flatten();
         note.list("not tried where", unvisited.map(|part| self.cut(part)));
         note.option("kernel", kernel.then_some(ACCEPTED));
-        let steps = outcome.steps();
-        let own = torse_report::own_steps(&steps, outcome);
-        let own: Vec<String> = own.into_iter().cloned().collect();
+        let own = torse_report::own_steps(outcome);
         note.list("steps", counted(&own).into_iter());
         note.whole()
     }
@@ -211,7 +210,7 @@ impl Cut {
             note.list("assuming", assumed.map(|h| self.cut(&h.formula.text)));
             self.dependency_groups(note, of);
             note.list("on condition", self.formulas(of.conditions()));
-            note.list("steps", counted(&of.steps()).into_iter());
+            note.list("steps", counted(&words::steps(of)).into_iter());
             add_witness(note, of);
         }
     }
@@ -267,7 +266,7 @@ pub fn short(outcome: &Outcome) -> Explanation {
         glossary::evidence_on(outcome).map(|of| of.label.to_owned()),
     );
     note.option("replayed", replayed(outcome));
-    note.list("steps", counted(&outcome.steps()).into_iter());
+    note.list("steps", counted(&words::steps(outcome)).into_iter());
     note.whole()
 }
 
@@ -399,24 +398,22 @@ fn add_witness(note: &mut Note, outcome: &Outcome) {
 
 /// Describes which part the derived formulas of a refutation cover: one entry, or one instance of small degrees.
 fn derived_part(outcome: &Outcome) -> String {
-    let steps = outcome.steps();
-    let instance = steps
-        .iter()
-        .find_map(|step| step.strip_prefix("the instance "));
-    let entry = steps
-        .iter()
-        .find_map(|step| step.strip_prefix("entr"))
-        .and_then(|step| step.split_once(' '))
-        .map(|(_, list)| {
-            list.trim_end_matches(" differs")
-                .trim_end_matches(" differ")
-        });
-    let mut of = vec![];
-    of.extend(entry.map(|place| format!("entry {place}")));
-    of.extend(instance.map(|values| format!("at {values}")));
-    match of.is_empty() {
-        true => String::new(),
-        false => format!(" ({})", of.join(", ")),
+    let Some(refuted) = outcome.refuted() else {
+        return String::new();
+    };
+    let entries = refuted.differing_entries();
+    let entries: Vec<String> = entries.iter().map(usize::to_string).collect();
+    let mut part = vec![];
+    if !entries.is_empty() {
+        part.push(format!("entry {}", entries.join(", ")));
+    }
+    if let Some(integers) = refuted.instance() {
+        part.push(format!("at {}", words::certificate::values(integers)));
+    }
+    if part.is_empty() {
+        String::new()
+    } else {
+        format!(" ({})", part.join(", "))
     }
 }
 
@@ -444,7 +441,9 @@ fn edits(correction: &Correction) -> impl Iterator<Item = String> {
         true => "no other correction with as few edits was found",
         false => "other corrections with as few edits exist",
     };
-    correction.in_words().into_iter().chain([unique.to_owned()])
+    words::correction(correction)
+        .into_iter()
+        .chain([unique.to_owned()])
 }
 
 /// The claims that depend on the explained one, as rows of the note.

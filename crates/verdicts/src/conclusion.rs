@@ -9,9 +9,10 @@ use crate::repair::subject::Subject;
 use crate::statement::{
     EmptyDomain, FigureFinding, ProvedStatement, RefutedStatement, Repair, UndecidedStatement,
 };
-use crate::{provenance, repair};
+use crate::{provenance, repair, words};
 use std::sync::Arc;
 use torse_algebra::{Fraction, work};
+use torse_prove::decide::value::plain;
 use torse_prove::decide::{Decision, Refutation};
 use torse_prove::evidence::Evidence;
 use torse_prove::{decide_statement, formula};
@@ -38,35 +39,38 @@ pub(crate) fn conclude(
     minimized: MinimizedProof,
 ) -> Conclusion {
     let MinimizedProof { decision, needed } = minimized;
-    let steps = decision.steps();
     let divisors = decision.conditions().unwrap_or_default();
     match decision {
         Decision::Proven(proof) => {
             let ours = provenance::conditions(claim, &needed);
             Conclusion::Proved(ProvedStatement {
                 evidence: proof.evidence(),
+                ranges: proof.map(&plain).ranges(),
+                witnesses: vec![],
                 conditions: divisors.iter().map(nonzero).chain(ours).collect(),
                 needed: provenance::by_hypothesis(claim, &needed),
                 certificate: Arc::new(DecisionCertificate::Proof {
                     conditions: divisors,
                     of: proof,
                 }),
-                steps,
             })
         }
         Decision::Refuted(refutation) => {
-            Conclusion::Refuted(Box::new(refuted(*refutation, statement, steps)))
+            Conclusion::Refuted(Box::new(refuted(*refutation, statement)))
         }
-        Decision::Vacuous(_) => Conclusion::Vacuous(EmptyDomain { steps }),
-        Decision::Open { tried, .. } => Conclusion::Undecided(UndecidedStatement {
-            steps,
-            evidence: (!tried.is_empty()).then_some(Evidence::CheckedRange),
+        Decision::Vacuous(emptiness) => Conclusion::Vacuous(EmptyDomain {
+            emptiness,
+            witnesses: vec![],
+        }),
+        Decision::Open(unsettled) => Conclusion::Undecided(UndecidedStatement {
+            evidence: unsettled.has_tried().then_some(Evidence::CheckedRange),
+            reasons: words::unsettled(&unsettled),
         }),
     }
 }
 
 /// A refutation, with the sides of the first comparison that fails.
-fn refuted(refutation: Refutation, statement: &Written, steps: Vec<String>) -> RefutedStatement {
+fn refuted(refutation: Refutation, statement: &Written) -> RefutedStatement {
     let witness = Some(refutation.witness());
     let sides = refutation.sides.as_ref();
     let differing =
@@ -88,7 +92,8 @@ fn refuted(refutation: Refutation, statement: &Written, steps: Vec<String>) -> R
         repair: None,
         data: None,
         search_ended_early: false,
-        steps,
+        parts: vec![],
+        no_number: None,
     }
 }
 
@@ -101,15 +106,11 @@ fn readable(value: &Fraction) -> Option<Formula> {
 /// Decides the verdict of a figure: it depends on what had to be assumed or replaced.
 pub(crate) fn drawn(claim: &Claim, figure: &Figure) -> FigureFinding {
     let entry = &figure.entry;
-    let listed = |what: &str, list: &[String]| -> Vec<String> {
-        list.iter().map(|item| format!("{what}: {item}")).collect()
-    };
-    let missing = claim.entry.underspecified.iter().cloned();
-    let replaced = listed("our own in place of what is not printed", &entry.stand_in);
-    let assumed = listed("assumed", &entry.assumes);
     FigureFinding {
         verdict: figure.verdict(),
-        steps: missing.chain(replaced).chain(assumed).collect(),
+        missing: claim.entry.underspecified.iter().cloned().collect(),
+        replaced: entry.stand_in.clone(),
+        assumed: entry.assumes.clone(),
     }
 }
 

@@ -1,6 +1,8 @@
 //! Corrections of refuted claims: plain data.
 
+use crate::certificate::DecisionCertificate;
 use serde::Serialize;
+use std::sync::Arc;
 use torse_syntax::notation::Formula;
 
 /// A corrected and proved form of a refuted formula.
@@ -16,24 +18,15 @@ pub struct Correction {
     pub unique: bool,
 }
 
-impl Correction {
-    /// Describes the change and the conditions of the corrected statement, a line each.
-    #[must_use]
-    pub fn in_words(&self) -> Vec<String> {
-        let conditions = self.conditions.iter();
-        let conditions = conditions.map(|condition| format!("true if `{}`", condition.text));
-        self.edits.iter().cloned().chain(conditions).collect()
-    }
-}
-
 /// A change of printed data that explains a printed value: the value is wrong for the printed data and right for the
 /// changed data.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct DataCorrection {
     /// The changed data.
     pub changes: Vec<DataChange>,
-    /// How the printed value then agrees, in words.
-    pub steps: Vec<String>,
+    /// The proof that the printed value then agrees.
+    #[serde(skip)]
+    pub certificate: Arc<DecisionCertificate>,
     /// Whether no other change of as few numbers, as close to the print, explains as much.
     pub unique: bool,
     /// The ids of the refuted values of the same example that this change explains, including this one.
@@ -42,40 +35,6 @@ pub struct DataCorrection {
     pub contradicts: Vec<String>,
     /// Whether all refuted values of the example are explained, and none contradicted.
     pub explains_example: bool,
-}
-
-impl DataCorrection {
-    /// Describes what to change and what it explains, a line each.
-    #[must_use]
-    pub fn in_words(&self) -> Vec<String> {
-        let change = |c: &DataChange| {
-            format!(
-                "`{}` reads `{}` instead of `{}`",
-                c.name, c.new.text, c.old.text
-            )
-        };
-        let mut lines: Vec<String> = self.changes.iter().map(change).collect();
-        lines.extend(self.steps.iter().cloned());
-        lines.push(match (self.explains_example, self.explains.as_slice()) {
-            (true, [_, _, ..]) => {
-                "this one change explains every wrong value of the example".to_owned()
-            }
-            (_, [_, _, ..]) => format!("it explains {}", self.explains.join(", ")),
-            _ => "it explains this value alone".to_owned(),
-        });
-        if !self.contradicts.is_empty() {
-            lines.push(format!("it contradicts {}", self.contradicts.join(", ")));
-        }
-        lines.push(match self.unique {
-            true => {
-                "no other change of as few numbers, as close to the print, was found".to_owned()
-            }
-            false => {
-                "other changes of as few numbers, as close to the print, explain it too".to_owned()
-            }
-        });
-        lines
-    }
 }
 
 /// A printed datum and its corrected value.

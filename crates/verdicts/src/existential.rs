@@ -9,8 +9,10 @@ use crate::conclusion::{Conclusion, conclude};
 use crate::elaborated_claim::ElaboratedClaim;
 use crate::finding::Finding;
 use crate::judged::Judged;
-use crate::statement::{EmptyDomain, ProvedStatement, RefutedStatement, UndecidedStatement};
-use crate::{condition, net, provenance};
+use crate::statement::{
+    EmptyDomain, NoNumber, ProvedStatement, RefutedStatement, UndecidedStatement,
+};
+use crate::{condition, net, provenance, words};
 use std::sync::Arc;
 use torse_algebra::work::{self, Spent};
 use torse_certificate::Proof;
@@ -31,13 +33,13 @@ pub(crate) fn decided(
     statement: &Written,
     budget: u64,
 ) -> Result<Finding, Box<DerivationError>> {
-    let found = work::within(budget / 5, || existential::witnessed(claim, statement));
+    let found = work::within(budget / 5, || existential::find_witnesses(claim, statement));
     let found = match unless_limited(statement, found)? {
         Ok(found) => found,
         Err(limit) => return Ok(Finding::undecided(limit)),
     };
-    let (own, steps) = match &found {
-        Some(found) => (&found.claim, found.steps.clone()),
+    let (own, witnesses) = match &found {
+        Some(found) => (&found.claim, found.witnesses.clone()),
         None => (claim, vec![]),
     };
     let decision = work::within(budget, || decide_statement(own, statement));
@@ -56,12 +58,15 @@ pub(crate) fn decided(
         return Ok(Finding::undecided(why));
     };
     let minimized = provenance::minimize_hypotheses(own, statement, decision, budget / 5);
-    // Another witness may do where this one fails.
-    let reasons = minimized.decision.reasons();
     Ok(match conclude(own, statement, minimized) {
         Conclusion::Proved(proved) => {
-            let steps = [steps, reasons].concat();
-            let finding = net::proved(ProvedStatement { steps, ..proved }, &elaborated);
+            // Beyond the ranges another witness may do where this one fails.
+            let proved = ProvedStatement {
+                ranges: vec![],
+                witnesses,
+                ..proved
+            };
+            let finding = net::proved(proved, &elaborated);
             match (finding, found.is_some()) {
                 (Finding::Proved(judged), true) => Finding::Proved(Box::new(Judged {
                     net: judged.net.with_own_witness(),
@@ -76,12 +81,13 @@ pub(crate) fn decided(
                 Err(why) => Finding::undecided(why),
             }
         }
-        Conclusion::Vacuous(empty) => {
-            let steps = [steps, empty.steps].concat();
-            net::vacuous(EmptyDomain { steps }, &elaborated)
-        }
+        Conclusion::Vacuous(empty) => net::vacuous(EmptyDomain { witnesses, ..empty }, &elaborated),
         Conclusion::Undecided(open) => Finding::Undecided(UndecidedStatement {
-            steps: [steps, open.steps].concat(),
+            reasons: witnesses
+                .iter()
+                .map(words::found_witness)
+                .chain(open.reasons)
+                .collect(),
             ..open
         }),
     })
@@ -103,7 +109,7 @@ fn unless_limited<T>(
 /// Returns the claim with the same witnesses for its existential numbers as its verdict used; the claim itself if it
 /// provides them all.
 pub(crate) fn witnessed(claim: &Claim, statement: &Written, budget: u64) -> Claim {
-    let found = work::within(budget, || existential::witnessed(claim, statement));
+    let found = work::within(budget, || existential::find_witnesses(claim, statement));
     match found {
         Ok(Ok(Some(found))) => found.claim,
         _ => claim.clone(),
@@ -139,16 +145,10 @@ fn without_witness(
 ) -> Result<RefutedStatement, String> {
     let at = refuted.witness.iter().flat_map(|witness| &witness.at);
     let at: Vec<(String, String)> = at.cloned().collect();
-    let point: Vec<String> = at
-        .iter()
-        .map(|(name, value)| format!("{name} = {value}"))
-        .collect();
-    let point = match point.is_empty() {
-        true => "everywhere".to_owned(),
-        false => format!("at {}", point.join(", ")),
+    let unknown = || {
+        let place = words::place(&at);
+        format!("the witness fails {place}; it is not shown that no other number works there")
     };
-    let unknown =
-        || format!("the witness fails {point}; it is not shown that no other number works there");
     let mut there = claim.clone();
     there.existentials.clear();
     for (name, value) in &at {
@@ -179,16 +179,15 @@ fn without_witness(
     {
         return Err(unknown());
     }
-    let names: Vec<&str> = claim.existentials.iter().map(|s| s.name.as_str()).collect();
-    let denied = notation::text(&denied.expr);
-    let mut steps = refuted.steps;
-    steps.push(format!(
-        "there is no {} {point}: `{denied}` holds there for all",
-        names.join(", ")
-    ));
+    let names = claim.existentials.iter().map(|s| s.name.clone()).collect();
+    let no_number = NoNumber {
+        names,
+        opposite: notation::formula(&denied.expr),
+        at,
+    };
     // The sides and the refutation as data belong to the one witness that was tried.
     Ok(RefutedStatement {
-        steps,
+        no_number: Some(no_number),
         difference: None,
         derived: None,
         certificate: None,

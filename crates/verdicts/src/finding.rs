@@ -12,7 +12,7 @@
 use crate::certificate::DecisionCertificate;
 use crate::claim_record::ClaimRecord;
 use crate::correction::{Correction, DataCorrection};
-use crate::judged::{ConditionCheck, Judged, Net, Replay};
+use crate::judged::{Judged, Net, Replay};
 use crate::statement::{
     Contradiction, EmptyDomain, FigureFinding, ProvedStatement, RefutedStatement,
     UndecidedStatement,
@@ -138,12 +138,6 @@ impl Outcome {
     #[must_use]
     pub fn is_unstated(&self) -> bool {
         matches!(self.finding, Finding::Unstated(_))
-    }
-
-    /// Returns the steps of the decision, in words, in order.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        self.finding.steps()
     }
 }
 
@@ -299,40 +293,6 @@ impl Finding {
             _ => None,
         }
     }
-
-    /// Returns the steps of the decision, in words, in order.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        match self {
-            Self::Definition => vec![],
-            Self::Figure(figure) => figure.steps.clone(),
-            Self::Underspecified(why) | Self::OutOfScope(why) => vec![why.clone()],
-            Self::Unstated(why) => vec![format!("not stated yet: {why}")],
-            Self::Undecided(undecided) => undecided.steps.clone(),
-            Self::Contradicted(Contradiction { claimed, found }) => vec![
-                format!("internal contradiction: the proof says {claimed:?}, but {found}"),
-                "please report this claim".to_owned(),
-            ],
-            Self::Proved(proved) => judged_steps(&proved.statement.steps, &proved.net),
-            Self::Refuted(refuted) => judged_steps(&refuted.statement.steps, &refuted.net),
-            Self::Vacuous(vacuous) => vacuous.statement.steps.clone(),
-            Self::Readings(readings) => readings.steps(),
-        }
-    }
-}
-
-/// Returns the steps of a decision, and which of its conditions were not seen to be needed.
-fn judged_steps(steps: &[String], net: &Net) -> Vec<String> {
-    let correction = net.correction.iter().flat_map(|net| &net.conditions);
-    let sides = net.conditions.iter().chain(correction);
-    let suspicious = sides.filter(|sides| sides.is_suspicious());
-    let notes = suspicious.map(|sides: &ConditionCheck| {
-        format!(
-            "the condition `{}` was not seen to be needed: the statement is true at {} points at which it fails",
-            sides.condition, sides.holding
-        )
-    });
-    steps.iter().cloned().chain(notes).collect()
 }
 
 /// The readings of a sentence, each decided.
@@ -434,32 +394,5 @@ impl Readings {
     #[must_use]
     pub fn contradiction(&self) -> Option<&str> {
         self.outcomes().find_map(Outcome::contradiction)
-    }
-
-    /// Describes the result of each of them, in words.
-    #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        let lines = self.all.iter().map(|reading| {
-            let verdict = word(reading.outcome.verdict());
-            format!("read as “{}” ({}): {verdict}", reading.name, reading.says)
-        });
-        lines.collect()
-    }
-}
-
-fn word(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Holds => "it holds",
-        Verdict::Conditional => "it holds under a condition",
-        Verdict::Misprint => "it is a misprint",
-        Verdict::False => "it is false",
-        Verdict::Undecided => "it is undecided",
-        Verdict::Vacuous => "no point satisfies its hypotheses",
-        Verdict::Definition => "it is a definition",
-        Verdict::Depends
-        | Verdict::Underspecified
-        | Verdict::OutOfScope
-        | Verdict::Reproduced
-        | Verdict::Partial => "it is not decided",
     }
 }

@@ -6,7 +6,7 @@
 //! [`consequences`] finds what falls with them, [`mod@derive`] derives the conditions of joins anew. [`net`]
 //! cross-checks every verdict by the semantics before it is shown, [`replay`] has its proof ([`certificate`]) checked
 //! without search, [`recheck`] repeats both with more work. [`mutants`] are statements with one slip, for mutation
-//! testing; `existential` instantiates existential claims.
+//! testing; `existential` instantiates existential claims. Findings are data; [`words`] says what they show.
 #![warn(missing_docs)]
 
 pub mod agreement;
@@ -37,6 +37,7 @@ pub mod repair;
 pub mod replay;
 pub mod restore;
 pub mod statement;
+pub mod words;
 
 pub use claim_record::Assumed;
 pub use correction::{Correction, DataChange, DataCorrection};

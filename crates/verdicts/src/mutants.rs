@@ -8,9 +8,11 @@ use crate::repair::alphabet::alphabet;
 use crate::repair::canonical::canonical;
 use crate::repair::edit::{Change, placed};
 use crate::repair::edits::single;
+use crate::words::certificate;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use torse_prove::decide::Decision;
+use torse_prove::decide::value::plain;
+use torse_prove::decide::{Decision, Unsettled};
 use torse_prove::decide_statement;
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Connective, Expr, Node, Relation};
@@ -65,9 +67,9 @@ pub fn survivors(claim: &Claim, most: usize) -> (Vec<Survivor>, usize) {
                     Survival::Unexplained
                 })
             }
-            Some(Decision::Open { reason, .. }) => Some(Survival::Open { reason }),
-            Some(vacuous @ Decision::Vacuous(_)) => {
-                let reason = vacuous.steps().join("; ");
+            Some(Decision::Open(Unsettled { reason, .. })) => Some(Survival::Open { reason }),
+            Some(Decision::Vacuous(emptiness)) => {
+                let reason = certificate::emptiness(&emptiness.map(&plain));
                 Some(Survival::Open { reason })
             }
         };

@@ -10,7 +10,7 @@ use crate::elaborated_claim::ElaboratedClaim;
 use crate::finding::Finding;
 use crate::finding::Readings;
 use crate::outcome::{Outcome, ReadingOutcome};
-use crate::statement::RefutedStatement;
+use crate::statement::{PartVerdict, RefutedStatement};
 use crate::{audit, author_note, conjunction, existential, net, provenance};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -41,7 +41,11 @@ enum Remaining<'c> {
     Nothing(Finding),
     /// The search for a correction of a refuted statement, and its cross-check; and the results for the parts of a
     /// conjunction.
-    Correction(Box<ElaboratedClaim<'c>>, Box<RefutedStatement>, Vec<String>),
+    Correction(
+        Box<ElaboratedClaim<'c>>,
+        Box<RefutedStatement>,
+        Vec<PartVerdict>,
+    ),
     /// The remaining work for each reading of a sentence, by name and words.
     Readings(Vec<(String, String, PendingClaim<'c>)>),
 }
@@ -136,7 +140,7 @@ impl Remaining<'_> {
                     repair: correcting.repair,
                     data: correcting.data,
                     search_ended_early: correcting.ended_early,
-                    steps: [refuted.steps, parts].concat(),
+                    parts,
                     ..*refuted
                 };
                 Ok(net::refuted(refuted, &elaborated, budget / 5))
@@ -265,7 +269,7 @@ fn stated<'c>(
     let undecided = |why: String| Ok(Remaining::Nothing(Finding::undecided(why)));
     let mut parts = vec![];
     let decided = work::within(budget, || {
-        let mut tell = |part: &Decision| parts.push(conjunction::word(part));
+        let mut tell = |part: &Decision| parts.push(conjunction::verdict(part));
         with_prepared(claim, statement, |prepared| prepared.decide(&mut tell))
     });
     let decision = match decided {
@@ -367,7 +371,8 @@ mod tests {
         ] {
             let finding = panicked(&*panic);
             assert_eq!(finding.verdict(claim.entry.kind), Verdict::Undecided);
-            assert_eq!(finding.steps(), ["the engine failed on this claim: why"]);
+            let expected = Finding::undecided("the engine failed on this claim: why");
+            assert_eq!(finding, expected);
         }
         let stage = PendingClaim::verdict(1_000_000, "p", claim).unwrap();
         assert_eq!(stage.complete().unwrap().verdict(), Verdict::Holds);

@@ -3,8 +3,15 @@
 use crate::certificate::DecisionCertificate;
 use crate::correction::{Correction, DataCorrection};
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::sync::Arc;
+use torse_algebra::Polynomial;
+use torse_certificate::Refuted;
+use torse_certificate::point::{Comparison, Failure};
+use torse_certificate::proof::Emptiness;
+use torse_certificate::proof::assumptions::Sharpness;
 use torse_prove::evidence::{Evidence, Witness};
+use torse_prove::existential::FoundWitness;
 use torse_syntax::notation::Formula;
 use torse_syntax::taxonomy::{Kind, Verdict};
 
@@ -13,15 +20,19 @@ use torse_syntax::taxonomy::{Kind, Verdict};
 pub struct FigureFinding {
     /// `partial` if data had to be assumed or replaced.
     pub verdict: Verdict,
-    /// Data that had to be assumed or replaced, in words; they make the figure `partial`.
-    pub steps: Vec<String>,
+    /// Data that the paper does not print. These and the next two make the figure `partial`.
+    pub missing: Vec<String>,
+    /// Data of ours in place of what is not printed.
+    pub replaced: Vec<String>,
+    /// Data that had to be assumed.
+    pub assumed: Vec<String>,
 }
 
 /// A statement that is not decided.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct UndecidedStatement {
-    /// Why, in words.
-    pub steps: Vec<String>,
+    /// Why, in words: the reason first, then what was tried.
+    pub reasons: Vec<String>,
     /// The instances that were tried, if any were.
     pub evidence: Option<Evidence>,
 }
@@ -48,8 +59,11 @@ pub struct ProvedStatement {
     /// The proof, as data.
     #[serde(skip)]
     pub certificate: Arc<DecisionCertificate>,
-    /// The steps of the proof, in words.
-    pub steps: Vec<String>,
+    /// What is shown of the ranges of its parameters.
+    #[serde(skip)]
+    pub ranges: Vec<Sharpness<torse_certificate::Polynomial>>,
+    /// The numbers found for those that the claim says there are.
+    pub witnesses: Vec<FoundWitness>,
 }
 
 /// A statement with a counterexample.
@@ -73,8 +87,10 @@ pub struct RefutedStatement {
     /// Whether the search for a small edit that repairs it ended before all were tried.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub search_ended_early: bool,
-    /// The steps of the refutation, in words.
-    pub steps: Vec<String>,
+    /// Of a conjunction, what is found of each part.
+    pub parts: Vec<PartFinding>,
+    /// Of a claim that there is a number: that no number will do.
+    pub no_number: Option<NoNumber>,
 }
 
 /// A proved correction of a refuted statement.
@@ -87,18 +103,57 @@ pub enum Repair {
     Derived(Correction),
 }
 
+/// What is found of a part of a conjunction.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct PartFinding {
+    /// The part.
+    pub part: Formula,
+    /// What is found.
+    pub finding: PartVerdict,
+}
+
+/// What is found of a part of a conjunction, without its data.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PartVerdict {
+    /// It holds.
+    Holds(Evidence),
+    /// It holds under a condition.
+    Conditional(Evidence),
+    /// It fails.
+    Fails,
+    /// No point satisfies the hypotheses.
+    Vacuous,
+    /// It is not decided.
+    Undecided,
+}
+
+/// A proof that no number will do at a point of the domain: the opposite of the statement holds there for all.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct NoNumber {
+    /// The names of the numbers.
+    pub names: Vec<String>,
+    /// The point: names and exact values; empty if it is so everywhere.
+    pub at: Vec<(String, String)>,
+    /// The opposite of the statement.
+    pub opposite: Formula,
+}
+
 /// A domain without points.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct EmptyDomain {
-    /// The steps that show it, in words.
-    pub steps: Vec<String>,
+    /// Why it has none.
+    #[serde(skip)]
+    pub emptiness: Emptiness<Polynomial>,
+    /// The numbers found for those that the claim says there are.
+    pub witnesses: Vec<FoundWitness>,
 }
 
 impl UndecidedStatement {
     /// Makes a result that nothing was tried, for this reason.
     pub fn because(why: impl Into<String>) -> Self {
         Self {
-            steps: vec![why.into()],
+            reasons: vec![why.into()],
             evidence: None,
         }
     }
@@ -124,6 +179,46 @@ impl RefutedStatement {
         match self.repair {
             Some(Repair::Misprint(_)) => Verdict::Misprint,
             Some(Repair::Derived(_)) | None => Verdict::False,
+        }
+    }
+
+    /// Returns the part of a conjunction that fails; none if the statement has no parts.
+    #[must_use]
+    pub fn failing_part(&self) -> Option<&Formula> {
+        let mut parts = self.parts.iter();
+        let failing = parts.find(|part| part.finding == PartVerdict::Fails)?;
+        Some(&failing.part)
+    }
+
+    /// Returns the values of the integers at which the statement fails, if it is refuted for an instance.
+    #[must_use]
+    pub fn instance(&self) -> Option<&BTreeMap<String, i64>> {
+        match self.refutation()? {
+            Refuted::Instance { integers, .. } => Some(integers),
+            Refuted::At(_) | Refuted::Denied { .. } => None,
+        }
+    }
+
+    /// Returns the numbers, from 1 on, of the entries of a vector or matrix in which the sides differ; none for a number.
+    #[must_use]
+    pub fn differing_entries(&self) -> Vec<usize> {
+        match self.refutation().map(|own| &own.counterexample().failure) {
+            Some(Failure::Sides {
+                kind: Comparison::Equation { entry, .. },
+                left,
+                ..
+            }) if left.len() > 1 => vec![entry + 1],
+            Some(Failure::Printed(enclosure)) if enclosure.entries.len() > 1 => {
+                enclosure.differing()
+            }
+            _ => vec![],
+        }
+    }
+
+    fn refutation(&self) -> Option<&Refuted<Polynomial>> {
+        match self.certificate.as_deref()? {
+            DecisionCertificate::Refutation(refuted) => Some(refuted),
+            DecisionCertificate::Proof { .. } => None,
         }
     }
 

@@ -115,7 +115,7 @@ impl CodeVerdict {
 /// Why an equation is not decided.
 pub(super) fn reason(outcome: &Outcome) -> Option<String> {
     match &outcome.finding {
-        Finding::Undecided(open) => Some(open.steps.join("; ")),
+        Finding::Undecided(open) => Some(open.reasons.join("; ")),
         Finding::Vacuous(_) => Some("no point satisfies the hypotheses".to_owned()),
         Finding::Contradicted(_) => outcome
             .contradiction()

@@ -53,10 +53,7 @@ fn agreement(value: &Fraction, printed: &Printed, decimals: u32) -> Option<Optio
 #[must_use]
 pub fn decide(values: &[Fraction], printed: &[Printed]) -> Decision {
     let digits = printed.iter().filter_map(|p| p.decimals).max().unwrap_or(0);
-    let open = |reason: &str| Decision::Open {
-        reason: reason.to_owned(),
-        tried: vec!["an enclosure of the value".to_owned()],
-    };
+    let open = |reason: &str| Decision::open(reason, &["an enclosure of the value"]);
     if digits > MAX_DIGITS {
         return open(&format!(
             "numbers with more than {MAX_DIGITS} decimals are not compared"

@@ -98,12 +98,10 @@ pub fn decide(
 
 /// The sides differ as formulas, and nobody knows where.
 fn no_difference_found() -> Decision {
-    Decision::Open {
-        reason:
-            "the two sides differ as formulas, but no point of the domain was found where they do"
-                .to_owned(),
-        tried: vec!["simple rational points of the domain".to_owned()],
-    }
+    Decision::open(
+        "the two sides differ as formulas, but no point of the domain was found where they do",
+        &["simple rational points of the domain"],
+    )
 }
 
 /// How a difference without terms vanishes, by what the evaluator met.

@@ -14,7 +14,7 @@ use super::sharpness::Bounded;
 use super::sign;
 use super::value::{Proof, quotient};
 use super::witness::{self, Point};
-use super::{Decision, Refutation};
+use super::{Decision, Refutation, Unsettled};
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::UNPLACED;
 use crate::unknown::mentions;
@@ -94,13 +94,10 @@ pub fn nonnegative(
             return Ok(Decision::Refuted(Box::new(Refutation::at(point))));
         }
         let what = if is_seed { "seed" } else { "step factor" };
-        return Ok(Decision::Open {
-            reason: format!("the sign of the {what} {text} is not settled"),
-            tried: vec![
-                "Bernstein coefficients".to_owned(),
-                "simple points".to_owned(),
-            ],
-        });
+        return Ok(Decision::open(
+            format!("the sign of the {what} {text} is not settled"),
+            &["Bernstein coefficients", "simple points"],
+        ));
     }
     Ok(Decision::Proven(Proof::Nonnegative(Nonnegative { parts })))
 }
@@ -302,10 +299,11 @@ pub fn independent(
             )),
         }
     }
-    Ok(Decision::Open {
+    Ok(Decision::Open(Unsettled {
         reason: "independence is not proved for every degree".to_owned(),
+        instances: vec![],
         tried,
-    })
+    }))
 }
 
 /// Simple shape parameters, corners first; none where a hypothesis gives one of them a value that is no number.

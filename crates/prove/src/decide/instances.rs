@@ -4,11 +4,10 @@
 //! One failing instance refutes the statement. Instances that hold prove nothing, unless the ranges of
 //! the integers are finite and every instance was decided.
 
-use super::value::{Proof, plain};
-use super::{Decision, Refutation};
-use crate::steps;
+use super::value::Proof;
+use super::{Decision, Refutation, Unsettled};
 use std::collections::BTreeMap;
-use torse_algebra::{Fraction, Polynomial};
+use torse_algebra::Fraction;
 use torse_certificate::Refuted;
 use torse_certificate::proof::{Emptiness, Instance};
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
@@ -185,10 +184,12 @@ pub fn combined(
                 let proof = Proof::Nowhere(emptiness);
                 proofs.push(Instance { integers, proof });
             }
-            Decision::Open { reason, .. } => {
-                let mut tried = attempts(&proofs);
-                tried.push(format!("open for {}: {reason}", label(&integers)));
-                return Decision::Open { reason, tried };
+            Decision::Open(Unsettled { reason, .. }) => {
+                return Decision::Open(Unsettled {
+                    tried: vec![format!("open for {}: {reason}", label(&integers))],
+                    instances: proofs,
+                    reason,
+                });
             }
         }
     }
@@ -198,15 +199,11 @@ pub fn combined(
         (true, false, Some(term), _) => term,
         _ => reason.to_owned(),
     };
-    Decision::Open {
+    Decision::Open(Unsettled {
         reason,
-        tried: attempts(&proofs),
-    }
-}
-
-/// What was tried, a line an instance.
-fn attempts(proofs: &[Instance<Polynomial>]) -> Vec<String> {
-    steps::steps(&Proof::Instances(proofs.to_vec()).map(&plain))
+        instances: proofs,
+        tried: vec![],
+    })
 }
 
 pub(crate) fn label(integers: &BTreeMap<String, i64>) -> String {

@@ -34,18 +34,17 @@ mod zero_by_sign;
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{Statement, Value};
 use crate::evidence::Witness;
-use crate::steps;
 use domain::{Constraint, Domain};
 use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::{Fraction, Polynomial};
 use torse_certificate::Refuted;
 use torse_certificate::point::Counterexample;
-use torse_certificate::proof::Emptiness;
 use torse_certificate::proof::assumptions::Sharpness;
+use torse_certificate::proof::{Emptiness, Instance};
 use torse_core::FamilyProperty;
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Connective, Relation};
-use value::{Proof, plain};
+use value::Proof;
 
 /// What is known about a statement.
 #[derive(Debug, Clone)]
@@ -57,12 +56,26 @@ pub enum Decision {
     /// No point satisfies the hypotheses.
     Vacuous(Emptiness<Polynomial>),
     /// Neither.
-    Open {
-        /// Why.
-        reason: String,
-        /// What was tried.
-        tried: Vec<String>,
-    },
+    Open(Unsettled),
+}
+
+/// Why a statement is neither proved nor refuted.
+#[derive(Debug, Clone)]
+pub struct Unsettled {
+    /// The reason: what was not settled, or the limit that was met.
+    pub reason: String,
+    /// The instances that are proved.
+    pub instances: Vec<Instance<Polynomial>>,
+    /// What was tried.
+    pub tried: Vec<String>,
+}
+
+impl Unsettled {
+    /// Whether instances or methods were tried.
+    #[must_use]
+    pub fn has_tried(&self) -> bool {
+        !self.instances.is_empty() || !self.tried.is_empty()
+    }
 }
 
 /// How a statement fails.
@@ -113,27 +126,14 @@ impl Decision {
         matches!(self, Self::Refuted(_))
     }
 
-    /// The steps in words; the reason where there is no proof.
+    /// Open for this reason, after these were tried.
     #[must_use]
-    pub fn steps(&self) -> Vec<String> {
-        match self {
-            Self::Proven(proof) => steps::steps(&proof.map(&plain)),
-            Self::Refuted(refutation) => steps::refutation(&refutation.refuted.map(&plain)),
-            Self::Vacuous(emptiness) => vec![steps::emptiness(&emptiness.map(&plain))],
-            Self::Open { reason, tried } => {
-                let first = std::iter::once(reason.clone());
-                first.chain(tried.iter().cloned()).collect()
-            }
-        }
-    }
-
-    /// The same without a look beyond the ranges of a proof.
-    #[must_use]
-    pub fn reasons(&self) -> Vec<String> {
-        match self {
-            Self::Proven(proof) => steps::reasons(&proof.map(&plain)),
-            _ => self.steps(),
-        }
+    pub fn open(reason: impl Into<String>, tried: &[&str]) -> Self {
+        Self::Open(Unsettled {
+            reason: reason.into(),
+            instances: vec![],
+            tried: tried.iter().map(|one| (*one).to_owned()).collect(),
+        })
     }
 
     /// The conditions of a proof, as factors of which none divides another.
@@ -175,13 +175,13 @@ pub fn decide(
         Statement::Family {
             property,
             family: basis,
-        } if family::restricts_variable(basis, domain) => Ok(Decision::Open {
-            reason: format!(
+        } if family::restricts_variable(basis, domain) => Ok(Decision::open(
+            format!(
                 "a hypothesis speaks of {}, the variable of the basis",
                 basis.variable()
             ),
-            tried: vec![],
-        }),
+            &[],
+        )),
         Statement::Family {
             property,
             family: basis,
@@ -218,7 +218,7 @@ pub fn decide(
                         return Ok(Decision::Proven(alternative(0, true, proof)));
                     }
                     refuted @ Decision::Refuted(_) => return Ok(refuted),
-                    Decision::Vacuous(_) | Decision::Open { .. } => {}
+                    Decision::Vacuous(_) | Decision::Open(_) => {}
                 }
             }
             Ok(match (first, second) {
@@ -232,20 +232,20 @@ pub fn decide(
                 {
                     Decision::Refuted(y)
                 }
-                _ => Decision::Open {
-                    reason: "neither alternative is proved on the whole domain".to_owned(),
-                    tried: vec!["each alternative on its own".to_owned()],
-                },
+                _ => Decision::open(
+                    "neither alternative is proved on the whole domain",
+                    &["each alternative on its own"],
+                ),
             })
         }
         Statement::Not(inner) => {
             let decided = decide(inner, domain, evaluator)?;
             Ok(negated(decided, || sampled(inner, domain)))
         }
-        Statement::Join(Connective::Implies, ..) => Ok(Decision::Open {
-            reason: "an implication; state its premise as an assumption".to_owned(),
-            tried: vec![],
-        }),
+        Statement::Join(Connective::Implies, ..) => Ok(Decision::open(
+            "an implication; state its premise as an assumption",
+            &[],
+        )),
     }
 }
 
@@ -325,21 +325,17 @@ pub(crate) fn negated(
                 },
                 sides: None,
             })),
-            None => Decision::Open {
-                reason: "the negated statement holds, but no point of the domain was found"
-                    .to_owned(),
-                tried: vec![],
-            },
+            None => Decision::open(
+                "the negated statement holds, but no point of the domain was found",
+                &[],
+            ),
         },
         // Where a condition fails the negated statement may fail: the proof knows a point, or it does not.
         Decision::Proven(proof) => match proof.excepted().into_iter().next() {
             Some((_, refuted)) => Decision::Proven(Proof::Exists(Box::new(refuted.clone()))),
-            None => Decision::Open {
-                reason: "the negated statement is proved under conditions only".to_owned(),
-                tried: vec![],
-            },
+            None => Decision::open("the negated statement is proved under conditions only", &[]),
         },
-        undecided @ (Decision::Open { .. } | Decision::Vacuous(_)) => undecided,
+        undecided @ (Decision::Open(_) | Decision::Vacuous(_)) => undecided,
     }
 }
 

@@ -29,7 +29,7 @@ use super::family::{DEGREES, family, functions, nonnegative_part, parameter_poin
 use super::order::{enclosure, truth};
 use super::sign;
 use super::value::{Proof, quotient};
-use super::{Decision, Refutation, witness, wronskian};
+use super::{Decision, Refutation, Unsettled, witness, wronskian};
 use crate::evaluate::Evaluator;
 use torse_algebra::rational::integer;
 use torse_algebra::{Angle, Fraction, Matrix, Polynomial, Rational, Scalar as _, Symbol};
@@ -84,14 +84,9 @@ pub fn diminishing(
     }
     let variable = Symbol::named(basis.variable());
     let mut places = domain.candidates(&variable, Turns::Quarter(1));
-    places.sort_by(|x, y| {
-        let less = truth(&(x.clone() - y.clone()), Relation::Less) == Some(true);
-        if less {
-            std::cmp::Ordering::Less
-        } else {
-            std::cmp::Ordering::Greater
-        }
-    });
+    let is_less =
+        |x: &Fraction, y: &Fraction| truth(&(x.clone() - y.clone()), Relation::Less) == Some(true);
+    places.sort_by(|x, y| is_less(y, x).cmp(&is_less(x, y)));
     for raise in raises(basis, degrees) {
         let degree = basis.degree + raise;
         let row = functions(&step, &seeds, raise);
@@ -118,7 +113,11 @@ pub fn diminishing(
             "degree {degree}: the quotients of all pairs of functions are monotone at simple places"
         ));
     }
-    Ok(Decision::Open { reason, tried })
+    Ok(Decision::Open(Unsettled {
+        reason,
+        instances: vec![],
+        tried,
+    }))
 }
 
 /// How far above the seeds refutations are sought: the first degrees of those that the statement is about.
@@ -179,10 +178,10 @@ fn not_affine(
             }
         }
     }
-    Decision::Open {
-        reason: "the functions do not sum to one".to_owned(),
-        tried: vec!["the curves of a constant polygon and of single control values".to_owned()],
-    }
+    Decision::open(
+        "the functions do not sum to one",
+        &["the curves of a constant polygon and of single control values"],
+    )
 }
 
 /// A level that a curve crosses between two places.

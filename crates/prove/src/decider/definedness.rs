@@ -45,10 +45,10 @@ impl Decider<'_> {
         };
         match divided.iter().all(is_excluded) {
             true => Decision::Proven(proof.clone().within(conditions)),
-            false => Decision::Open {
-                reason: format!("a divisor is zero for {}", instances::label(first)),
-                tried: vec![],
-            },
+            false => Decision::open(
+                format!("a divisor is zero for {}", instances::label(first)),
+                &[],
+            ),
         }
     }
 

@@ -140,18 +140,20 @@ impl<'a> Decider<'a> {
 
     /// A statement that is no conjunction and no negation.
     pub fn single(&self, statement: &core::Statement) -> Result<Decision, Fault> {
-        let (reason, tried) = match self.symbolic(statement, &Instance::new()) {
-            Ok(Decision::Open { reason, tried }) => (reason, tried),
-            Ok(decision) => return Ok(decision),
-            Err(fault) if fault.is_limit() => (fault.problem.to_string(), vec![]),
+        let symbolic = match self.symbolic(statement, &Instance::new()) {
+            Ok(decision) => decision,
+            Err(fault) if fault.is_limit() => Decision::open(fault.problem.to_string(), &[]),
             Err(fault) => return Err(fault),
+        };
+        let Decision::Open(unsettled) = symbolic else {
+            return Ok(symbolic);
         };
         if let Some(decision) = self.by_finite_ranges(statement)? {
             return Ok(decision);
         }
         let (assignments, complete) = self.instances();
         if assignments.iter().all(Instance::is_empty) {
-            return Ok(Decision::Open { reason, tried });
+            return Ok(Decision::Open(unsettled));
         }
         let (mut decided, mut divided) = (vec![], vec![]);
         let far = instances::far(&assignments, self.elaborator.declarations());
@@ -170,19 +172,16 @@ impl<'a> Decider<'a> {
                     }
                     Decision::Vacuous(Emptiness::Undefined(fault.problem.to_string()))
                 }
-                Err(fault) if fault.is_limit() => Decision::Open {
-                    reason: fault.problem.to_string(),
-                    tried: vec![],
-                },
+                Err(fault) if fault.is_limit() => Decision::open(fault.problem.to_string(), &[]),
                 Err(fault) => return Err(fault),
             };
-            let ends = matches!(decision, Decision::Refuted(_) | Decision::Open { .. });
+            let ends = matches!(decision, Decision::Refuted(_) | Decision::Open(_));
             decided.push((assignment.clone(), decision));
             if ends {
                 break;
             }
         }
-        let decision = instances::combined(decided, complete, &reason);
+        let decision = instances::combined(decided, complete, &unsettled.reason);
         Ok(self.where_defined(statement, decision, &divided))
     }
 
@@ -208,7 +207,7 @@ impl<'a> Decider<'a> {
         let (mut decided, mut divided) = (vec![], vec![]);
         for assignment in assignments {
             match self.symbolic(statement, &assignment) {
-                Ok(Decision::Open { .. }) => return Ok(None),
+                Ok(Decision::Open(_)) => return Ok(None),
                 Ok(decision) => decided.push((assignment, decision)),
                 Err(fault) if undefined(&fault) => {
                     if self.divides_by_zero(&fault, &assignment) {
@@ -223,7 +222,7 @@ impl<'a> Decider<'a> {
         }
         let decision = instances::combined(decided, true, "");
         Ok(match self.where_defined(statement, decision, &divided) {
-            Decision::Open { .. } => None,
+            Decision::Open(_) => None,
             decision => Some(decision),
         })
     }
@@ -241,14 +240,14 @@ impl<'a> Decider<'a> {
         let has_divisors = !splits.is_empty();
         let decision = self.on_ground(statement, instance, ground)?;
         let decision = self.split(statement, instance, decision, splits);
-        if rooted && matches!(decision, Decision::Open { .. }) {
+        if rooted && matches!(decision, Decision::Open(_)) {
             let ground = self.ground_where(instance, RootMode::Solved);
             let again = ground.and_then(|ground| self.on_ground(statement, instance, ground));
             if let Ok(decided @ (Decision::Proven(_) | Decision::Refuted(_))) = again {
                 return Ok(decided);
             }
         }
-        if matches!(decision, Decision::Open { .. })
+        if matches!(decision, Decision::Open(_))
             && has_divisors
             && let Some((kept, combination, conditions)) = self.uneliminated(statement, instance)
             && conditions.is_empty()
@@ -313,17 +312,14 @@ impl<'a> Decider<'a> {
                             &ground.branch.evaluator,
                         )?;
                     }
-                    if matches!(decision, Decision::Open { .. }) {
+                    if matches!(decision, Decision::Open(_)) {
                         let there = self.where_it_has_a_value(statement, &value, &ground);
                         decision = decide::decide(&value, &there, &ground.branch.evaluator)?;
                     }
                 }
                 Err(fault) if undefined(&fault) => return Err(fault),
                 Err(fault) => {
-                    return Ok(Decision::Open {
-                        reason: fault.problem.to_string(),
-                        tried: vec![],
-                    });
+                    return Ok(Decision::open(fault.problem.to_string(), &[]));
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 use torse_certificate::Proof;
+use torse_certificate::proof::Emptiness;
 use torse_plot::{Ambient, Interactive, InteractiveError, Part, Shape, Slider, palette};
 use torse_prove::evidence::{Evidence, Witness};
 use torse_report::{FigureImage, Image};
@@ -97,17 +98,19 @@ fn judged<T>(statement: T) -> Box<Judged<T>> {
     })
 }
 
-/// A proof of nothing.
-pub fn proved(evidence: Evidence, conditions: Vec<Formula>, steps: Vec<String>) -> Finding {
+/// A proof of nothing, each step of which says that no point is to be looked at, for one of these reasons.
+pub fn proved(evidence: Evidence, conditions: Vec<Formula>, reasons: Vec<String>) -> Finding {
+    let nowhere = |reason: String| Proof::Nowhere(Emptiness::Undefined(reason));
     Finding::Proved(judged(ProvedStatement {
         evidence,
         conditions,
         needed: vec![],
         certificate: Arc::new(DecisionCertificate::Proof {
             conditions: vec![],
-            of: Proof::Parts(vec![]),
+            of: Proof::Parts(reasons.into_iter().map(nowhere).collect()),
         }),
-        steps,
+        ranges: vec![],
+        witnesses: vec![],
     }))
 }
 
@@ -127,7 +130,8 @@ fn without_repair(evidence: Option<Evidence>, witness: Option<Witness>) -> Refut
         repair: None,
         data: None,
         search_ended_early: false,
-        steps: vec![],
+        parts: vec![],
+        no_number: None,
     }
 }
 
@@ -139,12 +143,20 @@ impl Sample {
             Verdict::Definition => Finding::Definition,
             Verdict::Reproduced | Verdict::Partial => Finding::Figure(FigureFinding {
                 verdict: self.verdict,
-                steps,
+                missing: steps,
+                replaced: vec![],
+                assumed: vec![],
             }),
             Verdict::Underspecified => Finding::Underspecified(String::new()),
             Verdict::OutOfScope => Finding::OutOfScope(String::new()),
-            Verdict::Vacuous => Finding::Vacuous(judged(EmptyDomain { steps })),
-            Verdict::Undecided => Finding::Undecided(UndecidedStatement { steps, evidence }),
+            Verdict::Vacuous => Finding::Vacuous(judged(EmptyDomain {
+                emptiness: Emptiness::Range("x".to_owned()),
+                witnesses: vec![],
+            })),
+            Verdict::Undecided => Finding::Undecided(UndecidedStatement {
+                reasons: steps,
+                evidence,
+            }),
             Verdict::Depends => Finding::Readings(Readings::new(vec![])),
             Verdict::Holds | Verdict::Conditional => proved(
                 evidence.unwrap_or(Evidence::Identity),
@@ -155,7 +167,6 @@ impl Sample {
                 difference: self.difference.take(),
                 derived: self.derived.take(),
                 repair: self.correction.take().map(Repair::Misprint),
-                steps,
                 ..without_repair(evidence, self.witness.take())
             })),
         }
@@ -233,8 +244,8 @@ fn basis() -> Vec<Sample> {
         parsed: Some(formula("sum(i, 0, k, f[i,k](x)) == 1")),
         assumed: vec![assumed("k >= 2"), assumed("mu in [-1, 1]")],
         steps: vec![
-            "The sum is taken through the recursion with the degree as a symbol.".to_owned(),
-            "The difference of both sides has the normal form 0.".to_owned(),
+            "the sum over a range that is empty".to_owned(),
+            "the quotient at zero".to_owned(),
         ],
         uses: vec!["sample/def-1.g0".to_owned()],
         ..entry(
@@ -279,11 +290,6 @@ fn basis() -> Vec<Sample> {
             left_decimal: "7.4022033008170[1, 2]".to_owned(),
             right_decimal: "20.972909352315[0, 1]".to_owned(),
         }),
-        steps: vec![
-            "Both sides brought to normal form.".to_owned(),
-            "The difference is not zero.".to_owned(),
-            "27 single and 351 double edits tried; one is proved.".to_owned(),
-        ],
         note: Some(
             "The condition of Theorem 4 is derived from this value and inherits the error."
                 .to_owned(),
@@ -358,9 +364,7 @@ fn values() -> Vec<Sample> {
     let enclosed = Sample {
         evidence: Some(Evidence::Enclosure),
         parsed: Some(formula("kappa(1/2) == 0.7320")),
-        steps: vec![
-            "The printed digits are those of the exact value, rounded to nearest.".to_owned(),
-        ],
+        steps: vec!["the root of a negative number".to_owned()],
         ..entry(
             "ex-5.2.kappa",
             "Sect. 5.2, Example 2",

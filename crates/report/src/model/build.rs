@@ -25,7 +25,7 @@ use torse_verdicts::claim_record::{Assumed, HypothesisSource, Role};
 use torse_verdicts::consequences::consequences;
 use torse_verdicts::dependencies::Defined;
 use torse_verdicts::outcome::ReadingOutcome;
-use torse_verdicts::{DataCorrection, Outcome, PaperOutcome};
+use torse_verdicts::{Outcome, PaperOutcome, words};
 
 impl Report {
     /// Makes the report of `paper`, with pictures.
@@ -43,7 +43,7 @@ impl Report {
         accepted: &BTreeSet<String>,
     ) -> Self {
         let builder = Builder::new(paper, figures);
-        let steps: Vec<Vec<String>> = paper.claims.iter().map(Outcome::steps).collect();
+        let steps: Vec<Vec<String>> = paper.claims.iter().map(sentence::own_steps).collect();
         let shared = shared_steps(steps.iter().map(Vec::as_slice));
         let (mut sources, mut recurring) = (Entries::default(), Entries::default());
         let mut sections: Vec<Section> = Vec::new();
@@ -54,8 +54,7 @@ impl Report {
                 reading.sources = numbers(&reading.rests, &mut sources);
             }
             let own = steps.get(position).map_or(&[][..], Vec::as_slice);
-            let own = sentence::own_steps(own, outcome);
-            claim.proof = proof(&own, &shared, &mut recurring, &printed_names(outcome));
+            claim.proof = proof(own, &shared, &mut recurring, &printed_names(outcome));
             let title = section_title(&claim.at);
             match sections.iter_mut().find(|section| section.title == title) {
                 Some(section) => section.claims.push(claim),
@@ -216,7 +215,7 @@ impl<'a> Builder<'a> {
                 .correction()
                 .map(|repair| correction(outcome.parsed(), repair, &names)),
             data: (outcome.data().into_iter())
-                .flat_map(DataCorrection::in_words)
+                .flat_map(words::data_correction)
                 .map(|line| prose(&line))
                 .collect(),
             derived: outcome.derived().map(|of| derived(of, &names)),
@@ -225,7 +224,7 @@ impl<'a> Builder<'a> {
                 .map(|of| derived(of, &names)),
             witness: outcome.witness().map(|of| witness(of, &names)),
             denied: sentence::denied(outcome).map(|text| prose(&text)),
-            steps: counted(&outcome.steps())
+            steps: counted(&words::steps(outcome))
                 .iter()
                 .map(|step| prose(step.strip_suffix('.').unwrap_or(step)))
                 .collect(),

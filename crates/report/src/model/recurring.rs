@@ -59,7 +59,7 @@ pub(super) fn shared_steps<'a>(proofs: impl Iterator<Item = &'a [String]>) -> BT
 
 /// Returns the steps of a proof, each once; those that are `shared` become entries of the list.
 pub(super) fn proof(
-    steps: &[&String],
+    steps: &[String],
     shared: &BTreeSet<String>,
     entries: &mut Entries,
     names: &PrintedNames,
@@ -103,8 +103,7 @@ mod tests {
         assert_eq!(shared.iter().collect::<Vec<_>>(), ["by the rule"]);
         let mut entries = Entries::default();
         let names = PrintedNames::default();
-        let steps: Vec<&String> = proofs[0].iter().collect();
-        let shown = proof(&steps, &shared, &mut entries, &names);
+        let shown = proof(&proofs[0], &shared, &mut entries, &names);
         let counts: Vec<_> = shown
             .iter()
             .map(|step| (step.recurring, step.times))

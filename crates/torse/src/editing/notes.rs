@@ -7,6 +7,7 @@ use torse_syntax::derivation::{Claim, DerivationError, LoadError, LookAlike, Sou
 use torse_syntax::formula::Place;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
+use torse_verdicts::words;
 
 /// How a note is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -128,7 +129,7 @@ pub(super) fn claim_note(claim: &Claim, outcome: &Outcome) -> Option<EditorNote>
             "\ncorrected: {}",
             correction.statement.text.replace("[]", "")
         ));
-        for line in correction.in_words() {
+        for line in words::correction(correction) {
             text.push_str(&format!("\nby: {line}"));
         }
     }
@@ -187,7 +188,8 @@ fn in_words(outcome: &Outcome) -> String {
     }
     if let Some(contradiction) = outcome.contradiction() {
         text.push_str(&format!("\ninternal contradiction: {contradiction}"));
-    } else if let (Verdict::Undecided, Some(reason)) = (outcome.verdict(), outcome.steps().first())
+    } else if let (Verdict::Undecided, Some(reason)) =
+        (outcome.verdict(), words::steps(outcome).first())
     {
         text.push_str(&format!("\nreason: {reason}"));
     }

@@ -8,6 +8,7 @@
 
 use super::rates::{Rate, rates};
 use super::slips::{Cost, few_digits, slips};
+use crate::certificate::DecisionCertificate;
 use crate::correction::{DataChange, DataCorrection};
 use crate::repair::edit::placed;
 use std::cmp::Reverse;
@@ -292,7 +293,7 @@ fn explained(claim: &Claim, statement: &Written, change: &Change<'_>) -> Option<
     if !decided.is_proven() {
         return None;
     }
-    let steps = decided.steps();
+    let certificate = Arc::new(DecisionCertificate::from_decision(&decided)?);
     let (mut explains, mut contradicts, mut refuted) = (vec![], vec![], 0);
     for value in claim.example.iter() {
         let Some(statement) = value.statement.as_ref().filter(|s| is_result(&s.expr)) else {
@@ -325,7 +326,7 @@ fn explained(claim: &Claim, statement: &Written, change: &Change<'_>) -> Option<
         rank: (contradicts.len(), Reverse(explains.len()), change.weight()),
         correction: DataCorrection {
             changes: changes.collect(),
-            steps,
+            certificate,
             unique: true,
             explains_example: explains.len() == refuted && contradicts.is_empty(),
             explains,

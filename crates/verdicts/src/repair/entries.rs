@@ -8,6 +8,7 @@ use super::ansatz::single;
 use super::data::with;
 use super::edit::placed;
 use super::residue::{of_fraction, power};
+use crate::certificate::DecisionCertificate;
 use crate::correction::{DataChange, DataCorrection};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -255,15 +256,17 @@ fn proved(
     let mut declarations = (*claim.declarations).clone();
     declarations.define(name.to_owned(), definition);
     let decided = decide_statement(&with(claim, declarations), statement).ok()?;
-    let (conditions, steps) = (decided.conditions()?, decided.steps());
-    conditions.is_empty().then(|| DataCorrection {
-        changes,
-        steps,
-        unique: true,
-        explains: vec![claim.entry.id.get_ref().clone()],
-        contradicts: vec![],
-        explains_example: false,
-    })
+    let certificate = DecisionCertificate::from_decision(&decided)?;
+    certificate
+        .is_unconditional_proof()
+        .then(|| DataCorrection {
+            changes,
+            certificate: Arc::new(certificate),
+            unique: true,
+            explains: vec![claim.entry.id.get_ref().clone()],
+            contradicts: vec![],
+            explains_example: false,
+        })
 }
 
 #[cfg(test)]

@@ -3,13 +3,14 @@
 use crate::found;
 use torse_checker::CheckError;
 use torse_verdicts::certificate::DecisionCertificate;
+use torse_verdicts::words;
 
 /// The steps and the JSON of what is found of a claim.
 fn shown(lines: &str) -> String {
     let found = found(lines);
     let steps = match &found.certificate {
-        DecisionCertificate::Proof { of, .. } => torse_prove::steps::steps(of),
-        DecisionCertificate::Refutation(of) => torse_prove::steps::refutation(of),
+        DecisionCertificate::Proof { of, .. } => words::certificate::proof(of),
+        DecisionCertificate::Refutation(of) => words::certificate::refutation(of),
     };
     let replayed = match found.checked() {
         Ok(()) => "replayed".to_owned(),

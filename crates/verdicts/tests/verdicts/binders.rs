@@ -3,6 +3,7 @@
 use crate::common;
 
 use torse_syntax::taxonomy::Verdict::{self, Conditional, False, Holds, Undecided};
+use torse_verdicts::words;
 
 const SHARED: &str = r#"
 [symbols]
@@ -42,8 +43,13 @@ fn decided(states: &str, wanted: Verdict) -> String {
     let found = common::stated("binders", SHARED, &[states]);
     let found = found.first().expect("one claim");
     assert_eq!(found.contradiction(), None, "{states}");
-    assert_eq!(found.verdict(), wanted, "{states}: {:?}", found.steps());
-    found.steps().concat()
+    assert_eq!(
+        found.verdict(),
+        wanted,
+        "{states}: {:?}",
+        words::steps(&found)
+    );
+    words::steps(&found).concat()
 }
 
 #[track_caller]
@@ -89,7 +95,7 @@ fn an_integral_that_is_not_carried_says_why() {
     let root = "states = 'integral(sqrt(t^2 + 1), t, 0, s) == s'";
     let found = common::outcomes("binders", SHARED, &[root]).remove(0);
     assert_eq!(found.verdict(), Undecided);
-    assert!(found.steps()[0].contains("a root that depends on the variable of an integral"));
+    assert!(words::steps(&found)[0].contains("a root that depends on the variable of an integral"));
 }
 
 #[test]

@@ -10,6 +10,7 @@ use torse_syntax::derivation::Claim;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::agreement::{Agreement, agreement};
 use torse_verdicts::engine::decide_claim;
+use torse_verdicts::words;
 
 const DECLARATIONS: &str = r#"
 [symbols]
@@ -149,7 +150,7 @@ fn no_verdict_is_shown_that_rests_on_a_fault_of_the_elaborator() {
             wrong.push(format!(
                 "{fault:?}: {:?} {:?}",
                 outcome.verdict(),
-                outcome.steps()
+                words::steps(&outcome)
             ));
         }
     }

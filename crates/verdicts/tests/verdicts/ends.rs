@@ -12,6 +12,7 @@ use crate::common;
 
 use torse_syntax::taxonomy::Verdict::{self, False, Holds};
 use torse_verdicts::outcome::Outcome;
+use torse_verdicts::words;
 
 const BOUNDED: &str = r#"
 [symbols]
@@ -68,7 +69,12 @@ fn an_end_that_is_a_formula_is_what_would_be_assumed() {
     for (states, assumed, wanted) in CASES {
         let (bounded, free) = (outcome(BOUNDED, states, ""), outcome(FREE, states, assumed));
         for found in [&bounded, &free] {
-            assert_eq!(found.verdict(), wanted, "{states}: {:#?}", found.steps());
+            assert_eq!(
+                found.verdict(),
+                wanted,
+                "{states}: {:#?}",
+                words::steps(&found)
+            );
             assert_eq!(found.contradiction(), None, "{states}");
         }
         assert_eq!(bounded.conditions(), free.conditions(), "{states}");

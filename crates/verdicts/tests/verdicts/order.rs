@@ -5,6 +5,7 @@ use crate::common;
 use torse_prove::evidence::Evidence;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::outcome::Outcome;
+use torse_verdicts::words;
 
 const SYMBOLS: &str = r#"
 [symbols]
@@ -72,7 +73,9 @@ fn assumed_inequalities_bound_the_domain_of_a_proof() {
             "{assume}: {states}: {with:?}"
         );
         assert!(
-            with.steps().iter().any(|s| s.contains("assumptions")),
+            words::steps(&with)
+                .iter()
+                .any(|s| s.contains("assumptions")),
             "{with:?}"
         );
         let without = outcome(
@@ -142,7 +145,7 @@ fn a_proved_relation_says_whether_its_ranges_are_sharp() {
     let steps = |name: &str, states: &str| {
         let found = outcome(name, &format!("states = '{states}'"));
         assert_eq!(found.verdict(), Verdict::Holds, "{found:?}");
-        found.steps()
+        words::steps(&found)
     };
     let sharp = steps("sharp", "(1 - sin(pi/2*x))*(1 - mu*sin(pi/2*x)) >= 0");
     assert!(
@@ -231,7 +234,7 @@ fn variation_diminution_is_proved_for_powers_and_refuted_by_a_curve() {
     let open = outcome("turned", "states = 'variation_diminishing(f)'");
     assert_eq!(open.verdict(), Verdict::Undecided, "{open:?}");
     let first = "degree 1: totally positive for all shape parameters, by certificates of sign for all 3 minors";
-    assert!(open.steps().contains(&first.to_owned()), "{open:?}");
+    assert!(words::steps(&open).contains(&first.to_owned()), "{open:?}");
 }
 
 #[test]
@@ -251,7 +254,10 @@ fn variation_diminution_is_proved_degree_by_degree_for_one_function_of_a_paramet
     assert_eq!(high.verdict(), Verdict::Undecided, "{high:?}");
     let other = outcome("other", "states = 'variation_diminishing(sharp, 1, 2)'");
     assert_eq!(other.verdict(), Verdict::Undecided, "{other:?}");
-    assert!(other.steps()[0].contains("is not 1 - x and x"), "{other:?}");
+    assert!(
+        words::steps(&other)[0].contains("is not 1 - x and x"),
+        "{other:?}"
+    );
 }
 
 /// Each of these rests on the sign of a fraction between -1 and 0.

@@ -11,6 +11,7 @@ use torse_prove::decide_statement;
 use torse_syntax::derivation::Claim;
 use torse_syntax::taxonomy::Verdict::{self, Conditional, False, Holds, Undecided, Vacuous};
 use torse_verdicts::engine::decide_claim;
+use torse_verdicts::words;
 
 const DECLARATIONS: &str = r#"
 [symbols]
@@ -317,11 +318,15 @@ fn every_planted_fault_changes_a_verdict_and_is_caught() {
         let alone = (proved(&claim), with(case.fault, || proved(&claim)));
         let caught = match (faulty.contradiction(), faulty.verdict()) {
             (Some(_), Undecided) => Some(Caught::Net),
-            (None, Undecided) if faulty.steps().concat().contains("certificate") => {
+            (None, Undecided) if words::steps(&faulty).concat().contains("certificate") => {
                 Some(Caught::Replay)
             }
             // What has no value anywhere is not shown.
-            (None, Undecided) if faulty.steps().concat().contains("no point was found") => {
+            (None, Undecided)
+                if words::steps(&faulty)
+                    .concat()
+                    .contains("no point was found") =>
+            {
                 Some(Caught::NotNetted)
             }
             (None, _) if faulty.net().is_some_and(|net| net.decided == 0) => {
@@ -337,7 +342,7 @@ fn every_planted_fault_changes_a_verdict_and_is_caught() {
                 case.fault,
                 clean,
                 faulty.verdict(),
-                faulty.steps(),
+                words::steps(&faulty),
                 faulty.net()
             ));
         }
@@ -355,7 +360,11 @@ fn a_memory_that_forgets_nothing_contradicts_what_is_right() {
     })
     .unwrap();
     assert_eq!(faulty.verdict(), Undecided);
-    assert!(faulty.contradiction().is_some(), "{:?}", faulty.steps());
+    assert!(
+        faulty.contradiction().is_some(),
+        "{:?}",
+        words::steps(&faulty)
+    );
 }
 
 #[test]
@@ -378,7 +387,7 @@ fn a_forgotten_condition_that_says_where_terms_are_defined_is_found() {
         assert_eq!(decided().verdict(), Conditional, "{states}");
         let faulty = with(InjectedFault::ConditionDropped, decided);
         assert_eq!(faulty.verdict(), Undecided, "{states}");
-        let steps = faulty.steps().concat();
+        let steps = words::steps(&faulty).concat();
         assert!(steps.contains("divides by zero at a = "), "{steps}");
     }
 }

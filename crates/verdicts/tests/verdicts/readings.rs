@@ -6,6 +6,7 @@ use torse_prove::evidence::Evidence;
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::consequences::{Fate, consequences};
 use torse_verdicts::outcome::Outcome;
+use torse_verdicts::words;
 
 fn read(name: &str, first: &str, second: &str) -> Outcome {
     let reading = |name: &str, states: &str| {
@@ -36,7 +37,7 @@ fn readings_with_different_verdicts_accuse_nobody() {
     assert_eq!(verdicts, [Verdict::False, Verdict::Holds]);
     assert!(found.readings()[0].outcome.witness().is_some());
     assert_eq!(
-        found.steps()[0],
+        words::steps(&found)[0],
         "read as “literal” (the literal one): it is false"
     );
     assert_eq!(Fate::from_verdict(found.verdict()), Fate::Open);
@@ -75,8 +76,7 @@ fn of_a_refuted_conjunction_each_part_is_told() {
     let claim = "states = 'x >= 0 and x > 0 and 2*x == x + x'";
     let found = common::outcomes("parts", symbols, &[claim]).remove(0);
     assert_eq!(found.verdict(), Verdict::False);
-    let told: Vec<String> = found
-        .steps()
+    let told: Vec<String> = words::steps(&found)
         .into_iter()
         .filter(|s| s.starts_with("the part"))
         .collect();

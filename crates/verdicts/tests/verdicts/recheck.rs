@@ -44,7 +44,8 @@ fn called_true(outcome: &Outcome) -> Outcome {
             conditions: vec![],
             of: Proof::Parts(vec![]),
         }),
-        steps: vec![],
+        ranges: vec![],
+        witnesses: vec![],
     };
     Outcome {
         finding: Finding::Proved(judged(statement)),
@@ -79,7 +80,8 @@ fn refuted(outcome: &Outcome, at: &[(&str, &str)]) -> Outcome {
         repair: None,
         data: None,
         search_ended_early: false,
-        steps: vec![],
+        parts: vec![],
+        no_number: None,
     };
     Outcome {
         finding: Finding::Refuted(judged(statement)),

@@ -6,6 +6,7 @@ use torse_syntax::derivation::{Claim, Paper, load};
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::outcome::Outcome;
+use torse_verdicts::words;
 
 /// The papers, and one with slips on purpose.
 static PAPERS: LazyLock<Vec<Paper>> = LazyLock::new(|| {
@@ -75,7 +76,7 @@ fn one_exchange_of_digits_explains_all_wrong_values_of_an_example() {
         let data = outcome.data().unwrap();
         assert_eq!(data.explains, ["slips/one.area", "slips/one.slope"], "{id}");
         assert!(data.explains_example && data.contradicts.is_empty(), "{id}");
-        let words = data.in_words();
+        let words = words::data_correction(data);
         assert!(words.contains(&"`q` reads `[3, 21]` instead of `[3, 12]`".to_owned()));
         assert!(
             words.contains(&"this one change explains every wrong value of the example".to_owned())

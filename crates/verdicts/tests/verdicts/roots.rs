@@ -11,6 +11,7 @@
 use crate::common;
 
 use torse_syntax::taxonomy::Verdict::{self, Conditional, False, Holds, Undecided};
+use torse_verdicts::words;
 
 const SHARED: &str = r#"
 [symbols]
@@ -47,7 +48,12 @@ fn verdict(lines: &str, wanted: Verdict) {
         found.net().map(|n| (n.netted, n.decided, n.why.clone())),
         found.witness(),
     );
-    assert_eq!(found.verdict(), wanted, "{lines}: {:#?}", found.steps());
+    assert_eq!(
+        found.verdict(),
+        wanted,
+        "{lines}: {:#?}",
+        words::steps(&found)
+    );
 }
 
 #[track_caller]
@@ -234,7 +240,7 @@ fn every_claim_with_roots_of_the_derivations_has_the_verdict_that_it_expects() {
                     "{}: {:?} {:?}",
                     found.claim.id,
                     found.verdict(),
-                    found.steps()
+                    words::steps(&found)
                 ));
             }
         }
@@ -334,7 +340,12 @@ fn random_claims_about_roots_contradict_neither_the_semantics_nor_the_checker() 
         let found = torse_verdicts::engine::decide_claim("random", &paper.claims[0]);
         let kind = match found {
             Ok(found) => {
-                assert_eq!(found.contradiction(), None, "{lines}: {:?}", found.steps());
+                assert_eq!(
+                    found.contradiction(),
+                    None,
+                    "{lines}: {:?}",
+                    words::steps(&found)
+                );
                 replayed += usize::from(found.replay().is_some_and(|r| r.replayed));
                 let netted = found.net().is_some_and(|net| net.netted);
                 format!(

@@ -3,6 +3,7 @@ use std::sync::Arc;
 use torse_syntax::derivation::{LoadError, Paper, Source, paper};
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::engine::decide_claim;
+use torse_verdicts::words;
 
 /// What a thread has unless its program says otherwise.
 const SMALL: usize = 2 << 20;
@@ -36,7 +37,7 @@ fn definitions_as_deep_as_they_may_be_are_decided_on_a_thread_of_two_megabytes()
         let claims = paper.claims.iter();
         let outcomes = claims.map(|claim| decide_claim("p", claim).unwrap());
         outcomes
-            .map(|found| (found.verdict(), found.steps()))
+            .map(|found| (found.verdict(), words::steps(&found)))
             .collect()
     };
     let thread = std::thread::Builder::new().stack_size(SMALL);

@@ -310,13 +310,13 @@ pub fn compare(
         // No side of a relation of order is that of an equation.
         return Ok(Decision::Refuted(Box::new(Refutation::at(point))));
     }
-    Ok(Decision::Open {
-        reason: "the sign of the difference on the domain is not settled".to_owned(),
-        tried: vec![
-            "Bernstein coefficients on the whole domain".to_owned(),
-            "simple points".to_owned(),
+    Ok(Decision::open(
+        "the sign of the difference on the domain is not settled",
+        &[
+            "Bernstein coefficients on the whole domain",
+            "simple points",
         ],
-    })
+    ))
 }
 
 /// Vectors have no order; they are different wherever one coordinate is.
@@ -326,10 +326,7 @@ fn different(
     right: &[&Quantity],
     domain: &Domain<'_>,
 ) -> Decision {
-    let open = |reason: &str| Decision::Open {
-        reason: reason.to_owned(),
-        tried: vec![],
-    };
+    let open = |reason: &str| Decision::open(reason, &[]);
     if relation != Relation::Different {
         return open("vectors and matrices have no order");
     }
@@ -369,10 +366,10 @@ fn ordered(
     let signs = match replayed(&found.proofs, domain) {
         Ok(signs) => signs,
         Err(error) => {
-            return Decision::Open {
-                reason: format!("the certificate of sign does not hold: {error}"),
-                tried: vec![],
-            };
+            return Decision::open(
+                format!("the certificate of sign does not hold: {error}"),
+                &[],
+            );
         }
     };
     let bounded = |symbol: &Symbol| {

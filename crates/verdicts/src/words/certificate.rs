@@ -1,6 +1,5 @@
-//! The steps of proofs and refutations in words.
-//!
-//! A certificate is data and speaks no language; this module alone says what one shows.
+//! The steps of proofs and refutations in words. A certificate is data and speaks no language; this module alone says
+//! what one shows.
 
 use torse_certificate::enclosure::{Agreement, Enclosure};
 use torse_certificate::family::{Nonnegative, Part};
@@ -14,15 +13,15 @@ use torse_certificate::wronskian::{AtDegree, Wronskians};
 use torse_certificate::zero_by_sign::{Zero, ZeroBySign};
 use torse_certificate::{Polynomial, Proof, Refuted};
 
-/// The steps of a proof, followed by what it says about ranges.
+/// Describes the steps of a proof, followed by what it says about ranges.
 #[must_use]
-pub fn steps(proof: &Proof<Polynomial>) -> Vec<String> {
+pub fn proof(proof: &Proof<Polynomial>) -> Vec<String> {
     let ranges = proof.ranges();
     let ranges = ranges.iter().map(range);
     reasons(proof).into_iter().chain(ranges).collect()
 }
 
-/// The steps of a proof, without what it says about ranges.
+/// Describes the steps of a proof, without what it says about ranges.
 #[must_use]
 pub fn reasons(proof: &Proof<Polynomial>) -> Vec<String> {
     match proof {
@@ -58,23 +57,23 @@ pub fn reasons(proof: &Proof<Polynomial>) -> Vec<String> {
     }
 }
 
-/// The steps of a refutation.
+/// Describes the steps of a refutation.
 #[must_use]
 pub fn refutation(refuted: &Refuted<Polynomial>) -> Vec<String> {
     match refuted {
         Refuted::At(point) => failure(&point.failure),
         Refuted::Instance { integers, refuted } => {
-            let first = format!("the instance {}", label(integers));
+            let first = format!("the instance {}", values(integers));
             std::iter::once(first).chain(refutation(refuted)).collect()
         }
         Refuted::Denied { proof, .. } => {
             let first = "the negated statement is proved: it holds everywhere".to_owned();
-            std::iter::once(first).chain(steps(proof)).collect()
+            std::iter::once(first).chain(self::proof(proof)).collect()
         }
     }
 }
 
-/// Why a domain has no points, or a statement no values.
+/// Says why a domain has no points, or a statement no values.
 #[must_use]
 pub fn emptiness(empty: &Emptiness<Polynomial>) -> String {
     match empty {
@@ -224,7 +223,7 @@ fn elimination(own: &Elimination<Polynomial>) -> Option<String> {
 }
 
 fn instance(own: &Instance<Polynomial>) -> String {
-    let label = label(&own.integers);
+    let label = values(&own.integers);
     match &own.proof {
         Proof::Nowhere(empty) => format!("says nothing for {label}: {}", emptiness(empty)),
         _ => format!("holds for {label}"),
@@ -240,7 +239,8 @@ fn split(own: &Split<Polynomial>) -> Vec<String> {
     reasons(&own.nonzero).into_iter().chain([zero]).collect()
 }
 
-fn range(own: &Sharpness<Polynomial>) -> String {
+/// Describes what is shown of the range of a parameter.
+pub(super) fn range(own: &Sharpness<Polynomial>) -> String {
     match own {
         Sharpness::Fails {
             name,
@@ -308,8 +308,8 @@ fn place(refuted: &Refuted<Polynomial>) -> String {
     values.join(", ")
 }
 
-/// `i = 1, n = 2`.
-fn label<'i>(integers: impl IntoIterator<Item = (&'i String, &'i i64)>) -> String {
+/// Lists values of integers: `i = 1, n = 2`.
+pub fn values<'i>(integers: impl IntoIterator<Item = (&'i String, &'i i64)>) -> String {
     let values = integers.into_iter();
     let values: Vec<String> = values.map(|(name, n)| format!("{name} = {n}")).collect();
     values.join(", ")
