@@ -60,6 +60,10 @@ pub(super) fn instantiate(
             "`fails`, or a property of a basis, in an existential claim: state it for each point";
         return Err(within(Fault::limit(statement.expr.place, what)));
     }
+    let signs = Signs::new(
+        elaborator.declarations(),
+        hypotheses.iter().map(|own| &own.statement),
+    );
     let mut members = vec![];
     let mut inhabited = true;
     for (existential, (_, witness)) in claim.existentials.iter().zip(&witnesses) {
@@ -69,16 +73,18 @@ pub(super) fn instantiate(
         inhabited &= is_inhabited(interval);
         members.extend(between(interval, witness));
         for relation in interval.relations(&existential.name) {
-            let statement = elaborator.statement_where(&relation.expr, &witnesses);
-            members.push(statement.map_err(|f| f.within(&relation.origin))?);
+            let within = |fault: Fault| fault.within(&relation.origin);
+            let member = elaborator.statement_where(&relation.expr, &witnesses);
+            let member = member.map_err(within)?;
+            let ends = member.terms().into_iter();
+            ends.map(|end| signs.require_end(end, witnesses.len()))
+                .collect::<Result<(), Fault>>()
+                .map_err(within)?;
+            members.push(member);
         }
     }
     refuse_functions(elaborator, claim, statement).map_err(within)?;
     let premise = free_premise(elaborator, claim, statement).filter(|_| inhabited);
-    let signs = Signs::new(
-        elaborator.declarations(),
-        hypotheses.iter().map(|own| &own.statement),
-    );
     let signs = match &premise {
         Some(premise) => signs.with(premise),
         None => signs,

@@ -61,6 +61,34 @@ impl Signs<'_> {
         }
     }
 
+    /// Fails if an end of the set of an existential number may have no value but where a divisor in it, which becomes a condition,
+    /// is zero: there is no set there, and so no number in it. The outermost binders bind the witnesses.
+    pub(crate) fn require_end(&self, end: &Term, witnesses: usize) -> Result<(), Fault> {
+        if injected(InjectedFault::WitnessValueAssumed) {
+            return Ok(());
+        }
+        let (scope, body) = self.opened(end, witnesses);
+        let has_value = |node: &Node| match node {
+            Node::Apply(BuiltIn::SquareRoot, own) => own
+                .iter()
+                .all(|own| self.sign(own, &scope, true) >= Some(Sign::Nonnegative)),
+            Node::Apply(BuiltIn::Logarithm, own) => own
+                .iter()
+                .all(|own| self.sign(own, &scope, true) == Some(Sign::Positive)),
+            Node::Apply(BuiltIn::Norm, own) => {
+                own.iter().all(|own| self.sign(own, &scope, true).is_some())
+            }
+            other => is_arithmetic(other),
+        };
+        if has_only(body, &has_value) {
+            return Ok(());
+        }
+        Err(refused(
+            end,
+            "an end of the set of an existential number that may have no value by the way it is written",
+        ))
+    }
+
     /// Fails if a side of a comparison may have no value.
     fn require_written_value(&self, term: &Term, witnesses: usize) -> Result<(), Fault> {
         let (scope, body) = self.opened(term, witnesses);

@@ -310,6 +310,46 @@ fn what_may_have_no_value_is_a_condition_or_the_claim_is_refused() {
     assert_eq!(decided("['r == a']", &many), Undecided);
 }
 
+/// At some point of the other symbols an end of the set has no value: there is no set there, and so no number.
+const NO_SET_SOMEWHERE: [(&str, &str); 11] = [
+    ("[0, abs(log((3*a - 1)^2))]", "e == 0"),
+    ("[-log((3*a - 1)^2)^2, inf)", "e == 0"),
+    ("[0, 1 + 0*log((3*a - 1)^2)]", "e == 0"),
+    ("[0, exp(log((3*a - 1)^2))]", "e == 0"),
+    ("[0, exp(log((b - 2)^2))]", "e == 0"),
+    ("[0, exp(log((b - 2)^2))]", "e <= sqrt((b - 2)^2)"),
+    ("[0, sqrt(a)]", "e == 0"),
+    ("[0, sqrt(a)]", "a > 1 implies e == 0"),
+    ("[0, norm([1/a, 1])]", "e == 0"),
+    ("[0, sqrt(1/a^2)]", "e == 0"),
+    ("[0, sum(j, 1, 2, 1/(a - j))^2]", "e == 0"),
+];
+
+#[test]
+fn an_end_of_the_set_of_a_number_has_a_value_or_nothing_is_said() {
+    let decided = |set: &str, states: &str| {
+        let lines = format!(
+            "symbols = {{ e = {{ in = '{set}' }} }}\nexists = ['e == 0']\nstates = '{states}'"
+        );
+        let found = common::outcomes("there", SHARED, &[&lines]);
+        assert_eq!(found[0].contradiction(), None, "{lines}");
+        found[0].verdict()
+    };
+    for (set, states) in NO_SET_SOMEWHERE {
+        assert_eq!(decided(set, states), Undecided, "{set} {states}");
+    }
+    for (set, verdict) in [
+        ("[0, 1/(3*a - 1)^2]", Conditional),
+        ("[0, sqrt(a^2 + 1)]", Holds),
+        ("[0, sqrt(x)]", Holds),
+        ("[0, log(2)]", Holds),
+        ("[0, log(1 + u)]", Holds),
+        ("[0, norm(p)]", Holds),
+    ] {
+        assert_eq!(decided(set, "e == 0"), verdict, "{set}");
+    }
+}
+
 #[test]
 fn the_semantics_finds_a_point_at_which_the_number_leaves_a_root_without_a_value() {
     for (exists, states) in &UNDEFINED_SOMEWHERE[..7] {
