@@ -128,6 +128,7 @@ impl Domain<'_> {
         let declared = declared.filter(|(_, set)| !contains_zero(set));
         let declared =
             declared.map(|(name, _)| Polynomial::symbol(Symbol::Named(Arc::clone(name))));
+        let declared: Vec<Polynomial> = declared.collect();
         // If c + p = 0 with a nonzero constant c, then p is nonzero.
         let level = self.hypotheses(0);
         let equations = level.all.iter().filter(|c| c.relation == Relation::Equal);
@@ -135,17 +136,18 @@ impl Domain<'_> {
         let plain = self.conditions.iter().chain(&self.nonzero).cloned();
         let apart = self.apart.borrow();
         let by_sign = apart.factors.iter().filter(|_| groups == self.groups.len());
-        let plain = plain.chain(declared).chain(implied).chain(by_sign.cloned());
+        let plain = plain.chain(declared.iter().cloned()).chain(implied).chain(by_sign.cloned());
         let mut all: Vec<(Polynomial, Met)> = plain.map(|p| (p, Met::new())).collect();
         let divisors = self.divisors.borrow();
         let met = divisors.get(&groups).into_iter().flatten();
         all.extend(met.map(|(p, met)| (p.clone(), met.clone())));
         drop(divisors);
-        // A condition is also nonzero after eliminated symbols are replaced in it.
-        for condition in self.conditions {
-            let replaced = self.replaced(groups, condition)?;
+        // A condition, or a symbol by its declared range, is also nonzero after eliminated symbols are replaced in it.
+        for own in self.conditions.iter().chain(&declared) {
+            let replaced = self.replaced(groups, own)?;
             all.push((replaced.difference.above, replaced.met));
         }
+        all.extend(self.bounded_from_zero(known)?);
         let differs = known
             .iter()
             .filter(|c| matches!(c.relation, Different | Less | Greater));
@@ -161,6 +163,26 @@ impl Domain<'_> {
         all.extend(radicands);
         all.retain(|(factor, _)| !factor.is_number());
         Ok(all)
+    }
+
+    /// The symbols that a hypothesis keeps from zero, since it fails with zero in place of one: x where `x >= 1`, x and y where
+    /// `x*y > 1`.
+    fn bounded_from_zero(&self, known: &[Compared]) -> Result<Vec<(Polynomial, Met)>, Unsupported> {
+        let mut bounded = vec![];
+        for compared in known {
+            let value = &compared.difference;
+            if !value.below.is_empty() || value.above.len() > MAX_TERMS {
+                continue;
+            }
+            for symbol in value.above.symbols().filter(|symbol| !symbol.is_number()) {
+                let zero = (symbol.clone(), Polynomial::zero());
+                let number = self.put(&value.above, &[zero])?.as_constant();
+                if number.is_some_and(|n| !holds(n.cmp(&integer(0)), compared.relation)) {
+                    bounded.push((Polynomial::symbol(symbol.clone()), compared.met.clone()));
+                }
+            }
+        }
+        Ok(bounded)
     }
 
     /// Whether a polynomial divides a power of a factor, so that it is nonzero where the factor is: `x^2` where `x*y` is.

@@ -171,3 +171,38 @@ fn conditions_are_no_more_than_what_the_statement_divides_by() {
         ("1/y > 0 or 1/y <= 0", "abs(abs(1/y)) >= 0", "holds"),
     ]);
 }
+
+#[test]
+fn what_a_hypothesis_keeps_from_zero_is_not_zero_for_the_checker_either() {
+    answers(&[
+        // The bound of a radicand is a hypothesis, and no declared range.
+        ("sqrt(x) < x", "x > 1", "holds"),
+        ("sqrt(x) <= x", "x >= 1", "holds"),
+        ("sqrt(x) < x", "x >= 1", "false"),
+        ("x > 1 implies sqrt(x) < x", "", "holds"),
+        ("sqrt(x) < x", "x in [0, 5]; x >= 2", "holds"),
+        ("sqrt(2*x - 1/2) != x", "x >= 7/3", "holds"),
+        ("sqrt(2*x - 1) != x", "x >= 1/2", "false"),
+        ("not (sqrt(x) == x)", "x >= 2", "holds"),
+        ("x*sqrt(x) >= x", "x >= 1", "holds"),
+        ("sqrt(x) <= x - 1", "x >= 3", "holds"),
+        ("fails(sqrt(x) < x)", "x >= 2", "false"),
+        // A symbol with an open range is eliminated by an equation.
+        ("x^2 > 0", "x in (0, inf); x == y^2", "holds"),
+        ("x^2 > 0", "x in [0, inf); x == y^2", "false"),
+        ("x*y != 0", "x in (0, inf); x == y^2", "holds"),
+        ("x*y^2 >= 0", "x in (0, inf); x == y^2", "holds"),
+        ("x^2 > 0", "x in (0, inf); x == sin(y)", "holds"),
+        ("x*y^2 >= 0", "x in (1, inf); x == y^2", "holds"),
+        ("t^2 > 0", "t in (0, 1); t == y*z", "holds"),
+        ("t^2 > 0", "t in (0, 1); t == 1 - y^2", "holds"),
+        ("x*y^2 <= 0", "x in (-inf, 0); x == -y^2", "holds"),
+        ("r*(x^2 + y^2) >= 0", "r in (0, inf); r == x^2 + y^2", "holds"),
+        // A hypothesis that is no equation keeps a symbol of another from zero.
+        ("y != 0", "y >= 1; x*y == 0", "holds"),
+        ("y != 0", "y >= 0; x*y == 0", "false"),
+        ("sqrt(y) != 0", "y >= 1; x*y == 0", "holds"),
+        ("abs(x) != y", "y >= 1; x*y == 0", "holds"),
+        ("sqrt(x^2 + y^2) != abs(x)", "y >= 1; x*y == 0", "holds"),
+    ]);
+}
