@@ -136,7 +136,10 @@ impl Domain<'_> {
         let plain = self.conditions.iter().chain(&self.nonzero).cloned();
         let apart = self.apart.borrow();
         let by_sign = apart.factors.iter().filter(|_| groups == self.groups.len());
-        let plain = plain.chain(declared.iter().cloned()).chain(implied).chain(by_sign.cloned());
+        let plain = plain
+            .chain(declared.iter().cloned())
+            .chain(implied)
+            .chain(by_sign.cloned());
         let mut all: Vec<(Polynomial, Met)> = plain.map(|p| (p, Met::new())).collect();
         let divisors = self.divisors.borrow();
         let met = divisors.get(&groups).into_iter().flatten();

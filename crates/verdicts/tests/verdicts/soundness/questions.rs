@@ -197,7 +197,11 @@ fn what_a_hypothesis_keeps_from_zero_is_not_zero_for_the_checker_either() {
         ("t^2 > 0", "t in (0, 1); t == y*z", "holds"),
         ("t^2 > 0", "t in (0, 1); t == 1 - y^2", "holds"),
         ("x*y^2 <= 0", "x in (-inf, 0); x == -y^2", "holds"),
-        ("r*(x^2 + y^2) >= 0", "r in (0, inf); r == x^2 + y^2", "holds"),
+        (
+            "r*(x^2 + y^2) >= 0",
+            "r in (0, inf); r == x^2 + y^2",
+            "holds",
+        ),
         // A hypothesis that is no equation keeps a symbol of another from zero.
         ("y != 0", "y >= 1; x*y == 0", "holds"),
         ("y != 0", "y >= 0; x*y == 0", "false"),
