@@ -17,7 +17,7 @@ from fractions import Fraction
 # Names of the notation: a symbol that is called so would be read as something else.
 RESERVED = {
     "pi", "inf", "and", "or", "not", "implies", "in", "exists", "forall", "D", "at", "sum", "product", "integral", "binom",
-    "factorial", "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "sqrt", "abs", "dot", "cross", "det", "transpose",
+    "factorial", "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "sqrt", "abs", "min", "max", "dot", "cross", "det", "transpose",
     "inverse", "solve", "norm", "agrees", "fails", "coefficients", "identity", "nonnegative", "independent",
     "variation_diminishing",
 }
@@ -210,6 +210,7 @@ def _read(expression):
     names = {
         sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.exp: "exp", sympy.sinh: "sinh", sympy.cosh: "cosh",
         sympy.tanh: "tanh", sympy.Abs: "abs", sympy.binomial: "binom", sympy.factorial: "factorial",
+        sympy.Min: "min", sympy.Max: "max",
     }
     signs = {"==": "==", "!=": "!=", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
     read = Read("")
@@ -268,6 +269,14 @@ def _read(expression):
             return f"{name}({', '.join(self._print(part) for part in call.args)})"
 
         _print_Abs = _print_Function
+
+        def _print_Max(self, call):
+            name, (*others, last) = names[type(call)], [self._print(part) for part in call.args]
+            for other in reversed(others):
+                last = f"{name}({other}, {last})"
+            return last
+
+        _print_Min = _print_Max
 
         def _print_cot(self, call):
             inner = self._print(call.args[0])
@@ -329,7 +338,7 @@ def expression(code, symbols):
             return sympy.Symbol(name, real=True)
 
     functions = (
-        "sin cos tan exp sinh cosh tanh sqrt binomial factorial Abs Sum Product Integral Matrix diff Rational sympify pi "
+        "sin cos tan exp sinh cosh tanh sqrt binomial factorial Abs Min Max Sum Product Integral Matrix diff Rational sympify pi "
         "And Or Not Implies"
     )
     names = {name: getattr(sympy, name) for name in functions.split()}

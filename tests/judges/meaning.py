@@ -259,6 +259,10 @@ def called(head, arguments, names):
         case ("abs", a):
             v = value(a, names)
             return root(v * v)
+        case ("min" | "max", a, b):
+            a, b = value(a, names), value(b, names)
+            size = root((a - b) * (a - b))
+            return (a + b + size) / 2 if name == "max" else (a + b - size) / 2
         case ("norm", a):
             return root(sum(v * v for v in value(a, names)))
         case ("sin" | "cos" | "exp" | "cosh" | "sinh" | "tanh", a):

@@ -28,6 +28,7 @@
 //! | `wronskians` | total positivity at some degrees, by positive determinants on cells | [`wronskian`] |
 //! | `on` | a proof with its assumptions: eliminated symbols, constraints, conditions | [`proof::assumptions::Assumptions`] |
 //! | `both`, `clauses`, `parts`, `instances` | conjunctions, of halves, clauses, parts of the domain, values of integers | [`proof::Proof`] |
+//! | `split`, `sides` | where a divisor is not zero and where it is; where the argument of an absolute value is not negative and where it is not positive | [`proof::Proof`] |
 //! | `alternative`, `conclusion` | one part of `or`, perhaps where the others fail; the end of `implies` | [`proof::Proof`] |
 //! | `exists` | `not p` by a point | [`proof::refutation::Refuted`] |
 //! | `nowhere`, `defined`, `within` | no point; conditions that only say where terms are defined, or that say where those are that a proof does not need | [`proof::Proof`] |

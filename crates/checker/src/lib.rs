@@ -43,7 +43,7 @@ use torse_certificate::sign::Sign;
 use torse_certificate::symbol::Symbol;
 use torse_core::{Claim, Hypothesis, Set, Source, Statement, stack};
 use torse_syntax::derivation::Origin;
-use torse_syntax::formula::Connective;
+use torse_syntax::formula::{Connective, Relation};
 
 /// The largest number of products of terms for one claim.
 pub const WORK: u64 = 400_000;
@@ -224,6 +224,15 @@ impl Check<'_> {
                         }
                     }
                 }
+            }
+            // A number is not negative or not positive.
+            (_, Proof::Sides(sides)) => {
+                let mut sizes = claim.sizes();
+                let argument = sizes.find(|(name, _)| ***name == sides.root);
+                let (_, argument) = argument.ok_or(Wrong::Kind)?;
+                let side = |relation| claim.where_compared(argument, relation, self.origin);
+                self.proof(&side(Relation::AtLeast), &sides.above, integers)?;
+                self.proof(&side(Relation::AtMost), &sides.below, integers)
             }
             (_, Proof::Parts(_)) => beyond("a domain cut into parts"),
             // A statement is true where all clauses of its conjunctive form are.

@@ -118,6 +118,10 @@ pub enum InjectedFault {
     CoshAsDifference,
     /// The absolute value of a number is the number itself.
     SizeAsItself,
+    /// What is proved where a number is not negative is proved.
+    OtherSideForgotten,
+    /// The greater one of two numbers is the smaller one.
+    GreaterAsSmaller,
     /// The arguments of a function come in the opposite order.
     ArgumentsExchanged,
     /// A product is read as a sum.

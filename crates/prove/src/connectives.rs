@@ -6,12 +6,19 @@ use crate::decide::{self, Decision};
 use crate::decider::Decider;
 use crate::evidence::Witness;
 use std::rc::Rc;
-use torse_algebra::Polynomial;
+use torse_algebra::fault_injection::{InjectedFault, injected};
+use torse_algebra::{Polynomial, work};
+use torse_certificate::proof::Sides;
 use torse_core::{self as core};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::Origin;
 use torse_syntax::fault::Fault;
-use torse_syntax::formula::Connective;
+use torse_syntax::formula::{Connective, Relation};
+
+/// The most absolute values whose signs are told apart.
+const MAX_SIZES: usize = 3;
+/// The work that one side of one may take.
+const SIZE_WORK: u64 = 10_000_000;
 
 /// The domain of a claim, cut into parts without alternatives.
 pub(crate) struct DisjunctiveDomain<'a> {
@@ -221,10 +228,53 @@ impl<'a> DisjunctiveDomain<'a> {
     }
 
     fn on_parts(&self, statement: &core::Statement) -> Result<Decision, Fault> {
-        conjoined(
-            self.deciders.iter().map(|part| part.single(statement)),
-            Proof::Parts,
-        )
+        let parts = self.deciders.iter();
+        let parts = parts.map(|part| self.on_sides(part, statement, 0));
+        conjoined(parts, Proof::Parts)
+    }
+
+    /// Decides a statement on a part; where that is open, on both sides of an absolute value; so many are divided already.
+    fn on_sides(
+        &self,
+        part: &Decider<'a>,
+        statement: &core::Statement,
+        sides: usize,
+    ) -> Result<Decision, Fault> {
+        let decision = part.single(statement)?;
+        let mut sizes = part.claim.sizes().skip(sides);
+        if !matches!(decision, Decision::Open(_)) || sides >= MAX_SIZES {
+            return Ok(decision);
+        }
+        let Some((root, argument)) = sizes.next() else {
+            return Ok(decision);
+        };
+        let side = |relation| {
+            let claim = part.claim.where_compared(argument, relation, self.origin);
+            let side = Decider::new(claim, Rc::clone(&self.elaborator));
+            let side = side.where_nonzero(&part.nonzero);
+            let decided = work::within(SIZE_WORK, || self.on_sides(&side, statement, sides + 1));
+            match decided {
+                Ok(Ok(Decision::Vacuous(why))) => Some(Decision::Proven(Proof::Nowhere(why))),
+                Ok(Ok(decision @ (Decision::Proven(_) | Decision::Refuted(_)))) => Some(decision),
+                _ => None,
+            }
+        };
+        let is_nowhere = |proof: &Proof| matches!(proof, Proof::Nowhere(_));
+        Ok(match (side(Relation::AtLeast), side(Relation::AtMost)) {
+            (Some(refuted @ Decision::Refuted(_)), _)
+            | (_, Some(refuted @ Decision::Refuted(_))) => refuted,
+            (Some(Decision::Proven(above)), _) if injected(InjectedFault::OtherSideForgotten) => {
+                Decision::Proven(above)
+            }
+            (Some(Decision::Proven(above)), Some(Decision::Proven(below)))
+                if !is_nowhere(&above) || !is_nowhere(&below) =>
+            {
+                let root = root.to_string();
+                let divided = Sides { root, above, below };
+                Decision::Proven(Proof::Sides(Box::new(divided)))
+            }
+            _ => decision,
+        })
     }
 
     /// The domain where all premises are true, or all are false; `None` if one cannot be assumed.

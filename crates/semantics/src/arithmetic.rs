@@ -95,6 +95,17 @@ pub trait Arithmetic {
     /// result cannot be expressed.
     fn logarithm(&self, a: &Self::Number) -> Result<Self::Number, NoValue>;
 
+    /// The greater one of two numbers. Arithmetics without an order have it as `(a + b + sqrt((a - b)^2))/2`.
+    ///
+    /// # Errors
+    /// [`NoValue::Unknown`] if the result cannot be expressed.
+    fn greater(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, NoValue> {
+        let gap = self.minus(a, b)?;
+        let size = self.square_root(&self.times(&gap, &gap)?)?;
+        let twice = self.plus(&self.plus(a, b)?, &size)?;
+        self.over(&twice, &self.integer(2))
+    }
+
     /// Whether the number is zero; `None` if that is not known.
     fn is_zero(&self, a: &Self::Number) -> Option<bool>;
 

@@ -4,9 +4,9 @@
 //! One evaluation of a term yields its value and its gradient, by the rules for sums, products, quotients and the
 //! chain rule. Constants have no derivatives and cost as much as in the underlying arithmetic.
 
-use crate::arithmetic::Arithmetic;
+use crate::arithmetic::{Arithmetic, Comparison};
 use crate::name::Name;
-use crate::no_value::{NoValue, Work};
+use crate::no_value::{NoValue, Undefined, Unknown, Work};
 use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -373,6 +373,29 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
         }
         let rate = self.base.over(&self.base.integer(1), &a.value)?;
         self.chain(logarithm, &rate, a)
+    }
+
+    /// The greater one, with its derivatives. Where both are equal there are none.
+    fn greater(&self, a: &Self::Number, b: &Self::Number) -> Outcome<A> {
+        let value = self.base.greater(&a.value, &b.value)?;
+        if a.change.is_none() && b.change.is_none() {
+            return Ok(Gradient::constant(value));
+        }
+        let taken = match self.base.compare(&a.value, &b.value)? {
+            Comparison::Greater => a,
+            Comparison::Less => b,
+            Comparison::Equal => return Err(Undefined::NotDifferentiable.into()),
+            Comparison::Apart | Comparison::Near | Comparison::Open => {
+                return Err(Unknown::Precision.into());
+            }
+        };
+        // All variables are where it bends.
+        let rates = taken.rates().to_vec();
+        let curved = union(&a.variables(), &b.variables());
+        Ok(Gradient {
+            value,
+            change: Some(Rc::new(Change { rates, curved })),
+        })
     }
 
     /// Whether the value is zero for all values of the variables; `None` if it is zero at this point only.

@@ -461,6 +461,21 @@ impl Arithmetic for Reals<'_> {
             .map_err(|_| Unknown::Precision.into())
     }
 
+    /// By their order, and not by a root: where it is not known, the ball from the greater one of the lower ends to the
+    /// greater one of the upper ends.
+    fn greater(&self, a: &Real, b: &Real) -> Result<Real, NoValue> {
+        let gap = self.minus(a, b)?;
+        Ok(match gap.sign() {
+            Some(Ordering::Less) => b.clone(),
+            Some(_) => a.clone(),
+            None => {
+                let (a, b) = (a.ball(self.bits), b.ball(self.bits));
+                let (low, high) = (a.lower().max(b.lower()), a.upper().max(b.upper()));
+                Ball::from_bounds(&low, &high, self.bits).into()
+            }
+        })
+    }
+
     fn is_zero(&self, a: &Real) -> Option<bool> {
         a.is_zero()
     }

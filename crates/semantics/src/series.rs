@@ -5,7 +5,7 @@
 //! the arithmetic of series. A derivative inside of a derivative has an infinitesimal of its own, one level higher:
 //! its coefficients are series in the outer infinitesimals.
 
-use crate::arithmetic::Arithmetic;
+use crate::arithmetic::{Arithmetic, Comparison};
 use crate::no_value::{NoValue, Undefined, Unknown};
 use std::rc::Rc;
 use torse_numbers::Rational;
@@ -245,6 +245,37 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
             root.push(next);
         }
         Ok(Self::powers(level, root))
+    }
+
+    /// The greater one of two: of two numbers by themselves, of two series the one that begins with the greater number.
+    ///
+    /// Where both begin with the same number there is a corner, and no derivative.
+    pub fn greater<A: Arithmetic<Number = N>>(&self, other: &Self, a: &A) -> Outcome<N> {
+        if let (Self::Number(x), Self::Number(y)) = (self, other) {
+            return Ok(Self::Number(a.greater(x, y)?));
+        }
+        let (x, y) = (self.start(), other.start());
+        match a.compare(x.ok_or(Unknown::Precision)?, y.ok_or(Unknown::Precision)?)? {
+            Comparison::Greater => Ok(self.clone()),
+            Comparison::Less => Ok(other.clone()),
+            Comparison::Equal => Err(Undefined::NotDifferentiable.into()),
+            Comparison::Near | Comparison::Open => Err(Unknown::Precision.into()),
+            // Without an order it is what a root makes of it.
+            Comparison::Apart => {
+                let gap = self.minus(other, a)?;
+                let size = gap.times(&gap, a)?.square_root(a)?;
+                let twice = self.plus(other, a)?.plus(&size, a)?;
+                twice.over(&Self::integer(2, a), a)
+            }
+        }
+    }
+
+    /// The number at which all infinitesimals are zero.
+    fn start(&self) -> Option<&N> {
+        match self {
+            Self::Number(number) => Some(number),
+            Self::Powers { terms, .. } => terms.first()?.start(),
+        }
     }
 
     /// `(sin f, cos f)`, from `s' = c f'` and `c' = -s f'`.

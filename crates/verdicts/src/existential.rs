@@ -124,6 +124,9 @@ fn says_nothing_somewhere<P>(proof: &Proof<P>) -> bool {
         Proof::On(ground) => says_nothing_somewhere(&ground.proof),
         Proof::Both(a, b) => says_nothing_somewhere(a) || says_nothing_somewhere(b),
         Proof::Parts(all) | Proof::Clauses(all) => all.iter().any(says_nothing_somewhere),
+        Proof::Sides(sides) => {
+            says_nothing_somewhere(&sides.above) || says_nothing_somewhere(&sides.below)
+        }
         Proof::Alternative { proof, .. } | Proof::Conclusion(proof) => {
             says_nothing_somewhere(proof)
         }

@@ -95,6 +95,12 @@ fn statements_about_roots_are_never_judged_wrongly() {
 }
 
 #[test]
+fn statements_about_the_smaller_and_the_greater_number_are_never_judged_wrongly() {
+    let [holds, fails] = decided("extremum.txt");
+    assert!(holds >= 93 && fails >= 55, "{holds} and {fails}");
+}
+
+#[test]
 fn the_truths_are_those_of_another_library() {
     let has = Command::new("python3")
         .args([
@@ -106,7 +112,8 @@ fn the_truths_are_those_of_another_library() {
         eprintln!("notice: no python3 with mpmath, nothing is judged");
         return;
     }
-    let files = ["logarithm.txt", "root.txt"].map(|name| format!("tests/vocabulary/{name}"));
+    let files = ["logarithm.txt", "root.txt", "extremum.txt"]
+        .map(|name| format!("tests/vocabulary/{name}"));
     let judged = Command::new("python3")
         .arg("tests/judges/vocabulary.py")
         .args(files)

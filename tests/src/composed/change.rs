@@ -154,6 +154,7 @@ pub fn derivative(scene: &Scene, term: &Part, by: &str) -> Option<Part> {
                 let below = Arc::new(Term::Power(Arc::clone(b), Term::int(2)));
                 Term::binary(Operation::Divide, &above, &below)
             }
+            Operation::Least | Operation::Greatest => return None,
         },
         Term::Power(a, n) => {
             let less = match &**n {

@@ -19,6 +19,8 @@ pub enum Feature {
     Logarithm,
     /// Roots and absolute values.
     Root,
+    /// The smaller and the greater one of two numbers.
+    Extremum,
     /// Smooth functions.
     Smooth,
     /// `D`
@@ -41,12 +43,13 @@ pub enum Feature {
 
 impl Feature {
     /// All of them.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Quotient,
         Self::Angle,
         Self::Exponential,
         Self::Logarithm,
         Self::Root,
+        Self::Extremum,
         Self::Smooth,
         Self::Rate,
         Self::At,
@@ -67,6 +70,7 @@ impl Feature {
             Self::Exponential => "exponential",
             Self::Logarithm => "logarithm",
             Self::Root => "root",
+            Self::Extremum => "extremum",
             Self::Smooth => "smooth",
             Self::Rate => "rate",
             Self::At => "at",
@@ -318,6 +322,14 @@ impl<'a> Maker<'a> {
                     .stream
                     .pick(&[Function::Root, Function::Root, Function::Size]);
                 Arc::new(Term::Apply(function, inner))
+            }
+            Feature::Extremum => {
+                let operation = self.stream.pick(&[Operation::Least, Operation::Greatest]);
+                let other = match self.stream.once_in(3) {
+                    true => self.number(),
+                    false => self.symbol(),
+                };
+                Term::binary(operation, &self.term(depth - 1), &other)
             }
             Feature::Smooth => self.smooth(),
             Feature::Rate => {

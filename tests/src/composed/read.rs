@@ -59,6 +59,14 @@ fn term(expr: &Expr) -> Option<Part> {
             Term::binary(operation, &a, &b)
         }
         Node::Call(head, arguments) => {
+            if let (Node::Name(name), [a, b]) = (&head.node, arguments.as_slice()) {
+                let operation = match name.as_str() {
+                    "min" => Operation::Least,
+                    "max" => Operation::Greatest,
+                    _ => return None,
+                };
+                return Some(Term::binary(operation, &term(a)?, &term(b)?));
+            }
             let (Node::Name(name), [argument]) = (&head.node, arguments.as_slice()) else {
                 return None;
             };
@@ -96,6 +104,7 @@ mod tests {
             "a - 1 != 0",
             "x^2 - 2*f''(x*y)/3 + P[m - 1] != 0",
             "sqrt(x) > 0",
+            "max(x, y) - min(2*x, a)^2 != 0",
         ] {
             let written = statement(text).map(|read| read.to_string());
             assert_eq!(written.as_deref(), Some(text));

@@ -6,7 +6,7 @@ use super::term::{Function, Operation, Part, Term};
 use crate::random::seed::Stream;
 use std::sync::Arc;
 
-use Operation::{Add, Divide, Multiply, Subtract};
+use Operation::{Add, Divide, Greatest, Least, Multiply, Subtract};
 
 /// The most nodes of a term that is made.
 const MAX_SIZE: usize = 120;
@@ -76,6 +76,23 @@ fn rule(scene: &Scene, stream: &mut Stream, term: &Part) -> Option<Part> {
             let one = binary(Divide, &Term::int(1), b);
             Some(binary(Multiply, a, &one))
         }
+        Term::Binary(own @ (Least | Greatest), a, b) => Some(match stream.below(4) {
+            0 => binary(*own, b, a),
+            1 => {
+                let other = if *own == Least { Greatest } else { Least };
+                binary(Subtract, &binary(Add, a, b), &binary(other, a, b))
+            }
+            2 => {
+                let other = if *own == Least { Greatest } else { Least };
+                Term::minus(&binary(other, &Term::minus(a), &Term::minus(b)))
+            }
+            _ => {
+                let size = Arc::new(Term::Apply(Function::Size, binary(Subtract, a, b)));
+                let sign = if *own == Least { Subtract } else { Add };
+                let twice = binary(sign, &binary(Add, a, b), &size);
+                binary(Divide, &twice, &Term::int(2))
+            }
+        }),
         Term::Negative(a) => Some(binary(Subtract, &Term::int(0), a)),
         Term::Power(a, n) => match &**n {
             Term::Number(n, 1) if *n >= 2 => {

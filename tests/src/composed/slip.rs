@@ -27,6 +27,8 @@ fn slip(stream: &mut Stream, term: &Part) -> Option<Part> {
             let other = match operation {
                 Operation::Add | Operation::Divide => Operation::Subtract,
                 Operation::Subtract | Operation::Multiply => Operation::Add,
+                Operation::Least => Operation::Greatest,
+                Operation::Greatest => Operation::Least,
             };
             match stream.below(4) {
                 0 => return Some(Arc::clone(a)),

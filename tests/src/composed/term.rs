@@ -34,6 +34,10 @@ pub enum Operation {
     Multiply,
     /// `/`
     Divide,
+    /// `min`
+    Least,
+    /// `max`
+    Greatest,
 }
 
 /// A term worth a number.
@@ -184,7 +188,7 @@ impl Term {
     fn strength(&self) -> u8 {
         match self {
             Self::Binary(Operation::Add | Operation::Subtract, ..) => 0,
-            Self::Binary(..) => 1,
+            Self::Binary(Operation::Multiply | Operation::Divide, ..) => 1,
             Self::Number(above, below) if *below != 1 || *above < 0 => 1,
             Self::Negative(_) => 2,
             Self::Power(..) => 3,
@@ -213,12 +217,14 @@ impl Term {
                 f.write_str("-")?;
                 a.write(3, f)
             }
+            Self::Binary(Operation::Least, a, b) => write!(f, "min({a}, {b})"),
+            Self::Binary(Operation::Greatest, a, b) => write!(f, "max({a}, {b})"),
             Self::Binary(operation, a, b) => {
                 let (sign, left, right) = match operation {
                     Operation::Add => (" + ", 0, 1),
                     Operation::Subtract => (" - ", 0, 1),
                     Operation::Multiply => ("*", 1, 2),
-                    Operation::Divide => ("/", 1, 2),
+                    _ => ("/", 1, 2),
                 };
                 a.write(left, f)?;
                 f.write_str(sign)?;

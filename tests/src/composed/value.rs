@@ -155,6 +155,8 @@ impl<'a> Evaluator<'a> {
                     Operation::Subtract => a.plus(&b.scaled(-1.0)),
                     Operation::Multiply => a.times(&b),
                     Operation::Divide => a.times(&inverse(&b)?),
+                    Operation::Least => least(&a, &b)?,
+                    Operation::Greatest => least(&a.scaled(-1.0), &b.scaled(-1.0))?.scaled(-1.0),
                 }
             }
             Term::Power(a, n) => power(&value(a)?, self.integer(n, bound, level)?)?,
@@ -321,6 +323,16 @@ fn compare(a: f64, relation: &str, b: f64) -> Option<bool> {
         _ if equal => None,
         "<" => Some(a < b),
         _ => Some(a > b),
+    }
+}
+
+/// The smaller one of two; where they are nearly equal there is a corner, and no derivative.
+fn least(a: &Jet, b: &Jet) -> Option<Jet> {
+    let (first, second) = (a.number(), b.number());
+    match (a, b) {
+        (Jet::Number(_), Jet::Number(_)) => Some(Jet::Number(first.min(second))),
+        _ if (first - second).abs() < 1e-6 => None,
+        _ => Some(if first < second { a.clone() } else { b.clone() }),
     }
 }
 

@@ -77,6 +77,19 @@ pub enum Proof<P> {
     },
     /// A case split: a proof where a polynomial is nonzero, and one where it is zero.
     Split(Box<Split<P>>),
+    /// A case split: proofs where the argument of an absolute value is not negative, and where it is not positive.
+    Sides(Box<Sides<P>>),
+}
+
+/// A case split at an absolute value, the root of a square.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Sides<P> {
+    /// The symbol that stands for the absolute value.
+    pub root: String,
+    /// The proof where its argument is zero or more.
+    pub above: Proof<P>,
+    /// The proof where its argument is zero or less.
+    pub below: Proof<P>,
 }
 
 /// A case split at a pivot. An equation determines a symbol only where the coefficient of the symbol is nonzero, so
@@ -190,6 +203,11 @@ impl<P> Proof<P> {
                     ZeroSide::Fails(refuted) => ZeroSide::Fails(refuted.map(change)),
                 },
             })),
+            Self::Sides(sides) => Proof::Sides(Box::new(Sides {
+                root: sides.root.clone(),
+                above: sides.above.map(change),
+                below: sides.below.map(change),
+            })),
         }
     }
 
@@ -209,6 +227,7 @@ impl<P> Proof<P> {
                 ZeroSide::Proved(zero) => vec![&split.nonzero, zero],
                 ZeroSide::Fails(_) => vec![&split.nonzero],
             },
+            Self::Sides(sides) => vec![&sides.above, &sides.below],
             _ => vec![],
         }
     }

@@ -45,6 +45,12 @@ fn a_statement_is_decided_without_a_folder_and_the_exit_code_is_the_answer() {
             0,
             &["holds", "assuming", "a >= 3"],
         ),
+        (
+            &["limit(sin(x)/x, x, 0) == 1"],
+            3,
+            &["undecided", "`limit`", "out of scope"],
+        ),
+        (&["max(x, y) + min(x, y) == x + y"], 0, &["holds"]),
         (&["1/x*x == 1"], 0, &["conditional", "x != 0"]),
         (&["x == 1", "--where", "x > 1; x < 0"], 3, &["vacuous"]),
     ] {

@@ -47,6 +47,27 @@ fn an_undecided_claim_is_a_failure_only_when_named_by_its_id() {
 }
 
 #[test]
+fn a_sentence_that_is_out_of_scope_leaves_the_other_sentences_of_its_paper_decided() {
+    let limit = claim("limit", "limit(sin(x)/x, x, 0) == 1", "");
+    let integer = claim("integer", "x >= 0 implies floor(x) <= x", "");
+    let folder = mini(&[limit, integer, claim("right", TRUE, "")].concat());
+    let verdicts = on(folder.path(), &["verify", "--format", "json"]);
+    assert_eq!(verdicts.code, Some(0), "{}", verdicts.err);
+    assert_eq!(verdict(&verdicts, "mini/limit"), "undecided");
+    assert_eq!(verdict(&verdicts, "mini/integer"), "undecided");
+    assert_eq!(verdict(&verdicts, "mini/right"), "holds");
+    let explained = on(folder.path(), &["explain", "mini/limit"]);
+    assert!(
+        explained.out.contains("limits are out of scope"),
+        "{}",
+        explained.out
+    );
+    // A name that nobody knows is a mistake of the file as before.
+    let folder = mini(&claim("typo", "limits(x) == 1", ""));
+    assert_eq!(on(folder.path(), &["verify"]).code, Some(4));
+}
+
+#[test]
 fn a_verdict_other_than_expected_weighs_more_than_an_undecided_one() {
     let expecting = claim("wrong", WRONG, "expect = \"holds\"");
     let folder = mini(&[claim("open", TOO_MUCH, ""), expecting].concat());

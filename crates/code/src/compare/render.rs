@@ -202,6 +202,11 @@ impl Writer<'_> {
                     ATOM,
                 )
             }
+            (None, [one, other]) if is_rust && matches!(name, "min" | "max") => {
+                let one = self.write(one, ATOM, true);
+                let other = self.write(other, 0, is_float);
+                (format!("{one}.{name}({other})"), ATOM)
+            }
             _ => {
                 let module = self.module(whole.place);
                 (format!("{module}{name}({})", written.join(", ")), ATOM)

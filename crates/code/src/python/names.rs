@@ -130,6 +130,8 @@ fn meaning(module: &str, name: &str) -> Option<Meaning> {
         ("math", "fabs") | ("numpy", "abs" | "absolute" | "fabs") | ("sympy", "Abs") => {
             Function("abs")
         }
+        ("numpy", "minimum" | "fmin") | ("sympy", "Min") => Function("min"),
+        ("numpy", "maximum" | "fmax") | ("sympy", "Max") => Function("max"),
         ("math" | "numpy" | "sympy", "pow" | "power" | "Pow") => Power,
         ("numpy", "square") => Square,
         ("sympy", "Rational") | ("fractions", "Fraction") => Quotient,
@@ -169,6 +171,8 @@ fn built_in(name: &str) -> Option<Meaning> {
     use Meaning::Function;
     Some(match name {
         "abs" => Function("abs"),
+        "min" => Function("min"),
+        "max" => Function("max"),
         "len" => Function(operation::LENGTH),
         "sum" => Function(operation::SUM),
         "list" | "tuple" => Function(operation::COPY),

@@ -414,6 +414,9 @@ impl Runner<'_> {
                 .map(|item| self.function(name, vec![item.clone()], place));
             return Ok(Value::Vector(mapped.collect::<Read<_>>()?));
         }
+        if matches!(name, "min" | "max") {
+            return self.extremum(name, values, place);
+        }
         let counts: &[usize] = match name {
             "abs" | "factorial" => &[1],
             "dot" | "cross" | "binom" => &[2],
@@ -467,6 +470,40 @@ impl Runner<'_> {
             return Ok(Value::Term(Term::number(value.abs(), is_whole)));
         }
         self.bounded(Term::call(name, terms), place)
+    }
+}
+
+impl Runner<'_> {
+    /// The smallest or the greatest of several numbers, or of those of one list.
+    fn extremum(&mut self, name: &str, values: Vec<Value>, place: Place) -> Read<Value> {
+        let values = match <[Value; 1]>::try_from(values) {
+            Ok([Value::List(items) | Value::Vector(items)]) => items,
+            Ok([one]) => vec![one],
+            Err(several) => several,
+        };
+        let mut found: Option<Term> = None;
+        for value in values {
+            let kind = value.kind();
+            let Value::Term(next) = value else {
+                let message = format!("`{name}` of {kind} is not read");
+                return Err(self.refused(place, message, "give numbers"));
+            };
+            found = Some(match found {
+                None => next,
+                Some(before) => match (&before.constant, &next.constant) {
+                    (Some(a), Some(b)) if (a >= b) == (name == "max") => before,
+                    (Some(_), Some(_)) => next,
+                    _ => Term::call(name, vec![before, next]),
+                },
+            });
+        }
+        match found {
+            Some(found) => self.bounded(found, place),
+            None => {
+                let message = format!("`{name}` of nothing is not read");
+                Err(self.refused(place, message, "give numbers"))
+            }
+        }
     }
 }
 

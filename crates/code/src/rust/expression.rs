@@ -361,6 +361,9 @@ impl Reader<'_> {
             ("powi" | "powf" | "pow", [exponent]) => {
                 return Ok(binary(node, Operator::Power, value, exponent.clone()));
             }
+            ("min" | "max", [other]) => {
+                return Ok(self.call(node, name, vec![value, other.clone()]));
+            }
             ("recip", []) => {
                 let one = Expr::number(&integer(1));
                 let one = self.call(node, operation::FLOAT, vec![one]);

@@ -97,6 +97,24 @@ fn operators_of_python_bind_as_in_python() {
                 Some(Different),
             ),
             ("def f(x):\n    return (x**2)**0.5\n", "abs(x)", Some(Equal)),
+            (
+                "def f(x, y, a):\n    return max(x, y) + min(x, y)\n",
+                "x + y",
+                Some(Equal),
+            ),
+            (
+                "def f(x, y, a):\n    return max([x, y]) - max(x, y, y)\n",
+                "0*x",
+                Some(Equal),
+            ),
+            ("def f(x):\n    return min(2, 3)*x\n", "2*x", Some(Equal)),
+            ("def f(x):\n    return max(x, -x)\n", "x", Some(Different)),
+            (
+                "import numpy as np\ndef f(x):\n    return np.maximum(x, -x)\n",
+                "abs(x)",
+                Some(Equal),
+            ),
+            ("def f(x):\n    return max([])\n", "x", None),
         ],
     );
 }
@@ -222,6 +240,8 @@ fn rust_is_read_as_rust() {
         ("x - (1.0 - 2.0)", "x - 3", Some(Different)),
         ("((3 ^ 2) as f64)*x", "9*x", None),
         ("-x.abs()", "-abs(x)", Some(Equal)),
+        ("x.max(2.0) + x.min(2.0)", "x + 2", Some(Equal)),
+        ("f64::min(x, 1.0)", "x", Some(Different)),
         (
             "let mut s = x; s -= x - 1.0; s *= x + 1.0; s",
             "x + 1",

@@ -18,6 +18,7 @@
 mod name;
 mod needed;
 mod part;
+mod size;
 mod taylor;
 
 use super::{BuiltIn, Claim, Hypothesis, Node, Set, Source, Statement, Term, Variable};

@@ -243,6 +243,10 @@ impl Elaborator<'_> {
                 let node = Node::Apply(BuiltIn::SquareRoot, vec![square]);
                 return Ok(Meaning::Term(self.made(node, place)));
             }
+            ("min" | "max", [a, b]) => {
+                let (a, b) = (self.term_in(a, scope)?, self.term_in(b, scope)?);
+                return Ok(Meaning::Term(self.extremum(name, &a, &b, place)));
+            }
             ("binom", [_, _]) => BuiltIn::Binomial,
             ("factorial", [_]) => BuiltIn::Factorial,
             ("sin", [_]) => BuiltIn::Sine,
@@ -264,6 +268,7 @@ impl Elaborator<'_> {
                     "binom" | "dot" | "cross" | "solve" | "agrees" | "coefficients" => {
                         "two arguments"
                     }
+                    "min" | "max" => "two arguments: `max(a, max(b, c))` is the greatest of three",
                     _ => "one argument",
                 }));
             }
@@ -351,6 +356,24 @@ impl Elaborator<'_> {
             _ => self.made(Node::Number(rational::integer(2)), place),
         };
         self.made(Node::Binary(Operator::Divide, above, below), place)
+    }
+
+    /// Opens the greater and the smaller one of two numbers to half of their sum and the size of their difference, added or
+    /// subtracted.
+    fn extremum(&self, name: &str, a: &Term, b: &Term, place: Place) -> Term {
+        let joined = |operator, a: &Term, b: &Term| {
+            self.made(Node::Binary(operator, a.clone(), b.clone()), place)
+        };
+        let gap = joined(Operator::Subtract, a, b);
+        let square = joined(Operator::Multiply, &gap, &gap);
+        let size = self.made(Node::Apply(BuiltIn::SquareRoot, vec![square]), place);
+        let operator = match name {
+            "max" if !injected(InjectedFault::GreaterAsSmaller) => Operator::Add,
+            _ => Operator::Subtract,
+        };
+        let twice = joined(operator, &joined(Operator::Add, a, b), &size);
+        let two = self.made(Node::Number(rational::integer(2)), place);
+        joined(Operator::Divide, &twice, &two)
     }
 
     /// The derivative of a function by one of its parameters, as a function.

@@ -23,7 +23,7 @@ use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Declarations, Definition, SymbolKind};
 use torse_syntax::fault::{Fault, Problem};
-use torse_syntax::formula::functions::{FUNCTIONS, is_function};
+use torse_syntax::formula::functions::{FUNCTIONS, is_function, out_of_scope};
 use torse_syntax::formula::{self, Connective, Expr, Place};
 use torse_syntax::greek;
 use torse_syntax::similar::similar;
@@ -510,7 +510,17 @@ impl<'a> Elaborator<'a> {
                 "its member, `Q[i]`",
             ));
         }
-        match self.open(head, scope)? {
+        let opened = self.open(head, scope);
+        let opened = opened.map_err(|fault| match (&head.node, &*fault.problem) {
+            (formula::Node::Name(own), Problem::UnknownName { name, .. }) if own == name => {
+                match out_of_scope(name) {
+                    Some(why) => Fault::limit(place, format!("`{name}`: {why}")),
+                    None => fault,
+                }
+            }
+            _ => fault,
+        });
+        match opened? {
             Meaning::Function(function) => {
                 let values = self.terms_in(arguments, scope)?;
                 self.applied(&function, values, place).map(Meaning::Term)

@@ -3,9 +3,12 @@
 use super::quantity::Quantity;
 use super::value::{Statement, Value};
 use super::{Environment, Evaluator, linear, symbolic_degree, wrong_type};
+use crate::decide::order::order;
+use crate::roots::square::root_of;
+use std::cmp::Ordering;
 use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::rational::integer;
-use torse_algebra::{Fraction, Polynomial, Rational};
+use torse_algebra::{Fraction, Polynomial, Rational, Scalar as _, Symbol};
 use torse_core::{BuiltIn, Printed, Term, Variable};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::Place;
@@ -277,12 +280,26 @@ impl Evaluator<'_> {
     }
 }
 
-/// The square root of a rational number, or of a perfect square of a monomial.
+/// The square root of a rational number, or of the square of a number that is in the algebra: `(pi - 3)^2`.
 fn square_root(value: &Fraction, place: Place) -> Result<Fraction, Fault> {
     match value.as_rational() {
         Some(q) => Polynomial::square_root(&q)
             .map(Fraction::from)
             .map_err(|e| Fault::exact(place, e)),
-        None => Err(Fault::limit(place, format!("the square root of {value}"))),
+        None => root_of_number(value)
+            .ok_or_else(|| Fault::limit(place, format!("the square root of {value}"))),
+    }
+}
+
+/// The number that is not negative and has this square.
+fn root_of_number(value: &Fraction) -> Option<Fraction> {
+    if !value.symbols().iter().all(Symbol::is_number) {
+        return None;
+    }
+    let root = root_of(value)?;
+    let is_root = (root.clone() * root.clone() - value.clone()).is_zero();
+    match order(&root).filter(|_| is_root)? {
+        Ordering::Less => Some(-root),
+        Ordering::Equal | Ordering::Greater => Some(root),
     }
 }

@@ -7,7 +7,7 @@
 
 use super::applied::near;
 use super::kinds::Kind;
-use super::premises::{Premises, integers, nonzero, plain, relation};
+use super::premises::{Premises, integers, nonzero, plain, relation, squared_difference};
 use super::scope::Scope;
 use super::writer::Writer;
 use crate::code::{Code, Level};
@@ -226,6 +226,13 @@ impl Writer<'_> {
                 let x = self.number(first, scope)?;
                 let square = Code::infix(&x, "*", &x, Level::Product);
                 premises.add(relation(&Code::atom("0"), "<=", &square));
+            }
+            "min" | "max" => {
+                if let [a, b] = arguments {
+                    let (a, b) = (self.number(a, scope)?, self.number(b, scope)?);
+                    let square = squared_difference(&a, &b);
+                    premises.add(relation(&Code::atom("0"), "<=", &square));
+                }
             }
             "tan" => {
                 let angle = self.number(first, scope)?;

@@ -32,6 +32,12 @@ pub(super) fn relation(left: &Code, sign: &str, right: &Code) -> Code {
     Code::new(format!("{left} {sign} {right}"), Level::Relation)
 }
 
+/// The square of a difference.
+pub(super) fn squared_difference(a: &Code, b: &Code) -> Code {
+    let gap = Code::infix(a, "-", b, Level::Sum);
+    Code::infix(&gap, "*", &gap, Level::Product)
+}
+
 /// A number is not zero.
 pub(super) fn nonzero(code: &Code) -> Code {
     relation(code, "<>", &Code::atom("0"))

@@ -39,6 +39,7 @@ impl Writer<'_> {
                 if let Some(own) = self.names.built_in(head, &bound) {
                     return match (own, arguments.as_slice()) {
                         ("sqrt" | "norm" | "abs", [inner]) => Ok(!self.is_positive(inner, scope)),
+                        ("min" | "max", _) => Ok(true),
                         ("sum" | "product", [index, _, _, term]) => {
                             let (_, inside) = self.counted(index, term, scope)?;
                             self.rough(term, &inside, name)

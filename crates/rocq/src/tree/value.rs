@@ -5,6 +5,7 @@
 
 use super::function::{derivative, put_in};
 use super::kinds::Kind;
+use super::premises::squared_difference;
 use super::reach::with;
 use super::scope::Scope;
 use super::writer::{Named, Value, Writer};
@@ -382,6 +383,15 @@ impl Writer<'_> {
                 let x = self.number(x, scope)?;
                 let square = Code::infix(&x, "*", &x, Level::Product);
                 Ok(Value::number(Code::apply("sqrt", &[square])))
+            }
+            ("min" | "max", [a, b]) => {
+                let (a, b) = (self.number(a, scope)?, self.number(b, scope)?);
+                let size = Code::apply("sqrt", &[squared_difference(&a, &b)]);
+                let sign = if name == "max" { "+" } else { "-" };
+                let sum = Code::infix(&a, "+", &b, Level::Sum);
+                let twice = Code::infix(&sum, sign, &size, Level::Sum);
+                let half = Code::infix(&twice, "/", &Code::atom("2"), Level::Product);
+                Ok(Value::number(half))
             }
             ("cosh" | "sinh" | "tanh", [x]) => {
                 let x = self.number(x, scope)?;

@@ -80,7 +80,7 @@ fn states(statement: &str) -> String {
 }
 
 /// Statements by what they are about.
-const STATEMENTS: [(&str, &str); 27] = [
+const STATEMENTS: [(&str, &str); 28] = [
     ("a definition over what it reaches", "F(t) == w*t^2 + mu"),
     ("a definition through another", "G(2) == G(t)"),
     ("a derivative by a parameter", "F'(t) == 2*w*t"),
@@ -135,6 +135,10 @@ const STATEMENTS: [(&str, &str); 27] = [
     ("what fails below a word", "x == 1 or fails(x == y)"),
     ("printed decimals", "agrees([x, y], [0.5, -0.25])"),
     ("roots and quotients", "sqrt(x)/tan(y) == abs(x)"),
+    (
+        "the smaller and the greater number",
+        "min(x, y) + max(x, y)/y == D(max(x, 1), x)",
+    ),
     ("a smooth function", "f'(x*y) == D(f(x), x) and f(t) > 0"),
     ("a smooth curve", "dot(c'(x), D(c, x, 2)(x)) == 0"),
     ("a definition that is a derivative", "slope(t) == 2*w*t"),

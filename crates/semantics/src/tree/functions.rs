@@ -81,6 +81,12 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                 let x = number(x)?;
                 Value::Number(x.times(&x, a)?.square_root(a)?)
             }
+            ("max", [x, y]) => Value::Number(number(x)?.greater(&number(y)?, a)?),
+            // The smaller one is the opposite of the greater one of the opposites.
+            ("min", [x, y]) => {
+                let (x, y) = (number(x)?.negated(a), number(y)?.negated(a));
+                Value::Number(x.greater(&y, a)?.negated(a))
+            }
             ("sin", [angle]) => Value::Number(number(angle)?.sine_cosine(a)?.0),
             ("cos", [angle]) => Value::Number(number(angle)?.sine_cosine(a)?.1),
             ("tan", [angle]) => {

@@ -38,6 +38,39 @@ fn roots_are_not_negative() {
 }
 
 #[test]
+fn the_smaller_and_the_greater_number_are_found_by_comparing() {
+    holds(
+        "max(2, 3) == 3 and min(2, 3) == 2 and max(-2, -3) == -2 and min(5, 5) == 5",
+        &[],
+    );
+    holds("max(y, 1) == 1 and min(y, 1) == y", &[("y", "-3")]);
+    holds(
+        "max(a, max(b, y)) == 7/2 and min(a, min(b, y)) == -2",
+        &[("a", "7/2"), ("b", "-2"), ("y", "0")],
+    );
+    holds("min(pi, 22/7) == pi and max(sqrt(2), 3/2) == 3/2", &[]);
+    holds("max(exp(a) - 1, a) == exp(a) - 1", &[("a", "1/9")]);
+    fails("max(y, a) == y", &[("y", "1"), ("a", "2")]);
+    is_undefined("max(1/y, 1) == 1", &[("y", "0")]);
+}
+
+#[test]
+fn where_two_numbers_are_equal_the_greater_one_has_no_derivative() {
+    holds(
+        "D(max(y, a), y) == 1 and D(min(y, a), y) == 0",
+        &[("y", "3"), ("a", "2")],
+    );
+    holds(
+        "D(max(y^2, a), y) == 0 and D(min(y^2, a)*y, y) == 3*y^2",
+        &[("y", "-1"), ("a", "2")],
+    );
+    holds("D(D(max(a*y, 1), a), y) == 1", &[("y", "3"), ("a", "2")]);
+    is_undefined("D(max(y, a), y) == 1", &[("y", "2"), ("a", "2")]);
+    is_undefined("D(max(y, y), y) == 1", &[("y", "2")]);
+    is_undefined("D(max(y^4, 0), y) == 0", &[("y", "0")]);
+}
+
+#[test]
 fn angles_are_in_radians() {
     holds(
         "sin(pi/6) == 1/2 and cos(pi/3) == 1/2 and cos(pi) == -1",

@@ -1,7 +1,7 @@
 //! The names of the functions of the language. What each means is in SEMANTICS.md.
 
 /// All of them.
-pub const FUNCTIONS: [&str; 31] = [
+pub const FUNCTIONS: [&str; 33] = [
     "sum",
     "product",
     "integral",
@@ -19,6 +19,8 @@ pub const FUNCTIONS: [&str; 31] = [
     "tanh",
     "sqrt",
     "abs",
+    "min",
+    "max",
     "dot",
     "cross",
     "det",
@@ -44,6 +46,38 @@ pub const ELEMENTARY: [&str; 9] = [
 #[must_use]
 pub fn is_function(name: &str) -> bool {
     FUNCTIONS.contains(&name)
+}
+
+/// Why a function that papers use is out of scope, and what to state in its place; none for other names. A claim that calls one
+/// without declaring it is undecided, and the other claims of its paper are decided.
+///
+/// ```
+/// use torse_syntax::formula::functions::out_of_scope;
+/// assert!(out_of_scope("limit").is_some_and(|why| why.contains("out of scope")));
+/// assert_eq!(out_of_scope("sin"), None);
+/// ```
+#[must_use]
+pub fn out_of_scope(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "limit" | "lim" | "limsup" | "liminf" => {
+            "limits are out of scope: state the value of a formula that has one there, or a bound that holds near the place"
+        }
+        "piecewise" | "cases" => {
+            "formulas by cases are out of scope: state a claim for each case, with the case under `assume`, or write `min`, `max` \
+             and `abs`"
+        }
+        "floor" | "ceil" | "ceiling" | "round" | "frac" | "mod" => {
+            "rounding to integers is out of scope: state the bounds of the integer, `n <= x` and `x < n + 1`"
+        }
+        "sign" | "sgn" | "signum" => {
+            "signs as numbers are out of scope: write `x/abs(x)`, which has no value at 0"
+        }
+        "atan" | "arctan" | "asin" | "arcsin" | "acos" | "arccos" | "atan2" | "arctan2" => {
+            "inverse functions of sine, cosine and tangent are out of scope: name the angle, and state its sine, cosine or tangent \
+             under `assume`"
+        }
+        _ => return None,
+    })
 }
 
 /// How a function is called, and what it means, in a line.
@@ -97,6 +131,8 @@ pub fn described(name: &str) -> Option<FunctionDescription> {
         "tanh" => ("tanh(a)", "The hyperbolic tangent, sinh(a)/cosh(a)."),
         "sqrt" => ("sqrt(r)", "The root of r that is not negative."),
         "abs" => ("abs(a)", "The absolute value, sqrt(a*a)."),
+        "min" => ("min(a, b)", "The smaller one of two numbers."),
+        "max" => ("max(a, b)", "The greater one of two numbers."),
         "dot" => ("dot(a, b)", "The scalar product of two vectors."),
         "cross" => ("cross(a, b)", "The vector product of two vectors of space."),
         "det" => ("det(M)", "The determinant: `det([a, b, c])` of three rows."),

@@ -1,7 +1,7 @@
 //! Hints for what users of mathematical notation commonly type: the corresponding syntax of the language.
 
 use super::ast::Node;
-use super::functions::is_function;
+use super::functions::{is_function, out_of_scope};
 use super::token::{Token, is_name};
 use crate::greek;
 
@@ -132,10 +132,10 @@ pub fn name(unknown: &str) -> Option<&'static str> {
         "log2" | "log10" => {
             "a logarithm to another base is written as a quotient: `log(x)/log(10)`"
         }
-        "arcsin" | "arccos" | "arctan" | "asin" | "acos" | "atan" | "atan2" | "min" | "max"
-        | "floor" | "ceil" | "gamma" | "lim" => {
-            "this function is not in the language: its functions are rational, sqrt, abs, sin, cos, tan, exp, log, sinh, cosh and tanh"
+        "gamma" => {
+            "this function is not in the language: its functions are rational, sqrt, abs, min, max, sin, cos, tan, exp, log, sinh, cosh and tanh"
         }
+        known if out_of_scope(known).is_some() => out_of_scope(known)?,
         "e" => "the base of natural logarithms is written `exp(1)`",
         "inf" | "infinity" => "formulas have no infinity; `inf` is an end of an interval",
         "diff" | "d" => "a derivative is written `D(F, x)`",

@@ -28,6 +28,10 @@ impl Reader<'_> {
             line.next += 1;
             return self.determinant(line, item);
         }
+        if matches!(name, "min" | "max") {
+            line.next += 1;
+            return self.extremum(line, name, item);
+        }
         if !FUNCTIONS.contains(&name) {
             // `\operatorname{x}` may be a declared name.
             if self.names.kind(name).is_some() {
@@ -35,7 +39,7 @@ impl Reader<'_> {
             }
             let error = LatexError::new(place, format!("`{name}` is not in the language"));
             return Err(error.with_help(
-                "its functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, exp, log, ln and det",
+                "its functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, exp, log, ln, min, max and det",
             ));
         }
         line.next += 1;
@@ -237,6 +241,46 @@ impl Reader<'_> {
         match matrix.shape {
             Shape::Matrix => Ok(Term::call("det", vec![matrix.expr], place, Shape::Number)),
             _ => Err(LatexError::new(place, "the determinant is not of a matrix")),
+        }
+    }
+}
+
+impl Reader<'_> {
+    /// `\max(a, b)`, `\min\{a, b, c\}`: of more than two the greatest is that of the first and of the greatest of the rest.
+    fn extremum(&mut self, line: &mut Line<'_>, name: &str, item: &TexItem) -> ReadTerm {
+        if !item.is_bare() {
+            let message = format!("scripts of `{name}` are not understood");
+            return Err(LatexError::new(item.place, message).with_help(
+                "the language has the greatest of numbers that are written one by one",
+            ));
+        }
+        let message = format!("`{name}` has no list of numbers in brackets behind it");
+        let missing = || LatexError::new(item.place, message.clone());
+        let next = line.peek().ok_or_else(missing)?;
+        let place = item.place.to(next.place);
+        let Nucleus::Fenced('(' | '[' | '{', inner, _) = &next.nucleus else {
+            return Err(missing());
+        };
+        let entries = parts(inner);
+        if entries.len() < 2 || next.below.is_some() || next.primes > 0 {
+            return Err(missing());
+        }
+        line.next += 1;
+        let mut numbers = vec![];
+        for entry in entries {
+            numbers.push(number(self.whole(entry, place)?)?);
+        }
+        let several = numbers.into_iter().rev();
+        let joined = several
+            .reduce(|rest, first| Term::call(name, vec![first, rest], place, Shape::Number).expr);
+        let expr = joined.ok_or_else(missing)?;
+        let value = Term {
+            expr,
+            shape: Shape::Number,
+        };
+        match &next.above {
+            None => Ok(value),
+            Some(above) => self.raised(value, above),
         }
     }
 }

@@ -45,6 +45,14 @@ impl Doubles<'_> {
         }
     }
 
+    /// What a method is called of: a literal needs a suffix that says its type.
+    fn object(&self, x: &Expr) -> String {
+        match &x.node {
+            Node::Number { .. } => format!("{}_f64", self.write(x).text),
+            _ => self.operand(x, Level::Atom),
+        }
+    }
+
     /// The function name of a member of a family, or of a derivative of a named function, and the indices that become
     /// its first arguments.
     fn function<'e>(&self, head: &'e Expr) -> Option<(String, &'e [Expr])> {
@@ -149,11 +157,10 @@ impl Notation for Doubles<'_> {
                 [x],
             ) => {
                 let name = if name == "log" { "ln" } else { name };
-                let object = match &x.node {
-                    Node::Number { .. } => format!("{}_f64", self.write(x).text),
-                    _ => self.operand(x, Level::Atom),
-                };
-                Piece::atom(format!("{object}.{name}()"))
+                Piece::atom(format!("{}.{name}()", self.object(x)))
+            }
+            ("min" | "max", [a, b]) => {
+                Piece::atom(format!("{}.{name}({})", self.object(a), self.write(b).text))
             }
             ("binom", [n, k]) => Piece::atom(format!(
                 "binom({}, {})",

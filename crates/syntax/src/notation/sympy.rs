@@ -99,6 +99,8 @@ impl Notation for Sympy {
             ("D", [function, rest @ ..]) => self.derivative(function, rest),
             ("binom", [n, k]) => self.apply("binomial", &[n, k]),
             ("abs", [x]) => self.apply("Abs", &[x]),
+            ("min", [a, b]) => self.apply("Min", &[a, b]),
+            ("max", [a, b]) => self.apply("Max", &[a, b]),
             ("sum", [variable, from, to, body]) => {
                 let range = self.apply("", &[variable, from, to]).text;
                 Piece::atom(format!("Sum({}, {range})", self.write(body).text))

@@ -194,3 +194,17 @@ fn a_prime_of_a_function_of_a_basis_is_its_derivative_at_the_argument() {
     }
     assert!(read_latex("B_{0,2}' = a", &names).is_err());
 }
+
+#[test]
+fn the_smallest_and_the_greatest_of_numbers_stand_in_brackets() {
+    is(r"\max(x, y) = y", "", "max(x, y) == y");
+    is(r"\min\{a, b, c\} \le a", "", "min(a, min(b, c)) <= a");
+    is(
+        r"2\max\left\{x^2, 1\right\}^2 = 0",
+        "",
+        "2*max(x^2, 1)^2 == 0",
+    );
+    is_refused(r"\max_{x} y = 1", "", r"\max", "scripts of `max`");
+    is_refused(r"\max(x) = 1", "", r"\max", "no list of numbers");
+    is_refused(r"\max x = 1", "", r"\max", "no list of numbers");
+}

@@ -137,6 +137,18 @@ pub(super) fn local(expr: &Expr, alphabet: &Alphabet) -> Vec<Edit> {
                 result.push(Edit { expr: by, change });
             }
             result.extend(argument_pairs(head, arguments, alphabet).map(replaced));
+            // min <-> max.
+            if let (Node::Name(name), [_, _]) = (&head.node, arguments.as_slice()) {
+                let other = match name.as_str() {
+                    "min" => Some("max"),
+                    "max" => Some("min"),
+                    _ => None,
+                };
+                result.extend(other.map(|other| {
+                    let other = Arc::new(Expr::name(other));
+                    replaced(Expr::made(Node::Call(other, arguments.clone())))
+                }));
+            }
             // sin <-> cos, sinh <-> cosh, and a function replaced by its variable.
             if let (Node::Name(name), [argument]) = (&head.node, arguments.as_slice()) {
                 let other = match name.as_str() {

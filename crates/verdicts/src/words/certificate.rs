@@ -7,7 +7,7 @@ use torse_certificate::identity::{Combination, Equations, Identity, Vanishing};
 use torse_certificate::order::Order;
 use torse_certificate::point::{Comparison, Failure};
 use torse_certificate::proof::assumptions::{Determining, Elimination, Sharpness};
-use torse_certificate::proof::{Emptiness, Instance, Split, ZeroSide};
+use torse_certificate::proof::{Emptiness, Instance, Sides, Split, ZeroSide};
 use torse_certificate::sign::Sign;
 use torse_certificate::wronskian::{AtDegree, Wronskians};
 use torse_certificate::zero_by_sign::{Zero, ZeroBySign};
@@ -48,6 +48,7 @@ pub fn reasons(proof: &Proof<Polynomial>) -> Vec<String> {
         Proof::Instances(instances) => instances.iter().map(instance).collect(),
         Proof::Nowhere(empty) => vec![format!("no point is to be looked at: {}", emptiness(empty))],
         Proof::Split(own) => split(own),
+        Proof::Sides(own) => sides(own),
         Proof::Exists(refuted) => {
             let point = place(refuted);
             let last = format!("a point where the negated statement fails: {point}");
@@ -237,6 +238,16 @@ fn split(own: &Split<Polynomial>) -> Vec<String> {
         ZeroSide::Fails(refuted) => format!("where {pivot} is zero it fails: {}", place(refuted)),
     };
     reasons(&own.nonzero).into_iter().chain([zero]).collect()
+}
+
+fn sides(own: &Sides<Polynomial>) -> Vec<String> {
+    let root = &own.root;
+    let cut = format!("the sign of what is in {root} is told apart");
+    let (mut steps, below) = (reasons(&own.above), reasons(&own.below));
+    let others = below.into_iter().filter(|step| !steps.contains(step));
+    let others: Vec<String> = others.collect();
+    steps.extend(others);
+    std::iter::once(cut).chain(steps).collect()
 }
 
 /// Describes what is shown of the range of a parameter.

@@ -128,6 +128,43 @@ fn rooted(found: &mut Found) -> &mut Signed<P> {
 }
 
 #[test]
+fn the_sides_of_an_absolute_value() {
+    let sides = |found: &mut Found| match proof(found) {
+        Proof::Sides(sides) => sides.clone(),
+        other => panic!("{other:?}"),
+    };
+    let lines = "assume = ['a <= r', 'b <= r']\nstates = 'max(a, b) <= r'";
+    // The right proof of another statement.
+    let mut wrong = found(lines);
+    wrong.core = found("assume = ['a <= r', 'b <= r']\nstates = 'max(a, b) <= b'").core;
+    assert!(matches!(wrong.checked(), Err(CheckError::Wrong(_))));
+    rejected(
+        lines,
+        &[
+            ("both sides exchanged", &|f| {
+                let mut own = sides(f);
+                std::mem::swap(&mut own.above, &mut own.below);
+                *proof(f) = Proof::Sides(own);
+            }),
+            ("one side twice", &|f| {
+                let mut own = sides(f);
+                own.below = own.above.clone();
+                *proof(f) = Proof::Sides(own);
+            }),
+            ("a root that is none", &|f| {
+                let mut own = sides(f);
+                own.root = "r".to_owned();
+                *proof(f) = Proof::Sides(own);
+            }),
+            ("one side alone", &|f| {
+                let own = sides(f);
+                *proof(f) = own.above;
+            }),
+        ],
+    );
+}
+
+#[test]
 fn roots() {
     // The right proof of another statement.
     let mut wrong = found("states = 'sqrt(u^2) == u'");

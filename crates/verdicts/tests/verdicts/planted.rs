@@ -254,6 +254,18 @@ const CASES: &[PreparedClaim] = &[
         Caught::Net,
     ),
     case(
+        InjectedFault::GreaterAsSmaller,
+        "states = 'max(a, b) == min(a, b)'",
+        False,
+        Caught::Net,
+    ),
+    case(
+        InjectedFault::OtherSideForgotten,
+        "assume = ['a^3 == 2']\nstates = 'max(a, b) == a'",
+        Undecided,
+        Caught::Net,
+    ),
+    case(
         InjectedFault::ArgumentsExchanged,
         "let = { \"F(u, v)\" = 'u - v' }\nstates = 'F(a, b) == b - a'",
         False,

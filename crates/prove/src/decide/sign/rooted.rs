@@ -46,34 +46,59 @@ fn shown(polynomial: &Polynomial, domain: &Domain<'_>, steps: usize) -> Option<P
     Some(multiples.into_iter().rev().fold(proof, along))
 }
 
-/// As a - b, where a has the terms that nothing makes negative.
+/// As a - b, where a has the terms that nothing makes negative, or those of them with a root: `sqrt((x - 1)^2) >= x - 1`.
 fn by_squares(polynomial: &Polynomial, domain: &Domain<'_>, steps: usize) -> Option<Proof> {
     if polynomial.len() > MAX_TERMS {
         return None;
     }
-    let mut larger = Polynomial::zero();
-    for term in polynomial.terms() {
-        let from_zero = |symbol: &Symbol| {
-            let lower = domain.interval(symbol).lower;
-            lower.is_some_and(|bound| bound.value.is_zero())
-        };
+    let terms = terms_from_zero(polynomial, domain);
+    let is_root = |symbol: &Symbol| domain.roots.iter().any(|root| root.symbol == *symbol);
+    let (rooted, others): (Vec<_>, Vec<_>) = terms
+        .iter()
+        .partition(|term| term.symbols().iter().any(is_root));
+    let added = |sum: Polynomial, term: &&Polynomial| &sum + *term;
+    let rooted = rooted.iter().fold(Polynomial::zero(), added);
+    let all = others.iter().fold(rooted.clone(), added);
+    let by_all = as_difference(polynomial, &all, domain, steps);
+    by_all.or_else(|| match others.is_empty() {
+        true => None,
+        false => as_difference(polynomial, &rooted, domain, steps),
+    })
+}
+
+/// The terms that nothing makes negative.
+fn terms_from_zero(polynomial: &Polynomial, domain: &Domain<'_>) -> Vec<Polynomial> {
+    let from_zero = |symbol: &Symbol| {
+        let lower = domain.interval(symbol).lower;
+        lower.is_some_and(|bound| bound.value.is_zero())
+    };
+    let terms = polynomial.terms().filter_map(|term| {
         let mut symbols = term.powers.iter().map(|(symbol, _)| *symbol);
-        if term.coefficient > Rational::default() && symbols.all(from_zero) {
+        (term.coefficient > Rational::default() && symbols.all(from_zero)).then(|| {
             let powers = term.powers.iter();
             let start = Polynomial::constant(&term.coefficient);
-            let own = powers.fold(start, |product, (symbol, exponent)| {
+            powers.fold(start, |product, (symbol, exponent)| {
                 &product * &Polynomial::symbol((*symbol).clone()).power(u32::from(*exponent))
-            });
-            larger = &larger + &own;
-        }
-    }
-    let smaller = &larger - polynomial;
+            })
+        })
+    });
+    terms.collect()
+}
+
+/// As `larger - smaller`, by the squares of both.
+fn as_difference(
+    polynomial: &Polynomial,
+    larger: &Polynomial,
+    domain: &Domain<'_>,
+    steps: usize,
+) -> Option<Proof> {
+    let smaller = larger - polynomial;
     let squares = &larger.power(2) - &smaller.power(2);
     if larger.is_zero() || smaller.is_zero() || squares.len() > MAX_SQUARES {
         return None;
     }
     let difference = shown(&squares, domain, steps)?;
-    let (sign, larger) = without_equations(&larger, domain)?;
+    let (sign, larger) = without_equations(larger, domain)?;
     matches!(sign, Sign::Positive | Sign::Nonnegative).then(|| Proof {
         polynomial: polynomial.clone(),
         shown: Shown::Squares(Box::new([larger, difference])),
