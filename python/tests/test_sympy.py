@@ -30,6 +30,13 @@ def test_a_symbol_that_may_be_complex_is_no_real_number():
     assert not torse.equal(sympy.Abs(x), x)
 
 
+def test_the_smaller_and_the_greater_number_are_those_of_sympy():
+    x, y, z = sympy.symbols("x y z", real=True)
+    assert torse.equal(sympy.Max(x, y) + sympy.Min(x, y), x + y)
+    assert torse.decide(sympy.Ge(sympy.Max(x, y, z), z, evaluate=False))
+    assert not torse.equal(sympy.Max(x, y), x)
+
+
 def test_the_root_of_a_negative_number_is_complex_for_sympy():
     x, y = sympy.symbols("x y", real=True)
     # At x = y = -1 it is i*i = -1 on the left, and 1 on the right.

@@ -17,8 +17,8 @@ from fractions import Fraction
 # Names of the notation: a symbol that is called so would be read as something else.
 RESERVED = {
     "pi", "inf", "and", "or", "not", "implies", "in", "exists", "forall", "D", "at", "sum", "product", "integral", "binom",
-    "factorial", "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "sqrt", "abs", "min", "max", "dot", "cross", "det", "transpose",
-    "inverse", "solve", "norm", "agrees", "fails", "coefficients", "identity", "nonnegative", "independent",
+    "factorial", "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "sqrt", "abs", "min", "max", "dot", "cross", "det",
+    "transpose", "inverse", "solve", "norm", "agrees", "fails", "coefficients", "identity", "nonnegative", "independent",
     "variation_diminishing",
 }
 

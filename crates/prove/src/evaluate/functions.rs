@@ -8,7 +8,7 @@ use crate::roots::square::root_of;
 use std::cmp::Ordering;
 use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::rational::integer;
-use torse_algebra::{Fraction, Polynomial, Rational, Scalar as _, Symbol};
+use torse_algebra::{Fraction, Polynomial, Rational, Symbol};
 use torse_core::{BuiltIn, Printed, Term, Variable};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::Place;
