@@ -47,7 +47,7 @@ pub fn widened(outcome: &Outcome) -> Vec<(String, String)> {
         let (name, rest) = rest.split_once(" may be widened to ")?;
         Some((name.to_owned(), rest.split_once(':')?.0.to_owned()))
     };
-    words::steps(&outcome).iter().filter_map(said).collect()
+    words::steps(outcome).iter().filter_map(said).collect()
 }
 
 /// Numbers by name, as printed.
@@ -67,7 +67,7 @@ pub fn beyond(outcome: &Outcome) -> Vec<Point> {
         let point = point.strip_suffix(" it fails")?;
         point.split(", ").map(pair).collect()
     };
-    words::steps(&outcome).iter().filter_map(said).collect()
+    words::steps(outcome).iter().filter_map(said).collect()
 }
 
 /// What the semantics finds of a claim on such a wider range; nothing if the name is none of the file, or the end lies inside.

@@ -146,7 +146,7 @@ fn what_holds_rests_on_a_proof_and_what_is_refuted_shows_a_witness() {
             Verdict::False => assert!(outcome.witness().is_some(), "{}", outcome.claim.id),
             Verdict::Undecided | Verdict::OutOfScope | Verdict::Underspecified => {
                 assert!(
-                    !words::steps(&outcome).is_empty(),
+                    !words::steps(outcome).is_empty(),
                     "{} says no reason",
                     outcome.claim.id
                 );

@@ -76,9 +76,8 @@ pub(super) fn instantiate(
             let within = |fault: Fault| fault.within(&relation.origin);
             let member = elaborator.statement_where(&relation.expr, &witnesses);
             let member = member.map_err(within)?;
-            let ends = member.terms().into_iter();
-            ends.map(|end| signs.require_end(end, witnesses.len()))
-                .collect::<Result<(), Fault>>()
+            let mut ends = member.terms().into_iter();
+            ends.try_for_each(|end| signs.require_end(end, witnesses.len()))
                 .map_err(within)?;
             members.push(member);
         }

@@ -47,9 +47,9 @@ fn decided(states: &str, wanted: Verdict) -> String {
         found.verdict(),
         wanted,
         "{states}: {:?}",
-        words::steps(&found)
+        words::steps(found)
     );
-    words::steps(&found).concat()
+    words::steps(found).concat()
 }
 
 #[track_caller]

@@ -73,7 +73,7 @@ fn an_end_that_is_a_formula_is_what_would_be_assumed() {
                 found.verdict(),
                 wanted,
                 "{states}: {:#?}",
-                words::steps(&found)
+                words::steps(found)
             );
             assert_eq!(found.contradiction(), None, "{states}");
         }

@@ -52,7 +52,7 @@ fn verdict(lines: &str, wanted: Verdict) {
         found.verdict(),
         wanted,
         "{lines}: {:#?}",
-        words::steps(&found)
+        words::steps(found)
     );
 }
 
