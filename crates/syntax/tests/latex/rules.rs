@@ -204,7 +204,7 @@ fn the_smallest_and_the_greatest_of_numbers_stand_in_brackets() {
         "",
         "2*max(x^2, 1)^2 == 0",
     );
-    is_refused(r"\max_{x} y = 1", "", r"\max", "scripts of `max`");
+    is_refused(r"\max_{x} y = 1", "", r"\max_{x}", "scripts of `max`");
     is_refused(r"\max(x) = 1", "", r"\max", "no list of numbers");
     is_refused(r"\max x = 1", "", r"\max", "no list of numbers");
 }
