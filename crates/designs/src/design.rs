@@ -335,6 +335,15 @@ impl Patch {
 }
 
 impl Design {
+    /// Whether a piece is cut along a border of its own: then rails and end rulings are none of its edges, and it has no rulings.
+    pub(crate) fn has_border(&self, piece: &DesignPiece) -> bool {
+        let mut patches = piece.patches.iter();
+        patches.any(|index| {
+            let patch = self.patches.get(*index);
+            patch.is_some_and(|patch| patch.border.is_some())
+        })
+    }
+
     /// Returns the pieces that are cut: chains whose patches stay attached, and single patches.
     #[must_use]
     pub fn pieces(&self) -> Vec<DesignPiece> {

@@ -113,13 +113,8 @@ pub fn fold_text(design: &Design, shown: &str, text: &str) -> Result<FoldReport,
     };
     let drawing = drawing.map_err(|error| wrong(error.to_string()))?;
     let found = patterns(&drawing);
-    // What is cut along a border of its own is plane and has no rulings.
-    let has_border = |index: &usize| {
-        let patch = design.patches.get(*index);
-        patch.is_some_and(|patch| patch.border.is_some())
-    };
     let mut wanted = design.pieces();
-    wanted.retain(|piece| !piece.patches.iter().any(has_border));
+    wanted.retain(|piece| !design.has_border(piece));
     if found.len() != wanted.len() {
         return Err(wrong(format!(
             "{} outlines with rulings, and the design has {} pieces",

@@ -50,6 +50,7 @@ pub mod eval;
 pub mod export;
 mod faces;
 mod file;
+mod fit;
 pub mod fold;
 pub mod inspect;
 pub mod lint;

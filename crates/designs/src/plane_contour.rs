@@ -1,6 +1,6 @@
 //! Closed curves on plane patches: lines and arcs of circles are what they are, other curves are fitted.
 
-use crate::openings::fitted_run;
+use crate::fit::fitted_run;
 use torse_geometry::pattern::{
     FlatPattern, PatternContour, PatternEvidence, PatternPlace, Segment,
 };

@@ -15,6 +15,14 @@ pub fn chord_points(segment: &Segment, arc_chords: u32) -> impl Iterator<Item = 
     (0..steps).map(move |k| segment.point(f64::from(k) / f64::from(steps)))
 }
 
+/// Returns a closed polygon as a contour.
+#[cfg(test)]
+pub(crate) fn lines_around(points: &[[f64; 2]]) -> Vec<Segment> {
+    let next = points.iter().cycle().skip(1);
+    let sides = points.iter().zip(next);
+    sides.map(|(a, b)| Segment::line(*a, *b)).collect()
+}
+
 /// Returns whether a point is within a closed polygon: a ray from it crosses that an odd number of times.
 pub fn is_within(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
     let next = polygon.iter().cycle().skip(1);

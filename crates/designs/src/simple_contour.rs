@@ -164,12 +164,7 @@ fn foot(segment: &Segment, point: [f64; 2]) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn polygon(points: &[[f64; 2]]) -> Vec<Segment> {
-        let next = points.iter().cycle().skip(1);
-        let sides = points.iter().zip(next);
-        sides.map(|(a, b)| Segment::line(*a, *b)).collect()
-    }
+    use crate::polygon::lines_around as polygon;
 
     fn circle(times: u32, radius: f64) -> Vec<Segment> {
         let half = |x: f64| Segment {

@@ -12,7 +12,6 @@ use crate::statement::{
 use crate::{provenance, repair, words};
 use std::sync::Arc;
 use torse_algebra::{Fraction, work};
-use torse_prove::decide::value::plain;
 use torse_prove::decide::{Decision, Refutation};
 use torse_prove::evidence::Evidence;
 use torse_prove::{decide_statement, formula};
@@ -45,7 +44,7 @@ pub(crate) fn conclude(
             let ours = provenance::conditions(claim, &needed);
             Conclusion::Proved(ProvedStatement {
                 evidence: proof.evidence(),
-                ranges: proof.map(&plain).ranges(),
+                ranges: proof.ranges(),
                 witnesses: vec![],
                 conditions: divisors.iter().map(nonzero).chain(ours).collect(),
                 needed: provenance::by_hypothesis(claim, &needed),

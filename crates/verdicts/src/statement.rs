@@ -61,7 +61,7 @@ pub struct ProvedStatement {
     pub certificate: Arc<DecisionCertificate>,
     /// What is shown of the ranges of its parameters.
     #[serde(skip)]
-    pub ranges: Vec<Sharpness<torse_certificate::Polynomial>>,
+    pub ranges: Vec<Sharpness<Polynomial>>,
     /// The numbers found for those that the claim says there are.
     pub witnesses: Vec<FoundWitness>,
 }

@@ -177,7 +177,8 @@ impl<P> Elimination<P> {
 }
 
 impl<P> Sharpness<P> {
-    fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Sharpness<Q> {
+    /// Converts every polynomial.
+    pub fn map<Q>(&self, change: &dyn Fn(&P) -> Q) -> Sharpness<Q> {
         match self {
             Self::Fails {
                 name,

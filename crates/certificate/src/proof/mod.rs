@@ -8,7 +8,6 @@ use crate::evidence::Evidence;
 use crate::family::{Nonnegative, Powers};
 use crate::identity::{Combination, Identity};
 use crate::order::{Excluded, Order};
-use crate::polynomial::Polynomial;
 use crate::ratio::Constraint;
 use crate::sign::Sign;
 use crate::wronskian::Wronskians;
@@ -338,17 +337,17 @@ impl<P> Proof<P> {
     }
 }
 
-impl Proof<Polynomial> {
+impl<P: Clone + PartialEq> Proof<P> {
     /// The results about ranges for the whole statement. If one half of a conjunction fails beyond an end, the
     /// conjunction does; for a wider range both halves must be proved. Results for single alternatives, instances or
     /// cases of a split say nothing about the whole.
     #[must_use]
-    pub fn ranges(&self) -> Vec<Sharpness<Polynomial>> {
+    pub fn ranges(&self) -> Vec<Sharpness<P>> {
         match self {
             Self::On(ground) => ground.ranges.clone(),
             Self::Both(first, second) => {
                 let (first, second) = (first.ranges(), second.ranges());
-                let is_said = |range: &Sharpness<Polynomial>| match range {
+                let is_said = |range: &Sharpness<P>| match range {
                     Sharpness::Fails { .. } => true,
                     Sharpness::Wider { .. } => second.contains(range),
                 };

@@ -61,14 +61,7 @@ pub(super) fn sides(
     letter: &str,
 ) -> Result<Vec<Side>, DesignError> {
     let flat = &piece.flat;
-    let mut patches = piece.piece.patches.iter();
-    // Of a patch with a border of its own rails and end rulings are no edges.
-    if patches.any(|index| {
-        design
-            .patches
-            .get(*index)
-            .is_some_and(|p| p.border.is_some())
-    }) {
+    if design.has_border(&piece.piece) {
         return Ok(Vec::new());
     }
     let patches = piece.piece.patches.iter();

@@ -4,7 +4,6 @@
 //! sheet, and, where the curve is the solution of equations, by an interval test (`torse_geometry::prelude::SheetTracer`).
 //! The polygon then becomes lines and arcs, whose distance from it is added.
 
-mod fit;
 mod limits;
 mod shape;
 mod traced;
@@ -13,12 +12,11 @@ pub use shape::{Opening, OpeningShape};
 
 use crate::design::{Design, DesignPiece, Mark, MarkedOpening, NamedCurve, Patch};
 use crate::error::DesignError;
+use crate::fit::fitted;
 use crate::plane_contour::{PlaneFrame, on_pattern};
 use crate::position::position;
 use crate::simple_contour::{goes_around_once, self_contact};
-pub(crate) use fit::fitted_run;
 
-use fit::fitted;
 use torse_geometry::pattern::{FlatPattern, PatternEvidence, PatternPlace, Segment};
 use traced::{FinePolygon, polygons};
 

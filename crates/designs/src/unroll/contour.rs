@@ -166,15 +166,7 @@ pub(super) fn bounds(contour: &[Segment], placement: &Placement) -> [[f64; 2]; 2
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn polygon(points: &[[f64; 2]]) -> Vec<Segment> {
-        let next = points.iter().cycle().skip(1);
-        points
-            .iter()
-            .zip(next)
-            .map(|(a, b)| Segment::line(*a, *b))
-            .collect()
-    }
+    use crate::polygon::lines_around as polygon;
 
     #[test]
     fn vertices_between_lines_in_one_direction_go_and_corners_stay() {

@@ -250,12 +250,7 @@ fn between(segment: &Segment, from: [f64; 2], to: [f64; 2]) -> Option<Segment> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn polygon(points: &[[f64; 2]]) -> Vec<Segment> {
-        let next = points.iter().cycle().skip(1);
-        let sides = points.iter().zip(next);
-        sides.map(|(a, b)| Segment::line(*a, *b)).collect()
-    }
+    use crate::polygon::lines_around as polygon;
 
     fn area(outline: &[Segment]) -> f64 {
         outline.iter().map(Segment::area).sum()

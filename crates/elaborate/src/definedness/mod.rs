@@ -69,15 +69,13 @@ impl Signs<'_> {
         }
         let (scope, body) = self.opened(end, witnesses);
         let has_value = |node: &Node| match node {
-            Node::Apply(BuiltIn::SquareRoot, own) => own
-                .iter()
-                .all(|own| self.sign(own, &scope, true) >= Some(Sign::Nonnegative)),
-            Node::Apply(BuiltIn::Logarithm, own) => own
-                .iter()
-                .all(|own| self.sign(own, &scope, true) == Some(Sign::Positive)),
-            Node::Apply(BuiltIn::Norm, own) => {
-                own.iter().all(|own| self.sign(own, &scope, true).is_some())
-            }
+            Node::Apply(function, arguments) => match least_argument(*function) {
+                Some(least) => {
+                    let mut signs = arguments.iter().map(|own| self.sign(own, &scope, true));
+                    signs.all(|sign| sign >= Some(least))
+                }
+                None => is_arithmetic(node),
+            },
             other => is_arithmetic(other),
         };
         if has_only(body, &has_value) {
@@ -130,36 +128,30 @@ impl Signs<'_> {
         let within = |part: &Term| self.require(part, scope, divisors);
         let is_free = |part: &Term| !has_existential(part, scope);
         match &*term.node {
-            Node::Apply(function @ (BuiltIn::SquareRoot | BuiltIn::Logarithm), arguments) => {
-                let is_root = *function == BuiltIn::SquareRoot;
-                let least = if is_root {
-                    Sign::Nonnegative
-                } else {
-                    Sign::Positive
-                };
-                let has_value = |own: &Term| self.sign(own, scope, false) >= Some(least);
-                match arguments.iter().all(has_value) {
-                    true => Ok(()),
-                    false if is_root => Err(refused(
-                        term,
-                        "a root with an existential number in it, whose radicand may be negative by the way it is written",
-                    )),
-                    false => Err(refused(
-                        term,
-                        "a logarithm with an existential number in it, which is not positive by the way it is written",
-                    )),
-                }
-            }
             // What a root stands for is no hypothesis here, so nothing in it may lack a value.
-            Node::Apply(BuiltIn::Norm, arguments) => {
-                let has_value = |own: &Term| self.sign(own, scope, false).is_some();
-                match arguments.iter().all(has_value) {
-                    true => Ok(()),
-                    false => Err(refused(
-                        term,
-                        "a length with an existential number in it, which may have no value by the way it is written",
-                    )),
+            Node::Apply(
+                function @ (BuiltIn::SquareRoot | BuiltIn::Logarithm | BuiltIn::Norm),
+                arguments,
+            ) => {
+                let least = least_argument(*function);
+                let mut signs = arguments.iter().map(|own| self.sign(own, scope, false));
+                if signs.all(|sign| sign >= least) {
+                    return Ok(());
                 }
+                Err(refused(
+                    term,
+                    match function {
+                        BuiltIn::SquareRoot => {
+                            "a root with an existential number in it, whose radicand may be negative by the way it is written"
+                        }
+                        BuiltIn::Logarithm => {
+                            "a logarithm with an existential number in it, which is not positive by the way it is written"
+                        }
+                        _ => {
+                            "a length with an existential number in it, which may have no value by the way it is written"
+                        }
+                    },
+                ))
             }
             Node::Apply(
                 BuiltIn::Inverse
@@ -320,6 +312,16 @@ impl Signs<'_> {
         };
         inside.insert(variable, bound);
         inside
+    }
+}
+
+/// The least sign that an argument of a root, a logarithm or a length has to have; `None` of other functions.
+fn least_argument(function: BuiltIn) -> Option<Sign> {
+    match function {
+        BuiltIn::SquareRoot => Some(Sign::Nonnegative),
+        BuiltIn::Logarithm => Some(Sign::Positive),
+        BuiltIn::Norm => Some(Sign::Any),
+        _ => None,
     }
 }
 

@@ -102,7 +102,8 @@ fn figure_data(own: &FigureFinding) -> Vec<String> {
 
 fn proved(own: &ProvedStatement) -> Vec<String> {
     let witnesses = own.witnesses.iter().map(found_witness);
-    let ranges = own.ranges.iter().map(certificate::range);
+    let ranges = own.ranges.iter();
+    let ranges = ranges.map(|one| certificate::range(&one.map(&plain)));
     let reasons = match own.certificate.plain() {
         DecisionCertificate::Proof { of, .. } => certificate::reasons(&of),
         DecisionCertificate::Refutation(of) => certificate::refutation(&of),
