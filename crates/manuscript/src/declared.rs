@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `P_0, \dots, P_n`; `P_0, P_1, \dots, P_n \in \mathbb{R}^3`; `\{P_i\}_{i=0}^n` | members 0 to n of a family |
 //! | `P_i \in \mathbb{R}^3`, also with `i = 0, \dots, n` behind it | members of a family, with three coordinates |
+//! | `P_0, P_1 \in \mathbb{R}^3` | members of a family, with three coordinates, or vectors, where each has a name of its own |
 //! | `a, b \in \mathbb{R}^3` | vectors |
 //! | `i = 0, \dots, n`; `i = 1, 2, 3`; `i \in \{0, \dots, n\}`; `n \in \mathbb{N}` | integers |
 //! | `a, b \in [0, 1]` | numbers of an interval |
@@ -25,7 +26,7 @@ pub enum Declared<'i> {
         /// The first and the last index, if they are given.
         ends: Option<(List<'i>, List<'i>)>,
     },
-    /// Vectors.
+    /// Vectors, or members of a family.
     Vectors {
         /// Their letters.
         letters: Vec<&'i TexItem>,

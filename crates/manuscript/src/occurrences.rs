@@ -20,8 +20,10 @@ pub enum UsedIndex {
 pub struct Occurrences {
     /// All names that no sum binds.
     pub names: BTreeSet<String>,
-    /// Those that are integers.
+    /// Those that can be nothing but integers: in an index, a bound, a binomial coefficient or a factorial.
     pub integers: BTreeSet<String>,
+    /// Those that stand in exponents.
+    pub exponents: BTreeSet<String>,
     /// Those that occur in the bounds of sums and products.
     pub bounds: BTreeSet<String>,
     /// The indices of families and bases.
@@ -68,7 +70,10 @@ impl Occurrences {
             Node::Binary(Operator::Power, base, exponent) => {
                 self.walk(base, bound);
                 self.walk(exponent, bound);
-                self.integers_of(exponent, bound);
+                let names = exponent.names().into_iter();
+                let free =
+                    names.filter(|name| !bound.iter().any(|(own, _)| own == name) && *name != "pi");
+                self.exponents.extend(free.map(str::to_owned));
             }
             _ => {
                 for part in formula.parts() {

@@ -1,7 +1,8 @@
 //! The symbols of a proposal: every name that occurs and that no formula defines, with its set.
 //!
-//! A range is one that a formula of the text gives. A name in the bounds of a sum, in an index, a factorial, a binomial or an exponent is an
-//! integer. The indices of a family are those of the text's list, or the smallest range with all that occur; an index without a range
+//! A range is one that a formula of the text gives. A name in the bounds of a sum, in an index, a factorial or a binomial is an integer: if
+//! the text writes a set of real numbers for it, it is not declared, and the text says why. A name in an exponent is an integer where the
+//! text says so, or, with a question, where it is one of the letters i to n and the text gives no set of reals. The indices of a family are those of the text's list, or the smallest range with all that occur; an index without a range
 //! takes all values for which its families have members. Vectors and curves have as many coordinates as the points that the text
 //! declares, or else three; a function that no formula defines is any smooth function of one variable. Where the text says nothing, a
 //! comment says what is guessed, or asks.
@@ -174,10 +175,12 @@ impl<'m> SymbolReader<'m> {
                     continue;
                 }
                 for (parameter, argument) in parameters.iter().zip(&arguments) {
+                    let names = || argument.names().into_iter().map(str::to_owned);
                     if own.integers.contains(parameter) {
-                        found
-                            .integers
-                            .extend(argument.names().into_iter().map(str::to_owned));
+                        found.integers.extend(names());
+                    }
+                    if own.exponents.contains(parameter) {
+                        found.exponents.extend(names());
                     }
                 }
                 for (over, chosen) in &own.chosen {
@@ -203,7 +206,12 @@ impl<'m> SymbolReader<'m> {
                 LatexCondition::Integers { low, high, .. } => {
                     ends.extend(std::iter::once(low).chain(high));
                 }
-                LatexCondition::Interval { low, high, .. } if found.integers.contains(name) => {
+                LatexCondition::Interval {
+                    low,
+                    high,
+                    is_set: false,
+                    ..
+                } if found.integers.contains(name) || is_index_by_custom(name, &found) => {
                     ends.extend(low.0.iter().chain(&high.0));
                 }
                 _ => {}
@@ -300,7 +308,11 @@ impl<'m> SymbolReader<'m> {
             Some(LatexKind::Family { indices, is_vector }) => {
                 self.family(name, *indices, *is_vector)
             }
-            Some(LatexKind::Number) | None => Ok(self.number(name)),
+            Some(LatexKind::NumberOrBase) => Err(
+                "it is a number of the text, or the base of the exponential function: the first is declared, the second is written exp(1)"
+                    .to_owned(),
+            ),
+            Some(LatexKind::Number) | None => self.number(name),
         }
     }
 
@@ -393,45 +405,65 @@ impl<'m> SymbolReader<'m> {
         }
     }
 
-    fn number(&self, name: &str) -> (ProposedSymbol, Vec<String>) {
+    fn number(&self, name: &str) -> Declaration {
         let symbol = |set: String, comment: String| ProposedSymbol {
             name: name.to_owned(),
             set,
             comment,
         };
-        let is_integer = self.found.integers.contains(name);
+        let must_be_integer = self.found.integers.contains(name);
+        let is_integer = must_be_integer || is_index_by_custom(name, &self.found);
         let mentioned = |ends: &mut dyn Iterator<Item = &Expr>| -> Vec<String> {
             ends.flat_map(Expr::names).map(str::to_owned).collect()
         };
         match self.meanings.ranges.get(name) {
-            Some((LatexCondition::Integers { low, high, .. }, line)) => (
+            Some((LatexCondition::Integers { low, high, .. }, line)) => Ok((
                 symbol(integers(low, high.as_ref()), format!("line {line}")),
                 mentioned(&mut std::iter::once(low).chain(high)),
-            ),
-            Some((LatexCondition::Interval { low, high, .. }, line)) if is_integer => {
-                match (&low.0, &high.0) {
-                    (Some(least), most) => (
-                        symbol(integers(least, most.as_ref()), format!("line {line}")),
-                        mentioned(&mut std::iter::once(least).chain(most)),
-                    ),
-                    _ => self.guessed(name),
-                }
+            )),
+            Some((range @ LatexCondition::Interval { is_set: true, .. }, line))
+                if must_be_integer =>
+            {
+                let range = interval(range).unwrap_or_default();
+                Err(format!(
+                    "line {line} says that it is a real number of {range}, and it stands where an integer belongs: declare which, {name} = {{ integer = \">= 0\" }}"
+                ))
             }
-            Some((range @ LatexCondition::Interval { low, high, .. }, line)) => (
+            Some((
+                LatexCondition::Interval {
+                    low,
+                    high,
+                    is_set: false,
+                    ..
+                },
+                line,
+            )) if is_integer => match (&low.0, &high.0) {
+                (Some(least), most) => Ok((
+                    symbol(integers(least, most.as_ref()), format!("line {line}")),
+                    mentioned(&mut std::iter::once(least).chain(most)),
+                )),
+                _ => Ok(self.guessed(name)),
+            },
+            Some((range @ LatexCondition::Interval { low, high, .. }, line)) => Ok((
                 symbol(
                     format!("{{ in = \"{}\" }}", interval(range).unwrap_or_default()),
                     format!("line {line}"),
                 ),
                 mentioned(&mut low.0.iter().chain(&high.0)),
-            ),
-            _ if is_integer => self.guessed(name),
-            _ => (
-                symbol(
-                    "{}".to_owned(),
-                    "which numbers? the text gives no range".to_owned(),
-                ),
-                vec![],
-            ),
+            )),
+            _ if is_integer => Ok(self.guessed(name)),
+            _ => {
+                let comment = match name {
+                    "e" => {
+                        "which numbers? the text gives no range; the base of the exponential function is exp(1)"
+                    }
+                    _ if self.found.exponents.contains(name) => {
+                        "which numbers? the text gives no range; in an exponent an integer belongs"
+                    }
+                    _ => "which numbers? the text gives no range",
+                };
+                Ok((symbol("{}".to_owned(), comment.to_owned()), vec![]))
+            }
         }
     }
 
@@ -567,6 +599,19 @@ impl<'m> SymbolReader<'m> {
         }
         least
     }
+}
+
+/// Whether a name stands in exponents, and is one of the letters by which indices are written.
+fn is_index_by_custom(name: &str, found: &Occurrences) -> bool {
+    found.exponents.contains(name)
+        && name
+            .chars()
+            .next()
+            .is_some_and(|first| matches!(first, 'i'..='n'))
+        && name
+            .chars()
+            .skip(1)
+            .all(|rest| rest.is_ascii_digit() || rest == '_')
 }
 
 /// The later of two indices, where they can be compared.

@@ -426,3 +426,165 @@ const PARTS: [&str; 40] = [
     "n(n-1)",
     "words",
 ];
+
+/// The line of a symbol in the proposed paper.
+fn declared<'p>(proposal: &'p Proposal, name: &str) -> &'p str {
+    let start = format!("{name} = ");
+    let mut lines = proposal.paper.lines();
+    lines.find(|line| line.starts_with(&start)).unwrap_or("")
+}
+
+#[test]
+fn the_letter_e_with_exponents_alone_is_the_exponential_function() {
+    let base = r"Let $x\in[0,1]$ and $y\in\mathbb{R}$.
+        \begin{equation} e^{x+y} = e^x e^y \label{add} \end{equation}
+        \begin{equation} (1 - x) e^{-x}(1 + x) \le 1 \label{at-most} \end{equation}";
+    for text in [base.to_owned(), base.replace("e^", r"\mathrm{e}^")] {
+        let proposal = proposed(&text);
+        let paper = loads(&proposal);
+        assert_eq!(declared(&proposal, "e"), "", "{}", proposal.paper);
+        assert_eq!(stated(&paper, "add"), "exp(x + y) == exp(x)*exp(y)");
+        assert_eq!(stated(&paper, "at-most"), "(1 - x)*exp(-x)*(1 + x) <= 1");
+        assert_eq!(
+            declared(&proposal, "x"),
+            "x = { in = \"[0, 1]\" } # line 1",
+            "{}",
+            proposal.paper
+        );
+        assert_eq!(
+            declared(&proposal, "y"),
+            "y = { in = \"(-inf, inf)\" } # line 1"
+        );
+    }
+    // Beside an e without an exponent nothing says which it is.
+    for more in [
+        "$e + 1$ is the length.",
+        r"\begin{equation} \ln e = 1 \end{equation}",
+    ] {
+        let proposal = proposed(&format!("{base} {more}"));
+        let paper = loads(&proposal);
+        assert!(
+            stated(&paper, "add").contains("several readings"),
+            "{}",
+            proposal.claims
+        );
+        for reading in [
+            "# states = 'exp(x + y) == exp(x)*exp(y)' # `e` is the base of the exponential function",
+            "# states = 'e^(x + y) == e^x*e^y' # `e` is a number of the text",
+        ] {
+            assert!(proposal.claims.contains(reading), "{}", proposal.claims);
+        }
+    }
+    // An eccentricity is a number, if the text says so, and else one of both.
+    let ellipse = r"\begin{equation} b^2 = a^2 - a^2 e^2 \label{axis} \end{equation}";
+    let proposal = proposed(&format!(r"Let $e\in[0,1)$. {ellipse}"));
+    assert_eq!(declared(&proposal, "e"), "e = { in = \"[0, 1)\" } # line 1");
+    assert_eq!(stated(&loads(&proposal), "axis"), "b^2 == a^2 - a^2*e^2");
+    assert!(stated(&loads(&proposed(ellipse)), "axis").contains("several readings"));
+    let proposal = proposed(r"\begin{equation} eg \le e^2 + g^2 \label{gauss} \end{equation}");
+    assert!(
+        declared(&proposal, "e").contains("the base of the exponential function is exp(1)"),
+        "{}",
+        proposal.paper
+    );
+}
+
+#[test]
+fn real_numbers_of_the_text_are_no_integers() {
+    for (print, name, range) in [
+        (r"$x\in[0,1]$", "x", "x = { in = \"[0, 1]\" } # line 1"),
+        (r"$k\in[0,1]$", "k", "k = { in = \"[0, 1]\" } # line 1"),
+        (r"$0 \le x \le 1$", "x", "x = { in = \"[0, 1]\" } # line 1"),
+        (r"$x \ge 0$", "x", "x = { in = \"[0, inf)\" } # line 1"),
+        (
+            r"$x\in\mathbb{R}$",
+            "x",
+            "x = { in = \"(-inf, inf)\" } # line 1",
+        ),
+        (
+            "$x$",
+            "x",
+            "x = {} # which numbers? the text gives no range; in an exponent an integer belongs",
+        ),
+        // Letters of indices, where the text does not say real numbers.
+        (r"$0\le n\le 4$", "n", "n = { integer = \"0..4\" } # line 1"),
+        (
+            r"$n\in\mathbb{N}$",
+            "n",
+            "n = { integer = \">= 1\" } # line 1",
+        ),
+        (
+            "$n$",
+            "n",
+            "n = { integer = \">= 0\" } # which integers? the text gives no range",
+        ),
+    ] {
+        let text = format!(
+            r"For {print} \begin{{equation}} a^{name} {name}^2 = {name} a^{name} \end{{equation}}"
+        );
+        let proposal = proposed(&text);
+        loads(&proposal);
+        assert_eq!(declared(&proposal, name), range, "{print}");
+    }
+    // What only integers can be against real numbers of the text is asked.
+    let text = r"For $k \in [0, 4]$ \begin{equation} \binom{4}{k} = \binom{4}{4 - k} \label{binom} \end{equation}";
+    let proposal = proposed(text);
+    assert_eq!(declared(&proposal, "k"), "");
+    let why = stated(&loads(&proposal), "binom");
+    assert!(
+        why.contains("line 1 says that it is a real number of [0, 4]"),
+        "{why}"
+    );
+}
+
+#[test]
+fn a_condition_in_brackets_behind_a_formula_is_its_condition() {
+    for print in [
+        r"\sqrt{x^2} = x \quad (x \ge 0)",
+        r"\sqrt{x^2} = x (x \ge 0)",
+    ] {
+        let proposal = proposed(&format!(
+            r"\begin{{equation}} {print} \label{{root}} \end{{equation}}"
+        ));
+        assert_eq!(
+            stated(&loads(&proposal), "root"),
+            "sqrt(x^2) == x",
+            "{}",
+            proposal.claims
+        );
+        assert!(
+            proposal.claims.contains("assume = ['x >= 0']"),
+            "{}",
+            proposal.claims
+        );
+    }
+}
+
+#[test]
+fn members_of_a_family_may_be_declared_one_by_one() {
+    let text = r"Let $\mathbf p_0,\mathbf p_1,\mathbf p_2\in\mathbb{R}^2$ and
+        \begin{equation} \mathbf{r}(t) = \sum_{i=0}^{2} t^i \mathbf p_i \end{equation}
+        \begin{equation} \mathbf r(0) = \mathbf p_0 \label{first} \end{equation}";
+    let proposal = proposed(text);
+    assert!(proposal.unread.is_empty(), "{:?}", proposal.unread);
+    assert_eq!(stated(&loads(&proposal), "first"), "r(0) == p[0]");
+    assert!(
+        declared(&proposal, "p").starts_with("p = { family = 2, indices = [\"0..2\"] }"),
+        "{}",
+        proposal.paper
+    );
+}
+
+#[test]
+fn a_number_and_a_bold_vector_may_have_the_same_letter() {
+    let text = r"\begin{equation} |a+b| \le |a| + |b| \label{numbers} \end{equation}
+        \begin{equation} \mathbf a\cdot\mathbf b = \mathbf b\cdot\mathbf a \label{vectors} \end{equation}";
+    let proposal = proposed(text);
+    let paper = loads(&proposal);
+    assert!(proposal.unread.is_empty(), "{:?}", proposal.unread);
+    assert_eq!(stated(&paper, "numbers"), "abs(a + b) <= abs(a) + abs(b)");
+    assert_eq!(
+        stated(&paper, "vectors"),
+        "dot(a_vector, b_vector) == dot(b_vector, a_vector)"
+    );
+}

@@ -111,7 +111,10 @@ impl Meanings {
                 };
                 Some(Noted::Family(name, *space, ends))
             }
-            Declared::Vectors { letters, space } => Some(Noted::Vectors(names(letters)?, *space)),
+            Declared::Vectors { letters, space } => match names(letters) {
+                Some(names) => Some(Noted::Vectors(names, *space)),
+                None => Some(Noted::Family(self.family_of(letters)?, Some(*space), None)),
+            },
             Declared::Integers { letters, low, high } => {
                 let low = match low {
                     Least::Written(low) => self.value(low, place)?,
@@ -125,7 +128,14 @@ impl Meanings {
                 Some(Noted::Range(LatexCondition::Integers { name, low, high }))
             }
             Declared::Reals { letters, interval } => {
-                let names = names(letters)?;
+                let names = match (names(letters), interval) {
+                    (Some(names), _) => names,
+                    (None, None) => {
+                        let space = Some(Space::Coordinates(1));
+                        return Some(Noted::Family(self.family_of(letters)?, space, None));
+                    }
+                    (None, Some(_)) => return None,
+                };
                 let all = ((None, false), (None, false));
                 let (low, high) = match interval.map(|item| &item.nucleus) {
                     Some(Nucleus::Fenced(open, inner, close)) => {
@@ -144,9 +154,28 @@ impl Meanings {
                     }
                     _ => all,
                 };
-                Some(Noted::Range(LatexCondition::Interval { names, low, high }))
+                Some(Noted::Range(LatexCondition::Interval {
+                    names,
+                    low,
+                    high,
+                    is_set: true,
+                }))
             }
         }
+    }
+
+    /// The family to which all of some members belong: `P_0, P_1, P_2`.
+    fn family_of(&self, members: &[&TexItem]) -> Option<String> {
+        let families = members.iter().map(|member| self.member_of(member));
+        let families: Option<Vec<String>> = families
+            .map(|found| found.map(|(family, _)| family))
+            .collect();
+        let families = families?;
+        let (first, others) = families.split_first()?;
+        others
+            .iter()
+            .all(|other| other == first)
+            .then(|| first.clone())
     }
 
     /// The family of a member, and its index.

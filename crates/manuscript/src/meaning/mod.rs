@@ -455,6 +455,7 @@ fn only_a_range(
             names: vec![name.clone()],
             low: (low.0.cloned(), low.1),
             high: (high.0.cloned(), high.1),
+            is_set: false,
         };
         Some((name, range))
     };

@@ -69,7 +69,7 @@ pub fn latex_question(latex: &str, setting: &str) -> Result<(String, String), Lo
                 let dimension = if *is_vector { 3 } else { 1 };
                 added.push((name, format!("{name}: function {dimension}")));
             }
-            LatexKind::Number | LatexKind::Open => {}
+            LatexKind::Number | LatexKind::Open | LatexKind::NumberOrBase => {}
             // Families and functions of several variables are declared by the user, or not at all.
             _ => continue,
         }
@@ -203,7 +203,9 @@ fn entries(condition: &LatexCondition) -> Vec<String> {
             let high = high.as_ref().map(written_text).unwrap_or_default();
             vec![format!("{name} in {}..{high}", written_text(low))]
         }
-        LatexCondition::Interval { names, low, high } => {
+        LatexCondition::Interval {
+            names, low, high, ..
+        } => {
             let open = if low.1 { '[' } else { '(' };
             let close = if high.1 { ']' } else { ')' };
             let set = format!(

@@ -8,8 +8,9 @@
 //! | `f(x)`, `f'(x)`, `f''(x)` | a declared function and its derivatives |
 //! | `x(a + b)` | a product, for a declared number |
 //! | `X_u`, `X_{uv}` | the derivative of a declared function by its parameters, at these |
-//! | `e^x` | `exp(x)`, where no `e` is declared |
+//! | `e^x` | `exp(x)`, where no `e` is declared; two readings where it is [`LatexKind::NumberOrBase`] |
 
+use super::base::is_letter_e;
 use super::error::LatexError;
 use super::item::{Nucleus, TexFace, TexItem, place_of};
 use super::names::{FoundName, LatexKind, parts, spelled};
@@ -70,7 +71,7 @@ impl Reader<'_> {
             ));
         }
         match found.kind.clone() {
-            LatexKind::Number => self.plain(found, place, Shape::Number),
+            LatexKind::Number | LatexKind::NumberOrBase => self.plain(found, place, Shape::Number),
             LatexKind::Matrix => self.entries(found, place, 2),
             LatexKind::Vector => self.entries(found, place, 1),
             LatexKind::Open => {
@@ -116,22 +117,32 @@ impl Reader<'_> {
                 )
                 .map(Some);
         }
-        if let ("e", true, Some(above), None) = (
-            letters.as_str(),
-            is_plain && bare,
-            &item.above,
-            self.names.kind("e"),
-        ) {
-            line.next += 1;
-            let exponent = self.value(above, item.place, "the exponent")?;
-            return Ok(Some(Term::call(
-                "exp",
-                vec![exponent],
-                item.place,
-                Shape::Number,
-            )));
+        let says = [
+            "`e` is the base of the exponential function",
+            "`e` is a number of the text",
+        ];
+        let is_base = is_letter_e(item)
+            && match self.names.kind("e") {
+                None => item.above.is_some(),
+                Some(LatexKind::NumberOrBase) => {
+                    self.choose("base e".to_owned(), item.place, says) == 0
+                }
+                Some(_) => false,
+            };
+        if !is_base {
+            return Ok(None);
         }
-        Ok(None)
+        line.next += 1;
+        let exponent = match item.above.as_deref() {
+            Some(above) => self.value(above, item.place, "the exponent")?,
+            None => integer_at(1, item.place),
+        };
+        Ok(Some(Term::call(
+            "exp",
+            vec![exponent],
+            item.place,
+            Shape::Number,
+        )))
     }
 
     fn with_power(&mut self, term: Term, above: Option<&[TexItem]>) -> ReadTerm {

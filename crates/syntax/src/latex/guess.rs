@@ -11,8 +11,10 @@
 //! | with indices that are numbers or words alone | one name for each: `a_0`, `d_{max}` |
 //! | bold or under an arrow | a vector |
 //! | before other brackets, without one of these signs | a number or a function: two readings |
+//! | `e` | as `base` says |
 //! | anything else | a number |
 
+use super::base::{BaseLetter, BaseUses, is_letter_e};
 use super::item::{Nucleus, TexFace, TexItem, nucleus_signature};
 use super::names::{LatexKind, LatexNames, parts, script_words, spelled};
 use std::collections::{BTreeMap, BTreeSet};
@@ -23,6 +25,8 @@ pub struct LatexGuess {
     uses: BTreeMap<String, Uses>,
     /// Letters that are indices of sums or of ranges.
     indices: BTreeSet<String>,
+    /// How the letter e stands.
+    base: BaseUses,
 }
 
 /// How a letter with one subscript, or with subscripts that are indices, is used.
@@ -198,7 +202,13 @@ impl LatexGuess {
                 items.get(at + 1),
             );
             let own = nucleus_signature(&item.nucleus);
-            if matches!(item.nucleus, Nucleus::Letter(..)) {
+            if is_letter_e(item) {
+                self.base.add(item, previous, next);
+            }
+            if is_letter_e(item) && item.above.is_some() {
+                // Brackets behind a power are a factor, and the letter is as `base` says.
+                self.uses(item).raised = true;
+            } else if matches!(item.nucleus, Nucleus::Letter(..)) {
                 let beside_number = {
                     let is_number = |item: Option<&TexItem>| {
                         item.is_some_and(|item| matches!(item.nucleus, Nucleus::Number(_)))
@@ -302,9 +312,6 @@ impl LatexGuess {
             // The number, and the sign of differentials.
             return;
         }
-        if letters == "e" && *face == TexFace::Plain && uses.raised && !uses.bare {
-            return;
-        }
         let words = uses.below.iter().map(|below| script_words(&parts(below)));
         let is_index = |below: &Vec<TexItem>| {
             below
@@ -363,8 +370,14 @@ impl LatexGuess {
             for word in words.flatten().collect::<BTreeSet<_>>() {
                 names.declare(&format!("{name}_{}", word.join("_")), single(uses, is_bold));
             }
-            if uses.below.is_empty() || uses.bare {
-                names.declare(&name, single(uses, is_bold));
+            let kind = match self.base.letter() {
+                _ if name != "e" || is_bold || uses.called => Some(single(uses, is_bold)),
+                BaseLetter::Base => None,
+                BaseLetter::Open => Some(LatexKind::NumberOrBase),
+                BaseLetter::Number => Some(single(uses, is_bold)),
+            };
+            if let Some(kind) = kind.filter(|_| uses.below.is_empty() || uses.bare) {
+                names.declare(&name, kind);
             }
         }
         let by_rule = matches!(face, TexFace::Plain | TexFace::Bold)

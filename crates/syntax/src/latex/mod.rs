@@ -10,6 +10,7 @@
 
 mod applied;
 mod arithmetic;
+mod base;
 mod calculus;
 mod commands;
 mod error;

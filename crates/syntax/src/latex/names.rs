@@ -41,6 +41,8 @@ pub enum LatexKind {
     },
     /// A number or a function: nothing says which.
     Open,
+    /// The letter e as a number, or as the base of the exponential function: nothing says which.
+    NumberOrBase,
 }
 
 /// The names of a formula.
@@ -124,6 +126,7 @@ impl LatexNames {
         if let Some((score, found)) = best {
             // A longer name by rule, `r_0` beside a display for `r`, is as good.
             if score > 0
+                || found.below.is_empty()
                 || self
                     .by_rule(item)?
                     .is_none_or(|other| other.below.len() >= found.below.len())
@@ -244,7 +247,10 @@ impl LatexNames {
             && is_bold
             && matches!(
                 found.kind,
-                LatexKind::Number | LatexKind::Basis { .. } | LatexKind::Open
+                LatexKind::Number
+                    | LatexKind::Basis { .. }
+                    | LatexKind::Open
+                    | LatexKind::NumberOrBase
             )
         {
             let message = format!(
@@ -263,7 +269,7 @@ fn takes(kind: &LatexKind, below: &[&[TexItem]]) -> bool {
         part.iter().all(|item| matches!(&item.nucleus, Nucleus::Letter(letters, _) if parameters.contains(letters)))
     };
     match kind {
-        LatexKind::Number | LatexKind::Open => false,
+        LatexKind::Number | LatexKind::Open | LatexKind::NumberOrBase => false,
         LatexKind::Function { parameters, .. } => {
             below.iter().all(|part| letters(part, parameters))
         }

@@ -6,6 +6,7 @@
 //! | `a = b, t \in [0, 1]`; `0 \le t \le 1` | a condition: the range of t |
 //! | `a = b, i = 0, \dots, n` | a condition: i is an integer of this range |
 //! | `a = b, c > d` | a condition, or both: two readings |
+//! | `a = b (x \ge 0)`, `a = b, (x \ge 0)` | a condition: brackets around a relation behind a statement |
 //! | `... \text{ for } ...`, `if`, `where`, `with`, `when` | what follows are conditions |
 //! | `t \in [0, 1]` alone | `0 <= t <= 1` |
 
@@ -29,6 +30,8 @@ pub enum LatexCondition {
         low: (Option<Expr>, bool),
         /// The upper end.
         high: (Option<Expr>, bool),
+        /// Whether the text writes a set of real numbers, as `\in [0, 1]` does; `0 \le n \le 1` may be of integers.
+        is_set: bool,
     },
     /// An integer from the first formula to the second one; without an end if there is none.
     Integers {
@@ -370,6 +373,7 @@ impl Reader<'_> {
                     names,
                     low: (None, false),
                     high: (None, false),
+                    is_set: true,
                 }));
             }
             return match self.interval(set, around)? {
@@ -377,6 +381,7 @@ impl Reader<'_> {
                     names,
                     low: (low, low_closed),
                     high: (high, high_closed),
+                    is_set: true,
                 })),
                 None => Err(LatexError::new(around, "this set is not understood")),
             };
@@ -415,6 +420,7 @@ impl Reader<'_> {
             names,
             low: (Some(low), *first),
             high: (Some(high), *second),
+            is_set: false,
         }))
     }
 
@@ -508,7 +514,7 @@ fn segments(items: &[TexItem]) -> Vec<Segment<'_>> {
         };
         let list = items.get(start..at).unwrap_or(&[]);
         if !list.is_empty() {
-            found.push((before, list));
+            segment(before, list, &mut found);
             before = sign;
         } else if sign != Before::Comma {
             before = sign;
@@ -517,9 +523,36 @@ fn segments(items: &[TexItem]) -> Vec<Segment<'_>> {
     }
     let last = items.get(start..).unwrap_or(&[]);
     if !last.is_empty() {
-        found.push((before, last));
+        segment(before, last, &mut found);
     }
     found
+}
+
+/// Adds a segment; a relation in round brackets behind others is the condition of these.
+fn segment<'i>(before: Before, list: &'i [TexItem], found: &mut Vec<Segment<'i>>) {
+    let is_relation =
+        |item: &TexItem| item.is_sign("in") || RELATIONS.iter().any(|(sign, _)| item.is_sign(sign));
+    let (main, condition) = match list.split_last() {
+        Some((last, main)) => match &last.nucleus {
+            Nucleus::Fenced('(', inner, ')')
+                if last.is_bare()
+                    && inner.iter().any(is_relation)
+                    && (main.iter().any(is_relation) || main.is_empty() && !found.is_empty()) =>
+            {
+                (main, inner.as_slice())
+            }
+            _ => (list, &[][..]),
+        },
+        None => return,
+    };
+    if !main.is_empty() {
+        found.push((before, main));
+    }
+    let inner = segments(condition).into_iter();
+    found.extend(inner.map(|(before, list)| match before {
+        Before::Comma => (Before::Condition, list),
+        other => (other, list),
+    }));
 }
 
 fn separates(item: &TexItem) -> Option<Before> {

@@ -1,7 +1,7 @@
 //! The rules one by one: what is clear, what has two readings, what is refused and why.
 
 use crate::normal::{normal, normal_text};
-use torse_syntax::derivation::{latex_names, question};
+use torse_syntax::derivation::{latex_names, latex_question, question};
 use torse_syntax::latex::{
     LatexCondition, LatexError, LatexKind, LatexNames, LatexReading, read_latex,
 };
@@ -149,12 +149,12 @@ fn conditions_are_told_from_what_is_stated() {
     let conditions = |print: &str| read(print, "").unwrap().statement.conditions;
     let range = conditions(r"x = a, \quad 0 \le t < 1");
     assert!(
-        matches!(range.as_slice(), [LatexCondition::Interval { names, low: (Some(_), true), high: (Some(_), false) }] if names == &["t"]),
+        matches!(range.as_slice(), [LatexCondition::Interval { names, low: (Some(_), true), high: (Some(_), false), is_set: false }] if names == &["t"]),
         "{range:?}"
     );
     let range = conditions(r"x = a, \quad x, t \in [0, \infty)");
     assert!(
-        matches!(range.as_slice(), [LatexCondition::Interval { names, low: (Some(_), true), high: (None, _) }] if names == &["x", "t"]),
+        matches!(range.as_slice(), [LatexCondition::Interval { names, low: (Some(_), true), high: (None, _), is_set: true }] if names == &["x", "t"]),
         "{range:?}"
     );
     let range = conditions(r"x = a, \quad k = 0, 1, \ldots, n");
@@ -207,4 +207,39 @@ fn the_smallest_and_the_greatest_of_numbers_stand_in_brackets() {
     is_refused(r"\max_{x} y = 1", "", r"\max_{x}", "scripts of `max`");
     is_refused(r"\max(x) = 1", "", r"\max", "no list of numbers");
     is_refused(r"\max x = 1", "", r"\max", "no list of numbers");
+}
+
+#[test]
+fn the_letter_e_of_one_statement_is_the_exponential_function_or_asked_for() {
+    for (print, setting, meant) in [
+        ("e^{x+y} = e^x e^y", "", ("exp(x + y) == exp(x)*exp(y)", "")),
+        (
+            r"\mathrm{e}^{-x}(1 + x) \le 1",
+            "",
+            ("exp(-x)*(1 + x) <= 1", ""),
+        ),
+        ("e^2 < 1", "e in (0, 1)", ("e^2 < 1", "e in (0, 1)")),
+        ("e = e", "", ("e == e", "")),
+        (
+            r"\sqrt{x^2} = x (x \ge 0)",
+            "",
+            ("sqrt(x^2) == x", "x >= 0"),
+        ),
+    ] {
+        let read =
+            latex_question(print, setting).unwrap_or_else(|error| unreachable!("{print}: {error}"));
+        assert_eq!((read.0.as_str(), read.1.as_str()), meant, "{print}");
+    }
+    for print in ["e^2 > 7", "e^x = e x", r"\ln e = 1"] {
+        let error = latex_question(print, "")
+            .err()
+            .map(|error| error.to_string());
+        assert!(
+            error
+                .as_ref()
+                .is_some_and(|error| error.contains("read in two ways: `")
+                    && error.contains("`e` is a number of the text")),
+            "{print}: {error:?}"
+        );
+    }
 }
