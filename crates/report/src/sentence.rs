@@ -408,9 +408,50 @@ fn fails_at(witness: &Witness, place: &str) -> String {
 
 fn shown_value(exact: &str, decimals: &str) -> String {
     match exact.chars().count() <= MAX_EXACT_VALUE_LENGTH || decimals.is_empty() {
-        true => format!("`{exact}`"),
+        true => format!("`{}`", as_one_fraction(exact)),
         false => decimal(decimals),
     }
+}
+
+/// A rational multiple of a sum as papers write it, `(2 - sqrt(2))/8` for `-1/8*(sqrt(2) - 2)`; any other value as it is.
+fn as_one_fraction(value: &str) -> String {
+    let of_a_difference = || {
+        let (factor, sum) = value.split_once("*(")?;
+        let sum = sum.strip_suffix(')')?;
+        let (sign, factor) = match factor.strip_prefix('-') {
+            Some(factor) => (true, factor),
+            None => (false, factor),
+        };
+        let (above, below) = factor.split_once('/')?;
+        let is_number = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
+        if !is_number(above) || !is_number(below) {
+            return None;
+        }
+        let depths = sum.chars().scan(0_i32, |depth, c| {
+            *depth += i32::from(c == '(') - i32::from(c == ')');
+            Some(*depth)
+        });
+        if depths.clone().any(|depth| depth < 0) {
+            return None;
+        }
+        let sum = match sign {
+            false => sum.to_owned(),
+            true => {
+                let (left, right) = sum.split_once(" - ")?;
+                let several = |text: &str| text.contains(" + ") || text.contains(" - ");
+                let balanced = left.matches('(').count() == left.matches(')').count();
+                if several(left) || several(right) || !balanced {
+                    return None;
+                }
+                format!("{right} - {left}")
+            }
+        };
+        Some(match above {
+            "1" => format!("({sum})/{below}"),
+            above => format!("{above}*({sum})/{below}"),
+        })
+    };
+    of_a_difference().unwrap_or_else(|| value.to_owned())
 }
 
 /// Joins the conditions, unless there are none or they are long.

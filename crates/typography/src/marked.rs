@@ -10,6 +10,7 @@ use crate::letters::is_function;
 use crate::markup;
 use crate::math_box::{Fence, MathBox, MathChange};
 use crate::prose::{Stretch, quoted};
+use crate::write::{MAX_FRAMED, text};
 use crate::{Mathematics, PrintedNames, Prose, Span};
 
 /// Longer sentences, and formulas of more boxes, are not compared.
@@ -154,6 +155,9 @@ fn atoms(text: &str, names: &PrintedNames) -> Vec<Atom> {
     enumerated(list)
 }
 
+/// Words that end with a point within a sentence.
+const ABBREVIATIONS: [&str; 6] = ["Sect.", "Sects.", "Fig.", "Figs.", "Eq.", "Eqs."];
+
 /// The first word of a text, or a sign before or behind it: the word may be unchanged where they change.
 fn first_word(text: &str) -> (&str, &str) {
     let punctuation = |c: char| matches!(c, ',' | ';' | '.' | ':');
@@ -163,6 +167,7 @@ fn first_word(text: &str) -> (&str, &str) {
         true if text.starts_with("...") => 3,
         true => 1,
         false if word.starts_with('(') && !word.contains(')') => 1,
+        false if ABBREVIATIONS.contains(&word) => word.len(),
         false => {
             let word = word.trim_end_matches(punctuation);
             let closed = match word.contains('(') {
@@ -341,16 +346,43 @@ fn whole(mark: MathChange, node: &MathBox) -> MathBox {
     let (mut terms, mut term) = (vec![], vec![]);
     for node in nodes {
         if matches!(node, MathBox::Sign('=' | '+' | '−')) && !term.is_empty() {
-            terms.push(framed(MathBox::row(term.drain(..))));
+            terms.extend(framed_term(mark, std::mem::take(&mut term)));
             terms.push(framed(node.clone()));
         } else {
             term.push(node.clone());
         }
     }
-    if !term.is_empty() {
-        terms.push(framed(MathBox::row(term)));
-    }
+    terms.extend(framed_term(mark, term));
     MathBox::row(terms)
+}
+
+/// A term in one frame, or, where that would be longer than a line, what is in its brackets term by term and the rest in frames
+/// between them.
+fn framed_term(mark: MathChange, term: Vec<MathBox>) -> Vec<MathBox> {
+    let framed = |nodes: Vec<MathBox>| MathBox::Marked(mark, Box::new(MathBox::row(nodes)));
+    let is_long = |node: &MathBox| text(node).chars().count() > MAX_FRAMED;
+    if term.is_empty() {
+        return vec![];
+    }
+    if !is_long(&MathBox::row(term.iter().cloned())) {
+        return vec![framed(term)];
+    }
+    let (mut pieces, mut piece) = (vec![], vec![]);
+    for node in term {
+        match node {
+            MathBox::Fenced(fence, inner) if size(&inner) > WIDE => {
+                if !piece.is_empty() {
+                    pieces.push(framed(std::mem::take(&mut piece)));
+                }
+                pieces.push(MathBox::Fenced(fence, Box::new(whole(mark, &inner))));
+            }
+            node => piece.push(node),
+        }
+    }
+    if !piece.is_empty() {
+        pieces.push(framed(piece));
+    }
+    pieces
 }
 
 fn replaced(old: &MathBox, new: &MathBox) -> Pair {
@@ -751,6 +783,20 @@ mod tests {
         );
         assert!(new.matches("boxed").count() > 5, "{new}");
         assert!(new.contains("\\mathbin{\\boxed{+}}"), "{new}");
+    }
+
+    #[test]
+    fn of_a_term_longer_than_a_line_the_brackets_are_framed_term_by_term() {
+        let long = "1/(c_l + π²(1−ν_2)) [ρ γ² (c_k (Q_{k,1} − 2 Q_{k−1,1} + Q_{k−2,1}) − π² (1−μ_1) (Q_{k−1,1} − Q_{k−2,1})) + 4 v (k − 2 + π/2 (1+ν_1)) (Q_{k,1} − Q_{k−1,1}) + 4 u Q_{k,1}]";
+        let [_, new] = shown("the condition", &format!("the condition Q_{{2,2}} = Q_{{1,2}} + {long}"));
+        assert!(new.contains("\\boxed{1 / (c_l"), "{new}");
+        assert!(new.contains("\\boxed{4 u Q_{k, 1}}"), "{new}");
+    }
+
+    #[test]
+    fn the_point_of_an_abbreviation_stays_with_it() {
+        let [_, new] = shown("see Figs. 9–10. More", "see Fig. 9. More");
+        assert_eq!(new, "see **Fig. 9**. More");
     }
 
     #[test]
