@@ -221,6 +221,21 @@ fn with_all_corrections_in_force_every_claim_in_which_a_fault_shows_is_true_and_
 }
 
 #[test]
+fn the_formulas_of_the_texts_with_the_corrections_of_the_letters_made_hold() {
+    let papers = load(&root().join("tests/readers")).unwrap();
+    assert_eq!(papers.len(), 3);
+    for paper in &papers {
+        let outcome = run(paper, &|| ()).expect("every formula makes sense");
+        assert!(outcome.claims.len() > 15, "{}", outcome.slug);
+        for claim in &outcome.claims {
+            let verdict = claim.verdict();
+            let holds = matches!(verdict, Verdict::Holds | Verdict::Conditional);
+            assert!(holds, "{}: {verdict:?}", claim.claim.id);
+        }
+    }
+}
+
+#[test]
 fn a_claim_whose_correction_is_false_is_named_as_not_repaired() {
     let papers = LOADED.iter().zip(PAPERS.iter());
     let mut papers = papers.filter(|(paper, _)| paper.head.id == "gbt-developable");
