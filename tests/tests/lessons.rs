@@ -8,8 +8,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use torse_geometry::developable::{QuarticData, oblique_image_as_printed};
 use torse_geometry::{
-    Basis, Bernstein, Continuity, Curve, Gbt, GeometryError, HermiteCone, Plane, PlaneFamily, RuledSurface,
-    Surface, join,
+    Basis, Bernstein, Continuity, Curve, Gbt, GeometryError, HermiteCone, Plane, PlaneFamily,
+    RuledSurface, Surface, join,
 };
 use torse_syntax::derivation::load;
 
@@ -163,20 +163,31 @@ fn doubled_planes_join_as_the_planes_themselves() {
 fn an_end_plane_in_common_is_no_common_generator() {
     let left = arch(0.5, 0.25);
     let order = |second| {
-        let planes = [ARCH[3], second, [0.0, 40.0, -30.0, 400.0], [0.0, 50.0, -40.0, 400.0]];
+        let planes = [
+            ARCH[3],
+            second,
+            [0.0, 40.0, -30.0, 400.0],
+            [0.0, 50.0, -40.0, 400.0],
+        ];
         let right = PlaneFamily::new(Gbt::new(0.0, 0.0).unwrap(), planes.to_vec()).unwrap();
         let measure = join::measure_families(&left, &right, 1).unwrap();
         measure.order_within(1e-12)
     };
     assert_eq!(order([10.0, 20.0, 0.0, 300.0]), Some(0));
     // Any plane through the generator, the line of the last two planes, makes it common.
-    let through: Vec<f64> = (0..4).map(|i| 3.0 * ARCH[3][i] - 2.0 * ARCH[2][i]).collect();
+    let through: Vec<f64> = (0..4)
+        .map(|i| 3.0 * ARCH[3][i] - 2.0 * ARCH[2][i])
+        .collect();
     assert_eq!(order(through.try_into().unwrap()), Some(1));
 }
 
 #[test]
 fn evenly_spaced_points_are_not_run_through_at_one_speed() {
-    let even = || (0..4).map(|k| [f64::from(k) / 3.0]).collect::<Vec<[f64; 1]>>();
+    let even = || {
+        (0..4)
+            .map(|k| [f64::from(k) / 3.0])
+            .collect::<Vec<[f64; 1]>>()
+    };
     let bezier = Curve::new(Bernstein, even()).unwrap();
     let blended = Curve::new(Gbt::new(0.0, 0.0).unwrap(), even()).unwrap();
     let off = |curve: &dyn Fn(&f64) -> f64| (curve(&0.25) - 0.25).abs();
@@ -201,7 +212,10 @@ fn a_plane_through_the_summit_or_along_a_ray_takes_no_image() {
     };
     let refused = |plane| oblique_image_as_printed(&cone, &plane).unwrap_err();
     let through = refused([20.0, -3.0, 0.0, 1940.0]);
-    assert!(matches!(through, GeometryError::Degenerate { .. }), "{through}");
+    assert!(
+        matches!(through, GeometryError::Degenerate { .. }),
+        "{through}"
+    );
     // Along the rays to q_0 and to q_0 + q_0^u.
     for (normal, datum) in [([1.0, 3.0, 0.0], 0), ([0.0, 9.0, 2.0], 3)] {
         let along = refused([normal[0], normal[1], normal[2], 1.0]);

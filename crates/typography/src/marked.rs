@@ -788,7 +788,10 @@ mod tests {
     #[test]
     fn of_a_term_longer_than_a_line_the_brackets_are_framed_term_by_term() {
         let long = "1/(c_l + π²(1−ν_2)) [ρ γ² (c_k (Q_{k,1} − 2 Q_{k−1,1} + Q_{k−2,1}) − π² (1−μ_1) (Q_{k−1,1} − Q_{k−2,1})) + 4 v (k − 2 + π/2 (1+ν_1)) (Q_{k,1} − Q_{k−1,1}) + 4 u Q_{k,1}]";
-        let [_, new] = shown("the condition", &format!("the condition Q_{{2,2}} = Q_{{1,2}} + {long}"));
+        let [_, new] = shown(
+            "the condition",
+            &format!("the condition Q_{{2,2}} = Q_{{1,2}} + {long}"),
+        );
         assert!(new.contains("\\boxed{1 / (c_l"), "{new}");
         assert!(new.contains("\\boxed{4 u Q_{k, 1}}"), "{new}");
     }
