@@ -6,11 +6,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::time::Duration;
-use torse_prove::evidence;
-use torse_rocq::coqc::{Accepted, Coqc, Limits};
+use torse_prove::evidence::Evidence;
+use torse_rocq::accepted::Accepted;
+use torse_rocq::coqc::{Coqc, Limits};
 use torse_rocq::folder::Folder;
 use torse_rocq::script_search;
-use torse_rocq::task::{Evidence, Finding};
+use torse_rocq::task::ProofTask;
 use torse_syntax::derivation::{Claim, load};
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::engine::decide_claim;
@@ -24,8 +25,8 @@ const MAX: usize = 4;
 const SECONDS: u64 = 10;
 
 /// A claim that holds, as a theorem of its own.
-fn finding<'a>(id: String, claim: &'a Claim, evidence: Evidence) -> Finding<'a> {
-    Finding {
+fn proof_task<'a>(id: String, claim: &'a Claim, evidence: Evidence) -> ProofTask<'a> {
+    ProofTask {
         id,
         claim,
         verdict: Verdict::Holds,
@@ -34,15 +35,6 @@ fn finding<'a>(id: String, claim: &'a Claim, evidence: Evidence) -> Finding<'a> 
         correction: None,
         witness: vec![],
         solved: vec![],
-    }
-}
-
-/// What a verdict rests on, of the two kinds whose proofs are the same for every statement.
-fn kind(evidence: Option<evidence::Evidence>) -> Option<Evidence> {
-    match evidence {
-        Some(evidence::Evidence::Identity) => Some(Evidence::Identity),
-        Some(evidence::Evidence::Induction) => Some(Evidence::Induction),
-        _ => None,
     }
 }
 
@@ -64,7 +56,7 @@ fn the_proofs_of_true_statements_do_not_prove_what_the_engine_refutes() {
             }
             let id = claim.entry.id.get_ref();
             // The name of the theorem, without a verdict: most claims have no accepted proof.
-            let alone = finding(id.clone(), claim, Evidence::Identity);
+            let alone = proof_task(id.clone(), claim, Evidence::Identity);
             let folder = Folder::new(&[(slug.clone(), vec![alone])], &BTreeMap::new());
             let mut proved = folder.theorems.iter().filter(|t| t.rests_on.is_none());
             if folder.theorems.is_empty() || !proved.all(|t| accepted.contains_key(&t.name())) {
@@ -73,7 +65,9 @@ fn the_proofs_of_true_statements_do_not_prove_what_the_engine_refutes() {
             let Ok(outcome) = decide_claim(slug, claim) else {
                 continue;
             };
-            let Some(evidence) = kind(outcome.evidence()) else {
+            // Of these two kinds, the proofs are the same for every statement.
+            let evidence = outcome.evidence();
+            let Some(evidence @ (Evidence::Identity | Evidence::Induction)) = evidence else {
                 continue;
             };
             if outcome.verdict() != Verdict::Holds {
@@ -87,7 +81,7 @@ fn the_proofs_of_true_statements_do_not_prove_what_the_engine_refutes() {
     changed.truncate(WANTED);
     let findings = changed
         .iter()
-        .map(|(id, claim, evidence)| finding(id.clone(), claim, *evidence))
+        .map(|(id, claim, evidence)| proof_task(id.clone(), claim, *evidence))
         .collect();
     let folder = Folder::new(&[("changed".to_owned(), findings)], &BTreeMap::new());
     let limits = Limits {

@@ -26,3 +26,23 @@ pub enum Evidence {
     /// Sample points; not a proof.
     Sampled,
 }
+
+impl Evidence {
+    /// Returns its name, as files and tables write it.
+    ///
+    /// ```
+    /// assert_eq!(torse_certificate::Evidence::CheckedRange.word(), "checked-range");
+    /// ```
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Identity => "identity",
+            Self::Induction => "induction",
+            Self::Inequality => "inequality",
+            Self::Enclosure => "enclosure",
+            Self::Witness => "witness",
+            Self::CheckedRange => "checked-range",
+            Self::Sampled => "sampled",
+        }
+    }
+}

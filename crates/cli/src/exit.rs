@@ -9,7 +9,7 @@ use torse_designs::{DesignError, Ending};
 use torse_exchange::ExchangeError;
 use torse_figures::PlateError;
 use torse_report::ReportError;
-use torse_rocq::coqc::{CheckError, INSTALL};
+use torse_rocq::coqc::{INSTALL, KernelError};
 use torse_syntax::derivation::{DerivationError, LoadError};
 use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::derive::DeriveError;
@@ -306,7 +306,7 @@ pub enum Failure {
     MissingCoqc,
     /// Proofs could not be checked, or not be written.
     #[error("the proofs cannot be checked: {0}")]
-    Proofs(CheckError),
+    Proofs(KernelError),
     /// A file of the folder of proofs cannot be used.
     #[error("{} cannot be read: {reason}", path.display())]
     #[diagnostic(help("remove it: `torse prove --try` writes it anew"))]
@@ -350,10 +350,10 @@ pub enum Failure {
     Print(#[source] std::io::Error),
 }
 
-impl From<CheckError> for Failure {
-    fn from(error: CheckError) -> Self {
+impl From<KernelError> for Failure {
+    fn from(error: KernelError) -> Self {
         match error {
-            CheckError::Missing => Self::MissingCoqc,
+            KernelError::Missing => Self::MissingCoqc,
             other => Self::Proofs(other),
         }
     }

@@ -1,11 +1,11 @@
 //! The level *kernel*: verdicts whose theorems the kernel of the proof assistant accepted, as the folder of proofs keeps it.
 
-use crate::prove::findings;
+use crate::proof_tasks::proof_tasks;
 use crate::run::Run;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use torse_report::digest::digest;
-use torse_rocq::coqc::Accepted;
+use torse_rocq::accepted::Accepted;
 use torse_rocq::folder::{ACCEPTED, Folder, Layout, chosen, unproved};
 use torse_syntax::derivation::Paper;
 
@@ -34,9 +34,9 @@ impl Kernel {
         };
         // If the list cannot be read, no theorem counts as unproved: accepted theorems have their digests.
         let unproved = unproved(&self.kernel).unwrap_or_default();
-        let findings = findings(papers, run);
+        let tasks = proof_tasks(papers, run);
         let chosen = chosen(&self.kernel);
-        let folder = Folder::with_scripts(&findings, &unproved, &chosen, Layout::Apart);
+        let folder = Folder::with_scripts(&tasks, &unproved, &chosen, Layout::Apart);
         let fingerprints = accepted.fingerprints();
         let mut fresh: BTreeMap<&str, bool> = BTreeMap::new();
         for theorem in &folder.theorems {

@@ -28,6 +28,7 @@ mod listing;
 mod lsp;
 mod merge;
 mod new;
+mod proof_tasks;
 mod proofs;
 mod prove;
 mod recheck;

@@ -3,6 +3,7 @@
 use crate::derivations::Derivations;
 use crate::exit::{Exit, Failure};
 use crate::format::pretty_json;
+use crate::proof_tasks::proof_tasks;
 use crate::run::{Budget, Run};
 use crate::terminal::Progress;
 use crate::{terminal, watchdog};
@@ -12,19 +13,16 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 use tempfile::TempDir;
-use torse_prove::evidence;
+use torse_certificate::Evidence;
 use torse_report::{ReportError, write_file};
-use torse_rocq::coqc::{AXIOMS, Accepted, Answer, Coqc, Fingerprints, Limits};
+use torse_rocq::accepted::{Accepted, Fingerprints};
+use torse_rocq::coqc::{AXIOMS, Answer, Coqc, Limits};
 use torse_rocq::folder::{self, ACCEPTED, Folder, Layout, SCRIPTS, UNPROVED};
 use torse_rocq::library::LIBRARY;
 use torse_rocq::merge;
-use torse_rocq::solutions::{Solved, solutions};
-use torse_rocq::task::{Evidence, Finding};
+use torse_rocq::task::ProofTask;
 use torse_rocq::theorem::Theorem;
 use torse_rocq::{printed, script, script_search};
-use torse_syntax::derivation::{Claim, Paper};
-use torse_verdicts::certificate::DecisionCertificate;
-use torse_verdicts::outcome::Outcome;
 
 /// Why theorems have no proof, by name.
 type Unproved = BTreeMap<String, String>;
@@ -92,7 +90,7 @@ impl Prove {
         };
         let run = Run::new(&papers, self.budget, &mut mistakes);
         watchdog::finished();
-        let findings = findings(&papers, &run);
+        let tasks = proof_tasks(&papers, &run);
         let unread = |reason| Failure::ReadProofs {
             path: self.out.join(UNPROVED),
             reason,
@@ -100,9 +98,9 @@ impl Prove {
         let mut unproved = folder::unproved(&self.out).map_err(unread)?;
         let mut chosen = folder::chosen(&self.out);
         if let (Some(_), Some(coqc)) = (self.attempt, &coqc) {
-            (unproved, chosen) = self.search_scripts(coqc, &findings, unproved, chosen)?;
+            (unproved, chosen) = self.search_scripts(coqc, &tasks, unproved, chosen)?;
         }
-        let folder = Folder::with_scripts(&findings, &unproved, &chosen, self.layout());
+        let folder = Folder::with_scripts(&tasks, &unproved, &chosen, self.layout());
         let old = merge::ours(&|path| std::fs::read_to_string(self.out.join(path)).ok());
         let files = match self.names.is_empty() {
             true => folder.files.clone(),
@@ -169,11 +167,11 @@ impl Prove {
     fn search_scripts(
         &self,
         coqc: &Coqc,
-        findings: &[(String, Vec<Finding<'_>>)],
+        tasks: &[(String, Vec<ProofTask<'_>>)],
         mut unproved: Unproved,
         mut chosen: ScriptNumbers,
     ) -> Result<(Unproved, ScriptNumbers), Failure> {
-        let all = Folder::with_scripts(findings, &BTreeMap::new(), &BTreeMap::new(), self.layout());
+        let all = Folder::with_scripts(tasks, &BTreeMap::new(), &BTreeMap::new(), self.layout());
         let own: BTreeSet<String> = all.theorems.iter().map(Theorem::name).collect();
         // Without names this run has all theorems.
         let kept = |name: &String| !self.names.is_empty() || own.contains(name);
@@ -193,7 +191,7 @@ impl Prove {
             let known = known.filter(|name| !left.contains(name));
             let known = known.map(|name| (name, String::new())).collect();
             let scripts = left.iter().map(|name| (name.clone(), which)).collect();
-            let folder = Folder::with_scripts(findings, &known, &scripts, self.layout());
+            let folder = Folder::with_scripts(tasks, &known, &scripts, self.layout());
             let found = Mutex::new((unproved, chosen, left));
             self.try_scripts(coqc, &folder, scratch.path(), &|names, failing| {
                 let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
@@ -487,68 +485,6 @@ fn scratch() -> Result<TempDir, Failure> {
         let path = std::env::temp_dir();
         ReportError::Write { path, source }.into()
     })
-}
-
-/// Returns the findings of all claims and readings that have outcomes, paper by paper.
-pub fn findings<'c>(papers: &'c [Paper], run: &Run) -> Vec<(String, Vec<Finding<'c>>)> {
-    let outcomes: BTreeMap<&str, &Outcome> =
-        run.outcomes().map(|o| (o.claim.id.as_str(), o)).collect();
-    let of = |paper: &'c Paper| {
-        let mut found = vec![];
-        for claim in &paper.claims {
-            let id = claim.entry.id.get_ref();
-            let Some(outcome) = outcomes.get(id.as_str()) else {
-                continue;
-            };
-            found.push(finding(id.clone(), claim, outcome));
-            for (reading, outcome) in claim.readings.iter().zip(outcome.readings()) {
-                let id = format!("{id}.{}", reading.name);
-                found.push(finding(id, &reading.claim, &outcome.outcome));
-            }
-        }
-        (paper.head.id.clone(), found)
-    };
-    papers.iter().map(of).collect()
-}
-
-fn finding<'c>(id: String, claim: &'c Claim, outcome: &Outcome) -> Finding<'c> {
-    let texts = |formulas: &[torse_syntax::notation::Formula]| -> Vec<String> {
-        formulas
-            .iter()
-            .map(|formula| formula.text.clone())
-            .collect()
-    };
-    let correction = outcome.correction();
-    Finding {
-        id,
-        claim,
-        verdict: outcome.verdict(),
-        evidence: outcome.evidence().map(|found| match found {
-            evidence::Evidence::Identity => Evidence::Identity,
-            evidence::Evidence::Induction => Evidence::Induction,
-            evidence::Evidence::Inequality => Evidence::Inequality,
-            evidence::Evidence::Enclosure => Evidence::Enclosure,
-            evidence::Evidence::Witness => Evidence::Witness,
-            evidence::Evidence::CheckedRange | evidence::Evidence::Sampled => Evidence::Instances,
-        }),
-        conditions: texts(outcome.conditions()),
-        correction: correction.map(|c| (c.statement.text.clone(), texts(&c.conditions))),
-        witness: outcome
-            .witness()
-            .map_or_else(Vec::new, |witness| witness.at.clone()),
-        solved: outcome
-            .finding
-            .certificate()
-            .map_or_else(Vec::new, given_values),
-    }
-}
-
-/// Returns the values that the proof of a verdict obtains from `given` equations.
-fn given_values(certificate: &DecisionCertificate) -> Vec<Solved> {
-    match certificate.plain() {
-        DecisionCertificate::Proof { of, .. } => solutions(&of),
-        DecisionCertificate::Refutation(_) => vec![],
-    }
 }
 
 /// Describes what was written, by evidence, and why the rest was not.

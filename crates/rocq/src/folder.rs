@@ -8,11 +8,12 @@ use crate::name::camel;
 use crate::printed::{self, FOLLOWS, FUNCTIONS, JETS, PRINTED};
 use crate::script::{self, scripts};
 use crate::shared::Shared;
-use crate::task::{Evidence, Finding, Goal, goals};
+use crate::task::{Goal, ProofTask, goals};
 use crate::theorem::Theorem;
 use crate::{check, closed, section};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use torse_certificate::Evidence;
 
 /// The page that says how to check and what to trust.
 pub const README: &str = include_str!("../proofs/README.md");
@@ -105,14 +106,17 @@ impl Layout {
 impl Folder {
     /// Makes the folder for these papers. Theorems named in `unproved` get a statement and no proof.
     #[must_use]
-    pub fn new(papers: &[(String, Vec<Finding<'_>>)], unproved: &BTreeMap<String, String>) -> Self {
+    pub fn new(
+        papers: &[(String, Vec<ProofTask<'_>>)],
+        unproved: &BTreeMap<String, String>,
+    ) -> Self {
         Self::with_scripts(papers, unproved, &BTreeMap::new(), Layout::default())
     }
 
     /// Makes the same folder with the scripts found to prove what the first ones do not.
     #[must_use]
     pub fn with_scripts(
-        papers: &[(String, Vec<Finding<'_>>)],
+        papers: &[(String, Vec<ProofTask<'_>>)],
         unproved: &BTreeMap<String, String>,
         chosen: &BTreeMap<String, usize>,
         layout: Layout,
@@ -127,9 +131,9 @@ impl Folder {
         folder
             .files
             .insert("README.md".to_owned(), README.to_owned());
-        for (slug, findings) in papers {
+        for (slug, tasks) in papers {
             let prefix = camel(slug);
-            folder.paper(slug, &prefix, findings, unproved, chosen);
+            folder.paper(slug, &prefix, tasks, unproved, chosen);
         }
         for (path, text) in [FOLLOWS, FUNCTIONS, JETS] {
             folder.files.insert(path.to_owned(), text.to_owned());
@@ -177,14 +181,14 @@ impl Folder {
         &mut self,
         slug: &str,
         prefix: &str,
-        findings: &[Finding<'_>],
+        tasks: &[ProofTask<'_>],
         unproved: &BTreeMap<String, String>,
         chosen: &BTreeMap<String, usize>,
     ) {
         let mut sections: BTreeMap<String, Vec<Goal>> = BTreeMap::new();
-        for finding in findings {
-            self.requested.insert(finding.id.clone());
-            match goals(finding) {
+        for task in tasks {
+            self.requested.insert(task.id.clone());
+            match goals(task) {
                 Ok(found) => {
                     for goal in found {
                         sections
@@ -194,8 +198,8 @@ impl Folder {
                     }
                 }
                 Err(gap) => {
-                    self.not_stated.insert(finding.id.clone(), gap.to_string());
-                    self.lacks(&finding.id, finding.evidence, &gap);
+                    self.not_stated.insert(task.id.clone(), gap.to_string());
+                    self.lacks(&task.id, task.evidence, &gap);
                 }
             }
         }

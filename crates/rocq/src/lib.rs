@@ -13,12 +13,14 @@
     deny(clippy::unwrap_used, clippy::expect_used, clippy::panic)
 )]
 
+pub mod accepted;
 pub mod binder;
 pub mod check;
 pub mod closed;
 pub mod code;
 pub mod context;
 pub mod coqc;
+mod coqc_output;
 pub mod defined;
 pub mod digest;
 pub mod domain;
@@ -39,6 +41,7 @@ pub mod name;
 mod place;
 pub mod point;
 pub mod printed;
+pub mod process;
 pub mod proposition;
 mod scheduler;
 pub mod script;

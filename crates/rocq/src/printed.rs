@@ -208,7 +208,7 @@ pub fn alone(theorem: &Theorem) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::task::Evidence;
+    use torse_certificate::Evidence;
 
     #[test]
     fn alone_a_theorem_has_the_proved_statement_as_a_premise_only_where_its_proof_uses_it() {

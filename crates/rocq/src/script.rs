@@ -21,7 +21,8 @@ use crate::manual_proofs;
 use crate::point::{Choice, first_values, point, solved_point, value_at};
 use crate::shared::literals;
 use crate::solved::{Known, bound, solved_unknowns, value};
-use crate::task::{Evidence, Goal, Role};
+use crate::task::{Goal, Role};
+use torse_certificate::Evidence;
 use torse_core::Set;
 
 /// A theorem with its script.

@@ -4,10 +4,11 @@
 //! reported as missing: a failing script says nothing against the claim.
 
 use crate::check::PROOFS;
-use crate::coqc::{CheckError, Coqc, Limits, each_section, lay_out, limited, prefixes, run};
+use crate::coqc::{Coqc, KernelError, Limits, each_section, lay_out, prefixes};
 use crate::folder::Folder;
 use crate::modules::split;
 use crate::printed;
+use crate::process::{limited, run};
 use crate::theorem::Theorem;
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -32,7 +33,7 @@ pub type Found<'a> = dyn Fn(&[String], &BTreeMap<String, String>) + Sync + 'a;
 /// `scratch`.
 ///
 /// # Errors
-/// [`CheckError`] if nothing can be run.
+/// [`KernelError`] if nothing can be run.
 pub fn failing(
     coqc: &Coqc,
     folder: &Folder,
@@ -40,7 +41,7 @@ pub fn failing(
     seconds: u64,
     limits: Limits,
     found: &Found<'_>,
-) -> Result<BTreeMap<String, String>, CheckError> {
+) -> Result<BTreeMap<String, String>, KernelError> {
     lay_out(folder, scratch)?;
     let of_section = |section: &str| {
         let failing = section_failing(coqc, folder, section, scratch, seconds, limits)?;
@@ -61,7 +62,7 @@ fn section_failing(
     scratch: &Path,
     seconds: u64,
     limits: Limits,
-) -> Result<Vec<(String, String)>, CheckError> {
+) -> Result<Vec<(String, String)>, KernelError> {
     let theorems = folder.theorems_of(section);
     let all = |why: &'static str| {
         let words = move |theorem: &&Theorem| (theorem.name(), why.to_owned());
@@ -96,7 +97,7 @@ fn section_failing(
         ));
     }
     let path = scratch.join(format!("{section}_trial.v"));
-    let system = |source| CheckError::System {
+    let system = |source| KernelError::System {
         what: format!("cannot write {}", path.display()),
         source,
     };

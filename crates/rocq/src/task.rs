@@ -8,6 +8,7 @@ use crate::statement::proposition;
 use crate::tree;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
+use torse_certificate::Evidence;
 use torse_core::{BuiltIn, Node, Set, Statement, Term};
 use torse_elaborate::Elaborator;
 use torse_syntax::derivation::{self, Origin, Source, Written};
@@ -15,41 +16,9 @@ use torse_syntax::fault::Fault;
 use torse_syntax::formula::{Expr, parse};
 use torse_syntax::taxonomy::Verdict;
 
-/// The evidence of a verdict, as far as it matters for its proof.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Evidence {
-    /// A zero normal form.
-    Identity,
-    /// A proof for every degree at once.
-    Induction,
-    /// A certificate of sign.
-    Inequality,
-    /// A certified enclosure.
-    Enclosure,
-    /// An exact counterexample.
-    Witness,
-    /// Instances, which prove nothing in general.
-    Instances,
-}
-
-impl Evidence {
-    /// Returns the word that outcomes use.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Identity => "identity",
-            Self::Induction => "induction",
-            Self::Inequality => "inequality",
-            Self::Enclosure => "enclosure",
-            Self::Witness => "witness",
-            Self::Instances => "checked-range",
-        }
-    }
-}
-
-/// A claim with its results: plain data of an outcome.
+/// A claim with its verdict, of which a theorem is to be proved: plain data of an outcome.
 #[derive(Debug, Clone)]
-pub struct Finding<'a> {
+pub struct ProofTask<'a> {
     /// The id; for a reading, with its name after a point.
     pub id: String,
     /// The claim.
@@ -134,14 +103,12 @@ impl Goal {
 ///
 /// # Errors
 /// [`Untranslatable`], the first that is met.
-pub fn goals(finding: &Finding<'_>) -> Result<Vec<Goal>, Untranslatable> {
-    let verdict = finding.verdict;
+pub fn goals(task: &ProofTask<'_>) -> Result<Vec<Goal>, Untranslatable> {
+    let verdict = task.verdict;
     let nothing = |word| Err(Untranslatable::NothingToProve(word));
     let (role, conditions) = match verdict {
-        Verdict::Holds | Verdict::Conditional => (Role::Holds, finding.conditions.as_slice()),
-        Verdict::Definition if finding.evidence.is_some() => {
-            (Role::Holds, finding.conditions.as_slice())
-        }
+        Verdict::Holds | Verdict::Conditional => (Role::Holds, task.conditions.as_slice()),
+        Verdict::Definition if task.evidence.is_some() => (Role::Holds, task.conditions.as_slice()),
         Verdict::False | Verdict::Misprint => (Role::Refuted, &[][..]),
         Verdict::Definition => return nothing("definition"),
         Verdict::Depends => return nothing("depends"),
@@ -151,15 +118,15 @@ pub fn goals(finding: &Finding<'_>) -> Result<Vec<Goal>, Untranslatable> {
         Verdict::OutOfScope => return nothing("out-of-scope"),
         Verdict::Reproduced | Verdict::Partial => return nothing("a figure"),
     };
-    let Some(statement) = &finding.claim.statement else {
+    let Some(statement) = &task.claim.statement else {
         return nothing("no statement");
     };
-    let evidence = finding.evidence.unwrap_or(Evidence::Instances);
-    let mut goals = vec![goal(finding, statement, role, evidence, conditions)?];
-    if let Some((corrected, conditions)) = &finding.correction {
-        let statement = written(corrected, &finding.id)?;
+    let evidence = task.evidence.unwrap_or(Evidence::CheckedRange);
+    let mut goals = vec![goal(task, statement, role, evidence, conditions)?];
+    if let Some((corrected, conditions)) = &task.correction {
+        let statement = written(corrected, &task.id)?;
         goals.push(goal(
-            finding,
+            task,
             &statement,
             Role::Corrected,
             Evidence::Identity,
@@ -170,13 +137,13 @@ pub fn goals(finding: &Finding<'_>) -> Result<Vec<Goal>, Untranslatable> {
 }
 
 fn goal(
-    finding: &Finding<'_>,
+    task: &ProofTask<'_>,
     statement: &Written,
     role: Role,
     evidence: Evidence,
     conditions: &[String],
 ) -> Result<Goal, Untranslatable> {
-    let claim = finding.claim;
+    let claim = task.claim;
     let elaborator = Elaborator::new(&claim.declarations);
     let unread = |fault: &Fault| Untranslatable::Unread(fault.problem.to_string());
     let core = elaborator.claim(claim, statement).map_err(|f| unread(&f))?;
@@ -193,7 +160,7 @@ fn goal(
     }
     let mut added = vec![];
     for text in conditions {
-        let written = written(text, &finding.id)?;
+        let written = written(text, &task.id)?;
         added.push(
             elaborator
                 .statement(&written.expr)
@@ -208,15 +175,15 @@ fn goal(
             "refutations of coefficients of forms that are not plainly linear",
         ));
     }
-    let conditions = conditions.iter().map(|text| written(text, &finding.id));
+    let conditions = conditions.iter().map(|text| written(text, &task.id));
     let conditions: Vec<Expr> = conditions
         .map(|condition| Ok(condition?.expr))
         .collect::<Result<_, Untranslatable>>()?;
     let printed_proposition = tree::sentence(claim, &statement.expr, &conditions);
-    let short = finding
+    let short = task
         .id
         .split_once('/')
-        .map_or(finding.id.as_str(), |(_, short)| short);
+        .map_or(task.id.as_str(), |(_, short)| short);
     let suffix = if role == Role::Corrected {
         "_corrected"
     } else {
@@ -225,7 +192,7 @@ fn goal(
     let reading = claim.entry.reading.as_ref();
     Ok(Goal {
         module: identifier(&format!("{}{suffix}", short.replace(['.', '-'], "_"))),
-        id: finding.id.clone(),
+        id: task.id.clone(),
         at: claim.entry.at.clone(),
         printed: match reading {
             Some(reading) => format!("{}\n   read as: {reading}", claim.entry.printed),
@@ -237,9 +204,9 @@ fn goal(
         proposition,
         printed_proposition,
         symbols: core.symbols.clone(),
-        witness: finding.witness.clone(),
+        witness: task.witness.clone(),
         given: core.unknowns.len(),
-        solved: finding.solved.clone(),
+        solved: task.solved.clone(),
     })
 }
 

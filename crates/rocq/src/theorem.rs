@@ -1,6 +1,7 @@
 //! Theorems of a folder of proofs.
 
-use crate::task::{Evidence, Role};
+use crate::task::Role;
+use torse_certificate::Evidence;
 
 /// A theorem of the folder.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]

@@ -142,7 +142,12 @@ pub fn near(
     let candidates: Vec<(Symbol, Vec<Fraction>)> = symbols
         .into_iter()
         .map(|s| {
-            let mut values = domain.candidates(&s, turns(&everything, &s));
+            let turns = turns(&everything, &s);
+            let mut values = domain.candidates(&s, turns);
+            if turns != Turns::None {
+                // Where sines and cosines are exact first, also those that the difference does not have any more.
+                values.sort_by_key(|at| also.iter().any(|f| placed(f, &s, at).is_none()));
+            }
             if let Some((own, value)) = first
                 && *own.symbol() == s
                 && domain.admits(own, value)

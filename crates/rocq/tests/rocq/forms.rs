@@ -4,10 +4,11 @@
 use crate::support::{LIMITS, accepts_all, coqc, with_library};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
+use torse_certificate::Evidence;
 use torse_rocq::folder::Folder;
 use torse_rocq::script_search;
 use torse_rocq::solutions::Solved;
-use torse_rocq::task::{Evidence, Finding};
+use torse_rocq::task::ProofTask;
 use torse_rocq::theorem::Theorem;
 use torse_syntax::derivation::{Claim, LoadError, Source, paper};
 use torse_syntax::taxonomy::Verdict;
@@ -90,7 +91,7 @@ fn solved() -> Vec<Solved> {
 
 /// The folder in which all these claims have this verdict.
 fn folder(claims: &[Claim], verdict: Verdict) -> Folder {
-    let finding = |(place, claim): (usize, _)| Finding {
+    let task = |(place, claim): (usize, _)| ProofTask {
         id: format!("p/c{place}"),
         claim,
         verdict,
@@ -100,8 +101,8 @@ fn folder(claims: &[Claim], verdict: Verdict) -> Folder {
         witness: vec![],
         solved: solved(),
     };
-    let findings = claims.iter().enumerate().map(finding).collect();
-    Folder::new(&[("p".to_owned(), findings)], &BTreeMap::new())
+    let tasks = claims.iter().enumerate().map(task).collect();
+    Folder::new(&[("p".to_owned(), tasks)], &BTreeMap::new())
 }
 
 #[test]
@@ -252,7 +253,7 @@ fn wrong_values_of_unknowns_prove_nothing() {
         above: "3*x - y".to_owned(),
         below: "2".to_owned(),
     };
-    let finding = Finding {
+    let task = ProofTask {
         id: "p/c0".to_owned(),
         claim: &claims[0],
         verdict: Verdict::Holds,
@@ -262,7 +263,7 @@ fn wrong_values_of_unknowns_prove_nothing() {
         witness: vec![],
         solved: vec![solved()[0].clone(), wrong],
     };
-    let folder = Folder::new(&[("p".to_owned(), vec![finding])], &BTreeMap::new());
+    let folder = Folder::new(&[("p".to_owned(), vec![task])], &BTreeMap::new());
     let scratch = with_library(&coqc);
     let failing =
         script_search::failing(&coqc, &folder, scratch.path(), 60, LIMITS, &|_, _| ()).unwrap();

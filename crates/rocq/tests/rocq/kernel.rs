@@ -5,11 +5,12 @@ use crate::support::{LIMITS, accepts_all, coqc, with_library};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::sync::Arc;
+use torse_certificate::Evidence;
 use torse_rocq::coqc::Answer;
 use torse_rocq::folder::{Folder, Layout};
 use torse_rocq::script::OTHERS;
 use torse_rocq::script_search;
-use torse_rocq::task::{Evidence, Finding};
+use torse_rocq::task::ProofTask;
 use torse_syntax::derivation::{Claim, LoadError, Source, paper};
 use torse_syntax::taxonomy::Verdict;
 
@@ -134,7 +135,7 @@ fn claims(statements: &[&str]) -> Vec<Claim> {
 
 /// The folder in which all these claims are said to hold.
 fn folder(claims: &[Claim], evidence: impl Fn(usize) -> Evidence) -> Folder {
-    let finding = |(place, claim)| Finding {
+    let task = |(place, claim)| ProofTask {
         id: format!("p/c{place}"),
         claim,
         verdict: Verdict::Holds,
@@ -144,8 +145,8 @@ fn folder(claims: &[Claim], evidence: impl Fn(usize) -> Evidence) -> Folder {
         witness: vec![],
         solved: vec![],
     };
-    let findings = claims.iter().enumerate().map(finding).collect();
-    Folder::new(&[("p".to_owned(), findings)], &BTreeMap::new())
+    let tasks = claims.iter().enumerate().map(task).collect();
+    Folder::new(&[("p".to_owned(), tasks)], &BTreeMap::new())
 }
 
 #[test]
@@ -262,7 +263,7 @@ fn other_scripts_prove_what_follows_from_equations_and_nothing_else() {
         "x^2 + y^2 == 1 implies (x + y)^2 - 2*x*y == 1",
         "x^2 + y^2 == 1 implies (x + y)^2 - 2*x*y == 2",
     ]);
-    let finding = |(place, claim)| Finding {
+    let task = |(place, claim)| ProofTask {
         id: format!("p/c{place}"),
         claim,
         verdict: Verdict::Holds,
@@ -272,8 +273,8 @@ fn other_scripts_prove_what_follows_from_equations_and_nothing_else() {
         witness: vec![],
         solved: vec![],
     };
-    let findings: Vec<Finding<'_>> = claims.iter().enumerate().map(finding).collect();
-    let papers = [("p".to_owned(), findings)];
+    let tasks: Vec<ProofTask<'_>> = claims.iter().enumerate().map(task).collect();
+    let papers = [("p".to_owned(), tasks)];
     for which in 1..=OTHERS.len() {
         let chosen = ["P/Section_1.c0", "P/Section_1.c1"].map(|name| (name.to_owned(), which));
         let folder = Folder::with_scripts(
