@@ -10,7 +10,7 @@
 
 use super::domain::Domain;
 use super::order::truth;
-use super::sharpness::Bounded;
+use super::sharpness::{Bounded, Bounds};
 use super::sign;
 use super::value::{Proof, quotient};
 use super::witness::{self, Point};
@@ -135,18 +135,33 @@ pub(super) fn nonnegative_part(
     })
 }
 
-/// The seeds as quantities that are to be zero or more.
+/// What is to be zero or more for all functions of a family to be: where a seed is negative, a function is; where the seeds
+/// and the step factors are not, no function is.
 ///
 /// # Errors
 /// [`Fault`] when the seeds cannot be evaluated.
-pub fn bounded(basis: &Family, evaluator: &Evaluator<'_>) -> Result<Vec<Bounded>, Fault> {
-    let (_, seeds) = family(basis, evaluator)?;
-    let polynomials = seeds.iter().filter_map(Fraction::as_polynomial);
-    let bounded = polynomials.map(|polynomial| Bounded {
-        polynomial: polynomial.clone(),
-        strict: false,
-    });
-    Ok(bounded.collect())
+pub fn bounds(basis: &Family, evaluator: &Evaluator<'_>) -> Result<Bounds, Fault> {
+    let (step, seeds) = family(basis, evaluator)?;
+    let bounded = |functions: &[Fraction]| -> Option<Vec<Bounded>> {
+        let polynomials = functions.iter().map(Fraction::as_polynomial);
+        let bounded = polynomials.map(|polynomial| {
+            Some(Bounded {
+                polynomial: polynomial?.clone(),
+                strict: false,
+            })
+        });
+        bounded.collect()
+    };
+    Ok(match (bounded(&seeds), bounded(&step)) {
+        (Some(seeds), steps) => Bounds {
+            needed: seeds,
+            besides: steps,
+        },
+        (None, _) => Bounds {
+            needed: vec![],
+            besides: None,
+        },
+    })
 }
 
 /// All functions of one degree.

@@ -258,14 +258,14 @@ pub fn ranges(
     domain: &Domain,
     evaluator: &Evaluator<'_>,
 ) -> Result<Vec<Sharpness<Polynomial>>, Fault> {
-    let bounded = match statement {
+    let bounds = match statement {
         Statement::Family {
             property: FamilyProperty::Nonnegative,
             family: basis,
-        } => family::bounded(basis, evaluator)?,
-        _ => sharpness::bounded(statement),
+        } => family::bounds(basis, evaluator)?,
+        _ => sharpness::bounds(statement),
     };
-    Ok(sharpness::all(&bounded, domain))
+    Ok(sharpness::all(&bounds, domain))
 }
 
 /// The constraints under which a statement fails, if they are a conjunction.

@@ -35,11 +35,37 @@ pub struct Bounded {
     pub strict: bool,
 }
 
+/// What is shown of polynomials where a statement is proved.
+#[derive(Debug, Clone)]
+pub struct Bounds {
+    /// The statement fails where one of these does.
+    pub needed: Vec<Bounded>,
+    /// The statement is true where all of `needed` and all of these hold; none if that is not known.
+    pub besides: Option<Vec<Bounded>>,
+}
+
+impl Bounds {
+    /// All that a proof has to show, if it is known.
+    fn sufficient(&self) -> Option<Vec<&Bounded>> {
+        let besides = self.besides.as_ref()?;
+        Some(self.needed.iter().chain(besides).collect())
+    }
+}
+
 /// What a conjunction of order relations bounds; nothing for other statements.
 #[must_use]
-pub fn bounded(statement: &Statement) -> Vec<Bounded> {
+pub fn bounds(statement: &Statement) -> Bounds {
+    let bounded = bounded(statement);
+    Bounds {
+        besides: bounded.is_some().then(Vec::new),
+        needed: bounded.unwrap_or_default(),
+    }
+}
+
+/// What a conjunction of order relations between polynomials bounds; none for other statements.
+fn bounded(statement: &Statement) -> Option<Vec<Bounded>> {
     match statement {
-        Statement::Join(Connective::And, a, b) => [bounded(a), bounded(b)].concat(),
+        Statement::Join(Connective::And, a, b) => Some([bounded(a)?, bounded(b)?].concat()),
         Statement::Compare {
             relation,
             left,
@@ -50,26 +76,30 @@ pub fn bounded(statement: &Statement) -> Vec<Bounded> {
                 Relation::AtMost => (false, true),
                 Relation::Greater => (true, false),
                 Relation::AtLeast => (false, false),
-                Relation::Equal | Relation::Different => return vec![],
+                Relation::Equal | Relation::Different => return None,
             };
             let (lefts, rights) = (left.entries(), right.entries());
             let pairs = lefts.into_iter().zip(rights);
-            let differences = pairs.filter_map(|(x, y)| {
+            let bounded = pairs.map(|(x, y)| {
                 let difference = x.as_fraction()?.clone() - y.as_fraction()?.clone();
                 let polynomial = difference.as_polynomial()?.clone();
-                Some(if negative { -polynomial } else { polynomial })
+                let polynomial = if negative { -polynomial } else { polynomial };
+                Some(Bounded { polynomial, strict })
             });
-            differences
-                .map(|polynomial| Bounded { polynomial, strict })
-                .collect()
+            bounded.collect()
         }
-        _ => vec![],
+        _ => None,
     }
 }
 
 /// What leaving the ranges of the parameters at each end leads to.
 #[must_use]
-pub fn all(all: &[Bounded], domain: &Domain<'_>) -> Vec<Sharpness<Polynomial>> {
+pub fn all(bounds: &Bounds, domain: &Domain<'_>) -> Vec<Sharpness<Polynomial>> {
+    let all: Vec<&Bounded> = bounds
+        .needed
+        .iter()
+        .chain(bounds.besides.iter().flatten())
+        .collect();
     if all.iter().any(|b| b.polynomial.len() > MAX_TERMS) {
         return vec![];
     }
@@ -112,7 +142,7 @@ pub fn all(all: &[Bounded], domain: &Domain<'_>) -> Vec<Sharpness<Polynomial>> {
                 &interval.lower
             };
             let end = end.as_ref().and_then(|b| b.value.as_rational());
-            found.extend(end.and_then(|end| beyond(all, domain, name, interval, end, upper)));
+            found.extend(end.and_then(|end| beyond(bounds, domain, name, interval, end, upper)));
         }
     }
     found
@@ -120,7 +150,7 @@ pub fn all(all: &[Bounded], domain: &Domain<'_>) -> Vec<Sharpness<Polynomial>> {
 
 /// What happens beyond one end.
 fn beyond(
-    all: &[Bounded],
+    bounds: &Bounds,
     domain: &Domain<'_>,
     name: &str,
     interval: &Interval,
@@ -130,7 +160,8 @@ fn beyond(
     for (n, d) in STEPS {
         let step = ratio(n, d)?;
         let there = if upper { end + &step } else { end - &step };
-        if let Some(others) = all.iter().find_map(|b| failure(b, domain, name, &there)) {
+        let mut needed = bounds.needed.iter();
+        if let Some(others) = needed.find_map(|b| failure(b, domain, name, &there)) {
             return Some(Sharpness::Fails {
                 name: name.to_owned(),
                 by: step,
@@ -139,6 +170,7 @@ fn beyond(
             });
         }
     }
+    let sufficient = bounds.sufficient()?;
     let step = ratio(1, 16)?;
     let there = if upper { end + &step } else { end - &step };
     let bound = Bound {
@@ -155,7 +187,7 @@ fn beyond(
         .declarations
         .with_symbol(name, SymbolKind::Real(Box::new(wider)));
     let wider = domain.on(&declarations);
-    let holds = all.iter().all(|b| {
+    let holds = sufficient.iter().all(|b| {
         prove(&b.polynomial, &wider).is_some_and(|certificate| certificate.strict || !b.strict)
     });
     holds.then(|| Sharpness::Wider {

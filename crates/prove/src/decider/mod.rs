@@ -365,7 +365,16 @@ impl<'a> Decider<'a> {
             let combination = Proof::Combination(combination);
             return Ok(proved(kept, combination, (weaker, nonzero), vec![]));
         }
-        let ranges = decide::ranges(&value, &ground.branch.domain, &ground.branch.evaluator)?;
+        // What a symbol, a root or a divisor is on the declared ranges, it need not be beyond them.
+        let domain = &ground.branch.domain;
+        let depends_on_ranges = !ground.branch.eliminated().is_empty()
+            || !domain.roots.is_empty()
+            || !domain.logarithms.is_empty()
+            || !all.is_empty();
+        let ranges = match depends_on_ranges {
+            true => vec![],
+            false => decide::ranges(&value, domain, &ground.branch.evaluator)?,
+        };
         let nonzero = nonzero(met, &conditions, &ground.branch.domain);
         Ok(proved(ground, proof, (conditions, nonzero), ranges))
     }

@@ -26,6 +26,11 @@ parameters = ["mu"]
 degree = 1
 seeds = ['(1 - sin(pi/2*x))*(1 - mu*sin(pi/2*x))', '1 - (1 - sin(pi/2*x))*(1 - mu*sin(pi/2*x))']
 step = ['1 - x', 'x']
+[basis.outside]
+variable = "x"
+degree = 1
+seeds = ['1 + x', '2 - x']
+step = ['1 - x', 'x']
 [basis.backwards]
 variable = "x"
 degree = 1
@@ -170,6 +175,33 @@ fn a_proved_relation_says_whether_its_ranges_are_sharp() {
                 .starts_with("the range of mu cannot be larger by 1/1024: at mu = 1025/1024, ")),
         "{family:?}"
     );
+}
+
+#[test]
+fn a_range_may_be_widened_only_where_all_that_the_statement_rests_on_is_proved_beyond_it() {
+    let widened = |name: &str, states: &str| {
+        let lines = format!("states = '{states}'\nsymbols = {{ q = {{ in = \"(0, 1]\" }} }}");
+        let found = outcome(name, &lines);
+        assert_eq!(found.verdict(), Verdict::Holds, "{found:?}");
+        let steps = words::steps(&found);
+        steps.iter().any(|step| step.contains("may be widened"))
+    };
+    assert!(widened("wider", "q + a + 2 >= 0"));
+    let narrow = [
+        // False at a = -1/16, where abs(a) is no longer a.
+        "2 + 35*a - 34*abs(a) >= 0",
+        // The seeds are positive beyond the range, the step factors are not: the function (2, 2) is negative.
+        "nonnegative(outside)",
+        // Without a value at q = 0.
+        "q^2/q + 2 >= 0",
+        "a + 2 >= 0 and a == abs(a)",
+    ];
+    for (number, states) in narrow.into_iter().enumerate() {
+        assert!(
+            !widened(&format!("narrow-end-{number}"), states),
+            "{states}"
+        );
+    }
 }
 
 #[test]
