@@ -19,6 +19,8 @@ use torse_syntax::formula::Relation;
 /// The highest power of a factor that is compared with a polynomial, and the most terms of such a factor.
 const MAX_EXPONENT: u32 = 4;
 const MAX_TERMS: usize = 4;
+/// The most terms of an equation, and of a polynomial without a zero, that are added to each other.
+const MAX_EQUATION_TERMS: usize = 8;
 
 impl Domain<'_> {
     /// Whether a polynomial is a product of factors that are known to be nonzero, with the symbols of the first
@@ -164,8 +166,44 @@ impl Domain<'_> {
             }
         }
         all.extend(radicands);
+        let beside = self.beside_equations(known, &all)?;
+        all.extend(beside);
         all.retain(|(factor, _)| !factor.is_number());
         Ok(all)
+    }
+
+    /// What these polynomials without a zero are where an equation holds: `y^2` for `x^2 + 1` where `y^2 == x^2 + 1`.
+    fn beside_equations(
+        &self,
+        known: &[Compared],
+        nonzero: &[(Polynomial, Met)],
+    ) -> Result<Vec<(Polynomial, Met)>, Unsupported> {
+        let is_short = |own: &Polynomial| own.len() <= MAX_EQUATION_TERMS;
+        let equations = known.iter().filter(|c| {
+            let difference = &c.difference;
+            c.relation == Relation::Equal
+                && difference.below.is_empty()
+                && is_short(&difference.above)
+        });
+        let mut found = vec![];
+        for equation in equations {
+            let zero = &equation.difference.above;
+            for (factor, met) in nonzero.iter().filter(|(factor, _)| is_short(factor)) {
+                self.work.spend(factor.len().saturating_mul(zero.len()))?;
+                let shared = factor.terms().find_map(|(monomial, own)| {
+                    let mut others = zero.terms();
+                    let (_, other) = others.find(|(other, _)| *other == monomial)?;
+                    Some(own / other)
+                });
+                let Some(multiple) = shared else { continue };
+                let there = factor.minus(&zero.scaled(&multiple));
+                if !there.is_zero() && there.len() <= MAX_TERMS {
+                    let both = met.iter().chain(&equation.met).cloned().collect();
+                    found.push((there, both));
+                }
+            }
+        }
+        Ok(found)
     }
 
     /// The symbols that a hypothesis keeps from zero, since it fails with zero in place of one: x where `x >= 1`, x and y where
@@ -333,18 +371,17 @@ fn contains_zero(set: &Set) -> bool {
     }
 }
 
-/// The value that a symbol has where a polynomial is zero: of one whose power it is, or in which it is linear with a
+/// The value that a symbol, a sine or a cosine has where a polynomial is zero: of one whose power it is, or in which it is linear with a
 /// number before it.
 fn value_at_zero(polynomial: &Polynomial) -> Option<(Symbol, Polynomial)> {
     let mut terms = polynomial.terms();
     if let (Some((monomial, _)), None) = (terms.next(), terms.next())
-        && let [(symbol @ Symbol::Named(_), _)] = monomial.as_slice()
+        && let [(symbol, _)] = monomial.as_slice()
+        && !symbol.is_number()
     {
         return Some((symbol.clone(), Polynomial::zero()));
     }
-    let mut symbols = polynomial
-        .symbols()
-        .filter(|s| matches!(s, Symbol::Named(_)));
+    let mut symbols = polynomial.symbols().filter(|symbol| !symbol.is_number());
     symbols.find_map(|symbol| {
         let (rest, slope) = linear(polynomial, symbol)?;
         let slope = slope.as_constant()?;

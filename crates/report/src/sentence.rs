@@ -74,10 +74,10 @@ pub(crate) fn fault_in_short(says: &str) -> String {
     sentence(first_sentence(says))
 }
 
-/// Whether for every condition a point is known at which it fails and the statement with it. Only then does the
+/// Whether the statement failed at every point that was tried at which one of the conditions does. Only then does the
 /// sentence say that the statement is true only if they hold.
 fn needs_all(net: &Net) -> bool {
-    !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_needed)
+    !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_necessary)
 }
 
 /// The text up to its first full stop that ends a sentence: a blank and a capital letter follow, and no abbreviation goes before.

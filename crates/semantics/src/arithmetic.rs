@@ -106,6 +106,11 @@ pub trait Arithmetic {
         self.over(&twice, &self.integer(2))
     }
 
+    /// Whether the numbers are those of a point that satisfies the hypotheses only approximately.
+    fn is_beside_domain(&self) -> bool {
+        false
+    }
+
     /// Whether the number is zero; `None` if that is not known.
     fn is_zero(&self, a: &Self::Number) -> Option<bool>;
 

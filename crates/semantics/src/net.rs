@@ -307,8 +307,9 @@ pub fn judge_violations(
             }
             Judgement::Undecided | Judgement::Unknown(_) => beyond.open += 1,
         }
-        // A single point at which the statement is false shows that the condition is needed.
-        beyond.failing == 0 && beyond.judged() < wanted
+        // A single point at which the statement is false shows that the condition is needed; whether the statement is true
+        // elsewhere without it takes more.
+        beyond.judged() < wanted
     });
     beyond.needed_at = beyond.needed_at.or(undefined_at);
     Some(beyond)

@@ -476,6 +476,10 @@ impl Arithmetic for Reals<'_> {
         })
     }
 
+    fn is_beside_domain(&self) -> bool {
+        self.near
+    }
+
     fn is_zero(&self, a: &Real) -> Option<bool> {
         a.is_zero()
     }

@@ -7,7 +7,7 @@
 use super::domain::Domain;
 use super::value::Proof;
 use super::zero_by_sign::forced;
-use super::{Decision, Refutation, witness};
+use super::{Decision, Refutation, witness, witness_search};
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::{UNPLACED, Value};
 use crate::{ideal, roots};
@@ -76,7 +76,7 @@ pub fn decide(
     if let Some(combination) = follows(left, right, domain, evaluator).or_else(by_roots) {
         return Ok(Decision::Proven(Proof::Combination(combination)));
     }
-    let point = witness::find(
+    let point = witness_search::find(
         plain,
         &lefts.iter().chain(&rights).collect::<Vec<_>>(),
         domain,
@@ -213,6 +213,6 @@ pub fn sample(
         .cloned()
         .fold(Fraction::zero(), |sum, f| sum + f.clone() * f);
     let sides: Vec<&Fraction> = left.iter().chain(&right).collect();
-    let point = witness::find(&all, &sides, domain, Relation::AtLeast)?;
+    let point = witness_search::find(&all, &sides, domain, Relation::AtLeast)?;
     witness::described(&point, Comparison::Domain, &left, &right)
 }

@@ -14,6 +14,7 @@ use super::sharpness::{Bounded, Bounds};
 use super::sign;
 use super::value::{Proof, quotient};
 use super::witness::{self, Point};
+use super::witness_search;
 use super::{Decision, Refutation, Unsettled};
 use crate::evaluate::Evaluator;
 use crate::evaluate::value::UNPLACED;
@@ -83,7 +84,7 @@ pub fn nonnegative(
         }
         let text = torse_syntax::notation::text(&crate::formula::expression(part));
         if is_seed
-            && let Some(point) = witness::find(part, &[], domain, Relation::Less)
+            && let Some(point) = witness_search::find(part, &[], domain, Relation::Less)
             && let Some(point) = witness::described(
                 &point,
                 Comparison::Seed,

@@ -179,21 +179,19 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             let each = all.iter().map(|comparison| comparison.equal());
             each.fold(Some(true), both)
         };
-        let [only] = all.as_slice() else {
-            return match relation {
-                Relation::Equal => Ok(equal()),
-                Relation::Different => Ok(equal().map(|e| !e)),
-                _ => Err(NoValue::shape("an order of vectors")),
-            };
+        let truth = match all.as_slice() {
+            [only] => only.relation(relation),
+            _ if relation == Relation::Equal => equal(),
+            _ if relation == Relation::Different => equal().map(|e| !e),
+            _ => return Err(NoValue::shape("an order of vectors")),
         };
-        Ok(match relation {
-            Relation::Equal => only.equal(),
-            Relation::Different => only.equal().map(|e| !e),
-            Relation::Less => only.less(),
-            Relation::Greater => only.greater(),
-            Relation::AtMost => only.greater().map(|g| !g),
-            Relation::AtLeast => only.less().map(|l| !l),
-        })
+        let is_thin = matches!(
+            relation,
+            Relation::Different | Relation::Less | Relation::Greater
+        );
+        // Sides that are equal at this point may differ at the point beside it that satisfies the hypotheses exactly.
+        let unsettled = is_thin && a.is_beside_domain() && equal() == Some(true);
+        Ok(truth.filter(|_| !unsettled))
     }
 
     /// The built-in functions that are statements.
@@ -324,6 +322,18 @@ impl Printed {
 }
 
 impl Comparison {
+    /// Whether the numbers have a relation.
+    fn relation(self, relation: Relation) -> Option<bool> {
+        match relation {
+            Relation::Equal => self.equal(),
+            Relation::Different => self.equal().map(|e| !e),
+            Relation::Less => self.less(),
+            Relation::Greater => self.greater(),
+            Relation::AtMost => self.greater().map(|g| !g),
+            Relation::AtLeast => self.less().map(|l| !l),
+        }
+    }
+
     /// Whether the numbers are equal, or as close as only equal numbers are expected to be.
     fn equal(self) -> Option<bool> {
         match self {

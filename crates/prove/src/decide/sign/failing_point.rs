@@ -5,7 +5,8 @@ use crate::decide::candidates::simplest_between;
 use crate::decide::domain::Domain;
 use crate::decide::order::truth;
 use crate::decide::value::plain;
-use crate::decide::witness::{self, Point};
+use crate::decide::witness::Point;
+use crate::decide::witness_search;
 use std::cmp::Ordering;
 use torse_algebra::rational::integer;
 use torse_algebra::{Fraction, Polynomial, Rational, Scalar as _, Symbol};
@@ -53,8 +54,8 @@ pub(super) fn find(
                 }
             }
         };
-        let first = Some((&variable, &value));
-        if let Some(point) = witness::near(difference, also, domain, wanted, first) {
+        let first = (&variable, &value);
+        if let Some(point) = witness_search::near(difference, also, domain, wanted, first) {
             return Some(point);
         }
     }

@@ -25,7 +25,7 @@ mod taylor;
 
 use super::domain::Domain;
 use super::value::Proof as Whole;
-use super::{Decision, Refutation, witness};
+use super::{Decision, Refutation, witness, witness_search};
 use crate::evaluate::quantity::Quantity;
 use crate::evaluate::value::{UNPLACED, Value};
 use certificate::CertificateError;
@@ -298,7 +298,7 @@ pub fn compare(
             ));
         }
     }
-    if let Some(point) = witness::find(&difference, &[x, y], domain, opposite)
+    if let Some(point) = witness_search::find(&difference, &[x, y], domain, opposite)
         .or_else(|| failing_point::find(&difference, &[x, y], domain, opposite))
         && let Some(point) = witness::described(
             &point,

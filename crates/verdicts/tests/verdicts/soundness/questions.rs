@@ -210,3 +210,66 @@ fn what_a_hypothesis_keeps_from_zero_is_not_zero_for_the_checker_either() {
         ("sqrt(x^2 + y^2) != abs(x)", "y >= 1; x*y == 0", "holds"),
     ]);
 }
+
+#[test]
+fn a_root_that_an_equation_names_is_nonzero_where_its_radicand_is() {
+    answers(&[
+        ("y != 0", "sqrt(x^2 + 1) == y", "holds"),
+        ("sqrt(x^2 + 1) != 0", "sqrt(x^2 + 1) == y", "holds"),
+        ("norm([x, 1]) != 0", "norm([x, 1]) == y", "holds"),
+        ("y != 0", "r in (0, inf); sqrt(r) == y", "holds"),
+        ("y != 0", "r in (0, inf); y - sqrt(r)/(1 + r) == 0", "holds"),
+        (
+            "sqrt(y^2) >= 0",
+            "r in (0, inf); y - sqrt(r)/(1 + r) == 0",
+            "holds",
+        ),
+        ("z != 0", "sqrt(x - y) == z; x > y", "holds"),
+        ("sqrt(x^2 + 1) == y implies sqrt(x^2 + 1) != 0", "", "holds"),
+        // Where the radicand may vanish.
+        ("y != 0", "sqrt(x^2) == y", "false"),
+        ("z != 0", "sqrt(x - y) == z; x >= y", "false"),
+    ]);
+}
+
+#[test]
+fn a_product_of_sine_and_cosine_is_at_most_a_half() {
+    answers(&[
+        ("sin(t)*cos(t) < 1", "sin(t) + 2*cos(t) == 1", "holds"),
+        ("sin(t)*cos(t) != 1", "sin(t) + 2*cos(t) == 1", "holds"),
+        ("sin(2*t) < 2", "sin(t) + 2*cos(t) == 1", "holds"),
+        ("sin(t)*cos(t) < 1", "sin(t) + cos(t) == 1", "holds"),
+        (
+            "x*y != -1",
+            "x == cos(t); y == sin(t); 3*x - 2*y == 2",
+            "holds",
+        ),
+        (
+            "3*x - 2*y == 2 implies x*y != -1",
+            "x == cos(t); y == sin(t)",
+            "holds",
+        ),
+        ("sin(t)*cos(t) < 0", "sin(t) + cos(t) == 1", "false"),
+    ]);
+}
+
+#[test]
+fn a_point_that_satisfies_the_hypotheses_nearly_contradicts_no_strict_order() {
+    // Where s is large, tanh(s) is 1 to all digits that are computed.
+    for value in [
+        "tanh(s)",
+        "tanh(2*s)",
+        "sinh(s)/cosh(s)",
+        "(exp(s) - 1)/(exp(s) + 1)",
+    ] {
+        let named = format!("x == {value}");
+        answers(&[
+            ("x < 1", &named, "holds"),
+            ("x != 1", &named, "holds"),
+            ("x > -1", &named, "holds"),
+            ("1 - x > 0", &named, "holds"),
+            ("x^2 < 1", &named, "holds"),
+            ("x < 1/2", &named, "false"),
+        ]);
+    }
+}
