@@ -150,7 +150,9 @@ impl<'s> Polytope<'s> {
         match relation {
             Relation::Equal | Relation::AtLeast | Relation::Greater => {}
             Relation::Less | Relation::AtMost => {
-                form.multiples.iter_mut().for_each(|own| *own = -own.clone());
+                form.multiples
+                    .iter_mut()
+                    .for_each(|own| *own = -own.clone());
                 form.constant = -form.constant;
                 form.relation = relation.mirrored();
             }
@@ -205,7 +207,11 @@ impl<'s> Polytope<'s> {
             (None, None) => {
                 let [from, to] = part(&DISTANCES)?;
                 let value = simplest_between(&from, &to)?;
-                Some(if (choice / PARTS.len()).is_multiple_of(2) { value } else { -value })
+                Some(if (choice / PARTS.len()).is_multiple_of(2) {
+                    value
+                } else {
+                    -value
+                })
             }
         }
     }
@@ -274,7 +280,9 @@ mod tests {
             form(&[0, -5], 3, Relation::AtLeast),
         ];
         let found = inner(&forms, 2).expect("2/5 < y <= 3/5");
-        let [x, y] = found.as_slice() else { panic!("{found:?}") };
+        let [x, y] = found.as_slice() else {
+            panic!("{found:?}")
+        };
         assert!(x.is_positive() && y > x && x + y == integer(1) && y * integer(5) <= integer(3));
     }
 

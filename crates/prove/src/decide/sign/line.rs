@@ -282,10 +282,12 @@ fn basis(all: &[&Polynomial], variable: &Symbol) -> Option<Vec<Polynomial>> {
     for p in all {
         pending.push((*p).clone());
         while let Some(p) = pending.pop() {
-            let p = squarefree(&primitive(&p, variable), variable)?;
+            let (p, repeated) = squarefree(&primitive(&p, variable), variable)?;
             if p.degree_in(variable) == 0 {
                 continue;
             }
+            // Roots of different multiplicity stand in different factors.
+            pending.extend(repeated);
             let mut rest = p;
             let mut next = vec![];
             for own in &basis {
@@ -325,18 +327,17 @@ fn primitive(p: &Polynomial, variable: &Symbol) -> Polynomial {
     }
 }
 
-/// The polynomial with each root once.
-fn squarefree(p: &Polynomial, variable: &Symbol) -> Option<Polynomial> {
+/// The polynomial with each root once, and what is left of it if roots are repeated.
+fn squarefree(p: &Polynomial, variable: &Symbol) -> Option<(Polynomial, Option<Polynomial>)> {
     if p.degree_in(variable) < 2 {
-        return Some(p.clone());
+        return Some((p.clone(), None));
     }
     let common = primitive(&p.gcd(&p.partial(variable)), variable);
-    match common.degree_in(variable) {
-        0 => Some(p.clone()),
-        _ => p
-            .exact_quotient(&common)
-            .map(|own| primitive(&own, variable)),
+    if common.degree_in(variable) == 0 {
+        return Some((p.clone(), None));
     }
+    let own = p.exact_quotient(&common)?;
+    Some((primitive(&own, variable), Some(common)))
 }
 
 /// A polynomial as a product of the factors; `None` if it is none, and for zero.

@@ -273,3 +273,44 @@ fn a_point_that_satisfies_the_hypotheses_nearly_contradicts_no_strict_order() {
         ]);
     }
 }
+
+#[test]
+fn a_polynomial_of_one_variable_may_have_roots_of_different_multiplicity() {
+    answers(&[
+        ("x^4 - 4*x + 3 >= 0", "", "holds"),
+        ("x^4 - x^3 - x + 1 >= 0", "", "holds"),
+        ("3*x^4 - 4*x^3 + 1 >= 0", "", "holds"),
+        ("x^8 - 8*x + 7 >= 0", "", "holds"),
+        ("(x - 1)^3*(x + 1)^2 >= 0", "x >= 1", "holds"),
+        ("(x - 1)^3*(x + 1)^2 >= 0", "x >= 0", "false"),
+        ("(x^2 - 3)^2*(x^2 + 1) > 0", "", "false"),
+        ("(3*x^2 - 2)^2 > 0", "", "false"),
+        ("(x^2 - x - 1)^2*(x^2 + 1) > 0", "", "false"),
+        ("(x^2 - 2)^2 + (x^3 - 2*x)^2 > 0", "", "false"),
+        ("x^4 - 4*x + 3 > 0", "", "false"),
+    ]);
+}
+
+#[test]
+fn a_false_statement_between_ordered_numbers_gets_its_point() {
+    let knots = "a < b; b < c; c < d; d < e; e < f; f < g; g < h";
+    for states in [
+        "g > 0",
+        "a*g > 0",
+        "g - a > 1/10",
+        "h < a + 100",
+        "e < c + d",
+        "d + e <= c + f",
+        "b + f == 2*d",
+        "e^2 <= d*f",
+        "g < 2*f - e",
+        "f < 3*c",
+    ] {
+        answers(&[(states, knots, "false")]);
+    }
+    answers(&[
+        ("y - x < 1000", "x < y", "false"),
+        ("z - x > 1/100", "x < y; y < z", "false"),
+        ("(a - b)*(c - d) > 0", "a < b; b < c; c < d", "holds"),
+    ]);
+}
