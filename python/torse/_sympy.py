@@ -17,7 +17,7 @@ from fractions import Fraction
 # Names of the notation: a symbol that is called so would be read as something else.
 RESERVED = {
     "pi", "inf", "and", "or", "not", "implies", "in", "exists", "forall", "D", "at", "sum", "product", "integral", "binom",
-    "factorial", "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "sqrt", "abs", "min", "max", "dot", "cross", "det",
+    "factorial", "sin", "cos", "tan", "exp", "log", "atan", "asin", "acos", "sinh", "cosh", "tanh", "sqrt", "abs", "min", "max", "dot", "cross", "det",
     "transpose", "inverse", "solve", "norm", "agrees", "fails", "coefficients", "identity", "nonnegative", "independent",
     "variation_diminishing",
 }
@@ -209,7 +209,7 @@ def _read(expression):
     # By their classes: a function that somebody calls `sin` is none of these.
     names = {
         sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.exp: "exp", sympy.sinh: "sinh", sympy.cosh: "cosh",
-        sympy.tanh: "tanh", sympy.Abs: "abs", sympy.binomial: "binom", sympy.factorial: "factorial",
+        sympy.atan: "atan", sympy.asin: "asin", sympy.acos: "acos", sympy.tanh: "tanh", sympy.Abs: "abs", sympy.binomial: "binom", sympy.factorial: "factorial",
         sympy.Min: "min", sympy.Max: "max",
     }
     signs = {"==": "==", "!=": "!=", "<": "<", "<=": "<=", ">": ">", ">=": ">="}

@@ -14,7 +14,7 @@ import mpmath
 
 # What the crate promises of the width for exact arguments, in units of the last place.
 WIDTHS = {"pi": 1, "sum": 0, "difference": 0, "product": 2, "quotient": 1, "root": 1, "sine": 3, "cosine": 3,
-          "exponential": 2, "logarithm": 2, "quarter": 2}
+          "exponential": 2, "logarithm": 2, "arc tangent": 2, "arc sine": 2, "quarter": 2}
 
 
 def value(operation, x, y, exponent):
@@ -41,6 +41,10 @@ def value(operation, x, y, exponent):
             return mpmath.exp(x)
         case "logarithm":
             return mpmath.log(x)
+        case "arc tangent":
+            return mpmath.atan(x)
+        case "arc sine":
+            return mpmath.asin(x)
         case "quarter":
             return mpmath.sinpi(x / 2)
 
@@ -55,7 +59,8 @@ def complaint(line, stream):
     if line["value"] is None:
         # Refused: only what has no value somewhere, or is too large to be written.
         (a, b), (c, d) = [[Fraction(t) for t in pair] for pair in line["arguments"]]
-        fine = {"quotient": c <= 0 <= d, "root": a < 0, "exponential": b > 2 ** 14, "logarithm": a <= 0}.get(operation, False)
+        fine = {"quotient": c <= 0 <= d, "root": a < 0, "exponential": b > 2 ** 14, "logarithm": a <= 0,
+                "arc sine": a < -1 or b > 1}.get(operation, False)
         return None if fine else "refused without need"
     low, high = map(Fraction, line["value"])
     if line["exact"] and operation in WIDTHS and (high - low) * 2 ** bits > WIDTHS[operation]:
@@ -70,7 +75,8 @@ def complaint(line, stream):
     for round in range(4):
         x, y = (low_end if round == 0 else high_end if round == 1 else
                 low_end + (high_end - low_end) * Fraction(stream.randint(0, 1000), 1000) for low_end, high_end in pairs)
-        if operation == "quotient" and y == 0 or operation == "root" and x < 0 or operation == "logarithm" and x <= 0:
+        if operation == "quotient" and y == 0 or operation == "root" and x < 0 or operation == "logarithm" and x <= 0 \
+                or operation == "arc sine" and abs(x) > 1:
             return "it has no value"
         sign, mantissa, exponent, _ = value(operation, number(x), number(y), line["exponent"])._mpf_
         found = (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** exponent

@@ -272,6 +272,13 @@ def called(head, arguments, names):
             if v.is_number and not v.is_positive:
                 raise Undefined("a logarithm")
             return sympy.log(v)
+        case ("atan", a):
+            return sympy.atan(value(a, names))
+        case ("asin" | "acos", a):
+            v = value(a, names)
+            if v.is_number and (1 - v * v).is_negative:
+                raise Undefined("an arc")
+            return getattr(sympy, name)(v)
         case ("tan", a):
             v = value(a, names)
             return divided(sympy.sin(v), sympy.cos(v))

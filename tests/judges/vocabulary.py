@@ -108,6 +108,12 @@ def called(name, arguments, point):
     match (name, *numbers):
         case ("log", x):
             return logarithm(x)
+        case ("atan", x):
+            return mpmath.atan(x)
+        case ("asin" | "acos", x):
+            if abs(x) > 1 + NEAR:
+                raise Undefined("an arc")
+            return getattr(mpmath, name)(max(min(x, 1), -1))
         case ("sqrt", x):
             return root(x)
         case ("abs", x):

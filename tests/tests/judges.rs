@@ -171,7 +171,16 @@ fn enclosures_contain_the_values_of_another_library() {
         .map(|number| dump::ball::line(SEED, number).to_string())
         .collect();
     let report = content("enclosures.py", &[], &lines);
-    for operation in ["quotient", "root", "sine", "exponential", "logarithm", "pi"] {
+    for operation in [
+        "quotient",
+        "root",
+        "sine",
+        "exponential",
+        "logarithm",
+        "arc tangent",
+        "arc sine",
+        "pi",
+    ] {
         assert!(count(&report, operation) > 50, "{report}");
     }
     // A value that is moved by one part in a hundred is seen.
@@ -218,6 +227,7 @@ fn deliberate_mistakes_of_reading_and_rounding_are_seen() {
     for fault in [
         InjectedFault::RoundedInward,
         InjectedFault::LogarithmRoundedDown,
+        InjectedFault::ArcRoundedDown,
     ] {
         let lines: Vec<String> = with(fault, || {
             let lines = (0..400).map(|number| dump::ball::line(SEED, number).to_string());

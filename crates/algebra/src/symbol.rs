@@ -9,7 +9,9 @@
 //! algebraically independent over the rational functions). The number e, which is the exponential without variables,
 //! is transcendental; whether it is independent of pi is not known. The logarithms of the primes are linearly
 //! independent over the rationals, since integers factor in one way; whether they are algebraically independent is not
-//! known. So a zero normal form also proves an identity between e, pi and logarithms, but a nonzero normal form in these
+//! known. So are pi and the arc tangents of fractions `b/a` with primes `a^2 + b^2`, since Gaussian integers factor in one
+//! way; no more is known of them either.
+//! So a zero normal form also proves an identity between e, pi, logarithms and arcs, but a nonzero normal form in these
 //! alone refutes nothing until an enclosure excludes zero.
 
 use crate::affine::Affine;
@@ -124,6 +126,8 @@ pub enum Symbol {
     Root(u32),
     /// The natural logarithm of a prime.
     Log(u32),
+    /// The arc tangent of a fraction between 0 and 1, numerator and denominator, whose squares add up to a prime.
+    Arc(u32, u32),
     /// The number pi.
     Pi,
     /// The sine of an angle of the named variable.
@@ -154,7 +158,7 @@ impl Symbol {
             Self::Named(name) | Self::Sin(name, _) | Self::Cos(name, _) => &**name == variable,
             Self::Indexed(_, index) => index.iter().any(|i| i.multiple_of(variable) != 0),
             Self::Exp(exponent) => exponent.powers.iter().any(|(name, _)| &**name == variable),
-            Self::Root(_) | Self::Log(_) | Self::Pi => false,
+            Self::Root(_) | Self::Log(_) | Self::Arc(..) | Self::Pi => false,
         }
     }
 
@@ -162,7 +166,7 @@ impl Symbol {
     #[must_use]
     pub fn is_number(&self) -> bool {
         match self {
-            Self::Pi | Self::Root(_) | Self::Log(_) => true,
+            Self::Pi | Self::Root(_) | Self::Log(_) | Self::Arc(..) => true,
             Self::Exp(exponent) => exponent.powers.is_empty(),
             _ => false,
         }
@@ -172,7 +176,12 @@ impl Symbol {
     pub fn names(&self) -> impl Iterator<Item = &Arc<str>> {
         let angle_variable = match self {
             Self::Named(name) | Self::Sin(name, _) | Self::Cos(name, _) => Some(name),
-            Self::Exp(_) | Self::Indexed(..) | Self::Root(_) | Self::Log(_) | Self::Pi => None,
+            Self::Exp(_)
+            | Self::Indexed(..)
+            | Self::Root(_)
+            | Self::Log(_)
+            | Self::Arc(..)
+            | Self::Pi => None,
         };
         let many = match self {
             Self::Exp(exponent) => exponent.powers(),
@@ -207,6 +216,7 @@ impl fmt::Display for Symbol {
             }
             Self::Root(prime) => write!(f, "sqrt({prime})"),
             Self::Log(prime) => write!(f, "log({prime})"),
+            Self::Arc(above, below) => write!(f, "atan({above}/{below})"),
             Self::Pi => f.write_str("pi"),
             Self::Sin(name, a) => write!(f, "sin({})", angle(name, *a)),
             Self::Cos(name, a) => write!(f, "cos({})", angle(name, *a)),

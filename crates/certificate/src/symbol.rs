@@ -42,7 +42,7 @@ pub enum Symbol {
     Sine(Arc<str>, Angle),
     /// The cosine of an angle of the variable.
     Cosine(Arc<str>, Angle),
-    /// An exponential, or the logarithm of a number, as it is written. The checker treats it as an opaque symbol.
+    /// An exponential, or the logarithm or arc tangent of a number, as it is written. The checker treats it as an opaque symbol.
     Exponential(Arc<str>),
 }
 

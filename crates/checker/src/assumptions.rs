@@ -378,7 +378,10 @@ impl<'a> Domain<'a> {
         groups: usize,
     ) -> Result<(Vec<Compared>, Option<Unsupported>), Unsupported> {
         let known = self.hypotheses(groups);
-        let (mut found, gap) = (known.all.clone(), known.gap.clone());
+        let (mut found, mut gap) = (known.all.clone(), known.gap.clone());
+        if gap.is_none() && self.claim.arcs().next().is_some() {
+            gap = Some(Unsupported::Construct("the order of arcs"));
+        }
         let values = self.values(groups)?;
         for (name, set) in &self.claim.symbols {
             let symbol = Symbol::Named(Arc::clone(name));

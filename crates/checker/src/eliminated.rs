@@ -44,6 +44,7 @@ impl Domain<'_> {
                 Determining::Assumed { nonzero } => self.by_one(place, nonzero, known),
                 Determining::Root(own) => self.by_root(place, own, &[]),
                 Determining::RootAlong(own) => self.by_root(place, &own.root, &own.multiples),
+                Determining::Arc(signs) => self.by_arc(place, signs),
             };
             match (determined, hypotheses.gap.clone()) {
                 // The equation may be one that could not be expanded.

@@ -6,6 +6,7 @@
 //! [`Unsupported`], which is no evidence against the proof.
 
 mod apart;
+mod arc;
 mod assumptions;
 mod bernstein;
 mod eliminated;

@@ -49,4 +49,6 @@ pub enum Source {
     Root,
     /// No field: the hypothesis defines the symbol of a logarithm, see [`Claim::rooted`].
     Logarithm,
+    /// No field: the hypothesis defines the symbol of an arc tangent or an arc sine, see [`Claim::rooted`].
+    Arc,
 }

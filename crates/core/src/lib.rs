@@ -16,6 +16,7 @@ mod visited;
 mod walk;
 
 pub use claim::{Claim, Hypothesis, Source};
+pub use roots::{ArcFunction, ArcSymbol};
 pub use torse_numbers::stack;
 pub use visited::Visited;
 
@@ -239,6 +240,10 @@ pub enum BuiltIn {
     Exponential,
     /// `log(a)`, the natural logarithm; undefined for numbers that are not positive.
     Logarithm,
+    /// `atan(a)`, the arc tangent, between -pi/2 and pi/2.
+    ArcTangent,
+    /// `asin(a)`, the arc sine, from -pi/2 to pi/2; undefined for numbers above 1 and below -1.
+    ArcSine,
     /// `dot(a, b)`.
     Dot,
     /// `cross(a, b)` of two vectors of 3.

@@ -119,6 +119,11 @@ impl Sum {
                         coefficient *= libm::log(f64::from(*prime)).powi(i32::from(power));
                         continue;
                     }
+                    Symbol::Arc(above, below) => {
+                        let tangent = f64::from(*above) / f64::from(*below);
+                        coefficient *= libm::atan(tangent).powi(i32::from(power));
+                        continue;
+                    }
                     Symbol::Exp(exponent) if symbol.is_number() => {
                         let root = libm::exp(f64::from(exponent.parts()).recip());
                         coefficient *= root.powi(i32::from(power));

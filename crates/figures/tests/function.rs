@@ -67,6 +67,11 @@ fn enclosed(symbol: &Symbol, u: &Rational, v: &Rational) -> Ball {
         Symbol::Log(n) => Ball::from_rational(&ratio(i64::from(*n), 1).unwrap(), BITS)
             .ln()
             .unwrap(),
+        Symbol::Arc(n, d) => {
+            Ball::from_rational(&ratio(i64::from(*n), i64::from(*d)).unwrap(), BITS)
+                .atan()
+                .unwrap()
+        }
         Symbol::Sin(name, a) => angle(name, a).sin_cos().0,
         Symbol::Cos(name, a) => angle(name, a).sin_cos().1,
         Symbol::Exp(exponent) => {

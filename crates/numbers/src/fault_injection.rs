@@ -96,6 +96,14 @@ pub enum InjectedFault {
     WitnessValueAssumed,
     /// The upper end of a root is rounded down.
     RoundedInward,
+    /// The upper end of an arc tangent or an arc sine is rounded down.
+    ArcRoundedDown,
+    /// The Taylor coefficients of an arc lack the products with earlier ones.
+    ArcWithoutEarlier,
+    /// An angle with the right tangent or sine is taken for the arc, wherever it lies.
+    ArcOfAnyBranch,
+    /// Arcs are ordered the other way round.
+    ArcsReversed,
     /// The upper end of a logarithm is rounded down.
     LogarithmRoundedDown,
     /// The Taylor coefficients of a logarithm lack the products with earlier ones.

@@ -47,6 +47,18 @@ pub enum ExactError {
         /// The argument as text.
         argument: String,
     },
+    /// The arc tangent is not a number of this kind.
+    #[error("the arc tangent of {argument} has no value here")]
+    NoArcTangent {
+        /// The argument as text.
+        argument: String,
+    },
+    /// The arc sine is not a number of this kind.
+    #[error("the arc sine of {argument} has no value here")]
+    NoArcSine {
+        /// The argument as text.
+        argument: String,
+    },
     /// Pi is not a number of this kind.
     #[error("pi is not a number of this kind")]
     NoPi,

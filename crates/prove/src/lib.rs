@@ -6,6 +6,7 @@
 //! [`formula`] writes an exact value as one would write it by hand.
 #![warn(missing_docs)]
 
+pub mod arcs;
 mod case_split;
 pub mod combination;
 mod connectives;

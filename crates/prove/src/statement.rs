@@ -62,7 +62,7 @@ fn prepared<T>(
     let evaluator = Evaluator::with(Rc::clone(&elaborator));
     let asks = |own: &core::Statement| has_root_in_empty_sum(own, &evaluator);
     if asks(&core.statement) || core.hypotheses.iter().any(|own| asks(&own.statement)) {
-        let what = "a root or a logarithm in a sum that may be empty";
+        let what = "a root, a logarithm or an arc in a sum that may be empty";
         return Err(Fault::limit(Place::default(), what).within(&statement.origin));
     }
     // With a witness in place a divisor that is not looked at would be a condition that is not stated.

@@ -17,7 +17,7 @@ const MAX_DIVISORS: usize = 64;
 const MAX_BINDERS: usize = 16;
 
 /// The values of the divisors of a statement, and of the roots in it, as far as they are formulas (that the argument of a
-/// logarithm has a value is part of its being positive): those with the index of a sum of symbolic
+/// logarithm or an arc has a value is part of what it means): those with the index of a sum of symbolic
 /// length, and those in integrals, are left out.
 pub(crate) fn term_divisors(
     statement: &core::Statement,
@@ -64,7 +64,7 @@ pub(crate) fn divides_in_empty_sum(statement: &core::Statement, evaluator: &Eval
     stands_in_empty_sum(statement, evaluator, &divides)
 }
 
-/// Whether a root or a logarithm stands in a sum or a product that may be empty, which then asks for none.
+/// Whether a root, a logarithm or an arc stands in a sum or a product that may be empty, which then asks for none.
 pub(crate) fn has_root_in_empty_sum(
     statement: &core::Statement,
     evaluator: &Evaluator<'_>,
@@ -72,7 +72,10 @@ pub(crate) fn has_root_in_empty_sum(
     let is_root = |node: &Node| {
         matches!(
             node,
-            Node::Apply(BuiltIn::SquareRoot | BuiltIn::Logarithm, _)
+            Node::Apply(
+                BuiltIn::SquareRoot | BuiltIn::Logarithm | BuiltIn::ArcTangent | BuiltIn::ArcSine,
+                _
+            )
         )
     };
     stands_in_empty_sum(statement, evaluator, &is_root)

@@ -5,7 +5,7 @@ use torse_algebra::{Fraction, Symbol};
 /// A number of a claim's points that may be any number, as far as its declared set goes: a declared symbol, a member of a
 /// family, a coordinate, or a derivative of an arbitrary function at a place.
 ///
-/// Sines, cosines, exponentials, square roots and logarithms of numbers and pi are none: their values are those of what stands in them, so
+/// Sines, cosines, exponentials, square roots, logarithms and arcs of numbers and pi are none: their values are those of what stands in them, so
 /// that an equation which says what one of them is says something of that. There is no way to make one of them an unknown.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Unknown(Symbol);
@@ -25,6 +25,7 @@ impl Unknown {
             Symbol::Named(_) | Symbol::Indexed(..) => Some(Self(symbol)),
             Symbol::Root(_)
             | Symbol::Log(_)
+            | Symbol::Arc(..)
             | Symbol::Pi
             | Symbol::Sin(..)
             | Symbol::Cos(..)

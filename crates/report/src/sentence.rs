@@ -365,13 +365,17 @@ fn opposite(statement: &Expr) -> Option<Expr> {
 /// Returns the values of a point that readers need; the engine's symbols for roots follow from the others.
 pub fn point(witness: &Witness) -> impl Iterator<Item = &(String, String)> {
     let is_root = |name: &str| {
-        let heads = ["sqrt(", "norm(", "abs(", "√", "log(", "log#"];
+        let heads = [
+            "sqrt(", "norm(", "abs(", "√", "log(", "log#", "atan(", "asin(", "arc#",
+        ];
         heads.iter().any(|head| name.starts_with(head))
     };
     let alone = witness.at.iter().all(|(name, _)| is_root(name));
     // If nothing else is known, a root that is written as a formula is shown; one with a number as its name never is.
     let is_shown = move |name: &str| match alone {
-        true => !name.starts_with('√') && !name.starts_with("log#"),
+        true => ["√", "log#", "arc#"]
+            .iter()
+            .all(|head| !name.starts_with(head)),
         false => !is_root(name),
     };
     witness.at.iter().filter(move |(name, _)| is_shown(name))

@@ -491,6 +491,9 @@ impl Context<'_> {
             (BuiltIn::Cosine, [Number]) => ("cos", Number),
             (BuiltIn::Exponential, [Number]) => ("exp", Number),
             (BuiltIn::Logarithm, _) => return Err(Untranslatable::Theory("logarithms")),
+            (BuiltIn::ArcTangent | BuiltIn::ArcSine, _) => {
+                return Err(Untranslatable::Theory("arcs"));
+            }
             (BuiltIn::Dot, [Vector(n), Vector(m)]) if n == m => ("dot", Number),
             (BuiltIn::Cross, [Vector(3), Vector(3)]) => ("cross", Vector(3)),
             (BuiltIn::Norm, [Vector(_)]) => ("norm", Number),

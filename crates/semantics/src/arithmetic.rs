@@ -95,6 +95,19 @@ pub trait Arithmetic {
     /// result cannot be expressed.
     fn logarithm(&self, a: &Self::Number) -> Result<Self::Number, NoValue>;
 
+    /// The arc tangent of a, between -pi/2 and pi/2.
+    ///
+    /// # Errors
+    /// [`NoValue::Unknown`] if the result cannot be expressed.
+    fn arctangent(&self, a: &Self::Number) -> Result<Self::Number, NoValue>;
+
+    /// The arc sine of a, from -pi/2 to pi/2.
+    ///
+    /// # Errors
+    /// [`NoValue::Undefined`] for numbers above 1 or below -1, [`NoValue::Unknown`] if that is not known or the result cannot be
+    /// expressed.
+    fn arcsine(&self, a: &Self::Number) -> Result<Self::Number, NoValue>;
+
     /// The greater one of two numbers. Arithmetics without an order have it as `(a + b + sqrt((a - b)^2))/2`.
     ///
     /// # Errors

@@ -375,6 +375,29 @@ impl<A: Arithmetic> Arithmetic for Gradients<A> {
         self.chain(logarithm, &rate, a)
     }
 
+    fn arctangent(&self, a: &Self::Number) -> Outcome<A> {
+        let arc = self.base.arctangent(&a.value)?;
+        if a.change.is_none() {
+            return Ok(Gradient::constant(arc));
+        }
+        let one = self.base.integer(1);
+        let below = self
+            .base
+            .plus(&one, &self.base.times(&a.value, &a.value)?)?;
+        let rate = self.base.over(&one, &below)?;
+        self.chain(arc, &rate, a)
+    }
+
+    fn arcsine(&self, a: &Self::Number) -> Outcome<A> {
+        let arc = self.base.arcsine(&a.value)?;
+        if a.change.is_none() {
+            return Ok(Gradient::constant(arc));
+        }
+        let (_, cosine) = self.base.sine_cosine(&arc)?;
+        let rate = self.base.over(&self.base.integer(1), &cosine)?;
+        self.chain(arc, &rate, a)
+    }
+
     /// The greater one, with its derivatives. Where both are equal there are none.
     fn greater(&self, a: &Self::Number, b: &Self::Number) -> Outcome<A> {
         let value = self.base.greater(&a.value, &b.value)?;

@@ -27,6 +27,9 @@ pub enum Undefined {
     /// The logarithm of a number that is not positive.
     #[error("the logarithm of a number that is not positive")]
     NoLogarithm,
+    /// The arc sine or the arc cosine of a number above 1 or below -1, or an arc of what has no value.
+    #[error("the arc of a number that has none")]
+    NoArc,
     /// An index, degree, order or exponent that is not an integer.
     #[error("{what} that is not an integer")]
     NoInteger {

@@ -461,6 +461,45 @@ impl Arithmetic for Reals<'_> {
             .map_err(|_| Unknown::Precision.into())
     }
 
+    fn arctangent(&self, a: &Real) -> Result<Real, NoValue> {
+        self.work.spend(64)?;
+        // The tangents of the rational multiples of pi that are rational are 0, 1 and -1.
+        for (tangent, eighths) in [(0, 0), (1, 2), (-1, -2)] {
+            if a.as_rational().is_some_and(|own| *own == integer(tangent)) {
+                let turns = Rational::new(eighths.into(), 8.into());
+                return Ok(Real::exact(Rational::zero(), turns));
+            }
+        }
+        let arc = a.ball(self.bits).atan();
+        arc.map(Real::from).map_err(|_| Unknown::Precision.into())
+    }
+
+    fn arcsine(&self, a: &Real) -> Result<Real, NoValue> {
+        self.work.spend(64)?;
+        let one = self.integer(1);
+        for beyond in [self.minus(a, &one)?, self.minus(&self.negated(a), &one)?] {
+            if beyond.sign() == Some(Ordering::Greater) {
+                return Err(
+                    if self.near && beyond.ball(self.bits).is_within(SLACK_BITS) {
+                        Unknown::Precision.into()
+                    } else {
+                        Undefined::NoArc.into()
+                    },
+                );
+            }
+        }
+        // The sines of the rational multiples of pi that are rational.
+        for (half_sine, sixths) in [(0, 0), (1, 1), (2, 3), (-1, -1), (-2, -3)] {
+            let sine = Rational::new(half_sine.into(), 2.into());
+            if a.as_rational() == Some(&sine) {
+                let turns = Rational::new(sixths.into(), 6.into());
+                return Ok(Real::exact(Rational::zero(), turns));
+            }
+        }
+        let arc = a.ball(self.bits).asin();
+        arc.map(Real::from).map_err(|_| Unknown::Precision.into())
+    }
+
     /// By their order, and not by a root: where it is not known, the ball from the greater one of the lower ends to the
     /// greater one of the upper ends.
     fn greater(&self, a: &Real, b: &Real) -> Result<Real, NoValue> {

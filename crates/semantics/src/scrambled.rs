@@ -2,7 +2,7 @@
 //!
 //! Two readings of a text mean the same term if they have equal values at random numbers. For this no equation needs
 //! to hold and no root needs to exist: where both readings apply a root, any function will do if both use the same
-//! one. So the root, sine and cosine, the exponential and the logarithm are fixed pseudo-random functions here. Their power series
+//! one. So the root, sine and cosine, the exponential, the logarithm and the arcs are fixed pseudo-random functions here. Their power series
 //! follow from the value by the usual rules, and an integral is a fixed linear combination of two values of the
 //! integrand.
 
@@ -48,13 +48,15 @@ pub struct Scrambled<'a> {
 }
 
 /// Constants that make the functions different from one another.
-const SALTS: [u64; 6] = [
+const SALTS: [u64; 8] = [
     0x9e37_79b9_7f4a_7c15,
     0xc2b2_ae3d_27d4_eb4f,
     0x1656_67b1_9e37_79f9,
     0x27d4_eb2f_1656_67c5,
     0x8525_0000_1234_5677,
     0xd6e8_feb8_6659_fd93,
+    0xa076_1d64_78bd_642f,
+    0xe703_7ed1_a0b4_28db,
 ];
 
 /// The final mixing step of `SplitMix64`.
@@ -126,6 +128,16 @@ impl Arithmetic for Scrambled<'_> {
     fn logarithm(&self, a: &Class) -> Result<Class, NoValue> {
         self.work.spend(1)?;
         Ok(scrambled(*a, SALTS[5]))
+    }
+
+    fn arctangent(&self, a: &Class) -> Result<Class, NoValue> {
+        self.work.spend(1)?;
+        Ok(scrambled(*a, SALTS[6]))
+    }
+
+    fn arcsine(&self, a: &Class) -> Result<Class, NoValue> {
+        self.work.spend(1)?;
+        Ok(scrambled(*a, SALTS[7]))
     }
 
     fn is_zero(&self, a: &Class) -> Option<bool> {

@@ -369,6 +369,74 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
         Ok(Self::powers(level, logarithms))
     }
 
+    /// The arc tangent w of a series f, from `w' (1 + f^2) = f'`.
+    pub fn arctangent<A: Arithmetic<Number = N>>(&self, a: &A) -> Outcome<N> {
+        let terms = match self {
+            Self::Number(x) => return Ok(Self::Number(a.arctangent(x)?)),
+            Self::Powers { terms, .. } => terms,
+        };
+        let first = terms.first().ok_or(Unknown::Precision)?.arctangent(a)?;
+        let below = self.times(self, a)?.plus(&Self::integer(1, a), a)?;
+        self.integrated(first, a, |_| match &below {
+            Self::Powers { terms, .. } => Ok(terms.to_vec()),
+            Self::Number(_) => Err(Unknown::Confused.into()),
+        })
+    }
+
+    /// The arc sine w of a series f, from `w' cos(w) = f'` and `cos(w)' = -f w'`.
+    ///
+    /// Where f is 1 or -1 and goes on, it is undefined.
+    pub fn arcsine<A: Arithmetic<Number = N>>(&self, a: &A) -> Outcome<N> {
+        let terms = match self {
+            Self::Number(x) => return Ok(Self::Number(a.arcsine(x)?)),
+            Self::Powers { terms, .. } => terms,
+        };
+        let first = terms.first().ok_or(Unknown::Precision)?.arcsine(a)?;
+        let cosine = first.sine_cosine(a)?.1;
+        self.integrated(first, a, |arcs| {
+            let mut cosines = vec![cosine.clone()];
+            for k in 1..arcs.len() {
+                let mut next = Self::integer(0, a);
+                for j in 1..=k {
+                    let (Some(own), Some(f)) = (arcs.get(j), terms.get(k - j)) else {
+                        continue;
+                    };
+                    let share = Self::rational(&share(j, k), a);
+                    next = next.minus(&own.times(&share, a)?.times(f, a)?, a)?;
+                }
+                cosines.push(next);
+            }
+            Ok(cosines)
+        })
+    }
+
+    /// The series w that begins so, from `w' q = f'`; of the coefficients of q those before the last one of w are asked for.
+    fn integrated<A: Arithmetic<Number = N>>(
+        &self,
+        first: Self,
+        a: &A,
+        divisor: impl Fn(&[Self]) -> Result<Vec<Self>, NoValue>,
+    ) -> Outcome<N> {
+        let Self::Powers { level, terms } = self else {
+            return Err(Unknown::Confused.into());
+        };
+        let mut found = vec![first];
+        for k in 1..terms.len() {
+            let below = divisor(&found)?;
+            // k f_k is the sum of j w_j q_(k-j) for j from 1 to k.
+            let mut rest = terms.get(k).ok_or(Unknown::Precision)?.clone();
+            for j in 1..k {
+                let (Some(own), Some(q)) = (found.get(j), below.get(k - j)) else {
+                    continue;
+                };
+                let known = own.times(&Self::rational(&share(j, k), a), a)?;
+                rest = rest.minus(&known.times(q, a)?, a)?;
+            }
+            found.push(rest.over(below.first().ok_or(Unknown::Precision)?, a)?);
+        }
+        Ok(Self::powers(*level, found))
+    }
+
     /// Whether every coefficient is zero; `None` if that is not known.
     pub fn is_zero<A: Arithmetic<Number = N>>(&self, a: &A) -> Option<bool> {
         match self {
@@ -386,4 +454,10 @@ impl<N: Clone + PartialEq + std::fmt::Debug> Series<N> {
             }
         }
     }
+}
+
+/// j over k.
+fn share(j: usize, k: usize) -> Rational {
+    let whole = |n: usize| i64::try_from(n).unwrap_or(i64::MAX).into();
+    Rational::new(whole(j), whole(k))
 }

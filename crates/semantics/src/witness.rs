@@ -70,7 +70,9 @@ pub fn read<'t>(
 
 /// Whether a name is that of a root or a logarithm, whose value the symbols determine.
 fn is_implicit(name: &str) -> bool {
-    let heads = ["sqrt(", "norm(", "abs(", "\u{221a}", "log(", "log#"];
+    let heads = [
+        "sqrt(", "norm(", "abs(", "\u{221a}", "log(", "log#", "atan(", "asin(", "arc#",
+    ];
     heads.iter().any(|head| name.starts_with(head))
 }
 

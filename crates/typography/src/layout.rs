@@ -3,7 +3,7 @@
 //! Comparing levels decides on brackets: every box has the level at which it holds together, every place of an operand
 //! the level that it requires.
 
-use crate::letters::is_function;
+use crate::letters::printed_function;
 use crate::math_box::{Fence, MathBox as Shown, MathChange};
 use crate::names::PrintedNames;
 use crate::tidy::terms;
@@ -180,9 +180,9 @@ impl Writer<'_> {
         // sin²(x)
         if let Node::Call(head, arguments) = &base.node
             && let Node::Name(name) = &head.node
-            && is_function(name)
+            && let Some(printed) = printed_function(name)
         {
-            let head = Shown::Function(name.clone()).scripted(0, None, Some(above));
+            let head = Shown::Function(printed.to_owned()).scripted(0, None, Some(above));
             let arguments = self.listed(arguments).round();
             return Piece::new(Level::Power, Shown::row([head, arguments]));
         }
@@ -261,9 +261,9 @@ impl Writer<'_> {
             if let Some(piece) = self.special(name, arguments) {
                 return piece;
             }
-            let function = match is_function(name) {
-                true => Shown::Function(name.clone()),
-                false => self.names.name(name, 0, vec![]),
+            let function = match printed_function(name) {
+                Some(printed) => Shown::Function(printed.to_owned()),
+                None => self.names.name(name, 0, vec![]),
             };
             let arguments = self.listed(arguments).round();
             return Piece::new(Level::Atom, Shown::row([function, arguments]));
@@ -446,7 +446,7 @@ impl Writer<'_> {
             Node::Name(_) => Piece::new(Level::Power, quotient(self.inner(function))),
             // At plain variables the function may be written without arguments.
             Node::Call(head, arguments)
-                if matches!(&head.node, Node::Name(name) if name != "D" && !is_function(name))
+                if matches!(&head.node, Node::Name(name) if name != "D" && printed_function(name).is_none())
                     && arguments.iter().all(|x| matches!(x.node, Node::Name(_))) =>
             {
                 let arguments = self.listed(arguments).round();

@@ -18,6 +18,16 @@ pub(crate) fn is_function(word: &str) -> bool {
     FUNCTIONS.contains(&word)
 }
 
+/// What a function of the language is called in print, if typesetters know it: `atan` is printed `arctan`.
+pub(crate) fn printed_function(name: &str) -> Option<&str> {
+    match name {
+        "atan" => Some("arctan"),
+        "asin" => Some("arcsin"),
+        "acos" => Some("arccos"),
+        _ => is_function(name).then_some(name),
+    }
+}
+
 /// Sets a name whose printed form no file gives.
 pub(crate) fn by_rule(name: &str) -> MathBox {
     let mut parts = name.split('_');

@@ -101,6 +101,12 @@ fn statements_about_the_smaller_and_the_greater_number_are_never_judged_wrongly(
 }
 
 #[test]
+fn statements_about_arcs_are_never_judged_wrongly() {
+    let [holds, fails] = decided("arc.txt");
+    assert!(holds >= 159 && fails >= 89, "{holds} and {fails}");
+}
+
+#[test]
 fn the_truths_are_those_of_another_library() {
     let has = Command::new("python3")
         .args([
@@ -112,7 +118,7 @@ fn the_truths_are_those_of_another_library() {
         eprintln!("notice: no python3 with mpmath, nothing is judged");
         return;
     }
-    let files = ["logarithm.txt", "root.txt", "extremum.txt"]
+    let files = ["logarithm.txt", "root.txt", "extremum.txt", "arc.txt"]
         .map(|name| format!("tests/vocabulary/{name}"));
     let judged = Command::new("python3")
         .arg("tests/judges/vocabulary.py")

@@ -5,7 +5,7 @@ use crate::random::seed::Stream;
 use serde_json::{Value, json};
 use torse_numbers::{Ball, Rational, Scalar, rational};
 
-const OPERATIONS: [&str; 12] = [
+const OPERATIONS: [&str; 14] = [
     "pi",
     "sum",
     "difference",
@@ -17,6 +17,8 @@ const OPERATIONS: [&str; 12] = [
     "cosine",
     "exponential",
     "logarithm",
+    "arc tangent",
+    "arc sine",
     "quarter",
 ];
 
@@ -44,6 +46,8 @@ pub fn line(seed: u64, number: u64) -> Value {
         "cosine" => Some(one.sin_cos().1),
         "exponential" => one.exp().ok(),
         "logarithm" => one.ln().ok(),
+        "arc tangent" => one.atan().ok(),
+        "arc sine" => one.asin().ok(),
         _ => one.quarter_turn().ok().map(|(sine, _)| sine),
     };
     let ends = |ball: &Ball| json!([ball.lower().to_string(), ball.upper().to_string()]);

@@ -12,6 +12,7 @@
 
 pub mod add;
 pub mod angles;
+pub mod arc;
 mod body;
 pub mod calculus;
 mod coefficients;

@@ -71,6 +71,22 @@ pub(super) fn multiple_of(name: &Arc<str>, angle: Angle, multiple: i64) -> Pair 
     (1..multiple.unsigned_abs()).fold(once.clone(), |sum, _| sum_of_angles(&sum, &once))
 }
 
+/// (sin, cos) of an integer multiple of the arc tangent of a fraction whose squares add up to a prime.
+fn multiple_of_arc(above: u32, below: u32, multiple: i64) -> Option<Pair> {
+    let prime = u64::from(above) * u64::from(above) + u64::from(below) * u64::from(below);
+    let prime = u32::try_from(prime).ok()?;
+    let root = Polynomial::symbol(Symbol::Root(prime));
+    let part = |n: u32| root.scaled(&Rational::new(n.into(), prime.into()));
+    let sine = if multiple < 0 {
+        -part(above)
+    } else {
+        part(above)
+    };
+    let once = (sine, part(below));
+    let none = (Polynomial::zero(), Polynomial::integer(1));
+    Some((0..multiple.unsigned_abs()).fold(none, |sum, _| sum_of_angles(&sum, &once)))
+}
+
 /// (sin, cos) of a polynomial argument in the given unit.
 pub(crate) fn pair(argument: &Polynomial, unit: Unit) -> Result<Pair, ExactError> {
     let refused = || ExactError::NoExactTurn {
@@ -87,6 +103,15 @@ pub(crate) fn pair(argument: &Polynomial, unit: Unit) -> Result<Pair, ExactError
                     return Err(refused());
                 }
                 multiple_of(name, Angle { unit, parts }, multiple)
+            }
+            ([(Symbol::Arc(above, below), 1)], Unit::Radian) => {
+                let multiple = term.coefficient.is_integer();
+                let multiple = multiple.then(|| term.coefficient.numer().to_i64());
+                let multiple = multiple.flatten().ok_or_else(refused)?;
+                if multiple.unsigned_abs() > MAX_MULTIPLE {
+                    return Err(refused());
+                }
+                multiple_of_arc(*above, *below, multiple).ok_or_else(refused)?
             }
             _ => return Err(refused()),
         };

@@ -69,6 +69,9 @@ pub enum Determining<P> {
     Root(Box<Signed<P>>),
     /// The same, where the square is the radicand but for multiples of equations.
     RootAlong(Box<RootAlong<P>>),
+    /// The symbol is an arc, and the value is an angle with its tangent or sine. By these signs the value lies where the arc does:
+    /// those of the gaps to both ends of its set; or of the gaps to `-3 pi/2` and `3 pi/2`, and of the cosine.
+    Arc(Vec<Signed<P>>),
 }
 
 /// Why a root has its value where equations hold.
@@ -161,6 +164,7 @@ impl<P> Elimination<P> {
                     nonzero: nonzero.iter().map(signed).collect(),
                 },
                 Determining::Root(own) => Determining::Root(Box::new(signed(own))),
+                Determining::Arc(signs) => Determining::Arc(signs.iter().map(signed).collect()),
                 Determining::RootAlong(own) => {
                     let multiples = own.multiples.iter().map(|own| EquationMultiple {
                         equation: own.equation,

@@ -161,8 +161,15 @@ fn meaning(module: &str, name: &str) -> Option<Meaning> {
 /// Functions that have the same name everywhere.
 fn elementary(name: &str) -> Option<&'static str> {
     let all = [
-        "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "sqrt",
+        "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "sqrt", "atan", "asin", "acos",
     ];
+    // NumPy's names of the inverse functions.
+    let name = match name {
+        "arctan" => "atan",
+        "arcsin" => "asin",
+        "arccos" => "acos",
+        own => own,
+    };
     all.into_iter().find(|known| *known == name)
 }
 

@@ -64,7 +64,7 @@ pub(super) fn imported_constants(declaration: &str) -> Vec<String> {
 /// The function of formulas that a method without arguments is.
 pub(super) fn elementary(method: &str) -> Option<&'static str> {
     let all = [
-        "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh", "sqrt", "abs",
+        "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh", "sqrt", "abs", "atan", "asin", "acos",
     ];
     match method {
         "ln" => Some("log"),

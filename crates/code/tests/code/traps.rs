@@ -108,6 +108,21 @@ fn operators_of_python_bind_as_in_python() {
                 Some(Equal),
             ),
             ("def f(x):\n    return min(2, 3)*x\n", "2*x", Some(Equal)),
+            (
+                "import math\ndef f(x):\n    return math.tan(math.atan(x))\n",
+                "x",
+                Some(Equal),
+            ),
+            (
+                "import numpy as np\ndef f(x):\n    return np.arctan(np.tan(x))\n",
+                "x",
+                Some(Different),
+            ),
+            (
+                "import math\ndef f(x, y, a):\n    return math.atan2(y, x)\n",
+                "atan(y/x)",
+                None,
+            ),
             ("def f(x):\n    return max(x, -x)\n", "x", Some(Different)),
             (
                 "import numpy as np\ndef f(x):\n    return np.maximum(x, -x)\n",

@@ -1,4 +1,4 @@
-//! Roots and logarithms of formulas as symbols.
+//! Roots, logarithms and arcs of formulas as symbols.
 //!
 //! `sqrt(r)` is the number w with `w^2 == r` and `w >= 0`; for r < 0 there is none. So a claim in which `sqrt(r)`
 //! occurs is equivalent to the claim in which a new symbol w of the set `[0, inf)` replaces it, under the hypothesis
@@ -9,17 +9,23 @@
 //! Likewise `log(r)` is the number w with `exp(w) == r`; for r <= 0 there is none. A new symbol w of the set of all
 //! numbers replaces it, under the hypotheses `r > 0` and `exp(w) == r`, of which the second implies the first.
 //!
+//! And `atan(r)` is the number w of `(-pi/2, pi/2)` with `sin(w) == r*cos(w)`, and `asin(r)` the number w of `[-pi/2, pi/2]` with
+//! `sin(w) == r`; for r above 1 and below -1 there is none. These are arcs.
+//!
 //! **Under a derivative** the argument changes with the variable. By Taylor's theorem a derivative of order n at u
 //! depends on the function through its first n derivatives there, so it becomes the polynomial
 //! `c_0 + c_1 (x - u) + ... + c_n (x - u)^n` with h = x - u (module `taylor`).
 //!
-//! A root or logarithm whose argument contains no symbol is a number and is not replaced.
+//! A root, logarithm or arc whose argument contains no symbol is a number and is not replaced.
 
+mod arc;
 mod name;
 mod needed;
 mod part;
 mod size;
 mod taylor;
+
+pub use arc::{ArcFunction, ArcSymbol};
 
 use super::{BuiltIn, Claim, Hypothesis, Node, Set, Source, Statement, Term, Variable};
 use part::{key, mentions, replaced};
@@ -80,7 +86,7 @@ impl Claim {
     /// comes first.
     pub fn implicit(&self) -> impl Iterator<Item = (&Arc<str>, &Term)> {
         let hypotheses = self.hypotheses.iter();
-        hypotheses.filter_map(|h| h.root().or_else(|| h.logarithm()))
+        hypotheses.filter_map(Hypothesis::implicit)
     }
 
     /// The symbols that stand for logarithms, with their arguments. One that occurs in the argument of another comes first.
@@ -103,6 +109,13 @@ impl Hypothesis {
             },
             _ => None,
         }
+    }
+
+    /// The symbol of a root, a logarithm or an arc, and its argument, if this hypothesis defines one.
+    #[must_use]
+    pub fn implicit(&self) -> Option<(&Arc<str>, &Term)> {
+        let arc = || self.arc().map(|arc| (arc.name, arc.argument));
+        self.root().or_else(|| self.logarithm()).or_else(arc)
     }
 
     /// The symbol of a logarithm and its argument, if this hypothesis defines one.
@@ -136,11 +149,16 @@ enum Implicit {
     Root,
     /// The number w with `exp(w) == r`.
     Logarithm,
+    /// The number w between `-pi/2` and `pi/2` with this tangent or sine.
+    Arc(ArcFunction),
 }
 
 impl Implicit {
     /// The set of all values.
     fn set(self) -> Set {
+        if let Self::Arc(function) = self {
+            return function.set();
+        }
         let zero = || Bound {
             value: rational::integer(0).into(),
             closed: true,
@@ -151,10 +169,22 @@ impl Implicit {
         }))
     }
 
+    /// The one that a function is.
+    fn new(function: BuiltIn) -> Option<Self> {
+        Some(match function {
+            BuiltIn::SquareRoot => Self::Root,
+            BuiltIn::Logarithm => Self::Logarithm,
+            BuiltIn::ArcTangent => Self::Arc(ArcFunction::Tangent),
+            BuiltIn::ArcSine => Self::Arc(ArcFunction::Sine),
+            _ => return None,
+        })
+    }
+
     fn built_in(self) -> BuiltIn {
         match self {
             Self::Root => BuiltIn::SquareRoot,
             Self::Logarithm => BuiltIn::Logarithm,
+            Self::Arc(function) => function.built_in(),
         }
     }
 
@@ -163,13 +193,21 @@ impl Implicit {
         match self {
             Self::Root => "a root",
             Self::Logarithm => "a logarithm",
+            Self::Arc(ArcFunction::Tangent) => "an arc tangent",
+            Self::Arc(ArcFunction::Sine) => "an arc sine",
         }
     }
 }
 
 /// Whether a root or a logarithm occurs in a term.
 fn has_implicit(term: &Term) -> bool {
-    let all = [BuiltIn::SquareRoot, BuiltIn::Norm, BuiltIn::Logarithm];
+    let all = [
+        BuiltIn::SquareRoot,
+        BuiltIn::Norm,
+        BuiltIn::Logarithm,
+        BuiltIn::ArcTangent,
+        BuiltIn::ArcSine,
+    ];
     all.into_iter().any(|function| term.applies(function))
 }
 
@@ -181,7 +219,7 @@ struct Made {
 }
 
 impl Made {
-    /// `w^2 == r`, or `r > 0` and `exp(w) == r`.
+    /// `w^2 == r`, or `r > 0` and `exp(w) == r`, or `sin(w) == r*cos(w)`, or `sin(w) == r`.
     fn hypotheses(self, origin: &Origin) -> Vec<Hypothesis> {
         let place = self.argument.place;
         let symbol = made(Node::Symbol(self.name), place);
@@ -204,6 +242,10 @@ impl Made {
                     self.argument,
                     Source::Root,
                 )]
+            }
+            Implicit::Arc(function) => {
+                let (left, right) = function.equation(&symbol, self.argument);
+                vec![compared(Relation::Equal, left, right, Source::Arc)]
             }
             Implicit::Logarithm => {
                 let power = Node::Apply(BuiltIn::Exponential, vec![symbol]);
@@ -276,16 +318,13 @@ impl Work {
             ));
         }
         match &*term.node {
-            Node::Apply(function @ (BuiltIn::SquareRoot | BuiltIn::Logarithm), items)
-                if items.len() == 1 =>
+            Node::Apply(own, items)
+                if let Some(function) = Implicit::new(*own)
+                    && items.len() == 1 =>
             {
                 let items = self.all(items, scope)?;
                 let argument = items.into_iter().next();
                 let argument = argument.ok_or_else(|| nothing(term.place))?;
-                let function = match function {
-                    BuiltIn::Logarithm => Implicit::Logarithm,
-                    _ => Implicit::Root,
-                };
                 self.symbol(function, argument, term.place, scope)
             }
             Node::Apply(BuiltIn::Norm, items) if items.len() == 1 => {
@@ -410,7 +449,7 @@ impl Work {
                 Implicit::Root => format!(
                     "{noun} that depends on the variable of an integral: write it without the root, and integrate that"
                 ),
-                Implicit::Logarithm => {
+                Implicit::Logarithm | Implicit::Arc(_) => {
                     format!("{noun} that depends on the variable of an integral")
                 }
             };
@@ -425,6 +464,7 @@ impl Work {
             let what = match function {
                 Implicit::Root => "so large a radicand",
                 Implicit::Logarithm => "so large an argument of a logarithm",
+                Implicit::Arc(_) => "so large an argument of an arc",
             };
             Fault::limit(place, what)
         })?;
@@ -433,14 +473,15 @@ impl Work {
             return Ok(made(Node::Symbol(Arc::clone(name)), place));
         }
         if self.made.len() >= MAX_MADE {
-            let what = format!("more than {MAX_MADE} different roots and logarithms");
+            let what = format!("more than {MAX_MADE} different roots, logarithms and arcs");
             return Err(Fault::limit(place, what));
         }
         let taken = |name: &str| self.made.iter().any(|made| *made.name == *name);
         // No text starts a name like these, so that no declared symbol has it.
         let (text, sign) = match function {
             Implicit::Root => (name::root_text(&argument), "\u{221a}"),
-            Implicit::Logarithm => (name::logarithm_text(&argument), "log#"),
+            Implicit::Logarithm => (name::applied_text(function.built_in(), &argument), "log#"),
+            Implicit::Arc(_) => (name::applied_text(function.built_in(), &argument), "arc#"),
         };
         let name = text.filter(|name| !taken(name));
         let name = name.unwrap_or_else(|| format!("{sign}{}", self.made.len() + 1));
@@ -461,20 +502,15 @@ impl Work {
             return Ok(term.clone());
         }
         match &*term.node {
-            Node::Apply(BuiltIn::SquareRoot, items) => match items.as_slice() {
-                [radicand] => {
-                    let moved = self.expanded(radicand, around)?;
-                    self.series(Implicit::Root, radicand, &moved, around)
+            Node::Apply(own, items) if let Some(function) = Implicit::new(*own) => {
+                match items.as_slice() {
+                    [argument] => {
+                        let moved = self.expanded(argument, around)?;
+                        self.series(function, argument, &moved, around)
+                    }
+                    _ => Err(nothing(term.place)),
                 }
-                _ => Err(nothing(term.place)),
-            },
-            Node::Apply(BuiltIn::Logarithm, items) => match items.as_slice() {
-                [argument] => {
-                    let moved = self.expanded(argument, around)?;
-                    self.series(Implicit::Logarithm, argument, &moved, around)
-                }
-                _ => Err(nothing(term.place)),
-            },
+            }
             Node::Derivative {
                 variable,
                 order,

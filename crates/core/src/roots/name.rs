@@ -32,10 +32,10 @@ pub(super) fn root_text(radicand: &Term) -> Option<String> {
 /// The terms that variables abbreviate.
 type Names = BTreeMap<u32, Expr>;
 
-/// The text of `log(a)`, as for a root.
-pub(super) fn logarithm_text(argument: &Term) -> Option<String> {
+/// The text of `log(a)`, `atan(a)` or `asin(a)`, as for a root.
+pub(super) fn applied_text(function: BuiltIn, argument: &Term) -> Option<String> {
     let argument = Writer { parts: 0 }.written(argument, &BTreeMap::new())?;
-    let text = notation::text(&call("log", vec![argument]));
+    let text = notation::text(&call(head(function), vec![argument]));
     (text.len() <= MAX_NAME).then_some(text)
 }
 
@@ -137,6 +137,8 @@ fn head(function: BuiltIn) -> &'static str {
         BuiltIn::Cosine => "cos",
         BuiltIn::Exponential => "exp",
         BuiltIn::Logarithm => "log",
+        BuiltIn::ArcTangent => "atan",
+        BuiltIn::ArcSine => "asin",
         BuiltIn::Dot => "dot",
         BuiltIn::Cross => "cross",
         BuiltIn::Norm => "norm",

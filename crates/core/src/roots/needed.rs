@@ -1,4 +1,4 @@
-//! Which roots and logarithms a part of a statement asks for.
+//! Which roots, logarithms and arcs a part of a statement asks for.
 //!
 //! In `q and fails(p)` the terms of p do not count for where q is defined, nor those of q for where p is. So the claim about q
 //! leaves out the symbols of the roots and logarithms that p alone contains.
@@ -26,7 +26,7 @@ impl Claim {
         let (mut left, mut is_needed) = (vec![], true);
         let mut symbols = self.symbols.clone();
         for hypothesis in self.hypotheses.iter().rev() {
-            if let Some((name, _)) = hypothesis.root().or_else(|| hypothesis.logarithm()) {
+            if let Some((name, _)) = hypothesis.implicit() {
                 is_needed = names.contains(name);
                 if !is_needed {
                     symbols.remove(name);
@@ -55,5 +55,8 @@ impl Claim {
 
 /// Whether a hypothesis defines the symbol of a root or a logarithm.
 fn is_made(hypothesis: &Hypothesis) -> bool {
-    matches!(hypothesis.source, Source::Root | Source::Logarithm)
+    matches!(
+        hypothesis.source,
+        Source::Root | Source::Logarithm | Source::Arc
+    )
 }

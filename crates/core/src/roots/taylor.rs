@@ -4,10 +4,12 @@
 //!
 //! - the square of a root is r, so `c_0 = w = sqrt(r(u))` and `c_k = (r_k - sum of c_j c_(k-j) for 0 < j < k)/(2 c_0)`;
 //! - the derivative of a logarithm c times r is that of r, so `c_0 = w = log(r(u))` and
-//!   `c_k = (r_k - sum of j/k c_j r_(k-j) for 0 < j < k)/r_0`.
+//!   `c_k = (r_k - sum of j/k c_j r_(k-j) for 0 < j < k)/r_0`;
+//! - the derivative of an arc times q is that of r, where q is `1 + r^2` or the cosine of the arc, see `arc`.
 //!
-//! Both are defined where r(u) > 0.
+//! The first two are defined where r(u) > 0, an arc sine where r(u) is between -1 and 1.
 
+use super::arc::arc_series;
 use super::{Around, Implicit, Work, binary, made, nothing, replaced};
 use crate::{Node, Term, Variable};
 use std::sync::Arc;
@@ -52,6 +54,7 @@ impl Work {
         let coefficients = match function {
             Implicit::Root => root_series(first, &rates),
             Implicit::Logarithm => logarithm_series(first, &rates),
+            Implicit::Arc(function) => arc_series(function, first, &rates),
         };
         let variable = made(Node::Variable(around.variable.clone()), place);
         let step = binary(Operator::Subtract, variable, around.at.clone());

@@ -130,7 +130,10 @@ impl Signs<'_> {
         match &*term.node {
             // What a root stands for is no hypothesis here, so nothing in it may lack a value.
             Node::Apply(
-                function @ (BuiltIn::SquareRoot | BuiltIn::Logarithm | BuiltIn::Norm),
+                function @ (BuiltIn::SquareRoot
+                | BuiltIn::Logarithm
+                | BuiltIn::Norm
+                | BuiltIn::ArcTangent),
                 arguments,
             ) => {
                 let least = least_argument(*function);
@@ -147,6 +150,9 @@ impl Signs<'_> {
                         BuiltIn::Logarithm => {
                             "a logarithm with an existential number in it, which is not positive by the way it is written"
                         }
+                        BuiltIn::ArcTangent => {
+                            "an arc tangent with an existential number in it, which may have no value by the way it is written"
+                        }
                         _ => {
                             "a length with an existential number in it, which may have no value by the way it is written"
                         }
@@ -154,7 +160,8 @@ impl Signs<'_> {
                 ))
             }
             Node::Apply(
-                BuiltIn::Inverse
+                BuiltIn::ArcSine
+                | BuiltIn::Inverse
                 | BuiltIn::Solve
                 | BuiltIn::Coefficients
                 | BuiltIn::Factorial
@@ -205,11 +212,17 @@ impl Signs<'_> {
                 within(at)?;
                 self.require_free(order, scope)?;
                 let inside = self.inside(variable.number(), at, scope);
-                let roots = [BuiltIn::SquareRoot, BuiltIn::Norm, BuiltIn::Logarithm];
+                let roots = [
+                    BuiltIn::SquareRoot,
+                    BuiltIn::Norm,
+                    BuiltIn::Logarithm,
+                    BuiltIn::ArcTangent,
+                    BuiltIn::ArcSine,
+                ];
                 if has_existential(body, &inside) && roots.iter().any(|own| body.applies(*own)) {
                     return Err(refused(
                         term,
-                        "the derivative of a root or a logarithm with an existential number in it",
+                        "the derivative of a root, a logarithm or an arc with an existential number in it",
                     ));
                 }
                 self.require(body, &inside, divisors)
@@ -315,12 +328,12 @@ impl Signs<'_> {
     }
 }
 
-/// The least sign that an argument of a root, a logarithm or a length has to have; `None` of other functions.
+/// The least sign that an argument of a root, a logarithm, an arc tangent or a length has to have; `None` of other functions.
 fn least_argument(function: BuiltIn) -> Option<Sign> {
     match function {
         BuiltIn::SquareRoot => Some(Sign::Nonnegative),
         BuiltIn::Logarithm => Some(Sign::Positive),
-        BuiltIn::Norm => Some(Sign::Any),
+        BuiltIn::Norm | BuiltIn::ArcTangent => Some(Sign::Any),
         _ => None,
     }
 }

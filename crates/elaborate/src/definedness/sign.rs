@@ -162,6 +162,8 @@ impl<'d> Signs<'d> {
                         Some(*radicand)
                     }
                     (BuiltIn::Logarithm, [Sign::Positive]) => Some(Sign::Any),
+                    // An arc tangent has the sign of its argument.
+                    (BuiltIn::ArcTangent, [argument]) => Some(*argument),
                     (
                         BuiltIn::Sine
                         | BuiltIn::Cosine

@@ -233,6 +233,16 @@ impl Elaborator<'_> {
                 let x = self.term_in(x, scope)?;
                 return Ok(Meaning::Term(self.hyperbolic(name, &x, place)));
             }
+            // Arc sine and arc cosine are a quarter turn together.
+            ("acos", [x]) => {
+                let arguments = vec![self.term_in(x, scope)?];
+                let sine = self.made(Node::Apply(BuiltIn::ArcSine, arguments), place);
+                let two = self.made(Node::Number(rational::integer(2)), place);
+                let pi = self.made(Node::Pi, place);
+                let quarter = self.made(Node::Binary(Operator::Divide, pi, two), place);
+                let node = Node::Binary(Operator::Subtract, quarter, sine);
+                return Ok(Meaning::Term(self.made(node, place)));
+            }
             // The absolute value is the root of the square.
             ("abs", [x]) => {
                 let x = self.term_in(x, scope)?;
@@ -253,6 +263,8 @@ impl Elaborator<'_> {
             ("cos", [_]) => BuiltIn::Cosine,
             ("exp", [_]) => BuiltIn::Exponential,
             ("log", [_]) => BuiltIn::Logarithm,
+            ("atan", [_]) => BuiltIn::ArcTangent,
+            ("asin", [_]) => BuiltIn::ArcSine,
             ("sqrt", [_]) => BuiltIn::SquareRoot,
             ("dot", [_, _]) => BuiltIn::Dot,
             ("cross", [_, _]) => BuiltIn::Cross,

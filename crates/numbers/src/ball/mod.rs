@@ -13,11 +13,12 @@
 //! | `sqrt`, [`Ball::pi`], [`Ball::from_rational`] | at most 1 for exact arguments |
 //! | [`quarter_turn`](crate::Scalar::quarter_turn) | at most 2 for exact arguments, exact at integers |
 //! | [`Ball::sin_cos`] | at most 3 for exact arguments |
-//! | [`Ball::exp`], [`Ball::ln`] | at most 2 for exact arguments |
+//! | [`Ball::exp`], [`Ball::ln`], [`Ball::atan`], [`Ball::asin`] | at most 2 for exact arguments |
 //!
 //! Precision is absolute (fixed point): `bits` counts binary digits after the point. Balls of
 //! different precision combine at the larger one, and raising a precision is exact.
 
+mod arc;
 mod arithmetic;
 mod exponential;
 mod logarithm;

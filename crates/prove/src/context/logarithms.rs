@@ -83,7 +83,7 @@ impl ProofContext<'_> {
     }
 
     /// Takes an equation `value == 0`; as a constraint where its solution cannot be put in.
-    fn vanishes_or_stays(&mut self, value: &Fraction) -> Result<(), Fault> {
+    pub(super) fn vanishes_or_stays(&mut self, value: &Fraction) -> Result<(), Fault> {
         let before = self.clone();
         match self.vanishes(value) {
             Err(fault) if fault.is_limit() => {

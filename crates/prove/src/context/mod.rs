@@ -6,6 +6,7 @@
 //! divisor of its value. Since derivatives are taken by variables of their own, putting values in for symbols changes
 //! the meaning of nothing.
 
+mod arcs;
 mod given;
 mod logarithms;
 mod roots;
@@ -205,6 +206,7 @@ impl<'a> ProofContext<'a> {
         let mut zeros = besides.zero.iter();
         zeros.try_for_each(|zero| ground.vanishes(&zero.clone().into()))?;
         ground.assume_all(claim, equations)?;
+        ground.take_arcs(claim)?;
         if ground.branch.domain.pivots().is_empty() {
             roots = ground.resolve(roots)?;
         }

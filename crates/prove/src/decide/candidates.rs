@@ -7,7 +7,7 @@ use super::real_symbol::RealSymbol;
 use crate::decide::interval::{Bound, Interval};
 use num_traits::Signed;
 use torse_algebra::rational::{integer, ratio};
-use torse_algebra::{Fraction, Polynomial, Rational, Scalar as _, Symbol};
+use torse_algebra::{Angle, Fraction, Polynomial, Rational, Scalar as _, Symbol};
 use torse_syntax::formula::Relation;
 
 /// Under which trigonometric functions a variable stands.
@@ -45,6 +45,18 @@ const SIMPLE: Numbers = &[
     (3, 4), (5, 1), (-3, 1), (1, 5), (4, 1), (-1, 3), (1, 10), (9, 10), (10, 1),
 ];
 
+/// Tangents of arcs, those of angles with rational sines and cosines among them.
+#[rustfmt::skip]
+const TANGENTS: Numbers = &[
+    (2, 1), (1, 2), (-2, 1), (-1, 2), (3, 4), (4, 3), (-3, 4), (3, 1), (1, 3), (10, 1), (1, 10), (-10, 1), (20, 1), (100, 1),
+];
+
+/// Whether a symbol stands for an arc.
+fn is_arc(symbol: &Symbol) -> bool {
+    let heads = ["atan(", "asin(", "arc#"];
+    matches!(symbol, Symbol::Named(name) if heads.iter().any(|head| name.starts_with(head)))
+}
+
 impl Domain<'_> {
     /// Simple values of a symbol inside its interval, simplest first. A variable under a sine or cosine
     /// gets values at which these are exact.
@@ -70,6 +82,15 @@ impl Domain<'_> {
             .map(|q| unit.scaled(&q))
             .filter(|value| inside(&interval, value))
             .collect();
+        if parts == 1 && is_arc(symbol) {
+            // Where the tangent is a simple one.
+            let tangents = TANGENTS.iter().filter_map(|(n, d)| ratio(*n, *d));
+            let arcs = tangents.filter_map(|q| Polynomial::arctangent(&q).ok());
+            found.extend(
+                arcs.map(Fraction::from)
+                    .filter(|arc| inside(&interval, arc)),
+            );
+        }
         if parts > 1 {
             // Where a part of the angle is a simple one.
             for value in simple.map(|q| unit.scaled(&(q * integer(i64::from(parts))))) {
@@ -106,13 +127,15 @@ impl Domain<'_> {
         inside(&self.interval(symbol.symbol()), value)
     }
 
-    /// Whether a symbol is a root or a logarithm, which the others determine.
+    /// Whether a symbol is a root, a logarithm or an arc, which the others determine.
     pub(crate) fn is_implicit(&self, symbol: &Symbol) -> bool {
         let is_root = self.roots.iter().any(|root| root.symbol == *symbol);
-        is_root || self.logarithms.iter().any(|log| log.symbol == *symbol)
+        let is_arc = self.arcs.iter().any(|arc| arc.symbol == *symbol);
+        is_root || is_arc || self.logarithms.iter().any(|log| log.symbol == *symbol)
     }
 
-    /// The values of a root or a logarithm in its interval that equations such as `2*w^2 == 3` and `exp(w) == 3` leave.
+    /// The values of a root, a logarithm or an arc in its interval that equations such as `2*w^2 == 3`, `exp(w) == 3` and
+    /// `sin(w) == 3*cos(w)` leave.
     pub(crate) fn implicit_values(
         &self,
         symbol: &Symbol,
@@ -122,6 +145,7 @@ impl Domain<'_> {
         let equations = || constraints.iter().map(|(value, r)| (value, *r));
         let mut values = roots(symbol, equations());
         values.extend(logarithms(symbol, equations()));
+        values.extend(arcs(symbol, equations()));
         values.retain(|value| inside(&interval, value));
         values.dedup();
         values
@@ -181,6 +205,51 @@ fn logarithms<'c>(
     equations
         .filter_map(|(equation, _)| value(equation))
         .collect()
+}
+
+/// The values between `-pi/2` and `pi/2` of a symbol that equations such as `sin(w) == 3*cos(w)` and `2*sin(w) == 1` leave.
+fn arcs<'c>(
+    symbol: &Symbol,
+    constraints: impl Iterator<Item = (&'c Fraction, Relation)>,
+) -> Vec<Fraction> {
+    let Symbol::Named(name) = symbol else {
+        return vec![];
+    };
+    let sine = Symbol::Sin(name.clone(), Angle::RADIAN);
+    let cosine = Symbol::Cos(name.clone(), Angle::RADIAN);
+    let is_known = |own: &Symbol| own.is_number() || *own == sine || *own == cosine;
+    let equations = constraints.filter(|(_, relation)| *relation == Relation::Equal);
+    let value = |value: &Fraction| {
+        let polynomial = value.numerator();
+        if !polynomial.symbols().iter().all(is_known) {
+            return None;
+        }
+        // a sin(w) + b cos(w) + c, with numbers.
+        let [rest, a] = linear(polynomial, &sine)?;
+        let [c, b] = linear(&rest, &cosine)?;
+        let is_number = |p: &Polynomial| p.symbols().iter().all(Symbol::is_number);
+        if ![&a, &b, &c].into_iter().all(is_number) {
+            return None;
+        }
+        match (b.is_zero(), c.is_zero()) {
+            (false, true) => Fraction::from(-b).over(&a.into()).ok()?.arctangent().ok(),
+            (true, _) => Fraction::from(-c).over(&a.into()).ok()?.arcsine().ok(),
+            (false, false) => None,
+        }
+    };
+    equations
+        .filter_map(|(equation, _)| value(equation))
+        .map(Fraction::without_conditions)
+        .collect()
+}
+
+/// The parts of a polynomial of first degree, or of none, without and with a symbol.
+fn linear(polynomial: &Polynomial, symbol: &Symbol) -> Option<[Polynomial; 2]> {
+    match polynomial.coefficients_in(symbol).as_slice() {
+        [rest] => Some([rest.clone(), Polynomial::zero()]),
+        [rest, slope] => Some([rest.clone(), slope.clone()]),
+        _ => None,
+    }
 }
 
 /// Whether a value is an integer.

@@ -20,6 +20,7 @@ pub mod instances;
 pub mod interval;
 pub mod logarithm;
 pub mod nondegenerate;
+pub mod open_arc;
 pub mod order;
 pub mod real_symbol;
 mod render;

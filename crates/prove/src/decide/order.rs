@@ -8,7 +8,7 @@ use torse_syntax::formula::Relation;
 /// Bits of the enclosures that decide signs of constants, tried in turn.
 const BITS: [usize; 4] = [256, 1024, 4096, 16_384];
 
-/// The enclosure of a fraction without free symbols: pi, roots, logarithms and powers of e only.
+/// The enclosure of a fraction without free symbols: pi, roots, logarithms, arcs and powers of e only.
 #[must_use]
 pub fn enclosure(value: &Fraction, bits: usize) -> Option<Ball> {
     let like = Ball::from_rational(&integer(0), bits);
@@ -23,6 +23,10 @@ pub fn enclosure(value: &Fraction, bits: usize) -> Option<Ball> {
             Symbol::Log(prime) => {
                 let prime = Rational::from_integer((*prime).into());
                 Ball::from_rational(&prime, bits).ln().map_err(drop)
+            }
+            Symbol::Arc(above, below) => {
+                let tangent = Rational::new((*above).into(), (*below).into());
+                Ball::from_rational(&tangent, bits).atan().map_err(drop)
             }
             Symbol::Exp(exponent) if symbol.is_number() => {
                 let part = Rational::new(1.into(), exponent.parts().into());

@@ -33,7 +33,9 @@ pub(crate) fn plain_symbol(symbol: &Symbol) -> Plain {
         // A vector with one generic coordinate.
         Symbol::Indexed(name, index) if index.is_empty() => Plain::Named(name.clone()),
         Symbol::Indexed(..) => Plain::named(&symbol.to_string()),
-        Symbol::Exp(_) | Symbol::Log(_) => Plain::Exponential(symbol.to_string().into()),
+        Symbol::Exp(_) | Symbol::Log(_) | Symbol::Arc(..) => {
+            Plain::Exponential(symbol.to_string().into())
+        }
     }
 }
 

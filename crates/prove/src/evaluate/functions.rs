@@ -56,6 +56,14 @@ impl Evaluator<'_> {
                 let value = self.number(argument, bound)?.logarithm();
                 Ok(value.map_err(|e| Fault::exact(argument.place, e))?.into())
             }
+            (BuiltIn::ArcTangent, [argument]) => {
+                let value = self.number(argument, bound)?.arctangent();
+                Ok(value.map_err(|e| Fault::exact(argument.place, e))?.into())
+            }
+            (BuiltIn::ArcSine, [argument]) => {
+                let value = self.number(argument, bound)?.arcsine();
+                Ok(value.map_err(|e| Fault::exact(argument.place, e))?.into())
+            }
             (BuiltIn::SquareRoot, [radicand]) => {
                 let value = self.number(radicand, bound)?;
                 square_root(&value, radicand.place).map(Value::from)

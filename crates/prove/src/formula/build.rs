@@ -105,6 +105,10 @@ pub(super) fn symbol(symbol: &Symbol) -> Expr {
         Symbol::Pi => Expr::name("pi"),
         Symbol::Root(prime) => applied("sqrt", integer(i64::from(*prime))),
         Symbol::Log(prime) => applied("log", integer(i64::from(*prime))),
+        Symbol::Arc(above, below) => {
+            let part = |n: u32| integer(i64::from(n));
+            applied("atan", part(*above).with(Operator::Divide, part(*below)))
+        }
         Symbol::Sin(name, a) => applied("sin", angle(name, a)),
         Symbol::Cos(name, a) => applied("cos", angle(name, a)),
         Symbol::Exp(exponent) => applied("exp", exponent_of(exponent)),
@@ -168,7 +172,7 @@ fn affine(index: &Affine) -> Expr {
 pub(super) fn rank(symbol: &Symbol) -> u8 {
     match symbol {
         Symbol::Root(_) => 0,
-        Symbol::Pi | Symbol::Log(_) => 1,
+        Symbol::Pi | Symbol::Log(_) | Symbol::Arc(..) => 1,
         Symbol::Named(_) => 2,
         Symbol::Sin(..) | Symbol::Cos(..) | Symbol::Exp(_) => 3,
         Symbol::Indexed(..) => 4,

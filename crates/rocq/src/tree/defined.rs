@@ -222,6 +222,7 @@ impl Writer<'_> {
                 premises.add(relation(&Code::atom("0"), "<=", &radicand));
             }
             "log" => return Err(Untranslatable::Theory("logarithms")),
+            "atan" | "asin" | "acos" => return Err(Untranslatable::Theory("arcs")),
             "abs" => {
                 let x = self.number(first, scope)?;
                 let square = Code::infix(&x, "*", &x, Level::Product);

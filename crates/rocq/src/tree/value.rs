@@ -436,6 +436,7 @@ impl Writer<'_> {
             ("cos", [Number]) => ("cos", Number),
             ("exp", [Number]) => ("exp", Number),
             ("log", _) => return Err(Untranslatable::Theory("logarithms")),
+            ("atan" | "asin" | "acos", _) => return Err(Untranslatable::Theory("arcs")),
             ("dot", [Vector(n), Vector(m)]) if n == m => ("dot", Number),
             ("cross", [Vector(3), Vector(3)]) => ("cross", Vector(3)),
             ("norm", [Vector(_)]) => ("norm", Number),

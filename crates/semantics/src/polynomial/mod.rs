@@ -157,6 +157,28 @@ impl Arithmetic for Polynomials<'_> {
         }
     }
 
+    /// Supports zero only.
+    fn arctangent(&self, a: &Quotient) -> Result<Quotient, NoValue> {
+        match a.above.is_zero() {
+            true => Ok(Sum::default().into()),
+            false => Err(Unknown::NotCovered {
+                what: "the arc tangent of this formula",
+            }
+            .into()),
+        }
+    }
+
+    /// Supports zero only.
+    fn arcsine(&self, a: &Quotient) -> Result<Quotient, NoValue> {
+        match a.above.is_zero() {
+            true => Ok(Sum::default().into()),
+            false => Err(Unknown::NotCovered {
+                what: "the arc sine of this formula",
+            }
+            .into()),
+        }
+    }
+
     fn is_zero(&self, a: &Quotient) -> Option<bool> {
         Some(a.above.is_zero())
     }

@@ -180,6 +180,19 @@ impl Arithmetic for Residues<'_> {
         }
     }
 
+    /// Supports zero only.
+    fn arctangent(&self, a: &Residue) -> Result<Residue, NoValue> {
+        match a.class()? {
+            0 => Ok(Residue::Class(0)),
+            _ => Err(missing()),
+        }
+    }
+
+    /// Supports zero only.
+    fn arcsine(&self, a: &Residue) -> Result<Residue, NoValue> {
+        self.arctangent(a)
+    }
+
     fn is_zero(&self, a: &Residue) -> Option<bool> {
         match a {
             Residue::Class(class) => Some(*class == 0),

@@ -96,6 +96,13 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             }
             ("exp", [x]) => Value::Number(number(x)?.exponential(a)?),
             ("log", [x]) => Value::Number(number(x)?.logarithm(a)?),
+            ("atan", [x]) => Value::Number(number(x)?.arctangent(a)?),
+            ("asin", [x]) => Value::Number(number(x)?.arcsine(a)?),
+            // The angles of the acute triangle with this cosine add up to a quarter turn.
+            ("acos", [x]) => {
+                let quarter = Series::Number(a.over(&a.pi(), &a.integer(2))?);
+                Value::Number(quarter.minus(&number(x)?.arcsine(a)?, a)?)
+            }
             ("cosh" | "sinh" | "tanh", [x]) => Value::Number(self.hyperbolic(name, &number(x)?)?),
             ("binom", [n, j]) => {
                 let what = "the lower number of a binomial coefficient";

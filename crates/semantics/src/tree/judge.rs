@@ -322,11 +322,9 @@ impl<'a> Reading<'a> {
         };
         match stated {
             // The number makes the statement defined and true, or it is none of those that the claim says to exist.
-            Judgement::Undefined(Undefined::NegativeRoot | Undefined::NoLogarithm)
-                if self.is_defined_but_for_witnesses(at, self.statement) =>
-            {
-                Judgement::False
-            }
+            Judgement::Undefined(
+                Undefined::NegativeRoot | Undefined::NoLogarithm | Undefined::NoArc,
+            ) if self.is_defined_but_for_witnesses(at, self.statement) => Judgement::False,
             stated => stated,
         }
     }

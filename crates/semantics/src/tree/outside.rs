@@ -69,13 +69,15 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
                         let bound = self.bind_at(name, point, place).ok()?;
                         self.outside(inner, &bound, parts, open)
                     }
-                    (Some(name @ ("sqrt" | "log")), [inner]) => {
+                    (Some(name @ ("sqrt" | "log" | "atan" | "asin" | "acos")), [inner]) => {
                         let found = within(inner);
                         found.or_else(|| match self.value(tree, place) {
                             // The argument of a logarithm has a value, and that is positive.
                             Err(NoValue::Undefined(_)) if name == "log" => {
                                 Some(Undefined::NoLogarithm)
                             }
+                            // That of an arc has a value.
+                            Err(NoValue::Undefined(_)) if name != "sqrt" => Some(Undefined::NoArc),
                             Err(NoValue::Undefined(why @ Undefined::NegativeRoot)) => Some(why),
                             Err(gap @ NoValue::Unknown(_)) => {
                                 open.get_or_insert(gap);

@@ -55,6 +55,63 @@ fn the_smaller_and_the_greater_number_are_found_by_comparing() {
 }
 
 #[test]
+fn arcs_lie_on_their_branch() {
+    holds(
+        "atan(1) == pi/4 and atan(-1) == -pi/4 and atan(0) == 0",
+        &[],
+    );
+    holds(
+        "asin(1) == pi/2 and asin(-1/2) == -pi/6 and acos(-1) == pi",
+        &[],
+    );
+    holds("1.10714 < atan(2) < 1.10715", &[]);
+    holds(
+        "1.47112 < atan(10) < 1.47113 and -1.56 < atan(-99) < -1.55",
+        &[],
+    );
+    holds(
+        "0.84806 < asin(3/4) < 0.84807 and 0.7227 < acos(3/4) < 0.7228",
+        &[],
+    );
+    holds(
+        "0.01 < asin(1/99) < 0.0102 and 1.42 < asin(99/100) < 1.43",
+        &[],
+    );
+    holds("tan(atan(y)) == y", &[("y", "-7/3")]);
+    holds("atan(tan(y)) == y - pi", &[("y", "3")]);
+    holds("acos(cos(y)) == 2*pi - y", &[("y", "4")]);
+    fails("asin(sin(y)) == y", &[("y", "2")]);
+    is_undefined("asin(y) == 0", &[("y", "101/100")]);
+    is_undefined("acos(y) == 0", &[("y", "-2")]);
+    is_undefined("atan(1/y) == 0", &[("y", "0")]);
+}
+
+#[test]
+fn arcs_have_the_derivatives_of_inverse_functions() {
+    holds("D(atan(y), y) == 4/13", &[("y", "3/2")]);
+    holds("D(atan(y), y, 2) == -3*16/169", &[("y", "3/2")]);
+    holds(
+        "D(atan(y), y, 3) == (6*y^2 - 2)/(1 + y^2)^3",
+        &[("y", "3/2")],
+    );
+    holds(
+        "D(asin(y), y) == 5/4 and D(acos(y), y) == -5/4",
+        &[("y", "3/5")],
+    );
+    holds("D(asin(y), y, 2) == 75/64", &[("y", "3/5")]);
+    holds(
+        "D(asin(y), y, 3) == (1 + 2*y^2)/(1 - y^2)^2/sqrt(1 - y^2)",
+        &[("y", "3/5")],
+    );
+    holds(
+        "D(D(atan(y*a), y), a) == (1 - a^2*y^2)/(1 + a^2*y^2)^2",
+        &[("y", "2"), ("a", "1/3")],
+    );
+    is_undefined("D(asin(y), y) == 0", &[("y", "1")]);
+    is_undefined("D(acos(y^2), y) == 0", &[("y", "-1")]);
+}
+
+#[test]
 fn where_two_numbers_are_equal_the_greater_one_has_no_derivative() {
     holds(
         "D(max(y, a), y) == 1 and D(min(y, a), y) == 0",

@@ -1,7 +1,7 @@
 //! The names of the functions of the language. What each means is in SEMANTICS.md.
 
 /// All of them.
-pub const FUNCTIONS: [&str; 33] = [
+pub const FUNCTIONS: [&str; 36] = [
     "sum",
     "product",
     "integral",
@@ -14,6 +14,9 @@ pub const FUNCTIONS: [&str; 33] = [
     "tan",
     "exp",
     "log",
+    "atan",
+    "asin",
+    "acos",
     "cosh",
     "sinh",
     "tanh",
@@ -38,8 +41,8 @@ pub const FUNCTIONS: [&str; 33] = [
 ];
 
 /// Those of one number whose values are mostly not rational.
-pub const ELEMENTARY: [&str; 9] = [
-    "sqrt", "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh",
+pub const ELEMENTARY: [&str; 12] = [
+    "sqrt", "sin", "cos", "tan", "exp", "log", "atan", "asin", "acos", "sinh", "cosh", "tanh",
 ];
 
 /// Whether a name is that of a function of the language.
@@ -72,9 +75,14 @@ pub fn out_of_scope(name: &str) -> Option<&'static str> {
         "sign" | "sgn" | "signum" => {
             "signs as numbers are out of scope: write `x/abs(x)`, which has no value at 0"
         }
-        "atan" | "arctan" | "asin" | "arcsin" | "acos" | "arccos" | "atan2" | "arctan2" => {
-            "inverse functions of sine, cosine and tangent are out of scope: name the angle, and state its sine, cosine or tangent \
-             under `assume`"
+        "atan2" | "arctan2" => {
+            "the angle of a point is out of scope: name it, and state its sine and cosine under `assume`; `atan(y/x)` is it for x > 0"
+        }
+        "acosh" | "asinh" | "atanh" | "arcosh" | "arsinh" | "artanh" => {
+            "inverse hyperbolic functions are out of scope: write them as logarithms, `log(x + sqrt(x^2 + 1))` for the inverse of `sinh`"
+        }
+        "acot" | "asec" | "acsc" | "arccot" | "arcsec" | "arccsc" => {
+            "these inverse functions are out of scope, since papers differ in their branches: write them by `atan`, `acos` and `asin`"
         }
         _ => return None,
     })
@@ -126,6 +134,18 @@ pub fn described(name: &str) -> Option<FunctionDescription> {
         ),
         "exp" => ("exp(a)", "The exponential function."),
         "log" => ("log(a)", "The natural logarithm of a positive number."),
+        "atan" => (
+            "atan(a)",
+            "The arc tangent: the angle between -pi/2 and pi/2 with this tangent.",
+        ),
+        "asin" => (
+            "asin(a)",
+            "The arc sine of a number from -1 to 1: the angle from -pi/2 to pi/2 with this sine.",
+        ),
+        "acos" => (
+            "acos(a)",
+            "The arc cosine of a number from -1 to 1, pi/2 - asin(a): the angle from 0 to pi with this cosine.",
+        ),
         "cosh" => ("cosh(a)", "The hyperbolic cosine, (exp(a) + exp(-a))/2."),
         "sinh" => ("sinh(a)", "The hyperbolic sine, (exp(a) - exp(-a))/2."),
         "tanh" => ("tanh(a)", "The hyperbolic tangent, sinh(a)/cosh(a)."),

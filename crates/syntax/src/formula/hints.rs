@@ -105,8 +105,9 @@ fn product(number: &str, name: &str, next: Option<&Token>) -> String {
 }
 
 /// Functions that papers print without brackets.
-const FUNCTIONS: [&str; 10] = [
-    "sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "det",
+const FUNCTIONS: [&str; 13] = [
+    "sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log", "atan", "asin", "acos", "sqrt",
+    "det",
 ];
 
 /// Describes a formula that can never be a function; `None` if it may be one.
@@ -129,11 +130,14 @@ pub fn name(unknown: &str) -> Option<&'static str> {
         "csc" => "`csc` is not in the language: write `1/sin(x)`",
         "coth" => "`coth` is not in the language: write `cosh(x)/sinh(x)`",
         "ln" => "the natural logarithm is written `log(x)`",
+        "arctan" => "the arc tangent is written `atan(x)`",
+        "arcsin" => "the arc sine is written `asin(x)`",
+        "arccos" => "the arc cosine is written `acos(x)`",
         "log2" | "log10" => {
             "a logarithm to another base is written as a quotient: `log(x)/log(10)`"
         }
         "gamma" => {
-            "this function is not in the language: its functions are rational, sqrt, abs, min, max, sin, cos, tan, exp, log, sinh, cosh and tanh"
+            "this function is not in the language: its functions are rational, sqrt, abs, min, max, sin, cos, tan, exp, log, atan, asin, acos, sinh, cosh and tanh"
         }
         known if out_of_scope(known).is_some() => out_of_scope(known)?,
         "e" => "the base of natural logarithms is written `exp(1)`",

@@ -13,8 +13,9 @@ use crate::formula::{Expr, Node, Operator, Place};
 use std::sync::Arc;
 
 /// The functions of the language that papers write so.
-const FUNCTIONS: [&str; 12] = [
-    "sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "exp", "log", "ln",
+const FUNCTIONS: [&str; 15] = [
+    "sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "exp", "log", "ln", "arctan",
+    "arcsin", "arccos",
 ];
 
 impl Reader<'_> {
@@ -39,7 +40,7 @@ impl Reader<'_> {
             }
             let error = LatexError::new(place, format!("`{name}` is not in the language"));
             return Err(error.with_help(
-                "its functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, exp, log, ln, min, max and det",
+                "its functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, exp, log, ln, arctan, arcsin, arccos, min, max and det",
             ));
         }
         line.next += 1;
@@ -59,7 +60,7 @@ impl Reader<'_> {
                             "`{name}` with a negative exponent may be an inverse function or a quotient"
                         ),
                     );
-                    return Err(error.with_help("the language has no inverse functions; write a quotient as `\\frac{1}{...}`"));
+                    return Err(error.with_help("write an inverse function as `\\arctan`, `\\arcsin` or `\\arccos`, and a quotient as `\\frac{1}{...}`"));
                 }
                 Some(self.value(above, place, "the exponent")?)
             }
@@ -317,7 +318,7 @@ fn is_coefficient(expr: &Expr) -> bool {
     }
 }
 
-/// The value of a function; cotangent, secant and cosecant are quotients, and `\ln` is `log`.
+/// The value of a function; cotangent, secant and cosecant are quotients, `\ln` is `log`, and `\arctan` is `atan`.
 fn applied(name: &str, argument: Expr, place: Place) -> Term {
     let call =
         |name: &str, argument: Expr| Term::call(name, vec![argument], place, Shape::Number).expr;
@@ -332,13 +333,18 @@ fn applied(name: &str, argument: Expr, place: Place) -> Term {
         "cot" => over(call("cos", argument.clone()), call("sin", argument)),
         "sec" => over(one(), call("cos", argument)),
         "csc" => over(one(), call("sin", argument)),
-        "ln" => Term {
-            expr: call("log", argument),
-            shape: Shape::Number,
-        },
-        _ => Term {
-            expr: call(name, argument),
-            shape: Shape::Number,
-        },
+        _ => {
+            let name = match name {
+                "ln" => "log",
+                "arctan" => "atan",
+                "arcsin" => "asin",
+                "arccos" => "acos",
+                own => own,
+            };
+            Term {
+                expr: call(name, argument),
+                shape: Shape::Number,
+            }
+        }
     }
 }

@@ -153,7 +153,8 @@ impl Notation for Doubles<'_> {
         let name = plain_name(head).unwrap_or_default();
         match (name, arguments) {
             (
-                "sqrt" | "sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" | "exp" | "log" | "abs",
+                "sqrt" | "sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" | "exp" | "log" | "atan"
+                | "asin" | "acos" | "abs",
                 [x],
             ) => {
                 let name = if name == "log" { "ln" } else { name };

@@ -445,7 +445,7 @@ const FORMULAS: &[(&str, &str, &str)] = &[
         "-",
     ),
     (r"\lim_{t\to0}\frac{\sin t}{t}=1", "", "-"),
-    (r"\arctan 1=\frac{\pi}{4}", "", "-"),
+    (r"\arctan 1=\frac{\pi}{4}", "", "atan(1) == pi/4"),
     (
         r"\mathbf{F}(\underbrace{t,\ldots,t}_{n})=\mathbf{c}(t)",
         "c: function 3",

@@ -196,6 +196,15 @@ fn a_prime_of_a_function_of_a_basis_is_its_derivative_at_the_argument() {
 }
 
 #[test]
+fn inverse_functions_have_names_of_their_own() {
+    is(
+        r"\arctan x + \arccos(y) = \arcsin^2 x",
+        "",
+        "atan(x) + acos(y) == asin(x)^2",
+    );
+}
+
+#[test]
 fn the_smallest_and_the_greatest_of_numbers_stand_in_brackets() {
     is(r"\max(x, y) = y", "", "max(x, y) == y");
     is(r"\min\{a, b, c\} \le a", "", "min(a, min(b, c)) <= a");

@@ -5,9 +5,9 @@ use super::terms::{Number, Outcome, Terms};
 use std::sync::Arc;
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
-use torse_core::{BuiltIn, Node, Source, Statement, Term};
+use torse_core::{ArcFunction, BuiltIn, Node, Source, Statement, Term};
 use torse_semantics::{
-    Class, Name, NoValue, Series, Undefined, Unknown, Value, dot, linear, transposed,
+    Arithmetic, Class, Name, NoValue, Series, Undefined, Unknown, Value, dot, linear, transposed,
 };
 use torse_syntax::formula::{Connective, Relation};
 
@@ -41,6 +41,8 @@ impl Terms<'_> {
             (BuiltIn::Sine, [angle]) => Value::Number(number(angle)?.sine_cosine(a)?.0),
             (BuiltIn::Cosine, [angle]) => Value::Number(number(angle)?.sine_cosine(a)?.1),
             (BuiltIn::Exponential, [x]) => Value::Number(number(x)?.exponential(a)?),
+            (BuiltIn::ArcTangent, [x]) => Value::Number(number(x)?.arctangent(a)?),
+            (BuiltIn::ArcSine, [x]) => Value::Number(number(x)?.arcsine(a)?),
             (BuiltIn::Logarithm, [x]) => Value::Number(number(x)?.logarithm(a)?),
             (BuiltIn::Dot, [x, y]) => Value::Number(dot(&entries(x)?, &entries(y)?, a)?),
             (BuiltIn::Norm, [v]) => {
@@ -249,4 +251,16 @@ impl Terms<'_> {
 
 fn numbers(value: &Value<Class>) -> Row {
     value.numbers().into_iter().cloned().collect()
+}
+
+/// The value of an arc at its argument.
+pub fn arc_value<A: Arithmetic>(
+    function: ArcFunction,
+    argument: &Series<A::Number>,
+    arithmetic: &A,
+) -> Result<Series<A::Number>, NoValue> {
+    match function {
+        ArcFunction::Tangent => argument.arctangent(arithmetic),
+        ArcFunction::Sine => argument.arcsine(arithmetic),
+    }
 }

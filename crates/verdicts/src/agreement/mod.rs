@@ -26,6 +26,7 @@ use self::both::{Both, Missing};
 use self::numbers::Numbers;
 use self::outline::{CoreOutline, outline};
 use self::terms::Terms;
+use functions::arc_value;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -178,8 +179,20 @@ impl Case<'_> {
                 note(same.map_err(|()| wrong())?);
             }
         }
+        for arc in self.core.arcs() {
+            if let Some(Some(tree)) = self.made.get(arc.name) {
+                let value = plain.value(arc.argument).and_then(|value| value.number());
+                let value = value.and_then(|x| arc_value(arc.function, &x, &arithmetic));
+                let same = both.same(&trees.value(tree), &value.map(Value::Number));
+                let wrong = || format!("the arc `{}` is not what its name says", arc.name);
+                note(same.map_err(|()| wrong())?);
+            }
+        }
         let own = self.core.hypotheses.iter();
-        let is_made = |source| matches!(source, core::Source::Root | core::Source::Logarithm);
+        let is_made = |source| {
+            use core::Source::{Arc, Logarithm, Root};
+            matches!(source, Root | Logarithm | Arc)
+        };
         let own = own.filter(|h| !is_made(h.source));
         let own: Vec<CoreOutline<'_>> = own.map(|h| outline(&h.statement, &plain)).collect();
         let mut texts = trees.hypotheses();

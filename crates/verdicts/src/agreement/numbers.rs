@@ -1,5 +1,6 @@
 //! Numbers for core terms: those of an assignment, and the values of names that the engine makes.
 
+use super::functions::arc_value;
 use super::terms::Terms;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -46,14 +47,21 @@ impl Numbers<'_, '_> {
         value.as_number().copied()
     }
 
-    /// Returns the value of a name that the engine made: the root of its square, the logarithm of its exponential, or the
-    /// value of its text.
+    /// Returns the value of a name that the engine made: the root of its square, the logarithm of its exponential, the arc of
+    /// its tangent or sine, or the value of its text.
     fn made_value(&self, name: &Arc<str>) -> Option<Value<Class>> {
         if let Some((_, argument)) = self.core.logarithms().find(|(own, _)| *own == name) {
             let values = |name: &Name| self.number(name);
             let argument = Terms::new(self.arithmetic, &values, None).value(argument);
             let logarithm = argument.ok()?.number().ok()?.logarithm(self.arithmetic);
             return logarithm.ok().map(Value::Number);
+        }
+        if let Some(arc) = self.core.arcs().find(|arc| arc.name == name) {
+            let values = |name: &Name| self.number(name);
+            let argument = Terms::new(self.arithmetic, &values, None).value(arc.argument);
+            let argument = argument.ok()?.number().ok()?;
+            let value = arc_value(arc.function, &argument, self.arithmetic);
+            return value.ok().map(Value::Number);
         }
         if let Some((_, radicand)) = self.core.roots().find(|(own, _)| *own == name) {
             let values = |name: &Name| self.number(name);

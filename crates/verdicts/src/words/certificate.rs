@@ -207,7 +207,7 @@ fn wronskians(own: &Wronskians) -> Vec<String> {
     first.chain(own.degrees.iter().map(step)).collect()
 }
 
-/// The value of a root; `None` for other symbols.
+/// The value of a root or an arc; `None` for other symbols.
 fn elimination(own: &Elimination<Polynomial>) -> Option<String> {
     let [determined] = own.values.as_slice() else {
         return None;
@@ -215,6 +215,12 @@ fn elimination(own: &Elimination<Polynomial>) -> Option<String> {
     let square = match &own.by {
         Determining::Root(_) => "the square is the radicand",
         Determining::RootAlong(_) => "by the equations the square is the radicand",
+        Determining::Arc(_) => {
+            let (arc, value) = (&determined.symbol, &determined.value);
+            return Some(format!(
+                "{arc} is {value}: the angle is right, and it lies on the branch of the arc"
+            ));
+        }
         Determining::Assumed { .. } | Determining::Given { .. } => return None,
     };
     let (root, value) = (&determined.symbol, &determined.value);

@@ -39,7 +39,7 @@ step = ['1 - x', 'x']
 "#;
 
 /// A fault, the fields of a claim that uses the construct, and a part of what is said of it.
-const CASES: [(InjectedFault, &str, &str); 13] = [
+const CASES: [(InjectedFault, &str, &str); 14] = [
     (
         InjectedFault::OrdersByMaximum,
         "states = 'D(D(f(u*v), v), u) == 0'",
@@ -74,6 +74,11 @@ const CASES: [(InjectedFault, &str, &str); 13] = [
         InjectedFault::LogarithmWithoutEarlier,
         "states = 'D(log(b), b, 2) == 0'",
         "`D(log(b), b, 2)`",
+    ),
+    (
+        InjectedFault::ArcWithoutEarlier,
+        "states = 'D(atan(b), b, 2) == 0'",
+        "`D(atan(b), b, 2)`",
     ),
     (
         InjectedFault::DenialOfBoth,

@@ -124,7 +124,7 @@ fn a_witness_has_a_value_wherever_its_divisors_do_not_vanish() {
 }
 
 /// With the witness in place a root or a logarithm has no value at some of the points that the claim is about.
-const UNDEFINED_SOMEWHERE: [(&str, &str); 14] = [
+const UNDEFINED_SOMEWHERE: [(&str, &str); 16] = [
     ("['r == a']", "exp(log(r)) == a"),
     ("['r == a']", "sqrt(r)^2 == a"),
     ("['r == a']", "log(r) == log(r) and r == a"),
@@ -139,6 +139,8 @@ const UNDEFINED_SOMEWHERE: [(&str, &str); 14] = [
     ("['r == a']", "a >= -1 implies sqrt(r)^2 == a"),
     ("['r == exp(1/a)']", "log(r) == log(r) and r > 0"),
     ("['r == x^2']", "log(r) == log(r) and r == x^2"),
+    ("['r == a']", "sin(asin(r)) == a"),
+    ("['r == a']", "atan(sqrt(r)) == atan(sqrt(r)) and r == a"),
 ];
 
 #[test]
@@ -150,6 +152,7 @@ fn a_root_or_a_logarithm_of_the_number_has_a_value_or_nothing_is_said() {
         ("['r == x']", "sqrt(r)^2 == x"),
         ("['r == x + 1']", "exp(log(r)) == x + 1"),
         ("['r == exp(a)']", "log(r) == a"),
+        ("['r == a']", "tan(atan(r)) == a"),
         (
             "['r == a^2 + 1']",
             "exp(log(r)) == a^2 + 1 and 1/sqrt(r) > 0",

@@ -296,6 +296,18 @@ const CASES: &[PreparedClaim] = &[
         Caught::Net,
     ),
     case(
+        InjectedFault::ArcOfAnyBranch,
+        "states = 'atan(tan(a)) == a'",
+        False,
+        Caught::Net,
+    ),
+    case(
+        InjectedFault::ArcsReversed,
+        "states = 'a < b implies atan(a) > atan(b)'",
+        False,
+        Caught::Net,
+    ),
+    case(
         InjectedFault::ExponentsReversed,
         "assume = ['a*b > 2']\nstates = 'log(a) + log(b) < log(2)'",
         False,

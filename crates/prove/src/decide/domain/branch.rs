@@ -78,6 +78,8 @@ pub enum Equation {
     Root(Box<Signed<Polynomial>>),
     /// The same, where equations make the square of the value the radicand.
     RootAlong(Box<RootAlong<Polynomial>>),
+    /// That a symbol is an arc, and that its value lies where arcs do.
+    Arc(Vec<Signed<Polynomial>>),
 }
 
 impl<'a> Branch<'a> {
@@ -137,6 +139,7 @@ impl<'a> Branch<'a> {
             }
             Equation::Root(signed) => (Determining::Root(signed), vec![]),
             Equation::RootAlong(own) => (Determining::RootAlong(own), vec![]),
+            Equation::Arc(signs) => (Determining::Arc(signs), vec![]),
         };
         let cases = if open.is_empty() {
             Cases::Whole
@@ -189,6 +192,12 @@ impl<'a> Branch<'a> {
         self.domain
             .roots
             .retain(|root| root.symbol != *symbol && !mentions(&root.radicand, &root.symbol));
+        for arc in &mut self.domain.arcs {
+            arc.argument = put(&arc.argument)?;
+        }
+        self.domain
+            .arcs
+            .retain(|arc| arc.symbol != *symbol && !mentions(&arc.argument, &arc.symbol));
         for logarithm in &mut self.domain.logarithms {
             logarithm.argument = put(&logarithm.argument)?;
         }

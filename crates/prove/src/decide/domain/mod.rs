@@ -4,6 +4,7 @@ pub mod branch;
 
 use crate::decide::interval::{Bound, Interval, Part};
 use crate::decide::logarithm::Logarithm;
+use crate::decide::open_arc::OpenArc;
 use crate::decide::order::order;
 use crate::decide::root::Root;
 use std::cmp::Ordering;
@@ -88,6 +89,8 @@ pub struct Domain<'a> {
     pub roots: Vec<Root>,
     /// The logarithms that have no value in other symbols, those first of which others are made.
     pub logarithms: Vec<Logarithm>,
+    /// The arcs that have no value in other symbols, those first of which others are made.
+    pub arcs: Vec<OpenArc>,
     /// The roots that were found to be positive, in this order, each with its radicand as it was then.
     pub positive_roots: Vec<(Symbol, Polynomial)>,
     /// The part of the domain that is looked at, see [`Domain::parts`].
@@ -108,6 +111,7 @@ impl<'a> Domain<'a> {
             defined: vec![],
             roots: vec![],
             logarithms: vec![],
+            arcs: vec![],
             positive_roots: vec![],
             part: vec![],
         }
@@ -126,6 +130,7 @@ impl<'a> Domain<'a> {
             defined: self.defined.clone(),
             roots: self.roots.clone(),
             logarithms: self.logarithms.clone(),
+            arcs: self.arcs.clone(),
             positive_roots: self.positive_roots.clone(),
             part: self.part.clone(),
         }
@@ -230,9 +235,11 @@ impl Domain<'_> {
             Symbol::Sin(name, angle) => self.range_of_turn(name, *angle, true),
             Symbol::Cos(name, angle) => self.range_of_turn(name, *angle, false),
             Symbol::Exp(exponent) => self.range_of_power(exponent),
-            Symbol::Indexed(..) | Symbol::Root(_) | Symbol::Log(_) | Symbol::Pi => {
-                Interval::default()
-            }
+            Symbol::Indexed(..)
+            | Symbol::Root(_)
+            | Symbol::Log(_)
+            | Symbol::Arc(..)
+            | Symbol::Pi => Interval::default(),
         }
     }
 

@@ -31,6 +31,10 @@ impl Rounded {
                     Symbol::Pi => coefficient *= std::f64::consts::PI.powi(exponent),
                     Symbol::Root(n) => coefficient *= f64::from(*n).sqrt().powi(exponent),
                     Symbol::Log(n) => coefficient *= libm::log(f64::from(*n)).powi(exponent),
+                    Symbol::Arc(above, below) => {
+                        let tangent = f64::from(*above) / f64::from(*below);
+                        coefficient *= libm::atan(tangent).powi(exponent);
+                    }
                     Symbol::Exp(e) if symbol.is_number() => {
                         coefficient *= libm::exp(f64::from(e.parts()).recip()).powi(exponent);
                     }

@@ -51,7 +51,7 @@ pub(super) fn squares(value: &Polynomial, domain: &Domain<'_>) -> Option<Certifi
             // Numbers would have to be enclosed, and exponentials are not independent.
             if matches!(
                 symbol,
-                Symbol::Pi | Symbol::Root(_) | Symbol::Log(_) | Symbol::Exp(_)
+                Symbol::Pi | Symbol::Root(_) | Symbol::Log(_) | Symbol::Arc(..) | Symbol::Exp(_)
             ) {
                 return None;
             }
