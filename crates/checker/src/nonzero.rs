@@ -50,7 +50,21 @@ impl Domain<'_> {
             return Ok(true);
         }
         self.meet_divisors_of_statement(groups)?;
-        is_product()
+        match is_product()? {
+            false if self.mentions_arc(polynomial) => {
+                Err(Unsupported::Construct("the order of arcs"))
+            }
+            found => Ok(found),
+        }
+    }
+
+    /// Whether an arc, or a function of one, occurs in a polynomial: of those the prover knows more.
+    fn mentions_arc(&self, polynomial: &Polynomial) -> bool {
+        let is_arc = |own: &Symbol| {
+            let name = own.variable();
+            name.is_some_and(|name| self.claim.arcs().any(|arc| **arc.name == *name))
+        };
+        polynomial.symbols().any(is_arc)
     }
 
     /// Records what the terms of the statement divide by: it asserts nothing where one of them is undefined.

@@ -340,7 +340,7 @@ impl KnownAngle {
         }
         match sign::sign(&self.pair.0, domain).or_else(|| stated_sign(&self.pair.0, domain)) {
             Some(Sign::Positive) => true,
-            Some(Sign::Nonnegative) => closed,
+            Some(Sign::Nonnegative) => closed || domain.assumes_nonzero(&self.pair.0),
             _ => false,
         }
     }

@@ -172,22 +172,6 @@ pub fn derivative(scene: &Scene, term: &Part, by: &str) -> Option<Part> {
                 Function::Cosine => Term::minus(&applied(Function::Sine)),
                 Function::Exponential => Arc::clone(term),
                 Function::Logarithm => Term::binary(Operation::Divide, &Term::int(1), a),
-                Function::ArcTangent => {
-                    let square = times(a, a);
-                    let below = Term::binary(Operation::Add, &Term::int(1), &square);
-                    Term::binary(Operation::Divide, &Term::int(1), &below)
-                }
-                Function::ArcSine | Function::ArcCosine => {
-                    let square = times(a, a);
-                    let rest = Term::binary(Operation::Subtract, &Term::int(1), &square);
-                    let sign = if *function == Function::ArcSine {
-                        1
-                    } else {
-                        -1
-                    };
-                    let root = Arc::new(Term::Apply(Function::Root, rest));
-                    Term::binary(Operation::Divide, &Term::int(sign), &root)
-                }
                 Function::Root => {
                     let below = times(&Term::int(2), term);
                     Term::binary(Operation::Divide, &Term::int(1), &below)

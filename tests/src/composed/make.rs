@@ -17,8 +17,6 @@ pub enum Feature {
     Exponential,
     /// Logarithms.
     Logarithm,
-    /// Arc tangents, arc sines and arc cosines.
-    Arc,
     /// Roots and absolute values.
     Root,
     /// The smaller and the greater one of two numbers.
@@ -45,12 +43,11 @@ pub enum Feature {
 
 impl Feature {
     /// All of them.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 15] = [
         Self::Quotient,
         Self::Angle,
         Self::Exponential,
         Self::Logarithm,
-        Self::Arc,
         Self::Root,
         Self::Extremum,
         Self::Smooth,
@@ -72,7 +69,6 @@ impl Feature {
             Self::Angle => "angle",
             Self::Exponential => "exponential",
             Self::Logarithm => "logarithm",
-            Self::Arc => "arc",
             Self::Root => "root",
             Self::Extremum => "extremum",
             Self::Smooth => "smooth",
@@ -311,22 +307,6 @@ impl<'a> Maker<'a> {
                     _ => Term::binary(Operation::Multiply, &self.symbol(), &self.symbol()),
                 };
                 Arc::new(Term::Apply(Function::Logarithm, inner))
-            }
-            Feature::Arc => {
-                let function = self.stream.pick(&[
-                    Function::ArcTangent,
-                    Function::ArcTangent,
-                    Function::ArcSine,
-                    Function::ArcCosine,
-                ]);
-                let inner = match self.stream.below(6) {
-                    0 | 1 => self.symbol(),
-                    2 => Term::binary(Operation::Divide, &Term::int(1), &self.symbol()),
-                    3 => Arc::new(Term::Apply(Function::Sine, self.linear())),
-                    4 => Term::binary(Operation::Multiply, &self.symbol(), &self.symbol()),
-                    _ => self.term(depth - 1),
-                };
-                Arc::new(Term::Apply(function, inner))
             }
             Feature::Root => {
                 let inner = match self.stream.below(4) {

@@ -76,9 +76,6 @@ fn term(expr: &Expr) -> Option<Part> {
                 "cos" => Function::Cosine,
                 "exp" => Function::Exponential,
                 "log" => Function::Logarithm,
-                "atan" => Function::ArcTangent,
-                "asin" => Function::ArcSine,
-                "acos" => Function::ArcCosine,
                 "sqrt" => Function::Root,
                 "abs" => Function::Size,
                 smooth => {

@@ -209,29 +209,6 @@ fn applied(function: Function, a: &Part) -> Option<Part> {
         }
         (Function::Exponential, Term::Apply(Function::Logarithm, b))
         | (Function::Logarithm, Term::Apply(Function::Exponential, b)) => Some(Arc::clone(b)),
-        (Function::Sine, Term::Apply(Function::ArcSine, b))
-        | (Function::Cosine, Term::Apply(Function::ArcCosine, b)) => Some(Arc::clone(b)),
-        (Function::Sine, Term::Apply(Function::ArcTangent, b)) => {
-            let square = Term::binary(Multiply, b, b);
-            let length = apply(Function::Root, &Term::binary(Add, &Term::int(1), &square));
-            Some(Term::binary(Divide, b, &length))
-        }
-        (Function::Cosine, Term::Apply(Function::ArcSine, b))
-        | (Function::Sine, Term::Apply(Function::ArcCosine, b)) => {
-            let square = Term::binary(Multiply, b, b);
-            Some(apply(
-                Function::Root,
-                &Term::binary(Subtract, &Term::int(1), &square),
-            ))
-        }
-        (Function::ArcTangent | Function::ArcSine, _) => {
-            Some(Term::minus(&apply(function, &Term::minus(a))))
-        }
-        (Function::ArcCosine, _) => {
-            let quarter = apply(Function::ArcSine, &Term::int(1));
-            let sine = apply(Function::ArcSine, a);
-            Some(Term::binary(Subtract, &quarter, &sine))
-        }
         (Function::Logarithm, Term::Binary(sign @ (Multiply | Divide), b, c)) => {
             let [b, c] = [b, c].map(|part| apply(function, part));
             let sign = if *sign == Multiply { Add } else { Subtract };

@@ -46,8 +46,6 @@ fn slip(stream: &mut Stream, term: &Part) -> Option<Part> {
             let other = match function {
                 Function::Sine | Function::Exponential => Function::Cosine,
                 Function::Logarithm => Function::Size,
-                Function::ArcTangent | Function::ArcCosine => Function::ArcSine,
-                Function::ArcSine => Function::ArcCosine,
                 Function::Cosine => Function::Sine,
                 Function::Root => Function::Size,
                 Function::Size => return Some(Arc::clone(a)),

@@ -17,12 +17,6 @@ pub enum Function {
     Exponential,
     /// `log`
     Logarithm,
-    /// `atan`
-    ArcTangent,
-    /// `asin`
-    ArcSine,
-    /// `acos`
-    ArcCosine,
     /// `sqrt`
     Root,
     /// `abs`
@@ -247,9 +241,6 @@ impl Term {
                     Function::Cosine => "cos",
                     Function::Exponential => "exp",
                     Function::Logarithm => "log",
-                    Function::ArcTangent => "atan",
-                    Function::ArcSine => "asin",
-                    Function::ArcCosine => "acos",
                     Function::Root => "sqrt",
                     Function::Size => "abs",
                 };

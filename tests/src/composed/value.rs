@@ -367,32 +367,6 @@ fn applied(function: Function, a: &Jet) -> Option<Jet> {
             let falling = (1..k).map(|j| -(j as f64)).product::<f64>();
             Some(falling / x.powi(i32::try_from(k).ok()?))
         }
-        // (k-1)! cos(w)^k sin(k (w + pi/2)) at w = atan(x)
-        Function::ArcTangent if k == 0 => Some(x.atan()),
-        Function::ArcTangent => {
-            let arc = x.atan();
-            let factorial = (1..k).map(|j| j as f64).product::<f64>();
-            let turned = k as f64 * (arc + std::f64::consts::FRAC_PI_2);
-            Some(factorial * arc.cos().powi(i32::try_from(k).ok()?) * turned.sin())
-        }
-        Function::ArcSine | Function::ArcCosine => {
-            let rest = 1.0 - x * x;
-            let near = if k == 0 { rest < 0.0 } else { rest < 1e-6 };
-            let rate = match k {
-                _ if near => return None,
-                0 if function == Function::ArcSine => return Some(x.asin()),
-                0 => return Some(x.acos()),
-                1 => rest.powf(-0.5),
-                2 => x * rest.powf(-1.5),
-                3 => (1.0 + 2.0 * x * x) * rest.powf(-2.5),
-                _ => return None,
-            };
-            Some(if function == Function::ArcSine {
-                rate
-            } else {
-                -rate
-            })
-        }
         Function::Root => {
             let falling = (0..k).map(|j| 0.5 - j as f64).product::<f64>();
             let fits = x > 1e-6 || k == 0 && x >= 0.0;

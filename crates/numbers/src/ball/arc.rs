@@ -136,3 +136,31 @@ fn arcsine(x: &Ball, bits: usize) -> Result<Ball, ExactError> {
         .scaled(&Rational::from_integer(2.into()))
         .rescaled(bits))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rational::ratio;
+
+    #[test]
+    fn enclosures_of_few_digits_are_tight_and_contain_those_of_many() {
+        for bits in [1, 8, 30, 64, 65, 128, 320] {
+            for n in -40..=40_i64 {
+                // Dyadic numbers are exact.
+                let x = ratio(n, 1 << (n.unsigned_abs() % 4)).unwrap();
+                let (few, many) = (Ball::from_rational(&x, bits), Ball::from_rational(&x, 600));
+                if few.lo != few.hi {
+                    continue;
+                }
+                let unit = Rational::new(2.into(), Integer::ONE << bits);
+                let (arc, fine) = (few.atan().unwrap(), many.atan().unwrap());
+                assert!(arc.width() <= unit, "atan({x}) with {bits} bits");
+                assert!(arc.lower() <= fine.lower() && fine.upper() <= arc.upper());
+                if let (Ok(arc), Ok(fine)) = (few.asin(), many.asin()) {
+                    assert!(arc.width() <= unit, "asin({x}) with {bits} bits");
+                    assert!(arc.lower() <= fine.lower() && fine.upper() <= arc.upper());
+                }
+            }
+        }
+    }
+}
