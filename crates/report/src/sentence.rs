@@ -412,50 +412,49 @@ fn fails_at(witness: &Witness, place: &str) -> String {
 
 fn shown_value(exact: &str, decimals: &str) -> String {
     match exact.chars().count() <= MAX_EXACT_VALUE_LENGTH || decimals.is_empty() {
-        true => format!("`{}`", as_one_fraction(exact)),
+        true => {
+            let fraction = as_one_fraction(exact);
+            format!("`{}`", fraction.as_deref().unwrap_or(exact))
+        }
         false => decimal(decimals),
     }
 }
 
-/// A rational multiple of a sum as papers write it, `(2 - sqrt(2))/8` for `-1/8*(sqrt(2) - 2)`; any other value as it is.
-fn as_one_fraction(value: &str) -> String {
-    let of_a_difference = || {
-        let (factor, sum) = value.split_once("*(")?;
-        let sum = sum.strip_suffix(')')?;
-        let (sign, factor) = match factor.strip_prefix('-') {
-            Some(factor) => (true, factor),
-            None => (false, factor),
-        };
-        let (above, below) = factor.split_once('/')?;
-        let is_number = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
-        if !is_number(above) || !is_number(below) {
-            return None;
-        }
-        let depths = sum.chars().scan(0_i32, |depth, c| {
+/// A rational multiple of a sum as papers write it, `(2 - sqrt(2))/8` for `-1/8*(sqrt(2) - 2)`; none of any other value.
+fn as_one_fraction(value: &str) -> Option<String> {
+    let (factor, sum) = value.split_once("*(")?;
+    let sum = sum.strip_suffix(')')?;
+    let positive = factor.strip_prefix('-').unwrap_or(factor);
+    let (above, below) = positive.split_once('/')?;
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
+    let is_balanced = |text: &str| {
+        let mut depths = text.chars().scan(0_i32, |depth, c| {
             *depth += i32::from(c == '(') - i32::from(c == ')');
             Some(*depth)
         });
-        if depths.clone().any(|depth| depth < 0) {
-            return None;
-        }
-        let sum = match sign {
-            false => sum.to_owned(),
-            true => {
-                let (left, right) = sum.split_once(" - ")?;
-                let several = |text: &str| text.contains(" + ") || text.contains(" - ");
-                let balanced = left.matches('(').count() == left.matches(')').count();
-                if several(left) || several(right) || !balanced {
-                    return None;
-                }
-                format!("{right} - {left}")
-            }
-        };
-        Some(match above {
-            "1" => format!("({sum})/{below}"),
-            above => format!("{above}*({sum})/{below}"),
-        })
+        depths.all(|depth| depth >= 0) && text.matches('(').count() == text.matches(')').count()
     };
-    of_a_difference().unwrap_or_else(|| value.to_owned())
+    if !is_number(above) || !is_number(below) || !is_balanced(sum) {
+        return None;
+    }
+    let sum = match positive == factor {
+        true => sum.to_owned(),
+        false => {
+            let (left, right) = sum.split_once(" - ")?;
+            let is_one_term = |text: &str| {
+                let parts = text.contains(" + ") || text.contains(" - ");
+                !parts && !text.starts_with('-') && is_balanced(text)
+            };
+            if !is_one_term(left) || !is_one_term(right) {
+                return None;
+            }
+            format!("{right} - {left}")
+        }
+    };
+    Some(match above {
+        "1" => format!("({sum})/{below}"),
+        above => format!("{above}*({sum})/{below}"),
+    })
 }
 
 /// Joins the conditions, unless there are none or they are long.
@@ -469,4 +468,23 @@ fn conjunction(formulas: &[Formula]) -> Option<String> {
 
 fn short(list: String) -> Option<String> {
     (list.chars().count() <= MAX_LIST_LENGTH).then_some(list)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::as_one_fraction;
+
+    #[test]
+    fn a_multiple_of_a_sum_is_one_fraction_and_a_minus_before_it_turns_the_difference() {
+        let cases = [
+            ("-1/8*(sqrt(2) - 2)", Some("(2 - sqrt(2))/8")),
+            ("4/3*(sqrt(2) - 1)", Some("4*(sqrt(2) - 1)/3")),
+            ("-1/8*(sqrt(2) - 2 + pi)", None),
+            ("1/2*(pi)*(sqrt(2))", None),
+            ("3/8 - 1/4*sqrt(2)", None),
+        ];
+        for (value, written) in cases {
+            assert_eq!(as_one_fraction(value).as_deref(), written, "{value}");
+        }
+    }
 }
