@@ -89,13 +89,21 @@ impl Surd {
         })
     }
 
-    /// The product of two; `None` if their radicands differ.
+    /// The product of two; `None` if their radicands differ and it is no multiple of one root.
     pub(crate) fn times(&self, other: &Self) -> Option<Exact> {
         let (a, b) = (&self.rational, &self.multiple);
         let (c, d) = (&other.rational, &other.multiple);
-        (self.radicand == other.radicand).then(|| {
+        if self.radicand == other.radicand {
             let rational = a * c + b * d * self.square();
-            Self::simplified(rational, a * d + b * c, &self.radicand)
+            return Some(Self::simplified(rational, a * d + b * c, &self.radicand));
+        }
+        if !a.is_zero() || !c.is_zero() {
+            return None;
+        }
+        let (radicand, multiple) = (&self.radicand * &other.radicand, b * d);
+        Some(match Exact::root(&Rational::from_integer(radicand))? {
+            Exact::Rational(root) => Exact::Rational(root * multiple),
+            Exact::Surd(root) => root.times_rational(&multiple),
         })
     }
 
@@ -169,6 +177,10 @@ mod tests {
         assert_eq!(half.to_string(), "1/2*sqrt(2)");
         assert!(matches!(two.times(&eight), Some(Exact::Rational(q)) if q == integer(4)));
         assert!(two.plus(&root(3, 1)).is_none());
+        let six = two.times(&root(3, 1)).and_then(Exact::surd).unwrap();
+        assert_eq!(six.to_string(), "sqrt(6)");
+        let twelve = root(6, 1).times(&two).and_then(Exact::surd).unwrap();
+        assert_eq!(twelve.to_string(), "2*sqrt(3)");
         assert!(matches!(Exact::root(&integer(9)), Some(Exact::Rational(q)) if q == integer(3)));
         assert!(Exact::root(&integer(-2)).is_none());
     }

@@ -350,3 +350,19 @@ fn a_root_that_is_not_zero_has_a_radicand_that_is_not() {
     );
     assert_eq!(conditions(&found), ["a != 0"]);
 }
+
+#[test]
+fn only_if_is_said_of_a_condition_without_which_no_point_satisfies_the_statement() {
+    let necessary = |name: &str, lines: &str| {
+        let found = expect(name, lines, Conditional);
+        let net = found.net().unwrap();
+        assert!(!net.conditions.is_empty(), "{found:#?}");
+        net.conditions.iter().all(|own| own.seen_necessary())
+    };
+    assert!(necessary("divisor", "states = 'a/y == a*(1/y)'"));
+    // Where y is zero and b is not, a is zero all the same.
+    let either = "assume = ['a*y == 0', 'a*b == 0']\nstates = 'a == 0'";
+    assert!(!necessary("either", either));
+    let vector = "assume = ['a*[y, b] == [0, 0]']\nstates = 'a == 0'";
+    assert!(!necessary("vector", vector));
+}
