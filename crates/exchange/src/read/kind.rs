@@ -89,8 +89,20 @@ impl FileKind {
         if !matches!(kind, Self::Text | Self::Binary) {
             return kind;
         }
+        Self::of_ending(name).unwrap_or(kind)
+    }
+
+    /// What the ending of a name says; nothing where it is none of a file that is read.
+    ///
+    /// ```
+    /// use torse_exchange::FileKind;
+    /// assert_eq!(FileKind::of_ending("hull.IGS"), Some(FileKind::Iges));
+    /// assert_eq!(FileKind::of_ending("hull.toml"), None);
+    /// ```
+    #[must_use]
+    pub fn of_ending(name: &str) -> Option<Self> {
         let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
-        match ending.to_ascii_lowercase().as_str() {
+        Some(match ending.to_ascii_lowercase().as_str() {
             "step" | "stp" => Self::Step,
             "iges" | "igs" => Self::Iges,
             "dxf" => Self::Dxf,
@@ -98,8 +110,8 @@ impl FileKind {
             "csv" => Self::Csv,
             "obj" => Self::Obj,
             "stl" => Self::Stl,
-            _ => kind,
-        }
+            _ => return None,
+        })
     }
 
     /// Whether [`read`](super::read) reads it.
@@ -221,7 +233,11 @@ fn of_text(text: &str) -> FileKind {
             _ => FileKind::Other("an XML file"),
         };
     }
-    if start.starts_with("solid") && text.contains("facet") {
+    let begins = |word: &str| {
+        let first = start.get(..word.len());
+        first.is_some_and(|first| first.eq_ignore_ascii_case(word))
+    };
+    if begins("solid") && text.to_ascii_lowercase().contains("facet") {
         return FileKind::Stl;
     }
     if is_obj(text) {

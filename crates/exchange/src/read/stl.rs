@@ -16,7 +16,7 @@ pub(super) fn read(name: &str, bytes: &[u8], given: Option<&LengthUnit>) -> Read
     let count = whole.map_or(0, |b| u64::from(u32::from_le_bytes(b)));
     if u64::try_from(bytes.len()) == Ok(84 + 50 * count) {
         binary(bytes.get(84..).unwrap_or_default(), &mut corners)?;
-    } else if bytes.contains(&0) || !bytes.trim_ascii_start().starts_with(b"solid") {
+    } else if bytes.contains(&0) || !begins_as_text(bytes) {
         let reason = format!(
             "a binary STL of {count} facets has {} bytes, and this file {}: it ends in the middle, or is none",
             84 + 50 * count,
@@ -39,6 +39,13 @@ pub(super) fn read(name: &str, bytes: &[u8], given: Option<&LengthUnit>) -> Read
         drafts.mesh(name, place, mesh);
     }
     drafts.finish(FileKind::Stl, None, PassedOver::default())
+}
+
+/// Returns whether it begins with the word of an STL in text, in letters of either size.
+fn begins_as_text(bytes: &[u8]) -> bool {
+    let word = b"solid";
+    let first = bytes.trim_ascii_start().get(..word.len());
+    first.is_some_and(|first| first.eq_ignore_ascii_case(word))
 }
 
 /// Vertices, each once, and triangles.
@@ -101,7 +108,9 @@ fn ascii(text: &str, corners: &mut Corners) -> ReadResult<()> {
     let mut ended = false;
     for (line, content) in (1..).zip(text.lines()) {
         let mut words = content.split_whitespace();
-        match words.next().unwrap_or_default() {
+        // Some programs write the words in capitals.
+        let word = words.next().unwrap_or_default().to_ascii_lowercase();
+        match word.as_str() {
             "vertex" => {
                 let mut corner = [0.0; 3];
                 for slot in &mut corner {

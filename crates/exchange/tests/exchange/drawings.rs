@@ -150,6 +150,74 @@ fn groups_of_an_svg_may_be_moved_turned_and_scaled_and_paths_have_parts() {
     assert_eq!(line, [[45.0, -5.0], [35.0, -5.0]]);
 }
 
+/// The text of a drawing whose entities of a kind are drawn across this direction.
+fn drawn_across(drawing: &Drawing, kind: &str, direction: [&str; 3]) -> String {
+    let [x, y, z] = direction;
+    let text = dxf(drawing).unwrap();
+    let across = format!("\n{kind}\n210\n{x}\n220\n{y}\n230\n{z}\n");
+    let drawn = text.replace(&format!("\n{kind}\n"), &across);
+    assert_ne!(drawn, text);
+    drawn
+}
+
+#[test]
+fn a_pattern_that_is_mirrored_by_its_extrusion_is_read_as_it_is_seen() {
+    let mut drawing = Drawing::default();
+    let outline = [
+        vertex(0.0, 0.0, 0.25),
+        vertex(40.0, 0.0, 0.0),
+        vertex(30.0, 20.0, 0.0),
+    ];
+    drawing.path(Layer::Outline, &outline, true).unwrap();
+    drawing
+        .text(Text {
+            layer: Layer::Marks,
+            at: [5.0, 6.0],
+            height: 2.0,
+            angle: 0.25,
+            content: "front".to_owned(),
+        })
+        .unwrap();
+    let mirrored = drawn_across(&drawing, "LWPOLYLINE", ["0", "0", "-1"]);
+    let read = Drawing::from_dxf(&mirrored).unwrap();
+    let found: Vec<_> = read.paths()[0]
+        .vertices()
+        .iter()
+        .map(|v| (v.point, v.bulge))
+        .collect();
+    assert_eq!(
+        found,
+        [
+            ([0.0, 0.0], -0.25),
+            ([-40.0, 0.0], 0.0),
+            ([-30.0, 20.0], 0.0)
+        ]
+    );
+    // The reader of drawings of other programs, which has the axes of all directions, agrees.
+    let other = torse_exchange::read("x.dxf", mirrored.as_bytes(), None).unwrap();
+    let rails = other.curves[0].shape.rail().unwrap().rails().unwrap();
+    for ([x, y], _) in &found {
+        let near = rails.iter().map(|rail| {
+            let found = rail.nearest([*x, *y, 0.0], 1e-9).unwrap();
+            found.distance
+        });
+        assert!(near.fold(f64::INFINITY, f64::min) < 1e-9, "{x} {y}");
+    }
+    let turned = drawn_across(&drawing, "TEXT", ["0", "0", "-2"]);
+    let read = Drawing::from_dxf(&turned).unwrap();
+    let text = &read.texts()[0];
+    assert_eq!(text.at, [-5.0, 6.0]);
+    assert!((text.angle - (std::f64::consts::PI - 0.25)).abs() < 1e-12);
+    // Across another direction nothing lies in the plane of the pattern.
+    for direction in [["1", "0", "0"], ["0", "0", "0"], ["0", "0.1", "1"]] {
+        let tilted = drawn_across(&drawing, "LWPOLYLINE", direction);
+        assert!(matches!(
+            Drawing::from_dxf(&tilted),
+            Err(ExchangeError::Unreadable { what, .. }) if what.contains("plane of x and y")
+        ));
+    }
+}
+
 fn number() -> impl Strategy<Value = f64> {
     prop_oneof![-1e3..1e3_f64, -1e-9..1e-9_f64, Just(0.0)]
 }

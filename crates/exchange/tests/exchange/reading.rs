@@ -416,6 +416,105 @@ fn dxf_blocks_are_placed_scaled_and_turned() {
 }
 
 #[test]
+fn what_is_on_the_layer_zero_of_a_block_is_on_the_layer_of_its_insertion_and_hidden_layers_are_passed_over()
+ {
+    let line = |layer: &str| format!("0\nLINE\n8\n{layer}\n10\n0\n20\n0\n11\n3\n21\n0\n");
+    let insert =
+        |block: &str, layer: &str| format!("0\nINSERT\n8\n{layer}\n2\n{block}\n10\n0\n20\n0\n");
+    let block =
+        |name: &str, body: &str| format!("0\nBLOCK\n2\n{name}\n10\n0\n20\n0\n{body}0\nENDBLK\n");
+    let inner = block("inner", &(line("0") + &line("own")));
+    let outer = block("outer", &insert("inner", "0"));
+    let state = |name: &str, flags: i32, colour: i32| {
+        format!("0\nLAYER\n2\n{name}\n70\n{flags}\n62\n{colour}\n")
+    };
+    let layers = |found: &Imported| -> Vec<String> {
+        found.curves.iter().map(|c| c.layer.clone()).collect()
+    };
+    let with = |table: &str, entities: &str| {
+        let table =
+            format!("0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n{table}0\nENDTAB\n0\nENDSEC\n");
+        text(
+            "t.dxf",
+            &(table + &dxf("", &(inner.clone() + &outer), entities)),
+        )
+    };
+    let shown = [state("A", 0, 7), state("B", 4, 1)].concat();
+    let entities = insert("inner", "A") + &insert("outer", "B") + &line("0");
+    let found = with(&shown, &entities).unwrap();
+    assert_eq!(layers(&found), ["A", "own", "B", "own", "0"]);
+    assert!(found.passed_over.is_empty());
+    // Of a block on a layer that is off, what has a layer of its own is shown; on a frozen one, nothing.
+    let found = with(&[state("A", 0, -7), state("B", 1, 7)].concat(), &entities).unwrap();
+    assert_eq!(layers(&found), ["own", "0"]);
+    assert_eq!(
+        found.passed_over,
+        [
+            ("entity on the layer `A`, which is off".to_owned(), 1),
+            ("entity on the layer `B`, which is frozen".to_owned(), 1)
+        ]
+    );
+}
+
+#[test]
+fn faces_and_shells_of_iges_that_belong_to_nothing_are_told_to_be_passed_over() {
+    let dependent = |kinds: &[u32]| {
+        let entities: Vec<(u32, u32, &str)> =
+            kinds.iter().map(|kind| (*kind, 0, "3,1,0")).collect();
+        let file = iges("2,2HMM", &entities).replace("00000000D", "00010000D");
+        text("t.igs", &file).unwrap_err().to_string()
+    };
+    let face = dependent(&[510, 508]);
+    assert!(
+        face.contains("passed over: 1 face of a B-rep (type 510)"),
+        "{face}"
+    );
+    let shell = dependent(&[510, 514]);
+    assert!(
+        shell.contains("passed over: 1 shell of faces of a B-rep (type 514)"),
+        "{shell}"
+    );
+    assert!(!shell.contains("type 510"), "{shell}");
+}
+
+#[test]
+fn a_text_stl_in_capitals_is_read() {
+    let capitals = "SOLID X\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\nENDSOLID X\n";
+    for name in ["t.stl", "t"] {
+        let found = text(name, capitals).unwrap();
+        assert_eq!(
+            (found.kind, found.meshes.len()),
+            (FileKind::Stl, 1),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn a_drawing_that_says_how_it_fits_its_size_has_the_scale_of_its_viewers() {
+    let end = |ratio: &str| {
+        let drawing = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="10cm" height="5cm" viewBox="0 0 100 100"{ratio}><path d="M0 0L30 40"/></svg>"#
+        );
+        text("t.svg", &drawing).map(|found| ends_of(&found)[0][1])
+    };
+    assert_eq!(
+        end(r#" preserveAspectRatio="xMidYMid meet""#).unwrap(),
+        [15.0, -20.0, 0.0]
+    );
+    assert_eq!(
+        end(r#" preserveAspectRatio="xMidYMid slice""#).unwrap(),
+        [30.0, -40.0, 0.0]
+    );
+    assert_eq!(
+        end(r#" preserveAspectRatio="none""#).unwrap(),
+        [30.0, -20.0, 0.0]
+    );
+    let unsaid = end("").unwrap_err().to_string();
+    assert!(unsaid.contains("`preserveAspectRatio`"), "{unsaid}");
+}
+
+#[test]
 fn dxf_arcs_ellipses_and_bulges_have_their_lengths() {
     use std::f64::consts::PI;
     let cases = [

@@ -6,15 +6,18 @@ use crate::drawing::{BendLine, Drawing, Layer, Text, Vertex};
 use crate::error::{ExchangeError, Result};
 use crate::read::dxf::unit_of;
 use torse_geometry::Coordinate;
+use torse_geometry::vector::unit;
 
 impl Drawing {
     /// The drawing in a DXF file, in the unit of its `$INSUNITS`, in millimetres where it states none: light-weight
     /// polylines, lines and texts on the layers of [`Layer`] with the bend angles that [`dxf`](crate::dxf) writes, and
-    /// the comments as notes. Entities on other layers and of other kinds are passed over.
+    /// the comments as notes. Polylines and texts that are drawn across `(0, 0, -1)`, as mirroring leaves them, are seen
+    /// from the other side. Entities on other layers and of other kinds are passed over.
     ///
     /// # Errors
-    /// [`ExchangeError::Unreadable`] with the line for text that is not pairs of group code and value or a
-    /// number that is none, and what [`Drawing::path`] and [`Drawing::text`] refuse.
+    /// [`ExchangeError::Unreadable`] with the line for text that is not pairs of group code and value, a
+    /// number that is none, or an entity that is not drawn in the plane of x and y, and what [`Drawing::path`] and
+    /// [`Drawing::text`] refuse.
     pub fn from_dxf(text: &str) -> Result<Self> {
         let mut drawing = Self::default();
         let mut entity: Option<Entity> = None;
@@ -61,6 +64,9 @@ impl Drawing {
     }
 }
 
+/// A direction that is beside the z-axis by no more, as a share of its length, is along it.
+const UPRIGHT: f64 = 1e-9;
+
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Polyline,
@@ -77,6 +83,8 @@ struct Entity {
     closed: bool,
     height: f64,
     degrees: f64,
+    /// The direction that it is drawn across.
+    extrusion: [f64; 3],
     content: String,
     /// The application whose extended data is being read, the name of the next number there, and ours.
     application: String,
@@ -102,6 +110,7 @@ impl Entity {
             closed: false,
             height: 0.0,
             degrees: 0.0,
+            extrusion: [0.0, 0.0, 1.0],
             content: String::new(),
             application: String::new(),
             name: String::new(),
@@ -139,6 +148,9 @@ impl Entity {
             }
             40 => self.height = number()?,
             50 => self.degrees = number()?,
+            210 => self.extrusion[0] = number()?,
+            220 => self.extrusion[1] = number()?,
+            230 => self.extrusion[2] = number()?,
             1 => self.content = unescaped(value),
             1001 => trimmed.clone_into(&mut self.application),
             1000 => trimmed.clone_into(&mut self.name),
@@ -153,12 +165,29 @@ impl Entity {
         Ok(())
     }
 
+    /// Returns whether it is drawn across `(0, 0, -1)`.
+    fn is_mirrored(&self) -> Result<bool> {
+        let across = unit(&self.extrusion).filter(|[x, y, _]| libm::hypot(*x, *y) <= UPRIGHT);
+        let [_, _, up] = across.ok_or(ExchangeError::Unreadable {
+            line: self.line,
+            what: "an entity that is not drawn in the plane of x and y",
+        })?;
+        Ok(up < 0.0)
+    }
+
     fn add_to(mut self, drawing: &mut Drawing, factor: f64) -> Result<()> {
         let Some(layer) = self.layer else {
             return Ok(());
         };
+        // The ends of a line are in the coordinates of the drawing, whatever its direction.
+        let mirrored = self.kind != Kind::Line && self.is_mirrored()?;
         for vertex in &mut self.vertices {
             vertex.point = vertex.point.map(|c| c * factor);
+            if mirrored {
+                // By the rule for axes of Autodesk's reference x is turned round and y is not.
+                vertex.point[0] = -vertex.point[0];
+                vertex.bulge = -vertex.bulge;
+            }
         }
         if self.kind != Kind::Text {
             let bend = self.bend.map(|angle| BendLine {
@@ -172,11 +201,16 @@ impl Entity {
             what: "a text without a place",
         };
         let at = self.vertices.first().ok_or(unplaced)?.point;
+        let angle = self.angle.unwrap_or(self.degrees.to_radians());
         drawing.text(Text {
             layer,
             at,
             height: self.height * factor,
-            angle: self.angle.unwrap_or(self.degrees.to_radians()),
+            angle: if mirrored {
+                std::f64::consts::PI - angle
+            } else {
+                angle
+            },
             content: self.content,
         })
     }

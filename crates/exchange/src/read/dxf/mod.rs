@@ -1,7 +1,8 @@
 //! DXF, as text or binary: lines, arcs, circles, ellipses, polylines with bulges, splines, and blocks that are inserted.
 //!
 //! Group codes are those of Autodesk's DXF reference. The unit is `$INSUNITS` of the header; older files have none, nor
-//! have files that say zero. Entities of the paper space are passed over.
+//! have files that say zero. Entities of the paper space, and on layers that are frozen or off, are passed over; those of
+//! blocks on the layer `0` are on the layer of what inserts the block.
 
 pub(super) mod binary;
 mod entities;
@@ -40,6 +41,7 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
     let unit = check_unit(file.unit()?, given)?;
     let mut reader = Reader {
         blocks: &file.blocks,
+        hidden: &file.hidden,
         drafts: Drafts::new(&unit),
         passed: PassedOver::default(),
         seen: 0,
@@ -54,7 +56,45 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
 struct File<'t, 'g> {
     header: &'g [Group<'t>],
     blocks: HashMap<&'t str, Block<'t, 'g>>,
+    hidden: HashMap<&'t str, HiddenLayer>,
     entities: Vec<Entity<'t, 'g>>,
+}
+
+/// Why a layer is not shown.
+#[derive(Clone, Copy, PartialEq)]
+enum HiddenLayer {
+    /// What is on it is not shown, and nothing of a block that is inserted on it.
+    Frozen,
+    /// What is on it is not shown.
+    Off,
+}
+
+impl HiddenLayer {
+    /// Returns why the layer of an entry of the table of layers is not shown; nothing where it is shown.
+    fn of(entry: &Entity<'_, '_>) -> Option<Self> {
+        let whole = |code| entry.text(code).and_then(|value| value.parse::<i64>().ok());
+        if whole(70).is_some_and(|flags| flags & 1 == 1) {
+            Some(Self::Frozen)
+        } else {
+            // The colour of a layer that is off is negative.
+            whole(62).filter(|colour| *colour < 0).map(|_| Self::Off)
+        }
+    }
+
+    /// Returns what is passed over.
+    fn words(self, layer: &str) -> String {
+        let state = match self {
+            Self::Frozen => "frozen",
+            Self::Off => "off",
+        };
+        format!("entity on the layer `{layer}`, which is {state}")
+    }
+}
+
+/// A block that is being inserted, and the layer that its entities on the layer `0` take.
+struct Inserted<'t> {
+    block: &'t str,
+    layer: &'t str,
 }
 
 /// A block: its base point is that of its first entity, the `BLOCK` itself.
@@ -85,6 +125,11 @@ impl<'t, 'g> File<'t, 'g> {
                 }
                 (_, "ENDSEC" | "EOF") => section = "",
                 ("ENTITIES", _) => file.entities.push(entity),
+                ("TABLES", "LAYER") => {
+                    if let (Some(name), Some(state)) = (entity.text(2), HiddenLayer::of(&entity)) {
+                        file.hidden.insert(name, state);
+                    }
+                }
                 ("BLOCKS", "BLOCK") => {
                     block = entity.text(2);
                     if let Some(name) = block {
@@ -148,6 +193,7 @@ pub(crate) fn unit_of(number: i64) -> Result<Option<LengthUnit>, String> {
 
 struct Reader<'t, 'g, 'f> {
     blocks: &'f HashMap<&'t str, Block<'t, 'g>>,
+    hidden: &'f HashMap<&'t str, HiddenLayer>,
     drafts: Drafts,
     passed: PassedOver,
     seen: usize,
@@ -158,7 +204,7 @@ impl<'t, 'g> Reader<'t, 'g, '_> {
         &mut self,
         list: &[Entity<'t, 'g>],
         map: &AffineMap<Rational>,
-        inside: &mut Vec<&'t str>,
+        inside: &mut Vec<Inserted<'t>>,
     ) -> ReadResult<()> {
         let mut index = 0;
         while let Some(entity) = list.get(index) {
@@ -186,13 +232,23 @@ impl<'t, 'g> Reader<'t, 'g, '_> {
                 self.passed.add("entity of the paper space");
                 continue;
             }
-            if entity.kind == "INSERT" {
-                self.insert(entity, map, inside)?;
+            let layer = match (entity.layer(), inside.last()) {
+                ("0", Some(insert)) => insert.layer,
+                (own, _) => own,
+            };
+            let hidden = self.hidden.get(layer).copied();
+            let inserts = entity.kind == "INSERT";
+            // Of a block that is inserted on a layer that is off, what has layers of its own is shown.
+            if let Some(state) = hidden.filter(|s| *s == HiddenLayer::Frozen || !inserts) {
+                self.passed.add(&state.words(layer));
+                continue;
+            }
+            if inserts {
+                self.insert(entity, layer, map, inside)?;
                 continue;
             }
             match entities::curve(entity, vertices)? {
                 Some(shape) => {
-                    let layer = entity.layer();
                     let name = if layer == "0" {
                         entity.kind.to_lowercase()
                     } else {
@@ -212,8 +268,9 @@ impl<'t, 'g> Reader<'t, 'g, '_> {
     fn insert(
         &mut self,
         entity: &Entity<'t, 'g>,
+        layer: &'t str,
         map: &AffineMap<Rational>,
-        inside: &mut Vec<&'t str>,
+        inside: &mut Vec<Inserted<'t>>,
     ) -> ReadResult<()> {
         let place = entity.place();
         let name = entity
@@ -224,7 +281,7 @@ impl<'t, 'g> Reader<'t, 'g, '_> {
             let name: String = name.chars().take(60).collect();
             return Err(at(&place, format!("there is no block `{name}`")));
         };
-        if inside.contains(&name) {
+        if inside.iter().any(|insert| insert.block == name) {
             let name: String = name.chars().take(60).collect();
             return Err(at(
                 &place,
@@ -250,7 +307,7 @@ impl<'t, 'g> Reader<'t, 'g, '_> {
             Ok(count)
         };
         let (columns, rows) = (count(70)?, count(71)?);
-        inside.push(name);
+        inside.push(Inserted { block: name, layer });
         for row in 0..rows {
             for column in 0..columns {
                 self.seen += 1;

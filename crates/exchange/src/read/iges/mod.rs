@@ -50,8 +50,21 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
     };
     let mut drafts = Drafts::new(&unit);
     let mut passed = PassedOver::default();
+    let has = |kind: i64| {
+        file.entities
+            .iter()
+            .any(|entity| entity.kind == kind && !entity.hidden)
+    };
+    // Programs say of faces and shells of B-reps that they belong to others also where there is none.
+    let (lone_faces, lone_shells) = (!has(514), !has(186));
     for entity in &file.entities {
-        if entity.hidden || entity.dependent {
+        if entity.hidden {
+            continue;
+        }
+        if entity.dependent {
+            if (entity.kind == 510 && lone_faces) || (entity.kind == 514 && lone_shells) {
+                passed.add_at(&kind_words(entity.kind), &entity.place());
+            }
             continue;
         }
         let name = match entity.label {
@@ -101,7 +114,9 @@ fn kind_words(kind: i64) -> String {
         190 | 192 | 194 | 196 | 198 => "analytic surface of a B-rep",
         202..=230 => "annotation",
         308 | 408 => "subfigure",
-        502 | 504 | 508 | 510 | 514 => "part of a B-rep",
+        502 | 504 | 508 => "part of a B-rep",
+        510 => "face of a B-rep",
+        514 => "shell of faces of a B-rep",
         _ => return format!("entity of type {kind}"),
     };
     format!("{name} (type {kind})")

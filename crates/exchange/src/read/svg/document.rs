@@ -221,17 +221,21 @@ fn outermost(root: Node<'_, '_>, place: &FilePlace, unit: &Rational) -> ReadResu
         Some([_, _, w, h]) => match sizes {
             [Some(width), Some(height)] => {
                 let both = [width / w, height / h];
-                if root
-                    .attribute("preserveAspectRatio")
-                    .is_some_and(|p| p.trim().starts_with("none"))
-                {
+                let ratio = root.attribute("preserveAspectRatio").unwrap_or_default();
+                let says = |word: &str| ratio.split_whitespace().any(|part| part == word);
+                if says("none") {
                     both
+                } else if says("slice") {
+                    [both[0].max(both[1]); 2]
+                } else if says("meet") {
+                    [both[0].min(both[1]); 2]
                 } else if (both[0] - both[1]).abs() > 1e-3 * both[0].min(both[1]) {
-                    // A viewer would shrink the drawing into the smaller side: nobody means that.
+                    // A viewer would shrink the drawing into the smaller side: nobody means that who does not say it.
                     return Err(at(
                         place,
                         format!(
-                            "width and height say {:.6} and {:.6} mm for one unit of the viewBox",
+                            "width and height say {:.6} and {:.6} mm for one unit of the viewBox, and \
+                             `preserveAspectRatio` does not say `meet`, `slice` or `none`",
                             both[0], both[1]
                         ),
                     ));
