@@ -139,6 +139,62 @@ connect = ["a", "b"]
 }
 
 #[test]
+fn curves_in_the_form_of_an_s_have_one_developable_however_they_are_drawn() {
+    let a = [
+        "[0, 0, 0]",
+        "[150, 120, 0]",
+        "[300, -120, 0]",
+        "[450, 0, 0]",
+    ];
+    let b = [
+        "[0, 20, 80]",
+        "[160, 150, 90]",
+        "[310, -70, 85]",
+        "[450, 60, 80]",
+    ];
+    let drawn = |points: [&str; 4], back: bool| {
+        let mut points = points.to_vec();
+        if back {
+            points.reverse();
+        }
+        points.join(", ")
+    };
+    for [first, second] in [[false, false], [false, true], [true, false], [true, true]] {
+        let text = format!(
+            "[curves]\na = {{ bezier = [{}] }}\nb = {{ bezier = [{}] }}\n[patches.p]\nconnect = [\"a\", \"b\"]\n",
+            drawn(a, first),
+            drawn(b, second)
+        );
+        let report = inspect(&design(&text)).unwrap();
+        assert!(
+            report.missed.is_empty(),
+            "{first} {second}: {:?}",
+            report.missed
+        );
+        let patch = &report.patches[0];
+        let area = patch.area.unwrap();
+        assert!((area - 18_165.0).abs() < 1.0, "{first} {second}: {area}");
+        let turned = "curve 2 runs against curve 1: it is passed from its end to its start; the developable the other way is \
+                      not regular";
+        let told = patch.notes.iter().any(|note| note == turned);
+        assert_eq!(told, first != second, "{:?}", patch.notes);
+        // The developables of the other direction can be asked for, behind those of this one.
+        let count = patch.notes.iter().find_map(|note| {
+            let (count, _) = note.strip_prefix("of ")?.split_once(' ')?;
+            count.parse::<usize>().ok()
+        });
+        let beyond = count.unwrap() + 1;
+        let other = inspect(&design(&format!("{text}branch = {beyond}\n"))).unwrap();
+        assert!(!other.missed.is_empty());
+        assert!(
+            other.patches[0].notes[0].contains("the other way round"),
+            "{:?}",
+            other.patches[0].notes
+        );
+    }
+}
+
+#[test]
 fn each_of_several_developables_can_be_taken() {
     let flare = |branch: &str| {
         format!(

@@ -1,15 +1,16 @@
 //! Developables between two free curves: one of several, or a whole panel.
 
+use super::direction::{DirectedSheets, directed};
 use super::raw::{MadePatches, UntrimmedSurface, trimmed};
 use crate::design::{Mark, Smoothness};
 use crate::file::pieces::{PatchIntervals, distributed, is_closed};
-use crate::file::reader::{Reader, accepted};
+use crate::file::reader::Reader;
 use crate::inspect::numbers::without_trailing_zeros;
 use std::ops::Range;
 use torse_geometry::developable::Branch;
 use torse_geometry::prelude::{
     BranchReason, ConnectedSheets, GeometryError, Panel, PanelKind, PanelPiece, Panels,
-    PiecewiseRail, Rail, Sheet,
+    PiecewiseRail, Rail,
 };
 
 /// Returns whether both curves are closed, or one of them has several pieces: then a whole panel is meant.
@@ -148,21 +149,16 @@ pub(super) fn extent(piece: &PanelPiece) -> String {
 pub(super) fn connected(
     reader: &mut Reader,
     place: &Range<usize>,
-    [first, second]: [&Rail; 2],
+    pair: [&Rail; 2],
     branch: Option<(usize, Range<usize>)>,
 ) -> Option<UntrimmedSurface> {
-    let mut notes = Vec::new();
-    let mut found = accepted(reader, place, Sheet::between(first, second))?;
-    if found.sheet.is_none() {
-        // A curve may be drawn from either of its ends.
-        let turned = accepted(reader, place, Sheet::between(first, &second.reversed()))?;
-        if turned.sheet.is_some() {
-            notes.push(
-                "curve 2 runs against curve 1: it is passed from its end to its start".to_owned(),
-            );
-            found = turned;
-        }
-    }
+    let DirectedSheets {
+        taken: found,
+        other,
+        other_is_regular,
+        turned,
+    } = directed(reader, place, pair)?;
+    let mut notes: Vec<String> = turned.into_iter().collect();
     let Some(best) = &found.sheet else {
         let twists = found.gaps.iter().map(|gap| gap.worst.twist);
         let worst = twists.fold(0.0, f64::max).to_degrees();
@@ -173,16 +169,24 @@ pub(super) fn connected(
         return None;
     };
     let count = found.branches.len();
+    let more = other.as_ref().map_or(0, |other| other.sheets.len());
     if let Some((number, place)) = branch {
-        let Some(sheet) = number
-            .checked_sub(1)
-            .and_then(|index| found.sheets.get(index))
-        else {
+        // Behind those of the direction that is taken come those of the other.
+        let beyond = other.iter().flat_map(|other| &other.sheets);
+        let mut all = found.sheets.iter().chain(beyond);
+        let Some(sheet) = number.checked_sub(1).and_then(|index| all.nth(index)) else {
             let message = format!("there is no developable {number} between the curves");
-            let help = format!("`branch` is from 1 to {count}");
+            let help = format!("`branch` is from 1 to {}", count + more);
             reader.complain(&place, message, &help);
             return None;
         };
+        if number > count {
+            notes.clear();
+            notes.push(format!(
+                "the developable {number}: one of {more} with curve 2 the other way round"
+            ));
+            return Some(UntrimmedSurface::connecting(sheet.clone(), notes));
+        }
         notes.push(format!(
             "the developable {number} of {count} that touch both curves"
         ));
@@ -197,6 +201,13 @@ pub(super) fn connected(
         ),
     });
     notes.extend(others(&found));
+    if other_is_regular {
+        let first = count + 1;
+        notes.push(format!(
+            "with curve 2 the other way round there is a regular developable too: `branch = {first}`{}",
+            if more > 1 { " and on" } else { "" }
+        ));
+    }
     if !found.gaps.is_empty() {
         notes.push(
             "`panel = 1` goes on over the rest with fans, where there is a whole panel".to_owned(),

@@ -1,6 +1,7 @@
 //! Patches.
 
 mod connect;
+mod direction;
 mod family;
 mod hermite;
 mod marks;
