@@ -1,5 +1,6 @@
 //! Where the neutral line of a bent sheet runs, and which of its surfaces a design describes.
 
+use crate::inside_radius::settled;
 use std::f64::consts::LOG10_2;
 
 /// Where the neutral line of a bend runs: its distance from the inside as a share of the thickness, the K-factor.
@@ -26,6 +27,8 @@ impl NeutralLine {
     /// let table = NeutralLine::Table(vec![[1.0, 0.35], [3.0, 0.45]]);
     /// assert_eq!(table.k_factor(2.0), Some(0.4));
     /// assert_eq!(table.k_factor(0.5), None);
+    /// // 0.6 mm over 0.2 mm is 3, and 2.9999999999999996 in f64: the first row is met.
+    /// assert!(0.6 / 0.2 < 3.0 && NeutralLine::Table(vec![[3.0, 0.35], [4.0, 0.45]]).k_factor(0.6 / 0.2) == Some(0.35));
     /// ```
     #[must_use]
     pub fn k_factor(&self, ratio: f64) -> Option<f64> {
@@ -33,6 +36,7 @@ impl NeutralLine {
             Self::Constant(k) => Some(*k),
             Self::Table(rows) => rows.windows(2).find_map(|pair| {
                 let [[r, k], [s, l]] = [pair[0], pair[1]];
+                let ratio = settled(settled(ratio, r, 1.0), s, 1.0);
                 let inside = (r..=s).contains(&ratio);
                 inside.then(|| k + (l - k) * (ratio - r) / (s - r))
             }),

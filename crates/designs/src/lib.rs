@@ -52,6 +52,7 @@ mod faces;
 mod file;
 mod fit;
 pub mod fold;
+mod inside_radius;
 pub mod inspect;
 pub mod lint;
 pub mod listing;

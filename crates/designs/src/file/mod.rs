@@ -163,6 +163,13 @@ fn beside(folder: &Path, file: &str) -> Result<Vec<u8>, String> {
 /// Refuses, in one line, what is a file of another kind: its text is no TOML that somebody mistyped.
 fn other_kind(path: &str, bytes: &[u8]) -> Result<(), DesignError> {
     match FileKind::of_file(path, bytes) {
+        // An empty design is a design; that of another program is none.
+        kind @ FileKind::Empty if FileKind::of_ending(path).is_some() => {
+            Err(DesignError::OtherKind {
+                path: path.to_owned(),
+                kind,
+            })
+        }
         // Bytes that mean nothing are refused where they are no text.
         FileKind::Text | FileKind::Empty | FileKind::Binary => Ok(()),
         kind => Err(DesignError::OtherKind {

@@ -3,6 +3,7 @@
 use super::numbers::number;
 use super::report::PatchReport;
 use crate::design::{Design, Patch};
+use crate::inside_radius::{inside_ratio, objection};
 use crate::unroll::Demand;
 use torse_geometry::Rails;
 use torse_geometry::prelude::GeometryError;
@@ -37,13 +38,10 @@ pub(super) fn tight_folds(design: &Design) -> Vec<String> {
             .iter()
             .flatten()
             .fold(f64::INFINITY, |m, r| m.min(*r));
-        let ratio = least / metal.sheet.thickness();
-        if ratio < metal.least_radius {
-            missed.push(format!(
-                "{}: the inside radius of its edges is {ratio:.4} times the thickness, {} at least",
-                chain.name, metal.least_radius
-            ));
-        }
+        // It is given as an inside radius.
+        let ratio = inside_ratio(&metal, least, 0.0, least);
+        let what = format!("{}: the inside radius of its edges", chain.name);
+        missed.extend(objection(&metal, 0.0, &what, ratio));
     }
     missed
 }
@@ -75,12 +73,9 @@ pub(super) fn judge(
             limits.clearance
         ));
     }
-    if let (Some(metal), Some(inside)) = (design.metal, report.inside_radius)
-        && inside < metal.least_radius
-    {
-        missed.push(format!(
-            "{name}: the inside radius is {inside:.4} times the thickness, {} at least",
-            metal.least_radius
-        ));
+    if let (Some(metal), Some(inside)) = (design.metal, report.inside_radius) {
+        let share = design.bending.surface.share();
+        let what = format!("{name}: the inside radius");
+        missed.extend(objection(&metal, share, &what, inside));
     }
 }

@@ -5,6 +5,7 @@ use super::ends::{EndsJudged, Judged, judged};
 use super::numbers::number;
 use super::report::{Assurance, PatchReport, ValueBounds};
 use crate::design::{Design, NamedCurve, Patch};
+use crate::inside_radius::inside_ratio;
 use crate::plane_contour::PlaneFrame;
 use torse_geometry::Rails;
 use torse_geometry::developable::{EnclosedCertificate, PatchCertificate, Singularity};
@@ -125,14 +126,14 @@ pub(super) fn measured(
     // that was judged.
     let least = checked.least_radius.map(|worst| worst.value);
     let radius = least.map(|radius| if apexes.is_empty() { radius } else { 0.0 });
-    let inside = |radius: f64| {
-        let metal = design.metal?;
-        Some(radius / metal.sheet.thickness() - design.bending.surface.share())
-    };
+    let share = design.bending.surface.share();
     let inside_radius = match (apexes.is_empty(), least, design.metal) {
-        (true, Some(radius), _) => inside(radius),
+        (true, Some(radius), Some(metal)) => {
+            let size = largest_coordinate(&patch.sheet)?;
+            Some(inside_ratio(&metal, radius, share, size))
+        }
         (false, Some(_), Some(metal)) => {
-            let reach = beyond_apex(own, metal, design.bending.surface.share())?;
+            let reach = beyond_apex(own, metal, share)?;
             notes.push(format!(
                 "the inside radius is below {} times the thickness within {} mm of the apex",
                 number(metal.least_radius),
@@ -229,11 +230,23 @@ fn beyond_apex(
         distance = distance.max((length * needed * curvature).min(length));
         least = least.min(1.0 / curvature);
     }
-    let inside = least / thickness - share;
+    let inside = least
+        .is_finite()
+        .then(|| inside_ratio(&metal, least, share, least));
     Ok(ApexReach {
         distance,
-        inside_radius: inside.is_finite().then_some(inside),
+        inside_radius: inside,
     })
+}
+
+/// Returns the largest coordinate of its first, middle and last ruling.
+fn largest_coordinate(sheet: &Sheet) -> Result<f64, GeometryError> {
+    let mut largest = 0.0_f64;
+    for u in [0.0, 0.5, 1.0] {
+        let ends = sheet.ruling(u)?;
+        largest = ends.iter().flatten().fold(largest, |m, c| m.max(c.abs()));
+    }
+    Ok(largest)
 }
 
 /// Returns the report of a patch that cannot be integrated: it is as good as singular.

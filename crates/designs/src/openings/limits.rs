@@ -61,7 +61,7 @@ impl MarkedPatch<'_> {
             let apart = libm::hypot(b[0] - a[0], b[1] - a[1]) - their_radius - radius;
             if apart <= 0.0 {
                 let overlap = -apart;
-                return Err(self.failed(format!("{name} overlaps another by {overlap:.4} mm")));
+                return Err(self.failed(format!("{name} overlaps {their_name} by {overlap:.4} mm")));
             }
             return Ok(());
         }

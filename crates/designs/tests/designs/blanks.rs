@@ -281,6 +281,25 @@ thickness = 1
 }
 
 #[test]
+fn a_sheet_whose_edges_stand_still_has_no_radii_but_its_own() {
+    let wall = |points: &str| {
+        let text = format!(
+            "[curves]\na = {{ bezier = [{points}] }}\n[patches.wall]\ncylinder = \"a\"\ndirection = [0, 0, 70]\n\
+             [sheet]\nthickness = 1\n"
+        );
+        made(&text).unwrap().remove(0)
+    };
+    // A plane.
+    let flat = wall("[0, 0, 0], [0, 0, 0], [0, 0, 0], [100, 50, 0]");
+    assert!(flat.rolled.is_empty(), "{:?}", flat.rolled);
+    // The parabola 100 y = x^2 with x = 100 u^2: 50 (1 + 4 (x/100)^2)^(3/2).
+    let parabola = wall("[0, 0, 0], [0, 0, 0], [\"100/6\", 0, 0], [50, 0, 0], [100, 100, 0]");
+    let [low, high] = parabola.rolled[0].radii;
+    assert!((50.0..50.1).contains(&low), "{low}");
+    assert!((high - 50.0 * 125.0_f64.sqrt()).abs() < 1e-6, "{high}");
+}
+
+#[test]
 fn a_whole_cone_is_rolled_to_the_radius_of_its_wide_end() {
     let cone = r#"
 [curves.rim]

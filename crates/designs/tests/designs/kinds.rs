@@ -54,6 +54,22 @@ fn a_file_of_another_kind_is_named_in_one_line() {
 }
 
 #[test]
+fn an_empty_file_of_another_program_is_told_to_be_empty() {
+    for name in ["part.step", "part.DXF", "part.igs", "part.svg"] {
+        for text in ["", " \n"] {
+            let error =
+                torse_designs::load_with_settings(name.as_ref(), text.as_bytes(), &[]).unwrap_err();
+            assert!(
+                error
+                    .to_string()
+                    .contains(&format!("{name} is an empty file")),
+                "{error}"
+            );
+        }
+    }
+}
+
+#[test]
 fn a_design_with_a_mistake_stays_a_design() {
     for text in [
         "",

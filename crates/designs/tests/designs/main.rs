@@ -15,6 +15,7 @@ mod covers;
 mod ends;
 mod faces;
 mod hostile;
+mod inside_radii;
 mod joints;
 mod kinds;
 mod lint;

@@ -3,7 +3,10 @@
 use super::strip::{Side, Taken};
 use super::{Rolled, ToolBend};
 use crate::design::{Design, Material, Patch};
+use crate::inside_radius::settled;
 use torse_geometry::pattern::{BendingSheet, FlatPattern};
+use torse_geometry::prelude::Sheet;
+use torse_geometry::vector::{norm, sub};
 
 /// What is farther from a circular cylinder, as a share of its radius, is none.
 const SAME_RADIUS: f64 = 1e-6;
@@ -68,14 +71,48 @@ impl RulingJoint {
     }
 }
 
-/// Returns the smallest and the largest radius on the rulings of a patch of the pattern; infinite where it is flat.
-pub(super) fn radii(flat: &FlatPattern, place: usize) -> [f64; 2] {
+/// A radius that is so many times as large as a patch is long is none: over the whole patch it rises by less than a millionth
+/// of its length.
+const FLAT_RADIUS: f64 = 1e6;
+
+/// Returns the smallest and the largest radius on the rulings of a patch of the pattern; infinite where it is flat. They are
+/// those of the surface: the pattern knows how its normal turns to within its tolerance only, which is no radius where the
+/// edges stand still and rulings crowd.
+pub(super) fn radii(patch: &Patch, flat: &FlatPattern, place: usize) -> [f64; 2] {
+    let near = patch.sheet.near_origin();
+    let sheet = near.as_ref().map_or(&patch.sheet, |(near, _)| near);
+    let flat_from = FLAT_RADIUS * size(sheet);
     // The ruling at a joint is one of both patches: it counts where the patch has no other.
     let own = flat.rulings().iter().filter(|ruling| ruling.piece == place);
-    let radii = own.map(|ruling| ruling.radius);
+    // At an end at which both edges stand still there is no normal and nothing to roll.
+    let bent = own.filter_map(|ruling| {
+        let ends = [0.0, 0.5, 1.0].map(|v| sheet.principal(ruling.x, v).ok());
+        let bent = ends.iter().flatten().flatten();
+        let most = bent.map(|principal| principal.curvature.abs());
+        most.reduce(f64::max)
+    });
+    let radii = bent.map(|curvature| {
+        let radius = 1.0 / curvature;
+        if radius < flat_from {
+            radius
+        } else {
+            f64::INFINITY
+        }
+    });
     radii.fold([f64::INFINITY, 0.0], |[low, high], radius| {
         [low.min(radius), high.max(radius)]
     })
+}
+
+/// Returns the largest distance between corners of a sheet.
+fn size(sheet: &Sheet) -> f64 {
+    let corners: Vec<[f64; 3]> = [0.0, 0.5, 1.0]
+        .iter()
+        .filter_map(|u| sheet.ruling(*u).ok())
+        .flatten()
+        .collect();
+    let apart = |p: &[f64; 3]| corners.iter().map(|q| norm(&sub(q, p))).fold(0.0, f64::max);
+    corners.iter().map(apart).fold(0.0, f64::max)
 }
 
 /// Rulings at which the radius of the wide end of a cone is measured.
@@ -166,7 +203,7 @@ pub(super) fn patch_bend(
     let cylinder = patch.sheet.circular_cylinder();
     let round = cylinder.filter(|found| found.off <= SAME_RADIUS * found.radius);
     let Some(cylinder) = round else {
-        let [low, high] = radii(flat, place);
+        let [low, high] = radii(patch, flat, place);
         let shown = if high.is_finite() && high - low > SAME_RADIUS * low {
             format!("its radius goes from {low:.4} to {high:.4} mm")
         } else {
@@ -199,10 +236,12 @@ pub(super) fn patch_bend(
     let metal = metal(design, name)?;
     let radius = cylinder.radius;
     let angle = width / radius;
-    let inside_radius = radius - design.bending.surface.share() * metal.sheet.thickness();
+    let between = design.bending.surface.share() * metal.sheet.thickness();
+    let inside_radius = settled(radius - between, 0.0, radius);
     if inside_radius < 0.0 {
         return Err(format!(
-            "`{name}` has an inside radius of {inside_radius:.4} mm"
+            "`{name}` has the radius {radius:.4} mm, and the inside of its sheet is {between:.4} mm nearer to the centre: there \
+             is no such bend"
         ));
     }
     let sheet = sheet(design, name, inside_radius)?;
@@ -229,6 +268,12 @@ pub(super) fn joint_bend(
     inside_radius: f64,
 ) -> Result<FoldBend, String> {
     let sheet = sheet(design, &name, inside_radius)?;
+    if sheet.setback(joint.angle, inside_radius).is_none() {
+        return Err(format!(
+            "{name} folds by 180 degrees: the flanges lie on each other, and from no corner is a setback taken; draw the bend as a \
+             patch of its own, a half cylinder with `bend = true`"
+        ));
+    }
     // From the tangent points to the corner, on the designed surface.
     let radius = inside_radius + design.bending.surface.share() * sheet.thickness();
     let setback = radius * libm::tan(0.5 * joint.angle.abs());

@@ -311,7 +311,7 @@ impl<'d> Builder<'d> {
             zone.taken
                 .extend(strip.map(|(bend, _)| TakenStrip::new(before.side, bend)));
         }
-        let radii = radii(self.flat, place);
+        let radii = radii(patch, self.flat, place);
         let mut bent = None;
         if patch.bend {
             let bend = patch_bend(self.design, patch, self.flat, place)?;
@@ -401,10 +401,10 @@ impl<'d> Builder<'d> {
             });
             return Ok(None);
         };
-        if [place, place + 1]
-            .iter()
-            .any(|k| radii(self.flat, *k)[0].is_finite())
-        {
+        let pair = [(patch, place), (next, place + 1)];
+        let is_curved =
+            |(patch, place): (&Patch, usize)| radii(patch, self.flat, place)[0].is_finite();
+        if pair.into_iter().any(is_curved) {
             return Err(format!(
                 "{name} is no edge between two flat patches, as a `radius` wants"
             ));
