@@ -326,7 +326,10 @@ fn holes_that_overlap_and_lettering_beside_the_sheet_are_refused() {
     assert!(drawn(hole).is_ok());
     assert!(drawn(&format!("{hole}, {{ at = [0.75, 0.5], radius = 2 }}")).is_ok());
     let overlap = drawn(&format!("{hole}, {{ at = [0.52, 0.5], radius = 8 }}")).unwrap_err();
-    assert!(overlap.contains("overlaps the hole of radius 8 mm at [0.5, 0.5] by"), "{overlap}");
+    assert!(
+        overlap.contains("overlaps the hole of radius 8 mm at [0.5, 0.5] by"),
+        "{overlap}"
+    );
     let beside = drawn("{ at = [1, 1], text = \"off the part\", height = 10 }").unwrap_err();
     assert!(beside.contains("leaves the sheet"), "{beside}");
     assert!(drawn("{ at = [0.5, 0.2], text = \"on it\", height = 6 }").is_ok());
