@@ -385,9 +385,9 @@ fn numbers_of_the_readme() -> String {
         format!("| are false as printed; a small correction is proved | {misprints} |"),
         format!("| are false, with an exact counterexample | {wrong} |"),
         format!("| could not be decided | {undecided} |"),
-        format!("| are definitions, figures, readings that differ, or lack data | {others} |"),
+        format!("| are definitions, figures, have readings with different verdicts, or lack data | {others} |"),
         format!(
-            "| *beside the sum:* of these {refuted} refutations, accepted by the Rocq kernel | *{kernel}* |"
+            "| *not in the sum:* of these {refuted} false statements, refuted with a proof that the Rocq kernel accepts | *{kernel}* |"
         ),
     ]
     .join("\n")
