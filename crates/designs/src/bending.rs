@@ -1,6 +1,6 @@
 //! Where the neutral line of a bent sheet runs, and which of its surfaces a design describes.
 
-use crate::inside_radius::settled;
+use crate::rounding::settled;
 use std::f64::consts::LOG10_2;
 
 /// Where the neutral line of a bend runs: its distance from the inside as a share of the thickness, the K-factor.

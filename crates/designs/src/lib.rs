@@ -61,6 +61,7 @@ pub mod openings;
 mod plane_contour;
 mod polygon;
 mod position;
+mod rounding;
 mod seams;
 mod segment_crossings;
 mod simple_contour;

@@ -3,7 +3,7 @@
 use super::strip::{Side, Taken};
 use super::{Rolled, ToolBend};
 use crate::design::{Design, Material, Patch};
-use crate::inside_radius::settled;
+use crate::rounding::settled;
 use torse_geometry::pattern::{BendingSheet, FlatPattern};
 use torse_geometry::prelude::Sheet;
 use torse_geometry::vector::{norm, sub};
