@@ -9,6 +9,7 @@ use clap::Args;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use torse::{Decided, ErrorMessage, ErrorPlace, Verdict};
+use torse_syntax::derivation::question;
 
 /// Decide one statement: is it true, where is it false, what would be right?
 ///
@@ -77,6 +78,13 @@ impl Decide {
             false => verifier.decide(&self.statement, &self.setting)?,
         };
         watchdog::finished();
+        if !self.latex
+            && let Ok(read) = question(&self.statement, &self.setting)
+        {
+            for name in read.look_alikes() {
+                terminal::remark(&terminal::shown(&name));
+            }
+        }
         terminal::print(&match self.format {
             Format::Text => text(&decided.explanation()),
             Format::Json => decided.json()?,

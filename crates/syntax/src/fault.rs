@@ -107,6 +107,17 @@ impl Fault {
         Self::at(place, Problem::Limit { what: what.into() })
     }
 
+    /// A power whose exponent is no integer: out of scope, with what to write in its place.
+    #[must_use]
+    pub fn exponent(place: Place) -> Self {
+        Self::limit(
+            place,
+            "powers whose exponents are not integers are out of scope: a square root is written `sqrt(x)`, `a^b` with a positive base \
+             `exp(b*log(a))`, the exponential function `exp(x)`; of another root `r` state `r^3 == x` under `assume`, and declare an \
+             exponent that is an integer as one",
+        )
+    }
+
     /// Converts the error of an exact operation.
     #[must_use]
     pub fn exact(place: Place, error: ExactError) -> Self {

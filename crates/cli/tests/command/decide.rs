@@ -182,3 +182,28 @@ fn json_of_one_statement_is_that_of_a_claim() {
     assert_eq!(answer["verdict"], "false");
     assert!(answer["witness"]["at"]["x"].is_string());
 }
+
+#[test]
+fn a_name_that_looks_like_another_is_named_beside_the_verdict() {
+    let ran = decide(&["\u{430} == a"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.out);
+    assert!(ran.err.contains("looks like `a`"), "{}", ran.err);
+    assert_eq!(decide(&["b == a"]).err, "");
+}
+
+#[test]
+fn what_is_out_of_scope_is_undecided_with_what_to_write() {
+    for (statement, why) in [
+        ("2^x > 0", "`exp(b*log(a))`"),
+        ("x^(1/3) == x", "a square root is written `sqrt(x)`"),
+        ("infinity > x", "for every finite end"),
+        ("max(x, y, z) >= x", "`max(a, max(b, c))`"),
+    ] {
+        let ran = decide(&[statement]);
+        assert_eq!(ran.code, Some(3), "{statement}: {}{}", ran.out, ran.err);
+        let out = ran.out.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(out.contains(why), "{statement}: {out}");
+    }
+    let ran = decide(&["e^{x+y} = e^x e^y", "--latex"]);
+    assert_eq!(ran.code, Some(0), "{}{}", ran.out, ran.err);
+}

@@ -62,6 +62,38 @@ fn a_sentence_that_is_out_of_scope_leaves_the_other_sentences_of_its_paper_decid
         "{}",
         explained.out
     );
+    // Powers that are no products, ends without a bound, more than two numbers: of each sentence the reason, of the paper the verdicts.
+    let beyond = [
+        ("x^(1/3)*x^(2/3) == x", "a square root is written `sqrt(x)`"),
+        ("x >= 1 implies 2^x > 0", "`exp(b*log(a))`"),
+        ("pw(x, x) == 1", "`exp(b*log(a))`"),
+        ("integral(x^x, x, 0, 1) == 1", "`exp(b*log(a))`"),
+        ("integral(1/x^2, x, 1, inf) == 1", "for every finite end"),
+        (
+            "asinh(x) == log(x + sqrt(x^2 + 1))",
+            "`log(x + sqrt(x^2 + 1))`",
+        ),
+        ("max(x, 0, 1) >= x", "`max(a, max(b, c))`"),
+    ];
+    let define = "let = { 'pw(a, b)' = 'a^b' }";
+    let claims: Vec<String> = (beyond.iter().enumerate())
+        .map(|(at, (states, _))| claim(&format!("c{at}"), states, define))
+        .collect();
+    let folder = mini(&[claims.concat(), claim("right", TRUE, "")].concat());
+    let verdicts = on(folder.path(), &["verify", "--format", "json"]);
+    assert_eq!(verdicts.code, Some(0), "{}", verdicts.err);
+    assert_eq!(verdict(&verdicts, "mini/right"), "holds");
+    for (at, (states, why)) in beyond.iter().enumerate() {
+        let id = format!("mini/c{at}");
+        assert_eq!(verdict(&verdicts, &id), "undecided", "{states}");
+        let explained = on(folder.path(), &["explain", &id]);
+        let out = explained
+            .out
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
+        assert!(out.contains(why), "{states}: {out}");
+    }
     // A name that nobody knows is a mistake of the file as before.
     let folder = mini(&claim("typo", "limits(x) == 1", ""));
     assert_eq!(on(folder.path(), &["verify"]).code, Some(4));

@@ -276,6 +276,12 @@ impl Elaborator<'_> {
             ("identity", [_]) => BuiltIn::Identity,
             ("coefficients", [_, _]) => BuiltIn::Coefficients,
             _ => {
+                if let ("min" | "max", [_, _, _, ..]) = (name, arguments) {
+                    let what = format!(
+                        "`{name}` of more than two numbers is out of scope: write `{name}(a, {name}(b, c))`"
+                    );
+                    return Err(Fault::limit(place, what));
+                }
                 return Err(count(match name {
                     "binom" | "dot" | "cross" | "solve" | "agrees" | "coefficients" => {
                         "two arguments"

@@ -23,8 +23,8 @@ use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::rational;
 use torse_syntax::derivation::declarations::{Declarations, Definition, SymbolKind};
 use torse_syntax::fault::{Fault, Problem};
-use torse_syntax::formula::functions::{FUNCTIONS, is_function, out_of_scope};
-use torse_syntax::formula::{self, Connective, Expr, Place};
+use torse_syntax::formula::functions::{FUNCTIONS, infinite, is_function, out_of_scope};
+use torse_syntax::formula::{self, Connective, Expr, Operator, Place};
 use torse_syntax::greek;
 use torse_syntax::similar::similar;
 
@@ -265,6 +265,11 @@ impl<'a> Elaborator<'a> {
             formula::Node::Call(head, arguments) => self.call(head, arguments, place, scope),
             formula::Node::Index(head, indices) => self.indexed(head, indices, place, scope),
             formula::Node::Negative(inner) => term(Node::Negative(self.term_in(inner, scope)?)),
+            formula::Node::Binary(Operator::Power, _, exponent)
+                if self.is_no_integer(exponent, scope) =>
+            {
+                Err(Fault::exponent(exponent.place))
+            }
             formula::Node::Binary(operator, a, b) => term(Node::Binary(
                 *operator,
                 self.term_in(a, scope)?,
@@ -402,7 +407,46 @@ impl<'a> Elaborator<'a> {
             }
             return Ok(derivative);
         }
-        Err(self.unknown(name, place, scope))
+        Err(match infinite(name) {
+            Some(why) => Fault::limit(place, why),
+            None => self.unknown(name, place, scope),
+        })
+    }
+
+    /// Whether an exponent is a fraction, or has a declared real number in it. Parameters of definitions are numbers where the definition
+    /// is applied, what replaces a symbol may be an integer: the evaluator refuses those that are none.
+    fn is_no_integer(&self, exponent: &Expr, scope: &Scope) -> bool {
+        let number = |expr: &Expr| match &expr.node {
+            formula::Node::Number { value, .. } => Some(value.clone()),
+            formula::Node::Negative(inner) => match &inner.node {
+                formula::Node::Number { value, .. } => Some(-value.clone()),
+                _ => None,
+            },
+            _ => None,
+        };
+        match &exponent.node {
+            formula::Node::Number { value, .. } => !value.is_integer(),
+            formula::Node::Negative(inner) => self.is_no_integer(inner, scope),
+            formula::Node::Binary(Operator::Divide, a, b)
+                if let (Some(a), Some(b)) = (number(a), number(b)) =>
+            {
+                b != rational::integer(0) && !(a / b).is_integer()
+            }
+            _ => self.has_real(exponent, scope),
+        }
+    }
+
+    fn has_real(&self, formula: &Expr, scope: &Scope) -> bool {
+        match &formula.node {
+            formula::Node::Name(name) => {
+                !scope.locals.contains_key(name)
+                    && !scope.globals.contains_key(name)
+                    && matches!(self.declarations.symbol(name), Some(SymbolKind::Real(_)))
+            }
+            formula::Node::Negative(inner) => self.has_real(inner, scope),
+            formula::Node::Binary(_, a, b) => self.has_real(a, scope) || self.has_real(b, scope),
+            _ => false,
+        }
     }
 
     fn definition(

@@ -6,7 +6,7 @@ use super::{Environment, Evaluator, Outcome, shapes, symbolic_degree, wrong_type
 use std::cell::RefCell;
 use torse_algebra::{Fraction, Rational};
 use torse_core::Term;
-use torse_syntax::fault::Fault;
+use torse_syntax::fault::{Fault, Problem};
 use torse_syntax::formula::{Operator, Place};
 
 /// The most term products one multiplication may cost.
@@ -110,7 +110,10 @@ impl Evaluator<'_> {
         let Value::Scalar(quantity) = base else {
             return Err(wrong_type(a.place, base.kind(), "a number"));
         };
-        let exponent = self.index(b, bound)?;
+        let exponent = self.index(b, bound).map_err(|fault| match *fault.problem {
+            Problem::WrongType { .. } => Fault::exponent(b.place),
+            _ => fault,
+        })?;
         let Some(n) = exponent.as_number() else {
             let base = quantity.as_fraction();
             let base = base.ok_or_else(|| symbolic_degree(a.place))?;

@@ -19,6 +19,7 @@ use super::error::LoadError;
 use super::load::paper;
 use super::paper::Paper;
 use super::source::{Copied, SETTING, STATEMENT, Source};
+use crate::formula::functions::infinite;
 use crate::formula::{Expr, Node, Place, parse};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -311,7 +312,7 @@ impl<'t> Setting<'t> {
         let heads = self.definitions.iter().map(|(head, _)| name_of(head.text));
         let names = self.symbols.iter().map(|(name, _)| name.text.to_owned());
         let declared: BTreeSet<String> = heads.chain(names).collect();
-        used.retain(|name, _| !declared.contains(name) && name != "inf");
+        used.retain(|name, _| !declared.contains(name) && infinite(name).is_none());
         used
     }
 }

@@ -84,8 +84,31 @@ pub fn out_of_scope(name: &str) -> Option<&'static str> {
         "acot" | "asec" | "acsc" | "arccot" | "arcsec" | "arccsc" => {
             "these inverse functions are out of scope, since papers differ in their branches: write them by `atan`, `acos` and `asin`"
         }
+        "asinh" | "arcsinh" | "arsinh" => {
+            "inverse hyperbolic functions are out of scope: write `log(x + sqrt(x^2 + 1))`"
+        }
+        "acosh" | "arccosh" | "arcosh" => {
+            "inverse hyperbolic functions are out of scope: write `log(x + sqrt(x^2 - 1))`, for x from 1 on"
+        }
+        "atanh" | "arctanh" | "artanh" => {
+            "inverse hyperbolic functions are out of scope: write `log((1 + x)/(1 - x))/2`, for x between -1 and 1"
+        }
         _ => return None,
     })
+}
+
+/// Why an end without a bound is out of scope, and what to state in its place; none for other names.
+///
+/// ```
+/// use torse_syntax::formula::functions::infinite;
+/// assert!(infinite("inf").is_some_and(|why| why.contains("every finite end")));
+/// assert_eq!(infinite("t"), None);
+/// ```
+#[must_use]
+pub fn infinite(name: &str) -> Option<&'static str> {
+    matches!(name, "inf" | "infinity").then_some(
+        "formulas have no infinity, `inf` is an end of an interval: state a value or a bound for every finite end, as `integral(1/x^2, x, 1, b)`",
+    )
 }
 
 /// How a function is called, and what it means, in a line.

@@ -1,7 +1,7 @@
 //! Hints for what users of mathematical notation commonly type: the corresponding syntax of the language.
 
 use super::ast::Node;
-use super::functions::{is_function, out_of_scope};
+use super::functions::{infinite, is_function, out_of_scope};
 use super::token::{Token, is_name};
 use crate::greek;
 
@@ -42,7 +42,52 @@ pub fn character(found: char) -> Option<&'static str> {
         '!' => "a factorial is written `factorial(n)`, a negation `not`",
         '{' | '}' => "brackets are round, or square for lists and indices",
         '.' => "a number begins with a digit: `0.5`",
+        ':' => {
+            "a statement holds for all values of its symbols: leave out `for all x:`, and declare what `x` is"
+        }
         '\\' | '$' => "formulas are plain text, not TeX",
+        _ => return None,
+    })
+}
+
+/// How what relates statements is written.
+const IMPLIES: &str = "an implication is written `p implies q`";
+const EQUIVALENT: &str =
+    "that two statements say the same is written `(p implies q) and (q implies p)`";
+const CONDITION: &str = "a condition stands before what it is for: `p implies q`; in a claim it may stand under `assume`, beside a \
+                         single statement under `--where`";
+
+/// The hint for a text that begins with a sign of several characters of which the first is not in the language.
+pub fn sign(text: &str) -> Option<&'static str> {
+    match text.as_bytes() {
+        [b'=', b'>', ..] => Some(IMPLIES),
+        [b'=', b'<', ..] => Some("write `<=`"),
+        _ => None,
+    }
+}
+
+/// The hint for two signs side by side that are one sign elsewhere.
+fn signs(before: &str, found: &str) -> Option<&'static str> {
+    match (before, found) {
+        ("-" | "==", ">") => Some(IMPLIES),
+        ("<=", ">") => Some(EQUIVALENT),
+        ("<", ">") => Some("write `!=`"),
+        ("*", "*") => Some("a power is written with `^`"),
+        _ => None,
+    }
+}
+
+/// The hint for a word of mathematical English between formulas.
+fn word(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "iff" => EQUIVALENT,
+        "if" | "then" | "for" | "where" | "when" | "with" => CONDITION,
+        "in" => {
+            "that `x` lies in an interval is written `0 <= x <= 1`, or declared: `x = { in = \"[0, 1]\" }`, or `--where \"x in [0, 1]\"`"
+        }
+        "mod" => {
+            "remainders are out of scope: that `n` is even is stated with an integer `k`, `n == 2*k`"
+        }
         _ => return None,
     })
 }
@@ -57,11 +102,20 @@ pub fn unexpected(
         Token::Number(text) | Token::Name(text) => Some(text.clone()),
         Token::Sign(sign) => (*sign == "(").then(|| "(...)".to_owned()),
     };
+    let name = |token: &Token| match token {
+        Token::Name(name) => word(name),
+        _ => None,
+    };
+    if let Some(hint) = found.and_then(name).or_else(|| before.and_then(name)) {
+        return Some(hint.to_owned());
+    }
     match (before?, found?) {
+        (Token::Sign(before), Token::Sign(found)) if let Some(hint) = signs(before, found) => {
+            Some(hint.to_owned())
+        }
         (_, Token::Sign(",")) => {
             Some("a vector is written in square brackets: `[a, b]`".to_owned())
         }
-        (Token::Sign("*"), Token::Sign("*")) => Some("a power is written with `^`".to_owned()),
         (Token::Name(name), Token::Name(next)) if FUNCTIONS.contains(&name.as_str()) => {
             Some(format!("arguments stand in brackets: `{name}({next})`"))
         }
@@ -141,7 +195,7 @@ pub fn name(unknown: &str) -> Option<&'static str> {
         }
         known if out_of_scope(known).is_some() => out_of_scope(known)?,
         "e" => "the base of natural logarithms is written `exp(1)`",
-        "inf" | "infinity" => "formulas have no infinity; `inf` is an end of an interval",
+        known if infinite(known).is_some() => infinite(known)?,
         "diff" | "d" => "a derivative is written `D(F, x)`",
         "prod" => "a product over an index is written `product(i, 1, k, ...)`",
         "int" => "an integral is written `integral(f, x, a, b)`",

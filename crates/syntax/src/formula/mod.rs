@@ -26,6 +26,8 @@ pub enum SyntaxError {
     UnknownCharacter {
         /// The character.
         found: char,
+        /// A hint, if there is one.
+        help: Option<&'static str>,
         /// Its place.
         place: Place,
     },
@@ -95,12 +97,6 @@ pub enum SyntaxError {
         /// Its place.
         place: Place,
     },
-    /// An exponent that is not an integer.
-    #[error("the exponent is not an integer")]
-    Exponent {
-        /// Its place.
-        place: Place,
-    },
 }
 
 impl SyntaxError {
@@ -115,8 +111,7 @@ impl SyntaxError {
             | Self::TooHigh { place, .. }
             | Self::TooLong { place, .. }
             | Self::TooManyDigits { place, .. }
-            | Self::NoFunction { place, .. }
-            | Self::Exponent { place } => *place,
+            | Self::NoFunction { place, .. } => *place,
         }
     }
 
@@ -131,13 +126,9 @@ impl SyntaxError {
     #[must_use]
     pub fn help(&self) -> Option<String> {
         match self {
-            Self::UnknownCharacter { found, .. } => hints::character(*found).map(str::to_owned),
+            Self::UnknownCharacter { help, .. } => help.map(str::to_owned),
             Self::Unexpected { help, .. } => help.clone(),
             Self::NoFunction { help, .. } => Some(help.clone()),
-            Self::Exponent { .. } => Some(
-                "a square root is written `sqrt(x)`; other roots are not in the language"
-                    .to_owned(),
-            ),
             Self::TooDeep { .. } | Self::TooHigh { .. } | Self::TooLong { .. } => Some(
                 "give parts of the formula names of their own, under `let` or [define]".to_owned(),
             ),

@@ -9,7 +9,6 @@ use super::SyntaxError;
 use super::ast::{Connective, Expr, Node, Operator, Place, Relation};
 use super::hints;
 use super::token::{Placed, Token, tokens};
-use num_traits::Zero;
 use std::sync::Arc;
 use torse_numbers::fault_injection::{InjectedFault, injected};
 use torse_numbers::{Integer, Rational};
@@ -318,9 +317,6 @@ impl Parser {
         if self.sign("^") {
             self.no_power_of_a_function(&base.expr)?;
             let exponent = self.deeper(Self::prefixed)?;
-            if let Some(place) = fractional(&exponent.expr) {
-                return Err(SyntaxError::Exponent { place });
-            }
             return Tree::binary(Operator::Power, base, exponent);
         }
         Ok(base)
@@ -452,24 +448,6 @@ impl Parser {
             _ => Err(self.unexpected("a number, a name or a bracket")),
         }
     }
-}
-
-/// The place of an exponent that is a literal fraction.
-fn fractional(exponent: &Expr) -> Option<Place> {
-    let number = |expr: &Expr| match &expr.node {
-        Node::Number { value, .. } => Some(value.clone()),
-        _ => None,
-    };
-    let is_integer = match &exponent.node {
-        Node::Number { value, .. } => value.is_integer(),
-        Node::Negative(inner) => return fractional(inner),
-        Node::Binary(Operator::Divide, a, b) => {
-            let (a, b) = (number(a)?, number(b)?);
-            !b.is_zero() && (a / b).is_integer()
-        }
-        _ => return None,
-    };
-    (!is_integer).then_some(exponent.place)
 }
 
 /// The exact value of digits with an optional decimal point.
