@@ -5,6 +5,7 @@ use crate::check::{self, CHECK, PROOFS};
 use crate::closed::CLOSED;
 use crate::coqc_output::{assumptions, error_line, first_lines, listed_axioms, module_at};
 use crate::folder::Folder;
+use crate::kernel_error::KernelError;
 use crate::library::{self, LIBRARY};
 use crate::printed::{self, FOLLOWS, FUNCTIONS, JETS};
 use crate::process::{Run, limited, run};
@@ -15,7 +16,6 @@ use std::io;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
-use thiserror::Error;
 
 /// The axioms that theorems may rest on: those of the real numbers and of classical logic in the standard library.
 pub const AXIOMS: [&str; 4] = [
@@ -30,25 +30,6 @@ pub const INSTALL: &str = "apt-get install coq libcoq-coquelicot";
 
 /// Maximum time for the separate checker.
 const MAX_RECHECK: Duration = Duration::from_secs(3600);
-
-/// Why nothing could be checked.
-#[derive(Debug, Error)]
-pub enum KernelError {
-    /// The program is not installed.
-    #[error("`coqc` was not found")]
-    Missing,
-    /// The program is installed, but Coquelicot is not, or the library does not compile.
-    #[error("the library is not accepted: {0}")]
-    Library(String),
-    /// The scratch folder, or the program, failed.
-    #[error("{what}: {source}")]
-    System {
-        /// The failed action.
-        what: String,
-        /// The message of the system.
-        source: io::Error,
-    },
-}
 
 /// Limits of one run of the program.
 #[derive(Debug, Clone, Copy)]

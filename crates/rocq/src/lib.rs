@@ -32,6 +32,7 @@ pub mod indexed_recurrence;
 pub mod integer;
 mod interval;
 mod jets;
+pub mod kernel_error;
 pub mod kinds;
 pub mod library;
 pub mod manual_proofs;

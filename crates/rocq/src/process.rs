@@ -1,6 +1,6 @@
 //! Runs a program with limits of time and memory, and keeps what it writes.
 
-use crate::coqc::KernelError;
+use crate::kernel_error::KernelError;
 use std::io::{self, Read};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};

@@ -4,8 +4,9 @@
 //! reported as missing: a failing script says nothing against the claim.
 
 use crate::check::PROOFS;
-use crate::coqc::{Coqc, KernelError, Limits, each_section, lay_out, prefixes};
+use crate::coqc::{Coqc, Limits, each_section, lay_out, prefixes};
 use crate::folder::Folder;
+use crate::kernel_error::KernelError;
 use crate::modules::split;
 use crate::printed;
 use crate::process::{limited, run};

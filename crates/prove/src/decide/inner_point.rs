@@ -5,9 +5,9 @@
 //! in a fixed order: what is linear stays true, and the rest is tried.
 
 use super::candidates::simplest_between;
+use super::point_search::PointSearch;
 use super::simplex::Tableau;
 use super::witness::Point;
-use super::witness_search::PointSearch;
 use num_traits::{Signed, Zero};
 use torse_algebra::rational::{integer, ratio};
 use torse_algebra::{Fraction, Rational, Symbol};

@@ -22,6 +22,7 @@ pub mod logarithm;
 pub mod nondegenerate;
 pub mod open_arc;
 pub mod order;
+mod point_search;
 pub mod real_symbol;
 mod render;
 pub mod root;

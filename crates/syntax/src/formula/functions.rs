@@ -78,9 +78,6 @@ pub fn out_of_scope(name: &str) -> Option<&'static str> {
         "atan2" | "arctan2" => {
             "the angle of a point is out of scope: name it, and state its sine and cosine under `assume`; `atan(y/x)` is it for x > 0"
         }
-        "acosh" | "asinh" | "atanh" | "arcosh" | "arsinh" | "artanh" => {
-            "inverse hyperbolic functions are out of scope: write them as logarithms, `log(x + sqrt(x^2 + 1))` for the inverse of `sinh`"
-        }
         "acot" | "asec" | "acsc" | "arccot" | "arcsec" | "arccsc" => {
             "these inverse functions are out of scope, since papers differ in their branches: write them by `atan`, `acos` and `asin`"
         }

@@ -6,6 +6,7 @@
 //! very name is declared. There is no implicit multiplication.
 
 pub mod ast;
+pub mod character;
 pub mod functions;
 pub mod hints;
 mod parser;

@@ -2,7 +2,7 @@
 
 use super::SyntaxError;
 use super::ast::Place;
-use super::hints;
+use super::character::{character, unknown_sign};
 use winnow::ascii::{digit1, multispace0};
 use winnow::combinator::{alt, opt, preceded, repeat};
 use winnow::prelude::*;
@@ -112,7 +112,7 @@ pub fn tokens(text: &str) -> Result<Vec<Placed>, SyntaxError> {
         let found = input.trim_start().chars().next().unwrap_or(' ');
         SyntaxError::UnknownCharacter {
             found,
-            help: hints::sign(input.trim_start()).or_else(|| hints::character(found)),
+            help: unknown_sign(input.trim_start()).or_else(|| character(found)),
             place: Place {
                 start,
                 end: start + found.len_utf8(),
