@@ -178,7 +178,7 @@ mod tests {
         assert!(matches!(two.times(&eight), Some(Exact::Rational(q)) if q == integer(4)));
         assert!(two.plus(&root(3, 1)).is_none());
         let six = two.times(&root(3, 1)).and_then(Exact::surd).unwrap();
-        assert_eq!(six.to_string(), "sqrt(6)");
+        assert_eq!(six.to_string(), "1*sqrt(6)");
         let twelve = root(6, 1).times(&two).and_then(Exact::surd).unwrap();
         assert_eq!(twelve.to_string(), "2*sqrt(3)");
         assert!(matches!(Exact::root(&integer(9)), Some(Exact::Rational(q)) if q == integer(3)));
