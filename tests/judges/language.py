@@ -116,10 +116,7 @@ def renamed(tree, names, numbers):
         case ast.UnaryOp(op=ast.Not(), operand=inner):
             return ("not", back(inner))
         case ast.BinOp(left=a, op=sign, right=b) if type(sign) in BINARY:
-            a, b = back(a), back(b)
-            if isinstance(sign, ast.Pow) and fractional(b):
-                raise NotInTheLanguage("a root written as a power")
-            return (BINARY[type(sign)], a, b)
+            return (BINARY[type(sign)], back(a), back(b))
         case ast.BoolOp(op=word, values=parts):
             whole, *rest = [back(part) for part in parts]
             for part in rest:
@@ -141,18 +138,6 @@ def renamed(tree, names, numbers):
         case ast.List(elts=items):
             return ("list", *map(back, items))
     raise NotInTheLanguage(ast.dump(tree))
-
-
-def fractional(tree):
-    """Whether an exponent is a printed fraction."""
-    match tree:
-        case ("num", value, _):
-            return value.denominator != 1
-        case ("neg", inner):
-            return fractional(inner)
-        case ("/", ("num", a, _), ("num", b, _)):
-            return b == 0 or (a / b).denominator != 1
-    return False
 
 
 def dump(tree):
