@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
 
+// One process decides the papers once, for both.
+#[path = "verdicts/letters.rs"]
+mod letters;
 #[path = "../support/printed.rs"]
 mod printed;
 

@@ -1,31 +1,16 @@
 //! What readers of letters, reports and findings meet: the paper's language, and no sentence of the engine.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
-
-use std::path::{Path, PathBuf};
+use super::{LOADED, PAPERS, root};
 use std::process::Command;
 use std::sync::LazyLock;
 use torse_report::model::Report;
 use torse_report::{Envelope, erratum_latex, erratum_markdown, findings_in_words};
-use torse_syntax::derivation::{Paper, Rewording, load};
+use torse_syntax::derivation::{Rewording, load};
 use torse_syntax::taxonomy::{Flag, Verdict};
 use torse_verdicts::PaperOutcome;
 use torse_verdicts::audit::audit;
 use torse_verdicts::engine::{STANDARD_WORK, run};
 use torse_verdicts::restore::restore;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
-
-static LOADED: LazyLock<Vec<Paper>> =
-    LazyLock::new(|| load(&root().join("derivations")).expect("the derivations load"));
-
-static PAPERS: LazyLock<Vec<PaperOutcome>> = LazyLock::new(|| {
-    let decided = LOADED.iter().map(|paper| run(paper, &|| ()));
-    let decided = decided.map(|paper| paper.expect("every formula makes sense"));
-    decided.collect()
-});
 
 /// The same, decided again with all corrections in force.
 static RESTORED: LazyLock<Vec<PaperOutcome>> = LazyLock::new(|| {
@@ -38,7 +23,7 @@ static RESTORED: LazyLock<Vec<PaperOutcome>> = LazyLock::new(|| {
 });
 
 /// What no reader is to meet: names and sentences of the engine, and slips of grammar. The command's tests read it, too.
-const PATTERNS: &str = include_str!("../support/patterns.txt");
+const PATTERNS: &str = include_str!("../../support/patterns.txt");
 
 /// What a text has of that, with what stands around it.
 fn found(text: &str, whose: &str) -> Vec<String> {
