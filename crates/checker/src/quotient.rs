@@ -135,6 +135,9 @@ impl Quotient {
 
     /// One over it.
     pub fn inverse(&self, work: &Work) -> Result<Self, Unsupported> {
+        if turn::holds_unknown_turn(&self.above) {
+            return Err(turn::STRANGE);
+        }
         let zero = Unsupported::Undefined("a quotient with divisor zero");
         let (lead, factor) = self.above.monic().ok_or(zero)?;
         let above = self.denominator(work)?.scaled(&lead.recip());

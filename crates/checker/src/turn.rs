@@ -13,16 +13,24 @@ pub type Pair = (Polynomial, Polynomial);
 /// An angle that is not supported.
 pub const STRANGE: Unsupported = Unsupported::Construct("the sine of this angle");
 
+/// The variable of angles that are numbers; no name of a claim is written so.
+const ONE: &str = "1";
+
 /// The largest multiple of a fraction of an angle.
 const MAX_MULTIPLE: i64 = 24;
 
 /// `(sin, cos)` of an angle in radians that is a sum of rational multiples of variables, of pi times variables, and
-/// of pi/12.
+/// of pi. Sine and cosine of a multiple of pi that is none of pi/12 are symbols: what vanishes with them in it is zero, but
+/// [`is_number`] symbols they are not, so nothing is concluded to be positive or other than zero, and nothing is divided by
+/// them ([`holds_unknown_turn`]).
+///
+/// [`is_number`]: Symbol::is_number
 pub fn sine_cosine(angle: &Polynomial, work: &Work) -> Result<Pair, Unsupported> {
     let mut total: Pair = (Polynomial::zero(), Polynomial::one());
     for (monomial, coefficient) in angle.terms() {
         let part = match monomial.as_slice() {
-            [(Symbol::Pi, 1)] => twelfths(coefficient),
+            [(Symbol::Pi, 1)] => twelfths(coefficient)
+                .or_else(|| multiples(&ONE.into(), Unit::QuarterTurn, &(coefficient * integer(2)))),
             [(Symbol::Named(name), 1)] => multiples(name, Unit::Radian, coefficient),
             [(Symbol::Named(name), 1), (Symbol::Pi, 1)] => {
                 multiples(name, Unit::QuarterTurn, &(coefficient * integer(2)))
@@ -38,6 +46,12 @@ pub fn sine_cosine(angle: &Polynomial, work: &Work) -> Result<Pair, Unsupported>
         );
     }
     Ok(total)
+}
+
+/// Whether the sine or cosine of a number is in it of which no more is known than that their squares make one.
+pub fn holds_unknown_turn(polynomial: &Polynomial) -> bool {
+    let mut symbols = polynomial.symbols();
+    symbols.any(|symbol| symbol.variable() == Some(ONE))
 }
 
 /// Sine and cosine of `n/d` times a variable: n times the d-th fraction of its angle.
@@ -89,5 +103,35 @@ fn sine(n: i64) -> Polynomial {
         4 => over(root(3), 2),
         5 => over(root_of_six().plus(&root(2)), 4),
         _ => Polynomial::one(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::{STRANGE, holds_unknown_turn, sine_cosine};
+    use crate::gap::Work;
+    use crate::quotient::Quotient;
+    use torse_certificate::polynomial::Polynomial;
+    use torse_certificate::symbol::Symbol;
+    use torse_numbers::rational::ratio;
+
+    fn cosine(numerator: i64, denominator: i64) -> Polynomial {
+        let times = ratio(numerator, denominator).unwrap();
+        let angle = Polynomial::symbol(Symbol::Pi).scaled(&times);
+        sine_cosine(&angle, &Work::new(1000)).unwrap().1
+    }
+
+    #[test]
+    fn the_cosine_of_an_eighth_of_pi_is_itself_and_nothing_is_divided_by_it() {
+        let eighth = cosine(1, 8);
+        assert!(holds_unknown_turn(&eighth) && !eighth.is_number());
+        assert!(eighth.minus(&cosine(1, 8)).is_zero());
+        assert_eq!(
+            Quotient::from(eighth).inverse(&Work::new(1000)),
+            Err(STRANGE)
+        );
+        assert!(!holds_unknown_turn(&cosine(1, 4)));
     }
 }

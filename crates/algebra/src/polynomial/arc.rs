@@ -30,7 +30,7 @@ impl Polynomial {
     /// use torse_algebra::{Polynomial, rational::ratio};
     /// let arc = |n, d| Polynomial::arctangent(&ratio(n, d).unwrap()).unwrap().to_string();
     /// assert_eq!(arc(1, 2), "atan(1/2)");
-    /// assert_eq!(arc(1, 3), "1/4*pi - atan(1/2)");
+    /// assert_eq!(arc(1, 3), "-atan(1/2) + 1/4*pi");
     /// assert_eq!(arc(-1, 1), "-1/4*pi");
     /// ```
     ///
@@ -112,7 +112,7 @@ impl Fraction {
     /// use torse_algebra::{Fraction, rational::ratio};
     /// let arc = |n, d| Fraction::from(ratio(n, d).unwrap()).arcsine().unwrap().to_string();
     /// assert_eq!(arc(-1, 2), "-1/6*pi");
-    /// assert_eq!(arc(4, 5), "1/2*pi - 2*atan(1/2)");
+    /// assert_eq!(arc(4, 5), "2*atan(1/2)");
     /// ```
     ///
     /// # Errors
