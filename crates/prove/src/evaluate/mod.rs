@@ -14,6 +14,7 @@ mod indexed_recurrence;
 mod integral;
 pub mod linear;
 mod memory;
+mod own_names;
 mod place;
 mod power_sum;
 mod product;
@@ -379,17 +380,17 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The name of a symbol that nothing else has: no text can write the sign in it.
+    /// The name of a symbol that nothing else has.
     fn fresh(&self, name: &str) -> String {
         let number = self.made.get();
         self.made.set(number + 1);
-        format!("{name}\u{b0}{number}")
+        own_names::numbered(name, number)
     }
 
     /// The name of the variable of a derivative inside so many others. No value outside of the derivative has it, so that
     /// the next one may have the same, and what was evaluated with it serves again.
     fn differential(&self, name: &str, enclosing: u32) -> String {
-        format!("{name}\u{b0}'{enclosing}")
+        own_names::differential(name, enclosing)
     }
 
     fn list(&self, items: &[Term], bound: &Environment) -> Outcome<Value> {

@@ -1,5 +1,6 @@
 //! Putting values in: variables at points, powers of symbolic degree that collapse, solved unknowns.
 
+use super::own_names::in_words;
 use super::quantity::Quantity;
 use super::value::Value;
 use super::{Evaluator, Outcome};
@@ -7,19 +8,12 @@ use torse_algebra::{ExactError, Fraction};
 use torse_syntax::fault::Fault;
 use torse_syntax::formula::Place;
 
-/// The error without the numbers that the engine gives to its own symbols.
+/// The error with the names that the statement has.
 fn in_words_of_the_text(error: ExactError) -> ExactError {
     match error {
-        ExactError::DivisionByZero { divisor } => {
-            let mut own = false;
-            let kept = divisor.chars().filter(|c| {
-                own = *c == '\u{b0}' || (own && c.is_ascii_digit());
-                !own
-            });
-            ExactError::DivisionByZero {
-                divisor: kept.collect(),
-            }
-        }
+        ExactError::DivisionByZero { divisor } => ExactError::DivisionByZero {
+            divisor: in_words(&divisor),
+        },
         other => other,
     }
 }

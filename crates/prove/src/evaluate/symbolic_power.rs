@@ -5,6 +5,7 @@
 //! product are the products of powers, `(f g)^n = f^n g^n`, so each factor has an axis of its own, and powers of one factor are one power:
 //! `a^m a^n = a^(m+n)`. The exponent has to be at least 0 for all values of the integers, so that the power is defined everywhere.
 
+use super::own_names::in_words;
 use super::quantity::Quantity;
 use super::series::{Axis, Series, Target};
 use super::value::Value;
@@ -23,7 +24,7 @@ impl Evaluator<'_> {
         place: Place,
     ) -> Outcome<Value> {
         let refused = |why: &str| {
-            let exponent = in_words(exponent);
+            let exponent = in_words(&exponent.to_string());
             Fault::limit(place, format!("the symbolic power {exponent}, {why}"))
         };
         if self.declarations.least(exponent).is_none_or(|n| n < 0) {
@@ -48,17 +49,6 @@ impl Evaluator<'_> {
             power.times(&Fraction::integer(1).under(&conditions)),
         ))
     }
-}
-
-/// An exponent without the numbers that the engine gives to its own symbols.
-fn in_words(exponent: &Affine) -> String {
-    let mut own = false;
-    let text = exponent.to_string();
-    let kept = text.chars().filter(|c| {
-        own = *c == '\u{b0}' || (own && c.is_ascii_digit());
-        !own
-    });
-    kept.collect()
 }
 
 impl Axis {
