@@ -7,6 +7,7 @@
 use super::assumptions::{Compared, Domain, Met};
 use super::eliminated::linear;
 use super::gap::{CheckError, Unsupported};
+use std::cmp::Ordering;
 use std::sync::Arc;
 use torse_certificate::number::{holds, order};
 use torse_certificate::polynomial::Polynomial;
@@ -50,11 +51,12 @@ impl Domain<'_> {
             return Ok(true);
         }
         self.meet_divisors_of_statement(groups)?;
-        match is_product()? {
-            false if self.mentions_arc(polynomial) => {
-                Err(Unsupported::Construct("the order of arcs"))
-            }
-            found => Ok(found),
+        if is_product()? || self.excludes(&[polynomial], groups)? {
+            return Ok(true);
+        }
+        match self.mentions_arc(polynomial) {
+            true => Err(Unsupported::Construct("the order of arcs")),
+            false => Ok(false),
         }
     }
 
@@ -289,8 +291,7 @@ impl Domain<'_> {
         let there = |polynomial: &Polynomial| self.put(polynomial, &values);
         let known = self.hypotheses(groups);
         for compared in &known.all {
-            let number = there(&compared.difference.above)?.as_constant();
-            let fails = number.is_some_and(|n| !holds(n.cmp(&integer(0)), compared.relation));
+            let fails = fails_everywhere(&there(&compared.difference.above)?, compared.relation);
             if compared.difference.below.is_empty() && fails {
                 self.note(&compared.met);
                 return Ok(true);
@@ -401,6 +402,23 @@ fn value_at_zero(polynomial: &Polynomial) -> Option<(Symbol, Polynomial)> {
         let slope = slope.as_constant()?;
         Some((symbol.clone(), rest.scaled(&-slope.recip())))
     })
+}
+
+/// Whether a polynomial compares so with zero nowhere: it is a number that does not, or a sum of squares, all with one sign.
+fn fails_everywhere(polynomial: &Polynomial, relation: Relation) -> bool {
+    if let Some(number) = polynomial.as_constant() {
+        return !holds(number.cmp(&integer(0)), relation);
+    }
+    let squares = |sign: Ordering| {
+        let is_square = |exponent: &(Symbol, u32)| exponent.1.is_multiple_of(2);
+        let mut terms = polynomial.terms();
+        terms.all(|(powers, value)| powers.iter().all(is_square) && value.cmp(&integer(0)) == sign)
+    };
+    match relation {
+        Relation::Less => squares(Ordering::Greater),
+        Relation::Greater => squares(Ordering::Less),
+        _ => false,
+    }
 }
 
 /// The polynomial without its constant term, if it has a nonzero one.

@@ -11,7 +11,8 @@ use torse_syntax::notation::{Formula, text};
 use torse_syntax::taxonomy::Verdict;
 use torse_typography::expression;
 use torse_verdicts::correction::Correction;
-use torse_verdicts::judged::{ConditionCheck, Net};
+use torse_verdicts::finding::Finding;
+use torse_verdicts::judged::ConditionCheck;
 use torse_verdicts::outcome::{Outcome, PaperFault};
 use torse_verdicts::statement::RefutedStatement;
 use torse_verdicts::words;
@@ -40,7 +41,7 @@ pub(crate) fn short_sentence(outcome: &Outcome, faults: &[PaperFault]) -> String
             .unwrap_or_else(|| "False as printed.".to_owned()),
         Verdict::Conditional => {
             let found = found.map_or_else(String::new, |found| format!(" In words: {found}"));
-            let only = match outcome.net().is_some_and(needs_all) {
+            let only = match needs_all(outcome) {
                 true => "only ",
                 false => "",
             };
@@ -75,9 +76,19 @@ pub(crate) fn fault_in_short(says: &str) -> String {
 }
 
 /// Whether the statement failed at every point that was tried at which one of the conditions does. Only then does the
-/// sentence say that the statement is true only if they hold.
-fn needs_all(net: &Net) -> bool {
-    !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_necessary)
+/// sentence say that the statement is true only if they hold. Where a number is asked for, what fails there is the number that
+/// was given, and another one may do.
+fn needs_all(outcome: &Outcome) -> bool {
+    let gives_numbers = |finding: &Finding| match finding {
+        Finding::Proved(proved) => !proved.statement.witnesses.is_empty(),
+        _ => false,
+    };
+    let mut readings = outcome.readings().iter().map(|reading| &reading.outcome);
+    !gives_numbers(&outcome.finding)
+        && !readings.any(|reading| gives_numbers(&reading.finding))
+        && outcome.net().is_some_and(|net| {
+            !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_necessary)
+        })
 }
 
 /// The text up to its first full stop that ends a sentence: a blank and a capital letter follow, and no abbreviation goes before.
