@@ -34,7 +34,8 @@ impl Elaborator<'_> {
             (Source::Given, &claim.given),
         ] {
             for text in texts {
-                let statement = within(&text.formula)?;
+                let assumed = self.hypothesis(&text.formula.expr);
+                let statement = assumed.map_err(|f| f.within(&text.formula.origin))?;
                 if is_about_domain(&statement) {
                     let fault = misplaced(text.formula.expr.place);
                     return Err(fault.within(&text.formula.origin));
@@ -51,6 +52,8 @@ impl Elaborator<'_> {
             .iter()
             .map(|w| self.term(&w.expr).map_err(|f| f.within(&w.origin)))
             .collect::<Result<Vec<_>, _>>()?;
+        self.lists_are_free(&statement.expr, hypotheses.iter().map(|h| &h.statement))
+            .map_err(|f| f.within(&statement.origin))?;
         let statement = match claim.existentials.as_slice() {
             [] => within(statement)?,
             existentials => {

@@ -156,7 +156,7 @@ fn free_premise(
     let formula::Node::Join(Connective::Implies, premise, _) = &statement.expr.node else {
         return None;
     };
-    let premise = elaborator.statement(premise).ok()?;
+    let premise = elaborator.hypothesis(premise).ok()?;
     refuse(&claim.existentials, &premise.terms()).ok()?;
     Some(premise)
 }

@@ -1,13 +1,14 @@
 //! The parts of a domain at which a divisor of the statement is zero: a verdict without a condition is wrong there.
 //!
-//! Divisors are read from the text: the right sides of quotients, bases of powers with a negative number as exponent, the
-//! cosine of `tan`, determinants of matrices that are inverted; those of witnesses too, which stand in the places of existential numbers. Definitions are opened, their parameters and bound names
+//! Divisors are read from the text: the right sides of quotients, bases of powers whose exponents may be negative, the
+//! cosine of `tan`, determinants of matrices that are inverted; those of witnesses too, which stand in the places of existential
+//! numbers. Definitions, and seeds and steps of bases, are opened, their parameters and bound names
 //! replaced: the index of a sum by the numbers of a short range, the variable of `at` by its point, that of an integral by
 //! both ends. Such a formula is only a place to look: the statement itself is judged at the points that are found, so a
 //! formula that means something else costs an attempt and says nothing.
 //!
 //! **Not visited:** terms of a sum beyond the first [`MAX_TERMS`], and of one whose lower bound is no number; places between the
-//! ends of an integral; seeds and steps of a basis; divisors beyond the first [`MAX_DIVISORS`], and those of definitions nested more
+//! ends of an integral; steps of a basis that count; divisors beyond the first [`MAX_DIVISORS`], and those of definitions nested more
 //! than [`MAX_OPENED`] deep; zeros that are no rational numbers and no roots of them, since points that satisfy an equation only
 //! nearly prove no division by zero.
 
@@ -71,7 +72,7 @@ impl Search<'_> {
             Node::Binary(operator, a, b) => {
                 let divisor = match operator {
                     Operator::Divide => Some(b),
-                    Operator::Power if matches!(b.node, Node::Negative(_)) => Some(a),
+                    Operator::Power if !matches!(b.node, Node::Number { .. }) => Some(a),
                     _ => None,
                 };
                 found.extend(divisor.map(|own| own.placeless()));
@@ -81,6 +82,15 @@ impl Search<'_> {
             Node::Name(name) => self.open(name, &[], depth, found),
             Node::Call(head, arguments) | Node::Index(head, arguments) => match &head.node {
                 Node::Name(name) => self.apply(name, arguments, depth, found),
+                Node::Index(family, _) => {
+                    self.visit(head, depth, found);
+                    arguments
+                        .iter()
+                        .for_each(|own| self.visit(own, depth, found));
+                    if let Node::Name(name) = &family.node {
+                        self.open_basis(name, arguments, depth, found);
+                    }
+                }
                 _ => self.visit(head, depth, found),
             },
             _ => tree
@@ -165,8 +175,27 @@ impl Search<'_> {
         }
     }
 
-    /// Adds the divisors of a definition with these arguments.
+    /// Adds the divisors of seeds and steps of a basis at these arguments; those that are left out have their own names.
+    fn open_basis(&self, name: &str, arguments: &[Expr], depth: u32, found: &mut Vec<Expr>) {
+        let (Some(basis), Some(depth)) = (self.declarations.basis(name), depth.checked_sub(1))
+        else {
+            return;
+        };
+        if basis.counters.is_some() {
+            return;
+        }
+        let mut inside = vec![];
+        for part in basis.seeds.iter().chain([&basis.step.0, &basis.step.1]) {
+            self.visit(&part.expr, depth, &mut inside);
+        }
+        let names = std::iter::once(&basis.variable).chain(&basis.parameters);
+        let values: Vec<(&str, &Expr)> = names.map(String::as_str).zip(arguments).collect();
+        found.extend(inside.iter().map(|divisor| replaced(divisor, &values)));
+    }
+
+    /// Adds the divisors of a definition with these arguments, or of a basis without arguments.
     fn open(&self, name: &str, arguments: &[Expr], depth: u32, found: &mut Vec<Expr>) {
+        self.open_basis(name, &[], depth, found);
         let (Some(definition), Some(depth)) =
             (self.declarations.definition(name), depth.checked_sub(1))
         else {

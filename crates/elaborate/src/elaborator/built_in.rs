@@ -2,6 +2,7 @@
 
 use super::binders::{Local, Scope, Use};
 use super::denial;
+use super::lists;
 use super::{Elaborator, Lambda, Meaning, Outcome, check_no_shared_variable, wrong};
 use std::sync::Arc;
 use torse_core::{
@@ -28,6 +29,7 @@ impl Elaborator<'_> {
             return self.family_of(basis, declared, &Scope::default());
         }
         let family = self.family_of(basis, declared, &scope.outside())?;
+        lists::not_captured(&family, name.place)?;
         let is_defined = |name| self.declarations.definition(name).is_some();
         if family.parameters().any(is_defined) {
             let what = "a property of a basis of which a shape parameter is a definition";
@@ -97,8 +99,10 @@ impl Elaborator<'_> {
                 return Err(wrong(family.place, "a list of functions", wanted));
             }
             quantified(basis, family.place, scope)?;
-            let all = self.all_nonnegative(list, basis, family.place, &scope.outside())?;
-            return Ok(Meaning::Statement(all));
+            let own = self.family_of(list, basis, &scope.outside())?;
+            lists::not_captured(&own, family.place)?;
+            let property = Statement::Family(FamilyProperty::Nonnegative, own);
+            return Ok(Meaning::Statement(property));
         }
         let name_of_fold = name;
         let function = match (name, arguments) {

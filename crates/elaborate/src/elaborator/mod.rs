@@ -8,6 +8,7 @@ mod binders;
 mod built_in;
 mod denial;
 mod families;
+mod lists;
 mod parts;
 mod smooth;
 
@@ -115,6 +116,7 @@ impl<'a> Elaborator<'a> {
             Ok(match self.open(expr, &Scope::default())? {
                 Meaning::Term(term) => Meaning::Term(self.in_jets(term)?),
                 Meaning::Statement(statement) => {
+                    let statement = self.with_lists_opened(statement, expr.place)?;
                     Meaning::Statement(self.statement_in_jets(statement)?)
                 }
                 Meaning::Function(function) => Meaning::Function(function),
@@ -136,8 +138,14 @@ impl<'a> Elaborator<'a> {
     /// # Errors
     /// As [`Elaborator::meaning`].
     pub fn statement(&self, expr: &Expr) -> Outcome<Statement> {
+        let statement = self.unopened(expr)?;
+        stack::deep(|| self.statement_in_jets(self.with_lists_opened(statement, expr.place)?))
+    }
+
+    /// A statement before properties of lists are opened.
+    fn unopened(&self, expr: &Expr) -> Outcome<Statement> {
         self.nodes.set(0);
-        stack::deep(|| self.statement_in_jets(self.statement_in(expr, &Scope::default())?))
+        stack::deep(|| self.statement_in(expr, &Scope::default()))
     }
 
     /// Elaborates a statement in which closed terms replace declared symbols wherever they occur, as `at` does.
@@ -157,7 +165,7 @@ impl<'a> Elaborator<'a> {
             scope = scope.with_global(name, &variable);
             bound.push((variable, value));
         }
-        let statement = self.statement_in(expr, &scope)?;
+        let statement = self.with_lists_opened(self.statement_in(expr, &scope)?, expr.place)?;
         let substitute = |term: &Term| {
             bound.iter().fold(term.clone(), |body, (variable, value)| {
                 let place = body.place;

@@ -62,6 +62,28 @@ pub(super) fn restricts_variable(basis: &Family, domain: &Domain<'_>) -> bool {
         || pivots.any(|pivot| mentions(&pivot.clone().into(), &variable))
 }
 
+/// A divisor of seeds or step factors that is not known to be nonzero: where it vanishes the functions have no value, and a
+/// property of them has none.
+///
+/// # Errors
+/// [`Fault`] when the seeds cannot be evaluated.
+pub(super) fn vanishing_divisor(
+    basis: &Family,
+    domain: &Domain<'_>,
+    evaluator: &Evaluator<'_>,
+) -> Result<Option<String>, Fault> {
+    let (step, seeds) = family(basis, evaluator)?;
+    for function in seeds.iter().chain(&step) {
+        let ordered = domain.with_ordered_exponentials(&function.symbols());
+        let mut divisors = function.conditions().iter();
+        if let Some(divisor) = divisors.find(|divisor| !sign::never_zero(divisor, &ordered)) {
+            let divisor = crate::formula::expression(&divisor.clone().into());
+            return Ok(Some(torse_syntax::notation::text(&divisor)));
+        }
+    }
+    Ok(None)
+}
+
 /// Decides whether every function of every degree is nonnegative on the domain.
 ///
 /// # Errors

@@ -187,6 +187,14 @@ pub fn decide(
             ),
             &[],
         )),
+        Statement::Family { family: basis, .. }
+            if let Some(divisor) = family::vanishing_divisor(basis, domain, evaluator)? =>
+        {
+            Ok(Decision::open(
+                format!("a function of the basis is divided by {divisor}, which may be zero"),
+                &[],
+            ))
+        }
         Statement::Family {
             property,
             family: basis,

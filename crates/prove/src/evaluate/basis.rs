@@ -87,14 +87,19 @@ impl Evaluator<'_> {
         }
         let (operator, seeds) = self.in_angle(|| self.seeds(family, &values, place, bound))?;
         self.symbolic_degree.set(true);
-        let series = Series::entry(Axis {
+        // Where seeds or factors divide, the functions have no value, whatever becomes of the series.
+        let divisors = seeds.iter().chain([&operator.0, &operator.1]);
+        let defined = divisors.fold(Fraction::integer(1), |defined, part| {
+            defined.under(part.conditions())
+        });
+        let series = Quantity::from(Series::entry(Axis {
             operator,
             power,
             seeds,
             lowest: 0,
             target: Target::Entry(index),
-        });
-        Ok(Value::Scalar(self.settled(Quantity::from(series), place)?))
+        }));
+        Ok(Value::Scalar(self.settled(series.times(&defined), place)?))
     }
 
     /// Step factors and seeds of a family at values of its variable and shape parameters.

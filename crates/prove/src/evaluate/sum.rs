@@ -216,7 +216,7 @@ impl Evaluator<'_> {
             if let Node::Binary(Operator::Power, base, exponent) = &*factor.node {
                 let exponent = self.index(exponent, bound)?;
                 let down = (exponent.clone() - (power.clone() - chosen.clone())).as_number();
-                let up = (exponent - chosen.clone()).as_number();
+                let up = (exponent.clone() - chosen.clone()).as_number();
                 let slot = match (down, up) {
                     (Some(extra), _) if falling.is_none() => Some((&mut falling, extra)),
                     (_, Some(extra)) if rising.is_none() => Some((&mut rising, extra)),
@@ -236,6 +236,12 @@ impl Evaluator<'_> {
                         .power(extra)
                         .map_err(|e| Fault::exact(factor.place, e))?;
                     rest = self.product(&rest, &more.into(), factor.place)?;
+                    if !self.is_never_negative(&exponent) {
+                        // The binomial is zero there, and the power has no value where its base is zero.
+                        let divides = base.power(-1).map_err(|e| Fault::exact(factor.place, e))?;
+                        let defined = Fraction::integer(1).under(divides.conditions());
+                        rest = self.product(&rest, &defined.into(), factor.place)?;
+                    }
                     *slot = Some(base);
                     continue;
                 }
@@ -259,6 +265,19 @@ impl Evaluator<'_> {
             &Value::Scalar(series.into()),
             term.place,
         )?))
+    }
+}
+
+impl Evaluator<'_> {
+    /// Whether a form in the index of the innermost sum is at least 0 at both ends of the sum, whatever the integers are.
+    fn is_never_negative(&self, form: &Affine) -> bool {
+        let sums = self.sums.borrow();
+        sums.last().is_some_and(|(index, low, high)| {
+            [low, high].into_iter().all(|end| {
+                let there = form.substituted(index, end);
+                self.declarations.least(&there).is_some_and(|n| n >= 0)
+            })
+        })
     }
 }
 

@@ -177,6 +177,11 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
             let share = Rational::new(step.into(), (BETWEEN + 1).into());
             values.push(self.between(&ends, &share)?);
         }
+        // The symbol of this name has one of these values; a witness gives it that at which a function is negative.
+        let own = self.left_out(shaped.basis, 0, shaped.place);
+        if let Some(Value::Number(own)) = own.ok().and_then(|all| all.into_iter().next()) {
+            values.push(own);
+        }
         let zero = self.integer_value(0);
         let mut all = Some(true);
         for value in values {
@@ -266,7 +271,9 @@ impl<'a, A: Arithmetic> Evaluator<'a, '_, A> {
         }
         for polygon in 0..POLYGONS {
             let stream = Stream::new(shaped.name, polygon);
-            let line = Rational::new((2 * stream.below("line", 4) + 1).into(), 2.into());
+            // Functions with a sum below zero carry curves to the other side of all control values.
+            let side = if polygon % 4 == 3 { -1 } else { 1 };
+            let line = Rational::new((side * (2 * stream.below("line", 4) + 1)).into(), 2.into());
             let controls: Vec<Rational> = (0..=degree)
                 .map(|i| integer(stream.below(&format!("control {i}"), 4)))
                 .collect();

@@ -73,3 +73,49 @@ fn parts_of_a_hypothesis_speak_of_no_symbol_that_an_earlier_part_eliminated() {
         found(numbers, &lines, &[Holds]);
     }
 }
+
+#[test]
+fn a_binomial_that_is_zero_gives_no_value_to_a_power_beside_it() {
+    let numbers = "[symbols]\nn = { integer = '>= 0' }\nm = { integer = '>= 1' }\nl = { integer = '0..3' }\nx = { in = '[0, 1]' }\ny = {}\n";
+    for states in [
+        "sum(i, 0, n + 1, binom(n, i)*y^(n - i)) == (1 + y)^n",
+        "sum(i, 0, l + 1, binom(l, i)*y^(l - i)) == (1 + y)^l",
+        "sum(i, 0, n + 1, binom(n, i)*x^i*(1 - x)^(n - i)) == 1",
+        "sum(i, -1, n, binom(n, i)*x^i*(1 - x)^(n - i)) == 1",
+        "sum(i, 0, m, binom(m - 1, i - 1)*x^(i - 1)*(1 - x)^(m - i)) == 1",
+    ] {
+        found(numbers, &format!("states = '{states}'"), &[Conditional]);
+    }
+    for states in [
+        "sum(i, 0, n, binom(n, i)*y^(n - i)) == (1 + y)^n",
+        "sum(i, 0, n + 1, binom(n, i)*x^i) == (1 + x)^n",
+        "sum(i, 1, m, binom(m - 1, i - 1)*x^(i - 1)*(1 - x)^(m - i)) == 1",
+    ] {
+        found(numbers, &format!("states = '{states}'"), &[Holds]);
+    }
+    for states in [
+        "at(sum(i, 0, n + 1, binom(n, i)*x^i*(1 - x)^(n - i)), x, 1) == 1",
+        "sum(i, 0, n + 1, binom(n, i)*(y - y)^(n - i)) == 1",
+        "x == 1 implies sum(i, 0, n + 1, binom(n, i)*x^i*(1 - x)^(n - i)) == 1",
+    ] {
+        found(
+            numbers,
+            &format!("states = '{states}'"),
+            &[Undecided, Conditional],
+        );
+    }
+}
+
+#[test]
+fn a_sum_that_hypotheses_keep_from_zero_divides() {
+    let numbers = "[symbols]\na = {}\nb = {}\nc = {}\n";
+    for (assumed, states) in [
+        ("a*b > 0', 'c*(a + b) == 2*(a + b)", "c == 2"),
+        ("a*b < 0', 'c*(b - a) == (b - a)^2", "c == b - a"),
+    ] {
+        let lines = format!("assume = ['{assumed}']\nstates = '{states}'");
+        found(numbers, &lines, &[Holds]);
+    }
+    let zero = "assume = ['a*b >= 0', 'c*(a + b) == 2*(a + b)']\nstates = 'c == 2'";
+    found(numbers, zero, &[False, Misprint, Conditional]);
+}

@@ -10,6 +10,7 @@ mod adversary;
 mod conditions;
 mod defined;
 mod denied;
+mod properties;
 mod proved;
 mod questions;
 

@@ -1,0 +1,232 @@
+//! A property of a basis is about all values of the variable of the basis, whatever else a statement says of the symbol of that
+//! name, and where its functions have no value it has none.
+
+use crate::common::outcomes;
+use torse_syntax::taxonomy::Verdict::{self, Conditional, False, Holds, Misprint, Undecided};
+
+/// The verdicts, none of which is an internal contradiction.
+fn verdicts(declarations: &str, states: &[&str]) -> Vec<Verdict> {
+    let states: Vec<String> = states.iter().map(|s| format!("states = '{s}'")).collect();
+    let lines: Vec<&str> = states.iter().map(String::as_str).collect();
+    lined(declarations, &lines)
+}
+
+fn lined(declarations: &str, lines: &[&str]) -> Vec<Verdict> {
+    let found = outcomes("properties", declarations, lines);
+    for outcome in &found {
+        assert_eq!(outcome.contradiction(), None, "{outcome:#?}");
+    }
+    found.iter().map(|outcome| outcome.verdict()).collect()
+}
+
+/// Lists with a function that is negative near 3/10, near s, and where r is negative.
+const LISTS: &str = r#"
+[symbols]
+x = { in = "[0, 1]" }
+s = { in = "[-2, 2]" }
+r = { in = "[-1/1000000, 1]" }
+
+[basis.H]
+variable = "x"
+degree = 1
+seeds = ['(x - 3/10)^2 - 1/1000000', '1']
+
+[basis.L]
+variable = "x"
+parameters = ["s"]
+degree = 1
+seeds = ['(x - s)*(x - s - 1/1000)', '1']
+
+[basis.Q]
+variable = "x"
+parameters = ["r"]
+degree = 1
+seeds = ['(x - 3/10)^2 + r', '1']
+
+[basis.R]
+variable = "x"
+parameters = ["r"]
+degree = 1
+seeds = ['x^2 + r', '1']
+
+[basis.U]
+variable = "x"
+parameters = ["s"]
+degree = 1
+seeds = ['1', 's*x^2']
+"#;
+
+#[test]
+fn a_property_of_a_list_is_not_about_the_points_value_of_its_variable() {
+    let undecided = [
+        "states = 'x >= 2/5 implies nonnegative(H)'",
+        "assume = ['x == 1/2']\nstates = 'nonnegative(H)'",
+        "states = 'nonnegative(H) or x < 2/5'",
+        "states = 'at(nonnegative(L), s, x)'",
+        "states = 's == x implies nonnegative(L)'",
+        "states = '(x == 1/2 implies nonnegative(H)) and x >= 0'",
+        "states = 'fails(nonnegative(Q) implies r >= 0)'",
+        "states = 'nonnegative(Q) implies r >= 0'",
+        "assume = ['nonnegative(Q)']\nstates = 'r >= 0'",
+        "states = 'nonnegative(U) implies s >= 0'",
+    ];
+    assert_eq!(lined(LISTS, &undecided), [Undecided; 10]);
+}
+
+#[test]
+fn a_property_of_a_list_is_decided_where_nothing_else_chooses_its_variable() {
+    let states = [
+        "states = 'nonnegative(H)'",
+        "assume = ['r >= 0']\nstates = 'nonnegative(R)'",
+        "states = 'r < 0 or nonnegative(R)'",
+        "states = 'r >= 0 implies nonnegative(R)'",
+        "states = 'r >= -1/2000000 implies nonnegative(R)'",
+        "states = 'x >= 0 and fails(nonnegative(U))'",
+    ];
+    let found = lined(LISTS, &states);
+    let refuted = |verdict: &Verdict| matches!(verdict, False | Misprint);
+    assert!(refuted(&found[0]) && refuted(&found[4]), "{found:?}");
+    assert_eq!(
+        [&found[1..4], &found[5..]].concat(),
+        [Holds; 4],
+        "{found:?}"
+    );
+}
+
+#[test]
+fn the_variable_of_a_basis_and_the_symbol_of_its_name_are_two_things() {
+    let declarations = r#"
+[symbols]
+x = { in = "[0, 1]" }
+
+[define]
+c = 'x'
+
+[basis.CS]
+variable = "x"
+degree = 0
+seeds = ['1']
+step = ['(x - c)*(x - c - 1/1000)', '1']
+
+[basis.W4]
+variable = "x"
+degree = 0
+seeds = ['1']
+step = ['1/2 - (x - 2001/4000*(x-c)^2)/4', '1/2 + (x - 2001/4000*(x-c)^2)/4']
+
+[basis.I1]
+variable = "x"
+degree = 1
+seeds = ['c - x', '1']
+step = ['1 - x', 'x']
+"#;
+    let states = [
+        "nonnegative(CS)",
+        "variation_diminishing(W4)",
+        "nonnegative(I1)",
+        "CS[0,1](1/2) == (1/2 - x)*(1/2 - x - 1/1000)",
+    ];
+    let found = verdicts(declarations, &states);
+    assert_eq!(found, [Undecided, Undecided, Undecided, Holds]);
+}
+
+#[test]
+fn functions_without_a_value_have_no_property() {
+    let declarations = r#"
+[symbols]
+x = { in = "[0, 1]" }
+s = { in = "[1, 2]" }
+
+[basis.A]
+variable = "x"
+degree = 0
+seeds = ['1']
+step = ['1 - x^2/x', 'x^2/x']
+
+[basis.B]
+variable = "x"
+degree = 0
+seeds = ['x/x']
+step = ['1 - x', 'x']
+
+[basis.C]
+variable = "x"
+parameters = ["s"]
+degree = 0
+seeds = ['s/s']
+step = ['1 - x', 'x']
+"#;
+    let states = [
+        "variation_diminishing(A)",
+        "variation_diminishing(A, 1, 2)",
+        "nonnegative(A)",
+        "independent(A)",
+        "variation_diminishing(B)",
+        "variation_diminishing(C)",
+    ];
+    let found = verdicts(declarations, &states);
+    assert_eq!(found[..5], [Undecided; 5]);
+    assert_eq!(found[5], Holds);
+}
+
+#[test]
+fn a_sum_of_symbolic_degree_has_a_value_where_the_step_has_one() {
+    let declarations = r#"
+[symbols]
+x = { in = "[0, 1]" }
+s = { in = "[-2, 2]" }
+m = { integer = ">= 1" }
+l = { integer = "1..3" }
+
+[basis.MS]
+variable = "x"
+parameters = ["s"]
+degree = 0
+seeds = ['1']
+step = ['1 - x/s', 'x/s']
+
+[basis.MT]
+variable = "x"
+degree = 0
+seeds = ['1']
+step = ['1 - tan(pi/2*x)', 'tan(pi/2*x)']
+
+[basis.M6]
+variable = "x"
+degree = 0
+seeds = ['1']
+step = ['1 - x^2/x', 'x^2/x']
+"#;
+    let states = [
+        "sum(i,0,m,MS[i,m](x)) == 1",
+        "sum(i,0,l,MS[i,l](x)) == 1",
+        "sum(i,0,m,MT[i,m](x)) == 1",
+        "M6[m,m](x) == x^m",
+        "M6[0,m](x) == (1-x)^m",
+        "D(sum(i,0,m,MS[i,m](x)),x) == 0",
+        "sum(i,0,2,MS[i,2](x)) == 1",
+    ];
+    assert_eq!(verdicts(declarations, &states), [Conditional; 7]);
+}
+
+#[test]
+fn functions_with_a_sum_below_zero_diminish_no_variation() {
+    let declarations = r#"
+[symbols]
+x = { in = "[0, 1]" }
+
+[basis.N2]
+variable = "x"
+degree = 0
+seeds = ['-1']
+step = ['1 - x', 'x']
+
+[basis.N6]
+variable = "x"
+degree = 0
+seeds = ['1']
+step = ['x - 1', '-x']
+"#;
+    let states = ["variation_diminishing(N2)", "variation_diminishing(N6)"];
+    assert_eq!(verdicts(declarations, &states), [False; 2]);
+}
