@@ -102,26 +102,24 @@ fn sides(failure: &Failure<Polynomial>) -> (Vec<(String, String)>, [String; 4]) 
             high,
             level,
         } => {
-            let polygon = match control {
-                None => "the constant polygon 1".to_owned(),
-                Some(i) => {
-                    format!("the polygon with control value {i} = 1 and all others 0")
+            let mut more = vec![degree_of(degree)];
+            match control {
+                None => more.push(("all control values".to_owned(), "1".to_owned())),
+                Some(place) => {
+                    more.push((format!("control value {place}"), "1".to_owned()));
+                    more.push(("all others".to_owned(), "0".to_owned()));
                 }
-            };
-            let left = format!(
-                "the curve of {polygon} is {} at {} and {} at {}: it crosses {}",
-                exact(&low.1),
-                exact(&low.0),
-                exact(&high.1),
-                exact(&high.0),
-                exact(level)
-            );
-            let decimals = format!("{} and {}", decimal(&low.1), decimal(&high.1));
-            let right = "the polygon does not".to_owned();
-            (
-                vec![degree_of(degree)],
-                [left, right, decimals, "1".to_owned()],
-            )
+            }
+            more.push((
+                "places".to_owned(),
+                format!("{}, {}", exact(&low.0), exact(&high.0)),
+            ));
+            let list = |low: String, high: String| format!("[{low}, {high}]");
+            let left = list(exact(&low.1), exact(&high.1));
+            let decimals = list(decimal(&low.1), decimal(&high.1));
+            // The control values are on one side of a level, and the curve is on both.
+            let one_side = || format!("one side of {}", exact(level));
+            (more, [left, one_side(), decimals, one_side()])
         }
     }
 }
