@@ -77,7 +77,7 @@ addEventListener("load", async () => {
     seen.short = document.querySelectorAll("#in-short li").length;
     seen.wide = document.documentElement.scrollWidth - innerWidth;
     seen.math = all("math").length;
-    document.getElementById("unfold").click();
+    document.getElementById("open-all").click();
     for (let tries = 0; document.querySelector("[data-inside]") && tries < 100; tries += 1) await frame();
     seen.packed = all("[data-inside]").length;
     seen.moving = [];

@@ -61,7 +61,7 @@ def dumped(browser, page, width, scheme="light"):
 
 def has_script(text):
     """Whether the page has a script of its own: the landing page has none, and its policy allows none."""
-    return 'id="unfold"' in text
+    return 'id="open-all"' in text
 
 
 def run(browser, page, width, last, scheme="light", first=FIRST):

@@ -78,9 +78,9 @@ addEventListener("load", async () => {
     await pause(100);
     seen.dark = matchMedia("(prefers-color-scheme: dark)").matches;
     seen.states = [{ state: "as it opens", ...look(), rules: await rules() }];
-    const unfold = document.getElementById("unfold");
-    if (unfold) {
-      unfold.click();
+    const openAll = document.getElementById("open-all");
+    if (openAll) {
+      openAll.click();
       for (let tries = 0; document.querySelector("[data-inside]") && tries < 200; tries += 1) await pause(50);
       const figures = all("details.torse"), first = figures[0] || all("details.moving")[0];
       if (first) {

@@ -33,7 +33,7 @@ addEventListener("load", async () => {
     return rulings.map((ends) => ends.map((end) => { const [x, y] = turned(end); return [x, side * y]; }));
   };
   try {
-    document.getElementById("unfold").click();
+    document.getElementById("open-all").click();
     for (let tries = 0; document.querySelector("[data-inside]") && tries < 100; tries += 1) await new Promise((done) => setTimeout(done, 50));
     for (const details of document.querySelectorAll("details.torse")) {
       const states = reference[details.dataset.name];

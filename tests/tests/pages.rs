@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
+#[path = "../support/glossary.rs"]
+mod glossary;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -150,21 +153,9 @@ fn every_link_of_every_page_leads_to_a_file_and_to_a_heading_of_it() {
     }
 }
 
-/// The words that the glossary rules out.
-fn ruled_out(glossary: &str) -> Vec<&str> {
-    let cells = glossary
-        .lines()
-        .filter_map(|line| line.strip_suffix('|')?.rsplit('|').next());
-    cells
-        .flat_map(|cell| cell.split('`').skip(1).step_by(2))
-        .collect()
-}
-
 #[test]
 fn every_page_uses_the_words_of_the_glossary() {
-    let glossary = fs::read_to_string(root().join("docs/glossary.md")).unwrap();
-    let words = ruled_out(&glossary);
-    assert!(words.len() > 3, "{words:?}");
+    let words = glossary::ruled_out();
     let own = ["CHANGELOG.md", "CHANGES.md", "glossary.md"];
     let is_own = |page: &PathBuf| own.iter().any(|name| page.ends_with(name));
     for page in pages().into_iter().filter(|page| !is_own(page)) {
@@ -175,6 +166,60 @@ fn every_page_uses_the_words_of_the_glossary() {
             assert!(!text.contains(word), "{}: {word}", page.display());
         }
     }
+}
+
+/// The texts of a source: what stands between quotation marks, outside of comments, with words in it.
+fn texts(source: &str) -> Vec<String> {
+    let lines = source
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("//"));
+    let code: String = lines.collect::<Vec<_>>().join("\n");
+    let code = code.replace("'\"'", "").replace("\\\"", "");
+    let texts = code.split('"').skip(1).step_by(2);
+    // What stands in braces is a name of the source.
+    let text = |text: &str| -> String {
+        let parts = text.split('{').enumerate();
+        let words = parts.map(|(number, part)| match number {
+            0 => part,
+            _ => part.split_once('}').map_or("", |(_, rest)| rest),
+        });
+        words.collect()
+    };
+    texts.map(text).filter(|text| text.contains(' ')).collect()
+}
+
+/// The sources below a folder.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    let files = entries.flat_map(|path| match path.is_dir() {
+        true => sources(&path),
+        false => vec![path],
+    });
+    files
+        .filter(|file| file.extension().is_some_and(|extension| extension == "rs"))
+        .collect()
+}
+
+#[test]
+fn every_text_that_reports_and_the_command_print_uses_the_words_of_the_glossary() {
+    assert_eq!(
+        texts("// \"no comment\"\nsay(\"a {repair} of\\\"b\", '\"', \"key\", \"c d\")"),
+        ["a  ofb", "c d"]
+    );
+    let mut read = 0;
+    for room in ["report", "torse", "cli"] {
+        for file in sources(&root().join("crates").join(room).join("src")) {
+            for text in texts(&fs::read_to_string(&file).unwrap()) {
+                for word in glossary::ruled_out() {
+                    assert!(!text.contains(word), "{}: {word}: {text}", file.display());
+                }
+                read += 1;
+            }
+        }
+    }
+    assert!(read > 1000, "{read}");
 }
 
 #[test]

@@ -3,10 +3,14 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
 
 // One process decides the papers once, for both.
+#[path = "../support/glossary.rs"]
+mod glossary;
 #[path = "verdicts/letters.rs"]
 mod letters;
 #[path = "../support/printed.rs"]
 mod printed;
+#[path = "verdicts/vocabulary.rs"]
+mod vocabulary;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

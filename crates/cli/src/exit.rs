@@ -187,6 +187,17 @@ pub enum Failure {
         /// The purposes that have it.
         purposes: Vec<&'static str>,
     },
+    /// A file name whose extension is no format of any purpose.
+    #[error("unknown file extension: {}", path.display())]
+    #[diagnostic(help("the extensions are .{}{}", known.join(", ."), others(elsewhere)))]
+    UnknownFormat {
+        /// The file.
+        path: PathBuf,
+        /// The endings that the purpose has.
+        known: &'static [&'static str],
+        /// Those that other purposes have, and these.
+        elsewhere: Vec<(&'static str, Vec<&'static str>)>,
+    },
     /// Two answers would go to standard output.
     #[error("standard output cannot be two files")]
     #[diagnostic(help("give `--to` or `--parts` the name of a file"))]
@@ -351,6 +362,14 @@ pub enum Failure {
     Print(#[source] std::io::Error),
 }
 
+/// The extensions that other purposes have, and which ones.
+fn others(elsewhere: &[(&str, Vec<&str>)]) -> String {
+    let other = |(ending, purposes): &(&str, Vec<&str>)| {
+        format!("; .{ending} with `--for {}`", purposes.join("` or `--for "))
+    };
+    elsewhere.iter().map(other).collect()
+}
+
 impl From<KernelError> for Failure {
     fn from(error: KernelError) -> Self {
         match error {
@@ -378,6 +397,7 @@ impl Failure {
             | Failure::BothStandard
             | Failure::NoEffect { .. }
             | Failure::OtherPurpose { .. }
+            | Failure::UnknownFormat { .. }
             | Failure::UnknownId { .. }
             | Failure::NoCode { .. }
             | Failure::Since { .. }

@@ -39,7 +39,7 @@ pub struct Unroll {
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
     /// Set the format if the file name has no known extension
-    #[arg(long, value_name = "EXTENSION", value_parser = ending_among(["dxf", "svg", "pdf"]), ignore_case = true)]
+    #[arg(long, value_name = "EXTENSION", value_parser = ending_among(ALL), ignore_case = true)]
     r#as: Option<String>,
     /// Set what the file is for: cut (closed contours alone), bend (the bend lines of tools too), sew (the notches of seams
     /// too), fold (one file of all pieces with every ruling and its angle, as `torse fold` reads it), bench (a sheet for the
@@ -110,6 +110,9 @@ const RULED: &[&str] = &["fold", "bench", "paper"];
 /// The purposes that have pages.
 #[cfg(feature = "pdf")]
 const PAGED: &[&str] = &["bench", "paper"];
+
+/// The endings of all purposes.
+const ALL: [&str; 3] = ["dxf", "svg", "pdf"];
 
 /// Files with their bytes.
 type Files = Vec<(PathBuf, Vec<u8>)>;
@@ -276,16 +279,26 @@ impl Unroll {
     fn ending(&self) -> Result<&'static str, Failure> {
         let known = self.output.endings();
         let found = format_of(&self.to, self.r#as.as_deref(), known);
-        let anything = format_of(&self.to, self.r#as.as_deref(), &["dxf", "svg", "pdf"]);
+        let anything = format_of(&self.to, self.r#as.as_deref(), &ALL);
+        let purposes = |ending: &&str| -> Vec<&'static str> {
+            let has = outputs().filter(|(_, output)| output.endings().contains(ending));
+            has.map(|(name, _)| name).collect()
+        };
         match (found, anything) {
-            (Err(_), Ok(ending)) => {
-                let has = outputs().filter(|(_, output)| output.endings().contains(&ending));
-                Err(Failure::OtherPurpose {
-                    ending,
-                    known,
-                    purposes: has.map(|(name, _)| name).collect(),
-                })
-            }
+            (Err(_), Ok(ending)) => Err(Failure::OtherPurpose {
+                ending,
+                known,
+                purposes: purposes(&ending),
+            }),
+            (Err(_), Err(_)) => Err(Failure::UnknownFormat {
+                path: self.to.clone(),
+                known,
+                elsewhere: (ALL.iter())
+                    .filter(|ending| !known.contains(ending))
+                    .map(|ending| (*ending, purposes(ending)))
+                    .filter(|(_, purposes)| !purposes.is_empty())
+                    .collect(),
+            }),
             (found, _) => found,
         }
     }

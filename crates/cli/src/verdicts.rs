@@ -159,13 +159,11 @@ fn counts<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
     let title = terminal::heading(&counted(tally.total, "claim"));
     let remarks = match tally.remarks.total {
         0 => String::new(),
-        many => {
-            let proved = tally.remarks.proved;
-            format!(
-                "not counted: {}; {proved} of them hold, some under conditions\n",
-                counted(many, "remark of ours")
-            )
-        }
+        many => format!(
+            "not counted: {}; {}\n",
+            counted(many, "remark of ours"),
+            tally.remarks.in_words()
+        ),
     };
     format!("{title}\n{}{remarks}", terminal::lines(&table))
 }

@@ -157,7 +157,7 @@
   }
   byId("reset").addEventListener("click", reset);
   byId("all").addEventListener("click", reset);
-  byId("unfold").addEventListener("click", (event) => {
+  byId("open-all").addEventListener("click", (event) => {
     const open = event.currentTarget.getAttribute("aria-pressed") !== "true";
     event.currentTarget.setAttribute("aria-pressed", String(open));
     for (const details of packed.keys()) details.open = open;

@@ -122,11 +122,11 @@ pub fn verdict_on(outcome: &Outcome) -> Term {
             ..term
         },
         (Verdict::False, _) if outcome.correction().is_some() && outcome.ended_early() => Term {
-            meaning: "False as printed, with an exact counterexample; small edits that would repair it were not searched to the end. What is true instead was derived anew and is proved.",
+            meaning: "False as printed, with an exact counterexample; small edits that would correct it were not searched to the end. What is true instead was derived anew and is proved.",
             ..term
         },
         (Verdict::False, _) if outcome.ended_early() && outcome.data().is_none() => Term {
-            meaning: "False as printed, with an exact counterexample; small edits that would repair it were not searched to the end.",
+            meaning: "False as printed, with an exact counterexample; small edits that would correct it were not searched to the end.",
             ..term
         },
         (Verdict::False, _) if outcome.correction().is_some() => Term {
@@ -434,6 +434,18 @@ pub const fn kind(of: Kind) -> Term {
         key,
         label,
         meaning,
+    }
+}
+
+/// The label of words that a paper prints.
+pub const PRINTED: &str = "printed";
+
+/// Returns the label of the words of a claim: the paper prints them, unless they are a remark of ours.
+#[must_use]
+pub fn words_of(of: Kind) -> &'static str {
+    match of {
+        Kind::Remark => "ours",
+        _ => PRINTED,
     }
 }
 

@@ -25,7 +25,8 @@ use torse_verdicts::outcome::Outcome;
 /// fields of a claim for each reading of the sentence. `part_of`, `reading` and `garbled` are those of the file;
 /// `finding` is the sentence of the file with its numbers computed, its mathematics between dollar signs.
 ///
-/// `totals` counts: the `claims`, remarks of ours left out, by their `verdicts`; and the `remarks` (`total`, `proved`).
+/// `totals` counts: the `claims`, remarks of ours left out, by their `verdicts`; and the `remarks` (`total`, `proved`, and of these
+/// `conditional`).
 ///
 /// `net` says what was tried: whether the verdict is `netted`, the points that were `tried` and those at which it was
 /// `decided`, what is true on the thin parts of its domain that are `unvisited`, the `instances` that are identities,

@@ -29,6 +29,7 @@ pub struct VerdictsWriter<W> {
     claims: Vec<(Verdict, usize)>,
     remarks: usize,
     proved: usize,
+    conditional: usize,
 }
 
 /// What counts of a claim.
@@ -51,6 +52,7 @@ impl<W: Write> VerdictsWriter<W> {
             claims: VERDICTS.map(|verdict| (verdict, 0)).to_vec(),
             remarks: 0,
             proved: 0,
+            conditional: 0,
         })
     }
 
@@ -60,12 +62,12 @@ impl<W: Write> VerdictsWriter<W> {
     /// [`ReportError::Json`] for what is no such object, [`ReportError::Stream`] if the output fails.
     pub fn add(&mut self, claim: &str) -> Result<(), ReportError> {
         let counted: Counted<'_> = serde_json::from_str(claim)?;
-        let is_proved = [Verdict::Holds, Verdict::Conditional]
-            .iter()
-            .any(|verdict| glossary::verdict(*verdict).key == counted.verdict);
+        let is = |verdict| glossary::verdict(verdict).key == counted.verdict;
+        let is_conditional = is(Verdict::Conditional);
         if counted.kind == glossary::kind(Kind::Remark).key {
             self.remarks += 1;
-            self.proved += usize::from(is_proved);
+            self.proved += usize::from(is(Verdict::Holds) || is_conditional);
+            self.conditional += usize::from(is_conditional);
         } else {
             let mut rows = self.claims.iter_mut();
             let row = rows.find(|(verdict, _)| glossary::verdict(*verdict).key == counted.verdict);
@@ -102,11 +104,11 @@ impl<W: Write> VerdictsWriter<W> {
             false => format!("{{{}\n    }}", rows.join(",")),
         };
         let total: usize = self.claims.iter().map(|(_, count)| count).sum();
-        let (remarks, proved) = (self.remarks, self.proved);
+        let (remarks, proved, conditional) = (self.remarks, self.proved, self.conditional);
         write!(
             self.out,
             "{end},\n  \"totals\": {{\n    \"claims\": {total},\n    \"verdicts\": {verdicts},\n    \"remarks\": {{\n      \
-             \"total\": {remarks},\n      \"proved\": {proved}\n    }}\n  }}\n}}\n"
+             \"total\": {remarks},\n      \"proved\": {proved},\n      \"conditional\": {conditional}\n    }}\n  }}\n}}\n"
         )?;
         self.out.flush()?;
         Ok(self.out)

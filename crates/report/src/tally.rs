@@ -26,6 +26,23 @@ pub struct Remarks {
     pub total: usize,
     /// Those that hold or hold under their condition.
     pub proved: usize,
+    /// Those of them that hold under a condition.
+    pub conditional: usize,
+}
+
+impl Remarks {
+    /// How many of them hold, in words.
+    #[must_use]
+    pub fn in_words(&self) -> String {
+        let hold = match self.proved {
+            1 => "1 of them holds".to_owned(),
+            many => format!("{many} of them hold"),
+        };
+        match self.conditional {
+            0 => hold,
+            some => format!("{hold}, {some} under a condition"),
+        }
+    }
 }
 
 /// The claims of one verdict.
@@ -48,12 +65,12 @@ impl Tally {
         let (remarks, claims): (Vec<&Outcome>, Vec<&Outcome>) = claims
             .into_iter()
             .partition(|outcome| outcome.claim.kind == Kind::Remark);
-        let proved = remarks.iter();
-        let proved =
-            proved.filter(|r| matches!(r.verdict(), Verdict::Holds | Verdict::Conditional));
+        let with = |of: Verdict| remarks.iter().filter(|r| r.verdict() == of).count();
+        let conditional = with(Verdict::Conditional);
         let remarks = Remarks {
             total: remarks.len(),
-            proved: proved.count(),
+            proved: with(Verdict::Holds) + conditional,
+            conditional,
         };
         let count =
             |keep: &dyn Fn(&Outcome) -> bool| claims.iter().filter(|claim| keep(claim)).count();

@@ -186,7 +186,10 @@ impl Cut {
                     note.add("in", &outcome.claim.printed);
                 }
             }
-            None => note.add("printed", &outcome.claim.printed),
+            None => note.add(
+                glossary::words_of(outcome.claim.kind),
+                &outcome.claim.printed,
+            ),
         }
         add_statement(note, "understood", outcome, |text| self.cut(text));
     }

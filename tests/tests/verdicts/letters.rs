@@ -13,7 +13,7 @@ use torse_verdicts::engine::{STANDARD_WORK, run};
 use torse_verdicts::restore::restore;
 
 /// The same, decided again with all corrections in force.
-static RESTORED: LazyLock<Vec<PaperOutcome>> = LazyLock::new(|| {
+pub static RESTORED: LazyLock<Vec<PaperOutcome>> = LazyLock::new(|| {
     let pairs = LOADED.iter().zip(PAPERS.iter());
     let restored = pairs.map(|(paper, outcome)| PaperOutcome {
         restored: restore(STANDARD_WORK, paper, outcome).expect("every formula makes sense"),
@@ -39,7 +39,7 @@ fn found(text: &str, whose: &str) -> Vec<String> {
 }
 
 /// What a reader meets of a value of a report: of mathematics its words, and not what it is set from.
-fn words_of(value: &serde_json::Value, words: &mut Vec<String>) {
+pub fn words_of(value: &serde_json::Value, words: &mut Vec<String>) {
     use serde_json::Value;
     match value {
         Value::String(text) => words.push(text.clone()),
@@ -194,7 +194,7 @@ fn with_all_corrections_in_force_every_claim_in_which_a_fault_shows_is_true_and_
             "{}: {checked}",
             outcome.slug
         );
-        assert!(!checked.contains("not repaired"), "{}", outcome.slug);
+        assert!(!checked.contains("not corrected"), "{}", outcome.slug);
         for claim in &outcome.restored {
             let repaired = [Verdict::Holds, Verdict::Conditional, Verdict::Definition];
             if !repaired.contains(&claim.verdict) {
@@ -237,7 +237,7 @@ fn a_claim_whose_correction_is_false_is_named_as_not_repaired() {
     };
     let letter = erratum_latex(&Report::new(&outcome, &[]), &Envelope::default());
     let checked = letter.split_once("How this was checked").unwrap().1;
-    let says = "1 is not repaired, and cannot stay as printed (Sect. 5.3, Theorem 4, eq. (5.16), third line)";
+    let says = "1 is not corrected, and cannot stay as printed (Sect. 5.3, Theorem 4, eq. (5.16), third line)";
     assert!(checked.contains(says), "{checked}");
 }
 

@@ -249,6 +249,17 @@ fn unknown_formats_and_names_are_mistakes_of_the_command_line() {
         assert_eq!(wrong.code, 2, "{arguments:?}: {}", wrong.error);
         assert!(!wrong.error.is_empty() && wrong.output.is_empty());
     }
+    let told = |arguments: &[&str]| {
+        let wrong = run(folder.path(), arguments);
+        assert_eq!(wrong.code, 2);
+        wrong.error.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let of_cut = told(&["unroll", "part.toml", "--to", "part.xyz"]);
+    let all = "the extensions are .dxf, .svg; .pdf with `--for bench` or `--for paper`";
+    assert!(of_cut.contains(all), "{of_cut}");
+    let of_paper = told(&["unroll", "part.toml", "--to", "x.y", "--for", "paper"]);
+    let others = "the extensions are .pdf; .dxf with `--for cut` or `--for bend`";
+    assert!(of_paper.contains(others), "{of_paper}");
     assert_eq!(files(folder.path()), ["part.toml"]);
 }
 

@@ -49,6 +49,33 @@ fn a_refuted_claim_is_explained_with_both_sides_at_a_point() {
 }
 
 #[test]
+fn the_words_of_a_remark_are_ours_and_not_printed() {
+    let remark = claim("ours", "x == x", "").replace("\"identity\"", "\"remark\"");
+    let folder = mini(&[claim("theirs", "x == x", ""), remark].concat());
+    for (id, label, other) in [("ours", "ours", "printed"), ("theirs", "printed", "ours")] {
+        let ran = on(folder.path(), &["explain", &format!("mini/{id}")]);
+        let labelled = |label: &str| {
+            let mut lines = ran.out.lines();
+            lines.any(|line| line.split_whitespace().next() == Some(label))
+        };
+        assert!(labelled(label) && !labelled(other), "{}", ran.out);
+    }
+}
+
+#[test]
+fn the_whole_of_a_paper_is_told_in_the_words_of_the_glossary() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    for command in ["explain", "verify"] {
+        let ran = torse_in(&root, &[command, "torses"]);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        assert!(ran.out.lines().count() > 100, "{}", ran.out);
+        for word in crate::glossary::ruled_out() {
+            assert!(!ran.out.contains(word), "{word}: {}", ran.out);
+        }
+    }
+}
+
+#[test]
 fn a_name_of_several_claims_is_refused_with_the_list() {
     let folder = mini(
         &["eq-1.a", "eq-1.b"]
@@ -192,6 +219,7 @@ readings = [
 #[test]
 fn explanations_of_the_papers_have_no_sentence_and_no_symbol_of_the_engine() {
     const PATTERNS: &str = include_str!("../../../../tests/support/patterns.txt");
+    let ruled_out = crate::glossary::ruled_out();
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     for id in [
         "gbt-developable/thm-4.c",
@@ -202,7 +230,7 @@ fn explanations_of_the_papers_have_no_sentence_and_no_symbol_of_the_engine() {
     ] {
         let ran = torse_in(&root, &["explain", id]);
         assert_eq!(ran.code, Some(0), "{id}: {}", ran.err);
-        for pattern in PATTERNS.lines() {
+        for pattern in PATTERNS.lines().chain(ruled_out.iter().copied()) {
             assert!(
                 !ran.out.contains(pattern),
                 "{id} has {pattern:?}:\n{}",

@@ -14,6 +14,8 @@ mod design;
 mod erratum;
 mod exit_codes;
 mod explain;
+#[path = "../../../../tests/support/glossary.rs"]
+mod glossary;
 mod help;
 mod hostile;
 mod input;

@@ -368,3 +368,28 @@ fn proofs_are_written_whole_and_with_the_same_bytes_each_time() {
     assert_eq!(ran.code, Some(5), "{}", ran.err);
     assert_eq!(fs::read_to_string(&occupied).unwrap(), text);
 }
+
+#[test]
+fn the_remarks_that_hold_are_counted_and_those_that_hold_under_a_condition() {
+    let remark =
+        |name: &str, states: &str| claim(name, states, "").replace("\"identity\"", "\"remark\"");
+    let one = mini(&remark("a", "x == x"));
+    let three = mini(
+        &[
+            remark("a", "x == x"),
+            remark("b", "x/x == 1"),
+            remark("c", "x == 1"),
+        ]
+        .concat(),
+    );
+    for (folder, says) in [
+        (one, "not counted: 1 remark of ours; 1 of them holds\n"),
+        (
+            three,
+            "not counted: 3 remarks of ours; 2 of them hold, 1 under a condition\n",
+        ),
+    ] {
+        let ran = on(folder.path(), &["verify"]);
+        assert!(ran.out.contains(says), "{}", ran.out);
+    }
+}

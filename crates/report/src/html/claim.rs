@@ -47,11 +47,12 @@ pub(super) fn write(
             term.key, term.label
         )?;
     }
-    write!(
-        out,
-        "</span><span class=\"statement\">{}</span>",
-        Sentence(&claim.printed)
-    )?;
+    out.push_str("</span><span class=\"statement\">");
+    // The page shows what is printed; it says of the words that are not.
+    if claim.words_of != glossary::PRINTED {
+        write!(out, "<span class=\"whose\">{}</span>", claim.words_of)?;
+    }
+    write!(out, "{}</span>", Sentence(&claim.printed))?;
     let findings = page.report.findings.iter();
     if let Some(finding) = { findings }.find(|finding| finding.anchor == claim.anchor) {
         let text = Sentence(&finding.text);

@@ -275,7 +275,7 @@ impl Page<'_> {
             )?;
         }
         out.push_str(
-            "<button id=\"reset\" type=\"button\">Show all</button> <button id=\"unfold\" type=\"button\" aria-pressed=\"false\">Open all</button>\n<span id=\"shown\" role=\"status\"></span>\n</div>\n</div>\n",
+            "<button id=\"reset\" type=\"button\">Show all</button> <button id=\"open-all\" type=\"button\" aria-pressed=\"false\">Open all</button>\n<span id=\"shown\" role=\"status\"></span>\n</div>\n</div>\n",
         );
         Ok(())
     }

@@ -326,8 +326,9 @@ fn tally(out: &mut String, tally: &Tally) -> fmt::Result {
         let across = tally.evidence.len() + 1;
         writeln!(
             out,
-            "<tr><th scope=\"row\">remarks of ours</th><td colspan=\"{across}\">not counted above; {} of them hold</td><td class=\"number\">{}</td></tr>",
-            tally.remarks.proved, tally.remarks.total
+            "<tr><th scope=\"row\">remarks of ours</th><td colspan=\"{across}\">not counted above; {}</td><td class=\"number\">{}</td></tr>",
+            tally.remarks.in_words(),
+            tally.remarks.total
         )?;
     }
     out.push_str("</tbody>\n</table></div>\n");

@@ -108,7 +108,7 @@ fn restored(paper: &PaperOutcome) -> Option<String> {
         let verb = if left.len() == 1 { "is" } else { "are" };
         let (count, places) = (left.len(), places(paper, &left));
         parts.push(format!(
-            "{count} {verb} not repaired, and cannot stay as printed ({places})"
+            "{count} {verb} not corrected, and cannot stay as printed ({places})"
         ));
     }
     text.push_str(&enumeration(&parts));

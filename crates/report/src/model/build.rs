@@ -201,6 +201,7 @@ impl<'a> Builder<'a> {
                 .expect
                 .filter(|of| *of != outcome.verdict())
                 .map(glossary::verdict),
+            words_of: glossary::words_of(outcome.claim.kind),
             printed: prose(&outcome.claim.printed),
             reading: option(outcome.claim.reading.as_deref()),
             parsed: outcome.parsed().map(|of| formula(of, &names)),

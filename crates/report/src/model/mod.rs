@@ -111,7 +111,9 @@ pub struct ClaimView {
     pub level: Option<Term>,
     /// The expected verdict of the derivation file, if it differs.
     pub expected: Option<Term>,
-    /// The statement as printed.
+    /// Whose words they are: `printed`, or `ours`.
+    pub words_of: &'static str,
+    /// The words of the statement.
     pub printed: Prose,
     /// How our copy of the text was read.
     pub reading: Option<Prose>,

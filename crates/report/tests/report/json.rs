@@ -97,7 +97,8 @@ fn the_json_of_a_claim_has_its_fields_in_order_and_null_where_there_is_nothing()
     },
     "remarks": {
       "total": 0,
-      "proved": 0
+      "proved": 0,
+      "conditional": 0
     }
   }
 }
