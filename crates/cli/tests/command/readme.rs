@@ -1,12 +1,16 @@
-//! The commands of the README print what stands below them.
+//! The commands of the README print what stands below them, word for word; its lines are broken for narrow columns.
 
 use crate::support::torse_in;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
 
-/// The words of a command line; quotation marks hold words together.
+/// The most characters of a line that stand in half of the page.
+const MAX_COLUMNS: usize = 43;
+
+/// The words of a command line; quotation marks hold words together, and a backslash ends a line that goes on.
 fn words(line: &str) -> Vec<String> {
+    let line = line.replace("\\\n", " ");
     let mut words = vec![];
     for (position, part) in line.split('"').enumerate() {
         match position % 2 {
@@ -38,7 +42,11 @@ fn the_commands_of_the_readme_print_what_it_shows() {
         };
         let arguments = command.trim().strip_prefix("cargo run -- ").unwrap();
         let ran = torse_in(folder.path(), &words(arguments));
-        assert_eq!(ran.out, *output, "{command}{}", ran.err);
+        let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(plain(&ran.out), plain(output), "{command}{}", ran.err);
+        for line in command.lines().chain(output.lines()) {
+            assert!(line.chars().count() <= MAX_COLUMNS, "{line}");
+        }
         shown += 1;
     }
     assert_eq!(shown, 2);
