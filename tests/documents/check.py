@@ -4,7 +4,8 @@
     python3 tests/documents/check.py reports/*.pdf reports/*.md
 
 A PDF passes if it is tagged and has a title, no page but the last of a section is filled to less than 60 %, no text leaves
-the margins, none lies upon another, and no words are typed mathematics (`mu1`, `x^2`); veraPDF, if it is installed, must find nothing against
+the margins, none lies upon another or is too small to be read, no picture is narrower than its type allows, and no words are typed
+mathematics (`mu1`, `x^2`); veraPDF, if it is installed, must find nothing against
 PDF/UA-1. A page of Markdown passes if no words outside of formulas and code are typed mathematics. The tools are those of
 poppler (pdfinfo, pdftohtml, pdftoppm); what is missing is told, and leaves out what it would test.
 """
@@ -30,6 +31,13 @@ PAGE, SIDE, TOP, BOTTOM = (210, 297), 20, 19, 17
 
 # Headings of this many points begin a section; claims have smaller ones.
 HEADING = 11
+
+# The smallest type in points: scripts of scripts. Primes are strokes, and smaller.
+SMALLEST = 4.9
+PRIMES = "′″‴⁗"
+
+# A picture is at least so many points wide: the type of the narrowest, which are made 480 pixels wide, is of 6 points and more.
+NARROWEST = 270
 
 # The widths that poppler tells are off by so many points where a line has large letters.
 HANGS = 7
@@ -59,7 +67,7 @@ def output(*command):
 
 def pages_of(document):
     """The texts of each page."""
-    text = output("pdftohtml", "-xml", "-i", "-stdout", str(document))
+    text = output("pdftohtml", "-zoom", "3", "-xml", "-i", "-stdout", str(document))
     fonts, pages = {}, []
     for page in re.split(r"<page ", text)[1:]:
         width = int(re.search(r'width="(\d+)"', page).group(1))
@@ -113,6 +121,20 @@ def overlapping(page):
                 yield f"{first.words.strip()[:24]} | {second.words.strip()[:24]}"
 
 
+def small(page):
+    """Words in smaller type than can be read."""
+    for text in page:
+        if text.size < SMALLEST and text.words.strip().strip(PRIMES):
+            yield f"“{text.words.strip()[:24]}” is set in {text.size:.1f} points"
+
+
+def narrow(document):
+    """The widths of the pictures that are too narrow for their type, by the boxes that the tags tell."""
+    boxes = re.findall(rb"/S/Figure[^<]*<</O/Layout/Placement/Block/BBox\[([-\d.]+) [-\d.]+ ([-\d.]+) ", document.read_bytes())
+    widths = [float(right) - float(left) for left, right in boxes]
+    return [f"a picture is {width:.0f} points wide" for width in widths if width < NARROWEST]
+
+
 def typed(words):
     words = words.replace(NAMED, "")
     return [words[max(0, found.start() - 24):found.end() + 24] for found in TYPED.finditer(words)]
@@ -135,9 +157,10 @@ def document_faults(document):
             if text.words.strip() and text.right > points(PAGE[0] - SIDE) + HANGS:
                 wrong.append(f"page {number}: “{text.words.strip()[-24:]}” leaves the margin by {text.right - points(PAGE[0] - SIDE):.0f} points")
         wrong += [f"page {number}: {both} lie upon each other" for both in overlapping(page)]
+        wrong += [f"page {number}: {words}" for words in small(page)]
         words = " ".join(text.words for text in page if not text.is_code)
         wrong += [f"page {number}: typed mathematics: {stretch}" for stretch in typed(words)]
-    return wrong
+    return wrong + narrow(document)
 
 
 def markdown_faults(page):

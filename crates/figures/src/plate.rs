@@ -109,7 +109,7 @@ impl Plate {
         let size = drawing.size.unwrap_or(match columns {
             1 => [580, 440],
             2 => [400, 320],
-            _ => [320, 280],
+            _ => [306, 280],
         });
         let [width, height] = size;
         Ok(Figure {

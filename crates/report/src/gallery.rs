@@ -1,15 +1,15 @@
 //! The gallery: a page in Markdown that shows all figures of all papers.
 //!
-//! It stands beside the folder of figures, where the web page of a repository shows it: small pictures that link to the
-//! large ones, each with its caption, its verdict, and its assumptions.
+//! It stands beside the folder of figures, where the web page of a repository shows it: pictures that link to the drawings,
+//! and to the figure that moves where the report has one, each with its caption, its verdict, and its assumptions.
 
-use crate::text::visible;
+use crate::text::{figure_anchor, visible};
 use crate::{FigureImage, ReportError, glossary, plain};
 use std::fmt::{self, Write};
 use torse_verdicts::outcome::PaperOutcome;
 
-/// Width of a small picture in pixels.
-const WIDTH: u32 = 420;
+/// Width of a picture in pixels: about that of a page of a repository, so that its letters can be read.
+const WIDTH: u32 = 800;
 
 /// Writes the gallery of `papers`, each with its figures, whose files are `figures/NAME.png`.
 ///
@@ -43,14 +43,16 @@ fn write(page: &mut String, papers: &[(&PaperOutcome, &[FigureImage])]) -> fmt::
             "\n## {title}\n\n`{slug}` · {} figures\n",
             figures.len()
         )?;
-        for figure in *figures {
-            entry(page, figure)?;
+        for (number, figure) in (1..).zip(*figures) {
+            let moving = figure_anchor(number);
+            entry(page, figure, &format!("{slug}.html#{moving}"))?;
         }
     }
     Ok(())
 }
 
-fn entry(page: &mut String, figure: &FigureImage) -> fmt::Result {
+/// Writes a figure, which moves at the address `moving` if its shape has parameters or it unrolls.
+fn entry(page: &mut String, figure: &FigureImage, moving: &str) -> fmt::Result {
     let (name, alt) = (escaped(&figure.name), escaped(&figure.alt));
     let verdict = glossary::verdict(figure.verdict).label;
     write!(
@@ -68,14 +70,15 @@ fn entry(page: &mut String, figure: &FigureImage) -> fmt::Result {
             write!(page, "\n*{what}:* {}.\n", escaped(&plain(&list.join("; "))))?;
         }
     }
-    match &figure.step {
-        Some(place) => writeln!(
-            page,
-            "\n<a href=\"{}\">STEP of the developable</a>",
-            escaped(place)
-        ),
-        None => Ok(()),
+    let mut links = vec![format!("<a href=\"figures/{name}.svg\">SVG</a>")];
+    if figure.interactive.is_some() || figure.torse.is_some() {
+        links.push(format!("<a href=\"{moving}\">move it in the report</a>"));
     }
+    if let Some(place) = &figure.step {
+        let place = escaped(place);
+        links.push(format!("<a href=\"{place}\">STEP of the developable</a>"));
+    }
+    writeln!(page, "\n{}", links.join(" · "))
 }
 
 /// Escapes every sign of HTML and Markdown in a text, and puts it on one line.

@@ -140,6 +140,11 @@ pub(crate) fn section_title(at: &str) -> String {
     }
 }
 
+/// Returns the identifier of a figure in the report, by its number among the figures of the paper, from 1.
+pub(crate) fn figure_anchor(number: usize) -> String {
+    format!("figure-{number}")
+}
+
 /// Returns the number of a figure from its place in the paper: `2(a)` for `Fig. 2 (a)` and `Sect. 3.1, Figure 2(a)`.
 pub(crate) fn figure_number(at: &str) -> Option<String> {
     let (_, after) = at.split_once("Fig")?;

@@ -11,6 +11,21 @@ pub(crate) const MAX_FRAMED: usize = 110;
 /// It calls only functions of the math scope and those of marks, which the templates define; everything else is single
 /// letters, signs and quoted text, so no string of a file can act.
 pub(crate) fn typst(node: &MathBox) -> String {
+    typst_sized(node, false)
+}
+
+/// Writes a part of a formula; within scripts, fractions and matrices (`small`), what would become smaller than a script is
+/// set in the size of one, so that it can be read.
+fn typst_sized(node: &MathBox, small: bool) -> String {
+    let typst = |node: &MathBox| typst_sized(node, small);
+    let part = |node: &MathBox| {
+        let text = typst_sized(node, true);
+        if small {
+            format!("script({text})")
+        } else {
+            text
+        }
+    };
     match node {
         MathBox::Letter(letter, face) => typst_letter(letter, *face),
         MathBox::Function(name) => name.clone(),
@@ -31,7 +46,7 @@ pub(crate) fn typst(node: &MathBox) -> String {
             let mut text = format!("{base}{}", "'".repeat(*primes));
             for (sign, script) in [('_', below), ('^', above)] {
                 if let Some(script) = script {
-                    let script = typst(script);
+                    let script = part(script);
                     let single =
                         script.chars().count() == 1 || script.chars().all(|c| c.is_ascii_digit());
                     match single {
@@ -50,9 +65,9 @@ pub(crate) fn typst(node: &MathBox) -> String {
             };
             format!("{name}({})", typst(inner))
         }
-        MathBox::Fraction(above, below) => format!("frac({}, {})", typst(above), typst(below)),
+        MathBox::Fraction(above, below) => format!("frac({}, {})", part(above), part(below)),
         MathBox::Root(inner) => format!("sqrt({})", typst(inner)),
-        MathBox::Binomial(n, k) => format!("binom({}, {})", typst(n), typst(k)),
+        MathBox::Binomial(n, k) => format!("binom({}, {})", part(n), part(k)),
         MathBox::Fenced(fence, inner) => {
             let inner = typst(inner);
             match fence {
@@ -68,13 +83,13 @@ pub(crate) fn typst(node: &MathBox) -> String {
                 Fence::Bars => "|",
                 _ => "(",
             };
-            let cells = |row: &Vec<MathBox>| row.iter().map(typst).collect::<Vec<_>>().join(", ");
+            let cells = |row: &Vec<MathBox>| row.iter().map(part).collect::<Vec<_>>().join(", ");
             let rows: Vec<String> = rows.iter().map(cells).collect();
             format!("mat(delim: \"{delimiter}\", {})", rows.join("; "))
         }
         MathBox::Sum { below, above } => {
-            let above = above.as_ref().map(|above| format!("^({})", typst(above)));
-            format!("sum_({}){}", typst(below), above.unwrap_or_default())
+            let above = above.as_ref().map(|above| format!("^({})", part(above)));
+            format!("sum_({}){}", part(below), above.unwrap_or_default())
         }
         MathBox::Marked(mark, inner) => {
             let name = match mark {

@@ -11,6 +11,8 @@ use crate::legend::{Entries, Key, Legend, Marker, draw_marker};
 
 /// One tick per this many pixels.
 const PER_TICK: [f64; 2] = [62.0, 40.0];
+/// A label needs this many pixels along the axes.
+const PER_LABEL: [f64; 2] = [36.0, 18.0];
 
 impl Plot {
     pub(crate) fn draw_in(
@@ -114,15 +116,27 @@ impl Plot {
             Aspect::Free => PER_TICK,
             Aspect::Equal => [PER_TICK[0].min(1.4 * PER_TICK[1]); 2],
         };
-        let spec = |axis, [low, high]: [f64; 2], length: f64, per: f64| AxisSpec {
+        let spec = |axis, [low, high]: [f64; 2], length: f64, per: f64, label: f64| AxisSpec {
             low,
             high,
             label: axis,
-            ticks: Ticks::new(low, high, length / per),
+            ticks: Ticks::new(low, high, length / per, length / label + 1.0),
         };
         [
-            spec(self.x.label.as_str(), window[0], inner.w, per_x),
-            spec(self.y.label.as_str(), window[1], inner.h, per_y),
+            spec(
+                self.x.label.as_str(),
+                window[0],
+                inner.w,
+                per_x,
+                PER_LABEL[0],
+            ),
+            spec(
+                self.y.label.as_str(),
+                window[1],
+                inner.h,
+                per_y,
+                PER_LABEL[1],
+            ),
         ]
     }
 

@@ -16,6 +16,8 @@ const RIM: Line = Line::solid(Colour::rgb(0xb4, 0xb8, 0xbf), 0.8);
 const EDGE: Line = Line::solid(Colour::INK, 0.8);
 /// One tick per this many pixels.
 const PER_TICK: f64 = 36.0;
+/// Two labels stand apart if they are this many pixels apart across, or up and down.
+const APART: [f64; 2] = [32.0, 15.0];
 const TICK: f64 = 4.5;
 /// Maximum length, in pixels, of an edge without ticks.
 const SHORTEST: f64 = 24.0;
@@ -41,8 +43,10 @@ impl<'a> StageBox<'a> {
                 let mut ends = [[0.0; 3]; 2];
                 (ends[0][k], ends[1][k]) = (low, high);
                 let [a, b] = ends.map(|p| projection.apply(p));
-                let length = libm::hypot(b[0] - a[0], b[1] - a[1]);
-                Ticks::new(low, high, (length / PER_TICK).min(8.0))
+                let run = [0, 1].map(|c| (b[c] - a[c]).abs());
+                let wanted = (libm::hypot(run[0], run[1]) / PER_TICK).min(8.0);
+                let gaps = (run[0] / APART[0]).max(run[1] / APART[1]);
+                Ticks::new(low, high, wanted, gaps + 1.0)
             }),
         }
     }

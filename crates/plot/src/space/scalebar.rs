@@ -32,7 +32,7 @@ impl<'a> ScaleBar<'a> {
         room: f64,
     ) -> Result<ScaleBar<'a>, FigureError> {
         let length = (0.8 * room).min(MAX_BAR_LENGTH);
-        let ticks = Ticks::new(range[0], range[1], length / 40.0);
+        let ticks = Ticks::new(range[0], range[1], length / 40.0, length / 20.0);
         let mut labels = 0.0f64;
         for label in &ticks.labels {
             labels = labels.max(typeset(label, TICK_SIZE)?.width);

@@ -12,7 +12,8 @@ use crate::names::printed_names;
 use crate::source::Source;
 use crate::tally::Tally;
 use crate::text::{
-    anchor, counted, decimal, figure_number, name, section_rank, section_title, visible,
+    anchor, counted, decimal, figure_anchor, figure_number, name, section_rank, section_title,
+    visible,
 };
 use crate::view::{correction, derived, formula};
 use crate::{FigureImage, applicability, corrections, findings, letter, sentence, summary_page};
@@ -128,7 +129,7 @@ fn figure_view(position: usize, image: &FigureImage, number: String) -> FigureVi
     let prose = |text: &String| spans(&visible(text), &names);
     FigureView {
         file: figure_file(position, image),
-        anchor: format!("figure-{}", position + 1),
+        anchor: figure_anchor(position + 1),
         number,
         caption: prose(&image.caption),
         alt: visible(&image.alt),

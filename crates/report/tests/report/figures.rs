@@ -49,6 +49,24 @@ fn a_figure_of_the_paper_has_its_number_and_a_picture_of_ours_another() {
 }
 
 #[test]
+fn the_gallery_links_a_figure_that_moves_to_its_place_in_the_report_and_no_other() {
+    let (sample, figures) = (paper::sample(), paper::figures());
+    let report = Report::new(&sample, &figures);
+    let gallery = gallery(&[(&sample, &figures)]).unwrap();
+    let entries: Vec<&str> = gallery.split("<img ").skip(1).collect();
+    assert_eq!(entries.len(), figures.len());
+    let mut moving = 0;
+    for ((entry, figure), view) in entries.iter().zip(&figures).zip(&report.figures) {
+        let moves = figure.interactive.is_some() || figure.torse.is_some();
+        let link = format!("<a href=\"sample.html#{}\">", view.anchor);
+        assert_eq!(entry.contains(&link), moves, "{}", figure.name);
+        assert!(HTML.contains(&format!("id=\"{}\"", view.anchor)));
+        moving += usize::from(moves);
+    }
+    assert!((1..figures.len()).contains(&moving), "{moving}");
+}
+
+#[test]
 fn a_figure_with_sliders_carries_its_nets_as_json() {
     let start = "<script type=\"application/json\">";
     assert_eq!(HTML.matches(start).count(), 1);
