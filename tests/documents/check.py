@@ -3,9 +3,9 @@
 
     python3 tests/documents/check.py reports/*.pdf reports/*.md
 
-A PDF passes if it is tagged and has a title, no page but the last of a section is filled to less than 60 %, no text leaves
-the margins, none lies upon another or is too small to be read, no picture is narrower than its type allows, and no words are typed
-mathematics (`mu1`, `x^2`); veraPDF, if it is installed, must find nothing against
+A PDF passes if it is tagged and has a title, no page but the last of a section and the pictures that follow it is filled to
+less than 60 %, no text leaves the margins, none lies upon another or is too small to be read, no picture is narrower than its
+type allows, and no words are typed mathematics (`mu1`, `x^2`); veraPDF, if it is installed, must find nothing against
 PDF/UA-1. A page of Markdown passes if no words outside of formulas and code are typed mathematics. The tools are those of
 poppler (pdfinfo, pdftohtml, pdftoppm); what is missing is told, and leaves out what it would test.
 """
@@ -108,6 +108,18 @@ def begins_section(page):
     return bool(body) and min(body, key=lambda text: text.top).size > HEADING
 
 
+def holds_pictures_alone(page):
+    """Whether a page has nothing but pictures with their captions: no claim, whose name is code."""
+    body = [text for text in page if text.top > points(TOP) - 4 and text.words.strip()]
+    return any(text.words.startswith("Figure") for text in body) and not any(text.is_code for text in body)
+
+
+def ends_section(following):
+    """Whether a section ends before these pages; pictures that found no room on its last page stand on pages of their own."""
+    rest = [page for page in following if not holds_pictures_alone(page)]
+    return not rest or begins_section(rest[0]) and rest[0] in following[:4]
+
+
 def overlapping(page):
     """Words that lie upon each other; formulas stack their parts."""
     texts = sorted((text for text in page if not text.is_formula and len(text.words.strip()) > 2), key=lambda text: text.top)
@@ -149,8 +161,8 @@ def document_faults(document):
     if not re.search(r"^Title:\s+\S", facts, re.M):
         wrong.append("no title")
     pages = pages_of(document)
-    for number, (page, following, fill) in enumerate(zip(pages, pages[1:], fills(document)), start=1):
-        if fill < FILL and not begins_section(following):
+    for number, fill in enumerate(fills(document)[:-1], start=1):
+        if fill < FILL and not ends_section(pages[number:]):
             wrong.append(f"page {number} is filled to {fill:.0%}")
     for number, page in enumerate(pages, start=1):
         for text in page:
