@@ -46,7 +46,7 @@ fn no_report_page_or_letter_uses_a_word_that_the_glossary_rules_out() {
         words_of(&serde_json::to_value(report).unwrap(), &mut words);
         words.push(text_of(page));
         words.push(erratum_markdown(report, &Envelope::default()));
-        words.extend(findings_in_words(paper).into_iter().map(|(_, text)| text));
+        words.extend(findings_in_words(paper).into_values());
         for text in words {
             assert_eq!(found(&text), [""; 0], "{}: {text}", paper.slug);
         }
