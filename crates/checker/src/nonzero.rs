@@ -404,7 +404,8 @@ fn value_at_zero(polynomial: &Polynomial) -> Option<(Symbol, Polynomial)> {
     })
 }
 
-/// Whether a polynomial compares so with zero nowhere: it is a number that does not, or a sum of squares, all with one sign.
+/// Whether a polynomial compares so with zero nowhere: it is a number that does not, or a sum of squares and of a number, all with
+/// one sign.
 fn fails_everywhere(polynomial: &Polynomial, relation: Relation) -> bool {
     if let Some(number) = polynomial.as_constant() {
         return !holds(number.cmp(&integer(0)), relation);
@@ -414,10 +415,13 @@ fn fails_everywhere(polynomial: &Polynomial, relation: Relation) -> bool {
         let mut terms = polynomial.terms();
         terms.all(|(powers, value)| powers.iter().all(is_square) && value.cmp(&integer(0)) == sign)
     };
+    let has_number = || polynomial.terms().any(|(powers, _)| powers.is_empty());
     match relation {
         Relation::Less => squares(Ordering::Greater),
         Relation::Greater => squares(Ordering::Less),
-        _ => false,
+        Relation::AtMost => squares(Ordering::Greater) && has_number(),
+        Relation::AtLeast => squares(Ordering::Less) && has_number(),
+        Relation::Equal | Relation::Different => false,
     }
 }
 

@@ -112,6 +112,7 @@ fn a_sum_that_hypotheses_keep_from_zero_divides() {
     for (assumed, states) in [
         ("a*b > 0', 'c*(a + b) == 2*(a + b)", "c == 2"),
         ("a*b < 0', 'c*(b - a) == (b - a)^2", "c == b - a"),
+        ("a*b >= 1', 'c*(a + b) == 2*(a + b)", "c == 2"),
     ] {
         let lines = format!("assume = ['{assumed}']\nstates = '{states}'");
         found(numbers, &lines, &[Holds]);
