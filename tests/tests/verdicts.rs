@@ -11,6 +11,8 @@ mod letters;
 mod printed;
 #[path = "verdicts/vocabulary.rs"]
 mod vocabulary;
+#[path = "verdicts/words.rs"]
+mod words_of_corrections;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

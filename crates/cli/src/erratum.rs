@@ -14,6 +14,7 @@ use torse_report::Manuscript;
 use torse_report::model::Report;
 use torse_report::{Envelope, ReportError, erratum_latex, erratum_markdown, glossary, write_file};
 use torse_syntax::derivation::Paper;
+use torse_verdicts::audit::corrected_words;
 
 /// Write the corrections of a paper as TeX, PDF and Markdown, ready to be sent to its authors or journal.
 ///
@@ -94,6 +95,9 @@ impl Erratum {
         if !mistakes.is_empty() {
             return Ok(mistakes.tell(Exit::BadData));
         }
+        if self.verify {
+            words_are_decided(&papers, &run)?;
+        }
         let accepted = self.kernel.accepted(&papers, &run);
         let envelope = Envelope {
             sender: self.sender.clone(),
@@ -120,4 +124,29 @@ impl Erratum {
         terminal::print(&written)?;
         Ok(Exit::from_outcomes(run.outcomes(), &[]))
     }
+}
+
+/// Compares the words of each correction with what is decided: an author reads the words.
+fn words_are_decided(papers: &[Paper], run: &Run) -> Result<(), Failure> {
+    for (paper, outcome) in papers.iter().zip(&run.papers) {
+        for claim in &paper.claims {
+            let id = claim.entry.id.get_ref();
+            let Some(found) = outcome.claims.iter().find(|of| of.claim.id == *id) else {
+                continue;
+            };
+            let Some(words) = corrected_words(std::slice::from_ref(paper), claim, found) else {
+                continue;
+            };
+            for reads in &words.reads {
+                if let Some(formula) = words.compared(reads).otherwise.first() {
+                    return Err(Failure::ReadsOtherwise {
+                        claim: id.clone(),
+                        reads: formula.clone(),
+                        states: words.states(),
+                    });
+                }
+            }
+        }
+    }
+    Ok(())
 }

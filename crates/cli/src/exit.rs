@@ -213,6 +213,17 @@ pub enum Failure {
         /// Why.
         reason: String,
     },
+    /// The words of a correction say something else than what is decided with it.
+    #[error("the correction of `{claim}` reads `{reads}`, and what is decided is `{states}`")]
+    #[diagnostic(help("a letter prints `reads`: it has to say what `states` says"))]
+    ReadsOtherwise {
+        /// The id of the claim.
+        claim: String,
+        /// The formula of the words.
+        reads: String,
+        /// The corrected statement.
+        states: String,
+    },
     /// No claim names a function of a program.
     #[error("no claim of `{name}` names a function")]
     #[diagnostic(help(
@@ -427,6 +438,7 @@ impl Failure {
             Failure::ReadProofs { .. }
             | Failure::Unread { .. }
             | Failure::Merge { .. }
+            | Failure::ReadsOtherwise { .. }
             | Failure::Unmerged { .. } => Exit::BadData,
             Failure::Proofs(_)
             | Failure::Report(_)

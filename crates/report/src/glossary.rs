@@ -462,6 +462,7 @@ pub const fn flag(of: Flag) -> &'static str {
         Flag::AddsName => "adds-name",
         Flag::AddsRelation => "adds-relation",
         Flag::ReadsOtherwise => "reads-otherwise",
+        Flag::ReadsAnotherFormula => "reads-another-formula",
         Flag::AssumedConclusion => "assumed-conclusion",
         Flag::ShortConjunction => "short-conjunction",
         Flag::OneDegree => "one-degree",

@@ -86,6 +86,8 @@ pub enum Flag {
     AddsRelation,
     /// The words of a correction and the statement that is decided with it have different numbers, names, relations or signs.
     ReadsOtherwise,
+    /// A formula in the words of a correction has other values than what is decided with it.
+    ReadsAnotherFormula,
     /// The conclusion is among the hypotheses.
     AssumedConclusion,
     /// The statement has fewer parts than the sentence.

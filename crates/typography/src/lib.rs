@@ -26,7 +26,7 @@ pub use letters::FUNCTIONS;
 pub use marked::compared;
 pub use math_box::{Fence, LetterFace, MathBox, MathChange};
 pub use names::PrintedNames;
-pub use prose::{in_words, quotation, spans};
+pub use prose::{in_words, quotation, quoted_formula, spans};
 pub use write::latex_words;
 
 use serde::Serialize;

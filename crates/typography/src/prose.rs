@@ -8,6 +8,7 @@
 
 use crate::letters::is_function;
 use crate::tokens::{Kind, Token, tokens};
+use crate::write::latex;
 use crate::{MathBox, Mathematics, PrintedNames, Span, markup, read};
 
 /// The sentence in stretches; formulas are those of a claim with these names.
@@ -18,6 +19,11 @@ pub fn spans(text: &str, names: &PrintedNames) -> Vec<Span> {
 /// A quotation in spans, as the print has it.
 pub fn quotation(text: &str, names: &PrintedNames) -> Vec<Span> {
     quoted(text, names).into_iter().map(span).collect()
+}
+
+/// A formula of a quotation that has no words: as LaTeX, by the same rules as in a sentence.
+pub fn quoted_formula(text: &str) -> String {
+    latex(&markup::boxes(&text.replace('⋅', ".")))
 }
 
 fn span(stretch: Stretch) -> Span {

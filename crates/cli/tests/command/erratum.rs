@@ -95,6 +95,40 @@ fn all_corrections_of_a_letter_are_in_force_together_when_it_is_verified() {
 }
 
 #[test]
+fn words_that_say_something_else_than_what_is_decided_are_refused() {
+    let fault = r#"
+[[corrigendum]]
+id = "mini/corrigendum.square"
+says = "A term is missing"
+shows = ["mini/square"]
+[[corrigendum.change]]
+claim = "mini/square"
+reads = "(x + y)^2 = x^2 + 2xy + y^2"
+states = "(x + y)^2 == x^2 + 2*x*y + y^2"
+"#;
+    let square = claim("square", "(x + y)^2 == x^2 + y^2", "symbols = { y = {} }");
+    let out = TempDir::new().unwrap();
+    let path = out.path().join("letters");
+    let verified = |fault: &str| {
+        let folder = mini(&[square.clone(), fault.to_owned()].concat());
+        let words = ["erratum", "mini", "--verify", "--out"];
+        on(
+            folder.path(),
+            &[&words[..], &[path.to_str().unwrap()]].concat(),
+        )
+    };
+    let slip = verified(&fault.replace("+ 2xy", "- 2xy"));
+    assert_eq!(slip.code, Some(4), "{}", slip.err);
+    for told in ["mini/square", "x^2 - 2xy + y^2", "x^2 + 2*x*y + y^2"] {
+        let plain = slip.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(plain.contains(told), "{told}: {}", slip.err);
+    }
+    assert!(!path.exists());
+    let right = verified(fault);
+    assert_eq!(right.code, Some(0), "{}", right.err);
+}
+
+#[test]
 fn a_fault_names_claims_of_its_paper_and_quotes_their_prints() {
     let wrong = FAULT
         .replace("\"mini/product\"", "\"mini/nothing\"")

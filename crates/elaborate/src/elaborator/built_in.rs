@@ -30,11 +30,7 @@ impl Elaborator<'_> {
         }
         let family = self.family_of(basis, declared, &scope.outside())?;
         lists::not_captured(&family, name.place)?;
-        let is_defined = |name| self.declarations.definition(name).is_some();
-        if family.parameters().any(is_defined) {
-            let what = "a property of a basis of which a shape parameter is a definition";
-            return Err(Fault::limit(name.place, what));
-        }
+        self.has_own_parameters(&family, name.place)?;
         let fixed: Vec<(&Variable, &Variable)> = family
             .variables
             .iter()
@@ -59,6 +55,18 @@ impl Elaborator<'_> {
             .variables
             .retain(|own| !scope.globals.contains_key(own.name()));
         Ok(Arc::new(other))
+    }
+
+    /// Fails if a shape parameter of a family is a definition.
+    fn has_own_parameters(&self, family: &Family, place: Place) -> Outcome<()> {
+        let is_defined = |name| self.declarations.definition(name).is_some();
+        match family.parameters().any(is_defined) {
+            true => Err(Fault::limit(
+                place,
+                "a property of a basis of which a shape parameter is a definition",
+            )),
+            false => Ok(()),
+        }
     }
 
     /// The basis of this name, if it is a list of functions without a step.
@@ -101,6 +109,7 @@ impl Elaborator<'_> {
             quantified(basis, family.place, scope)?;
             let own = self.family_of(list, basis, &scope.outside())?;
             lists::not_captured(&own, family.place)?;
+            self.has_own_parameters(&own, family.place)?;
             let property = Statement::Family(FamilyProperty::Nonnegative, own);
             return Ok(Meaning::Statement(property));
         }

@@ -6,9 +6,13 @@
 
 use super::binders::Scope;
 use super::{Elaborator, Outcome};
-use torse_core::{Family, Statement};
+use num_traits::Signed as _;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use torse_core::{BuiltIn, Family, Node, Statement, Visited};
+use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::fault::Fault;
-use torse_syntax::formula::{Connective, Expr, Place};
+use torse_syntax::formula::{Connective, Expr, Operator, Place};
 
 impl Elaborator<'_> {
     /// A statement in which properties of lists are inequalities.
@@ -32,9 +36,12 @@ impl Elaborator<'_> {
                 if connective == Connective::Implies && !self.lists(&a).is_empty() {
                     return Err(refused(place, "as a premise"));
                 }
-                let shared = connective != Connective::And
-                    && (self.is_chosen_by(&a, &b) || self.is_chosen_by(&b, &a));
-                if shared {
+                // A part without a value somewhere says nothing of the others there.
+                let chosen = |list: &Statement, other: &Statement| {
+                    (connective != Connective::And || !is_total(other))
+                        && self.is_chosen_by(list, other)
+                };
+                if chosen(&a, &b) || chosen(&b, &a) {
                     return Err(refused(place, "beside something about its variable"));
                 }
                 let a = self.with_lists_opened(*a, place)?;
@@ -61,25 +68,74 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Fails if a hypothesis says something of the variable of a list of which the statement says a property.
+    /// Fails if something chooses the variable of a list of which the statement says a property: a hypothesis, or the set of a
+    /// symbol of the claim.
     pub(crate) fn lists_are_free<'h>(
         &self,
         expr: &Expr,
-        hypotheses: impl Iterator<Item = &'h Statement>,
+        mut hypotheses: impl Iterator<Item = &'h Statement> + Clone,
     ) -> Outcome<()> {
-        let mut hypotheses = hypotheses.peekable();
-        if hypotheses.peek().is_none() || !self.declarations.bases().any(|(_, basis)| basis.is_list)
-        {
+        if !self.declarations.bases().any(|(_, basis)| basis.is_list) {
             return Ok(());
         }
         let statement = self.unopened(expr)?;
-        match hypotheses.any(|hypothesis| self.is_chosen_by(&statement, hypothesis)) {
-            true => Err(refused(
+        let variables: Vec<&str> = self
+            .lists(&statement)
+            .iter()
+            .map(|list| list.variable())
+            .collect();
+        if variables.is_empty() {
+            return Ok(());
+        }
+        let mut names = vec![];
+        let mut add = |name: &Arc<str>| names.push(Arc::clone(name));
+        statement.declared_names(&mut add);
+        hypotheses
+            .clone()
+            .for_each(|hypothesis| hypothesis.declared_names(&mut add));
+        if hypotheses.any(|hypothesis| self.is_chosen_by(&statement, hypothesis)) {
+            return Err(refused(
                 expr.place,
                 "where a hypothesis is about its variable",
+            ));
+        }
+        match self.sets_speak_of(names, &variables)? {
+            true => Err(refused(
+                expr.place,
+                "where the set of a symbol is about its variable",
             )),
             false => Ok(()),
         }
+    }
+
+    /// Whether the set of one of these symbols, or of one that such a set speaks of, speaks of one of the variables.
+    fn sets_speak_of(&self, names: Vec<Arc<str>>, variables: &[&str]) -> Outcome<bool> {
+        let mut seen: BTreeSet<Arc<str>> = BTreeSet::new();
+        let mut pending = names;
+        while let Some(name) = pending.pop() {
+            if !seen.insert(Arc::clone(&name)) {
+                continue;
+            }
+            let mut found: Vec<Arc<str>> = vec![];
+            // Integers, and the indices of families, have the symbols of their bounds beside them.
+            let sets = self.symbols_of(vec![Arc::clone(&name)]);
+            found.extend(sets.keys().filter(|own| **own != name).cloned());
+            if let Some(SymbolKind::Real(interval)) = sets.get(&name) {
+                for relation in interval.relations(&name) {
+                    let ends = self.unopened(&relation.expr)?;
+                    ends.declared_names(&mut |end| {
+                        if *end != name {
+                            found.push(Arc::clone(end));
+                        }
+                    });
+                }
+            }
+            if found.iter().any(|end| variables.contains(&&**end)) {
+                return Ok(true);
+            }
+            pending.extend(found);
+        }
+        Ok(false)
     }
 
     /// The lists of which the statement says a property.
@@ -101,6 +157,37 @@ impl Elaborator<'_> {
         });
         found
     }
+}
+
+/// Whether a statement has a value everywhere, as far as its terms show: nothing in them divides, and no function is partial.
+fn is_total(statement: &Statement) -> bool {
+    let mut partial = false;
+    for term in statement.terms() {
+        let mut seen = Visited::default();
+        let mut pending = vec![term];
+        while let Some(term) = pending.pop() {
+            if !seen.is_new(term) {
+                continue;
+            }
+            partial |= match &*term.node {
+                Node::Binary(Operator::Divide, _, below) => !matches!(*below.node, Node::Number(_)),
+                Node::Binary(Operator::Power, _, exponent) => {
+                    !matches!(&*exponent.node, Node::Number(n) if !n.is_negative())
+                }
+                Node::Apply(function, _) => !matches!(
+                    function,
+                    BuiltIn::Sine | BuiltIn::Cosine | BuiltIn::Exponential | BuiltIn::Binomial
+                ),
+                Node::Basis { family, .. } => {
+                    pending.extend(family.formulas());
+                    false
+                }
+                _ => false,
+            };
+            pending.extend(term.parts());
+        }
+    }
+    !partial
 }
 
 /// Fails if the functions of a family have, besides their variable, the symbol of the same name: a property is about all values of

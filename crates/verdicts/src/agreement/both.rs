@@ -141,7 +141,7 @@ fn tree_name(tree: &Expr) -> &str {
 }
 
 /// Whether all entries are equal; 0 equals an empty sum of any shape.
-fn are_same(text: &Value<Class>, own: &Value<Class>) -> bool {
+pub(crate) fn are_same(text: &Value<Class>, own: &Value<Class>) -> bool {
     let shapes = |value: &Value<Class>| value.numbers().len();
     let zero = |value: &Value<Class>| value.numbers().iter().all(|x| x.all(&|x| x.is_zero()));
     (text == own) || (zero(text) && zero(own) && (shapes(text) == 1 || shapes(own) == 1))

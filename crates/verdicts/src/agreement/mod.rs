@@ -22,6 +22,7 @@ mod outline;
 mod scope;
 mod terms;
 
+pub(crate) use self::both::are_same;
 use self::both::{Both, Missing};
 use self::numbers::Numbers;
 use self::outline::{CoreOutline, outline};

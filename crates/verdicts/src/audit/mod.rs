@@ -6,12 +6,15 @@
 //! answers the flag with words of the paper. An answer to a flag that does not exist is an error.
 
 mod conclusion;
+mod corrected_words;
 mod formulas;
 mod garbled;
 mod hypotheses;
 mod instance;
 mod occurrences;
+mod paper_names;
 mod parts;
+mod passages;
 mod print;
 mod quotes;
 mod reads;
@@ -21,6 +24,8 @@ mod slips;
 mod subject;
 mod unstated;
 
+pub use corrected_words::{CorrectedWords, FormulasOfWords};
+pub use passages::is_formula;
 pub(crate) use sides::compares;
 
 use crate::outcome::Outcome;
@@ -94,6 +99,16 @@ pub fn audit<'a>(
     // Mutants of a statement are decided like claims; any free thread takes one.
     let each = claims.par_iter().with_max_len(1);
     each.map(audited).collect()
+}
+
+/// The words of the correction of a claim, ready to be compared with what is decided; none where there are no words.
+#[must_use]
+pub fn corrected_words(
+    papers: &[Paper],
+    claim: &Claim,
+    outcome: &Outcome,
+) -> Option<CorrectedWords> {
+    reads::corrected_words(claim, outcome, &Setting::new(papers))
 }
 
 /// Returns the flags at a claim and at its readings, in the order of their declaration.

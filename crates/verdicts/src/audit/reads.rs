@@ -3,6 +3,7 @@
 //! What an author reads is `reads` of a corrigendum; what is decided with all corrections in force is the corrected
 //! statement. A slip in the words alone would pass every decision.
 
+use super::corrected_words::CorrectedWords;
 use super::formulas::Formulas;
 use super::occurrences::{Differing, differing_names, differing_numbers, differing_relations};
 use super::print::Print;
@@ -71,12 +72,56 @@ pub(super) fn differing_corrections(
         );
         flags.extend(lacks.into_iter().chain(adds));
     }
+    let words = corrected_words(claim, outcome, setting);
+    let otherwise = words.iter().flat_map(|words| {
+        let each = words.reads.iter().map(|reads| words.compared(reads));
+        each.flat_map(|found| found.otherwise).collect::<Vec<_>>()
+    });
+    let states = words
+        .as_ref()
+        .map(CorrectedWords::states)
+        .unwrap_or_default();
+    let otherwise = otherwise.map(|formula| format!("`{formula}` for `{states}`"));
+    flags.extend(one_flag_for(
+        Flag::ReadsAnotherFormula,
+        "formulas of `reads` that the corrected statement does not have",
+        otherwise.collect(),
+    ));
     flags.extend(one_flag_for(
         Flag::ReadsOtherwise,
         "sides of `reads` with as many plus and minus signs as no part of the corrected statement has",
         differing_signs(&subject),
     ));
     flags
+}
+
+/// The words of the correction of a claim, ready to be compared with what is decided for the same fault.
+pub(super) fn corrected_words(
+    claim: &Claim,
+    outcome: &Outcome,
+    setting: &Setting<'_>,
+) -> Option<CorrectedWords> {
+    let correction = setting.correction(claim.entry.id.get_ref())?;
+    if correction.reads.is_empty() {
+        return None;
+    }
+    // One that is not restated may still state the error of the print; what it assumes is stated.
+    let siblings = correction.siblings.iter().filter_map(|of| {
+        let mut sibling = of.claim.clone();
+        if !of.restated {
+            sibling.statement = sibling.assumptions.first().map(|of| of.formula.clone());
+        }
+        sibling.statement.is_some().then_some(sibling)
+    });
+    let own = in_force(correction.corrected, Some(outcome));
+    let decided: Vec<Claim> = [own].into_iter().chain(siblings).collect();
+    let (own, around) = (&claim.entry.printed, setting.prints(claim));
+    Some(CorrectedWords::new(
+        decided,
+        &correction.reads,
+        own,
+        &around,
+    ))
 }
 
 /// How many plus and minus signs.

@@ -16,6 +16,8 @@ pub(super) struct Correction<'a> {
     pub corrected: &'a CorrectedClaim,
     /// The corrected words of its print.
     pub reads: Vec<&'a str>,
+    /// The other claims of the same fault, with all corrections in force.
+    pub siblings: Vec<&'a CorrectedClaim>,
     /// The corrected words of other claims for the same fault.
     pub beside: Vec<&'a str>,
 }
@@ -45,7 +47,10 @@ impl<'a> Setting<'a> {
                 let reads = changes.into_iter().map(|change| change.reads.as_str());
                 reads.collect()
             };
+            let siblings = of.corrected.iter();
+            let siblings = siblings.filter(|other| other.claim.entry.id.get_ref() != id);
             Some(Correction {
+                siblings: siblings.collect(),
                 corrected,
                 reads: reads(own),
                 beside: reads(others),
