@@ -94,6 +94,85 @@ fn a_property_of_a_list_is_decided_where_nothing_else_chooses_its_variable() {
 }
 
 #[test]
+fn nothing_else_of_a_claim_chooses_the_variable_of_a_list() {
+    let declarations = r#"
+[symbols]
+x = { in = "[0, 1]" }
+s = { in = "[-2, 2]" }
+v = { in = "[0, x]" }
+q = { in = "[x, 1]" }
+w = { in = "[2/5, 2*v]" }
+j = { integer = "0..3" }
+i = { integer = "0..j" }
+
+[define]
+c = 'x'
+e = 'v + 1'
+
+[basis.L]
+variable = "x"
+degree = 0
+seeds = ['(x - 3/10)^2 - 1/1000000']
+
+[basis.S]
+variable = "x"
+parameters = ["s"]
+degree = 0
+seeds = ['(x - s)*(x - s - 1/1000)']
+
+[basis.Q]
+variable = "x"
+parameters = ["q"]
+degree = 0
+seeds = ['q - x']
+
+[basis.C]
+variable = "x"
+parameters = ["c"]
+degree = 0
+seeds = ['(x - c)*(x - c - 1/1000)']
+
+[basis.J]
+variable = "j"
+degree = 0
+seeds = ['(j - 1)^2*1000000 - 1']
+"#;
+    let undecided = [
+        "assume = ['v == 1/2']\nstates = 'nonnegative(L)'",
+        "assume = ['e == 3/2']\nstates = 'nonnegative(L)'",
+        "assume = ['w == 1']\nstates = 'nonnegative(L)'",
+        "states = 'v >= 2/5 implies nonnegative(L)'",
+        "states = 'nonnegative(L) or q > 1/5'",
+        "states = 'nonnegative(L) and w > 0'",
+        "states = 'nonnegative(L) and sqrt(v - 2/5) >= 0'",
+        "states = 'fails(v >= 2/5 implies nonnegative(L))'",
+        "states = 'nonnegative(Q)'",
+        "states = 'i >= 2 implies nonnegative(J)'",
+        "assume = ['i >= 2']\nstates = 'nonnegative(J)'",
+        "states = 'sqrt(x - 2/5) >= 0 and nonnegative(L)'",
+        "states = 'log(x - 2/5) < 5 and nonnegative(L)'",
+        "states = 'nonnegative(S) and sqrt(s - x) >= 0'",
+        "states = 's <= 2 implies nonnegative(L) and 0*sqrt(x - 2/5) == 0'",
+        "states = 'nonnegative(L) and x/(x - 2/5) == x/(x - 2/5)'",
+        "states = 'fails(nonnegative(L) and sqrt(x - 2/5) >= 0)'",
+        "states = 'nonnegative(C)'",
+        "states = 'fails(nonnegative(C))'",
+    ];
+    assert_eq!(lined(declarations, &undecided), [Undecided; 19]);
+    let refuted = lined(
+        declarations,
+        &[
+            "states = 'nonnegative(L)'",
+            "states = 'x^2 + sin(x) >= 0 and nonnegative(L)'",
+        ],
+    );
+    assert!(
+        refuted.iter().all(|v| matches!(v, False | Misprint)),
+        "{refuted:?}"
+    );
+}
+
+#[test]
 fn the_variable_of_a_basis_and_the_symbol_of_its_name_are_two_things() {
     let declarations = r#"
 [symbols]
