@@ -121,24 +121,46 @@ impl From<Wrong> for CheckError {
 
 /// A budget of products of terms; work is counted, not timed.
 #[derive(Debug)]
-pub struct Work(Cell<u64>);
+pub struct Work {
+    products: Cell<u64>,
+    /// Whether a cosine was met of which no more is known than that it is one: then a difference of texts may be none of values.
+    unknown_turn: Cell<bool>,
+}
 
 impl Work {
     /// A budget of this many products.
     #[must_use]
     pub fn new(products: u64) -> Self {
-        Self(Cell::new(products))
+        Self {
+            products: Cell::new(products),
+            unknown_turn: Cell::new(false),
+        }
+    }
+
+    /// Records a sine or cosine of a number that is a symbol.
+    pub(crate) fn meet_unknown_turn(&self) {
+        self.unknown_turn.set(true);
+    }
+
+    /// The result of a check: what was seen to be wrong with such a symbol in it may be right.
+    pub(crate) fn judged(&self, checked: Result<(), CheckError>) -> Result<(), CheckError> {
+        match checked {
+            Err(CheckError::Wrong(_)) if self.unknown_turn.get() => {
+                Err(super::turn::STRANGE.into())
+            }
+            other => other,
+        }
     }
 
     /// Spends this many products.
     pub(crate) fn spend(&self, products: usize) -> Result<(), Unsupported> {
         let products = u64::try_from(products).unwrap_or(u64::MAX);
         let left = self
-            .0
+            .products
             .get()
             .checked_sub(products)
             .ok_or(Unsupported::Large)?;
-        self.0.set(left);
+        self.products.set(left);
         Ok(())
     }
 

@@ -73,7 +73,9 @@ pub fn proves(
         zeros: &[],
         work,
     };
-    stack::deep(|| check.proof(&with_roots(claim, origin)?, proof, &BTreeMap::new()))
+    work.judged(stack::deep(|| {
+        check.proof(&with_roots(claim, origin)?, proof, &BTreeMap::new())
+    }))
 }
 
 /// Checks a refutation of the statement of a claim.
@@ -95,7 +97,9 @@ pub fn refutes(
         zeros: &[],
         work,
     };
-    stack::deep(|| check.refutation(&with_roots(claim, origin)?, refuted, &BTreeMap::new()))
+    work.judged(stack::deep(|| {
+        check.refutation(&with_roots(claim, origin)?, refuted, &BTreeMap::new())
+    }))
 }
 
 /// The claim with roots replaced by symbols, and the hypotheses that define them; proofs are about this claim.

@@ -20,7 +20,7 @@ const ONE: &str = "1";
 const MAX_MULTIPLE: i64 = 24;
 
 /// `(sin, cos)` of an angle in radians that is a sum of rational multiples of variables, of pi times variables, and
-/// of pi. Sine and cosine of a multiple of pi that is none of pi/12 are symbols: what vanishes with them in it is zero, but
+/// of pi. Sine and cosine of a multiple of pi that is no multiple of pi/12 are symbols: what vanishes with them in it is zero, but
 /// [`is_number`] symbols they are not, so nothing is concluded to be positive or other than zero, and nothing is divided by
 /// them ([`holds_unknown_turn`]).
 ///
@@ -29,8 +29,10 @@ pub fn sine_cosine(angle: &Polynomial, work: &Work) -> Result<Pair, Unsupported>
     let mut total: Pair = (Polynomial::zero(), Polynomial::one());
     for (monomial, coefficient) in angle.terms() {
         let part = match monomial.as_slice() {
-            [(Symbol::Pi, 1)] => twelfths(coefficient)
-                .or_else(|| multiples(&ONE.into(), Unit::QuarterTurn, &(coefficient * integer(2)))),
+            [(Symbol::Pi, 1)] => twelfths(coefficient).or_else(|| {
+                work.meet_unknown_turn();
+                multiples(&ONE.into(), Unit::QuarterTurn, &(coefficient * integer(2)))
+            }),
             [(Symbol::Named(name), 1)] => multiples(name, Unit::Radian, coefficient),
             [(Symbol::Named(name), 1), (Symbol::Pi, 1)] => {
                 multiples(name, Unit::QuarterTurn, &(coefficient * integer(2)))

@@ -30,6 +30,7 @@ impl Elaborator<'_> {
         }
         let family = self.family_of(basis, declared, &scope.outside())?;
         lists::not_captured(&family, name.place)?;
+        self.has_real_variable(&family, name.place)?;
         self.has_own_parameters(&family, name.place)?;
         let fixed: Vec<(&Variable, &Variable)> = family
             .variables
@@ -109,6 +110,7 @@ impl Elaborator<'_> {
             quantified(basis, family.place, scope)?;
             let own = self.family_of(list, basis, &scope.outside())?;
             lists::not_captured(&own, family.place)?;
+            self.has_real_variable(&own, family.place)?;
             self.has_own_parameters(&own, family.place)?;
             let property = Statement::Family(FamilyProperty::Nonnegative, own);
             return Ok(Meaning::Statement(property));

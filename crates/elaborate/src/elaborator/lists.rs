@@ -26,6 +26,9 @@ impl Elaborator<'_> {
             return Ok(statement);
         }
         match statement {
+            Statement::Family(..) if !is_total(&statement) => {
+                Err(refused(place, "of which one may have no value somewhere"))
+            }
             Statement::Family(_, family) => match self.declarations.basis(&family.name) {
                 Some(basis) if family.closed => {
                     self.all_nonnegative(&family.name, basis, place, &Scope::default())
@@ -162,7 +165,9 @@ impl Elaborator<'_> {
 /// Whether a statement has a value everywhere, as far as its terms show: nothing in them divides, and no function is partial.
 fn is_total(statement: &Statement) -> bool {
     let mut partial = false;
-    for term in statement.terms() {
+    let families = statement.families().into_iter();
+    let formulas = families.flat_map(|family| family.formulas());
+    for term in formulas.chain(statement.terms()) {
         let mut seen = Visited::default();
         let mut pending = vec![term];
         while let Some(term) = pending.pop() {
@@ -188,6 +193,24 @@ fn is_total(statement: &Statement) -> bool {
         }
     }
     !partial
+}
+
+impl Elaborator<'_> {
+    /// Fails unless the variable of a family is a symbol for real numbers, or no other name.
+    pub(super) fn has_real_variable(&self, family: &Family, place: Place) -> Outcome<()> {
+        let variable = family.variable();
+        let is_real = match self.declarations.symbol(variable) {
+            Some(set) => matches!(set, SymbolKind::Real(_)),
+            None => self.declarations.definition(variable).is_none(),
+        };
+        match is_real {
+            true => Ok(()),
+            false => Err(Fault::limit(
+                place,
+                format!("a property of functions whose variable `{variable}` is no real symbol"),
+            )),
+        }
+    }
 }
 
 /// Fails if the functions of a family have, besides their variable, the symbol of the same name: a property is about all values of

@@ -191,7 +191,7 @@ pub fn decide(
             if let Some(divisor) = family::vanishing_divisor(basis, domain, evaluator)? =>
         {
             Ok(Decision::open(
-                format!("a function of the basis is divided by {divisor}, which may be zero"),
+                format!("a function of the basis divides by {divisor}, which may be zero"),
                 &[],
             ))
         }

@@ -210,6 +210,58 @@ step = ['1 - x', 'x']
 }
 
 #[test]
+fn the_variable_of_a_property_is_a_real_symbol() {
+    let declarations = r#"
+[symbols]
+y = {}
+n = { integer = "0..5" }
+
+[define]
+x = 'y^2'
+
+[basis.L]
+variable = "x"
+degree = 0
+seeds = ['x + 5']
+
+[basis.A]
+variable = "x"
+degree = 0
+seeds = ['x + 5']
+step = ['1', 'x']
+
+[basis.N]
+variable = "n"
+degree = 0
+seeds = ['n']
+
+[basis.M]
+variable = "n"
+degree = 1
+seeds = ['n - 1', '1/n']
+"#;
+    let states = [
+        "nonnegative(L)",
+        "nonnegative(A)",
+        "nonnegative(N)",
+        "nonnegative(M)",
+    ];
+    assert_eq!(verdicts(declarations, &states), [Undecided; 4]);
+    let real = r#"
+[symbols]
+x = { in = "[0, 1]" }
+c = { in = "[-1, 1]" }
+
+[basis.D]
+variable = "x"
+degree = 1
+seeds = ['1 - x', 'x/x']
+"#;
+    let states = ["nonnegative(D)", "x >= 0 and nonnegative(D)"];
+    assert_eq!(verdicts(real, &states), [Undecided; 2]);
+}
+
+#[test]
 fn functions_without_a_value_have_no_property() {
     let declarations = r#"
 [symbols]
