@@ -42,6 +42,11 @@ pub enum Unsupported {
     Divisor(String),
 }
 
+impl Unsupported {
+    /// An angle of which no sine is known.
+    pub(crate) const ANGLE: Self = Self::Construct("the sine of this angle");
+}
+
 /// What is wrong with a proof.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Wrong {
@@ -145,9 +150,7 @@ impl Work {
     /// The result of a check: what was seen to be wrong with such a symbol in it may be right.
     pub(crate) fn judged(&self, checked: Result<(), CheckError>) -> Result<(), CheckError> {
         match checked {
-            Err(CheckError::Wrong(_)) if self.unknown_turn.get() => {
-                Err(super::turn::STRANGE.into())
-            }
+            Err(CheckError::Wrong(_)) if self.unknown_turn.get() => Err(Unsupported::ANGLE.into()),
             other => other,
         }
     }

@@ -127,7 +127,7 @@ impl Quotient {
     /// Sine and cosine of a polynomial angle.
     pub fn sine_cosine(&self, work: &Work) -> Result<(Self, Self), Unsupported> {
         if !self.below.is_empty() {
-            return Err(turn::STRANGE);
+            return Err(Unsupported::ANGLE);
         }
         let (sine, cosine) = turn::sine_cosine(&self.above, work)?;
         Ok((sine.into(), cosine.into()))
@@ -136,7 +136,7 @@ impl Quotient {
     /// One over it.
     pub fn inverse(&self, work: &Work) -> Result<Self, Unsupported> {
         if turn::holds_unknown_turn(&self.above) {
-            return Err(turn::STRANGE);
+            return Err(Unsupported::ANGLE);
         }
         let zero = Unsupported::Undefined("a quotient with divisor zero");
         let (lead, factor) = self.above.monic().ok_or(zero)?;

@@ -10,9 +10,6 @@ use torse_numbers::{Integer, Rational};
 /// A sine and a cosine.
 pub type Pair = (Polynomial, Polynomial);
 
-/// An angle that is not supported.
-pub const STRANGE: Unsupported = Unsupported::Construct("the sine of this angle");
-
 /// The variable of angles that are numbers; no name of a claim is written so.
 const ONE: &str = "1";
 
@@ -39,7 +36,7 @@ pub fn sine_cosine(angle: &Polynomial, work: &Work) -> Result<Pair, Unsupported>
             }
             _ => None,
         };
-        let (sine, cosine) = part.ok_or(STRANGE)?;
+        let (sine, cosine) = part.ok_or(Unsupported::ANGLE)?;
         total = (
             work.times(&total.0, &cosine)?
                 .plus(&work.times(&total.1, &sine)?),
@@ -112,8 +109,8 @@ fn sine(n: i64) -> Polynomial {
 mod tests {
     #![allow(clippy::unwrap_used)]
 
-    use super::{STRANGE, holds_unknown_turn, sine_cosine};
-    use crate::gap::Work;
+    use super::{holds_unknown_turn, sine_cosine};
+    use crate::gap::{Unsupported, Work};
     use crate::quotient::Quotient;
     use torse_certificate::polynomial::Polynomial;
     use torse_certificate::symbol::Symbol;
@@ -132,7 +129,7 @@ mod tests {
         assert!(eighth.minus(&cosine(1, 8)).is_zero());
         assert_eq!(
             Quotient::from(eighth).inverse(&Work::new(1000)),
-            Err(STRANGE)
+            Err(Unsupported::ANGLE)
         );
         assert!(!holds_unknown_turn(&cosine(1, 4)));
     }

@@ -132,8 +132,16 @@ struct Decided {
 /// The values of the comparisons and formulas of a claim at one assignment.
 #[derive(Debug)]
 struct Known {
-    relations: Vec<(Relation, Option<Value<Class>>, Option<Value<Class>>)>,
+    relations: Vec<KnownRelation>,
     formulas: Vec<KnownFormula>,
+}
+
+/// A comparison with the values of its sides.
+#[derive(Debug)]
+struct KnownRelation {
+    relation: Relation,
+    left: Option<Value<Class>>,
+    right: Option<Value<Class>>,
 }
 
 #[derive(Debug)]
@@ -209,7 +217,11 @@ impl Decided {
         let reading_of = |attempt| {
             at_assignment(&self.claim, reading, attempt, |value| Known {
                 relations: (said.relations.iter())
-                    .map(|(relation, a, b)| (*relation, value(a), value(b)))
+                    .map(|(relation, left, right)| KnownRelation {
+                        relation: *relation,
+                        left: value(left),
+                        right: value(right),
+                    })
                     .collect(),
                 formulas: (said.formulas.iter())
                     .map(|(stated, tree)| KnownFormula {
@@ -359,16 +371,17 @@ impl Comparison<'_> {
                 .flat_map(|a| self.trees(side + 1).map(move |b| (a, b)));
             pairs.into_iter().any(|(a, b)| {
                 holds(self.points, |point| {
-                    let (stated, left, right) = point.known.relations.get(stated)?;
-                    let (left, right) = (left.as_ref()?, right.as_ref()?);
+                    let known = point.known.relations.get(stated)?;
+                    let (left, right) = (known.left.as_ref()?, known.right.as_ref()?);
                     let (Some(a), Some(b)) = (
                         point.value(self.number, side, a),
                         point.value(self.number, side + 1, b),
                     ) else {
                         return Some(false);
                     };
-                    let same = *stated == relation && are_same(a, left) && are_same(b, right);
-                    let mirrored = stated.mirrored() == relation;
+                    let same =
+                        known.relation == relation && are_same(a, left) && are_same(b, right);
+                    let mirrored = known.relation.mirrored() == relation;
                     Some(same || (mirrored && are_same(a, right) && are_same(b, left)))
                 })
             })
