@@ -79,13 +79,13 @@ pub(crate) fn fault_in_short(says: &str) -> String {
 /// sentence say that the statement is true only if they hold. Where a number is asked for, what fails there is the number that
 /// was given, and another one may do.
 fn needs_all(outcome: &Outcome) -> bool {
-    let gives_numbers = |finding: &Finding| match finding {
+    let readings = outcome.readings().iter().map(|reading| &reading.outcome);
+    let mut all = std::iter::once(outcome).chain(readings);
+    let gives_numbers = all.any(|outcome| match &outcome.finding {
         Finding::Proved(proved) => !proved.statement.witnesses.is_empty(),
         _ => false,
-    };
-    let mut readings = outcome.readings().iter().map(|reading| &reading.outcome);
-    !gives_numbers(&outcome.finding)
-        && !readings.any(|reading| gives_numbers(&reading.finding))
+    });
+    !gives_numbers
         && outcome.net().is_some_and(|net| {
             !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_necessary)
         })

@@ -2,7 +2,6 @@
 
 use super::binders::{Local, Scope, Use};
 use super::denial;
-use super::lists;
 use super::{Elaborator, Lambda, Meaning, Outcome, check_no_shared_variable, wrong};
 use std::sync::Arc;
 use torse_core::{
@@ -29,9 +28,7 @@ impl Elaborator<'_> {
             return self.family_of(basis, declared, &Scope::default());
         }
         let family = self.family_of(basis, declared, &scope.outside())?;
-        lists::not_captured(&family, name.place)?;
-        self.has_real_variable(&family, name.place)?;
-        self.has_own_parameters(&family, name.place)?;
+        self.has_own_names(&family, name.place)?;
         let fixed: Vec<(&Variable, &Variable)> = family
             .variables
             .iter()
@@ -56,18 +53,6 @@ impl Elaborator<'_> {
             .variables
             .retain(|own| !scope.globals.contains_key(own.name()));
         Ok(Arc::new(other))
-    }
-
-    /// Fails if a shape parameter of a family is a definition.
-    fn has_own_parameters(&self, family: &Family, place: Place) -> Outcome<()> {
-        let is_defined = |name| self.declarations.definition(name).is_some();
-        match family.parameters().any(is_defined) {
-            true => Err(Fault::limit(
-                place,
-                "a property of a basis of which a shape parameter is a definition",
-            )),
-            false => Ok(()),
-        }
     }
 
     /// The basis of this name, if it is a list of functions without a step.
@@ -109,9 +94,7 @@ impl Elaborator<'_> {
             }
             quantified(basis, family.place, scope)?;
             let own = self.family_of(list, basis, &scope.outside())?;
-            lists::not_captured(&own, family.place)?;
-            self.has_real_variable(&own, family.place)?;
-            self.has_own_parameters(&own, family.place)?;
+            self.has_own_names(&own, family.place)?;
             let property = Statement::Family(FamilyProperty::Nonnegative, own);
             return Ok(Meaning::Statement(property));
         }

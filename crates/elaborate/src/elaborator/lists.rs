@@ -196,39 +196,37 @@ fn is_total(statement: &Statement) -> bool {
 }
 
 impl Elaborator<'_> {
-    /// Fails unless the variable of a family is a symbol for real numbers, or no other name.
-    pub(super) fn has_real_variable(&self, family: &Family, place: Place) -> Outcome<()> {
+    /// Fails unless the variable and the shape parameters of a family are names of its own: a property is about all values of the
+    /// variable and about the point's values of everything else, so its functions have no symbol of that name by a definition,
+    /// the variable is no symbol but for real numbers, and no name is a definition.
+    pub(super) fn has_own_names(&self, family: &Family, place: Place) -> Outcome<()> {
+        let limit = |what: String| Err(Fault::limit(place, what));
         let variable = family.variable();
+        let mut captured = false;
+        for part in family.formulas() {
+            part.declared_names(&mut |name| captured |= variable == &**name);
+        }
+        if captured {
+            return limit(format!(
+                "a property of functions in which `{variable}` is the variable and, by a definition, the symbol `{variable}`"
+            ));
+        }
+        let is_defined = |name| self.declarations.definition(name).is_some();
         let is_real = match self.declarations.symbol(variable) {
             Some(set) => matches!(set, SymbolKind::Real(_)),
-            None => self.declarations.definition(variable).is_none(),
+            None => !is_defined(variable),
         };
-        match is_real {
-            true => Ok(()),
-            false => Err(Fault::limit(
-                place,
-                format!("a property of functions whose variable `{variable}` is no real symbol"),
-            )),
+        if !is_real {
+            return limit(format!(
+                "a property of functions whose variable `{variable}` is no real symbol"
+            ));
         }
-    }
-}
-
-/// Fails if the functions of a family have, besides their variable, the symbol of the same name: a property is about all values of
-/// the one and about the point's value of the other.
-pub(super) fn not_captured(family: &Family, place: Place) -> Outcome<()> {
-    let mut captured = false;
-    for part in family.formulas() {
-        part.declared_names(&mut |name| captured |= family.variable() == &**name);
-    }
-    match captured {
-        true => Err(Fault::limit(
-            place,
-            format!(
-                "a property of functions in which `{0}` is the variable and, by a definition, the symbol `{0}`",
-                family.variable()
-            ),
-        )),
-        false => Ok(()),
+        match family.parameters().any(is_defined) {
+            true => {
+                limit("a property of a basis of which a shape parameter is a definition".into())
+            }
+            false => Ok(()),
+        }
     }
 }
 

@@ -6,6 +6,7 @@
 //! it in one way only.
 
 use super::formulas::{Formulas, visit_parts};
+use super::passages::split_outside_brackets;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use torse_syntax::derivation::declarations::Declarations;
@@ -129,9 +130,10 @@ impl PaperNames {
         let inside = text
             .strip_prefix('(')
             .and_then(|text| text.strip_suffix(')'));
-        let entries = inside.map(entries).filter(|entries| entries.len() > 1);
+        let entries = inside.map(|text| split_outside_brackets(text, ","));
+        let entries = entries.filter(|entries| entries.len() > 1);
         let entries = entries.and_then(|entries| {
-            let first = |text: &str| self.readings(text).into_iter().next();
+            let first = |text: &str| self.readings(text.trim()).into_iter().next();
             entries
                 .into_iter()
                 .map(first)
@@ -206,20 +208,6 @@ impl PaperNames {
         fits.max_by_key(|(_, basis)| basis.degree)
             .map(|(name, _)| name)
     }
-}
-
-/// The parts of a text between the commas outside brackets.
-fn entries(text: &str) -> Vec<&str> {
-    let mut depth = 0_usize;
-    let splits = |c: char| {
-        match c {
-            '(' | '[' | '{' => depth += 1,
-            ')' | ']' | '}' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        depth == 0 && c == ','
-    };
-    text.split(splits).map(str::trim).collect()
 }
 
 /// The printed form of a name with no face: of `\mathbf{p}_0` only `p_0`.

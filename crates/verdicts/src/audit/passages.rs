@@ -168,6 +168,20 @@ pub(super) fn sides(passage: &str) -> (Vec<&str>, Vec<Option<Relation>>) {
     (sides, relations)
 }
 
+/// The parts of a text between these signs outside brackets.
+pub(super) fn split_outside_brackets<'t>(text: &'t str, signs: &str) -> Vec<&'t str> {
+    let mut depth = 0_usize;
+    let splits = |c: char| {
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        depth == 0 && signs.contains(c)
+    };
+    text.split(splits).collect()
+}
+
 /// The signs of relations; a longer one comes before its beginning.
 const RELATIONS: [(&str, Option<Relation>); 11] = [
     ("!=", Some(Relation::Different)),

@@ -6,6 +6,7 @@
 use super::corrected_words::CorrectedWords;
 use super::formulas::Formulas;
 use super::occurrences::{Differing, differing_names, differing_numbers, differing_relations};
+use super::passages::split_outside_brackets;
 use super::print::Print;
 use super::setting::Setting;
 use super::{RaisedFlag, Subject, one_flag_for};
@@ -133,7 +134,7 @@ fn differing_signs(subject: &Subject<'_>) -> Vec<String> {
     for expr in &subject.formulas.reached {
         add_sign_counts(expr, &mut stated);
     }
-    let sides = sides(&subject.claim.entry.printed).into_iter();
+    let sides = split_outside_brackets(&subject.claim.entry.printed, SIDES).into_iter();
     let differing = sides.filter(|side| {
         let count = printed_signs(side);
         count != (0, 0) && !stated.contains(&count)
@@ -157,19 +158,8 @@ fn add_sign_counts(expr: &Expr, found: &mut BTreeSet<SignCount>) -> SignCount {
     count
 }
 
-/// Splits a text at the relations, commas and semicolons outside brackets.
-fn sides(text: &str) -> Vec<&str> {
-    let mut depth = 0_usize;
-    let splits = |c: char| {
-        match c {
-            '(' | '[' | '{' => depth += 1,
-            ')' | ']' | '}' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        depth == 0 && "=<>≤≥≠∈,;".contains(c)
-    };
-    text.split(splits).collect()
-}
+/// The signs between the sides of a printed formula: relations, commas and semicolons.
+const SIDES: &str = "=<>≤≥≠∈,;";
 
 /// Counts the signs of a printed formula; a hyphen in a word is none.
 fn printed_signs(text: &str) -> SignCount {
