@@ -32,27 +32,62 @@ const MAX_LOOKS: u32 = 20_000;
 /// For each divisor that the statement has: the part of the domain on which it is zero.
 pub(crate) fn divisors(reading: &Reading<'_>) -> Vec<Branch> {
     let declarations = reading.declarations();
-    let mut found = vec![];
+    let mut found = Divisors::default();
     let search = Search {
         declarations,
         looks: Cell::new(MAX_LOOKS),
     };
     search.visit(reading.tree(), MAX_OPENED, &mut found);
     let witnesses: Vec<(&str, &Expr)> = reading.witnesses().collect();
-    for divisor in &mut found {
-        *divisor = replaced(divisor, &witnesses);
-    }
+    let mut found = found.mapped(|divisor| replaced(divisor, &witnesses));
     for (_, witness) in &witnesses {
         search.visit(witness, MAX_OPENED, &mut found);
     }
-    let mut all: Vec<Expr> = vec![];
-    for divisor in found {
-        if !divisor.names().is_empty() && !all.contains(&divisor) {
-            all.push(divisor);
+    let zero = |divisor: Expr| Branch::new(equal(divisor, Expr::number(&integer(0))));
+    let all = found.quotients.into_iter().chain(found.powers);
+    let all = all.filter(|divisor| !divisor.names().is_empty());
+    all.take(MAX_DIVISORS).map(zero).collect()
+}
+
+/// Divisors, each once. What is divided by comes before bases of powers, whose exponents need not be negative.
+#[derive(Default)]
+struct Divisors {
+    quotients: Vec<Expr>,
+    powers: Vec<Expr>,
+}
+
+impl Divisors {
+    fn add_quotient(&mut self, divisor: Expr) {
+        if !self.quotients.contains(&divisor) {
+            self.quotients.push(divisor);
         }
     }
-    let zero = |divisor: Expr| Branch::new(equal(divisor, Expr::number(&integer(0))));
-    all.into_iter().take(MAX_DIVISORS).map(zero).collect()
+
+    fn add_power(&mut self, base: Expr) {
+        if !self.powers.contains(&base) {
+            self.powers.push(base);
+        }
+    }
+
+    fn extend(&mut self, others: Self) {
+        others
+            .quotients
+            .into_iter()
+            .for_each(|own| self.add_quotient(own));
+        others
+            .powers
+            .into_iter()
+            .for_each(|own| self.add_power(own));
+    }
+
+    fn mapped(&self, map: impl Fn(&Expr) -> Expr) -> Self {
+        let mut all = Self::default();
+        self.quotients
+            .iter()
+            .for_each(|own| all.add_quotient(map(own)));
+        self.powers.iter().for_each(|own| all.add_power(map(own)));
+        all
+    }
 }
 
 struct Search<'a> {
@@ -63,19 +98,20 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Adds the divisors of a formula, each in the names that mean something where the formula stands.
-    fn visit(&self, tree: &Expr, depth: u32, found: &mut Vec<Expr>) {
+    fn visit(&self, tree: &Expr, depth: u32, found: &mut Divisors) {
         let Some(left) = self.looks.get().checked_sub(1) else {
             return;
         };
         self.looks.set(left);
         match &tree.node {
             Node::Binary(operator, a, b) => {
-                let divisor = match operator {
-                    Operator::Divide => Some(b),
-                    Operator::Power if !matches!(b.node, Node::Number { .. }) => Some(a),
-                    _ => None,
-                };
-                found.extend(divisor.map(|own| own.placeless()));
+                match (operator, &b.node) {
+                    (Operator::Divide, _) => found.add_quotient(b.placeless()),
+                    (Operator::Power, Node::Number { .. }) => {}
+                    (Operator::Power, Node::Negative(_)) => found.add_quotient(a.placeless()),
+                    (Operator::Power, _) => found.add_power(a.placeless()),
+                    _ => {}
+                }
                 self.visit(a, depth, found);
                 self.visit(b, depth, found);
             }
@@ -101,7 +137,7 @@ impl Search<'_> {
     }
 
     /// Adds the divisors of a function at its arguments.
-    fn apply(&self, name: &str, arguments: &[Expr], depth: u32, found: &mut Vec<Expr>) {
+    fn apply(&self, name: &str, arguments: &[Expr], depth: u32, found: &mut Divisors) {
         let call = |function: &str, argument: &Expr| {
             let (head, argument) = (Arc::new(Expr::name(function)), argument.placeless());
             Expr::made(Node::Call(head, vec![argument]))
@@ -125,11 +161,11 @@ impl Search<'_> {
                 self.bound(body, variable, &[low, high], depth, found);
             }
             ("tan", [angle]) => {
-                found.push(call("cos", angle));
+                found.add_quotient(call("cos", angle));
                 self.visit(angle, depth, found);
             }
             ("inverse" | "solve", [matrix, ..]) => {
-                found.push(call("det", matrix));
+                found.add_quotient(call("det", matrix));
                 arguments
                     .iter()
                     .for_each(|own| self.visit(own, depth, found));
@@ -150,7 +186,7 @@ impl Search<'_> {
         variable: &Expr,
         values: &[&Expr],
         depth: u32,
-        found: &mut Vec<Expr>,
+        found: &mut Divisors,
     ) {
         values
             .iter()
@@ -158,25 +194,22 @@ impl Search<'_> {
         let Node::Name(name) = &variable.node else {
             return;
         };
-        let mut inside = vec![];
+        let mut inside = Divisors::default();
         self.visit(body, depth, &mut inside);
-        for divisor in inside {
-            for value in values {
-                found.push(replaced(&divisor, &[(name.as_str(), value)]));
-                if self.declarations.symbol(name).is_some() {
-                    // Definitions in it see the value as well.
+        for value in values {
+            found.extend(inside.mapped(|divisor| replaced(divisor, &[(name.as_str(), value)])));
+            if self.declarations.symbol(name).is_some() {
+                // Definitions in it see the value as well.
+                found.extend(inside.mapped(|divisor| {
                     let arguments = vec![divisor.clone(), variable.placeless(), value.placeless()];
-                    found.push(Expr::made(Node::Call(
-                        Arc::new(Expr::name("at")),
-                        arguments,
-                    )));
-                }
+                    Expr::made(Node::Call(Arc::new(Expr::name("at")), arguments))
+                }));
             }
         }
     }
 
     /// Adds the divisors of seeds and steps of a basis at these arguments; those that are left out have their own names.
-    fn open_basis(&self, name: &str, arguments: &[Expr], depth: u32, found: &mut Vec<Expr>) {
+    fn open_basis(&self, name: &str, arguments: &[Expr], depth: u32, found: &mut Divisors) {
         let (Some(basis), Some(depth)) = (self.declarations.basis(name), depth.checked_sub(1))
         else {
             return;
@@ -184,17 +217,17 @@ impl Search<'_> {
         if basis.counters.is_some() {
             return;
         }
-        let mut inside = vec![];
+        let mut inside = Divisors::default();
         for part in basis.seeds.iter().chain([&basis.step.0, &basis.step.1]) {
             self.visit(&part.expr, depth, &mut inside);
         }
         let names = std::iter::once(&basis.variable).chain(&basis.parameters);
         let values: Vec<(&str, &Expr)> = names.map(String::as_str).zip(arguments).collect();
-        found.extend(inside.iter().map(|divisor| replaced(divisor, &values)));
+        found.extend(inside.mapped(|divisor| replaced(divisor, &values)));
     }
 
     /// Adds the divisors of a definition with these arguments, or of a basis without arguments.
-    fn open(&self, name: &str, arguments: &[Expr], depth: u32, found: &mut Vec<Expr>) {
+    fn open(&self, name: &str, arguments: &[Expr], depth: u32, found: &mut Divisors) {
         self.open_basis(name, &[], depth, found);
         let (Some(definition), Some(depth)) =
             (self.declarations.definition(name), depth.checked_sub(1))
@@ -204,11 +237,11 @@ impl Search<'_> {
         let Definition {
             parameters, body, ..
         } = definition;
-        let mut inside = vec![];
+        let mut inside = Divisors::default();
         self.visit(&body.expr, depth, &mut inside);
         let values = parameters.iter().map(String::as_str).zip(arguments);
         let values: Vec<(&str, &Expr)> = values.collect();
-        found.extend(inside.iter().map(|divisor| replaced(divisor, &values)));
+        found.extend(inside.mapped(|divisor| replaced(divisor, &values)));
     }
 }
 

@@ -69,11 +69,12 @@ impl Evaluator<'_> {
                 ));
             }
             let row = self.row(family, steps, values, place, bound)?;
-            // Outside 0..k the functions are zero by convention.
             let entry = usize::try_from(position)
                 .ok()
                 .and_then(|i| row.get(i).cloned());
-            return Ok(entry.unwrap_or_else(Fraction::zero).into());
+            // Outside 0..k the functions are zero by convention, where the others have a value.
+            let zero = || row.iter().fold(Fraction::zero(), keep_conditions);
+            return Ok(entry.unwrap_or_else(zero).into());
         }
         // The operator is a power: it says nothing below the degree of the seeds.
         if self.declarations.least(&power).is_none_or(|n| n < 0) {
@@ -89,9 +90,7 @@ impl Evaluator<'_> {
         self.symbolic_degree.set(true);
         // Where seeds or factors divide, the functions have no value, whatever becomes of the series.
         let divisors = seeds.iter().chain([&operator.0, &operator.1]);
-        let defined = divisors.fold(Fraction::integer(1), |defined, part| {
-            defined.under(part.conditions())
-        });
+        let defined = divisors.fold(Fraction::integer(1), keep_conditions);
         let series = Quantity::from(Series::entry(Axis {
             operator,
             power,
@@ -160,7 +159,10 @@ impl Evaluator<'_> {
             }
             None => self.raised(family, &values, steps, (place, bound))?,
         };
-        let row: Rc<[Fraction]> = row.into_iter().map(|f| self.at_sample(f)).collect();
+        // The functions of one degree have values together: where a seed or a factor divides by zero none has one.
+        let all = row.iter().fold(Fraction::zero(), keep_conditions);
+        let row = row.into_iter().map(|f| f.under(all.conditions()));
+        let row: Rc<[Fraction]> = row.map(|f| self.at_sample(f)).collect();
         if family.closed {
             super::memory::lasting(place)?;
             let mut members = self.members.borrow_mut();
@@ -171,6 +173,7 @@ impl Evaluator<'_> {
         }
         Ok(row)
     }
+
     /// All functions after so many steps from the seeds.
     fn raised(
         &self,
@@ -195,4 +198,9 @@ impl Evaluator<'_> {
         }
         Ok(row)
     }
+}
+
+/// The first value, which is defined only where the second one is, too.
+fn keep_conditions(value: Fraction, other: &Fraction) -> Fraction {
+    value.under(other.conditions())
 }

@@ -361,3 +361,43 @@ step = ['x - 1', '-x']
     let states = ["variation_diminishing(N2)", "variation_diminishing(N6)"];
     assert_eq!(verdicts(declarations, &states), [False; 2]);
 }
+
+#[test]
+fn the_functions_of_one_degree_have_values_together() {
+    let declarations = r#"
+[symbols]
+x = {}
+l = { integer = "1..3" }
+
+[basis.S]
+variable = "x"
+degree = 1
+seeds = ['1/x', '1 - x']
+step = ['1', '0']
+
+[basis.F]
+variable = "x"
+degree = 1
+seeds = ['x', '1 - x']
+step = ['1 - 1/(x - 2)', '1/(x - 2)']
+
+[basis.W]
+variable = "x"
+degree = 1
+seeds = ['x', '1 - x']
+step = ['1 - x', 'x']
+"#;
+    // Where one seed or one factor divides by zero no function has a value, those outside of the range neither.
+    let conditional = [
+        "S[1,1](x) == 1 - x",
+        "S[4,3](x) == 0",
+        "F[0,2](x) == x - x/(x - 2)",
+        "F[4,3](x) == 0",
+        "F[-1,3](x) == 0",
+        "F[l + 1,l](x) == 0",
+    ];
+    assert_eq!(verdicts(declarations, &conditional), [Conditional; 6]);
+    // No step is taken, or nothing is divided by.
+    let holds = ["F[1,1](x) == 1 - x", "F[2,1](x) == 0", "W[4,3](x) == 0"];
+    assert_eq!(verdicts(declarations, &holds), [Holds; 3]);
+}
