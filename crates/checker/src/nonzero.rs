@@ -15,6 +15,7 @@ use torse_certificate::symbol::Symbol;
 use torse_core::Set;
 use torse_numbers::rational::integer;
 use torse_numbers::{Integer, Rational};
+use torse_syntax::derivation::declarations::Constant;
 use torse_syntax::formula::Relation;
 
 /// The highest power of a factor that is compared with a polynomial, and the most terms of such a factor.
@@ -289,10 +290,13 @@ impl Domain<'_> {
             values.extend(value_at_zero(&self.put(polynomial, &values)?));
         }
         let there = |polynomial: &Polynomial| self.put(polynomial, &values);
-        let known = self.hypotheses(groups);
-        for compared in &known.all {
-            let fails = fails_everywhere(&there(&compared.difference.above)?, compared.relation);
-            if compared.difference.below.is_empty() && fails {
+        // What was said of eliminated symbols before they were replaced holds as well.
+        let (known, stated) = (self.hypotheses(groups), self.hypotheses(0));
+        for compared in known.all.iter().chain(&stated.all) {
+            let there = there(&compared.difference.above)?;
+            if compared.difference.below.is_empty()
+                && self.fails_everywhere(&there, compared.relation)
+            {
                 self.note(&compared.met);
                 return Ok(true);
             }
@@ -312,6 +316,36 @@ impl Domain<'_> {
             }
         }
         Ok(false)
+    }
+
+    /// Whether a polynomial compares so with zero nowhere: it is a number that does not, or a sum of a number and of products of
+    /// squares and of symbols that are never negative by their declared sets, all with one sign.
+    fn fails_everywhere(&self, polynomial: &Polynomial, relation: Relation) -> bool {
+        if let Some(number) = polynomial.as_constant() {
+            return !holds(number.cmp(&integer(0)), relation);
+        }
+        let is_never_negative = |(symbol, exponent): &(Symbol, u32)| {
+            exponent.is_multiple_of(2)
+                || matches!(symbol, Symbol::Named(name)
+                    if self.claim.symbols.get(name).is_some_and(|set| !contains_negative(set)))
+        };
+        let have_sign = |sign: Ordering| {
+            let mut terms = polynomial.terms();
+            terms.all(|(powers, value)| {
+                powers.iter().all(is_never_negative) && value.cmp(&integer(0)) == sign
+            })
+        };
+        let has_number = || polynomial.terms().any(|(powers, _)| powers.is_empty());
+        match relation {
+            Relation::Less => have_sign(Ordering::Greater),
+            Relation::Greater => have_sign(Ordering::Less),
+            Relation::AtMost => have_sign(Ordering::Greater) && has_number(),
+            Relation::AtLeast => have_sign(Ordering::Less) && has_number(),
+            Relation::Equal => {
+                has_number() && (have_sign(Ordering::Greater) || have_sign(Ordering::Less))
+            }
+            Relation::Different => false,
+        }
     }
 
     /// The polynomial with the values of symbols put in, one after the other.
@@ -361,14 +395,31 @@ fn common_divisor(mut a: Integer, mut b: Integer) -> Integer {
     a
 }
 
+/// Whether a declared set may contain a negative number, as far as its lower bound shows.
+fn contains_negative(set: &Set) -> bool {
+    match set {
+        Set::Real(interval) => {
+            let lower = interval.lower.as_ref();
+            !lower.is_some_and(|bound| sign(&bound.value).is_some_and(Ordering::is_ge))
+        }
+        Set::Integer { least, .. } => {
+            let least = least.as_ref().and_then(torse_numbers::Affine::as_number);
+            least.is_none_or(|n| n < 0)
+        }
+        Set::Vector(_) | Set::Family { .. } => true,
+    }
+}
+
+/// The sign of a bound of a declared set.
+fn sign(bound: &Constant) -> Option<Ordering> {
+    let turns = Polynomial::symbol(Symbol::Pi).scaled(&bound.turns);
+    order(&turns.plus(&Polynomial::constant(bound.rational.clone())))
+}
+
 /// Whether a declared set may contain zero, as far as its bounds show.
 fn contains_zero(set: &Set) -> bool {
     match set {
         Set::Real(interval) => {
-            let sign = |c: &torse_syntax::derivation::declarations::Constant| {
-                let turns = Polynomial::symbol(Symbol::Pi).scaled(&c.turns);
-                order(&turns.plus(&Polynomial::constant(c.rational.clone())))
-            };
             let above = interval.lower.as_ref().is_some_and(|b| {
                 sign(&b.value).is_some_and(|s| s.is_gt() || (s.is_eq() && !b.closed))
             });
@@ -402,27 +453,6 @@ fn value_at_zero(polynomial: &Polynomial) -> Option<(Symbol, Polynomial)> {
         let slope = slope.as_constant()?;
         Some((symbol.clone(), rest.scaled(&-slope.recip())))
     })
-}
-
-/// Whether a polynomial compares so with zero nowhere: it is a number that does not, or a sum of squares and of a number, all with
-/// one sign.
-fn fails_everywhere(polynomial: &Polynomial, relation: Relation) -> bool {
-    if let Some(number) = polynomial.as_constant() {
-        return !holds(number.cmp(&integer(0)), relation);
-    }
-    let squares = |sign: Ordering| {
-        let is_square = |exponent: &(Symbol, u32)| exponent.1.is_multiple_of(2);
-        let mut terms = polynomial.terms();
-        terms.all(|(powers, value)| powers.iter().all(is_square) && value.cmp(&integer(0)) == sign)
-    };
-    let has_number = || polynomial.terms().any(|(powers, _)| powers.is_empty());
-    match relation {
-        Relation::Less => squares(Ordering::Greater),
-        Relation::Greater => squares(Ordering::Less),
-        Relation::AtMost => squares(Ordering::Greater) && has_number(),
-        Relation::AtLeast => squares(Ordering::Less) && has_number(),
-        Relation::Equal | Relation::Different => false,
-    }
 }
 
 /// The polynomial without its constant term, if it has a nonzero one.

@@ -119,4 +119,21 @@ fn a_sum_that_hypotheses_keep_from_zero_divides() {
     }
     let zero = "assume = ['a*b >= 0', 'c*(a + b) == 2*(a + b)']\nstates = 'c == 2'";
     found(numbers, zero, &[False, Misprint, Conditional]);
+
+    // A factor of a sum that is never zero is never zero, whatever is eliminated.
+    let numbers =
+        "[symbols]\nx = {}\ny = {}\na = {}\nb = { in = '[0, 1]' }\nw = { in = '[0, inf)' }\nm = { integer = '1..3' }\n";
+    for (right, verdict) in [
+        ("b + 3/2", Holds),
+        ("-b - 3", Holds),
+        ("b - 1/2", Conditional),
+        ("b", Conditional),
+        ("sin(b) + 1/2", Holds),
+        ("sin(w) + 1/2", Conditional),
+    ] {
+        let lines = format!(
+            "assume = ['(x - y)*a == {right}']\nstates = 'y^m + a == y^m + ({right})/(x - y)'"
+        );
+        found(numbers, &lines, &[verdict]);
+    }
 }
