@@ -48,10 +48,12 @@ pub enum Shown<P> {
     Squares(Box<Squares<P>>),
     /// It has one variable: the signs of factors between their roots.
     Line(Box<Line<P>>),
-    /// It has sines and cosines beside their variable: partial sums of their series.
+    /// It has sines, cosines and exponentials beside their variable: partial sums of their series.
     Taylor(Box<Taylor<P>>),
     /// It is linear in the square of a bounded symbol: the signs where that is zero, and where it is largest.
     Even(Box<Even<P>>),
+    /// Its derivatives by a variable, with exponentials of it: where that is zero, and how it grows from there.
+    Increasing(Box<Increasing<P>>),
 }
 
 /// A product of nonnegative symbols, and the sign of its coefficient.
@@ -115,6 +117,25 @@ pub struct Even<P> {
     pub at_zero: Sign<P>,
     /// The sign of `p + q c^2`.
     pub at_bound: Sign<P>,
+}
+
+/// A polynomial f whose sign its derivatives by a variable show. **Theorem.** If `f >= 0` where the variable x is zero, and
+/// `f' - c*f >= 0` between zero and each value of x, none of which is negative, then `f >= 0`. If `f >= 0` and `f' == c*f` where x is zero,
+/// and `f'' - 2*c*f' + c^2*f >= 0` between zero and each value, then `f >= 0`. For these are the derivatives of `f*exp(-c*x)`, times
+/// `exp(c*x)`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Increasing<P> {
+    /// The variable x.
+    pub variable: Symbol,
+    /// The number c.
+    #[serde(serialize_with = "text::number")]
+    pub rate: Rational,
+    /// How often is differentiated: once or twice.
+    pub order: u32,
+    /// The sign of f where x is zero.
+    pub start: Sign<P>,
+    /// The sign of `f' - c*f`, or of `f'' - 2*c*f' + c^2*f`.
+    pub slope: Sign<P>,
 }
 
 /// A part of the domain: a symbol, or the angle of a cosine, between two numbers.
@@ -285,6 +306,13 @@ impl<P> Sign<P> {
                     at_zero: own.at_zero.map(change),
                     at_bound: own.at_bound.map(change),
                 })),
+                Shown::Increasing(own) => Shown::Increasing(Box::new(Increasing {
+                    variable: own.variable.clone(),
+                    rate: own.rate.clone(),
+                    order: own.order,
+                    start: own.start.map(change),
+                    slope: own.slope.map(change),
+                })),
                 Shown::Rays(rays) => Shown::Rays(
                     rays.iter()
                         .map(|ray| Ray {
@@ -297,25 +325,36 @@ impl<P> Sign<P> {
         }
     }
 
+    /// The proofs of which this one is made.
+    fn nested(&self) -> Vec<&Self> {
+        match &self.by {
+            Shown::Whole(_) | Shown::Parts(_) | Shown::Line(_) => vec![],
+            Shown::Factors(signs) => signs.iter().collect(),
+            Shown::Rays(rays) => rays.iter().map(|ray| &ray.coefficient).collect(),
+            Shown::Along(along) => vec![&along.rest],
+            Shown::Squares(own) => vec![&own.larger, &own.difference],
+            Shown::Taylor(taylor) => taylor.coefficients().collect(),
+            Shown::Even(own) => vec![&own.at_zero, &own.at_bound],
+            Shown::Increasing(own) => vec![&own.start, &own.slope],
+        }
+    }
+
+    /// What these proofs say of themselves, and those of which they are made.
+    fn collected<'s, T>(&'s self, own: &impl Fn(&'s Self) -> Vec<T>) -> Vec<T> {
+        let nested = self.nested().into_iter();
+        let mut all = own(self);
+        all.extend(nested.flat_map(|sign| sign.collected(own)));
+        all
+    }
+
     /// All certificates in the proof.
     #[must_use]
     pub fn certificates(&self) -> Vec<&Certificate<P>> {
-        match &self.by {
+        self.collected(&|sign| match &sign.by {
             Shown::Whole(certificate) => vec![certificate],
             Shown::Parts(parts) => parts.iter().map(|part| &part.certificate).collect(),
-            Shown::Factors(signs) => signs.iter().flat_map(Self::certificates).collect(),
-            Shown::Along(along) => along.rest.certificates(),
-            Shown::Line(_) => vec![],
-            Shown::Taylor(taylor) => taylor.coefficients().flat_map(Self::certificates).collect(),
-            Shown::Squares(own) => {
-                [own.larger.certificates(), own.difference.certificates()].concat()
-            }
-            Shown::Even(own) => [own.at_zero.certificates(), own.at_bound.certificates()].concat(),
-            Shown::Rays(rays) => {
-                let signs = rays.iter().map(|ray| &ray.coefficient);
-                signs.flat_map(Self::certificates).collect()
-            }
-        }
+            _ => vec![],
+        })
     }
 
     /// The indices of the constraints that are used.
@@ -340,49 +379,31 @@ impl<P> Sign<P> {
     /// The lines.
     #[must_use]
     pub fn lines(&self) -> Vec<&Line<P>> {
-        match &self.by {
-            Shown::Line(line) => vec![line],
-            Shown::Whole(_) | Shown::Parts(_) => vec![],
-            Shown::Factors(signs) => signs.iter().flat_map(Self::lines).collect(),
-            Shown::Taylor(taylor) => taylor.coefficients().flat_map(Self::lines).collect(),
-            Shown::Rays(rays) => {
-                let signs = rays.iter().map(|ray| &ray.coefficient);
-                signs.flat_map(Self::lines).collect()
-            }
-            Shown::Along(along) => along.rest.lines(),
-            Shown::Squares(own) => [own.larger.lines(), own.difference.lines()].concat(),
-            Shown::Even(own) => [own.at_zero.lines(), own.at_bound.lines()].concat(),
-        }
+        self.collected(&|sign| match &sign.by {
+            Shown::Line(line) => vec![&**line],
+            _ => vec![],
+        })
     }
 
     /// Whether partial sums of series are used.
     #[must_use]
     pub fn uses_series(&self) -> bool {
-        match &self.by {
-            Shown::Taylor(_) => true,
-            Shown::Whole(_) | Shown::Parts(_) | Shown::Line(_) => false,
-            Shown::Factors(signs) => signs.iter().any(Self::uses_series),
-            Shown::Rays(rays) => rays.iter().any(|ray| ray.coefficient.uses_series()),
-            Shown::Along(along) => along.rest.uses_series(),
-            Shown::Squares(own) => own.larger.uses_series() || own.difference.uses_series(),
-            Shown::Even(own) => own.at_zero.uses_series() || own.at_bound.uses_series(),
-        }
+        matches!(self.by, Shown::Taylor(_)) || self.nested().into_iter().any(Self::uses_series)
+    }
+
+    /// Whether derivatives are used.
+    #[must_use]
+    pub fn uses_derivatives(&self) -> bool {
+        matches!(self.by, Shown::Increasing(_))
+            || self.nested().into_iter().any(Self::uses_derivatives)
     }
 
     /// The places of the equations of which multiples are subtracted.
     fn equations(&self) -> Vec<usize> {
-        match &self.by {
-            Shown::Whole(_) | Shown::Parts(_) | Shown::Line(_) => vec![],
-            Shown::Factors(signs) => signs.iter().flat_map(Self::equations).collect(),
-            Shown::Taylor(taylor) => taylor.coefficients().flat_map(Self::equations).collect(),
-            Shown::Rays(rays) => {
-                let signs = rays.iter().map(|ray| &ray.coefficient);
-                signs.flat_map(Self::equations).collect()
-            }
-            Shown::Along(along) => [vec![along.equation], along.rest.equations()].concat(),
-            Shown::Squares(own) => [own.larger.equations(), own.difference.equations()].concat(),
-            Shown::Even(own) => [own.at_zero.equations(), own.at_bound.equations()].concat(),
-        }
+        self.collected(&|sign| match &sign.by {
+            Shown::Along(along) => vec![along.equation],
+            _ => vec![],
+        })
     }
 }
 

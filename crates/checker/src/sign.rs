@@ -158,6 +158,7 @@ impl<'a> Signs<'a> {
                 along.rest.strict
             }
             Shown::Even(even) => self.even(&sign.polynomial, even)?,
+            Shown::Increasing(_) => return Err(Unsupported::Construct("an exponential").into()),
             Shown::Taylor(taylor) => self.taylor(&sign.polynomial, taylor)?,
             Shown::Line(line) => {
                 let target = self.product(&line.target, line)?;

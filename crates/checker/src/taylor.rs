@@ -1,7 +1,7 @@
 //! Signs by partial sums: each sum has to be one that bounds its function on the domain, and the gaps with their coefficients make
 //! the polynomial.
 
-use super::gap::{CheckError, Wrong};
+use super::gap::{CheckError, Unsupported, Wrong};
 use super::quotient::Quotient;
 use super::sign::Signs;
 use torse_certificate::polynomial::Polynomial;
@@ -43,6 +43,10 @@ impl Signs<'_> {
 
     /// The gap of a partial sum, and whether it is positive.
     fn gap(&self, bound: &PartialSum) -> Result<(Polynomial, bool), CheckError> {
+        if bound.exponent.is_some() {
+            // The checker does not know what an exponential is the power of.
+            return Err(Unsupported::Construct("an exponential").into());
+        }
         let wrong = || CheckError::from(Wrong::Coordinate(bound.symbol.to_string()));
         let (variable, from_zero) = bound.variable().ok_or_else(wrong)?;
         let gap = bound.gap().ok_or_else(wrong)?;

@@ -145,7 +145,10 @@ fn order(own: &Order<Polynomial>) -> Vec<String> {
         steps.push("sums of squares are not negative");
     }
     if own.signs.iter().any(Sign::uses_series) {
-        steps.push("partial sums of their series bound sines and cosines");
+        steps.push("partial sums of their series bound sines, cosines and exponentials");
+    }
+    if own.signs.iter().any(Sign::uses_derivatives) {
+        steps.push("the difference has that sign where its variable is zero, and grows from there by the signs of derivatives");
     }
     if own.signs.iter().any(|sign| !sign.lines().is_empty()) {
         steps.push("the signs between the real roots are those that are asked");

@@ -71,13 +71,48 @@ fn exponentials_have_the_range_and_the_order_of_their_exponents() {
 }
 
 #[test]
-fn beside_its_own_exponent_an_exponential_is_bounded_by_its_tangent_alone() {
+fn beside_its_own_exponent_an_exponential_is_above_its_partial_sums() {
     states("exp(y) >= 1 + y", Holds);
     states("exp(-y) >= 1 - y", Holds);
     states("exp(y) > 1 + y", False);
+    // Those of odd degree everywhere, those of even degree where the exponent is positive.
     states("exp(y) >= 1 + y + y^2/2", False);
-    // True, and not decided.
-    states("sinh(t) >= t", Undecided);
+    states("exp(t) >= 1 + t + t^2/2", Holds);
+    states("exp(a) > 1 + a + a^2/2", Holds);
+    states("exp(t) > 1 + t + t^2/2", False);
+    states("exp(y) >= 1 + y + y^2/2 + y^3/6", Holds);
+    states("exp(t) >= 1 + t + t^2/2 + t^3/6 + t^4/24", Holds);
+    states("exp(t/2) >= 1 + t/2 + t^2/8", Holds);
+    states("exp(t/2) >= 1 + t/2 + t^2/7", False);
+    states("exp(t) >= 1 + t + t^2", False);
+    states("exp(-t) <= 1 - t + t^2/2", Holds);
+    states("exp(-t) <= 1 - t", False);
+    states("sinh(t) >= t + t^3/6", Holds);
+    states("sinh(y) >= y", False);
+}
+
+#[test]
+fn what_is_not_negative_at_zero_and_increases_from_there_is_not_negative() {
+    states("tanh(t) <= t", Holds);
+    states("tanh(y) <= y", False);
+    states("sinh(t) <= t*cosh(t)", Holds);
+    states("sinh(t) < t*cosh(t)", False);
+    states("sinh(a) < a*cosh(a)", Holds);
+    states("cosh(y) >= 1 + y^2/2", Holds);
+    states("cosh(y) > 1 + y^2/2", False);
+    states("log(1 + t) >= t - t^2/2", Holds);
+    states("log(1 + t) <= t - t^2/2", False);
+    // The value at zero, and the growth, do not follow from points beyond one.
+    let beyond = |states: &str, wanted| {
+        verdict(&format!("assume = ['y >= 1']\nstates = '{states}'"), wanted);
+    };
+    beyond("exp(y) >= 1 + 27/10*y", False);
+    beyond("exp(y) >= 3*y", False);
+    // A constraint between the variable and another one does not hold between zero and the variable.
+    verdict(
+        "assume = ['z <= t', '0 <= z']\nstates = 'exp(t)*z - exp(z)*t >= 0'",
+        False,
+    );
 }
 
 #[test]

@@ -15,6 +15,7 @@ pub mod coordinates;
 mod even;
 mod failing_point;
 mod farkas;
+mod increasing;
 mod line;
 mod proof;
 mod prove;
@@ -92,6 +93,7 @@ pub fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proo
         .or_else(|| line::proof(polynomial, domain, &[]))
         .or_else(|| taylor::proof(polynomial, domain))
         .or_else(|| even::proof(polynomial, domain))
+        .or_else(|| increasing::proof(polynomial, domain))
 }
 
 /// That the polynomial is zero or more, if that can be proved: one that is zero everywhere is zero or less as well.

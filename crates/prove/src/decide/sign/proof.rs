@@ -1,7 +1,7 @@
 //! Proofs of sign: one certificate, one for each part of the domain, or proofs about factors or coefficients.
 
 use super::certificate::{self, Certificate, CertificateError};
-use super::{Sign, prove, without_equations};
+use super::{Sign, increasing, prove, without_equations};
 use crate::decide::domain::Domain;
 use crate::decide::interval::Bound;
 use crate::decide::value::{plain, plain_symbol, quotient};
@@ -47,6 +47,9 @@ pub enum Shown {
     /// A symbol, a bound of it, and proofs about the polynomial where its square is zero and where it is that of the bound; whether
     /// the polynomial is more than zero.
     Even(Symbol, Rational, Box<[Proof; 2]>, bool),
+    /// A variable, a number c, how often is differentiated, and proofs about the polynomial where the variable is zero and about what
+    /// c and the derivatives make ([`increasing`]); whether the polynomial is more than zero.
+    Increasing(Symbol, Rational, u32, Box<[Proof; 2]>, bool),
 }
 
 impl Proof {
@@ -130,6 +133,16 @@ impl Proof {
                     bound: bound.clone(),
                     at_zero: at_zero.written(domain)?,
                     at_bound: at_bound.written(domain)?,
+                }))
+            }
+            Shown::Increasing(variable, rate, order, own, _) => {
+                let [start, slope] = &**own;
+                written::Shown::Increasing(Box::new(written::Increasing {
+                    variable: plain_symbol(variable),
+                    rate: rate.clone(),
+                    order: *order,
+                    start: start.written(domain)?,
+                    slope: slope.written(domain)?,
                 }))
             }
             Shown::Taylor(bounds, terms, _) => {
@@ -311,7 +324,9 @@ impl Proof {
             Shown::Along(_, _, rest) => rest.strict(),
             Shown::Squares(own) => own[1].strict(),
             Shown::Line(_, strict) => *strict,
-            Shown::Taylor(.., strict) | Shown::Even(.., strict) => *strict,
+            Shown::Taylor(.., strict) | Shown::Even(.., strict) | Shown::Increasing(.., strict) => {
+                *strict
+            }
         }
     }
 
@@ -364,6 +379,12 @@ impl Proof {
             // What the coefficients make is multiplied out by the checker.
             Shown::Taylor(_, terms, _) => terms.iter().try_for_each(|(_, own)| own.check(domain)),
             Shown::Even(_, _, own, _) => own.iter().try_for_each(|proof| proof.check(domain)),
+            Shown::Increasing(variable, rate, order, own, _) => {
+                if !increasing::is_made(&self.polynomial, (variable, rate, *order), own) {
+                    return Err(CertificateError::Equation);
+                }
+                own.iter().try_for_each(|proof| proof.check(domain))
+            }
             // Its cells were looked at when it was made, and the checker looks at them again.
             Shown::Line(line, _) => {
                 let line = line.map(&plain);

@@ -1,67 +1,93 @@
-//! Signs of polynomials in a variable and its sine and cosine: partial sums of the series of these take their places, higher and
-//! higher ones, until all coefficients have a sign.
+//! Signs of polynomials in a variable and its sine, cosine and exponential: partial sums of the series of these take their places,
+//! higher and higher ones, until all coefficients have a sign.
 
+use super::increasing::is_negative_somewhere;
 use super::proof::{Proof, Shown};
 use super::{Sign, line, without_equations};
 use crate::decide::domain::Domain;
 use crate::decide::order::truth;
 use crate::decide::value::plain_symbol;
 use torse_algebra::{Fraction, Polynomial, Symbol};
-use torse_certificate::taylor::PartialSum;
+use torse_certificate::taylor::{Exponent, PartialSum};
 use torse_syntax::formula::Relation;
 
-/// The most sines and cosines in one polynomial, and its most terms.
+/// The most functions in one polynomial, and its most terms.
 const MAX_FUNCTIONS: usize = 2;
 const MAX_TERMS: usize = 30;
-/// How many partial sums of each function are tried.
+/// How many partial sums of each function are tried. Those of sines and cosines go up by four degrees, those of exponentials by one.
 const MAX_LEVELS: u32 = 6;
+const MAX_EXPONENTIAL_LEVELS: u32 = 12;
 
 /// A sign of the polynomial, if partial sums show it.
 pub(super) fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sign, Proof)> {
     let functions: Vec<&Symbol> = polynomial
         .symbols()
         .iter()
-        .filter(|s| matches!(s, Symbol::Sin(..) | Symbol::Cos(..)))
+        .filter(|s| matches!(s, Symbol::Sin(..) | Symbol::Cos(..) | Symbol::Exp(_)))
         .collect();
     if functions.is_empty() || functions.len() > MAX_FUNCTIONS || polynomial.len() > MAX_TERMS {
         return None;
     }
-    // Sines and cosines without their variable are better off as they are.
+    // Functions without their variable are better off as they are.
     let names = functions.iter().flat_map(|f| f.names());
     let mut beside = names.map(|name| Symbol::Named(name.clone()));
     if !domain.part.is_empty() || !beside.all(|s| polynomial.symbols().contains(&s)) {
         return None;
     }
-    for level in 0..MAX_LEVELS {
-        for sides in 0..1_u32 << functions.len() {
+    let negative = -polynomial;
+    let mut sides: Vec<&Polynomial> = vec![polynomial, &negative];
+    sides.retain(|own| !is_negative_somewhere(own, domain));
+    let is_exponential = |function: &&Symbol| matches!(function, Symbol::Exp(_));
+    let levels = match functions.iter().any(is_exponential) {
+        true => MAX_EXPONENTIAL_LEVELS,
+        false => MAX_LEVELS,
+    };
+    for level in 0..levels {
+        for below in 0..1_u32 << functions.len() {
             let bounds = functions.iter().enumerate().map(|(place, function)| {
-                let is_lower = sides & (1 << place) == 0;
+                let is_lower = below & (1 << place) == 0;
                 bound(function, is_lower, level)
             });
-            let bounds: Vec<PartialSum> = bounds.collect();
-            if let Some(found) = shown(polynomial, &functions, bounds.clone(), domain) {
-                return Some(found);
-            }
-            if let Some((sign, proof)) = shown(&-polynomial, &functions, bounds, domain) {
-                return Some((sign.negated(), proof));
+            let Some(bounds) = bounds.collect::<Option<Vec<PartialSum>>>() else {
+                continue;
+            };
+            for own in &sides {
+                if let Some((sign, proof)) = shown(own, &functions, bounds.clone(), domain) {
+                    return Some(match **own == negative {
+                        true => (sign.negated(), proof),
+                        false => (sign, proof),
+                    });
+                }
             }
         }
     }
     None
 }
 
-/// The partial sum of this level on one side.
-fn bound(function: &Symbol, is_lower: bool, level: u32) -> PartialSum {
-    let first = match (function, is_lower) {
-        (Symbol::Sin(..), true) => 3,
-        (Symbol::Sin(..), false) => 1,
-        (_, true) => 2,
-        (_, false) => 0,
+/// The partial sum of this level on one side; none is above an exponential.
+fn bound(function: &Symbol, is_lower: bool, level: u32) -> Option<PartialSum> {
+    let (exponent, degree) = match (function, is_lower) {
+        (Symbol::Exp(exponent), true) => {
+            let [(variable, 1)] = exponent.powers() else {
+                return None;
+            };
+            let exponent = Exponent {
+                variable: (**variable).into(),
+                parts: exponent.parts(),
+            };
+            (Some(exponent), level)
+        }
+        (Symbol::Exp(_), false) => return None,
+        (Symbol::Sin(..), true) => (None, 3 + 4 * level),
+        (Symbol::Sin(..), false) => (None, 1 + 4 * level),
+        (_, true) => (None, 2 + 4 * level),
+        (_, false) => (None, 4 * level),
     };
-    PartialSum {
+    Some(PartialSum {
         symbol: plain_symbol(function),
-        degree: first + 4 * level,
-    }
+        exponent,
+        degree,
+    })
 }
 
 /// That the polynomial is zero or more, by these partial sums.
