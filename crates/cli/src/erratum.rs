@@ -15,6 +15,7 @@ use torse_report::model::Report;
 use torse_report::{Envelope, ReportError, erratum_latex, erratum_markdown, glossary, write_file};
 use torse_syntax::derivation::Paper;
 use torse_verdicts::audit::corrected_words;
+use torse_verdicts::outcome::Restored;
 
 /// Write the corrections of a paper as TeX, PDF and Markdown, ready to be sent to its authors or journal.
 ///
@@ -30,7 +31,8 @@ pub struct Erratum {
     /// Write to this folder; it is created if necessary
     #[arg(long, value_name = "DIR", default_value = "reports")]
     out: PathBuf,
-    /// Decide the statements that the corrections concern again, with all of these in force, and say what holds then
+    /// Decide the statements that the corrections concern and all that rest on them again, with all corrections in force,
+    /// and say what holds then
     #[arg(long)]
     verify: bool,
     /// Sign the letter with this name; without it every page says that it is a draft
@@ -117,9 +119,25 @@ impl Erratum {
                 written.push_str(&format!("{}\n", file.display()));
             }
         }
-        for restored in run.papers.iter().flat_map(|paper| &paper.restored) {
-            let verdict = glossary::verdict(restored.verdict).label;
-            written.push_str(&format!("{}  {verdict}\n", restored.claim));
+        for restored in run
+            .papers
+            .iter()
+            .filter_map(|paper| paper.restored.as_ref())
+        {
+            let label = |of: &Restored| glossary::verdict(of.verdict).label;
+            for of in &restored.corrected {
+                written.push_str(&format!("{}  {}\n", of.claim, label(of)));
+            }
+            for of in &restored.dependents {
+                written.push_str(&format!(
+                    "{}  {}, rests on a corrected statement\n",
+                    of.claim,
+                    label(of)
+                ));
+            }
+            for id in &restored.reworded {
+                written.push_str(&format!("{id}  words alone\n"));
+            }
         }
         terminal::print(&written)?;
         Ok(Exit::from_outcomes(run.outcomes(), &[]))

@@ -255,13 +255,13 @@ impl<'o> Verifier<'o> {
         Ok(verification(papers, decided))
     }
 
-    /// Decides the claims in which faults show once more, with all corrections of their paper in force:
-    /// [`PaperOutcome::restored`]. Returns the formulas that make no sense then.
+    /// Decides the claims in which faults show and those that rest on them once more, with all corrections of their paper
+    /// in force: [`PaperOutcome::restored`]. Returns the formulas that make no sense then.
     pub fn restore(&self, papers: &[Paper], outcomes: &mut [PaperOutcome]) -> Vec<DerivationError> {
         let mut mistakes = vec![];
         for (paper, outcome) in papers.iter().zip(outcomes) {
             match restore(self.budget.units(), paper, outcome) {
-                Ok(restored) => outcome.restored = restored,
+                Ok(restored) => outcome.restored = Some(restored),
                 Err(error) => mistakes.push(*error),
             }
         }
@@ -295,7 +295,7 @@ fn verification(
             venue: paper.head.venue.clone(),
             claims: outcomes,
             faults,
-            restored: vec![],
+            restored: None,
         });
     }
     made

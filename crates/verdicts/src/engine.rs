@@ -32,7 +32,7 @@ pub fn run(paper: &Paper, done: &(dyn Fn() + Sync)) -> Result<PaperOutcome, Box<
         venue: paper.head.venue.clone(),
         faults: faults(paper, &claims)?,
         claims,
-        restored: vec![],
+        restored: None,
     })
 }
 

@@ -22,8 +22,8 @@ pub struct PaperOutcome {
     pub claims: Vec<Outcome>,
     /// The faults of which the authors are told.
     pub faults: Vec<PaperFault>,
-    /// The verdicts of the claims with all corrections in force; empty if not requested.
-    pub restored: Vec<Restored>,
+    /// What is true with all corrections in force; none if not requested.
+    pub restored: Option<Restoration>,
 }
 
 /// A fault of a paper, wherever it shows.
@@ -62,6 +62,17 @@ pub struct FaultChange {
     pub reads: String,
     /// The id of the remark that states the correction.
     pub remark: Option<String>,
+}
+
+/// A paper with all of its corrections made.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+pub struct Restoration {
+    /// The claims that the corrections are about.
+    pub corrected: Vec<Restored>,
+    /// The other claims that rest on these, or on a corrected definition.
+    pub dependents: Vec<Restored>,
+    /// The ids of claims of which only the words change: nothing is computed about them.
+    pub reworded: Vec<String>,
 }
 
 /// A claim decided again, with all corrections of its paper in force.

@@ -224,7 +224,7 @@ pub fn sample() -> PaperOutcome {
             .map(Sample::outcome)
             .collect(),
         faults: vec![],
-        restored: vec![],
+        restored: None,
     }
 }
 

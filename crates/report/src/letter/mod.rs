@@ -8,6 +8,7 @@ mod closing;
 mod counterexample;
 mod item;
 mod opening;
+mod restored;
 
 pub(crate) use item::item;
 pub use item::{Item, ItemChange};

@@ -14,6 +14,7 @@ use super::schema::{AnswerEntry, ClaimEntry, ReadingEntry};
 use super::source::{Origin, Source, whole};
 use super::table::Errors;
 use super::written::{Written, written};
+use crate::formula::Expr;
 use crate::notation::text;
 use crate::taxonomy::{Flag, Kind};
 use std::collections::{BTreeMap, BTreeSet};
@@ -102,8 +103,8 @@ impl Claim {
         quotes
     }
 
-    /// Whether a formula of the claim uses an invalid declaration, directly or through definitions.
-    pub(super) fn uses_invalid_declaration(&self) -> bool {
+    /// All formulas of the claim itself, without those of its readings.
+    fn formulas(&self) -> impl Iterator<Item = &Expr> {
         let hypotheses = self.given.iter().chain(&self.assumptions);
         let formulas = hypotheses.map(|h| &h.formula).chain(&self.unknowns);
         let holes = self.author_note.iter().flat_map(AuthorNote::holes);
@@ -112,9 +113,20 @@ impl Claim {
             .chain(&self.statement)
             .chain(holes)
             .chain(witnesses);
+        formulas.map(|w| &w.expr)
+    }
+
+    /// Whether a formula of the claim or of a reading uses one of these names, directly or through definitions.
+    pub(super) fn uses_names(&self, names: &BTreeSet<&str>) -> bool {
+        let wanted = |name: &str| names.contains(name);
+        self.declarations.depends_on(self.formulas(), wanted)
+            || self.readings.iter().any(|r| r.claim.uses_names(names))
+    }
+
+    /// Whether a formula of the claim uses an invalid declaration, directly or through definitions.
+    pub(super) fn uses_invalid_declaration(&self) -> bool {
         let figure = self.figure.as_ref();
-        self.declarations
-            .depends_on_invalid(formulas.map(|w| &w.expr))
+        self.declarations.depends_on_invalid(self.formulas())
             || figure.is_some_and(|figure| figure.declarations.any_invalid())
             || self
                 .readings

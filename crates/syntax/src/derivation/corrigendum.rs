@@ -6,8 +6,8 @@
 
 use super::author_note::{AuthorNote, author_note};
 use super::claim::Claim;
-use super::declarations::Declarations;
-use super::definitions::add_definitions;
+use super::declarations::{Declarations, Definition};
+use super::definitions::{add_definitions, name_of};
 use super::error::{DerivationError, LoadError};
 use super::provenance::{Hypothesis, Provenance, Quote};
 use super::schema::corrigendum::{ChangeEntry, CorrigendumEntry, LetterPart};
@@ -32,6 +32,8 @@ pub struct Corrigendum {
     pub says: AuthorNote,
     /// The ids of the claims in which the error shows.
     pub shows: Vec<String>,
+    /// Corrected definitions by name; in force for all claims.
+    pub definitions: Vec<(String, Definition)>,
     /// The corrected wording.
     pub changes: Vec<Rewording>,
     /// The claims in which it shows, in the same order, and others whose words change, once the whole paper is corrected.
@@ -60,6 +62,42 @@ pub struct CorrectedClaim {
     pub restated: bool,
 }
 
+impl Corrigendum {
+    /// Returns the claim with the corrected definitions of all corrigenda; none if no formula of it uses them. A name
+    /// that the claim itself declares is its own.
+    #[must_use]
+    pub fn redefined(corrigenda: &[Self], claim: &Claim) -> Option<Claim> {
+        let own = claim.entry.local.keys().map(|head| name_of(head));
+        let own: BTreeSet<String> = own.chain(claim.entry.symbols.keys().cloned()).collect();
+        let definitions = corrigenda.iter().flat_map(|of| &of.definitions);
+        let definitions: Vec<_> = definitions
+            .filter(|(name, _)| !own.contains(name))
+            .collect();
+        let names = definitions.iter().map(|(name, _)| name.as_str()).collect();
+        claim.uses_names(&names).then(|| {
+            let mut corrected = claim.clone();
+            corrected.author_note = None;
+            redefine(&mut corrected, definitions.iter().copied());
+            corrected
+        })
+    }
+}
+
+/// Puts definitions in the place of those that the claim and its readings have.
+fn redefine<'d>(
+    claim: &mut Claim,
+    definitions: impl Iterator<Item = &'d (String, Definition)> + Clone,
+) {
+    let mut declarations = (*claim.declarations).clone();
+    for (name, definition) in definitions.clone() {
+        declarations.define(name.clone(), definition.clone());
+    }
+    claim.declarations = Arc::new(declarations);
+    for reading in &mut claim.readings {
+        redefine(&mut reading.claim, definitions.clone());
+    }
+}
+
 /// Reads the corrigenda of a paper. Reports entries that name no claim of the paper, or quote words that are not
 /// printed.
 pub(super) fn corrigenda(
@@ -69,11 +107,17 @@ pub(super) fn corrigenda(
     errors: &mut Errors,
 ) -> Vec<Corrigendum> {
     let mut shown = BTreeSet::new();
-    // Check the definitions once here, so that an error is not reported again for each claim.
+    let mut definitions: Vec<Vec<(String, Definition)>> = vec![];
     for (source, entry) in entries {
-        add_definitions(&mut Declarations::default(), source, &entry.define, errors);
+        let mut own = Declarations::default();
+        add_definitions(&mut own, source, &entry.define, errors);
+        let own = own.definitions();
+        definitions.push(
+            own.map(|(name, of)| (name.to_owned(), of.clone()))
+                .collect(),
+        );
     }
-    let made = |(source, entry): &(Arc<Source>, CorrigendumEntry)| {
+    let made = |((source, entry), own): (&(Arc<Source>, CorrigendumEntry), &Vec<_>)| {
         let says = errors.keep(author_note(source, &entry.says));
         let mut wrong = |text: &Spanned<String>, message: String, help: &str| {
             let origin = Origin::from_spanned(source, text);
@@ -161,7 +205,7 @@ pub(super) fn corrigenda(
                 let stated = change.filter(|change| change.states.is_none());
                 let remark = stated.and_then(|change| change.remark.as_ref());
                 let remark = remark.and_then(find);
-                correct(source, claim, remark, change, entries, errors)
+                correct(source, claim, remark, change, &definitions, errors)
             })
             .collect();
         Corrigendum {
@@ -170,11 +214,12 @@ pub(super) fn corrigenda(
             part: entry.part,
             says: says.unwrap_or(AuthorNote { pieces: vec![] }),
             shows: entry.shows.iter().map(|id| id.get_ref().clone()).collect(),
+            definitions: own.clone(),
             changes,
             corrected,
         }
     };
-    entries.iter().map(made).collect()
+    entries.iter().zip(&definitions).map(made).collect()
 }
 
 /// Corrects a claim: applies the corrected definitions of all corrigenda, and takes the statement of the change or of
@@ -184,23 +229,17 @@ fn correct(
     claim: &Claim,
     remark: Option<&Claim>,
     change: Option<&ChangeEntry>,
-    entries: &[(Arc<Source>, CorrigendumEntry)],
+    definitions: &[Vec<(String, Definition)>],
     errors: &mut Errors,
 ) -> CorrectedClaim {
     let mut corrected = remark.unwrap_or(claim).clone();
     corrected.entry.id = claim.entry.id.clone();
     corrected.author_note = None;
-    let mut declarations = (*corrected.declarations).clone();
-    for (source, entry) in entries {
-        add_definitions(
-            &mut declarations,
-            source,
-            &entry.define,
-            &mut Errors::default(),
-        );
-    }
+    redefine(&mut corrected, definitions.iter().flatten());
     if let Some(change) = change {
+        let mut declarations = (*corrected.declarations).clone();
         add_definitions(&mut declarations, source, &change.local, errors);
+        corrected.declarations = Arc::new(declarations);
         for text in &change.assume {
             if let Some(formula) = errors.keep(written(source, text)) {
                 corrected.assumptions.push(Hypothesis {
@@ -216,7 +255,6 @@ fn correct(
         corrected.statement = states.or(corrected.statement);
         corrected.readings.clear();
     }
-    corrected.declarations = Arc::new(declarations);
     CorrectedClaim {
         claim: corrected,
         restated: change.is_some(),

@@ -358,15 +358,21 @@ impl Declarations {
         &'e self,
         formulas: impl Iterator<Item = &'e Expr>,
     ) -> bool {
-        if self.invalid.is_empty() {
-            return false;
-        }
+        !self.invalid.is_empty() && self.depends_on(formulas, |name| self.invalid.contains(name))
+    }
+
+    /// Whether the formulas use a wanted name, directly or through definitions, ranges and bases.
+    pub(super) fn depends_on<'e>(
+        &'e self,
+        formulas: impl Iterator<Item = &'e Expr>,
+        is_wanted: impl Fn(&str) -> bool,
+    ) -> bool {
         let mut seen = BTreeSet::new();
         let mut pending: Vec<&Expr> = formulas.collect();
         while let Some(expr) = pending.pop() {
             for written in expr.names() {
                 for name in [written, written.trim_end_matches('\'')] {
-                    if self.invalid.contains(name) {
+                    if is_wanted(name) {
                         return true;
                     }
                     if !seen.insert(name) {
