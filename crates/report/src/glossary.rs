@@ -474,6 +474,10 @@ pub const fn flag(of: Flag) -> &'static str {
         Flag::UnneededHypothesis => "unneeded-hypothesis",
         Flag::QuoteSaysOtherwise => "quote-says-otherwise",
         Flag::GarbledExcuse => "garbled-excuse",
+        Flag::UnsourcedRange => "unsourced-range",
+        Flag::AccusedWithoutVerdict => "accused-without-verdict",
+        Flag::CorrectedReading => "corrected-reading",
+        Flag::SamePrint => "same-print",
     }
 }
 

@@ -64,7 +64,7 @@ pub use json_stream::VerdictsWriter;
 pub use letter::{Envelope, Item, ItemChange, Letter};
 #[cfg(feature = "pdf")]
 pub use manuscript::Manuscript;
-pub use sentence::{failure_in_full, own_steps, point};
+pub use sentence::{failure_in_full, own_steps, point, sentence_in_short};
 pub use source::Source;
 pub use tally::{Remarks, Row, Tally};
 pub use text::counted;

@@ -70,6 +70,25 @@ pub(crate) fn short_sentence(outcome: &Outcome, faults: &[PaperFault]) -> String
     }
 }
 
+/// The longest sentence that is read at a glance, in characters.
+const LONGEST_SENTENCE: usize = 350;
+
+/// Returns the first sentence of a text, with a full stop. Of a sentence that is too long to be read at a glance the part
+/// before its last semicolon or colon within that length.
+#[must_use]
+pub fn sentence_in_short(text: &str) -> String {
+    let first = first_sentence(text);
+    if first.chars().count() <= LONGEST_SENTENCE {
+        return sentence(first);
+    }
+    let end = first.floor_char_boundary(LONGEST_SENTENCE);
+    let head = first.get(..end).unwrap_or(first);
+    match head.rfind("; ").or_else(|| head.rfind(": ")) {
+        Some(at) => sentence(head.get(..at).unwrap_or(head)),
+        None => sentence(first),
+    }
+}
+
 /// Returns the first sentence of what is said of a fault.
 pub(crate) fn fault_in_short(says: &str) -> String {
     sentence(first_sentence(says))

@@ -110,4 +110,12 @@ pub enum Flag {
     QuoteSaysOtherwise,
     /// What is excused by the copy is a sign, a relation or the number of an equation, which no defect of a copy explains.
     GarbledExcuse,
+    /// A range or a hypothesis has no source.
+    UnsourcedRange,
+    /// A fault is said to show in the claim, and its verdict is none that a fault could be told by.
+    AccusedWithoutVerdict,
+    /// A sentence has readings, and its correction replaces nothing but letters, indices or numbers.
+    CorrectedReading,
+    /// Another paper prints the same words, and they have another verdict there.
+    SamePrint,
 }

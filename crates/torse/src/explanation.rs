@@ -12,7 +12,7 @@ use torse_syntax::taxonomy::Verdict;
 use torse_verdicts::claim_record::Role;
 use torse_verdicts::consequences::{consequences, resting, users};
 use torse_verdicts::correction::Correction;
-use torse_verdicts::outcome::{Outcome, PaperFault, PaperOutcome};
+use torse_verdicts::outcome::{FaultChange, Outcome, PaperFault, PaperOutcome};
 use torse_verdicts::words;
 
 /// The meaning of the level *kernel*.
@@ -122,11 +122,17 @@ impl Cut {
         });
         note.list("namely", each);
         let found = found(paper, outcome);
-        note.option("found", found.clone());
+        let short = found.as_deref().map(torse_report::sentence_in_short);
+        note.option("found", short.clone());
         self.difference(&mut note, paper, outcome);
         note.list("on condition", self.formulas(outcome.conditions()));
         self.readings(&mut note, outcome);
         note.list("true form", true_forms(paper, outcome).into_iter());
+        note.gap();
+        note.option(
+            "in full",
+            found.filter(|whole| short.as_ref() != Some(whole)),
+        );
         note.gap();
         add_witness(&mut note, outcome);
         let part = derived_part(outcome);
@@ -153,8 +159,8 @@ impl Cut {
         note.option(
             "note",
             outcome.claim.note.as_deref().filter(|own| {
-                let said = found.as_deref();
-                said != Some(&torse_report::plain(own))
+                let own = torse_report::plain(own);
+                short != Some(torse_report::sentence_in_short(&own))
             }),
         );
         note.list("uses", outcome.claim.uses.iter().cloned());
@@ -310,8 +316,11 @@ fn found(paper: &PaperOutcome, outcome: &Outcome) -> Option<String> {
     note.or_else(|| fault.map(|fault| torse_report::plain(&fault.says)))
         .or_else(|| {
             let refuted = matches!(outcome.verdict(), Verdict::False | Verdict::Misprint);
-            if outcome.verdict() == Verdict::Depends {
-                return outcome.claim.note.clone();
+            let in_words = || torse_report::finding_in_words(outcome, &[]);
+            match outcome.verdict() {
+                Verdict::Depends => return outcome.claim.note.clone().or_else(in_words),
+                Verdict::Conditional => return in_words(),
+                _ => {}
             }
             let fails = || {
                 outcome
@@ -333,8 +342,32 @@ fn true_forms(paper: &PaperOutcome, outcome: &Outcome) -> Vec<String> {
         .iter()
         .filter(shows)
         .flat_map(|fault| &fault.changes);
-    let own = changes.filter(|change| change.claim == outcome.claim.id);
-    own.filter_map(|change| change.remark.clone()).collect()
+    let changes: Vec<&FaultChange> = changes.collect();
+    let (own, others): (Vec<&FaultChange>, Vec<&FaultChange>) = changes
+        .into_iter()
+        .partition(|change| change.claim == outcome.claim.id);
+    let remarks = |of: &[&FaultChange]| -> Vec<String> {
+        let mut remarks: Vec<String> = of.iter().filter_map(|c| c.remark.clone()).collect();
+        remarks.dedup();
+        remarks
+    };
+    let refuted = matches!(outcome.verdict(), Verdict::False | Verdict::Misprint);
+    let is_corrected = outcome.correction().is_some() || !own.is_empty() || !refuted;
+    match (remarks(&own), remarks(&others)) {
+        (own, _) if is_corrected || !own.is_empty() => own,
+        (_, of_fault) if !of_fault.is_empty() => of_fault,
+        // Where the text is corrected by which this one holds.
+        _ => others
+            .iter()
+            .map(|change| {
+                format!(
+                    "{} should read {}",
+                    change.claim,
+                    torse_report::plain(&change.reads)
+                )
+            })
+            .collect(),
+    }
 }
 
 /// Describes the result of the checker of proofs.
@@ -408,15 +441,18 @@ fn derived_part(outcome: &Outcome) -> String {
     let entries: Vec<String> = entries.iter().map(usize::to_string).collect();
     let mut part = vec![];
     if !entries.is_empty() {
-        part.push(format!("entry {}", entries.join(", ")));
+        part.push(match entries.as_slice() {
+            [one] => format!("entry {one}"),
+            _ => format!("entries {}", entries.join(", ")),
+        });
     }
     if let Some(integers) = refuted.instance() {
-        part.push(format!("at {}", words::certificate::values(integers)));
+        part.push(format!("for {}", words::certificate::values(integers)));
     }
     if part.is_empty() {
         String::new()
     } else {
-        format!(" ({})", part.join(", "))
+        format!(" ({})", part.join(" "))
     }
 }
 

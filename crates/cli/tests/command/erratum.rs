@@ -181,3 +181,53 @@ fn nothing_is_written_while_a_file_is_wrong() {
     assert_eq!(ran.code, Some(4), "{}", ran.err);
     assert!(!path.exists());
 }
+
+#[test]
+fn what_rests_on_a_correction_is_decided_with_it_and_words_alone_are_named() {
+    let slip = claim("slip", "x + x == 3*x", "let = { a = '2', b = '3' }");
+    let product = claim("product", "(x + x)*x == b*x^2", "");
+    // True as printed, and broken by the correction of b; true before and after; about nothing that is corrected.
+    let broken = claim("broken", "b*x == 3*x", "uses = [\"mini/product\"]");
+    let kept = claim("kept", "x*b == b*x", "");
+    let other = claim("other", "x == x", "");
+    let title = claim("title", "", "out_of_scope = 'a title'").replace("states = ''\n", "");
+    let define = "[define]\nb = '3'\n".to_owned();
+    let change = "[[corrigendum.change]]\nclaim = \"mini/title\"\nreads = \"Twice\"\n".to_owned();
+    let folder = mini(
+        &[
+            define,
+            slip,
+            product,
+            broken,
+            kept,
+            other,
+            title,
+            FAULT.to_owned(),
+            change,
+        ]
+        .concat(),
+    );
+    let out = TempDir::new().unwrap();
+    let path = out.path().to_str().unwrap();
+    let ran = on(
+        folder.path(),
+        &["erratum", "mini", "--verify", "--out", path],
+    );
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    for line in [
+        "mini/product  holds\n",
+        "mini/broken  false, rests on a corrected statement\n",
+        "mini/kept  holds, rests on a corrected statement\n",
+        "mini/title  words alone\n",
+    ] {
+        assert!(ran.out.contains(line), "{line}: {}", ran.out);
+    }
+    assert!(!ran.out.contains("mini/other"), "{}", ran.out);
+    let letter = fs::read_to_string(out.path().join("mini-erratum.md")).unwrap();
+    for says in [
+        "The 2 other statements that rest on these or on a corrected definition were decided with them: 1 is true and 1 is not true (eq. (broken)).",
+        "1 correction is of words alone; nothing is computed about it (eq. (title)).",
+    ] {
+        assert!(letter.contains(says), "{says}: {letter}");
+    }
+}

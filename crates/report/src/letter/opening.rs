@@ -3,6 +3,7 @@
 use crate::glossary::plural;
 use crate::text::{enumeration, visible};
 use serde::Serialize;
+use torse_syntax::derivation::schema::is_worked;
 use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_typography::plain;
 use torse_verdicts::outcome::Outcome;
@@ -63,7 +64,7 @@ pub(super) fn salutation(authors: &str) -> String {
 
 /// Whether a folder is a worked example of ours, and no paper.
 pub(crate) fn is_example(authors: &str) -> bool {
-    authors == "torse"
+    is_worked(authors)
 }
 
 pub(super) fn example(corrections: usize) -> String {

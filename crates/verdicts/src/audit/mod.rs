@@ -5,6 +5,7 @@
 //! family of signs has a file here. A flag is not a verdict: either the statement is changed, or the file of the claim
 //! answers the flag with words of the paper. An answer to a flag that does not exist is an error.
 
+mod accusations;
 mod conclusion;
 mod corrected_words;
 mod formulas;
@@ -18,9 +19,11 @@ mod passages;
 mod print;
 mod quotes;
 mod reads;
+mod same_print;
 mod setting;
 mod sides;
 mod slips;
+mod sources;
 mod subject;
 mod unstated;
 
@@ -32,6 +35,7 @@ use crate::outcome::Outcome;
 use formulas::Formulas;
 use print::Print;
 use rayon::prelude::*;
+use same_print::Sentences;
 use setting::Setting;
 use std::collections::BTreeMap;
 use torse_core::stack;
@@ -73,6 +77,8 @@ struct Subject<'a> {
     rests_on: Vec<&'a Claim>,
     /// The relations that all parts of the sentence state together.
     relations_of_all_parts: usize,
+    /// Whether it stands in a worked folder of ours, and in no paper.
+    is_worked: bool,
 }
 
 /// Looks for flags at the claims of these papers, and calls `done` after each. Parts of a sentence are counted together
@@ -90,9 +96,11 @@ pub fn audit<'a>(
         }
     }
     let setting = Setting::new(papers);
+    let sentences = Sentences::new(claims);
     let audited = |(claim, outcome): &(&'a Claim, &'a Outcome)| {
         let whole = claim.sentence_id().and_then(|id| together.get(id.as_str()));
-        let flags = stack::deep(|| flags(claim, outcome, &setting, whole.copied()));
+        let mut flags = stack::deep(|| flags(claim, outcome, &setting, whole.copied()));
+        flags.extend(sentences.other_verdicts(claim));
         done();
         answered(claim, flags)
     };
@@ -126,6 +134,8 @@ fn flags<'a>(
     flags.extend(reads::differing_corrections(
         claim, outcome, setting, &printed,
     ));
+    flags.extend(accusations::without_verdict(claim, outcome, setting));
+    flags.extend(accusations::corrected_readings(claim, outcome, setting));
     for (reading, found) in claim.readings.iter().zip(outcome.readings()) {
         let read = subject(&reading.claim, claim, &found.outcome, setting, of_all_parts);
         for raised in flags_of_reading(&read) {
@@ -154,6 +164,7 @@ fn subject<'s>(
         context: Print::from_text(&setting.prints(whole)),
         rests_on: setting.rests_on(whole),
         relations_of_all_parts: of_all_parts.unwrap_or_else(|| parts::relations_of(claim)),
+        is_worked: setting.is_worked(whole.entry.id.get_ref()),
     }
 }
 
@@ -186,6 +197,7 @@ fn flags_of_reading(subject: &Subject<'_>) -> Vec<RaisedFlag> {
         add(instance::fixed_values(subject));
         add(unstated::unstated_names_of_reading(subject));
         add(quotes::mismatched_quotations(subject));
+        add(sources::missing_sources(subject));
     }
     flags
 }

@@ -49,6 +49,7 @@ pub(super) fn differing_corrections(
         context: Print::from_text(&context),
         rests_on: vec![],
         relations_of_all_parts: 0,
+        is_worked: printed.is_worked,
     };
     let differing = |subject: &Subject<'_>| {
         [

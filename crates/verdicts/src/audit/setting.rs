@@ -58,6 +58,28 @@ impl<'a> Setting<'a> {
         })
     }
 
+    /// The ids of the faults that are said to show in the claim with this id.
+    pub fn faults_in(&self, id: &str) -> impl Iterator<Item = &'a str> {
+        let corrigenda = self.papers.iter().flat_map(|paper| &paper.corrigenda);
+        let showing = corrigenda.filter(move |of| of.shows.iter().any(|shown| shown == id));
+        showing.map(|of| of.id.as_str())
+    }
+
+    /// The corrections of the words of the claim with this id: what is printed, and what is to be read.
+    pub fn changes_of(&self, id: &str) -> impl Iterator<Item = (&'a str, &'a str)> {
+        let corrigenda = self.papers.iter().flat_map(|paper| &paper.corrigenda);
+        let changes = corrigenda.flat_map(|of| &of.changes);
+        let changes = changes.filter(move |change| change.claim == id);
+        changes.map(|change| (change.printed.as_str(), change.reads.as_str()))
+    }
+
+    /// Whether the claim with this id stands in a worked folder of ours.
+    pub fn is_worked(&self, id: &str) -> bool {
+        let mut papers = self.papers.iter();
+        let paper = papers.find(|paper| id.split('/').next() == Some(&paper.head.id));
+        paper.is_some_and(|paper| paper.head.is_worked())
+    }
+
     fn named(&self, id: &str) -> impl Iterator<Item = &&'a Claim> {
         self.claims.get(id).into_iter().flatten()
     }

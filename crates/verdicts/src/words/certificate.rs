@@ -263,18 +263,13 @@ fn sides(own: &Sides<Polynomial>) -> Vec<String> {
 pub(super) fn range(own: &Sharpness<Polynomial>) -> String {
     match own {
         Sharpness::Fails {
-            name,
-            by,
-            at,
-            others,
+            name, at, others, ..
         } => {
             let others = others.iter();
             let others: String = others
                 .map(|(text, value)| format!(", {text} = {value}"))
                 .collect();
-            format!(
-                "the range of {name} cannot be larger by {by}: at {name} = {at}{others} it fails"
-            )
+            format!("the range of {name} cannot be larger: at {name} = {at}{others} it fails")
         }
         Sharpness::Wider { name, to } => {
             format!("the range of {name} may be widened to {to}: it is proved there too")

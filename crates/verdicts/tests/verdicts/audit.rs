@@ -381,3 +381,94 @@ fn the_signs_of_a_reading_name_it() {
         ["read as `a`: `y + y` and `y + y` are the same formula"]
     );
 }
+
+/// A fault that changes words of the first claim.
+fn fault(printed: &str, reads: &str, states: &str) -> String {
+    format!(
+        "[[corrigendum]]\nid = 'p/corrigendum.1'\nsays = 'A fault'\nshows = ['p/1']\n[[corrigendum.change]]\nclaim = 'p/1'\nprinted = \"{printed}\"\nreads = \"{reads}\"\nstates = '{states}'\n"
+    )
+}
+
+#[test]
+fn a_range_or_a_hypothesis_without_a_source_is_flagged_and_where_functions_begin_is_none() {
+    told(
+        Flag::UnsourcedRange,
+        "y times y is positive for y > 0",
+        "symbols = { y = { in = '(0, inf)' } }\nassume = ['c != 1']\nstates = 'y*c > 0'",
+        "neither printed nor ours: the range of `y`, `c != 1`",
+        "symbols = { y = { in = '(0, inf)', printed = 'y > 0' } }\nassume = [{ states = 'c != 1', ours = 'an example' }]\nstates = 'y*c > 0'",
+    );
+    // The lowest order of the basis is 1; an index of a sum and a parameter of a definition are no symbols.
+    told(
+        Flag::UnsourcedRange,
+        "the functions have the sum 1",
+        "symbols = { k = { integer = '>= 3' }, i = { integer = '0..k' } }\nstates = 'sum(i, 0, k, g[i,k](x, y)) == 1'",
+        "neither printed nor ours: the range of `k`, the range of `x`",
+        "symbols = { k = { integer = '>= 1' }, x = {} }\nstates = 'sum(i, 0, k, g[i,k](x, y)) == 1'",
+    );
+}
+
+#[test]
+fn a_claim_in_which_a_fault_shows_and_nothing_is_refuted_is_flagged() {
+    let of = |states: &str, more: &str| {
+        let first = claim("c = 2y", &format!("states = '{states}'\n{more}"));
+        let signs = signs(&[first, fault("2y", "3y", "c == 3*y")].concat());
+        let mut signs = signs.into_iter();
+        signs.find(|sign| sign.flag == Flag::AccusedWithoutVerdict)
+    };
+    let raised = of("c == 3*y", "").expect("the flag is raised");
+    assert!(raised.evidence.contains("p/corrigendum.1"), "{raised:?}");
+    assert_eq!(of("c == 2*y", ""), None);
+    assert_eq!(of("c == 3*y", "garbled = '2 for 3'"), None);
+}
+
+#[test]
+fn a_reading_that_is_the_correction_by_another_number_is_flagged() {
+    let readings = "readings = [{ name = 'a', says = 'a', states = 'c == 2*y' }, { name = 'b', says = 'b', states = 'c == 3*y' }]";
+    let of = |printed: &str, old: &str, new: &str, states: &str| {
+        let signs = signs(&[claim(printed, readings), fault(old, new, states)].concat());
+        let mut signs = signs.into_iter();
+        signs.find(|sign| sign.flag == Flag::CorrectedReading)
+    };
+    let raised = of("c = 2y", "2y", "3y", "c == 3*y").expect("the flag is raised");
+    assert_eq!(
+        raised.evidence,
+        "`2y` is read as `3y`: a correction, and no reading"
+    );
+    // Words that are added, and a correction that is no reading.
+    assert_eq!(
+        of(
+            "c is a multiple",
+            "c is a multiple",
+            "c is a threefold multiple",
+            "c == 3*y"
+        ),
+        None
+    );
+    assert_eq!(of("c = 2y", "2y", "3y + 0", "c == 3*y + 0"), None);
+}
+
+#[test]
+fn the_same_sentence_of_two_papers_has_one_verdict() {
+    let of = |second: &str| {
+        let print =
+            "All of these curves have three times the length of their first control polygon";
+        let first = loaded(&claim(print, "states = 'c == 3*y'"));
+        let claims = claim(print, second).replace("p/1", "q/1");
+        let second = paper(|name| {
+            let head = HEAD.replace("id = \"p\"", "id = \"q\"");
+            let text = if name == "paper.toml" { &head } else { &claims };
+            Ok(Arc::new(Source::new(name.to_owned(), text.clone())))
+        });
+        let papers = [first, second.expect("the claims make sense")];
+        let outcomes: Vec<Outcome> = papers.iter().flat_map(decided).collect();
+        let claims = papers.iter().flat_map(|paper| &paper.claims);
+        let pairs: Vec<_> = claims.zip(&outcomes).collect();
+        let audited = audit(&papers, &pairs, || ());
+        let flags = audited.iter().flat_map(|of| &of.open);
+        flags.filter(|sign| sign.flag == Flag::SamePrint).count()
+    };
+    assert_eq!(of("states = 'c == 4*y'"), 2);
+    assert_eq!(of("out_of_scope = 'nothing to decide'"), 2);
+    assert_eq!(of("states = 'c + y == 4*y'"), 0);
+}

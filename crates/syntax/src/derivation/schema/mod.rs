@@ -38,6 +38,20 @@ pub struct PaperHead {
     pub claims: Vec<Text>,
 }
 
+impl PaperHead {
+    /// Whether it is a worked folder of ours, and no paper.
+    #[must_use]
+    pub fn is_worked(&self) -> bool {
+        is_worked(&self.authors)
+    }
+}
+
+/// Whether these are the authors of a worked folder of ours, and of no paper.
+#[must_use]
+pub fn is_worked(authors: &str) -> bool {
+    authors == "torse"
+}
+
 /// Whether files can be named after this name in any folder: it consists of letters, digits, `-`, `_` and `.`, does
 /// not begin with a point, and has no two adjacent points.
 ///
