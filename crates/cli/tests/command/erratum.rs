@@ -216,7 +216,7 @@ fn what_rests_on_a_correction_is_decided_with_it_and_words_alone_are_named() {
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     for line in [
         "mini/product  holds\n",
-        "mini/broken  false, rests on a corrected statement\n",
+        "mini/broken  misprint, rests on a corrected statement\n",
         "mini/kept  holds, rests on a corrected statement\n",
         "mini/title  words alone\n",
     ] {
