@@ -118,7 +118,14 @@ fn dependents<'p>(paper: &'p Paper, corrected: &BTreeMap<&String, Claim>) -> Vec
 pub(crate) fn in_force(corrected: &CorrectedClaim, outcome: Option<&Outcome>) -> Claim {
     match (corrected.restated, outcome) {
         (false, Some(outcome)) => repaired(&corrected.claim, outcome),
-        _ => corrected.claim.clone(),
+        _ => {
+            // What the words leave open as printed, the corrected ones state.
+            let mut restated = corrected.claim.clone();
+            restated.entry.out_of_scope = None;
+            restated.entry.underspecified = None;
+            restated.entry.unstated = None;
+            restated
+        }
     }
 }
 
