@@ -129,10 +129,9 @@ impl Cut {
         self.readings(&mut note, outcome);
         note.list("true form", true_forms(paper, outcome).into_iter());
         note.gap();
-        note.option(
-            "in full",
-            found.filter(|whole| short.as_ref() != Some(whole)),
-        );
+        let length = |text: &str| text.trim_end_matches('.').chars().count();
+        let shown = short.as_deref().map_or(0, length);
+        note.option("in full", found.filter(|whole| length(whole) > shown));
         note.gap();
         add_witness(&mut note, outcome);
         let part = derived_part(outcome);
@@ -356,17 +355,18 @@ fn true_forms(paper: &PaperOutcome, outcome: &Outcome) -> Vec<String> {
     match (remarks(&own), remarks(&others)) {
         (own, _) if is_corrected || !own.is_empty() => own,
         (_, of_fault) if !of_fault.is_empty() => of_fault,
-        // Where the text is corrected by which this one holds.
-        _ => others
-            .iter()
-            .map(|change| {
-                format!(
-                    "{} should read {}",
-                    change.claim,
-                    torse_report::plain(&change.reads)
-                )
-            })
-            .collect(),
+        // Where the text is corrected by which this one holds: what it uses, or else the first correction.
+        _ => {
+            let is_used = |change: &&&FaultChange| outcome.claim.uses.contains(&change.claim);
+            let used: Vec<&&FaultChange> = others.iter().filter(is_used).collect();
+            let first = others.iter().take(1).collect();
+            let corrected: Vec<&&FaultChange> = if used.is_empty() { first } else { used };
+            let reads = corrected.iter().map(|change| {
+                let reads = torse_report::plain(&change.reads);
+                format!("{} should read {reads}", change.claim)
+            });
+            reads.collect()
+        }
     }
 }
 

@@ -2,7 +2,21 @@
 
 use crate::author_note;
 use crate::outcome::{FaultChange, Outcome, PaperFault};
-use torse_syntax::derivation::{Corrigendum, DerivationError, Paper, Rewording};
+use torse_syntax::derivation::{AuthorNote, Corrigendum, DerivationError, Paper, Piece, Rewording};
+
+/// The sentences before the first one with a number to be computed.
+fn sentences_before_numbers(says: &AuthorNote) -> String {
+    if let Some(whole) = says.without_holes() {
+        return whole;
+    }
+    match says.pieces.first() {
+        Some(Piece::Words(words)) => match words.rfind(". ") {
+            Some(end) => words.get(..end).unwrap_or_default().to_owned(),
+            None => String::new(),
+        },
+        _ => String::new(),
+    }
+}
 
 /// Returns the faults that the files of a paper list, with their numbers filled in; decides nothing.
 ///
@@ -32,7 +46,7 @@ pub fn faults(
                 author_note::filled_in(claim, outcome.witness(), &of.says)
             }
             // The numbers belong to a claim that is not part of this run.
-            _ => Ok(of.says.without_holes().unwrap_or_default()),
+            _ => Ok(sentences_before_numbers(&of.says)),
         }
     };
     let fault = |of: &Corrigendum| -> Result<PaperFault, Box<DerivationError>> {
