@@ -60,10 +60,9 @@ pub fn beyond(outcome: &Outcome) -> Vec<Point> {
         Some((name.to_owned(), value.to_owned()))
     };
     let said = |step: &String| {
-        let (_, rest) = step
+        let (_, point) = step
             .strip_prefix("the range of ")?
-            .split_once(" cannot be larger by ")?;
-        let (_, point) = rest.split_once(": at ")?;
+            .split_once(" cannot be larger: at ")?;
         let point = point.strip_suffix(" it fails")?;
         point.split(", ").map(pair).collect()
     };

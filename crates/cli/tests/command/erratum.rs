@@ -225,8 +225,8 @@ fn what_rests_on_a_correction_is_decided_with_it_and_words_alone_are_named() {
     assert!(!ran.out.contains("mini/other"), "{}", ran.out);
     let letter = fs::read_to_string(out.path().join("mini-erratum.md")).unwrap();
     for says in [
-        "The 2 other statements that rest on these or on a corrected definition were decided with them: 1 is true and 1 is not true (eq. (broken)).",
-        "1 correction is of words alone; nothing is computed about it (eq. (title)).",
+        "The 2 other statements that rest on these or on a corrected definition were decided with them: 1 is true and 1 is not true (Sect. 1, eq. (broken)).",
+        "1 correction is of words alone; nothing is computed about it (Sect. 1, eq. (title)).",
     ] {
         assert!(letter.contains(says), "{says}: {letter}");
     }
