@@ -31,7 +31,12 @@ fn is_changed() -> Option<bool> {
     let mut rooms: Vec<_> = rooms.flatten().map(|room| room.path()).collect();
     rooms.sort();
     for room in rooms {
-        println!("cargo::rerun-if-changed={}", room.join("src").display());
+        // What is compiled in stands beside the sources, too.
+        for part in ["src", "assets", "proofs"].map(|part| room.join(part)) {
+            if part.exists() {
+                println!("cargo::rerun-if-changed={}", part.display());
+            }
+        }
     }
     let changed = [
         "-C",
@@ -43,6 +48,8 @@ fn is_changed() -> Option<bool> {
         "Cargo.lock",
         ":(glob)crates/*/Cargo.toml",
         ":(glob)crates/*/src/**",
+        ":(glob)crates/*/assets/**",
+        ":(glob)crates/*/proofs/**",
     ];
     Some(!git(&changed)?.is_empty())
 }
@@ -61,9 +68,14 @@ fn archive() -> Option<String> {
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
-    let commit = archive().or_else(repository);
+    let (archive, repository) = (archive(), repository());
+    // Sources that were taken out of an archive may have been changed since.
+    let says_all =
+        archive.is_none() && matches!(&repository, Some(commit) if !commit.ends_with("-dirty"));
+    let commit = archive.or(repository);
     let shown = commit
         .map(|commit| format!(" ({commit})"))
         .unwrap_or_default();
     println!("cargo::rustc-env=TORSE_COMMIT={shown}");
+    println!("cargo::rustc-env=TORSE_COMMIT_SAYS_ALL={says_all}");
 }

@@ -184,6 +184,41 @@ fn no_set_of_features_takes_more_packages_than_its_page_says() {
 }
 
 #[test]
+fn the_table_of_the_features_of_the_library_is_that_of_its_manifest() {
+    let read = |name: &str| std::fs::read_to_string(format!("{ROOT}/crates/torse/{name}")).unwrap();
+    let manifest: toml::Table = read("Cargo.toml").parse().unwrap();
+    let features = manifest["features"].as_table().unwrap();
+    let needs = |name: &str| -> Vec<String> {
+        let needs = features[name].as_array().unwrap().iter();
+        needs
+            .map(|need| need.as_str().unwrap().to_owned())
+            .collect()
+    };
+    let default = needs("default");
+    let is_default = |name: &str| {
+        let by = default
+            .iter()
+            .find(|own| needs(own).iter().any(|need| need == name));
+        match (default.iter().any(|own| own == name), by) {
+            (true, _) => "yes".to_owned(),
+            (false, Some(by)) => format!("with `{by}`"),
+            (false, None) => "no".to_owned(),
+        }
+    };
+    let names = features.keys().filter(|name| *name != "default");
+    let expected: BTreeSet<(String, String)> =
+        names.map(|name| (name.clone(), is_default(name))).collect();
+    let page = read("src/lib.rs");
+    let rows = page.lines().filter_map(|line| {
+        let row = line.strip_prefix("//! | `")?.strip_suffix(" |")?;
+        let (name, _) = row.split_once('`')?;
+        let (_, default) = row.rsplit_once(" | ")?;
+        Some((name.to_owned(), default.to_owned()))
+    });
+    assert_eq!(rows.collect::<BTreeSet<_>>(), expected);
+}
+
+#[test]
 fn alternatives_need_one_licence_and_conjunctions_all() {
     let allowed = ["MIT".to_owned(), "Unicode-3.0".to_owned()];
     assert!(is_met("Apache-2.0 OR MIT", &allowed));

@@ -2,7 +2,7 @@
 
 use crate::exit::Failure;
 use crate::input::Lasting;
-use crate::listing::listed;
+use crate::listing::{Listed, listed};
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::path::Path;
@@ -17,8 +17,13 @@ pub fn changed(papers: &[Paper], since: &str, folder: &Path) -> Result<Vec<Paper
     let before: BTreeMap<String, String> = if since == "-" || Path::new(since).is_file() {
         let list = Lasting::new(Path::new(since))?;
         let claims = listed(&list)?;
-        let pairs = claims.map(|claim| claim.map(|claim| (claim.id, claim.digest)));
-        pairs.collect::<Result<_, _>>()?
+        let mut pairs = BTreeMap::new();
+        for line in claims {
+            if let Listed::Claim(claim) = line? {
+                pairs.insert(claim.id, claim.digest);
+            }
+        }
+        pairs
     } else {
         let claims = at_revision(since, folder)?;
         let claims = claims.into_iter();

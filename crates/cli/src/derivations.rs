@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use torse::selection;
 use torse_report::Source;
 use torse_syntax::derivation;
-use torse_syntax::derivation::Paper;
 use torse_syntax::derivation::schema::PaperHead;
+use torse_syntax::derivation::{Loaded, OneByOne, Paper};
 
 /// The contents of a folder of derivations.
 pub struct LoadedDerivations {
@@ -32,21 +32,19 @@ pub struct Derivations {
 impl Derivations {
     /// Reads the papers of the folder, in the order of their names, with everything in them that is well formed.
     pub fn load(&self) -> Result<LoadedDerivations, Failure> {
-        let loaded = derivation::load_all(&self.find()?)?;
         let mut mistakes = Diagnostics::default();
-        loaded
-            .errors
-            .into_iter()
-            .for_each(|error| mistakes.add(error));
-        let papers = loaded.papers.iter();
-        for name in papers.flat_map(Paper::look_alikes) {
-            terminal::remark(&terminal::shown(&name));
-        }
+        let loaded = derivation::load_all(&self.find()?)?;
+        let (papers, left_out) = told(loaded, &mut mistakes);
         Ok(LoadedDerivations {
-            papers: loaded.papers,
-            left_out: loaded.left_out,
+            papers,
+            left_out,
             mistakes,
         })
+    }
+
+    /// Finds the papers of the folder, to be read one after the other.
+    pub fn one_by_one(&self) -> Result<OneByOne, Failure> {
+        Ok(OneByOne::of(&self.find()?)?)
     }
 
     /// Reads the claims that the user names.
@@ -105,6 +103,18 @@ impl Derivations {
             }
         }
     }
+}
+
+/// Adds the mistakes of papers, tells names that look alike, and returns the papers and the ids that are left out.
+pub fn told(loaded: Loaded, mistakes: &mut Diagnostics) -> (Vec<Paper>, Vec<String>) {
+    loaded
+        .errors
+        .into_iter()
+        .for_each(|error| mistakes.add(error));
+    for name in loaded.papers.iter().flat_map(Paper::look_alikes) {
+        terminal::remark(&terminal::shown(&name));
+    }
+    (loaded.papers, loaded.left_out)
 }
 
 /// Whether a folder above is a folder of derivations, and does not only have the name.

@@ -371,6 +371,9 @@ pub enum Failure {
     /// The output could not be written.
     #[error("cannot write the output")]
     Print(#[source] std::io::Error),
+    /// The program cannot read itself.
+    #[error("the program cannot be read, by which parts of other programs are known")]
+    Program(#[source] std::io::Error),
 }
 
 /// The extensions that other purposes have, and which ones.
@@ -446,6 +449,7 @@ impl Failure {
             | Failure::Step { .. }
             | Failure::Listen { .. }
             | Failure::Print(_)
+            | Failure::Program(_)
             | Failure::Messages(_) => Exit::Output,
         }
     }

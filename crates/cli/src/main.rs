@@ -9,6 +9,7 @@ mod baseline;
 mod changed;
 mod compare;
 mod completions;
+mod costs;
 mod decide;
 mod derivations;
 mod derive;

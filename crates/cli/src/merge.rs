@@ -2,7 +2,7 @@
 
 use crate::exit::{Exit, Failure};
 use crate::input::Lasting;
-use crate::listing::listed;
+use crate::listing::{ListEnd, Listed, listed};
 use crate::shard::{FINDING, LinesDigest, ShardEnd, ShardHead, ShardLine};
 use crate::watchdog;
 use clap::Args;
@@ -15,7 +15,8 @@ use torse_report::{ReportError, VerdictsWriter};
 
 /// Merge parts of a corpus that were decided apart.
 ///
-/// Each file is the output of `torse verify --ids`; the list is that of `torse list --format json`. If every claim of the
+/// Each file is the output of `torse verify --ids`; the list is that of `torse list --format json`, which knows the mistakes of
+/// papers that no file has. If every claim of the
 /// list is in one file, with the digest that it has in the list, torse prints what `torse verify --format json` would have
 /// printed for all of them, and ends with its exit code. Files of different programs, budgets or lists of what the kernel
 /// accepted, a file that is not whole, a claim that is missing, out of date or there twice: nothing is printed, and the exit
@@ -75,13 +76,18 @@ fn walk(
         && let Some(other) = others.iter().find(|other| other.head != first.head)
     {
         let ShardHead { torse, budget, .. } = &first.head;
-        let of_kernel = match first.head.kernel == other.head.kernel {
-            true => "",
-            false => ", and another list of what the kernel accepted",
-        };
+        let differs = |same: bool, what| if same { "" } else { what };
+        let of_kernel = differs(
+            first.head.kernel == other.head.kernel,
+            ", and another list of what the kernel accepted",
+        );
+        let of_program = differs(
+            first.head.program == other.head.program,
+            " (of another build)",
+        );
         let first = first.file.named().display();
         return Err(other.wrong(format!(
-            "{first} was written by torse {torse} with a budget of {budget}{of_kernel}, and this was not"
+            "{first} was written by torse {torse}{of_program} with a budget of {budget}{of_kernel}, and this was not"
         )));
     }
     // The file that has a claim as its next one.
@@ -89,8 +95,21 @@ fn walk(
     for index in 0..shards.len() {
         enter(&shards, index, &mut next)?;
     }
-    for claim in listed(list)? {
-        let ClaimDigest { id, digest, .. } = claim?;
+    let mut end: Option<ListEnd> = None;
+    let mut count = 0;
+    for line in listed(list)? {
+        let line = line?;
+        if end.is_some() {
+            return Err(wrong_list(list, "lines come after its last one"));
+        }
+        let ClaimDigest { id, digest, .. } = match line {
+            Listed::Claim(claim) => claim,
+            Listed::End(last) => {
+                end = Some(last);
+                continue;
+            }
+        };
+        count += 1;
         let found = next.remove(&id);
         let found = found.and_then(|index| Some((index, shards.get_mut(index)?)));
         let Some((index, shard)) = found.filter(|(_, shard)| shard.is_at(&id, &digest)) else {
@@ -103,7 +122,9 @@ fn walk(
         }
         enter(&shards, index, &mut next)?;
     }
-    let mut gravest = Exit::AsExpected;
+    let end = end.filter(|end| end.claims == count);
+    let exit = end.and_then(|end| Exit::from_code(end.exit));
+    let mut gravest = exit.ok_or_else(|| wrong_list(list, CUT_OFF))?;
     for shard in shards {
         gravest = gravest.max(shard.end(&mut readers)?);
     }
@@ -295,6 +316,16 @@ fn wrong(file: &Lasting, reason: String) -> Failure {
     Failure::Merge {
         path: file.named().to_owned(),
         reason,
+    }
+}
+
+/// What is wrong with a list that does not end as one does.
+const CUT_OFF: &str = "its last line is not that of a list: `torse list --format json` has not ended, or another torse has written it, or lines are missing";
+
+fn wrong_list(list: &Lasting, reason: &str) -> Failure {
+    Failure::List {
+        path: list.named().to_owned(),
+        reason: reason.to_owned(),
     }
 }
 

@@ -37,6 +37,8 @@ pub struct Run {
     pub papers: Vec<PaperOutcome>,
     /// Times by id.
     timings: BTreeMap<String, Duration>,
+    /// Work by id.
+    works: BTreeMap<String, u64>,
 }
 
 impl Run {
@@ -51,9 +53,11 @@ impl Run {
         // The watcher ends nothing.
         let verified = budget.verifier().observed_by(&watch).verify(papers);
         let verified = verified.unwrap_or_default();
+        let watched = watcher.into_watched();
         let run = Run {
             papers: verified.papers,
-            timings: watcher.timings(),
+            timings: watched.timings,
+            works: watched.works,
         };
         verified
             .mistakes
@@ -73,6 +77,11 @@ impl Run {
     /// Returns all outcomes, in file order.
     pub fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
         self.papers.iter().flat_map(|paper| &paper.claims)
+    }
+
+    /// The work on a claim, in the units of the budget.
+    pub fn work(&self, id: &str) -> u64 {
+        self.works.get(id).copied().unwrap_or_default()
     }
 
     /// The slowest claims, slowest first.
@@ -99,6 +108,7 @@ struct Watched {
     progress: Option<Progress>,
     begun: BTreeMap<String, Instant>,
     timings: BTreeMap<String, Duration>,
+    works: BTreeMap<String, u64>,
 }
 
 impl Watcher {
@@ -119,10 +129,11 @@ impl Watcher {
                 }
                 watched.begun.insert(id.to_owned(), Instant::now());
             }
-            Event::ClaimEnds { id, .. } => {
+            Event::ClaimEnds { id, work, .. } => {
                 watchdog::end(id);
                 let time = watched.begun.remove(id).map(|start| start.elapsed());
                 *watched.timings.entry(id.to_owned()).or_default() += time.unwrap_or_default();
+                *watched.works.entry(id.to_owned()).or_default() += work;
                 if let Some(progress) = &watched.progress {
                     progress.step();
                 }
@@ -136,8 +147,8 @@ impl Watcher {
         }
     }
 
-    fn timings(self) -> BTreeMap<String, Duration> {
+    fn into_watched(self) -> Watched {
         let watched = self.state.into_inner();
-        watched.unwrap_or_else(PoisonError::into_inner).timings
+        watched.unwrap_or_else(PoisonError::into_inner)
     }
 }

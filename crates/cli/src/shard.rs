@@ -3,11 +3,12 @@
 //! A file of lines begins with its [`ShardHead`] and ends with its [`ShardEnd`], without which it is not whole. Between them
 //! each claim has a [`ShardLine`], in the order of the derivation files, whatever the order of the ids.
 
-use crate::derivations::Derivations;
+use crate::derivations::{Derivations, told};
+use crate::diagnostics::Diagnostics;
 use crate::exit::{Exit, Failure};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
-use crate::version::VERSION;
+use crate::version::{VERSION, program};
 use crate::{figures, input, terminal, watchdog};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
@@ -15,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use torse::{ClaimDigest, digests, selection};
 use torse_report::{ReportError, finding_json_with_kernel};
-use torse_syntax::derivation::Paper;
+use torse_syntax::derivation::{Loaded, Paper};
 use torse_verdicts::outcome::Outcome;
 
 /// How many claims are decided before their lines are written: enough for all threads, and few in memory.
@@ -27,10 +28,37 @@ const MAX_PENDING: usize = 256;
 pub struct ShardHead {
     /// The version and the commit of the program.
     pub torse: String,
+    /// The SHA-256 of the program, where its commit does not say what it was built from.
+    pub program: Option<String>,
     /// The largest work on a claim.
     pub budget: u64,
     /// The SHA-256 of what the kernel of the proof assistant has accepted, if there is such a list.
     pub kernel: Option<String>,
+}
+
+impl ShardHead {
+    /// The head of what is decided now.
+    ///
+    /// # Errors
+    /// [`Failure::Program`] where the program cannot be read.
+    pub fn new(budget: Budget, kernel: &Kernel) -> Result<Self, Failure> {
+        Ok(Self {
+            torse: VERSION.to_owned(),
+            program: program().map_err(Failure::Program)?,
+            budget: budget.units(),
+            kernel: kernel.digest(),
+        })
+    }
+
+    /// Prints it: parts with other heads have other verdicts.
+    ///
+    /// # Errors
+    /// As [`ShardHead::new`], and where it cannot be printed.
+    pub fn tell(&self) -> Result<Exit, Failure> {
+        watchdog::finished();
+        terminal::print(&format!("{}\n", json(self)?))?;
+        Ok(Exit::AsExpected)
+    }
 }
 
 /// The line of a claim without its finding, which comes last: `"claim":` and the fields of a claim of
@@ -41,6 +69,9 @@ pub struct ShardLine {
     pub id: String,
     /// The digest of what it rests on.
     pub digest: String,
+    /// The work on it, in the units of the budget.
+    #[serde(default)]
+    pub work: u64,
 }
 
 /// The last line.
@@ -58,70 +89,126 @@ pub struct ShardEnd {
 /// What stands between the fields of a [`ShardLine`] and the finding.
 pub const FINDING: &str = ",\"claim\":";
 
-/// Decides exactly the claims of these ids, one a line of a file or of standard input (`-`), and prints them.
+/// Decides exactly the claims of these ids, one a line of a file or of standard input (`-`), and prints them. Of the folder
+/// no more is read than their papers, one after the other, and what these refer to: mistakes of others are those of the list.
 pub fn run(
     ids: &Path,
     budget: Budget,
     kernel: &Kernel,
     derivations: &Derivations,
 ) -> Result<Exit, Failure> {
-    let found = derivations.load()?;
-    let (papers, mut mistakes) = (found.papers, found.mistakes);
-    let wanted = read(ids)?;
-    let digests = digests(&papers);
-    let known: BTreeSet<&str> = digests.iter().map(|claim| claim.id.as_str()).collect();
-    // What is left out because it is wrong is told with its mistake.
-    let left_out = |id: &String| found.left_out.contains(id);
-    let unknown = wanted
-        .iter()
-        .find(|id| !known.contains(id.as_str()) && !left_out(id));
-    if let Some(id) = unknown {
+    let wanted = by_paper(read(ids)?)?;
+    let mut papers = derivations.one_by_one()?;
+    let unknown = wanted.iter().find(|(slug, _)| !papers.has(slug));
+    if let Some(id) = unknown.and_then(|(_, ids)| ids.first()) {
         return Err(Failure::UnknownId { id: id.clone() });
     }
-    let mut written = Written::default();
-    written.line(&json(&ShardHead {
-        torse: VERSION.to_owned(),
-        budget: budget.units(),
-        kernel: kernel.digest(),
-    })?)?;
-    let mut exit = Exit::AsExpected;
-    let claims: Vec<&ClaimDigest> = digests
-        .iter()
-        .filter(|claim| wanted.contains(&claim.id))
-        .collect();
-    for pending in claims.chunks(MAX_PENDING) {
-        let ids: Vec<&str> = pending.iter().map(|claim| claim.id.as_str()).collect();
-        let chunk: Vec<Paper> = selection::only(&papers, &ids);
-        let run = Run::new(&chunk, budget, &mut mistakes);
-        figures::evaluated(&chunk, &mut mistakes);
-        exit = exit.max(Exit::from_outcomes(run.outcomes(), &[]));
-        let accepted = kernel.accepted(&chunk, &run);
+    let mut part = Part {
+        budget,
+        kernel,
+        pending: vec![],
+        claims: vec![],
+        written: Written::default(),
+        mistakes: Diagnostics::default(),
+        exit: Exit::AsExpected,
+        count: 0,
+    };
+    for (slug, ids) in wanted {
+        part.paper(papers.load(&slug), &ids)?;
+    }
+    part.end()
+}
+
+/// What is decided of a corpus.
+struct Part<'k> {
+    budget: Budget,
+    kernel: &'k Kernel,
+    /// What is to be decided next, in the order of the files.
+    pending: Vec<Paper>,
+    claims: Vec<ClaimDigest>,
+    written: Written,
+    mistakes: Diagnostics,
+    exit: Exit,
+    count: usize,
+}
+
+impl Part<'_> {
+    /// Takes the claims of these ids of a paper, and decides what is pending if it is enough.
+    fn paper(&mut self, loaded: Loaded, ids: &BTreeSet<String>) -> Result<(), Failure> {
+        let (papers, left_out) = told(loaded, &mut self.mistakes);
+        let claims = digests(&papers);
+        // What is left out because it is wrong is told with its mistake.
+        let is_known =
+            |id: &&String| left_out.contains(id) || claims.iter().any(|claim| claim.id == **id);
+        if let Some(id) = ids.iter().find(|id| !is_known(id)) {
+            return Err(Failure::UnknownId { id: id.clone() });
+        }
+        let claims: Vec<ClaimDigest> = claims
+            .into_iter()
+            .filter(|claim| ids.contains(&claim.id))
+            .collect();
+        for claims in claims.chunks(MAX_PENDING) {
+            let ids: Vec<&str> = claims.iter().map(|claim| claim.id.as_str()).collect();
+            self.pending.extend(selection::only(&papers, &ids));
+            self.claims.extend_from_slice(claims);
+            if self.claims.len() >= MAX_PENDING {
+                self.decide()?;
+            }
+        }
+        figures::evaluated(&own_figures(papers, ids), &mut self.mistakes);
+        Ok(())
+    }
+
+    /// Decides what is pending, and writes it.
+    fn decide(&mut self) -> Result<(), Failure> {
+        self.head()?;
+        let papers = std::mem::take(&mut self.pending);
+        let run = Run::new(&papers, self.budget, &mut self.mistakes);
+        figures::evaluated(&papers, &mut self.mistakes);
+        self.exit = self.exit.max(Exit::from_outcomes(run.outcomes(), &[]));
+        let accepted = self.kernel.accepted(&papers, &run);
         let outcomes: BTreeMap<&str, &Outcome> = run
             .outcomes()
             .map(|outcome| (outcome.claim.id.as_str(), outcome))
             .collect();
-        for ClaimDigest { id, digest, .. } in pending {
-            let (id, digest) = (id.clone(), digest.clone());
+        for ClaimDigest { id, digest, .. } in std::mem::take(&mut self.claims) {
             let finding = match outcomes.get(id.as_str()) {
                 Some(outcome) => finding_json_with_kernel(outcome, &accepted)?,
                 // Its formulas make no sense, which is told with the mistakes.
                 None => "null".to_owned(),
             };
-            let line = json(&ShardLine { id, digest })?;
+            let work = run.work(&id);
+            let line = json(&ShardLine { id, digest, work })?;
             let fields = line.strip_suffix('}').unwrap_or(&line);
-            written.line(&format!("{fields}{FINDING}{}}}", finding.trim_end()))?;
+            let line = format!("{fields}{FINDING}{}}}", finding.trim_end());
+            self.written.line(&line)?;
+            self.count += 1;
         }
+        Ok(())
     }
-    figures::evaluated(&own_figures(papers, &wanted), &mut mistakes);
-    watchdog::finished();
-    let exit = mistakes.tell(exit);
-    let end = ShardEnd {
-        claims: claims.len(),
-        exit: exit.code(),
-        sha256: written.lines.sealed(exit.code()),
-    };
-    written.line(&json(&end)?)?;
-    Ok(exit)
+
+    /// Writes the head, if it is not there yet.
+    fn head(&mut self) -> Result<(), Failure> {
+        if !self.written.is_begun {
+            let head = ShardHead::new(self.budget, self.kernel)?;
+            self.written.line(&json(&head)?)?;
+        }
+        Ok(())
+    }
+
+    /// Decides what is left, and writes the last line.
+    fn end(mut self) -> Result<Exit, Failure> {
+        self.decide()?;
+        watchdog::finished();
+        let exit = self.mistakes.tell(self.exit);
+        let end = ShardEnd {
+            claims: self.count,
+            exit: exit.code(),
+            sha256: self.written.lines.sealed(exit.code()),
+        };
+        self.written.line(&json(&end)?)?;
+        Ok(exit)
+    }
 }
 
 /// The papers whose first claim is wanted, with the figures alone that no claim has: of all parts of a corpus, one evaluates
@@ -140,6 +227,18 @@ fn own_figures(papers: Vec<Paper>, wanted: &BTreeSet<String>) -> Vec<Paper> {
         .collect()
 }
 
+/// The ids by the folders of their papers, in the order of these.
+fn by_paper(ids: BTreeSet<String>) -> Result<BTreeMap<String, BTreeSet<String>>, Failure> {
+    let mut papers: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for id in ids {
+        let Some((slug, _)) = id.split_once('/') else {
+            return Err(Failure::UnknownId { id });
+        };
+        papers.entry(slug.to_owned()).or_default().insert(id);
+    }
+    Ok(papers)
+}
+
 /// The ids of a file, or of standard input; blank lines do not count.
 fn read(path: &Path) -> Result<BTreeSet<String>, Failure> {
     let text = input::text(path)?;
@@ -151,10 +250,12 @@ fn read(path: &Path) -> Result<BTreeSet<String>, Failure> {
 #[derive(Default)]
 struct Written {
     lines: LinesDigest,
+    is_begun: bool,
 }
 
 impl Written {
     fn line(&mut self, line: &str) -> Result<(), Failure> {
+        self.is_begun = true;
         self.lines.add(line);
         terminal::print(&format!("{line}\n"))
     }

@@ -7,6 +7,7 @@ use crate::diagnostics::Diagnostics;
 use crate::exit::{Exit, Failure};
 use crate::kernel::Kernel;
 use crate::run::{Budget, Run};
+use crate::shard::ShardHead;
 use crate::version::VERSION;
 use crate::watch::Watch;
 use crate::{figures, proofs, shard, terminal, verdicts, watchdog};
@@ -45,6 +46,10 @@ pub struct Verify {
     /// `torse merge`
     #[arg(long, value_name = "FILE", conflicts_with_all = ["names", "format", "against", "changed_since", "proofs", "watch", "timings"])]
     ids: Option<PathBuf>,
+    /// Decide nothing, and print the first line that `--ids` would print: program, budget and what the kernel accepted, which
+    /// all parts of a corpus have in common
+    #[arg(long, conflicts_with_all = ["names", "ids", "format", "against", "changed_since", "proofs", "watch", "timings", "folder"])]
+    head: bool,
     /// Write the proofs of the verdicts to this folder, as JSON, a file for each paper
     #[arg(long, value_name = "DIR")]
     proofs: Option<PathBuf>,
@@ -102,6 +107,9 @@ impl Verify {
                 budget: self.budget,
             };
             return watch.run();
+        }
+        if self.head {
+            return ShardHead::new(self.budget, &self.kernel)?.tell();
         }
         if let Some(ids) = &self.ids {
             return shard::run(ids, self.budget, &self.kernel, &self.derivations);

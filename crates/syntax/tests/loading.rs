@@ -7,7 +7,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use torse_syntax::derivation::declarations::SymbolKind;
-use torse_syntax::derivation::{LoadError, Loaded, MAX_BYTES, Piece, Provenance, load, load_all};
+use torse_syntax::derivation::{
+    LoadError, Loaded, MAX_BYTES, OneByOne, Piece, Provenance, load, load_all,
+};
 
 /// A folder of its own for each test, taken away afterwards.
 struct Folder(PathBuf);
@@ -324,8 +326,11 @@ fn the_id_of_a_paper_is_a_plain_name() {
         );
         assert!(told[0].ends_with(&format!("|'{id}'")), "{}", told[0]);
     }
+    let mut before = "mini";
     for id in ["mini", "gbt-surfaces", "volume_2.1"] {
-        folder.write("mini/paper.toml", &head(id));
+        fs::rename(folder.path(before), folder.path(id)).unwrap();
+        folder.write(&format!("{id}/paper.toml"), &head(id));
+        before = id;
         let (_, told) = told(&folder.load());
         assert!(told.is_empty(), "{told:#?}");
     }
@@ -634,4 +639,105 @@ fn names_are_displayed_as_the_paper_prints_them() {
         let (_, told) = told_of("display", &[claim]);
         assert_eq!(told, [expected]);
     }
+}
+
+#[test]
+fn papers_that_are_loaded_one_by_one_are_those_that_are_loaded_together() {
+    let folder = Folder::new("one-by-one");
+    let paper = |slug: &str, claims: &str| {
+        fs::create_dir_all(folder.path(slug)).unwrap();
+        let head = format!(
+            "[paper]\nid = '{slug}'\ntitle = 't'\nauthors = 'a'\nvenue = 'v'\nclaims = ['claims.toml']\n[symbols]\nx = {{}}\n"
+        );
+        folder.write(&format!("{slug}/paper.toml"), &head);
+        folder.write(&format!("{slug}/claims.toml"), claims);
+    };
+    let part = |id: &str, states: &str| claim(id, states, "part_of = 'later/b'");
+    let quoting = |words: &str, of: &str| {
+        format!("given = [{{ states = 'x > 0', printed = '{words}', in = '{of}' }}]")
+    };
+    let uses = "uses = ['later/b', 'later/nothing', 'nowhere/a', 'bare']";
+    paper(
+        "first",
+        &[
+            claim("first/a", "x == x", uses),
+            claim("first/b", "x == x", &quoting("p", "later/a")),
+            claim("first/c", "x == x", &quoting("q", "later/b")),
+            claim("first/d", "x == x", "uses = ['later/wrong', 'last/a']"),
+            // Not its own, and in nobody's way.
+            claim("later/a", "x == x", ""),
+        ]
+        .concat(),
+    );
+    paper(
+        "later",
+        &[
+            claim("later/a", "x == x", "uses = ['first/a']"),
+            part("later/b.1", "x == x"),
+            part("later/b.2", "x == x"),
+            part("later/b.3", "x + == x"),
+            claim("later/wrong", "x + == x", ""),
+            claim("later/a", "x == x", ""),
+        ]
+        .concat(),
+    );
+    folder.write("mini/claims.toml", "");
+    fs::create_dir_all(folder.path("renamed")).unwrap();
+    let head = fs::read_to_string(folder.path("later/paper.toml")).unwrap();
+    folder.write("renamed/paper.toml", &head);
+    fs::create_dir_all(folder.path("unreadable")).unwrap();
+    folder.write("unreadable/paper.toml", "[");
+    let together = folder.load();
+    let mut one_by_one = OneByOne::of(&folder.0).unwrap();
+    let slugs = one_by_one.slugs().to_vec();
+    assert_eq!(slugs, ["first", "later", "mini", "renamed", "unreadable"]);
+    assert!(one_by_one.has("mini") && !one_by_one.has("nowhere"));
+    let mut apart = Loaded {
+        papers: vec![],
+        errors: vec![],
+        left_out: vec![],
+    };
+    for slug in &slugs {
+        let loaded = one_by_one.load(slug);
+        apart.papers.extend(loaded.papers);
+        apart.errors.extend(loaded.errors);
+        apart.left_out.extend(loaded.left_out);
+    }
+    let sorted = |loaded: &Loaded| {
+        let (ids, mut mistakes) = told(loaded);
+        mistakes.sort();
+        (ids, mistakes)
+    };
+    assert_eq!(sorted(&apart), sorted(&together));
+    assert_eq!(apart.left_out, together.left_out);
+    let rests_on = |loaded: &Loaded| {
+        let claims = loaded
+            .papers
+            .iter()
+            .flat_map(torse_syntax::derivation::Paper::rests_on);
+        claims.collect::<Vec<_>>()
+    };
+    assert_eq!(rests_on(&apart), rests_on(&together));
+    let (ids, mistakes) = told(&together);
+    assert_eq!(
+        ids.iter().filter(|id| *id == "later/a").count(),
+        1,
+        "{ids:?}"
+    );
+    for mistake in [
+        "the folder of the paper `later` is called `renamed`: both have one name|",
+        "no claim has the id `later/nothing`|",
+        "the id `later/a` is used twice|",
+    ] {
+        assert!(
+            mistakes.iter().any(|told| told.starts_with(mistake)),
+            "{mistake}: {mistakes:?}"
+        );
+    }
+    let first = &together.papers[0].claims[0];
+    assert!(
+        first
+            .uses
+            .starts_with(&["later/b.1".to_owned(), "later/b.2".to_owned()])
+    );
 }

@@ -85,14 +85,14 @@
 //! | feature | brings | default |
 //! |---|---|---|
 //! | `papers` | [`decide`], [`Paper`], [`Verifier`] | yes |
-//! | `code` | [`compare`]: code beside the formula, with parsers in C | yes |
+//! | `code` | [`compare`]: code beside the formula, with parsers in C | no |
 //! | `geometry` | the module [`geometry`] | with `designs` |
 //! | `designs` | [`Design`], [`connect`], [`contents`] | yes |
-//! | `pdf` | PDF in the module [`report`]: the typesetter with its two hundred packages | yes |
-//! | `kernel` | the module [`kernel`]: statements and proofs for Rocq | yes |
+//! | `pdf` | PDF in the module [`report`]: the typesetter with its two hundred packages | no |
+//! | `kernel` | the module [`kernel`]: statements and proofs for Rocq | no |
 //! | `parallel` | the geometry works on all threads; its values are the same without | yes |
 //! | `simd` | the geometry uses the widest vector registers of the machine; its values are the same without | yes |
-//! | `nalgebra` | affine maps from and to those of nalgebra | yes |
+//! | `nalgebra` | affine maps from and to those of nalgebra | no |
 #![warn(missing_docs)]
 
 #[cfg(feature = "papers")]

@@ -26,6 +26,9 @@ pub enum Event<'e> {
         pass: Pass,
         /// The claim.
         id: &'e str,
+        /// The work that this pass has spent on it, in the units of a [`WorkBudget`](crate::WorkBudget): the same on every
+        /// machine.
+        work: u64,
     },
     /// A pass ends.
     Ends {

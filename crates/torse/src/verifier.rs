@@ -9,7 +9,7 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use torse_numbers::work::{Spent, stoppable};
+use torse_numbers::work::{Spent, spent, stoppable};
 use torse_report::verdicts_json;
 use torse_syntax::derivation::{Claim, DerivationError, Paper};
 use torse_verdicts::engine::{STANDARD_WORK, decide_claim_within};
@@ -191,8 +191,10 @@ impl<'o> Verifier<'o> {
         let id = claim.entry.id.get_ref();
         watch.tell(Event::ClaimBegins { pass, id });
         watch.go_on()?;
+        let before = spent();
         let outcome = self.work(|| decide_claim_within(self.budget.units(), slug, claim))??;
-        watch.tell(Event::ClaimEnds { pass, id });
+        let work = spent().saturating_sub(before);
+        watch.tell(Event::ClaimEnds { pass, id, work });
         Ok(outcome)
     }
 
@@ -340,8 +342,10 @@ impl<'o> Watch<'o> {
         self.go_on().ok()?;
         self.tell(Event::ClaimBegins { pass, id });
         self.go_on().ok()?;
+        let before = spent();
         let done = self.kept(job())?;
-        self.tell(Event::ClaimEnds { pass, id });
+        let work = spent().saturating_sub(before);
+        self.tell(Event::ClaimEnds { pass, id, work });
         Some(done)
     }
 

@@ -52,7 +52,8 @@ fn digests(folder: &Path) -> BTreeMap<String, String> {
     let lines = lines
         .lines()
         .map(|line| serde_json::from_str(line).unwrap());
-    let pairs = lines.map(|line: Value| (text(&line, "id"), text(&line, "digest")));
+    let claims = lines.filter(|line: &Value| line["id"].is_string());
+    let pairs = claims.map(|line| (text(&line, "id"), text(&line, "digest")));
     pairs.collect()
 }
 
@@ -275,15 +276,11 @@ fn merged_parts_say_what_the_kernel_accepted() {
         .iter()
         .map(|claim| claim["id"].as_str().unwrap())
         .collect();
-    let listed = torse(&["list", "--format", "json", "--derivations", &derivations]).out;
-    let is_one = |line: &&str| {
-        ids.iter()
-            .any(|id| line.starts_with(&format!("{{\"id\":\"{id}\"")))
-    };
+    let list = ["list", "--format", "json", "--derivations", &derivations];
+    let listed = torse(&[&list[..], &ids].concat()).out;
     let folder = TempDir::new().unwrap();
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
-    let lines: Vec<&str> = listed.lines().filter(is_one).collect();
-    fs::write(path("list"), lines.join("\n")).unwrap();
+    fs::write(path("list"), listed).unwrap();
     for (index, id) in ids.iter().enumerate() {
         fs::write(path("ids"), id).unwrap();
         let part = verify(&["--ids", &path("ids")]);
@@ -320,6 +317,155 @@ fn merged_parts_say_what_the_kernel_accepted() {
     let merged = merge(&parts);
     assert_eq!((merged.code, merged.out.as_str()), (Some(4), ""));
     assert!(merged.err.contains("another list"), "{}", merged.err);
+}
+
+#[test]
+fn a_paper_of_which_nothing_can_be_read_is_in_no_part_and_counts_in_the_whole() {
+    let parts = Parts::new(corpus());
+    assert_eq!(parts.merge(&["0", "1", "2"]).code, Some(1));
+    let third = parts.folder.path().join("third");
+    fs::create_dir(&third).unwrap();
+    fs::write(third.join("paper.toml"), "[paper").unwrap();
+    let whole = on(parts.folder.path(), &["verify", "--format", "json"]);
+    let listed = on(parts.folder.path(), &["list", "--format", "json"]);
+    assert_eq!((whole.code, listed.code), (Some(4), Some(4)));
+    // No part knows of it.
+    assert_eq!(parts.decide(1, &[]).code, Some(0));
+    fs::write(parts.path("list"), &listed.out).unwrap();
+    let merged = parts.merge(&["0", "1", "2"]);
+    assert_eq!((merged.code, merged.out), (Some(4), whole.out));
+    // A list that is not whole does not know.
+    let lines: Vec<&str> = listed.out.lines().collect();
+    let (last, claims) = lines.split_last().unwrap();
+    assert_eq!(*last, "{\"claims\":8,\"exit\":4}");
+    for list in [
+        claims.join("\n"),
+        [&claims[1..], &[*last]].concat().join("\n"),
+        [&[*last], claims].concat().join("\n"),
+        [claims, &["{\"claims\":8,\"exit\":44}"]]
+            .concat()
+            .join("\n"),
+    ] {
+        fs::write(parts.path("list"), list).unwrap();
+        let merged = parts.merge(&["0", "1", "2"]);
+        assert_eq!((merged.code, merged.out.as_str()), (Some(4), ""));
+    }
+}
+
+#[test]
+fn figures_of_a_paper_without_claims_count_in_the_whole() {
+    let parts = Parts::new(corpus());
+    let figure = "[[figure]]\nid = 'third/fig-1'\ncaption = ''\nalt = ''\n";
+    add_paper(parts.folder.path(), "third", figure);
+    let whole = on(parts.folder.path(), &["verify", "--format", "json"]);
+    let listed = on(parts.folder.path(), &["list", "--format", "json"]);
+    assert_eq!(listed.code, Some(4), "{}", listed.err);
+    fs::write(parts.path("list"), &listed.out).unwrap();
+    let merged = parts.merge(&["0", "1", "2"]);
+    assert_eq!((merged.code, merged.out), (whole.code, whole.out));
+}
+
+#[test]
+fn the_head_of_all_parts_is_told_without_deciding_any() {
+    let parts = Parts::new(corpus());
+    let kernel = TempDir::new().unwrap();
+    let head = |more: &[&str]| {
+        let ran = torse(&[&["verify", "--head"], more].concat());
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        ran.out
+    };
+    let part = fs::read_to_string(parts.path("1")).unwrap();
+    assert_eq!(part.lines().next(), Some(head(&[]).trim_end()));
+    assert!(head(&["--budget", "77"]).contains("\"budget\":77,"));
+    // Of what the kernel has accepted each change is seen.
+    let own = ["--kernel", kernel.path().to_str().unwrap()];
+    let list = concat!(env!("CARGO_MANIFEST_DIR"), "/../../proofs/accepted.json");
+    let list = fs::read_to_string(list).unwrap();
+    let theorem = list.lines().find(|line| line.contains("Bezier/")).unwrap();
+    let fewer = list.replacen(&format!("{theorem}\n"), "", 1);
+    let heads = [&list, &fewer].map(|list| {
+        fs::write(kernel.path().join("accepted.json"), list).unwrap();
+        head(&own)
+    });
+    assert_ne!(heads[0], heads[1]);
+    assert!(
+        heads.iter().all(|head| !head.contains("null}")),
+        "{heads:?}"
+    );
+    // A commit says what was built only if nothing was changed since.
+    let read: Value = serde_json::from_str(&head(&[])).unwrap();
+    let is_named = read["torse"].as_str().unwrap().ends_with(')');
+    let is_clean = is_named && !read["torse"].as_str().unwrap().ends_with("-dirty)");
+    match read["program"].as_str() {
+        Some(digest) => assert_eq!(digest.len(), 64),
+        None => assert!(is_clean, "{read}"),
+    }
+    assert!(is_clean || read["program"].is_string(), "{read}");
+    // Parts of another build are refused.
+    let mut other = read;
+    other["program"] = "0".into();
+    let (_, lines) = part.split_once('\n').unwrap();
+    fs::write(parts.path("1"), format!("{other}\n{lines}")).unwrap();
+    parts.refused(&["0", "1", "2"], "of another build");
+}
+
+#[test]
+fn work_is_told_with_each_claim_and_is_what_it_is_expected_to_cost_again() {
+    let parts = Parts::new(corpus());
+    let read = |text: &str| -> Vec<Value> {
+        let lines = text.lines().map(|line| serde_json::from_str(line).unwrap());
+        lines
+            .filter(|line: &Value| line["id"].is_string())
+            .collect()
+    };
+    let part = fs::read_to_string(parts.path("2")).unwrap();
+    let work: BTreeMap<String, u64> = read(&part)
+        .iter()
+        .map(|line| (line["id"].to_string(), line["work"].as_u64().unwrap()))
+        .collect();
+    assert_eq!(work.len(), 4);
+    assert!(work.values().all(|work| *work > 0), "{work:?}");
+    // One by one it is the same.
+    let ids = parts.path("ids");
+    for id in ["mini/open", "mini/defined"] {
+        fs::write(&ids, id).unwrap();
+        let alone = on(
+            parts.folder.path(),
+            &["verify", "--ids", ids.to_str().unwrap()],
+        );
+        let line = read(&alone.out).remove(0);
+        assert_eq!(line["work"].as_u64(), Some(work[&line["id"].to_string()]));
+    }
+    let list = |more: &[&str]| {
+        let command = [&["list", "--format", "json"], more].concat();
+        let ran = on(parts.folder.path(), &command);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        read(&ran.out)
+    };
+    // A part that was cut off says something, too.
+    let cut = parts.path("cut");
+    fs::write(&cut, &part[..part.len() - 300]).unwrap();
+    edit(
+        parts.folder.path(),
+        "(x + 1)^1000 == (x + 1)^1000",
+        "(x + 1)^999 == (x + 1)^999",
+    );
+    let estimated = list(&[]);
+    let costs = list(&["--costs", cut.to_str().unwrap()]);
+    let mut known = 0;
+    for (before, mut after) in estimated.into_iter().zip(costs) {
+        let id = after["id"].to_string();
+        let cost = after["cost"].take().as_u64().unwrap();
+        let estimate = before["cost"].as_u64().unwrap();
+        match work.get(&id).filter(|work| **work == cost) {
+            Some(_) => known += 1,
+            None => assert_eq!(cost, estimate, "{id}"),
+        }
+        // The cost changes nothing else.
+        after["cost"] = estimate.into();
+        assert_eq!(before, after);
+    }
+    assert!((1..=3).contains(&known), "{known}");
 }
 
 #[test]

@@ -19,7 +19,9 @@ fn claims_and_papers_are_listed_without_deciding_any() {
     assert_eq!(ids, ["mini/a", "mini/b"]);
     assert!(list(&["--papers"]).contains("2 claims"));
     let lines = list(&["mini/b", "--format", "json"]);
-    let line: serde_json::Value = serde_json::from_str(&lines).unwrap();
+    let (line, last) = lines.split_once('\n').unwrap();
+    assert_eq!(last, "{\"claims\":1,\"exit\":0}\n");
+    let line: serde_json::Value = serde_json::from_str(line).unwrap();
     assert_eq!(line["id"], "mini/b");
     assert_eq!(line["uses"][0], "mini/a");
     let lines = list(&["--papers", "--format", "json"]);

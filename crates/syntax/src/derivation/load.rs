@@ -10,6 +10,7 @@ use super::definitions::{add_definitions, name_of};
 use super::error::{DerivationError, LoadError};
 use super::figure::{Figure, own_figure};
 use super::paper::Paper;
+use super::references::Known;
 use super::schema::corrigendum::CorrigendumEntry;
 use super::schema::figure::FigureEntry;
 use super::schema::{ClaimEntry, PaperHead};
@@ -85,6 +86,28 @@ pub fn load_all_with(
     folder: &Path,
     unsaved: impl Fn(&str) -> Option<String>,
 ) -> Result<Loaded, LoadError> {
+    let slugs = slugs(folder)?;
+    let mut reading = Reading::default();
+    let papers = slugs
+        .iter()
+        .filter_map(|slug| {
+            reading.paper(Some(slug), |name| {
+                let path = format!("{slug}/{name}");
+                match unsaved(&path) {
+                    Some(text) => folder::unsaved(path, text),
+                    None => folder::read(folder, slug, name),
+                }
+            })
+        })
+        .collect();
+    Ok(reading.loaded(papers, &[]))
+}
+
+/// The names of the folders of papers below `folder`, in order.
+///
+/// # Errors
+/// [`LoadError`] if the folder cannot be read or contains no paper.
+pub(super) fn slugs(folder: &Path) -> Result<Vec<String>, LoadError> {
     let unreadable = |error: std::io::Error| LoadError::Unreadable {
         path: folder.display().to_string(),
         reason: error.to_string(),
@@ -106,20 +129,7 @@ pub fn load_all_with(
             path: folder.display().to_string(),
         });
     }
-    let mut reading = Reading::default();
-    let papers = slugs
-        .iter()
-        .filter_map(|slug| {
-            reading.paper(|name| {
-                let path = format!("{slug}/{name}");
-                match unsaved(&path) {
-                    Some(text) => folder::unsaved(path, text),
-                    None => folder::read(folder, slug, name),
-                }
-            })
-        })
-        .collect();
-    Ok(reading.loaded(papers))
+    Ok(slugs)
 }
 
 /// Loads the paper in a folder that contains a `paper.toml`. References to other papers cannot be resolved.
@@ -143,8 +153,9 @@ pub fn open(folder: &Path) -> Result<Paper, LoadError> {
 /// The first mistake.
 pub fn paper(read: impl Fn(&str) -> Result<Arc<Source>, LoadError>) -> Result<Paper, LoadError> {
     let mut reading = Reading::default();
-    let paper = reading.paper(read);
-    let mut papers = reading.loaded(paper.into_iter().collect()).complete()?;
+    let paper = reading.paper(None, read);
+    let papers = paper.into_iter().collect();
+    let mut papers = reading.loaded(papers, &[]).complete()?;
     papers.pop().ok_or_else(|| LoadError::Empty {
         path: "the paper".to_owned(),
     })
@@ -152,18 +163,24 @@ pub fn paper(read: impl Fn(&str) -> Result<Arc<Source>, LoadError>) -> Result<Pa
 
 /// The state of loading.
 #[derive(Default)]
-struct Reading {
+pub(super) struct Reading {
     errors: Errors,
     left_out: Vec<String>,
     /// All ids used so far, including those of entries that are left out.
     ids: BTreeSet<String>,
+    /// Those that do not begin with their papers, which are mistakes and in nobody's way.
+    strangers: BTreeSet<String>,
     /// The ids of sentences that are split into parts.
     sentences: BTreeSet<String>,
 }
 
 impl Reading {
-    /// Loads a paper with its valid entries; `None` if its head is invalid.
-    fn paper(&mut self, read: impl Fn(&str) -> Result<Arc<Source>, LoadError>) -> Option<Paper> {
+    /// Loads a paper with its valid entries; `None` if its head is invalid, or names another folder than this one.
+    pub(super) fn paper(
+        &mut self,
+        folder: Option<&str>,
+        read: impl Fn(&str) -> Result<Arc<Source>, LoadError>,
+    ) -> Option<Paper> {
         let source = self.errors.keep(read("paper.toml"))?;
         let mut sections = self.errors.keep(sections(&source))?;
         let head = sections.remove("paper").ok_or_else(|| {
@@ -178,7 +195,20 @@ impl Reading {
             &["paper", "symbols", "basis", "define", "display"],
             &mut self.errors,
         );
-        let head = head.and_then(|head| entry::<PaperHead>(&source, head));
+        let head = head.and_then(|head| {
+            let place = place_of_id(&head);
+            let head = entry::<PaperHead>(&source, head)?;
+            match folder.filter(|folder| *folder != head.id) {
+                None => Ok(head),
+                Some(folder) => {
+                    let message = format!(
+                        "the folder of the paper `{}` is called `{folder}`: both have one name",
+                        head.id
+                    );
+                    Err(table::complaint(&source, place, message))
+                }
+            }
+        });
         let head = self.errors.keep(head)?;
         let declarations = Arc::new(shared);
         let (mut claims, mut own_figures, mut faults) = (vec![], vec![], vec![]);
@@ -248,7 +278,7 @@ impl Reading {
         let corrigenda: Vec<CorrigendumEntry> =
             list(source, sections.remove("corrigendum"), &mut self.errors);
         for entry in corrigenda {
-            self.add_id(source, &entry.id);
+            self.add_id(source, slug, &entry.id);
             self.errors.keep(folder::check_id(source, &entry.id, slug));
             faults.push((Arc::clone(source), entry));
         }
@@ -271,7 +301,7 @@ impl Reading {
         for entry in entries {
             let id = entry.id.clone();
             let before = self.errors.0.len();
-            self.add_id(source, &id);
+            self.add_id(source, slug, &id);
             let sentence = entry.part_of.as_ref();
             self.sentences
                 .extend(sentence.map(|id| id.get_ref().clone()));
@@ -289,7 +319,7 @@ impl Reading {
             let id = entry.get_ref().id.clone();
             let figure = own_figure(source, &shared, slug, entry, &mut self.errors);
             if let Some(id) = &id {
-                self.add_id(source, id);
+                self.add_id(source, slug, id);
             }
             let wrong = |figure: &Figure| figure.declarations.any_invalid();
             match figure.filter(|figure| self.errors.0.len() == before && !wrong(figure)) {
@@ -300,7 +330,12 @@ impl Reading {
     }
 
     /// Records an id, which may be used only once in a folder.
-    fn add_id(&mut self, source: &Arc<Source>, id: &Spanned<String>) {
+    fn add_id(&mut self, source: &Arc<Source>, slug: &str, id: &Spanned<String>) {
+        let own = id.get_ref().strip_prefix(slug);
+        if !own.is_some_and(|name| name.starts_with('/')) {
+            self.strangers.insert(id.get_ref().clone());
+            return;
+        }
         if !self.ids.insert(id.get_ref().clone()) {
             let message = format!("the id `{}` is used twice", id.get_ref());
             let origin = Origin::from_spanned(source, id);
@@ -309,13 +344,33 @@ impl Reading {
         }
     }
 
-    /// Resolves references between claims, and finishes.
-    fn loaded(mut self, mut papers: Vec<Paper>) -> Loaded {
-        references::resolve(&mut papers, &self.ids, &self.sentences, &mut self.errors);
+    /// What papers that were read have for those that refer to them.
+    pub(super) fn known(self, papers: &[Paper]) -> Known {
+        let mut ids = self.ids;
+        ids.extend(self.strangers);
+        Known::new(papers, ids, self.sentences)
+    }
+
+    /// Resolves references between claims, also to those of other papers, and finishes.
+    pub(super) fn loaded(mut self, mut papers: Vec<Paper>, others: &[&Known]) -> Loaded {
+        let (mut errors, left_out) = (
+            std::mem::take(&mut self.errors),
+            std::mem::take(&mut self.left_out),
+        );
+        let own = self.known(&papers);
+        let known: Vec<&Known> = std::iter::once(&own)
+            .chain(others.iter().copied())
+            .collect();
+        references::resolve(&mut papers, &known, &mut errors);
         Loaded {
             papers,
-            errors: self.errors.0,
-            left_out: self.left_out,
+            errors: errors.0,
+            left_out,
         }
     }
+}
+
+/// Where the id of a paper stands in its head; where it is missing, the head.
+fn place_of_id(head: &Spanned<toml::de::DeValue<'_>>) -> std::ops::Range<usize> {
+    head.get_ref().get("id").map_or(head.span(), Spanned::span)
 }
