@@ -11,6 +11,7 @@ use torse_geometry::{Coordinate, Over, Rails, Rational};
 
 /// What was found out about a face.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct FaceAudit {
     /// Whether its surface is developable, and how that is known.
     pub developable: Assurance,
@@ -24,6 +25,7 @@ pub struct FaceAudit {
 
 /// A place of a surface that is not developable there.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct WorstPlace {
     /// The point.
     pub point: Point,

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 /// A surface that is no developable, covered by strips that are.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct SurfaceCover {
     /// The name of the entry under `[patches]`.
     pub name: String,
@@ -21,6 +22,7 @@ pub struct SurfaceCover {
 
 /// A strip of a cover.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct CoveringStrip {
     /// Its name.
     pub name: String,

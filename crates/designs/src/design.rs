@@ -66,6 +66,7 @@ pub struct DesignPoint {
 
 /// A face of a file of another program that has no patch.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
+#[non_exhaustive]
 pub struct LeftOut {
     /// Its name; of what is not read its kind, and how many there are.
     pub name: String,

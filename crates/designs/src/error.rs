@@ -10,6 +10,7 @@ use torse_syntax::similar::similar;
 
 /// What ends a command before it has an answer, or is the answer.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum DesignError {
     /// The file is not there, or no text.
     #[error("cannot read {path}: {reason}")]

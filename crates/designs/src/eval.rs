@@ -25,6 +25,7 @@ pub enum EvalPlaces {
 
 /// A point of a patch; lengths in millimetres.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct EvalRow {
     /// The patch.
     pub patch: String,

@@ -19,6 +19,7 @@ const MAX_BYTES: u64 = 64 << 20;
 
 /// What folding a pattern came to.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct FoldReport {
     /// The name of the design.
     pub design: String,
@@ -30,6 +31,7 @@ pub struct FoldReport {
 
 /// A piece of a pattern that was folded.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct FoldedPiece {
     /// The chain or the patch.
     pub name: String,

@@ -10,6 +10,7 @@ use torse_geometry::GeometryError;
 
 /// What a file holds; lengths in millimetres.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct FileListing {
     /// The name of the file.
     pub file: String,
@@ -31,6 +32,7 @@ pub struct FileListing {
 
 /// A curve of a file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ListedCurve {
     /// Its name, as `import` wants it.
     pub name: String,
@@ -54,6 +56,7 @@ pub struct ListedCurve {
 
 /// A face of a file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ListedFace {
     /// Its name.
     pub name: String,
@@ -73,6 +76,7 @@ pub struct ListedFace {
 
 /// A mesh of a file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ListedMesh {
     /// Its name.
     pub name: String,

@@ -9,6 +9,7 @@ pub type Result<T, E = ExchangeError> = std::result::Result<T, E>;
 
 /// What is wrong with the data of a file, or with its writing.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ExchangeError {
     /// The geometry itself refuses.
     #[error(transparent)]

@@ -47,6 +47,7 @@ fn number(value: f64) -> String {
 /// Numbers are kept as f64: exact scalars rounded to nearest, balls by their middle, and NaN for a formal
 /// expression that is no number.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum GeometryError {
     /// The scalar cannot carry out an operation (division by zero, no exact sine).
     #[error(transparent)]

@@ -30,6 +30,7 @@ pub enum PaperStyle {
 
 /// A line on paper.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PaperLine {
     /// How it is drawn.
     pub style: PaperStyle,
@@ -41,6 +42,7 @@ pub struct PaperLine {
 
 /// Lettering on paper, its middle at a point.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PaperText {
     /// The middle.
     pub at: [f64; 2],
@@ -56,6 +58,7 @@ pub struct PaperText {
 
 /// A drawing on paper.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[non_exhaustive]
 pub struct PaperFigure {
     /// Its width in millimetres.
     pub width: f64,

@@ -48,6 +48,7 @@ impl PaperSize {
 
 /// The scale of a drawing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PaperScale {
     /// As it is written: `1:5`.
     pub name: String,

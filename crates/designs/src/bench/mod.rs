@@ -27,6 +27,7 @@ use words::length;
 
 /// A table of a sheet.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct BenchTable {
     /// What it is about.
     pub title: String,
@@ -38,6 +39,7 @@ pub struct BenchTable {
 
 /// An entry of the legend.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct BenchLegend {
     /// How the line is drawn.
     pub style: PaperStyle,
@@ -47,6 +49,7 @@ pub struct BenchLegend {
 
 /// The sheet of a part for the fitter.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct BenchSheet {
     /// The design.
     pub design: String,

@@ -23,6 +23,7 @@ const ARM: f64 = 4.0;
 
 /// A page of a part.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PaperTile {
     /// Its number among those of the part, from 1, row by row.
     pub number: usize,
@@ -34,6 +35,7 @@ pub struct PaperTile {
 
 /// A part in true size on pages.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct TiledPart {
     /// The design.
     pub design: String,

@@ -90,6 +90,7 @@ pub enum PieceSpace {
 
 /// A piece of several patches.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PieceReport {
     /// The name of the chain or of the entry.
     pub name: String,
@@ -123,6 +124,7 @@ impl PieceReport {
 
 /// Two pieces that pass through each other, which is proved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Piercing {
     /// The names of the pieces.
     pub pieces: [String; 2],

@@ -24,6 +24,7 @@ const BACK: f64 = 179.999;
 
 /// What was measured of a joint.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct JointReport {
     /// The chain.
     pub chain: String,

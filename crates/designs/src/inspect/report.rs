@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// What was measured.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct DesignReport {
     /// The name of the design.
     pub design: String,
@@ -77,6 +78,7 @@ impl Assurance {
 
 /// Bounds of a number; `null` in JSON for an end that is infinite.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ValueBounds {
     /// It is at least this.
     pub low: Option<f64>,
@@ -94,6 +96,7 @@ impl ValueBounds {
 
 /// What was measured of a patch.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PatchReport {
     /// Its name.
     pub name: String,

@@ -13,6 +13,7 @@ const PLACES: u32 = 64;
 
 /// A seam, measured; lengths in millimetres.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct SeamReport {
     /// The names of both edges.
     pub edges: [String; 2],

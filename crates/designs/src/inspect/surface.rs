@@ -13,6 +13,7 @@ const INTERVALS: u32 = 16;
 
 /// What was measured of a surface.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct SurfaceReport {
     /// Its name.
     pub name: String,

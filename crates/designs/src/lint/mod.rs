@@ -29,6 +29,7 @@ pub struct LintDemand {
 
 /// A place where a file breaks a rule.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct RuleFault {
     /// The check.
     pub check: Check,
@@ -60,6 +61,7 @@ pub enum RuleOutcome {
 
 /// A rule and how it came out.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct RuleRow {
     /// The check.
     pub check: Check,
@@ -75,6 +77,7 @@ pub struct RuleRow {
 
 /// What is in a drawing, and what is wrong with it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct LintReport {
     /// The name of the file.
     pub file: String,

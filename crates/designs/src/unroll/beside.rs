@@ -14,6 +14,7 @@ const CHORD: f64 = 1e-3;
 
 /// An opening that is nearer to a bend than is good for it; lengths in millimetres.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct BesideBend {
     /// The opening.
     pub opening: String,

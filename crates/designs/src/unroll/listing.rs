@@ -10,6 +10,7 @@ use std::fmt::Write;
 
 /// A part in numbers; lengths in millimetres, angles in degrees.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PartRow {
     /// The name of the chain or the patch.
     pub name: String,
@@ -51,6 +52,7 @@ pub struct PartRow {
 
 /// A bend over a tool.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ToolBendRow {
     /// The patch, or the two patches of an edge.
     pub name: String,
@@ -72,6 +74,7 @@ pub struct ToolBendRow {
 
 /// An edge that no radius is given for.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct SharpRow {
     /// The two patches.
     pub name: String,
@@ -83,6 +86,7 @@ pub struct SharpRow {
 
 /// A patch that is rolled.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct RolledRow {
     /// The patch.
     pub name: String,
@@ -97,6 +101,7 @@ pub struct RolledRow {
 
 /// The parts of a design in numbers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PartsList {
     /// The name of the design.
     pub design: String,

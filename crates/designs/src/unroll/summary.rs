@@ -10,6 +10,7 @@ use torse_geometry::pattern::{Flattening, PatternEvidence, bends};
 
 /// The patterns of a design in numbers; lengths in millimetres, angles in degrees.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PatternSummary {
     /// The name of the design.
     pub design: String,
@@ -19,6 +20,7 @@ pub struct PatternSummary {
 
 /// A pattern in numbers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PieceSummary {
     /// The name of the chain or the patch.
     pub name: String,
@@ -68,6 +70,7 @@ pub struct PieceSummary {
 
 /// A line at which a pattern is bent.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct BendRow {
     /// The number of the ruling, from 0.
     pub ruling: usize,

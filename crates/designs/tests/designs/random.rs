@@ -23,7 +23,9 @@ fn sound(report: &PatchReport) {
     .into_iter()
     .flatten()
     .for_each(finite);
-    for ValueBounds { low, high } in [Some(report.twist), report.clearance].into_iter().flatten() {
+    for ValueBounds { low, high, .. } in
+        [Some(report.twist), report.clearance].into_iter().flatten()
+    {
         if let (Some(low), Some(high)) = (low, high) {
             assert!(low <= high, "{report:?}");
         }

@@ -7,6 +7,7 @@ pub type PatternResult<T> = Result<T, PatternError>;
 
 /// Why a patch cannot be unrolled, a pattern not joined or not folded. Numbers are numbers.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PatternError {
     /// The patch cannot be evaluated.
     #[error(transparent)]

@@ -94,7 +94,7 @@ fn complain(
             let help = format!("`along = \"{other}\"`, or a smaller `within`");
             reader.complain(span, error.to_string(), &help);
         }
-        StripError::TooFar { .. } | StripError::Geometry(_) => {
+        _ => {
             reader.complain(span, error.to_string(), "");
         }
     }

@@ -19,6 +19,7 @@ pub enum StripDirection {
 
 /// Why a surface is not covered by strips.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum StripError {
     /// The curves have no normal curvature at a place: rulings would run along them.
     #[error(

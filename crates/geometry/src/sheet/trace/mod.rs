@@ -33,6 +33,7 @@ pub enum PiercingReach {
 
 /// Why a curve is not followed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum TraceError {
     /// A sheet has no value.
     #[error(transparent)]
