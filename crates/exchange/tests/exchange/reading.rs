@@ -510,8 +510,94 @@ fn a_drawing_that_says_how_it_fits_its_size_has_the_scale_of_its_viewers() {
         end(r#" preserveAspectRatio="none""#).unwrap(),
         [30.0, -20.0, 0.0]
     );
-    let unsaid = end("").unwrap_err().to_string();
-    assert!(unsaid.contains("`preserveAspectRatio`"), "{unsaid}");
+    // All of the box is seen, where nothing is said.
+    assert_eq!(end("").unwrap(), [15.0, -20.0, 0.0]);
+}
+
+#[test]
+fn percentages_are_of_the_innermost_box() {
+    let end = |inside: &str| {
+        let drawing = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="50mm" viewBox="0 0 200 100">{inside}</svg>"#
+        );
+        text("t.svg", &drawing).map(|found| ends_of(&found)[0][1])
+    };
+    let line = r#"<line x1="0" y1="0" x2="50%" y2="25%"/>"#;
+    assert_eq!(end(line).unwrap(), [50.0, -12.5, 0.0]);
+    let inner = format!(r#"<svg x="50%" width="25%" height="50" viewBox="0 0 10 10">{line}</svg>"#);
+    assert_eq!(end(&inner).unwrap(), [62.5, -6.25, 0.0]);
+    let used = r##"<use href="#l" x="10%"/><defs><line id="l" x2="10" y2="0"/></defs>"##;
+    assert_eq!(end(used).unwrap(), [15.0, 0.0, 0.0]);
+    // Nothing says of what.
+    let nested = format!(r#"<svg width="40" height="40">{line}</svg>"#);
+    let refused = end(&nested).unwrap_err().to_string();
+    assert!(refused.contains("`x2` is no length: `50%`"), "{refused}");
+}
+
+#[test]
+fn a_dxf_polyline_in_a_plane_lies_at_its_own_height() {
+    let polyline = |head: &str, heights: [&str; 2], bulge: &str| {
+        let [a, b] = heights;
+        dxf(
+            "",
+            "",
+            &format!(
+                "0\nPOLYLINE\n66\n1\n10\n0\n20\n0\n{head}0\nVERTEX\n10\n0\n20\n0\n30\n{a}\n42\n{bulge}\n0\nVERTEX\n10\n4\n20\n0\n30\n{b}\n0\nSEQEND\n"
+            ),
+        )
+    };
+    let ends = |head: &str, heights: [&str; 2], bulge: &str| {
+        text("t.dxf", &polyline(head, heights, bulge)).map(|found| ends_of(&found)[0])
+    };
+    let behind = "210\n0\n220\n0\n230\n-1\n";
+    for bulge in ["0", "1"] {
+        let high = ends("30\n60\n70\n0\n", ["0", "0"], bulge).unwrap();
+        let repeated = ends("30\n60\n70\n0\n", ["60", "60"], bulge).unwrap();
+        let theirs = ends("70\n0\n", ["60", "60"], bulge).unwrap();
+        for found in [high, repeated, theirs] {
+            for (end, at) in found.iter().zip([[0.0, 0.0, 60.0], [4.0, 0.0, 60.0]]) {
+                assert!(norm(&sub(end, &at)) < 1e-12, "{found:?}");
+            }
+        }
+        let mirrored = ends(&format!("30\n60\n70\n0\n{behind}"), ["0", "0"], bulge).unwrap();
+        assert!(norm(&sub(&mirrored[1], &[-4.0, 0.0, -60.0])) < 1e-12);
+    }
+    // One in space has the heights of its vertices.
+    let space = ends("30\n60\n70\n8\n", ["0", "5"], "0").unwrap();
+    assert_eq!(space, [[0.0, 0.0, 0.0], [4.0, 0.0, 5.0]]);
+    for (head, heights) in [("30\n60\n70\n0\n", ["0", "5"]), ("70\n0\n", ["0", "5"])] {
+        let refused = ends(head, heights, "0").unwrap_err().to_string();
+        assert!(refused.contains("one height"), "{refused}");
+    }
+}
+
+#[test]
+fn names_of_dxf_have_no_case_and_invisible_entities_are_passed_over() {
+    let line = |layer: &str, more: &str| {
+        format!("0\nLINE\n8\n{layer}\n{more}10\n0\n20\n0\n11\n3\n21\n0\n")
+    };
+    let tables = "0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nOFF\n70\n0\n62\n-7\n0\nENDTAB\n";
+    let tables = format!("0\nSECTION\n2\nTABLES\n{tables}0\nENDSEC\n");
+    let blocks = format!(
+        "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nPart\n{}0\nENDBLK\n0\nENDSEC\n",
+        line("own", "")
+    );
+    let entities = line("off", "")
+        + &line("A", "60\n1\n")
+        + &line("B", "60\n0\n")
+        + "0\nINSERT\n8\nC\n2\nPART\n10\n0\n20\n0\n"
+        + "0\nINSERT\n8\nC\n60\n1\n2\nPART\n10\n0\n20\n0\n";
+    let file = format!("{tables}{blocks}0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n0\nEOF\n");
+    let found = text("t.dxf", &file).unwrap();
+    let layers: Vec<&str> = found.curves.iter().map(|c| c.layer.as_str()).collect();
+    assert_eq!(layers, ["B", "own"]);
+    assert_eq!(
+        found.passed_over,
+        [
+            ("entity on the layer `off`, which is off".to_owned(), 1),
+            ("hidden entity".to_owned(), 2)
+        ]
+    );
 }
 
 #[test]

@@ -95,8 +95,15 @@ pub(super) fn curve(
                     corners.push((vertex.point(10)?, vertex.number(42, 0.0)?));
                 }
             }
+            let in_space = flags & 8 != 0;
+            if !in_space {
+                let height = elevation(entity, &corners)?;
+                for (corner, _) in &mut corners {
+                    corner[2] = height.clone();
+                }
+            }
             let shape = polyline(&corners, flags & 1 == 1);
-            if flags & 8 != 0 {
+            if in_space {
                 shape
             } else {
                 let axes = entity_axes(entity)?;
@@ -110,6 +117,31 @@ pub(super) fn curve(
         // Programs write lines without length: nothing is lost with them.
         Err(GeometryError::Degenerate { .. }) => Ok(None),
         other => other.map(Some).map_err(refused(&place)),
+    }
+}
+
+/// The height of a polyline that lies in a plane: its own (group 30), which its vertices repeat or leave zero; theirs, where it
+/// has none.
+fn elevation(entity: &Entity<'_, '_>, corners: &[([Rational; 3], f64)]) -> ReadResult<Rational> {
+    let zero = Rational::default();
+    let own = entity.exacts(30)?.into_iter().next().unwrap_or_default();
+    let mut heights = corners.iter().map(|(corner, _)| &corner[2]);
+    let height = if own == zero {
+        heights.clone().next().cloned().unwrap_or_default()
+    } else {
+        own.clone()
+    };
+    let is_other = |z: &&Rational| **z != height && (own == zero || **z != zero);
+    match heights.find(is_other) {
+        None => Ok(height),
+        Some(other) => Err(at(
+            &entity.place(),
+            format!(
+                "a polyline in a plane has one height, not {} and {} (group 30); one in space has 8 in group 70",
+                height.approximate(),
+                other.approximate()
+            ),
+        )),
     }
 }
 

@@ -1,8 +1,9 @@
 //! DXF, as text or binary: lines, arcs, circles, ellipses, polylines with bulges, splines, and blocks that are inserted.
 //!
 //! Group codes are those of Autodesk's DXF reference. The unit is `$INSUNITS` of the header; older files have none, nor
-//! have files that say zero. Entities of the paper space, and on layers that are frozen or off, are passed over; those of
-//! blocks on the layer `0` are on the layer of what inserts the block.
+//! have files that say zero. Entities of the paper space, invisible ones, and those on layers that are frozen or off are passed
+//! over; those of blocks on the layer `0` are on the layer of what inserts the block. Names of layers and blocks are the same
+//! in capitals.
 
 pub(super) mod binary;
 mod entities;
@@ -55,9 +56,19 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
 #[derive(Default)]
 struct File<'t, 'g> {
     header: &'g [Group<'t>],
-    blocks: HashMap<&'t str, Block<'t, 'g>>,
-    hidden: HashMap<&'t str, HiddenLayer>,
+    blocks: HashMap<NameKey, Block<'t, 'g>>,
+    hidden: HashMap<NameKey, HiddenLayer>,
     entities: Vec<Entity<'t, 'g>>,
+}
+
+/// A name of a layer or a block without regard to case.
+#[derive(Clone, PartialEq, Eq, Hash)]
+struct NameKey(String);
+
+impl NameKey {
+    fn new(name: &str) -> Self {
+        Self(name.to_lowercase())
+    }
 }
 
 /// Why a layer is not shown.
@@ -93,7 +104,7 @@ impl HiddenLayer {
 
 /// A block that is being inserted, and the layer that its entities on the layer `0` take.
 struct Inserted<'t> {
-    block: &'t str,
+    block: NameKey,
     layer: &'t str,
 }
 
@@ -127,18 +138,18 @@ impl<'t, 'g> File<'t, 'g> {
                 ("ENTITIES", _) => file.entities.push(entity),
                 ("TABLES", "LAYER") => {
                     if let (Some(name), Some(state)) = (entity.text(2), HiddenLayer::of(&entity)) {
-                        file.hidden.insert(name, state);
+                        file.hidden.insert(NameKey::new(name), state);
                     }
                 }
                 ("BLOCKS", "BLOCK") => {
-                    block = entity.text(2);
-                    if let Some(name) = block {
-                        file.blocks.entry(name).or_default().head = Some(entity);
+                    block = entity.text(2).map(NameKey::new);
+                    if let Some(name) = &block {
+                        file.blocks.entry(name.clone()).or_default().head = Some(entity);
                     }
                 }
                 ("BLOCKS", "ENDBLK") => block = None,
                 ("BLOCKS", _) => {
-                    if let Some(block) = block.and_then(|name| file.blocks.get_mut(name)) {
+                    if let Some(block) = block.as_ref().and_then(|name| file.blocks.get_mut(name)) {
                         block.entities.push(entity);
                     }
                 }
@@ -192,8 +203,8 @@ pub(crate) fn unit_of(number: i64) -> Result<Option<LengthUnit>, String> {
 }
 
 struct Reader<'t, 'g, 'f> {
-    blocks: &'f HashMap<&'t str, Block<'t, 'g>>,
-    hidden: &'f HashMap<&'t str, HiddenLayer>,
+    blocks: &'f HashMap<NameKey, Block<'t, 'g>>,
+    hidden: &'f HashMap<NameKey, HiddenLayer>,
     drafts: Drafts,
     passed: PassedOver,
     seen: usize,
@@ -232,11 +243,15 @@ impl<'t, 'g> Reader<'t, 'g, '_> {
                 self.passed.add("entity of the paper space");
                 continue;
             }
+            if entity.whole(60, 0)? == 1 {
+                self.passed.add("hidden entity");
+                continue;
+            }
             let layer = match (entity.layer(), inside.last()) {
                 ("0", Some(insert)) => insert.layer,
                 (own, _) => own,
             };
-            let hidden = self.hidden.get(layer).copied();
+            let hidden = self.hidden.get(&NameKey::new(layer)).copied();
             let inserts = entity.kind == "INSERT";
             // Of a block that is inserted on a layer that is off, what has layers of its own is shown.
             if let Some(state) = hidden.filter(|s| *s == HiddenLayer::Frozen || !inserts) {
@@ -277,11 +292,12 @@ impl<'t, 'g> Reader<'t, 'g, '_> {
             .text(2)
             .ok_or_else(|| at(&place, "an INSERT without its block (group 2)"))?;
         let blocks = self.blocks;
-        let Some(block) = blocks.get(name) else {
+        let key = NameKey::new(name);
+        let Some(block) = blocks.get(&key) else {
             let name: String = name.chars().take(60).collect();
             return Err(at(&place, format!("there is no block `{name}`")));
         };
-        if inside.iter().any(|insert| insert.block == name) {
+        if inside.iter().any(|insert| insert.block == key) {
             let name: String = name.chars().take(60).collect();
             return Err(at(
                 &place,
@@ -307,7 +323,7 @@ impl<'t, 'g> Reader<'t, 'g, '_> {
             Ok(count)
         };
         let (columns, rows) = (count(70)?, count(71)?);
-        inside.push(Inserted { block: name, layer });
+        inside.push(Inserted { block: key, layer });
         for row in 0..rows {
             for column in 0..columns {
                 self.seen += 1;

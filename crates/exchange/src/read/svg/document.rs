@@ -66,6 +66,8 @@ pub(crate) struct Element<'d> {
     pub layers: Vec<&'d str>,
     /// From its coordinates to the sheet: millimetres, y up.
     pub matrix: Matrix,
+    /// Width and height of the innermost box about it, of which percentages are.
+    pub viewport: Option<[f64; 2]>,
 }
 
 impl<'d> Element<'d> {
@@ -83,12 +85,14 @@ impl<'d> Element<'d> {
         let Some(text) = self.node.attribute(name) else {
             return Ok(None);
         };
-        length_of(text).map(Some).ok_or_else(|| {
-            at(
-                &self.place,
-                format!("`{name}` is no length: `{}`", short(text)),
-            )
-        })
+        length_within(text, name, self.viewport)
+            .map(Some)
+            .ok_or_else(|| {
+                at(
+                    &self.place,
+                    format!("`{name}` is no length: `{}`", short(text)),
+                )
+            })
     }
 }
 
@@ -116,6 +120,27 @@ fn length_of(text: &str) -> Option<f64> {
     };
     let value = length.number * factor;
     value.is_finite().then_some(value)
+}
+
+/// A length in user units, or a percentage of a box of this width and height.
+fn length_within(text: &str, name: &str, viewport: Option<[f64; 2]>) -> Option<f64> {
+    let Some(length) = parsed_length(text).filter(|length| length.unit == Unit::Percent) else {
+        return length_of(text);
+    };
+    let [w, h] = viewport?;
+    let whole = match name {
+        "x" | "x1" | "x2" | "cx" | "rx" | "width" => w,
+        "y" | "y1" | "y2" | "cy" | "ry" | "height" => h,
+        // Of a radius: of the diagonal, over the root of two.
+        _ => ((w * w + h * h) / 2.0).sqrt(),
+    };
+    let value = 0.01 * length.number * whole;
+    value.is_finite().then_some(value)
+}
+
+/// The width and height of the box of an element, of which percentages inside are.
+fn viewport(node: Node<'_, '_>, place: &FilePlace) -> ReadResult<Option<[f64; 2]>> {
+    Ok(view_box(node, place)?.map(|[_, _, w, h]| [w, h]))
 }
 
 fn short(text: &str) -> String {
@@ -227,19 +252,8 @@ fn outermost(root: Node<'_, '_>, place: &FilePlace, unit: &Rational) -> ReadResu
                     both
                 } else if says("slice") {
                     [both[0].max(both[1]); 2]
-                } else if says("meet") {
-                    [both[0].min(both[1]); 2]
-                } else if (both[0] - both[1]).abs() > 1e-3 * both[0].min(both[1]) {
-                    // A viewer would shrink the drawing into the smaller side: nobody means that who does not say it.
-                    return Err(at(
-                        place,
-                        format!(
-                            "width and height say {:.6} and {:.6} mm for one unit of the viewBox, and \
-                             `preserveAspectRatio` does not say `meet`, `slice` or `none`",
-                            both[0], both[1]
-                        ),
-                    ));
                 } else {
+                    // `meet`, which holds where nothing is said: all of the box is seen.
                     [both[0].min(both[1]); 2]
                 }
             }
@@ -276,6 +290,7 @@ pub(crate) fn drawn<'d>(document: &'d Document<'d>, unit: &Rational) -> ReadResu
         ids: HashMap::new(),
         styles: Styles::new(document)?,
         visible: true,
+        viewport: viewport(root, &place)?,
         seen: 0,
         found: Drawn {
             elements: Vec::new(),
@@ -314,6 +329,8 @@ struct Walk<'d> {
     styles: Styles<'d>,
     /// Whether what comes next is seen: `visibility` is handed down.
     visible: bool,
+    /// Width and height of the innermost box.
+    viewport: Option<[f64; 2]>,
     seen: usize,
     found: Drawn<'d>,
 }
@@ -395,6 +412,21 @@ impl<'d> Walk<'d> {
         map.ok_or_else(|| at(&place, format!("`transform` is none: `{}`", short(text))))
     }
 
+    /// What is in an element with a box of its own.
+    fn boxed(
+        &mut self,
+        node: Node<'d, 'd>,
+        layers: &mut Vec<&'d str>,
+        matrix: Matrix,
+        depth: usize,
+    ) -> ReadResult<()> {
+        let own = viewport(node, &place_of(self.document, node))?;
+        let outside = std::mem::replace(&mut self.viewport, own);
+        let result = self.children(node, layers, matrix, depth + 1);
+        self.viewport = outside;
+        result
+    }
+
     /// An element that is not taken out of the drawing, with its own transform in the matrix.
     fn shown(
         &mut self,
@@ -417,8 +449,8 @@ impl<'d> Walk<'d> {
             }
             "svg" => {
                 let place = place();
-                let inner = inner(node, node, &place)?;
-                self.children(node, layers, matrix.after(inner), depth + 1)
+                let inner = inner(node, node, &place, self.viewport)?;
+                self.boxed(node, layers, matrix.after(inner), depth)
             }
             "use" => {
                 let place = place();
@@ -433,13 +465,13 @@ impl<'d> Walk<'d> {
                 let Some(target) = target else {
                     return Err(at(&place, format!("there is no element `{}`", short(link))));
                 };
-                let number = |name: &str| node.attribute(name).and_then(length_of).unwrap_or(0.0);
-                let moved = matrix.after(Matrix([1.0, 0.0, 0.0, 1.0, number("x"), number("y")]));
                 if target.tag_name().name() == "symbol" {
-                    let inner = inner(target, node, &place)?;
+                    let inner = inner(target, node, &place, self.viewport)?;
                     // The corner is in it.
-                    return self.children(target, layers, matrix.after(inner), depth + 1);
+                    return self.boxed(target, layers, matrix.after(inner), depth);
                 }
+                let [x, y] = moved_by(node, &place, self.viewport)?;
+                let moved = matrix.after(Matrix([1.0, 0.0, 0.0, 1.0, x, y]));
                 self.element(target, layers, moved, depth + 1)
             }
             "path" | "line" | "polyline" | "polygon" | "rect" | "circle" | "ellipse" | "text" => {
@@ -457,6 +489,7 @@ impl<'d> Walk<'d> {
                     tag,
                     layers: layers.clone(),
                     matrix,
+                    viewport: self.viewport,
                 });
                 Ok(())
             }
@@ -471,11 +504,29 @@ impl<'d> Walk<'d> {
     }
 }
 
+/// Where an element stands that has a place of its own: `x` and `y`, or zero.
+fn moved_by(
+    node: Node<'_, '_>,
+    place: &FilePlace,
+    outside: Option<[f64; 2]>,
+) -> ReadResult<[f64; 2]> {
+    let length = |name: &str| match node.attribute(name) {
+        None => Ok(0.0),
+        Some(text) => length_within(text, name, outside)
+            .ok_or_else(|| at(place, format!("`{name}` is no length: `{}`", short(text)))),
+    };
+    Ok([length("x")?, length("y")?])
+}
+
 /// The map from the coordinates inside of an `svg` or a `symbol` to those about it: from its box to the place and size that
 /// `placed`, itself or what uses it, gives it; by `preserveAspectRatio` one scale, in the middle, unless it says otherwise.
-fn inner(node: Node<'_, '_>, placed: Node<'_, '_>, place: &FilePlace) -> ReadResult<Matrix> {
-    let number = |name: &str| placed.attribute(name).and_then(length_of);
-    let (x, y) = (number("x").unwrap_or(0.0), number("y").unwrap_or(0.0));
+fn inner(
+    node: Node<'_, '_>,
+    placed: Node<'_, '_>,
+    place: &FilePlace,
+    outside: Option<[f64; 2]>,
+) -> ReadResult<Matrix> {
+    let [x, y] = moved_by(placed, place, outside)?;
     let Some([left, top, w, h]) = view_box(node, place)? else {
         return Ok(Matrix([1.0, 0.0, 0.0, 1.0, x, y]));
     };
@@ -484,7 +535,7 @@ fn inner(node: Node<'_, '_>, placed: Node<'_, '_>, place: &FilePlace) -> ReadRes
         let Some(text) = own.filter(|text| text.trim() != "auto") else {
             return Ok(usual);
         };
-        let length = length_of(text).filter(|length| *length > 0.0);
+        let length = length_within(text, name, outside).filter(|length| *length > 0.0);
         length.ok_or_else(|| {
             at(
                 place,
