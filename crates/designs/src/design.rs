@@ -198,6 +198,14 @@ pub enum Mark {
     Opening(MarkedOpening),
 }
 
+impl Mark {
+    /// Returns whether something is cut out there.
+    #[must_use]
+    pub fn is_opening(&self) -> bool {
+        matches!(self, Self::Hole(..) | Self::Opening(_))
+    }
+}
+
 /// An opening of any closed shape, as a file gives it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MarkedOpening {

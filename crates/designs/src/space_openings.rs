@@ -3,10 +3,12 @@
 use crate::design::{Design, Mark, Patch};
 use crate::error::DesignError;
 use crate::openings::{Opening, OpeningShape, openings};
+use crate::polygon::is_within;
 use crate::position::position;
 use crate::unroll::{Demand, drawing, unroll};
 use torse_geometry::pattern::{FlatPattern, PatternPlace, Segment};
 use torse_geometry::prelude::{Point, Sheet};
+use torse_geometry::vector::{dot, norm, scale, sub};
 
 /// Which side of a closed curve on a patch is open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,6 +35,8 @@ pub struct SpaceOpening {
     name: String,
 }
 
+/// Places no farther from the border of an opening than this share of its size are not told from it.
+const NEAR_BORDER: f64 = 0.01;
 /// Points of the curve around an opening, about so many.
 const AROUND: f64 = 64.0;
 /// The least steps of a smooth part of a curve.
@@ -50,7 +54,6 @@ const MAX_DEPTH: u32 = 24;
 /// # Errors
 /// As [`unroll`] and [`drawing`]: openings that leave the sheet, or overlap, are refused.
 pub fn openings_in_space(design: &Design) -> Result<Vec<SpaceOpening>, DesignError> {
-    let is_opening = |mark: &Mark| matches!(mark, Mark::Hole(..) | Mark::Opening(_));
     let mut all = Vec::new();
     for piece in design.pieces() {
         let patches: Vec<(usize, &Patch)> = piece
@@ -60,7 +63,7 @@ pub fn openings_in_space(design: &Design) -> Result<Vec<SpaceOpening>, DesignErr
             .collect();
         if !patches
             .iter()
-            .any(|(_, patch)| patch.border.is_some() || patch.marks.iter().any(is_opening))
+            .any(|(_, patch)| patch.border.is_some() || patch.marks.iter().any(Mark::is_opening))
         {
             continue;
         }
@@ -131,6 +134,43 @@ impl SpaceOpening {
             bounds.extend([0.0, 1.0].map(|v| vec![[0.0, v], [1.0, v]]));
         }
         bounds
+    }
+
+    /// Returns whether a place of the patch lies in what is open, or no farther from its border than a hundredth of the size of
+    /// that: nothing is known of the sheet there.
+    #[must_use]
+    pub fn reaches(&self, sheet: &Sheet, place: [f64; 2]) -> bool {
+        // The parts of one closed curve, which goes on along the first or the last ruling.
+        let whole: Vec<[f64; 2]> = self.borders.iter().flatten().copied().collect();
+        if is_within(&whole, place) == (self.open == OpenSide::Inside) {
+            return true;
+        }
+        let in_space = |[u, v]: &[f64; 2]| sheet.point(*u, *v).ok();
+        let Some(point) = in_space(&place) else {
+            return true;
+        };
+        let borders: Vec<Vec<Point>> = self
+            .borders
+            .iter()
+            .map(|border| border.iter().filter_map(in_space).collect())
+            .collect();
+        let corners: Vec<&Point> = borders.iter().flatten().collect();
+        let size = (0..3).map(|axis| {
+            let all = corners.iter().map(|corner| corner[axis]);
+            let [low, high] = all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], c| {
+                [low.min(c), high.max(c)]
+            });
+            high - low
+        });
+        let size = size.fold(0.0, f64::max);
+        let mut sides = borders.iter().flat_map(|border| border.windows(2));
+        let is_near = |side: &[Point]| {
+            let [from, to] = side else { return false };
+            let (way, arm) = (sub(to, from), sub(&point, from));
+            let share = dot(&arm, &way) / dot(&way, &way).max(f64::MIN_POSITIVE);
+            norm(&sub(&arm, &scale(&share.clamp(0.0, 1.0), &way))) <= NEAR_BORDER * size
+        };
+        sides.any(is_near)
     }
 
     /// Returns whether it goes on beyond the patch.

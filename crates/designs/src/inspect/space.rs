@@ -3,6 +3,8 @@
 use super::contact::{PieceReport, PieceSpace, Piercing, SelfContact, one_point};
 use super::{DesignReport, PatchReport};
 use crate::design::{Design, Patch};
+use crate::space_openings::openings_in_space;
+use std::cell::OnceCell;
 use torse_geometry::prelude::{PieceIntersection, Sheet, SheetPiercing};
 
 /// The patches of a list of indices that are regular, and whether these are all.
@@ -75,8 +77,8 @@ pub(super) fn pieces(design: &Design, reports: &[PatchReport]) -> Vec<PieceRepor
         .collect()
 }
 
-/// Two pieces each that are proved to pass through each other. Patches with a border of their own are not asked: their
-/// rulings reach beyond it.
+/// Two pieces each that are proved to pass through each other, in what is left of them beside their openings. Patches with a
+/// border of their own are not asked: their rulings reach beyond it.
 pub(super) fn piercings(design: &Design, reports: &[PatchReport]) -> Vec<Piercing> {
     let pieces = design.pieces();
     let patches: Vec<Vec<&Patch>> = pieces
@@ -91,7 +93,24 @@ pub(super) fn piercings(design: &Design, reports: &[PatchReport]) -> Vec<Piercin
         .iter()
         .map(|patches| patches.iter().map(|patch| &patch.sheet).collect())
         .collect();
-    let found = Sheet::piercings(&sheets).unwrap_or_default();
+    // Only where pieces meet are their openings of interest.
+    let openings = OnceCell::new();
+    let is_left = |found: &SheetPiercing| {
+        let openings = openings.get_or_init(|| openings_in_space(design).ok());
+        (0..2).all(|k| {
+            let patch = patches[found.pieces[k]][found.sheets[k]];
+            match openings {
+                Some(all) => !all.iter().any(|opening| {
+                    let own = design.patches.get(opening.patch);
+                    own.is_some_and(|own| std::ptr::eq(own, patch))
+                        && opening.reaches(&patch.sheet, found.places[k])
+                }),
+                // Where they lie is not known.
+                None => patch.marks.iter().all(|mark| !mark.is_opening()),
+            }
+        })
+    };
+    let found = Sheet::piercings(&sheets, is_left).unwrap_or_default();
     let named = |found: SheetPiercing| Piercing {
         pieces: found.pieces.map(|piece| pieces[piece].name.clone()),
         patches: [0, 1].map(|k| patches[found.pieces[k]][found.sheets[k]].name.clone()),

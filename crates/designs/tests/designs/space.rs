@@ -86,3 +86,71 @@ q = { ruled = ["c", "d"] }
         "{text}"
     );
 }
+
+/// A pipe along x and one that branches off at 45 degrees, with these marks on the first.
+fn branching(marks: &str) -> String {
+    format!(
+        r#"
+[curves]
+u = {{ arc = {{ centre = [-150, 0, 0], from = [-150, 0, -50], axis = [1, 0, 0], angle = 360 }} }}
+p = {{ arc = {{ centre = [10, 0, 0], from = [10, 25, 0], axis = [0.7071067811865475, 0, 0.7071067811865475], angle = 360 }} }}
+q = {{ arc = {{ centre = [116.06601717798212, 0, 106.06601717798212], from = [116.06601717798212, 25, 106.06601717798212], axis = [0.7071067811865475, 0, 0.7071067811865475], angle = 360 }} }}
+[patches]
+br = {{ ruled = ["p", "q"] }}
+main = {{ cylinder = "u", direction = [300, 0, 0], marks = [{marks}] }}
+"#
+    )
+}
+
+#[test]
+fn a_pipe_does_not_pass_through_another_where_that_has_an_opening_for_it() {
+    let met = |marks: &str| inspected(&branching(marks)).piercings.len();
+    assert_eq!(met(""), 1);
+    assert_eq!(met(r#"{ passes = "br" }"#), 0);
+    // A hole elsewhere changes nothing.
+    assert_eq!(met("{ at = [0.1, 0.2], radius = 5 }"), 1);
+}
+
+#[test]
+fn a_pipe_that_lies_on_itself_is_found_however_little() {
+    for angle in [360.1, 361.0, 400.0] {
+        let report = inspected(&format!(
+            r#"
+[curves]
+a = {{ arc = {{ centre = [0, 0, 0], from = [50, 0, 0], axis = [0, 0, 1], angle = {angle} }} }}
+[patches]
+p = {{ cylinder = "a", direction = [0, 0, 50] }}
+"#
+        ));
+        assert!(
+            report
+                .missed
+                .iter()
+                .any(|reason| reason.starts_with("p passes through itself in space")),
+            "{angle}: {:?}",
+            report.missed
+        );
+    }
+}
+
+#[test]
+fn sheets_that_start_in_a_tip_are_proved_free_in_space() {
+    for rails in [
+        ["[[0, 0, 0], [200, 0, 0]]", "[[0, 0, 0], [200, 100, 0]]"],
+        // Away from the origin, from tip to tip, and bent.
+        [
+            "[[7, 3, 0.1], [107, -50, 0.1], [207, 3, 0.1]]",
+            "[[7, 3, 0.1], [107, 60, 0.1], [207, 3, 0.1]]",
+        ],
+        [
+            "[[0, 0, 0], [100, 0, 0], [200, 0, 80]]",
+            "[[0, 0, 0], [100, 50, 0], [200, 100, 80]]",
+        ],
+    ] {
+        let report = inspected(&format!(
+            "[curves]\na = {{ bezier = {} }}\nb = {{ bezier = {} }}\n[patches]\np = {{ ruled = [\"a\", \"b\"] }}\n",
+            rails[0], rails[1]
+        ));
+        assert_eq!(report.notes_on_space(), [""; 0], "{rails:?}");
+    }
+}

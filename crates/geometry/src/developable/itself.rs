@@ -3,7 +3,8 @@
 //! Two rulings near each other do not meet if the patch moves away from each of them: let `R(x)` be a ruling, `T` a
 //! fixed vector and `m(x) = T (R.R) - R (R.T)`, which is orthogonal to `R(x)`. If `P'(y).m(x)` and `Q'(y).m(x)` are
 //! positive for all `x, y` of an interval, then `(S(y, w) - P(x)).m(x)` grows with `y` from zero at `y = x`, and no
-//! later ruling of the interval meets that of `x`.
+//! later ruling of the interval meets that of `x`. Where the interval starts or ends in a tip, in which the ruling has no
+//! length, `R(x)` is divided by the distance from there: that changes `m(x)` by a positive factor.
 //!
 //! Two rulings far from each other do not meet if hulls of the strips about them do not: a strip lies within the hull
 //! of four points, widened by what the rails differ from their chords. What is neither near nor apart is halved. Where
@@ -17,7 +18,7 @@ use super::meeting::{WHOLE_RULING, is_proved, meeting};
 use super::strip::{Key, Strip, halves, width};
 use crate::coordinate::Coordinate;
 use crate::model::ChebyshevModel;
-use crate::surface::Rails;
+use crate::surface::{Rails, RulingEnd};
 use crate::vector::{add, dot, norm, scale, sub};
 use std::collections::BTreeMap;
 
@@ -72,6 +73,8 @@ const CLOSED: f64 = 1e-9;
 struct Search<'a, M> {
     models: &'a M,
     apexes: [bool; 2],
+    /// Whether the first and the last ruling are a point each.
+    tips: [bool; 2],
     strips: BTreeMap<Key, Option<Strip>>,
 }
 
@@ -92,7 +95,16 @@ impl<M: Rails<ChebyshevModel>> Search<'_, M> {
             let Some(strip) = self.strip(*key) else {
                 return false;
             };
-            strips.push((strip.slopes, strip.ruling));
+            let (slopes, ruling) = (strip.slopes, strip.ruling);
+            let [from, to] = width(*key);
+            let at_tip = (from == 0.0 && self.tips[0]) || (to == 1.0 && self.tips[1]);
+            // From a point the ruling grows with the speed by which the rails part, coordinate by coordinate: the mean value.
+            let direction = if at_tip {
+                sub(&slopes[1], &slopes[0])
+            } else {
+                ruling
+            };
+            strips.push((slopes, direction));
         }
         let mut across = [0.0; 3];
         for (slopes, _) in &strips {
@@ -149,6 +161,7 @@ where
     let mut search = Search {
         models,
         apexes,
+        tips: patch.end_kinds().rulings().map(|end| end == RulingEnd::Tip),
         strips: BTreeMap::new(),
     };
     let mut open: Vec<(Key, Key)> = vec![((0, 0), (0, 0))];

@@ -4,7 +4,7 @@ use super::strip::constant;
 use crate::coordinate::Coordinate;
 use crate::model::ChebyshevModel;
 use crate::surface::Rails;
-use crate::vector::{add, cross, dot, scale, sub};
+use crate::vector::{add, cross, dot, norm, scale, sub};
 
 /// Two places `[u, v]`: one on each patch.
 pub type Places = [[f64; 2]; 2];
@@ -12,9 +12,13 @@ pub type Places = [[f64; 2]; 2];
 /// Places on a ruling at which a search for meetings starts, its ends included.
 pub const WHOLE_RULING: [f64; 7] = [0.5, 0.25, 0.75, 0.125, 0.875, 0.0, 1.0];
 
+/// Points no farther apart than this share of their size are one, as far as rounding tells.
+const SAME_POINT: f64 = 8.0 * f64::EPSILON;
+
 /// Two places that are the same point, near the middles of two ranges: Newton's method for the parameters of both rulings and
 /// the place on the second, with the place on the first held fast at each of `starts`. Those that are not `distinct` places of
-/// the sheet are passed over.
+/// the sheet are passed over. Sheets that lie on each other meet along curves, towards which the method goes as well; there it
+/// ends where the points agree, for steps have no meaning any more.
 pub fn meeting<P: Rails<f64> + ?Sized>(
     [first, second]: [&P; 2],
     [from, to]: [[f64; 2]; 2],
@@ -36,6 +40,14 @@ pub fn meeting<P: Rails<f64> + ?Sized>(
                 w.unwrap_or_else(|| dot(&sub(&point, &two[0][0]), &ruling) / dot(&ruling, &ruling));
             let there = crate::vector::lerp(&two[0][0], &two[1][0], &place);
             let off = sub(&point, &there);
+            let size = norm(&point) + norm(&ruling);
+            if w.is_some() && norm(&off) <= SAME_POINT * size {
+                let places = [[x, v], [y, place]];
+                if (0.0..=1.0).contains(&place) && distinct(&places, &point) {
+                    return Some((places, point));
+                }
+                break;
+            }
             let columns = [
                 crate::vector::lerp(&one[0][1], &one[1][1], &v),
                 crate::vector::lerp(&two[0][1], &two[1][1], &place).map(|c| -c),

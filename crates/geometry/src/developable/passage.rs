@@ -298,14 +298,14 @@ where
             .or_insert_with(|| Strip::new(model, key, apex))
     }
 
-    /// What is known of two patches: the first meeting that is `wanted`.
+    /// What is known of two patches: the first meeting that is `wanted`, by its places, its point and whether it is proved.
     fn pair(
         &mut self,
         patches: [usize; 2],
         ends: [&Ends; 2],
         joined: f64,
         limits: Limits,
-        wanted: impl Fn(&[[f64; 2]; 2], bool) -> bool,
+        wanted: impl Fn(&[[f64; 2]; 2], &[f64; 3], bool) -> bool,
     ) -> PieceIntersection {
         let apexes = ends.map(|ends| ends.apexes);
         // The rail of each that is their common apex.
@@ -366,7 +366,7 @@ where
                 && let [Some(m), Some(n)] = patches.map(|k| self.models.get(k))
             {
                 let proved = is_proved([m, n], places);
-                if wanted(&places, proved) {
+                if wanted(&places, &point, proved) {
                     return PieceIntersection::Found {
                         patches,
                         places,
@@ -428,7 +428,7 @@ where
                 });
                 continue;
             };
-            match search.pair([one, other], [mine, theirs], joined, limits, |_, _| true) {
+            match search.pair([one, other], [mine, theirs], joined, limits, |_, _, _| true) {
                 PieceIntersection::Free => {}
                 found @ PieceIntersection::Found { .. } => return found,
                 undecided @ PieceIntersection::Undecided { .. } => {
@@ -453,9 +453,13 @@ pub struct SheetPiercing {
     pub point: [f64; 3],
 }
 
-/// Looks for a point of each two pieces at which patches of them pierce each other, proved and inside of both patches. Where they
-/// touch along edges none is found. All pairs share what was computed of the intervals of a patch.
-pub(crate) fn piercings<P, M>(pieces: &[Vec<&P>], models: &[M]) -> Vec<SheetPiercing>
+/// Looks for a point of each two pieces at which patches of them pierce each other, proved, inside of both patches and `wanted`.
+/// Where they touch along edges none is found. All pairs share what was computed of the intervals of a patch.
+pub(crate) fn piercings<P, M>(
+    pieces: &[Vec<&P>],
+    models: &[M],
+    wanted: impl Fn(&SheetPiercing) -> bool,
+) -> Vec<SheetPiercing>
 where
     P: Rails<f64> + ?Sized,
     M: Rails<ChebyshevModel>,
@@ -496,14 +500,18 @@ where
                 let [Some(Some(a)), Some(Some(b))] = pair.map(|index| ends.get(index)) else {
                     continue;
                 };
-                let found = search.pair(pair, [a, b], 0.0, PIERCING, is_inside);
+                let piercing = |places: &[[f64; 2]; 2], point: &[f64; 3]| SheetPiercing {
+                    pieces: [one, other],
+                    sheets: [mine, theirs],
+                    places: *places,
+                    point: *point,
+                };
+                let is_one = |places: &[[f64; 2]; 2], point: &[f64; 3], proved: bool| {
+                    is_inside(places, proved) && wanted(&piercing(places, point))
+                };
+                let found = search.pair(pair, [a, b], 0.0, PIERCING, is_one);
                 if let PieceIntersection::Found { places, point, .. } = found {
-                    return Some(SheetPiercing {
-                        pieces: [one, other],
-                        sheets: [mine, theirs],
-                        places,
-                        point,
-                    });
+                    return Some(piercing(&places, &point));
                 }
             }
         }

@@ -37,13 +37,18 @@ impl Sheet {
     }
 
     /// For each two pieces, each of several sheets, a point at which two of their sheets are proved to pass through each other,
-    /// inside of both. That none is found does not say that there is none.
+    /// inside of both; the first that is `wanted`, which knows what is cut out of them. That none is found does not say that
+    /// there is none.
     ///
     /// # Errors
     /// As [`Sheet::piece_intersection`].
-    pub fn piercings(pieces: &[Vec<&Self>]) -> Result<Vec<SheetPiercing>> {
+    pub fn piercings(
+        pieces: &[Vec<&Self>],
+        wanted: impl Fn(&SheetPiercing) -> bool,
+    ) -> Result<Vec<SheetPiercing>> {
         let models = pieces.iter().flatten().map(|sheet| sheet.models());
-        Ok(piercings(pieces, &models.collect::<Result<Vec<_>>>()?))
+        let models = models.collect::<Result<Vec<_>>>()?;
+        Ok(piercings(pieces, &models, wanted))
     }
 
     fn models(&self) -> Result<Sheet<ChebyshevModel>> {

@@ -231,7 +231,8 @@ fn sheets_pierce_each_other_inside_and_do_not_where_they_touch_along_edges() {
             [50.0, 40.0, 30.0],
         )
     };
-    let piercings = |other: &Sheet| Sheet::piercings(&[vec![&floor], vec![other]]).unwrap();
+    let piercings =
+        |other: &Sheet| Sheet::piercings(&[vec![&floor], vec![other]], |_| true).unwrap();
     let found = piercings(&wall(-30.0));
     let [SheetPiercing { places, point, .. }] = found.as_slice() else {
         panic!("the wall stands through the floor");
